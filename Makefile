@@ -1,0 +1,128 @@
+# The verbs of the project; CI calls the same ones. `make help` lists them.
+# Everything is installed inside the tree (.venv, node_modules); a file under .make/ says that a step is done.
+
+SHELL := /bin/bash
+.SHELLFLAGS := -eu -o pipefail -c
+.DEFAULT_GOAL := help
+.DELETE_ON_ERROR:
+
+PYTHON ?= python3
+VENV := .venv
+BIN := $(VENV)/bin
+DONE := .make
+RESULTS := $(DONE)/results
+
+BOARD ?=
+XPLANE ?=
+PORT ?= 8000
+ARGS ?=
+
+.PHONY: help setup generate check test test-backend test-protocol test-firmware test-frontend e2e run board bench clean tools browser
+
+help: ## list the verbs
+	@awk -F':.*## ' '/^[a-z-]+:.*## / { printf "  make %-14s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
+
+# ---- what has to be on the machine --------------------------------------------------------------
+
+$(DONE)/tools: .ci/require
+	@mkdir -p $(DONE)
+	@PYTHON=$(PYTHON) bash .ci/require
+	@touch $@
+
+# ---- installing inside the tree ------------------------------------------------------------------
+
+# One virtual environment: `run` puts the run-time packages into it, the tests add the tools.
+$(DONE)/venv: backend/requirements.lock backend/pyproject.toml $(DONE)/tools
+	@echo "Installing the gateway's packages (once) ..."
+	@test -x $(BIN)/python || $(PYTHON) -m venv $(VENV)
+	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes -r backend/requirements.lock
+	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation -e backend
+	@touch $@
+
+$(DONE)/venv-dev: backend/requirements-dev.lock $(DONE)/venv
+	@echo "Installing the test tools (once) ..."
+	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes -r backend/requirements-dev.lock
+	@touch $@
+
+$(DONE)/frontend: frontend/package-lock.json $(DONE)/tools
+	@echo "Installing the page's packages (once) ..."
+	@cd frontend && npm ci --no-audit --no-fund --loglevel=error
+	@touch $@
+
+$(DONE)/e2e: e2e/package-lock.json $(DONE)/tools
+	@cd e2e && npm ci --no-audit --no-fund --loglevel=error
+	@touch $@
+
+$(DONE)/browser: .ci/browser $(DONE)/e2e
+	@bash .ci/browser
+	@touch $@
+
+setup: $(DONE)/venv-dev $(DONE)/frontend $(DONE)/e2e $(DONE)/browser ## install everything that tests and development need
+
+# ---- building -------------------------------------------------------------------------------------
+
+frontend_sources := $(shell find frontend/src frontend/public -type f 2>/dev/null) $(wildcard frontend/*.html frontend/*.ts frontend/*.json)
+
+frontend/dist/index.html: $(frontend_sources) $(DONE)/frontend
+	@echo "Building the page ..."
+	@cd frontend && npm run --silent build
+	@touch $@
+
+board: $(DONE)/tools ## build the board's firmware for this machine
+	@$(MAKE) --no-print-directory -C firmware board
+
+generate: $(DONE)/venv $(DONE)/frontend ## write every generated file again from protocol/definition
+	cd protocol && ../$(BIN)/python -m generator
+	$(BIN)/python -m gateway --print-openapi > $(DONE)/openapi.json
+	cd frontend && npm run --silent generate -- ../$(DONE)/openapi.json
+
+# ---- running --------------------------------------------------------------------------------------
+
+run: $(DONE)/venv frontend/dist/index.html board ## fly the demonstration; BOARD=/dev/ttyUSB0 and XPLANE=host put real ones in its place
+	@exec $(BIN)/epf-run --port $(PORT) $(if $(BOARD),--board "$(BOARD)") $(if $(XPLANE),--xplane "$(XPLANE)") $(ARGS)
+
+# ---- proving --------------------------------------------------------------------------------------
+
+check: $(DONE)/venv-dev $(DONE)/frontend $(DONE)/e2e ## format, lint, types, import rules, generated files up to date
+	cd protocol && ../$(BIN)/python -m generator --check
+	$(BIN)/python -m gateway --print-openapi > $(DONE)/openapi.json
+	cd frontend && npm run --silent generate:check -- ../$(DONE)/openapi.json
+	$(BIN)/ruff format --check backend protocol .ci
+	$(BIN)/ruff check backend protocol .ci
+	cd backend && ../$(BIN)/mypy
+	cd backend && ../$(BIN)/lint-imports
+	$(MAKE) --no-print-directory -C firmware format-check layers-check CLANG_FORMAT=$(abspath $(BIN)/clang-format)
+	cd frontend && npm run --silent check
+	cd e2e && npm run --silent check
+
+test: $(DONE)/setup-done check test-protocol test-firmware test-backend test-frontend e2e ## everything, from nothing
+	@$(BIN)/python .ci/summary.py $(RESULTS)
+
+$(DONE)/setup-done: $(DONE)/venv-dev $(DONE)/frontend $(DONE)/browser
+	@rm -rf $(RESULTS) && mkdir -p $(RESULTS)
+
+.PHONY: $(DONE)/setup-done
+
+test-protocol: $(DONE)/venv-dev
+	cd protocol && ../$(BIN)/pytest -q --junitxml=../$(RESULTS)/protocol.xml
+
+test-firmware: $(DONE)/venv-dev
+	$(MAKE) --no-print-directory -C firmware test RESULTS=$(abspath $(RESULTS))
+
+test-backend: $(DONE)/venv-dev board frontend/dist/index.html
+	$(MAKE) --no-print-directory -C firmware flight-lib
+	cd backend && ../$(BIN)/pytest -q --junitxml=../$(RESULTS)/backend.xml
+
+test-frontend: $(DONE)/frontend
+	cd frontend && npm run --silent test -- --reporter=default --reporter=junit --outputFile.junit=../$(RESULTS)/frontend.xml
+
+e2e: $(DONE)/venv $(DONE)/browser board frontend/dist/index.html ## journeys in a real browser through the real gateway, board and simulator
+	cd e2e && PLAYWRIGHT_JUNIT_OUTPUT_FILE=$(abspath $(RESULTS))/e2e.xml npm run --silent test
+
+bench: $(DONE)/venv-dev $(DONE)/browser board frontend/dist/index.html ## the numbers of the design, each beside its peer in the same run
+	$(MAKE) --no-print-directory -C firmware flight-lib
+	cd backend && ../$(BIN)/python -m bench $(ARGS)
+
+clean: ## remove everything that was built or installed
+	rm -rf $(VENV) $(DONE) frontend/node_modules frontend/dist e2e/node_modules e2e/test-results e2e/playwright-report
+	$(MAKE) --no-print-directory -C firmware clean
