@@ -1,0 +1,1 @@
+"""The gateway of EPF GCS: board and simulator on one side, any number of browsers on the other."""

@@ -1,0 +1,1 @@
+"""Starts the demonstration: board, simulator and gateway as child processes."""
