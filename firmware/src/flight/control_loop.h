@@ -1,0 +1,60 @@
+/// One aircraft under control: plan, autopilot, fly-by-wire and bumpless change between them. The board has two, the
+/// real aircraft and the one in the simulator, and both run this very code.
+#ifndef FLIGHT_CONTROL_LOOP_H
+#define FLIGHT_CONTROL_LOOP_H
+
+#include <stdbool.h>
+
+#include "control/autopilot.h"
+#include "control/fly_by_wire.h"
+#include "control/transition.h"
+#include "navigation/plan.h"
+#include "navigation/track.h"
+
+typedef struct
+{
+    fly_by_wire_gains_t fly_by_wire;
+    autopilot_gains_t autopilot;
+} control_loop_gains_t;
+
+/// What is known of the aircraft and what its pilot wants. Signs as in `fly_by_wire.h` and `autopilot.h`.
+typedef struct
+{
+    surfaces_t stick; ///< -1..+1, throttle 0..1
+    float p_rad_s;
+    float q_rad_s;
+    float r_rad_s;
+    float direction_deg; ///< ground track, or true heading where the source has no track
+    float pitch_deg;
+    float roll_deg;
+    float altitude_ft;
+    float vvi_ft_min;
+    float speed_kt;
+    position_t position;
+    bool autopilot;
+    bool autotrim;
+} control_loop_input_t;
+
+typedef struct
+{
+    fly_by_wire_state_t fly_by_wire;
+    autopilot_state_t autopilot;
+    transition_t transition;
+    track_t track;
+    autopilot_target_t hold; ///< what the autopilot holds without a plan: the moment it was switched on
+    float ground_altitude_ft; ///< where the aircraft last was below flying speed
+    bool ground_is_known;
+    bool autopilot_was_on;
+    bool autotrim_was_on;
+    bool has_run;
+    surfaces_t surfaces; ///< newest output
+} control_loop_t;
+
+void control_loop_init(control_loop_t* loop);
+
+/// One step of `dt_s` (>= 0; 0 after a pause, when nothing may be integrated). Sequences `plan` too. Returns the new
+/// surfaces, which are finite and inside of their limits whatever the input.
+surfaces_t control_loop_step(control_loop_t* loop, const control_loop_gains_t* gains, plan_t* plan,
+                             const control_loop_input_t* input, float dt_s);
+
+#endif

@@ -1,0 +1,24 @@
+/// Ground track from a source that may give only the heading: the drift is taken from successive positions.
+#ifndef NAVIGATION_TRACK_H
+#define NAVIGATION_TRACK_H
+
+#include <stdbool.h>
+
+#include "navigation/geodesy.h"
+
+typedef struct
+{
+    position_t anchor; ///< where the present stretch began
+    bool has_anchor;
+    float sin_sum; ///< of the direction given along the stretch, for its mean
+    float cos_sum;
+    float drift_deg; ///< track less the given direction, smoothed
+} track_t;
+
+void track_init(track_t* track);
+
+/// Take one position with the direction that came with it (ground track or heading, deg) and return the ground track
+/// in [0, 360). A source that gives the track itself comes through unchanged but for the noise of the positions.
+float track_update(track_t* track, const position_t* position, float direction_deg, float speed_kt);
+
+#endif
