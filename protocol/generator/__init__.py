@@ -1,0 +1,1 @@
+"""Makes every language's protocol code from protocol/definition. Standard library only."""

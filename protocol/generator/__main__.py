@@ -1,0 +1,78 @@
+"""Write every generated file, or with --check fail when one is out of date or a released frame changed.
+
+Run as `python3 -m generator` in protocol/. `--release` makes the present wire the released one.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+from pathlib import Path
+
+from . import emit_c, emit_json_schema, emit_markdown, emit_python, emit_typescript, released
+from .load import load
+from .model import Definition, DefinitionError
+
+PROTOCOL = Path(__file__).resolve().parent.parent
+ROOT = PROTOCOL.parent
+RELEASED = PROTOCOL / "released.json"
+
+
+def outputs(definition: Definition) -> dict[str, str]:
+    """Path from the root of the tree -> text."""
+    return {
+        "backend/src/gateway/codec/messages_gen.py": emit_python.messages(definition),
+        "firmware/src/comms/protocol_gen.h": emit_c.protocol_header(definition),
+        "firmware/src/comms/protocol_gen.c": emit_c.protocol_source(definition),
+        "firmware/src/params/parameters_gen.h": emit_c.parameters_header(definition),
+        "firmware/src/params/parameters_gen.c": emit_c.parameters_source(definition),
+        "firmware/src/navigation/routes_gen.h": emit_c.routes_header(definition),
+        "firmware/src/navigation/routes_gen.c": emit_c.routes_source(definition),
+        "frontend/src/protocol/messages.gen.ts": emit_typescript.messages(definition),
+        "protocol/REFERENCE.md": emit_markdown.reference(definition),
+        "protocol/telemetry.schema.json": emit_json_schema.schema(definition),
+    }
+
+
+def main(arguments: list[str]) -> int:
+    parser = argparse.ArgumentParser(prog="generator", description=__doc__)
+    parser.add_argument("--check", action="store_true", help="write nothing; fail when a file is out of date")
+    parser.add_argument("--release", action="store_true", help="make the present wire the released one")
+    chosen = parser.parse_args(arguments)
+    try:
+        definition = load(PROTOCOL / "definition")
+    except DefinitionError as error:
+        print(f"protocol/definition: {error}", file=sys.stderr)
+        return 1
+    if chosen.release:
+        RELEASED.write_text(released.text(definition), "utf-8")
+    made = outputs(definition)
+    if chosen.check:
+        return _check(definition, made)
+    for name, text in made.items():
+        path = ROOT / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        if not path.exists() or path.read_text("utf-8") != text:
+            path.write_text(text, "utf-8")
+            print(f"wrote {name}")
+    return 0
+
+
+def _check(definition: Definition, made: dict[str, str]) -> int:
+    faults = [
+        f"{name} is out of date: run `make generate`"
+        for name, text in made.items()
+        if not (ROOT / name).exists() or (ROOT / name).read_text("utf-8") != text
+    ]
+    if RELEASED.exists():
+        faults += released.breaks(definition, json.loads(RELEASED.read_text("utf-8")))
+    else:
+        faults.append("protocol/released.json is missing: nothing would notice a changed frame")
+    for fault in faults:
+        print(fault, file=sys.stderr)
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
