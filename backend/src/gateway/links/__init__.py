@@ -1,0 +1,1 @@
+"""Devices and sockets: the only code that touches one."""

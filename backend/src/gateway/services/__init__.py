@@ -1,0 +1,1 @@
+"""The running parts: the only code with tasks and timers."""

@@ -1,0 +1,20 @@
+"""One clock for everything that is stamped: Unix seconds that never jump."""
+
+from __future__ import annotations
+
+import time
+
+
+class Clock:
+    """Wall time at the start plus monotonic time since: comparable with other logs, and never set back."""
+
+    def __init__(self) -> None:
+        self._offset_ns = time.time_ns() - time.monotonic_ns()
+
+    def now_ns(self) -> int:
+        """Unix nanoseconds."""
+        return self._offset_ns + time.monotonic_ns()
+
+    def now_s(self) -> float:
+        """Unix seconds."""
+        return (self._offset_ns + time.monotonic_ns()) * 1e-9

@@ -1,0 +1,24 @@
+"""Every knob of the gateway, read once from GCS_* variables; the command line has the last word."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from pydantic import Field
+from pydantic_settings import BaseSettings, SettingsConfigDict
+
+
+class Settings(BaseSettings):
+    """Immutable; made in `__main__` and handed to the parts by `app`."""
+
+    model_config = SettingsConfigDict(env_prefix="GCS_", frozen=True)
+
+    host: str = Field("127.0.0.1", description="Address to listen on. Beyond the loopback anyone there can fly.")
+    port: int = Field(8000, ge=0, le=65535, description="TCP port to listen on; 0 takes any free one.")
+    data_dir: Path = Field(Path("data"), description="Where recordings and the remembered links live.")
+    page_dir: Path | None = Field(None, description="The built page; by default frontend/dist of this tree, if there.")
+    board: str | None = Field(None, description="Board link to open at start, in place of the remembered one.")
+    recording: bool = Field(default=True, description="Record every byte of the lines while a link is open.")
+    allowed_hosts: tuple[str, ...] = Field((), description="More names under which browsers may ask for this server.")
+    allowed_origins: tuple[str, ...] = Field((), description="More web origins which may command, for development.")
+    max_body_bytes: int = Field(65536, ge=1024, description="Largest request body.")
