@@ -57,9 +57,12 @@ class Confirm:
     move: Move = ""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class Message:
-    """A frame of either direction. Commands alone have `confirm`; `parameter` names what a set command sets."""
+    """A frame of either direction, one object for each type.
+
+    Commands alone have a `confirm` other than none; `parameter` names what a set command sets.
+    """
 
     id: int
     name: str

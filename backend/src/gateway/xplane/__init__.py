@@ -1,0 +1,1 @@
+"""The simulator's datagrams <-> our units. No I/O, no clock, no log, no framework."""
