@@ -1,0 +1,87 @@
+import { wrap360 } from "../../lib/angles";
+import { clamp, isDrawable, series, tickPath } from "../dial/scale";
+
+/**
+ * Attitude of the airframe against local north-east-down: pitch nose up is positive, roll right wing down is
+ * positive, both in degrees. `null` is not measured.
+ */
+export interface Attitude {
+  readonly pitch_deg: number | null;
+  readonly roll_deg: number | null;
+}
+
+/** Picture units that the horizon moves for a degree of pitch. */
+export const UNITS_PER_DEGREE = 2.3;
+
+/** Radius of the ball, and of the part of it that the pitch ladder may use. */
+export const BALL_RADIUS = 91.5;
+export const LADDER_RADIUS = 64;
+
+/** The edge between sky and ground never leaves the ball: a sliver always tells which way is up. */
+const EDGE_LIMIT = 74;
+
+const ROLL_SCALE_INNER = 79;
+const ROLL_SCALE_OUTER = 88;
+
+/** Whether there is an attitude to draw; half of one is none. */
+export function isAttitude(attitude: Attitude | null): attitude is { pitch_deg: number; roll_deg: number } {
+  return attitude !== null && isDrawable(attitude.pitch_deg) && isDrawable(attitude.roll_deg);
+}
+
+/** Pitch ends at straight up and straight down. */
+export function shownPitch_deg(pitch_deg: number): number {
+  return clamp(pitch_deg, -90, 90);
+}
+
+/**
+ * Turn of everything that stays with the outside world. SVG turns clockwise, so a right bank turns the horizon
+ * to the left.
+ */
+export function rollTransform(roll_deg: number): string {
+  return `rotate(${fixed(wrap360(-roll_deg))})`;
+}
+
+/** The pitch ladder: SVG's y points down, so a raised nose pushes it down. */
+export function ladderTransform(pitch_deg: number, roll_deg: number): string {
+  return `${rollTransform(roll_deg)} translate(0 ${fixed(shownPitch_deg(pitch_deg) * UNITS_PER_DEGREE)})`;
+}
+
+/** The edge between sky and ground: as the ladder, but kept within the ball. */
+export function horizonTransform(pitch_deg: number, roll_deg: number): string {
+  const offset = clamp(shownPitch_deg(pitch_deg) * UNITS_PER_DEGREE, -EDGE_LIMIT, EDGE_LIMIT);
+  return `${rollTransform(roll_deg)} translate(0 ${fixed(offset)})`;
+}
+
+/** A rung of the ladder: its height in the picture and half its width. */
+export interface Rung {
+  readonly pitch_deg: number;
+  readonly y: number;
+  readonly halfWidth: number;
+}
+
+/** Half widths tell the rungs apart: ten degrees wide, five middling, two and a half short (near level only). */
+function rung(pitch_deg: number): Rung | null {
+  const y = -pitch_deg * UNITS_PER_DEGREE;
+  if (pitch_deg === 0) return null;
+  if (pitch_deg % 10 === 0) return { pitch_deg, y, halfWidth: 24 };
+  if (pitch_deg % 5 === 0) return { pitch_deg, y, halfWidth: 13 };
+  return Math.abs(pitch_deg) < 20 ? { pitch_deg, y, halfWidth: 6 } : null;
+}
+
+export const RUNGS: readonly Rung[] = series(-90, 90, 2.5).flatMap((pitch_deg) => rung(pitch_deg) ?? []);
+
+export const NUMBERED_RUNGS: readonly Rung[] = RUNGS.filter((candidate) => candidate.pitch_deg % 10 === 0);
+
+/** All rungs as one path. */
+export const LADDER_PATH = RUNGS.map(({ y, halfWidth }) => `M${-halfWidth} ${fixed(y)}H${halfWidth}`).join(
+  "",
+);
+
+/** Fixed bank scale: long strokes at 30 and 60 degrees, short ones at 10, 20 and 45. */
+export const ROLL_TICKS_LONG = tickPath([-60, -30, 30, 60], ROLL_SCALE_INNER, ROLL_SCALE_OUTER);
+export const ROLL_TICKS_SHORT = tickPath([-45, -20, -10, 10, 20, 45], ROLL_SCALE_INNER, ROLL_SCALE_INNER + 5);
+
+function fixed(value: number): string {
+  const text = value.toFixed(2);
+  return Number(text) === 0 ? "0" : text;
+}

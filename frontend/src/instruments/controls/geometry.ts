@@ -1,0 +1,57 @@
+import { clamp, isDrawable } from "../dial/scale";
+
+/**
+ * The pilot's controls as the wire means them: elevator + nose up, aileron + right wing down, rudder + nose
+ * right (all -1..+1), throttle 0..1. `null` is not measured.
+ */
+export interface Controls {
+  readonly aileron: number | null;
+  readonly elevator: number | null;
+  readonly rudder: number | null;
+  readonly throttle: number | null;
+}
+
+/** Half the side of the square in which the stick moves, in units of the picture. */
+export const STICK_TRAVEL = 56;
+
+/** Middle of the square. */
+export const STICK_CENTRE = { x: -16, y: -16 } as const;
+
+/** Half the way of the pedals' mark, and the whole way of the throttle's. */
+export const PEDAL_TRAVEL = 56;
+export const THROTTLE_TRAVEL = 112;
+
+/** Whether all four are there; three controls without the fourth would show a lie for it. */
+export function areControls(controls: Controls | null): controls is { [axis in keyof Controls]: number } {
+  return (
+    controls !== null &&
+    isDrawable(controls.aileron) &&
+    isDrawable(controls.elevator) &&
+    isDrawable(controls.rudder) &&
+    isDrawable(controls.throttle)
+  );
+}
+
+/**
+ * The stick seen from above: right is right, and pulling it back, which raises the nose (elevator positive),
+ * moves its head down the picture, towards the pilot.
+ */
+export function stickTransform(aileron: number, elevator: number): string {
+  return `translate(${along(aileron, STICK_TRAVEL)} ${along(elevator, STICK_TRAVEL)})`;
+}
+
+/** Right pedal forward turns the nose right: the mark goes right. */
+export function pedalTransform(rudder: number): string {
+  return `translate(${along(rudder, PEDAL_TRAVEL)} 0)`;
+}
+
+/** The lever goes up the picture as the throttle opens. */
+export function throttleTransform(throttle: number): string {
+  const up = (-clamp(throttle, 0, 1) * THROTTLE_TRAVEL).toFixed(2);
+  return `translate(0 ${Number(up) === 0 ? "0" : up})`;
+}
+
+function along(value: number, travel: number): string {
+  const text = (clamp(value, -1, 1) * travel).toFixed(2);
+  return Number(text) === 0 ? "0" : text;
+}

@@ -1,0 +1,144 @@
+import { type Ref, useImperativeHandle, useRef } from "react";
+import { Dial, type DialProps } from "./Dial";
+import {
+  attributeNumber,
+  DESCRIPTION_PERIOD_MS,
+  NUMBER_PERIOD_MS,
+  Pace,
+  removeAttribute,
+  setAttribute,
+  setText,
+} from "./paint";
+import { isDrawable, type Reach } from "./scale";
+
+export interface DialHandle {
+  /** Show a value in the dial's own unit; `null` (or a value that is no number) shows the cross. */
+  paint(value: number | null, now_ms?: number): void;
+}
+
+/** What a one-pointer instrument is made of: all of it numbers and paths, none of it React. */
+export interface PointerGeometry {
+  readonly ticksMinor: string;
+  readonly ticksMiddle: string;
+  readonly ticksMajor: string;
+  readonly numerals: readonly { readonly text: string; readonly x: number; readonly y: number }[];
+  /** Height of the number's window and of the caption, and width of the window. */
+  readonly window: { readonly y: number; readonly width: number };
+  readonly captionY: number;
+  readonly pointerAngle_deg: (value: number) => number;
+  readonly reach: (value: number) => Reach;
+}
+
+/** What the three pointer instruments are told by whoever puts them on a page. */
+export interface PointerDialProps extends DialProps {
+  ref?: Ref<DialHandle>;
+  /** Engraved on the face. */
+  caption: string;
+  unit: string;
+  /** Plate that appears while the value lies beyond the scale. */
+  offScaleText: string;
+  /** The number in the window, in the reader's own notation. */
+  format: (value: number) => string;
+  /** One sentence for screen readers. */
+  describe?: ((value: number) => string) | undefined;
+}
+
+interface Props extends PointerDialProps {
+  geometry: PointerGeometry;
+  /** Name of the `data-` attribute that carries the exact value, with its unit: `data-airspeed-kt`. */
+  attribute: `data-${string}`;
+  decimals: number;
+}
+
+const WINDOW_HEIGHT = 20;
+
+/** A round instrument with one pointer and the whole number in a window. */
+export function PointerDial(props: Props) {
+  const {
+    ref,
+    label,
+    noDataText,
+    caption,
+    unit,
+    offScaleText,
+    format,
+    describe,
+    geometry,
+    attribute,
+    decimals,
+  } = props;
+  const root = useRef<SVGSVGElement>(null);
+  const description = useRef<SVGDescElement>(null);
+  const pointer = useRef<SVGGElement>(null);
+  const number = useRef<SVGTextElement>(null);
+
+  useImperativeHandle(ref, () => {
+    const numberPace = new Pace(NUMBER_PERIOD_MS);
+    const descriptionPace = new Pace(DESCRIPTION_PERIOD_MS);
+    return {
+      paint(value, now_ms = performance.now()) {
+        const svg = root.current;
+        if (!isDrawable(value)) {
+          setAttribute(svg, "data-state", "none");
+          removeAttribute(svg, attribute);
+          removeAttribute(svg, "data-reach");
+          setText(description.current, noDataText);
+          numberPace.reset();
+          descriptionPace.reset();
+          return;
+        }
+        setAttribute(pointer.current, "transform", `rotate(${geometry.pointerAngle_deg(value).toFixed(2)})`);
+        setAttribute(svg, attribute, attributeNumber(value, decimals));
+        setAttribute(svg, "data-reach", geometry.reach(value));
+        setAttribute(svg, "data-state", "live");
+        if (numberPace.due(now_ms)) {
+          setText(number.current, format(value));
+        }
+        if (describe !== undefined && descriptionPace.due(now_ms)) {
+          setText(description.current, describe(value));
+        }
+      },
+    };
+  }, [attribute, decimals, describe, format, geometry, noDataText]);
+
+  const { window } = geometry;
+  return (
+    <Dial ref={root} descriptionRef={description} label={label} noDataText={noDataText}>
+      <path d={geometry.ticksMinor} className="inst-tick" />
+      <path d={geometry.ticksMiddle} className="inst-tick inst-tick-middle" />
+      <path d={geometry.ticksMajor} className="inst-tick inst-tick-major" />
+      {geometry.numerals.map(({ text, x, y }) => (
+        <text key={`${x} ${y}`} x={x} y={y} className="inst-numeral">
+          {text}
+        </text>
+      ))}
+      <text y={geometry.captionY} className="inst-caption">
+        {caption}
+      </text>
+      <g className="inst-moving">
+        <g ref={pointer}>
+          <path d="M0 -83L3.4 -70L3.4 14Q3.4 20 0 20Q-3.4 20 -3.4 14L-3.4 -70Z" className="inst-pointer" />
+        </g>
+        <circle r="7" className="inst-hub" />
+      </g>
+      <g transform={`translate(0 ${window.y})`}>
+        <rect
+          x={-window.width / 2}
+          y={-WINDOW_HEIGHT / 2}
+          width={window.width}
+          height={WINDOW_HEIGHT}
+          rx="2"
+          className="inst-window"
+        />
+        <text ref={number} x={window.width / 2 - 20} y="0.6" className="inst-window-number inst-moving" />
+        <text x={window.width / 2 - 17} y="5" className="inst-window-unit">
+          {unit}
+        </text>
+      </g>
+      <g className="inst-off-scale">
+        <rect x="-38" y="-52" width="76" height="13" rx="2" />
+        <text y="-42.8">{offScaleText}</text>
+      </g>
+    </Dial>
+  );
+}

@@ -1,0 +1,55 @@
+/** Small tools for painting straight onto the document, once for each displayed frame. */
+
+/** Write an attribute only when it changes: even an equal write would make the browser draw again. */
+export function setAttribute(element: Element | null, name: string, value: string): void {
+  if (element !== null && element.getAttribute(name) !== value) {
+    element.setAttribute(name, value);
+  }
+}
+
+export function removeAttribute(element: Element | null, name: string): void {
+  if (element?.hasAttribute(name)) {
+    element.removeAttribute(name);
+  }
+}
+
+export function setText(element: Element | null, text: string): void {
+  if (element !== null && element.textContent !== text) {
+    element.textContent = text;
+  }
+}
+
+/** A number as the `data-` attributes hold it: fixed decimals, a plain point, and no minus before zero. */
+export function attributeNumber(value: number, decimals: number): string {
+  const text = value.toFixed(decimals);
+  return Number(text) === 0 ? (0).toFixed(decimals) : text;
+}
+
+/** Numbers in words change this often: faster than that nobody can read them. */
+export const NUMBER_PERIOD_MS = 100;
+
+/** Descriptions for screen readers change this often. */
+export const DESCRIPTION_PERIOD_MS = 500;
+
+/** Lets something slow follow something fast: true at most once in a period. */
+export class Pace {
+  readonly #period_ms: number;
+  #last_ms = Number.NEGATIVE_INFINITY;
+
+  constructor(period_ms: number) {
+    this.#period_ms = period_ms;
+  }
+
+  due(now_ms: number): boolean {
+    if (now_ms - this.#last_ms < this.#period_ms) {
+      return false;
+    }
+    this.#last_ms = now_ms;
+    return true;
+  }
+
+  /** The next question is answered with yes: after a pause the first value must show at once. */
+  reset(): void {
+    this.#last_ms = Number.NEGATIVE_INFINITY;
+  }
+}

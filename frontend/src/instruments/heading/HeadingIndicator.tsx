@@ -1,0 +1,106 @@
+import { type Ref, useImperativeHandle, useMemo, useRef } from "react";
+import { Dial, type DialProps } from "../dial/Dial";
+import { DESCRIPTION_PERIOD_MS, Pace, removeAttribute, setAttribute, setText } from "../dial/paint";
+import { isDrawable } from "../dial/scale";
+import {
+  attributeBearing,
+  bugTransform,
+  type Cardinals,
+  cardNumerals,
+  cardTransform,
+  REFERENCE_MARKS,
+  TICKS_FIVE,
+  TICKS_TEN,
+} from "./geometry";
+import "./heading.css";
+
+export interface HeadingHandle {
+  /** Show heading [deg] and, where there is one, the bug's bearing [deg]; `null` heading shows the cross. */
+  paint(heading_deg: number | null, bearing_deg: number | null, now_ms?: number): void;
+}
+
+interface Props extends DialProps {
+  ref?: Ref<HeadingHandle>;
+  cardinals: Cardinals;
+  /** One sentence for screen readers; the bearing is `null` where there is no bug. */
+  describe?: ((heading_deg: number, bearing_deg: number | null) => string) | undefined;
+}
+
+/** Heading indicator: the card turns under a fixed lubber line, the bug rides on the card. */
+export function HeadingIndicator({ ref, label, noDataText, cardinals, describe }: Props) {
+  const root = useRef<SVGSVGElement>(null);
+  const description = useRef<SVGDescElement>(null);
+  const card = useRef<SVGGElement>(null);
+  const bug = useRef<SVGPathElement>(null);
+  const numerals = useMemo(() => cardNumerals(cardinals), [cardinals]);
+
+  useImperativeHandle(ref, () => {
+    const pace = new Pace(DESCRIPTION_PERIOD_MS);
+
+    function paintBug(heading_deg: number, bearing_deg: number | null): void {
+      if (!isDrawable(bearing_deg)) {
+        setAttribute(bug.current, "visibility", "hidden");
+        removeAttribute(root.current, "data-bearing-deg");
+        return;
+      }
+      setAttribute(bug.current, "transform", bugTransform(heading_deg, bearing_deg));
+      setAttribute(root.current, "data-bearing-deg", attributeBearing(bearing_deg));
+      removeAttribute(bug.current, "visibility");
+    }
+
+    return {
+      paint(heading_deg, bearing_deg, now_ms = performance.now()) {
+        if (!isDrawable(heading_deg)) {
+          setAttribute(root.current, "data-state", "none");
+          removeAttribute(root.current, "data-heading-deg");
+          removeAttribute(root.current, "data-bearing-deg");
+          setText(description.current, noDataText);
+          pace.reset();
+          return;
+        }
+        setAttribute(card.current, "transform", cardTransform(heading_deg));
+        paintBug(heading_deg, bearing_deg);
+        setAttribute(root.current, "data-heading-deg", attributeBearing(heading_deg));
+        setAttribute(root.current, "data-state", "live");
+        if (describe !== undefined && pace.due(now_ms)) {
+          setText(description.current, describe(heading_deg, isDrawable(bearing_deg) ? bearing_deg : null));
+        }
+      },
+    };
+  }, [describe, noDataText]);
+
+  return (
+    <Dial ref={root} descriptionRef={description} label={label} noDataText={noDataText}>
+      <g ref={card} className="inst-moving">
+        <path d={TICKS_FIVE} className="inst-tick" />
+        <path d={TICKS_TEN} className="inst-tick inst-tick-middle" />
+        {numerals.map(({ text, angle_deg, cardinal }) => (
+          <text
+            key={angle_deg}
+            y="-65"
+            transform={`rotate(${angle_deg})`}
+            className={cardinal ? "inst-numeral inst-cardinal" : "inst-numeral"}
+          >
+            {text}
+          </text>
+        ))}
+      </g>
+      <g className="inst-moving">
+        <path ref={bug} d="M-9 -86V-77.5H-4.2L0 -84L4.2 -77.5H9V-86Z" className="inst-bug" />
+      </g>
+      {REFERENCE_MARKS.map(({ angle_deg }) => (
+        <path
+          key={angle_deg}
+          d="M0 -86.5L2.6 -91.5H-2.6Z"
+          transform={`rotate(${angle_deg})`}
+          className="inst-mark"
+        />
+      ))}
+      <path d="M0 -76L5.5 -91.5H-5.5Z" className="inst-lubber" />
+      <path
+        d="M0 -34C2.6 -34 3.6 -29 3.6 -24V-11L34 1V7L3.6 2.5V21L13 27V31L0 28L-13 31V27L-3.6 21V2.5L-34 7V1L-3.6 -11V-24C-3.6 -29 -2.6 -34 0 -34Z"
+        className="inst-airframe"
+      />
+    </Dial>
+  );
+}

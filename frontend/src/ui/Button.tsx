@@ -1,0 +1,65 @@
+import { type ReactNode, useId } from "react";
+import { StateMark } from "./StateMark";
+import type { CommandState } from "./states";
+import { Tooltip } from "./Tooltip";
+import { commandWord, useWords } from "./words";
+import "./Button.css";
+
+interface Props {
+  children: ReactNode;
+  onPress: () => void;
+  variant?: "plain" | "primary" | "danger" | undefined;
+  /** What became of the last press. */
+  state?: CommandState | undefined;
+  /** More than the state's own word: the sentence of a refusal. */
+  stateText?: string | undefined;
+  /** Why it cannot be pressed now. The button stays in the tab order, so that everybody can learn the reason. */
+  disabledReason?: string | undefined;
+  icon?: ReactNode;
+  /** For a button that is on or off. */
+  pressed?: boolean | undefined;
+  /** Accessible name, for a button with an icon alone. */
+  label?: string | undefined;
+  type?: "button" | "submit" | undefined;
+}
+
+/** A button that says what became of its press, and why it cannot be pressed. */
+export function Button(props: Props) {
+  const { children, onPress, variant = "plain", state = "idle", stateText, disabledReason } = props;
+  const { icon, pressed, label, type = "button" } = props;
+  const words = useWords();
+  const noteId = useId();
+  const disabled = disabledReason !== undefined;
+  const outcome = stateText ?? commandWord(words, state);
+  const note = disabledReason ?? outcome;
+  return (
+    <>
+      <Tooltip text={note}>
+        <button
+          type={type}
+          className="ui-button"
+          data-variant={variant}
+          data-state={state}
+          aria-label={label}
+          aria-pressed={pressed}
+          aria-disabled={disabled || undefined}
+          aria-describedby={note === "" ? undefined : noteId}
+          onClick={(event) => {
+            if (disabled) {
+              event.preventDefault();
+              return;
+            }
+            onPress();
+          }}
+        >
+          {icon}
+          <span className="ui-button-text">{children}</span>
+          <StateMark state={state} />
+        </button>
+      </Tooltip>
+      <span id={noteId} className="visually-hidden" role={disabled ? undefined : "status"}>
+        {note}
+      </span>
+    </>
+  );
+}

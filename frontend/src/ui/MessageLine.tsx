@@ -1,0 +1,20 @@
+import "./MessageLine.css";
+
+interface Props {
+  /** What it is: read out before the text. */
+  label: string;
+  text: string;
+  level?: "info" | "warning" | "error" | undefined;
+  /** When it came, already written. */
+  time?: string | undefined;
+}
+
+/** The newest message, in one line of the status bar; the whole text is there for the pointer too. */
+export function MessageLine({ label, text, level = "info", time }: Props) {
+  return (
+    <div className="ui-message" data-level={level} role="status" aria-label={label} title={text}>
+      {time !== undefined && <span className="ui-message-time">{time}</span>}
+      <span className="ui-message-text">{text}</span>
+    </div>
+  );
+}

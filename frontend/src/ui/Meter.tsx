@@ -1,0 +1,52 @@
+import { type Ref, useImperativeHandle, useRef } from "react";
+import "./Meter.css";
+
+export interface MeterHandle {
+  /** Show a use in percent and its text; `null` is not known. Over 100 the bar is full and marked, the text is whole. */
+  paint(percent: number | null, text: string): void;
+}
+
+interface Props {
+  ref?: Ref<MeterHandle>;
+  label: string;
+}
+
+/** A channel loses frames when it is over; near that it deserves a look. */
+function level(percent: number | null): "unknown" | "normal" | "high" | "over" {
+  if (percent === null) return "unknown";
+  if (percent > 100) return "over";
+  return percent > 85 ? "high" : "normal";
+}
+
+/** How much of a channel is in use: a small bar and its number. */
+export function Meter({ ref, label }: Props) {
+  const root = useRef<HTMLSpanElement>(null);
+  const fill = useRef<HTMLSpanElement>(null);
+  const number = useRef<HTMLSpanElement>(null);
+
+  useImperativeHandle(
+    ref,
+    () => ({
+      paint(percent, text) {
+        if (root.current === null || fill.current === null || number.current === null) return;
+        const share = Math.min(1, Math.max(0, (percent ?? 0) / 100));
+        fill.current.style.transform = `scaleX(${share.toFixed(3)})`;
+        root.current.dataset["level"] = level(percent);
+        if (number.current.textContent !== text) {
+          number.current.textContent = text;
+        }
+      },
+    }),
+    [],
+  );
+
+  return (
+    <span ref={root} className="ui-meter" data-level="unknown">
+      <span className="ui-meter-label">{label}</span>
+      <span className="ui-meter-track" aria-hidden="true">
+        <span ref={fill} className="ui-meter-fill" />
+      </span>
+      <span ref={number} className="ui-meter-number" />
+    </span>
+  );
+}

@@ -1,0 +1,35 @@
+import { type ReactNode, useId } from "react";
+import "./Panel.css";
+
+interface Props {
+  title: string;
+  level?: 2 | 3 | undefined;
+  /** State of the stream behind the panel: a StreamBadge. */
+  badge?: ReactNode;
+  /** Buttons of the whole panel. */
+  actions?: ReactNode;
+  className?: string | undefined;
+  children: ReactNode;
+}
+
+/** A titled group of readings or controls, engraved like a placard of an instrument panel. */
+export function Panel({ title, level = 2, badge, actions, className, children }: Props) {
+  const heading = useId();
+  const Heading = level === 2 ? "h2" : "h3";
+  return (
+    <section
+      className={className === undefined ? "ui-panel" : `ui-panel ${className}`}
+      aria-labelledby={heading}
+    >
+      <header className="ui-panel-head">
+        <Heading id={heading} className="ui-panel-title">
+          {title}
+        </Heading>
+        <span className="ui-panel-rule" aria-hidden="true" />
+        {badge}
+        {actions !== undefined && <div className="ui-panel-actions">{actions}</div>}
+      </header>
+      <div className="ui-panel-body">{children}</div>
+    </section>
+  );
+}

@@ -1,0 +1,85 @@
+import { type ReactNode, type Ref, useImperativeHandle, useRef } from "react";
+import type { DataState } from "./states";
+import "./Readout.css";
+import { useWords } from "./words";
+
+export interface ReadoutHandle {
+  /** Show a number, already written in the reader's notation; `null` is no data, whatever the state. */
+  paint(text: string | null, state: DataState): void;
+}
+
+/** A list of readings in columns. */
+export function ReadoutGrid({
+  columns = 1,
+  className,
+  children,
+}: {
+  columns?: number | undefined;
+  className?: string | undefined;
+  children: ReactNode;
+}) {
+  return (
+    <dl
+      className={className === undefined ? "ui-readouts" : `ui-readouts ${className}`}
+      style={{ gridTemplateColumns: `repeat(${columns}, minmax(0, 1fr))` }}
+    >
+      {children}
+    </dl>
+  );
+}
+
+interface Props {
+  ref?: Ref<ReadoutHandle>;
+  label: string;
+  unit?: string | undefined;
+  /** Room kept for the number, in characters. A longer one takes more room and is never cut. */
+  chars?: number | undefined;
+  size?: "normal" | "large" | undefined;
+}
+
+/** Shown where there is no number: as wide as one, and nobody can take it for a zero. */
+const DASHES = "\u2013\u2009\u2013\u2009\u2013";
+
+/** One reading: name, number, unit, and whether it is live. Painted by its handle, without a render. */
+export function Readout({ ref, label, unit, chars = 7, size = "normal" }: Props) {
+  const words = useWords();
+  const root = useRef<HTMLDivElement>(null);
+  const number = useRef<HTMLSpanElement>(null);
+  const word = useRef<HTMLSpanElement>(null);
+
+  useImperativeHandle(ref, () => {
+    let told: DataState | null = null;
+
+    function tell(state: DataState): void {
+      if (told === state || root.current === null || word.current === null) return;
+      told = state;
+      root.current.dataset["state"] = state;
+      word.current.textContent = { live: "", stale: words.stale, none: words.noData }[state];
+    }
+
+    tell("none");
+    return {
+      paint(text, state) {
+        const shown = text === null ? "none" : state;
+        const digits = shown === "none" || text === null ? DASHES : text;
+        if (number.current !== null && number.current.textContent !== digits) {
+          number.current.textContent = digits;
+        }
+        tell(shown);
+      },
+    };
+  }, [words]);
+
+  return (
+    <div ref={root} className="ui-readout" data-size={size}>
+      <dt className="ui-readout-label">{label}</dt>
+      <dd className="ui-readout-value">
+        <span ref={number} className="ui-readout-number" style={{ minWidth: `${chars}ch` }}>
+          {DASHES}
+        </span>
+        {unit !== undefined && <span className="ui-readout-unit">{unit}</span>}
+        <span ref={word} className="visually-hidden" />
+      </dd>
+    </div>
+  );
+}

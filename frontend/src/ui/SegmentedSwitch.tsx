@@ -1,0 +1,86 @@
+import { type ReactNode, useId } from "react";
+import { StateMark } from "./StateMark";
+import type { CommandState } from "./states";
+import { Tooltip } from "./Tooltip";
+import { commandWord, useWords } from "./words";
+import "./SegmentedSwitch.css";
+
+export interface Segment<V extends string> {
+  value: V;
+  label: string;
+  icon?: ReactNode;
+}
+
+interface Props<V extends string> {
+  label: string;
+  options: readonly Segment<V>[];
+  /** Where the switch really stands, as reported; `null` while nothing live tells. */
+  value: V | null;
+  /** Asked for and not yet proven. */
+  wanted?: V | null | undefined;
+  onChange: (value: V) => void;
+  state?: CommandState | undefined;
+  stateText?: string | undefined;
+  disabledReason?: string | undefined;
+  /** Leave the name to screen readers. */
+  hideLabel?: boolean | undefined;
+}
+
+/**
+ * A switch with two (or a few) positions. It stands where the board says, not where it was pushed: until the
+ * proof comes, the wanted position only pulses.
+ */
+export function SegmentedSwitch<V extends string>(props: Props<V>) {
+  const {
+    label,
+    options,
+    value,
+    wanted = null,
+    onChange,
+    state = "idle",
+    stateText,
+    disabledReason,
+    hideLabel,
+  } = props;
+  const words = useWords();
+  const name = useId();
+  const noteId = useId();
+  const disabled = disabledReason !== undefined;
+  const note = disabledReason ?? stateText ?? commandWord(words, state);
+  return (
+    <Tooltip text={note}>
+      <fieldset
+        className="ui-switch"
+        data-state={state}
+        data-known={value !== null}
+        aria-describedby={note === "" ? undefined : noteId}
+        aria-disabled={disabled || undefined}
+      >
+        <legend className={hideLabel === true ? "visually-hidden" : "ui-switch-label"}>{label}</legend>
+        <span className="ui-switch-frame">
+          {options.map((option) => (
+            <label key={option.value} className="ui-switch-option" data-wanted={wanted === option.value}>
+              <input
+                type="radio"
+                className="visually-hidden"
+                name={name}
+                value={option.value}
+                checked={value === option.value}
+                aria-disabled={disabled || undefined}
+                onChange={() => {
+                  if (!disabled) onChange(option.value);
+                }}
+              />
+              {option.icon}
+              <span>{option.label}</span>
+            </label>
+          ))}
+        </span>
+        <StateMark state={state} />
+        <span id={noteId} className="visually-hidden" role={disabled ? undefined : "status"}>
+          {note}
+        </span>
+      </fieldset>
+    </Tooltip>
+  );
+}

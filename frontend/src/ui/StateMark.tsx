@@ -1,0 +1,24 @@
+import { Check, CircleAlert, Clock, LoaderCircle, Send } from "lucide-react";
+import type { CommandState } from "./states";
+import "./StateMark.css";
+
+const ICONS = {
+  pending: LoaderCircle,
+  confirmed: Check,
+  rejected: CircleAlert,
+  timed_out: Clock,
+  sent: Send,
+} as const;
+
+/** The sign of a command's state; the words that go with it stand elsewhere. */
+export function StateMark({ state }: { state: CommandState }) {
+  if (state === "idle") {
+    return null;
+  }
+  const Icon = ICONS[state];
+  return (
+    <span className="ui-mark" data-state={state} aria-hidden="true">
+      <Icon size={14} strokeWidth={2.25} />
+    </span>
+  );
+}

@@ -1,0 +1,53 @@
+import { type Ref, useImperativeHandle, useRef } from "react";
+import type { DataState } from "./states";
+import "./StreamBadge.css";
+import { dataWord, useWords } from "./words";
+
+export interface StreamBadgeHandle {
+  /** Show the stream's state and its age, already written ("0,3 s"); an empty age shows the state alone. */
+  paint(state: DataState, ageText: string): void;
+}
+
+interface Props {
+  ref?: Ref<StreamBadgeHandle>;
+  /** What is that old: read out before the age. */
+  label?: string | undefined;
+}
+
+/** Small sign in a panel's head: is this group live, and how old is its newest value. */
+export function StreamBadge({ ref, label }: Props) {
+  const words = useWords();
+  const root = useRef<HTMLSpanElement>(null);
+  const word = useRef<HTMLSpanElement>(null);
+  const age = useRef<HTMLSpanElement>(null);
+
+  useImperativeHandle(ref, () => {
+    let told: DataState | null = null;
+
+    function tell(state: DataState): void {
+      if (told === state || root.current === null || word.current === null) return;
+      told = state;
+      root.current.dataset["state"] = state;
+      word.current.textContent = dataWord(words, state);
+    }
+
+    tell("none");
+    return {
+      paint(state, ageText) {
+        tell(state);
+        if (age.current !== null && age.current.textContent !== ageText) {
+          age.current.textContent = ageText;
+        }
+      },
+    };
+  }, [words]);
+
+  return (
+    <span ref={root} className="ui-badge">
+      {label !== undefined && <span className="visually-hidden">{label}</span>}
+      <span className="ui-badge-lamp" aria-hidden="true" />
+      <span ref={word} className="ui-badge-word" />
+      <span ref={age} className="ui-badge-age" />
+    </span>
+  );
+}

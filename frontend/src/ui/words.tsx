@@ -1,0 +1,57 @@
+import { createContext, type ReactNode, useContext } from "react";
+import type { CommandState, DataState } from "./states";
+
+/** The few words that the controls themselves say, in the reader's language. */
+export interface Words {
+  live: string;
+  stale: string;
+  noData: string;
+  pending: string;
+  confirmed: string;
+  rejected: string;
+  timedOut: string;
+  sent: string;
+  on: string;
+  off: string;
+  unknown: string;
+  increase: string;
+  decrease: string;
+  dismiss: string;
+  warning: string;
+  critical: string;
+  /** A number field's complaint about text that is no number. */
+  notANumber: string;
+  /** A number field's complaint about a number outside its range, given already written. */
+  outOfRange: (minimum: string, maximum: string) => string;
+}
+
+const WordsContext = createContext<Words | null>(null);
+
+export function WordsProvider({ words, children }: { words: Words; children: ReactNode }) {
+  return <WordsContext value={words}>{children}</WordsContext>;
+}
+
+/** The words around a control. A page that forgot the provider is a mistake of ours and fails at once. */
+export function useWords(): Words {
+  const words = useContext(WordsContext);
+  if (words === null) {
+    throw new Error("WordsProvider is missing above a control");
+  }
+  return words;
+}
+
+export function dataWord(words: Words, state: DataState): string {
+  return { live: words.live, stale: words.stale, none: words.noData }[state];
+}
+
+/** The word for a command's state; a resting control says nothing. */
+export function commandWord(words: Words, state: CommandState): string {
+  return {
+    idle: "",
+    pending: words.pending,
+    confirmed: words.confirmed,
+    rejected: words.rejected,
+    timed_out: words.timedOut,
+    sent: words.sent,
+  }[state];
+}
