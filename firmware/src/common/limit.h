@@ -2,14 +2,15 @@
 #ifndef COMMON_LIMIT_H
 #define COMMON_LIMIT_H
 
-/// `value` limited to [minimum, maximum]. NaN gives `minimum`, so that no law can hand a NaN to a surface.
+/// `value` limited to [minimum, maximum]. NaN counts as 0, so that no law can hand a NaN to a surface.
 static inline float limit_to(float value, float minimum, float maximum)
 {
-    if (!(value > minimum))
+    const float number = value == value ? value : 0.0F;
+    if (number < minimum)
     {
         return minimum;
     }
-    return value < maximum ? value : maximum;
+    return number > maximum ? maximum : number;
 }
 
 #endif

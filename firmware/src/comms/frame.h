@@ -21,7 +21,7 @@ enum
 /// Everything that differs between the two directions.
 typedef struct
 {
-    uint8_t header[4];
+    uint32_t header;     ///< as a little-endian word
     uint32_t type_flags; ///< what bits 28-31 of the type on the wire are: 0x80000000 from the board, 0 to it
     int32_t (*payload_size)(uint32_t type_id); ///< bytes, or negative when the type is unknown
     bool has_greeting;                         ///< `#QT\n` between frames is a greeting and not noise
@@ -63,6 +63,7 @@ typedef enum
 typedef struct
 {
     const frame_dialect_t* dialect;
+    uint8_t header[4]; ///< the dialect's, as bytes
     uint8_t buffer[frame_buffer_bytes];
     size_t start; ///< first byte that is not yet judged
     size_t end;   ///< one past the newest byte

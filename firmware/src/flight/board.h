@@ -15,9 +15,9 @@
 #include "comms/protocol_gen.h"
 #include "comms/telemetry.h"
 #include "flight/control_loop.h"
-#include "hal/storage.h"
 #include "navigation/mission.h"
 #include "navigation/plan.h"
+#include "params/parameter_store.h"
 #include "params/parameters.h"
 
 #define BOARD_FIRMWARE_NAME "epf-board"

@@ -4,6 +4,7 @@
 #define FLIGHT_CONTROL_LOOP_H
 
 #include <stdbool.h>
+#include <stdint.h>
 
 #include "control/autopilot.h"
 #include "control/fly_by_wire.h"
@@ -31,6 +32,7 @@ typedef struct
     float vvi_ft_min;
     float speed_kt;
     position_t position;
+    int32_t source; ///< whose stick it is; any change of the number is made bumpless
     bool autopilot;
     bool autotrim;
 } control_loop_input_t;
@@ -43,7 +45,9 @@ typedef struct
     track_t track;
     autopilot_target_t hold; ///< what the autopilot holds without a plan: the moment it was switched on
     float ground_altitude_ft; ///< where the aircraft last was below flying speed
+    float ground_run_s;       ///< time on the ground at flying speed
     bool ground_is_known;
+    int32_t source; ///< these three: of the last step
     bool autopilot_was_on;
     bool autotrim_was_on;
     bool has_run;

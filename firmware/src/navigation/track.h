@@ -3,6 +3,7 @@
 #define NAVIGATION_TRACK_H
 
 #include <stdbool.h>
+#include <stdint.h>
 
 #include "navigation/geodesy.h"
 
@@ -12,6 +13,7 @@ typedef struct
     bool has_anchor;
     float sin_sum; ///< of the direction given along the stretch, for its mean
     float cos_sum;
+    uint32_t samples; ///< of the stretch
     float drift_deg; ///< track less the given direction, smoothed
 } track_t;
 

@@ -6,12 +6,11 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "control/autopilot.h"
-#include "control/fly_by_wire.h"
+#include "params/parameters_gen.h"
 
 enum
 {
-    parameters_count = 17
+    parameters_count = PARAMETER_COUNT
 };
 
 /// Values in the order of the generated table; `k_div_velocidad` is a whole number.
@@ -35,9 +34,5 @@ int32_t parameters_index_of_command(uint32_t type_id);
 
 /// Place in the table of the parameter called `name`, or -1.
 int32_t parameters_index_of_name(const char* name);
-
-/// The same values as gains of the two laws.
-fly_by_wire_gains_t parameters_fly_by_wire_gains(const parameters_t* parameters);
-autopilot_gains_t parameters_autopilot_gains(const parameters_t* parameters);
 
 #endif

@@ -1,0 +1,158 @@
+#include "flight/board_command_functions.h"
+
+#include "flight/board_reports.h"
+
+static board_t* board_of(void* context)
+{
+    return ((board_command_context_t*)context)->board;
+}
+
+static bool is_plan(int32_t plan)
+{
+    return plan >= 0 && plan < board_plan_count;
+}
+
+command_result_t run_tell_capabilities(void* context, int32_t argument, const uint8_t* payload)
+{
+    (void)argument;
+    (void)payload;
+    board_t* const board = board_of(context);
+    board->extended = true;
+    board_report_capabilities(board, ((board_command_context_t*)context)->now_ms);
+    return command_done;
+}
+
+command_result_t run_store_parameters(void* context, int32_t argument, const uint8_t* payload)
+{
+    (void)argument;
+    (void)payload;
+    const board_t* const board = board_of(context);
+    if (board->config.storage == NULL)
+    {
+        return command_storage_failed;
+    }
+    const storage_status_t status = parameter_store_save(board->config.storage, &board->parameters);
+    return status == storage_ok ? command_done : command_storage_failed;
+}
+
+command_result_t run_select_airspeed(void* context, int32_t argument, const uint8_t* payload)
+{
+    (void)argument;
+    const int32_t source = protocol_get_i32(payload);
+    if (source != COMMAND_SELECT_AIRSPEED_SOURCE_SOURCE_GPS && source != COMMAND_SELECT_AIRSPEED_SOURCE_SOURCE_PITOT)
+    {
+        return command_bad_value;
+    }
+    board_of(context)->airspeed_source = source;
+    return command_done;
+}
+
+command_result_t run_select_altitude(void* context, int32_t argument, const uint8_t* payload)
+{
+    (void)argument;
+    const int32_t source = protocol_get_i32(payload);
+    if (source != COMMAND_SELECT_ALTITUDE_SOURCE_SOURCE_GPS &&
+        source != COMMAND_SELECT_ALTITUDE_SOURCE_SOURCE_BAROMETER)
+    {
+        return command_bad_value;
+    }
+    board_of(context)->altitude_source = source;
+    return command_done;
+}
+
+static command_result_t result_of(mission_status_t status)
+{
+    switch (status)
+    {
+    case mission_ok:
+        return command_done;
+    case mission_bad_value:
+        return command_bad_value;
+    case mission_bad_state:
+        break;
+    }
+    return command_bad_state;
+}
+
+command_result_t run_begin_mission(void* context, int32_t argument, const uint8_t* payload)
+{
+    (void)argument;
+    command_mission_begin_t values;
+    command_mission_begin_unpack(&values, payload);
+    if (!is_plan(values.plan))
+    {
+        return command_bad_value;
+    }
+    return result_of(mission_begin(&board_of(context)->mission, values.plan, values.count));
+}
+
+command_result_t run_take_mission_item(void* context, int32_t argument, const uint8_t* payload)
+{
+    (void)argument;
+    command_mission_item_t values;
+    command_mission_item_unpack(&values, payload);
+    if (!is_plan(values.plan))
+    {
+        return command_bad_value;
+    }
+    const waypoint_t waypoint = {
+        .position = {values.latitude_deg, values.longitude_deg},
+        .altitude_ft = values.altitude_ft,
+        .speed_kt = values.speed_kt,
+    };
+    return result_of(mission_item(&board_of(context)->mission, values.plan, values.index, &waypoint));
+}
+
+command_result_t run_commit_mission(void* context, int32_t argument, const uint8_t* payload)
+{
+    (void)argument;
+    board_t* const board = board_of(context);
+    const int32_t plan = protocol_get_i32(payload);
+    if (!is_plan(plan))
+    {
+        return command_bad_value;
+    }
+    const mission_status_t status = mission_commit(&board->mission, plan, &board->plans[plan]);
+    if (status == mission_ok)
+    {
+        board->reading_plan = -1;
+        if (plan == board_plan_hil)
+        {
+            board->hil_plan_name = MESSAGE_BOARD_STATUS_HIL_PLAN_NAME_NONE;
+        }
+    }
+    return result_of(status);
+}
+
+command_result_t run_read_mission(void* context, int32_t argument, const uint8_t* payload)
+{
+    (void)argument;
+    board_t* const board = board_of(context);
+    const int32_t plan = protocol_get_i32(payload);
+    if (!is_plan(plan))
+    {
+        return command_bad_value;
+    }
+    // the items follow one by one with the tick, so that a long plan does not keep the HIL answers waiting
+    board_report_mission_count(board, plan);
+    board->reading_plan = plan;
+    board->reading_index = 0;
+    return command_done;
+}
+
+command_result_t run_go_to_waypoint(void* context, int32_t argument, const uint8_t* payload)
+{
+    (void)argument;
+    command_go_to_waypoint_t values;
+    command_go_to_waypoint_unpack(&values, payload);
+    if (!is_plan(values.plan))
+    {
+        return command_bad_value;
+    }
+    plan_t* const plan = &board_of(context)->plans[values.plan];
+    if (plan->count == 0)
+    {
+        return command_bad_state;
+    }
+    return plan_go_to(plan, values.index) ? command_done : command_bad_value;
+}

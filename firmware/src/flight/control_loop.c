@@ -1,0 +1,140 @@
+#include "flight/control_loop.h"
+
+#include <math.h>
+
+static const float flying_speed_kt = 20.0F; ///< below it every integral is frozen
+static const float ground_band_ft = 10.0F;  ///< this far from where it last was slow, the aircraft flies
+static const float ground_run_limit_s = 20.0F;
+
+void control_loop_init(control_loop_t* loop)
+{
+    *loop = (control_loop_t){.has_run = false};
+    transition_init(&loop->transition);
+    track_init(&loop->track);
+}
+
+static bool is_finite_input(const control_loop_input_t* input)
+{
+    const float values[] = {
+        input->stick.elevator, input->stick.aileron, input->stick.rudder, input->stick.throttle,
+        input->p_rad_s,        input->q_rad_s,       input->r_rad_s,      input->direction_deg,
+        input->pitch_deg,      input->roll_deg,      input->altitude_ft,  input->vvi_ft_min,
+        input->speed_kt,
+    };
+    for (size_t i = 0; i < sizeof values / sizeof values[0]; i++)
+    {
+        if (!isfinite(values[i]))
+        {
+            return false;
+        }
+    }
+    return true;
+}
+
+/// True while the integrals have to keep their value: too slow to fly, or on a take-off run. No source says whether
+/// the wheels touch, so the ground is where the aircraft last was too slow to fly, until it leaves that altitude. A
+/// run has an end: an aircraft that was slow in the air must not be taken for a rolling one for long.
+static bool is_frozen(control_loop_t* loop, const control_loop_input_t* input, float dt_s)
+{
+    if (input->speed_kt < flying_speed_kt)
+    {
+        loop->ground_altitude_ft = input->altitude_ft;
+        loop->ground_is_known = true;
+        loop->ground_run_s = 0.0F;
+        return true;
+    }
+    loop->ground_run_s += dt_s;
+    if (fabsf(input->altitude_ft - loop->ground_altitude_ft) > ground_band_ft ||
+        loop->ground_run_s > ground_run_limit_s)
+    {
+        loop->ground_is_known = false;
+    }
+    return loop->ground_is_known;
+}
+
+/// What the autopilot flies: the plan, or without one the altitude, course and speed of the moment it was switched on.
+static autopilot_target_t choose_target(control_loop_t* loop, plan_t* plan, const control_loop_input_t* input,
+                                        const autopilot_input_t* state)
+{
+    plan_guidance_t guidance;
+    if (plan_update(plan, &input->position, input->speed_kt, &guidance))
+    {
+        // kept as what is held should the position be lost
+        loop->hold = (autopilot_target_t){
+            .altitude_ft = guidance.altitude_ft,
+            .course_deg = guidance.course_deg,
+            .speed_kt = guidance.speed_kt,
+        };
+    }
+    else if (!loop->autopilot_was_on)
+    {
+        loop->hold = (autopilot_target_t){
+            .altitude_ft = state->altitude_ft,
+            .course_deg = state->track_deg,
+            .speed_kt = state->speed_kt,
+        };
+    }
+    return loop->hold;
+}
+
+/// Whether somebody or something else commands than in the last step.
+static bool has_changed_hands(const control_loop_t* loop, const control_loop_input_t* input)
+{
+    return loop->has_run && (loop->autopilot_was_on != input->autopilot ||
+                             loop->autotrim_was_on != input->autotrim || loop->source != input->source);
+}
+
+surfaces_t control_loop_step(control_loop_t* loop, const control_loop_gains_t* gains, plan_t* plan,
+                             const control_loop_input_t* input, float dt_s)
+{
+    if (!is_finite_input(input))
+    {
+        return loop->surfaces;
+    }
+    const bool frozen = is_frozen(loop, input, dt_s);
+    const autopilot_input_t state = {
+        .altitude_ft = input->altitude_ft,
+        .vvi_ft_min = input->vvi_ft_min,
+        .track_deg = track_update(&loop->track, &input->position, input->direction_deg, input->speed_kt),
+        .pitch_deg = input->pitch_deg,
+        .roll_deg = input->roll_deg,
+        .speed_kt = input->speed_kt,
+        .frozen = frozen,
+    };
+    const fly_by_wire_input_t rates = {
+        .p_rad_s = input->p_rad_s,
+        .q_rad_s = input->q_rad_s,
+        .r_rad_s = input->r_rad_s,
+        .speed_kt = input->speed_kt,
+        .autotrim = input->autotrim,
+        .frozen = frozen,
+    };
+    const autopilot_target_t target = choose_target(loop, plan, input, &state);
+    const bool changed_hands = has_changed_hands(loop, input);
+    const bool engages = input->autopilot && !loop->autopilot_was_on;
+    if (engages)
+    {
+        const float throttle = loop->has_run ? loop->surfaces.throttle : input->stick.throttle;
+        autopilot_engage(&loop->autopilot, &state, throttle);
+    }
+    const control_command_t command =
+        input->autopilot
+            ? autopilot_update(&loop->autopilot, &gains->autopilot, &target, &state, dt_s)
+            : fly_by_wire_command_of_stick(input->stick.elevator, input->stick.aileron, input->stick.rudder,
+                                           input->stick.throttle);
+    if (engages && loop->has_run && input->autotrim)
+    {
+        fly_by_wire_hold_elevator(&loop->fly_by_wire, &gains->fly_by_wire, &command, &rates, loop->surfaces.elevator);
+    }
+    const surfaces_t wanted = fly_by_wire_update(&loop->fly_by_wire, &gains->fly_by_wire, &command, &rates, dt_s);
+    if (changed_hands)
+    {
+        transition_begin(&loop->transition, &loop->surfaces, &wanted);
+    }
+    loop->surfaces = transition_update(&loop->transition, &wanted, dt_s);
+    loop->autopilot_was_on = input->autopilot;
+    loop->autotrim_was_on = input->autotrim;
+    loop->source = input->source;
+    loop->has_run = true;
+    return loop->surfaces;
+}
