@@ -1,1 +1,1 @@
-"""The embedded flight simulator: JSBSim that speaks as X-Plane does, as a program of its own."""
+"""The embedded simulator: JSBSim flight dynamics that speak X-Plane's UDP."""

@@ -1,0 +1,24 @@
+"""When a flight is over: the reasons for which the aircraft is put back to its start."""
+
+import math
+from dataclasses import astuple
+from typing import Final
+
+from simulator.state import FlightState
+
+LOAD_LIMIT_G: Final = 15.0
+# No quantity of a flight comes near, in any unit used here.
+_LARGEST: Final = 1e9
+
+
+def crash_cause(state: FlightState) -> str | None:
+    """Say why this instant is a crash; None while the flight goes on."""
+    numbers = [value for value in astuple(state) if isinstance(value, float)]
+    if not all(abs(value) <= _LARGEST for value in numbers):
+        return "the flight model lost its numbers (a value is not finite, or beyond all reason)"
+    load_g = math.sqrt(state.load_normal_g**2 + state.load_axial_g**2 + state.load_side_g**2)
+    if load_g > LOAD_LIMIT_G:
+        return f"the load reached {load_g:.0f} g (limit {LOAD_LIMIT_G:.0f} g)"
+    if state.touching is not None:
+        return f"the {state.touching} touched the ground"
+    return None
