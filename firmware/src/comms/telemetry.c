@@ -17,11 +17,11 @@ static const task_period_t periods[telemetry_task_count] = {
 };
 
 static const telemetry_task_t tasks[telemetry_stream_count] = {
-    [telemetry_heartbeat] = telemetry_task_param,    [telemetry_ahrs] = telemetry_task_param,
-    [telemetry_inertial] = telemetry_task_param,     [telemetry_analog] = telemetry_task_param,
-    [telemetry_fms_plan] = telemetry_task_fms,       [telemetry_fms_hil_plan] = telemetry_task_fms,
-    [telemetry_statistics] = telemetry_task_fms,     [telemetry_gps] = telemetry_task_fms,
-    [telemetry_servos_in] = telemetry_task_servos,   [telemetry_fly_by_wire] = telemetry_task_servos,
+    [telemetry_heartbeat] = telemetry_task_param,  [telemetry_ahrs] = telemetry_task_param,
+    [telemetry_inertial] = telemetry_task_param,   [telemetry_analog] = telemetry_task_param,
+    [telemetry_fms_plan] = telemetry_task_fms,     [telemetry_fms_hil_plan] = telemetry_task_fms,
+    [telemetry_statistics] = telemetry_task_fms,   [telemetry_gps] = telemetry_task_fms,
+    [telemetry_servos_in] = telemetry_task_servos, [telemetry_fly_by_wire] = telemetry_task_servos,
 };
 
 void telemetry_init(telemetry_schedule_t* schedule)

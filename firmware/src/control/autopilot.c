@@ -30,10 +30,9 @@ static float hold_altitude(autopilot_state_t* state, const autopilot_gains_t* ga
     const float error_ft = target_ft - (input->altitude_ft + gains->k_vvi_ft_per_ft_min * input->vvi_ft_min);
     const float wanted_deg = gains->k_altitude * error_ft + state->altitude_integral_deg;
     const float pitch_d_deg = limit_to(wanted_deg, pitch_minimum_deg, pitch_maximum_deg);
-    const bool pushes_into_limit = (wanted_deg >= pitch_maximum_deg && error_ft > 0.0F) ||
-                                   (wanted_deg <= pitch_minimum_deg && error_ft < 0.0F);
-    if (!input->frozen && !pushes_into_limit &&
-        fabsf(target_ft - input->altitude_ft) < altitude_integral_window_ft)
+    const bool pushes_into_limit =
+        (wanted_deg >= pitch_maximum_deg && error_ft > 0.0F) || (wanted_deg <= pitch_minimum_deg && error_ft < 0.0F);
+    if (!input->frozen && !pushes_into_limit && fabsf(target_ft - input->altitude_ft) < altitude_integral_window_ft)
     {
         const float step_deg = gains->k_int_altitude_per_s * gains->k_altitude * error_ft * dt_s;
         state->altitude_integral_deg = limit_to(state->altitude_integral_deg + step_deg, -altitude_integral_limit_deg,

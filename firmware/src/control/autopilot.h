@@ -11,13 +11,13 @@
 
 typedef struct
 {
-    float k_altitude;              ///< k_altura: deg of pitch per ft
-    float k_int_altitude_per_s;    ///< k_int_altura: share of the proportional pitch that is added each second
-    float k_vvi_ft_per_ft_min;     ///< k_VVI: ft of lead per ft/min
-    float k_pitch;                 ///< elevator command per rad of pitch error
-    float k_heading;               ///< deg of roll per deg of track error
-    float k_roll;                  ///< aileron command per rad of roll error
-    float k_div_speed_kt_s;        ///< k_div_velocidad: kt s of speed error for full throttle
+    float k_altitude;           ///< k_altura: deg of pitch per ft
+    float k_int_altitude_per_s; ///< k_int_altura: share of the proportional pitch that is added each second
+    float k_vvi_ft_per_ft_min;  ///< k_VVI: ft of lead per ft/min
+    float k_pitch;              ///< elevator command per rad of pitch error
+    float k_heading;            ///< deg of roll per deg of track error
+    float k_roll;               ///< aileron command per rad of roll error
+    float k_div_speed_kt_s;     ///< k_div_velocidad: kt s of speed error for full throttle
 } autopilot_gains_t;
 
 typedef struct

@@ -9,12 +9,12 @@
 
 typedef struct
 {
-    float k_elev;           ///< surface per elevator error
+    float k_elev;            ///< surface per elevator error
     float k_int_pitch_per_s; ///< trim per elevator error and second
-    float k_airln;          ///< surface per aileron error
-    float k_rudder;         ///< surface per rudder error
-    float k_div_p_init;     ///< rad/s of roll per unit command, standing
-    float k_div_p_speed_kt; ///< speed at which one rad/s is added to it
+    float k_airln;           ///< surface per aileron error
+    float k_rudder;          ///< surface per rudder error
+    float k_div_p_init;      ///< rad/s of roll per unit command, standing
+    float k_div_p_speed_kt;  ///< speed at which one rad/s is added to it
     float k_div_q_init;
     float k_div_q_speed_kt;
     float k_div_r_init;

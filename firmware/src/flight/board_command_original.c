@@ -164,8 +164,8 @@ command_result_t run_move_servo(void* context, int32_t argument, const uint8_t* 
     command_servo_out_t values;
     command_servo_out_unpack(&values, payload);
     // written so that a NaN fails
-    const bool allowed = values.servo >= 0 && values.servo < board_servo_count && values.position >= -1.0F &&
-                         values.position <= 1.0F;
+    const bool allowed =
+        values.servo >= 0 && values.servo < board_servo_count && values.position >= -1.0F && values.position <= 1.0F;
     if (!allowed)
     {
         return command_bad_value;
@@ -186,8 +186,8 @@ command_result_t run_load_parameters(void* context, int32_t argument, const uint
 command_result_t run_set_parameter(void* context, int32_t index, const uint8_t* payload)
 {
     board_t* const board = board_of(context);
-    const float value = parameter_definitions[index].is_integer ? (float)protocol_get_i32(payload)
-                                                                : protocol_get_f32(payload);
+    const float value =
+        parameter_definitions[index].is_integer ? (float)protocol_get_i32(payload) : protocol_get_f32(payload);
     if (!parameters_set(&board->parameters, (size_t)index, value))
     {
         return command_bad_value;

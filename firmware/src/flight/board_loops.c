@@ -137,8 +137,8 @@ void board_flight_step(board_t* board, float dt_s)
 static bool is_plausible(const command_xplane_info_t* info)
 {
     const float values[] = {
-        info->elevator, info->aileron,   info->rudder,      info->throttle,   info->gx_rad_s,
-        info->gy_rad_s, info->gz_rad_s,  info->yaw_deg,     info->pitch_deg,  info->roll_deg,
+        info->elevator, info->aileron,    info->rudder,      info->throttle,  info->gx_rad_s,
+        info->gy_rad_s, info->gz_rad_s,   info->yaw_deg,     info->pitch_deg, info->roll_deg,
         info->speed_kt, info->vvi_ft_min, info->altitude_ft,
     };
     for (size_t i = 0; i < sizeof values / sizeof values[0]; i++)
@@ -185,8 +185,7 @@ command_result_t board_hil_step(board_t* board, const command_xplane_info_t* inf
     board->has_stepped = true;
     board_refresh_switches(board);
     const control_loop_input_t input = board_hil_input(board);
-    const surfaces_t surfaces =
-        control_loop_step(loop, &board->gains, &board->plans[board_plan_hil], &input, dt_s);
+    const surfaces_t surfaces = control_loop_step(loop, &board->gains, &board->plans[board_plan_hil], &input, dt_s);
     board_report_surfaces(board, &surfaces);
     return command_done;
 }

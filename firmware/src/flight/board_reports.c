@@ -65,8 +65,7 @@ static void send_analog(board_t* board)
 
 static void send_plan(board_t* board, size_t plan, uint32_t type_id)
 {
-    const control_loop_input_t input =
-        plan == board_plan_hil ? board_hil_input(board) : board_flight_input(board);
+    const control_loop_input_t input = plan == board_plan_hil ? board_hil_input(board) : board_flight_input(board);
     plan_guidance_t guidance;
     // an empty plan, or one without a position, is reported as all zero
     (void)plan_guidance(&board->plans[plan], &input.position, input.speed_kt, &guidance);
@@ -131,11 +130,11 @@ static void send_fly_by_wire(board_t* board)
 void board_report_stream(board_t* board, telemetry_stream_t stream)
 {
     static void (*const senders[telemetry_stream_count])(board_t*) = {
-        [telemetry_heartbeat] = send_heartbeat,       [telemetry_ahrs] = send_ahrs,
-        [telemetry_inertial] = send_inertial,         [telemetry_analog] = send_analog,
-        [telemetry_fms_plan] = send_flight_plan,      [telemetry_fms_hil_plan] = send_hil_plan,
-        [telemetry_statistics] = send_statistics,     [telemetry_gps] = send_gps,
-        [telemetry_servos_in] = send_servos_in,       [telemetry_fly_by_wire] = send_fly_by_wire,
+        [telemetry_heartbeat] = send_heartbeat,   [telemetry_ahrs] = send_ahrs,
+        [telemetry_inertial] = send_inertial,     [telemetry_analog] = send_analog,
+        [telemetry_fms_plan] = send_flight_plan,  [telemetry_fms_hil_plan] = send_hil_plan,
+        [telemetry_statistics] = send_statistics, [telemetry_gps] = send_gps,
+        [telemetry_servos_in] = send_servos_in,   [telemetry_fly_by_wire] = send_fly_by_wire,
     };
     senders[stream](board);
 }

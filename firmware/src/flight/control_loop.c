@@ -16,10 +16,9 @@ void control_loop_init(control_loop_t* loop)
 static bool is_finite_input(const control_loop_input_t* input)
 {
     const float values[] = {
-        input->stick.elevator, input->stick.aileron, input->stick.rudder, input->stick.throttle,
-        input->p_rad_s,        input->q_rad_s,       input->r_rad_s,      input->direction_deg,
-        input->pitch_deg,      input->roll_deg,      input->altitude_ft,  input->vvi_ft_min,
-        input->speed_kt,
+        input->stick.elevator, input->stick.aileron, input->stick.rudder,  input->stick.throttle, input->p_rad_s,
+        input->q_rad_s,        input->r_rad_s,       input->direction_deg, input->pitch_deg,      input->roll_deg,
+        input->altitude_ft,    input->vvi_ft_min,    input->speed_kt,
     };
     for (size_t i = 0; i < sizeof values / sizeof values[0]; i++)
     {
@@ -54,7 +53,7 @@ static bool is_frozen(control_loop_t* loop, const control_loop_input_t* input, f
 
 /// What the autopilot flies: the plan, or without one the altitude, course and speed of the moment it was switched on.
 static autopilot_target_t choose_target(control_loop_t* loop, plan_t* plan, const control_loop_input_t* input,
-                                        const autopilot_input_t* state)
+                                        float track_deg)
 {
     plan_guidance_t guidance;
     if (plan_update(plan, &input->position, input->speed_kt, &guidance))
@@ -69,9 +68,9 @@ static autopilot_target_t choose_target(control_loop_t* loop, plan_t* plan, cons
     else if (!loop->autopilot_was_on)
     {
         loop->hold = (autopilot_target_t){
-            .altitude_ft = state->altitude_ft,
-            .course_deg = state->track_deg,
-            .speed_kt = state->speed_kt,
+            .altitude_ft = input->altitude_ft,
+            .course_deg = track_deg,
+            .speed_kt = input->speed_kt,
         };
     }
     return loop->hold;
@@ -80,8 +79,44 @@ static autopilot_target_t choose_target(control_loop_t* loop, plan_t* plan, cons
 /// Whether somebody or something else commands than in the last step.
 static bool has_changed_hands(const control_loop_t* loop, const control_loop_input_t* input)
 {
-    return loop->has_run && (loop->autopilot_was_on != input->autopilot ||
-                             loop->autotrim_was_on != input->autotrim || loop->source != input->source);
+    return loop->has_run && (loop->autopilot_was_on != input->autopilot || loop->autotrim_was_on != input->autotrim ||
+                             loop->source != input->source);
+}
+
+static control_command_t command_of_autopilot(control_loop_t* loop, const control_loop_gains_t* gains, plan_t* plan,
+                                              const control_loop_input_t* input, const fly_by_wire_input_t* rates,
+                                              float track_deg, float dt_s)
+{
+    const autopilot_input_t state = {
+        .altitude_ft = input->altitude_ft,
+        .vvi_ft_min = input->vvi_ft_min,
+        .track_deg = track_deg,
+        .pitch_deg = input->pitch_deg,
+        .roll_deg = input->roll_deg,
+        .speed_kt = input->speed_kt,
+        .frozen = rates->frozen,
+    };
+    const autopilot_target_t target = choose_target(loop, plan, input, track_deg);
+    const bool engages = !loop->autopilot_was_on;
+    if (engages)
+    {
+        autopilot_engage(&loop->autopilot, &state, loop->has_run ? loop->surfaces.throttle : input->stick.throttle);
+    }
+    const control_command_t command = autopilot_update(&loop->autopilot, &gains->autopilot, &target, &state, dt_s);
+    if (engages && loop->has_run)
+    {
+        fly_by_wire_hold_elevator(&loop->fly_by_wire, &gains->fly_by_wire, &command, rates, loop->surfaces.elevator);
+    }
+    return command;
+}
+
+static control_command_t command_of_pilot(control_loop_t* loop, plan_t* plan, const control_loop_input_t* input,
+                                          float track_deg)
+{
+    // the plan goes on while the pilot flies it by hand
+    (void)choose_target(loop, plan, input, track_deg);
+    return fly_by_wire_command_of_stick(input->stick.elevator, input->stick.aileron, input->stick.rudder,
+                                        input->stick.throttle);
 }
 
 surfaces_t control_loop_step(control_loop_t* loop, const control_loop_gains_t* gains, plan_t* plan,
@@ -91,41 +126,20 @@ surfaces_t control_loop_step(control_loop_t* loop, const control_loop_gains_t* g
     {
         return loop->surfaces;
     }
-    const bool frozen = is_frozen(loop, input, dt_s);
-    const autopilot_input_t state = {
-        .altitude_ft = input->altitude_ft,
-        .vvi_ft_min = input->vvi_ft_min,
-        .track_deg = track_update(&loop->track, &input->position, input->direction_deg, input->speed_kt),
-        .pitch_deg = input->pitch_deg,
-        .roll_deg = input->roll_deg,
-        .speed_kt = input->speed_kt,
-        .frozen = frozen,
-    };
+    const float track_deg = track_update(&loop->track, &input->position, input->direction_deg, input->speed_kt);
     const fly_by_wire_input_t rates = {
         .p_rad_s = input->p_rad_s,
         .q_rad_s = input->q_rad_s,
         .r_rad_s = input->r_rad_s,
         .speed_kt = input->speed_kt,
-        .autotrim = input->autotrim,
-        .frozen = frozen,
+        // the autopilot's elevator command ends at 0.1, less than many airframes need in level flight
+        .autotrim = input->autotrim || input->autopilot,
+        .frozen = is_frozen(loop, input, dt_s),
     };
-    const autopilot_target_t target = choose_target(loop, plan, input, &state);
     const bool changed_hands = has_changed_hands(loop, input);
-    const bool engages = input->autopilot && !loop->autopilot_was_on;
-    if (engages)
-    {
-        const float throttle = loop->has_run ? loop->surfaces.throttle : input->stick.throttle;
-        autopilot_engage(&loop->autopilot, &state, throttle);
-    }
-    const control_command_t command =
-        input->autopilot
-            ? autopilot_update(&loop->autopilot, &gains->autopilot, &target, &state, dt_s)
-            : fly_by_wire_command_of_stick(input->stick.elevator, input->stick.aileron, input->stick.rudder,
-                                           input->stick.throttle);
-    if (engages && loop->has_run && input->autotrim)
-    {
-        fly_by_wire_hold_elevator(&loop->fly_by_wire, &gains->fly_by_wire, &command, &rates, loop->surfaces.elevator);
-    }
+    const control_command_t command = input->autopilot
+                                          ? command_of_autopilot(loop, gains, plan, input, &rates, track_deg, dt_s)
+                                          : command_of_pilot(loop, plan, input, track_deg);
     const surfaces_t wanted = fly_by_wire_update(&loop->fly_by_wire, &gains->fly_by_wire, &command, &rates, dt_s);
     if (changed_hands)
     {

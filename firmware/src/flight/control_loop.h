@@ -43,7 +43,7 @@ typedef struct
     autopilot_state_t autopilot;
     transition_t transition;
     track_t track;
-    autopilot_target_t hold; ///< what the autopilot holds without a plan: the moment it was switched on
+    autopilot_target_t hold;  ///< what the autopilot flies; without a plan, the moment it was switched on
     float ground_altitude_ft; ///< where the aircraft last was below flying speed
     float ground_run_s;       ///< time on the ground at flying speed
     bool ground_is_known;

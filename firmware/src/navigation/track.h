@@ -14,7 +14,7 @@ typedef struct
     float sin_sum; ///< of the direction given along the stretch, for its mean
     float cos_sum;
     uint32_t samples; ///< of the stretch
-    float drift_deg; ///< track less the given direction, smoothed
+    float drift_deg;  ///< track less the given direction, smoothed
 } track_t;
 
 void track_init(track_t* track);

@@ -16,8 +16,8 @@ enum
     crc_offset = parameter_record_bytes - 4
 };
 
-static const uint32_t magic = 0x46504550U;  ///< "PEPF"
-static const uint32_t record_version = 1U;  ///< of this layout and of the parameters' order
+static const uint32_t magic = 0x46504550U; ///< "PEPF"
+static const uint32_t record_version = 1U; ///< of this layout and of the parameters' order
 static const char* const slot_names[slot_count] = {"params.a", "params.b"};
 
 /// What a slot holds.

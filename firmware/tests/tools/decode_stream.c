@@ -47,7 +47,7 @@ static void decode(frame_decoder_t* decoder, const uint8_t* bytes, size_t size)
 int main(int argc, char** argv)
 {
     const long chunk = argc == 3 ? strtol(argv[1], NULL, 10) : 0;
-    const frame_dialect_t* const dialect = argc != 3                                ? NULL
+    const frame_dialect_t* const dialect = argc != 3                             ? NULL
                                            : strcmp(argv[2], "board-to-pc") == 0 ? &frame_from_board
                                            : strcmp(argv[2], "pc-to-board") == 0 ? &frame_to_board
                                                                                  : NULL;
