@@ -48,7 +48,6 @@ class AhrsTest:
         self.state = AhrsTestState.IDLE
         self.skipped = 0
         self._buffer = b""
-        self._aligned = False
         self._due_s = 0.0
 
     @property
@@ -61,7 +60,6 @@ class AhrsTest:
         """Begin; returns the bytes to send."""
         self.state = AhrsTestState.BEGUN
         self._buffer = b""
-        self._aligned = False
         self._due_s = now_s + WAIT_S
         return BEGIN
 
@@ -101,25 +99,20 @@ class AhrsTest:
             return False
         self._buffer = self._buffer[place + len(SYNCHRONISED) :]
         self.state = AhrsTestState.STREAMING
-        self._aligned = True
         return True
 
     def _take_record(self) -> Attitude | None:
         """The next record, or None when more bytes are needed.
 
-        A float may hold the mark. Behind a record, or behind the board's answer, a mark is where it must be;
-        after damage one counts only if another follows at the distance of a record.
+        Records have no checksum and a float may hold the mark, so a record counts only when the mark of the
+        next one follows it: a lost byte costs records, and never shows a wrong attitude.
         """
-        while len(self._buffer) >= _RECORD.size:
-            if self._buffer.startswith(_MARK):
-                if not self._aligned and len(self._buffer) < _RECORD.size + len(_MARK):
-                    return None
+        while len(self._buffer) >= _RECORD.size + len(_MARK):
+            if self._buffer.startswith(_MARK) and self._buffer.startswith(_MARK, _RECORD.size):
                 attitude = _plausible(self._buffer)
-                if attitude is not None and (self._aligned or self._buffer.startswith(_MARK, _RECORD.size)):
+                if attitude is not None:
                     self._buffer = self._buffer[_RECORD.size :]
-                    self._aligned = True
                     return attitude
-            self._aligned = False
             self._drop_to_mark()
         return None
 

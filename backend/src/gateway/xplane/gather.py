@@ -13,7 +13,8 @@ MAX_AGE_S: Final = 0.2
 """A frame whose rows take longer than this to arrive is old: at the slowest rate, 20 Hz, frames are 0.05 s apart."""
 
 _RELEVANT: Final = NEEDED_ROWS | {TRACK_ROW}
-_DESCENTS_BEFORE_DOUBT: Final = 30
+_DESCENTS_BEFORE_DOUBT: Final = 12
+_PAUSE_DECAY: Final = 0.999  # each datagram: one long stall of ours does not name the leader for ever
 
 
 class Gatherer:
@@ -21,8 +22,8 @@ class Gatherer:
 
     A new frame begins with a row that this frame already has, with a row number lower than the last one (the
     simulator sends rows in ascending order, so a lost datagram cannot shift the frames), or when the frame
-    is too old. A simulator that sends rows in another order never completes a frame by the second rule, so
-    after enough vain descents that rule is dropped.
+    is too old. A simulator that sends rows in another order never completes a frame by the second rule: after
+    enough vain descents frames begin with their leader instead, the row that came after the longest pause.
 
     The ground track wins over the heading wherever its row comes: a simulator that sent it in the last frame
     is waited for.
@@ -40,12 +41,16 @@ class Gatherer:
         self._track_expected = False
         self._frames_begun = 0
         self._descents = 0
+        self._leader = -1
+        self._longest_pause_s = -1.0
+        self._heard_s = 0.0
 
     def take(self, records: Iterable[Record], now_s: float) -> XplaneInfo | None:
         """Take one datagram's rows; returns the frame's values when this datagram completes it."""
         relevant = [record for record in records if record.row in _RELEVANT]
         if not relevant:
             return None
+        self._watch_pauses(relevant[0].row, now_s)
         if self._begins_frame(relevant, now_s):
             self._begin(now_s)
         self._datagrams += 1
@@ -71,10 +76,19 @@ class Gatherer:
             return True
         if any(record.row in self._rows for record in relevant):
             return True
-        if self._descents < _DESCENTS_BEFORE_DOUBT and relevant[0].row < self._last_row:
-            self._descents += 1
-            return True
-        return False
+        if self._descents >= _DESCENTS_BEFORE_DOUBT:
+            return relevant[0].row == self._leader
+        descends = relevant[0].row < self._last_row
+        self._descents += descends
+        return descends
+
+    def _watch_pauses(self, row: int, now_s: float) -> None:
+        pause_s = now_s - self._heard_s if self._leader >= 0 else 0.0
+        self._longest_pause_s *= _PAUSE_DECAY
+        if pause_s > self._longest_pause_s:
+            self._leader = row
+            self._longest_pause_s = pause_s
+        self._heard_s = now_s
 
     def _begin(self, now_s: float) -> None:
         if self._rows:

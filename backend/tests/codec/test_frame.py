@@ -1,0 +1,150 @@
+"""The decoder gives the same frames however the line cuts, breaks or pads them."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from gateway.codec.encode import encode_command, encode_telemetry
+from gateway.codec.frame import FROM_BOARD, TO_BOARD, Damage, Frame, FrameDecoder
+from gateway.codec.messages_gen import TO_PC_HEADER
+from tests.codec.vectors import decode, direction, dropped, failures, frames, good_frames, load
+
+STREAMS = load("stream.jsonl")
+TELEMETRY = load("telemetry.jsonl")
+HEARTBEAT = good_frames()[0]
+LONG_FALSE_HEADER = TO_PC_HEADER + (0x8000000B).to_bytes(4, "little")
+
+
+@pytest.mark.parametrize("vector", STREAMS, ids=lambda vector: vector["case"])
+@pytest.mark.parametrize("chunk", [1, 2, 3, 7, 16, 4096])
+def test_streams_with_damage_give_the_frames_that_are_intact(vector: dict[str, Any], chunk: int) -> None:
+    stream = bytes.fromhex("".join(part["hex"] for part in vector["parts"]))
+    events = decode(stream, chunk, direction(vector["direction"]))
+    assert frames(events) == [(frame["type"], frame["payload"]) for frame in vector["frames"]]
+    assert failures(events) == vector["failed"]
+    assert len(dropped(events)) == vector["dropped"]
+
+
+@pytest.mark.parametrize("vector", TELEMETRY, ids=lambda vector: f"{vector['case']} {vector['sent']}")
+def test_captured_frames_are_accepted_or_refused_for_the_right_reason(vector: dict[str, Any]) -> None:
+    events = decode(bytes.fromhex(vector["hex"]) + HEARTBEAT * 2, 5)
+    names = [event.message.name for event in events if isinstance(event, Frame)]
+    if "refused" in vector:
+        assert names == ["heartbeat", "heartbeat"]
+        assert failures(events) == {vector["refused"]: 1}
+    else:
+        assert names == [vector["message"], "heartbeat", "heartbeat"]
+        assert not dropped(events)
+
+
+def test_cut_points_do_not_matter() -> None:
+    for vector in STREAMS:
+        stream = bytes.fromhex("".join(part["hex"] for part in vector["parts"]))
+        way = direction(vector["direction"])
+        whole = FrameDecoder(way).feed(stream)
+        for cut in range(len(stream) + 1):
+            decoder = FrameDecoder(way)
+            assert decoder.feed(stream[:cut]) + decoder.feed(stream[cut:]) == whole, vector["case"]
+
+
+@given(
+    pieces=st.lists(st.one_of(st.sampled_from(good_frames()), st.binary(max_size=40)), max_size=12),
+    chunk=st.integers(1, 50),
+)
+def test_noise_never_raises_and_never_hides_the_next_frame(pieces: list[bytes], chunk: int) -> None:
+    stream = b"".join(pieces) + HEARTBEAT
+    events = decode(stream, chunk)
+    assert events == decode(stream, len(stream))
+    accepted = [frame.hex() for frame in pieces if frame in set(good_frames())]
+    found = [payload for _, payload in frames(events)]
+    # Random bytes cannot make up a frame here, so what is found is what was put in.
+    assert found == [frame[16:-16] for frame in [*accepted, HEARTBEAT.hex()]]
+
+
+@given(st.lists(st.sampled_from([b"\rQT,", LONG_FALSE_HEADER, b"\r\n\r\n", b"\r", b"Q", HEARTBEAT]), max_size=20))
+def test_every_byte_is_in_a_frame_or_reported_in_order(pieces: list[bytes]) -> None:
+    stream = b"".join(pieces)
+    rebuilt = b""
+    for event in decode(stream, 3):
+        if isinstance(event, Frame):
+            rebuilt += HEARTBEAT
+        else:
+            rebuilt += event.data
+    assert rebuilt == stream
+
+
+def test_text_comes_out_at_each_line_end_without_waiting_for_a_frame() -> None:
+    decoder = FrameDecoder()
+    assert decoder.feed(b"\rk_elev 1.0\n\rk_air") == [Damage("noise", b"\rk_elev 1.0\n")]
+    assert decoder.feed(b"ln 0.6\n") == [Damage("noise", b"\rk_airln 0.6\n")]
+
+
+def test_a_prompt_without_line_end_comes_out_when_the_line_is_silent() -> None:
+    decoder = FrameDecoder()
+    assert decoder.feed(b"ready> ") == []
+    assert decoder.flush() == [Damage("noise", b"ready> ")]
+    assert decoder.flush() == []
+
+
+def test_text_behind_a_damaged_frame_is_text_again() -> None:
+    broken = bytearray(HEARTBEAT)
+    broken[9] ^= 1
+    events = FrameDecoder().feed(bytes(broken) + b"\rhello\n")
+    assert [event.kind for event in events if isinstance(event, Damage)] == ["bad_checksum", "remains", "noise"]
+    assert events[-1] == Damage("noise", b"\rhello\n")
+
+
+def test_noise_without_line_ends_is_handed_out_in_bounded_pieces() -> None:
+    events = FrameDecoder().feed(b"\x55" * 1000)
+    assert [len(event.data) for event in events if isinstance(event, Damage)] == [256, 256, 256]
+
+
+def test_a_false_header_does_not_hold_back_a_frame_when_the_line_is_silent() -> None:
+    decoder = FrameDecoder()
+    assert decoder.feed(LONG_FALSE_HEADER + HEARTBEAT) == []
+    events = decoder.flush()
+    assert failures(events) == {"cut_short": 1}
+    assert [event.message.name for event in events if isinstance(event, Frame)] == ["heartbeat"]
+
+
+def test_silence_inside_a_good_frame_loses_nothing() -> None:
+    for cut in range(1, len(HEARTBEAT)):
+        decoder = FrameDecoder()
+        assert decoder.feed(HEARTBEAT[:cut]) == []
+        assert decoder.flush() == []
+        assert len(frames(decoder.feed(HEARTBEAT[cut:]))) == 1
+
+
+def test_the_end_of_the_line_reports_what_was_cut_short() -> None:
+    decoder = FrameDecoder()
+    decoder.feed(HEARTBEAT[:17])
+    events = decoder.finish()
+    assert failures(events) == {"cut_short": 1}
+    assert dropped(events) == HEARTBEAT[:17]
+    assert frames(decoder.feed(HEARTBEAT)) == [(0, HEARTBEAT[8:-8].hex())]
+
+
+def test_the_weak_checksum_alone_does_not_decide() -> None:
+    good = encode_telemetry("statistics", 40, 60)
+    for bit in (28, 29, 30):
+        flipped = bytearray(good)
+        flipped[7] ^= 1 << (bit - 24)
+        checksum = int.from_bytes(flipped[12:16], "little")
+        flipped[12:16] = ((checksum - (1 << bit)) & 0xFFFFFFFF).to_bytes(4, "little")
+        assert failures(decode(bytes(flipped), 99)) == {"bad_type_bits": 1}
+
+
+def test_both_directions_have_their_own_frames() -> None:
+    command = encode_command("set_fms_task_rate", 250)
+    assert frames(decode(command, 4, TO_BOARD)) == [(47, "fa000000")]
+    assert frames(decode(command, 4, FROM_BOARD)) == []
+
+
+def test_values_are_those_of_the_wire_in_the_order_of_the_definition() -> None:
+    (frame,) = FrameDecoder().feed(encode_telemetry("ahrs", 270.0, 2.5, -10.25))
+    assert isinstance(frame, Frame)
+    assert frame.values == (270.0, 2.5, -10.25)

@@ -1,0 +1,112 @@
+"""The opening dialogue, told what time it is."""
+
+from __future__ import annotations
+
+from gateway.codec.encode import encode_command, encode_telemetry
+from gateway.codec.frame import Frame, FrameDecoder
+from gateway.codec.session import Session, SessionState
+
+OPEN = b"#QT\n"
+ASK = encode_command("capabilities")
+QUIET = encode_command("stop") + encode_command("exit_binary_mode")
+
+
+def _frame(data: bytes) -> Frame:
+    (event,) = FrameDecoder().feed(data)
+    assert isinstance(event, Frame)
+    return event
+
+
+HEARTBEAT = _frame(encode_telemetry("heartbeat", *[0] * 12))
+CAPABILITIES = _frame(encode_telemetry("capabilities", 1, 15, b"epf-board", b"1.0", 5))
+
+
+def test_a_board_that_answers_is_extended() -> None:
+    session = Session()
+    assert session.open(100.0) == OPEN
+    assert session.on_frame(HEARTBEAT, 100.1) == ASK
+    assert session.state is SessionState.ASKING
+    assert session.on_frame(CAPABILITIES, 100.2) == b""
+    assert session.is_extended
+    assert session.capabilities is not None
+    assert session.capabilities["firmware_name"] == "epf-board"
+
+
+def test_a_board_that_is_silent_for_half_a_second_is_legacy_and_is_not_asked_again() -> None:
+    session = Session()
+    session.open(0.0)
+    sent = session.on_frame(HEARTBEAT, 0.1)
+    now = 0.1
+    while now < 5.0:
+        now += 0.05
+        sent += session.on_frame(HEARTBEAT, now)
+        sent += session.tick(now)
+        if now < 0.59:
+            assert session.state is SessionState.ASKING
+    assert sent == ASK
+    assert session.state is SessionState.LEGACY
+    assert session.is_open
+    assert not session.is_extended
+
+
+def test_a_late_answer_still_proves_what_the_board_can_do() -> None:
+    session = Session()
+    session.open(0.0)
+    session.on_frame(HEARTBEAT, 0.1)
+    session.tick(0.7)
+    session.on_frame(CAPABILITIES, 0.8)
+    assert session.is_extended
+
+
+def test_nothing_but_the_opening_line_is_sent_before_the_first_heartbeat() -> None:
+    session = Session()
+    sent = session.open(0.0)
+    for tenth in range(1, 31):
+        sent += session.tick(tenth / 10)
+    assert sent == OPEN * 4
+    assert session.heartbeat_age_s(3.0) is None
+
+
+def test_a_board_that_restarted_in_text_mode_is_opened_again() -> None:
+    session = Session()
+    session.open(0.0)
+    session.on_frame(HEARTBEAT, 0.1)
+    session.on_frame(CAPABILITIES, 0.2)
+    session.on_frame(HEARTBEAT, 1.0)
+    assert session.deadline_s == 4.0
+    assert session.tick(3.9) == b""
+    assert session.tick(4.0) == OPEN
+    assert not session.is_open
+    assert session.capabilities is None
+    assert session.on_frame(HEARTBEAT, 4.3) == ASK
+
+
+def test_a_slow_parameter_task_is_not_taken_for_a_dead_board() -> None:
+    session = Session()
+    session.open(0.0)
+    session.on_frame(HEARTBEAT, 0.1)
+    session.on_frame(CAPABILITIES, 0.2)
+    session.expect_heartbeat_every(10.0)
+    session.on_frame(HEARTBEAT, 1.0)
+    assert session.tick(30.9) == b""
+    assert session.is_open
+    assert session.tick(31.0) == OPEN
+
+
+def test_the_age_of_the_heartbeat_grows_until_the_next() -> None:
+    session = Session()
+    session.open(10.0)
+    session.on_frame(HEARTBEAT, 11.0)
+    assert session.heartbeat_age_s(11.25) == 0.25
+    session.on_frame(HEARTBEAT, 12.0)
+    assert session.heartbeat_age_s(12.0) == 0.0
+
+
+def test_closing_stops_the_streams_and_leaves_binary_mode_once() -> None:
+    session = Session()
+    assert session.close() == b""
+    session.open(0.0)
+    assert session.close() == QUIET
+    assert session.close() == b""
+    assert session.tick(99.0) == b""
+    assert session.on_frame(HEARTBEAT, 100.0) == b""

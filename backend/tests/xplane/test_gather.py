@@ -1,0 +1,162 @@
+"""Rows become one command for each simulator frame, however they are spread over datagrams."""
+
+from __future__ import annotations
+
+import random
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from gateway.xplane.datagram import Record
+from gateway.xplane.gather import Gatherer
+from gateway.xplane.mapping import XplaneInfo
+
+ORDER = (3, 4, 6, 8, 11, 16, 17, 18, 20, 25)
+PERIOD_S = 0.02
+
+
+def _frame(number: int, rows: tuple[int, ...] = ORDER) -> list[Record]:
+    """All values of frame n carry n, so that a mixture of two frames is seen."""
+    mark = number % 80 / 100.0
+    return [Record(row, (mark,) * 8) for row in rows]
+
+
+def _is_of_one_frame(info: XplaneInfo) -> bool:
+    return len(set(info)) == 1
+
+
+def _whole(gatherer: Gatherer, count: int, rows: tuple[int, ...] = ORDER) -> list[XplaneInfo | None]:
+    return [gatherer.take(_frame(n, rows), n * PERIOD_S) for n in range(count)]
+
+
+def test_one_datagram_with_all_rows_is_one_command_at_once() -> None:
+    infos = _whole(Gatherer("xp10"), 5)
+    assert [info and info.pitch_deg for info in infos] == [0.0, 0.01, 0.02, 0.03, 0.04]
+
+
+def test_one_row_a_datagram_is_one_command_for_each_frame() -> None:
+    gatherer = Gatherer("xp10")
+    infos = []
+    for number in range(10):
+        for place, record in enumerate(_frame(number)):
+            info = gatherer.take([record], number * PERIOD_S + place * 0.0001)
+            if info is not None:
+                infos.append((number, record.row, info))
+    assert [(number, row) for number, row, _ in infos] == [(number, 25) for number in range(10)]
+    assert all(_is_of_one_frame(info) for _, _, info in infos)
+
+
+@pytest.mark.parametrize("cut", range(1, len(ORDER)))
+def test_two_datagrams_a_frame_are_one_command(cut: int) -> None:
+    gatherer = Gatherer("xp10")
+    infos = []
+    for number in range(6):
+        records = _frame(number)
+        infos += [gatherer.take(part, number * PERIOD_S) for part in (records[:cut], records[cut:])]
+    made = [info for info in infos if info is not None]
+    assert len(made) == 6
+    assert all(_is_of_one_frame(info) for info in made)
+
+
+def test_the_first_datagrams_of_a_running_simulator_may_come_from_the_middle_of_a_frame() -> None:
+    gatherer = Gatherer("xp10")
+    stream = [record for number in range(10) for record in _frame(number)][6:]
+    infos = [info for place, record in enumerate(stream) if (info := gatherer.take([record], place * 0.002))]
+    assert all(_is_of_one_frame(info) for info in infos)
+    assert len(infos) == 9
+
+
+@given(lost=st.sets(st.integers(0, 599), max_size=120), seed=st.integers(0, 99))
+def test_lost_datagrams_never_mix_two_frames(lost: set[int], seed: int) -> None:
+    rng = random.Random(seed)
+    gatherer = Gatherer("xp10")
+    stream = [(number, record) for number in range(60) for record in _frame(number)]
+    intact = set(range(60)) - {place // len(ORDER) for place in lost}
+    seen = set()
+    for place, (number, record) in enumerate(stream):
+        if place in lost:
+            continue
+        info = gatherer.take([record], number * PERIOD_S + rng.uniform(0.0, 0.001))
+        if info is not None:
+            assert _is_of_one_frame(info)
+            seen.add(number)
+    # The first frame is looked at only, when it is spread; a frame behind one without row 18 waits for nothing.
+    assert intact - {0} <= seen
+
+
+def test_the_track_wins_wherever_its_row_comes() -> None:
+    for rows in ((18, *[row for row in ORDER if row != 18]), (*[row for row in ORDER if row != 18], 18)):
+        gatherer = Gatherer("xp10")
+        for number in range(5):
+            records = [Record(row, (0.0, 0.0, 200.0, *[0.0] * 5) if row == 18 else (0.1,) * 8) for row in rows]
+            info = gatherer.take(records, number * PERIOD_S)
+            assert info is not None
+            assert info.yaw_deg == 200.0
+
+
+def test_the_track_is_waited_for_when_its_datagram_comes_last() -> None:
+    gatherer = Gatherer("xp10")
+    rows = tuple(row for row in ORDER if row != 18)
+    yaws = []
+    for number in range(40):
+        for records in ([Record(row, (0.1,) * 8) for row in rows], [Record(18, (0.0, 0.0, 200.0, *[0.0] * 5))]):
+            info = gatherer.take(records, number * PERIOD_S)
+            if info is not None:
+                yaws.append(info.yaw_deg)
+    # The very first datagram looks complete; from the second frame on the track is known to come.
+    assert set(yaws[1:]) == {200.0}
+    assert len(yaws) > 20
+
+
+def test_a_simulator_that_stops_sending_the_track_is_followed_by_its_heading() -> None:
+    gatherer = Gatherer("xp10")
+    _whole(gatherer, 3)
+    rows = tuple(row for row in ORDER if row != 18)
+    infos = [gatherer.take(_frame(n, rows), n * PERIOD_S) for n in range(3, 6)]
+    assert [info is not None for info in infos] == [False, True, True]
+
+
+@pytest.mark.parametrize("rows", [ORDER[::-1], (3, 4, 6, 8, 11, 16, 18, 17, 20, 25), (17, 25, 3, 18, 4, 20, 8, 16)])
+@pytest.mark.parametrize("missed", [0, 3])
+def test_rows_in_another_order_are_understood_after_a_while(rows: tuple[int, ...], missed: int) -> None:
+    gatherer = Gatherer("xp10")
+    stream = [(number, record) for number in range(20) for record in _frame(number, rows)][missed:]
+    made = []
+    for number, record in stream:
+        info = gatherer.take([record], number * PERIOD_S)
+        if info is not None:
+            made.append((number, info))
+    assert {number for number, _ in made} >= set(range(8, 20))
+    assert all(_is_of_one_frame(info) for _, info in made)
+
+
+def test_old_rows_are_never_sent() -> None:
+    gatherer = Gatherer("xp10")
+    _whole(gatherer, 2)
+    first, last = _frame(2)[:5], _frame(2)[5:]
+    assert gatherer.take(first, 10.0) is None
+    assert gatherer.take(last, 10.5) is None
+    assert gatherer.incomplete_frames == 1
+
+
+@pytest.mark.parametrize("missing", [3, 4, 8, 16, 17, 20, 25])
+def test_a_row_that_never_arrives_gives_no_command(missing: int) -> None:
+    rows = tuple(row for row in ORDER if row != missing)
+    assert _whole(Gatherer("xp10"), 5, rows) == [None] * 5
+
+
+def test_a_value_that_is_no_number_gives_no_command_and_is_counted() -> None:
+    gatherer = Gatherer("xp10")
+    records = [record for record in _frame(1) if record.row != 17]
+    bad = Record(17, (float("nan"), 1.0, 2.0, *[-999.0] * 5))
+    assert gatherer.take([*records, bad], 0.0) is None
+    assert gatherer.implausible == {"pitch_deg": 1}
+    assert gatherer.take(_frame(2), 0.02) is not None
+
+
+def test_rows_that_no_one_needs_change_nothing() -> None:
+    gatherer = Gatherer("xp10")
+    assert gatherer.take([Record(6, (1.0,) * 8), Record(11, (0.0,) * 8)], 0.0) is None
+    assert gatherer.take([Record(99, (1.0,) * 8)], 0.0) is None
+    assert gatherer.incomplete_frames == 0
