@@ -16,8 +16,9 @@ BOARD ?=
 XPLANE ?=
 PORT ?= 8000
 ARGS ?=
+MINUTES ?= 30
 
-.PHONY: help setup generate check test test-backend test-protocol test-firmware test-frontend e2e run board bench clean tools browser
+.PHONY: help setup generate check test test-backend test-protocol test-firmware test-frontend e2e soak run board bench clean tools browser
 
 help: ## list the verbs
 	@awk -F':.*## ' '/^[a-z-]+:.*## / { printf "  make %-14s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -118,6 +119,9 @@ test-frontend: $(DONE)/frontend
 
 e2e: $(DONE)/venv $(DONE)/browser board frontend/dist/index.html ## journeys in a real browser through the real gateway, board and simulator
 	cd e2e && PLAYWRIGHT_JUNIT_OUTPUT_FILE=$(abspath $(RESULTS))/e2e.xml npm run --silent test
+
+soak: $(DONE)/venv $(DONE)/browser board frontend/dist/index.html ## a long flight at real time; MINUTES=30
+	cd e2e && SOAK_MINUTES=$(MINUTES) npm run --silent soak
 
 bench: $(DONE)/venv-dev $(DONE)/browser board frontend/dist/index.html ## the numbers of the design, each beside its peer in the same run
 	$(MAKE) --no-print-directory -C firmware flight-lib
