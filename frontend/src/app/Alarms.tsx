@@ -1,0 +1,30 @@
+import { useTranslation } from "react-i18next";
+import { useSentence } from "../i18n/useSentence";
+import { useConnection } from "../store/hooks";
+import { type AlarmItem, AlarmStrip } from "../ui/AlarmStrip";
+
+/** What is wrong now, on every tab. Without the gateway nothing that it said counts: that alone is shown. */
+export function Alarms() {
+  const { t } = useTranslation();
+  const sentence = useSentence();
+  const phase = useConnection((connection) => connection.phase);
+  const alarms = useConnection(({ status }) => status?.alarms);
+  const known = useConnection(({ status }) => status !== null);
+  let items: readonly AlarmItem[] = [];
+  if (phase === "open") {
+    items = (alarms ?? []).map(({ id, level, text }) => ({
+      id,
+      level,
+      text: sentence({ level: "warning", key: `alarm.${id}`, params: {}, fallback: text }),
+    }));
+  } else if (known || phase === "waiting") {
+    items = [
+      {
+        id: "gateway_lost",
+        level: "critical",
+        text: t(phase === "silent" ? "alarm.gateway_silent" : "alarm.gateway_lost"),
+      },
+    ];
+  }
+  return <AlarmStrip label={t("alarm.label")} alarms={items} />;
+}

@@ -1,0 +1,93 @@
+import { useEffect, useMemo } from "react";
+import { useTranslation } from "react-i18next";
+import { usePage, useSettings } from "../store/hooks";
+import { choose } from "../store/settings";
+import { applyTheme } from "../theme/theme";
+import { Tabs } from "../ui/Tabs";
+import { WordsProvider } from "../ui/words";
+import { FlightView } from "../views/flight/FlightView";
+import { HilView } from "../views/hil/HilView";
+import { SetupView } from "../views/setup/SetupView";
+import { Alarms } from "./Alarms";
+import "./app.css";
+import { Header } from "./Header";
+import { LeftPanel } from "./LeftPanel";
+import { StatusBar } from "./StatusBar";
+import { Toolbars } from "./Toolbars";
+
+/** The window's frame: header, toolbars, alarms, left panel and main tabs, status bar. */
+export function App() {
+  const { t, i18n } = useTranslation();
+  const language = useSettings((settings) => settings.language);
+  const theme = useSettings((settings) => settings.theme);
+  useEffect(() => {
+    void i18n.changeLanguage(language);
+    document.documentElement.lang = language;
+  }, [i18n, language]);
+  useEffect(() => applyTheme(document.documentElement, theme), [theme]);
+  const words = useMemo(
+    () => ({
+      live: t("words.live"),
+      stale: t("words.stale"),
+      noData: t("words.noData"),
+      pending: t("words.pending"),
+      confirmed: t("words.confirmed"),
+      rejected: t("words.rejected"),
+      timedOut: t("words.timedOut"),
+      sent: t("words.sent"),
+      on: t("words.on"),
+      off: t("words.off"),
+      unknown: t("words.unknown"),
+      increase: t("words.increase"),
+      decrease: t("words.decrease"),
+      dismiss: t("words.dismiss"),
+      warning: t("words.warning"),
+      critical: t("words.critical"),
+      notANumber: t("words.notANumber"),
+      outOfRange: (minimum: string, maximum: string) => t("words.outOfRange", { minimum, maximum }),
+    }),
+    [t],
+  );
+  return (
+    <WordsProvider words={words}>
+      <div className="app">
+        <Header />
+        <div className="app-toolbars">
+          <Toolbars />
+        </div>
+        <Alarms />
+        <div className="app-body">
+          <LeftPanel />
+          <main className="app-main">
+            <MainTabs />
+          </main>
+        </div>
+        <StatusBar />
+      </div>
+    </WordsProvider>
+  );
+}
+
+const TABS = ["flight", "hil", "setup"] as const;
+type TabName = (typeof TABS)[number];
+const CONTENTS: Readonly<Record<TabName, () => React.ReactNode>> = {
+  flight: () => <FlightView />,
+  hil: () => <HilView />,
+  setup: () => <SetupView />,
+};
+
+function MainTabs() {
+  const { t } = useTranslation();
+  const { settings } = usePage();
+  const chosen = useSettings(({ choices }) => TABS.find((tab) => tab === choices["tab"]) ?? "flight");
+  return (
+    <Tabs
+      label={t("app.tabs")}
+      size="main"
+      className="app-tabs"
+      value={chosen}
+      onValueChange={(tab) => choose(settings, "tab", tab)}
+      tabs={TABS.map((tab) => ({ value: tab, label: t(`tab.${tab}`), content: CONTENTS[tab]() }))}
+    />
+  );
+}

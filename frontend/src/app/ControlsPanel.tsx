@@ -1,0 +1,73 @@
+import { useCallback, useRef } from "react";
+import { useTranslation } from "react-i18next";
+import { ControlCross, type ControlCrossHandle } from "../instruments/controls/ControlCross";
+import { hundredths } from "../live/formats";
+import { LiveFlag } from "../live/LiveFlag";
+import type { TelemetryStore } from "../store/telemetry";
+import { usePaint } from "../store/usePaint";
+import { Panel } from "../ui/Panel";
+import { Readout, ReadoutGrid, type ReadoutHandle } from "../ui/Readout";
+import { AXES, type Axis, axisNumber, axisTopic, readAutopilot, readAutotrim } from "./controls";
+import { useSource } from "./useSource";
+
+/** "Controles": stick and throttle of the chosen source, and its autopilot and autotrim. */
+export function ControlsPanel() {
+  const { t } = useTranslation();
+  const source = useSource() ?? "unknown";
+  return (
+    <Panel
+      title={t("controls.title")}
+      className="left-controls"
+      badge={<span className="left-source">{t(`source.${source}`)}</span>}
+    >
+      <Cross />
+      <ReadoutGrid>
+        {AXES.map((axis) => (
+          <AxisReadout key={axis} axis={axis} label={t(`control.${axis}`)} />
+        ))}
+      </ReadoutGrid>
+      <div className="left-flags">
+        <LiveFlag topic="heartbeat" read={readAutopilot} label={t("flag.autopilot")} />
+        <LiveFlag topic="heartbeat" read={readAutotrim} label={t("flag.autotrim")} />
+      </div>
+    </Panel>
+  );
+}
+
+function Cross() {
+  const { t } = useTranslation();
+  const cross = useRef<ControlCrossHandle>(null);
+  const paint = useCallback((telemetry: TelemetryStore, now_ms: number) => {
+    const live = (axis: Axis): number | null =>
+      telemetry.state(axisTopic(telemetry), now_ms) === "live" ? axisNumber(telemetry, axis) : null;
+    cross.current?.paint(
+      {
+        aileron: live("aileron"),
+        elevator: live("elevator"),
+        rudder: live("rudder"),
+        throttle: live("throttle"),
+      },
+      now_ms,
+    );
+  }, []);
+  usePaint("frame", paint);
+  return (
+    <div className="left-cross">
+      <ControlCross ref={cross} label={t("controls.picture")} noDataText={t("words.noData")} />
+    </div>
+  );
+}
+
+function AxisReadout({ axis, label }: { axis: Axis; label: string }) {
+  const readout = useRef<ReadoutHandle>(null);
+  const paint = useCallback(
+    (telemetry: TelemetryStore, now_ms: number) =>
+      readout.current?.paint(
+        hundredths(axisNumber(telemetry, axis)),
+        telemetry.state(axisTopic(telemetry), now_ms),
+      ),
+    [axis],
+  );
+  usePaint("text", paint);
+  return <Readout ref={readout} label={label} chars={5} />;
+}

@@ -1,0 +1,98 @@
+import { useTranslation } from "react-i18next";
+import { useAsked } from "../live/useAsked";
+import { useConnection, usePage, useSettings } from "../store/hooks";
+import { LANGUAGES } from "../store/settings";
+import { THEMES } from "../theme/theme";
+import { Button } from "../ui/Button";
+import { SegmentedSwitch } from "../ui/SegmentedSwitch";
+import { Select } from "../ui/Select";
+
+/** Top row: what this is, who has control, language and look. */
+export function Header() {
+  const { t } = useTranslation();
+  return (
+    <header className="app-header">
+      <h1 className="app-brand">
+        <span className="app-brand-mark" aria-hidden="true" />
+        {t("app.name")}
+      </h1>
+      <div className="app-header-right">
+        <ControlHolder />
+        <LanguageSwitch />
+        <ThemeSelect />
+      </div>
+    </header>
+  );
+}
+
+/** Who may command; with the button that takes control while nobody has it, or gives it back. */
+function ControlHolder() {
+  const { t } = useTranslation();
+  const { actions } = usePage();
+  const { state, stateText } = useAsked("control");
+  const isOpen = useConnection(({ phase }) => phase === "open");
+  const control = useConnection(({ status }) => status?.control ?? null);
+  const client = useConnection((connection) => connection.client);
+  if (!isOpen || control === null) {
+    return <p className="app-control">{t("control.unknown")}</p>;
+  }
+  if (control.client === client) {
+    return (
+      <div className="app-control">
+        <p className="app-control-mine">{t("control.mine")}</p>
+        <Button
+          onPress={() => void actions.releaseControl({ control: "control" })}
+          state={state}
+          stateText={stateText}
+        >
+          {t("control.release")}
+        </Button>
+      </div>
+    );
+  }
+  const holder = control.client === null ? null : (control.name ?? control.client);
+  return (
+    <div className="app-control">
+      <p>{holder === null ? t("control.free") : t("control.other", { name: holder })}</p>
+      <Button
+        onPress={() => void actions.takeControl({ control: "control" })}
+        state={state}
+        stateText={stateText}
+        disabledReason={holder === null ? undefined : t("blocked.held", { name: holder })}
+      >
+        {t("control.take")}
+      </Button>
+    </div>
+  );
+}
+
+function LanguageSwitch() {
+  const { t } = useTranslation();
+  const { settings } = usePage();
+  const language = useSettings((chosen) => chosen.language);
+  return (
+    <SegmentedSwitch
+      label={t("app.language")}
+      hideLabel
+      options={LANGUAGES.map((value) => ({ value, label: t(`language.${value}`) }))}
+      value={language}
+      onChange={(value) => settings.setState({ language: value })}
+    />
+  );
+}
+
+function ThemeSelect() {
+  const { t } = useTranslation();
+  const { settings } = usePage();
+  const theme = useSettings((chosen) => chosen.theme);
+  return (
+    <Select
+      label={t("app.theme")}
+      hideLabel
+      options={THEMES.map((value) => ({ value, label: t(`theme.${value}`) }))}
+      value={theme}
+      onChange={(value) => settings.setState({ theme: value })}
+      placeholder={t("app.theme")}
+    />
+  );
+}

@@ -1,0 +1,126 @@
+import { useCallback, useEffect, useRef } from "react";
+import { useTranslation } from "react-i18next";
+import { useStore } from "zustand";
+import { useSentence } from "../i18n/useSentence";
+import { formatAge, formatBytes } from "../lib/format";
+import { useConnection, usePage, useTelemetry } from "../store/hooks";
+import type { TelemetryStore } from "../store/telemetry";
+import { usePaint } from "../store/usePaint";
+import { MessageLine } from "../ui/MessageLine";
+import { Meter, type MeterHandle } from "../ui/Meter";
+
+/** Bottom row: the last message, the health of the lines, the recording. */
+export function StatusBar() {
+  const { t } = useTranslation();
+  return (
+    <footer className="app-status">
+      <LastMessage />
+      <Damage />
+      <Use label={t("status.rx")} read="rx" />
+      <Use label={t("status.tx")} read="tx" />
+      <Use label={t("status.xplane")} read="xplane" />
+      <Link />
+      <Recording />
+    </footer>
+  );
+}
+
+function LastMessage() {
+  const { t } = useTranslation();
+  const { messages } = usePage();
+  const sentence = useSentence();
+  const language = usePage().settings.getState().language;
+  const last = useStore(messages, (state) => state.last);
+  return (
+    <MessageLine
+      label={t("status.message")}
+      text={last === null ? t("status.noMessage") : sentence(last)}
+      level={last?.level}
+      time={
+        last === null ? undefined : new Date(last.said_ms).toLocaleTimeString(language, { hour12: false })
+      }
+    />
+  );
+}
+
+function Damage() {
+  const { t } = useTranslation();
+  const total = useConnection(({ status }) => status?.board.frames_damaged ?? null);
+  const recent = useConnection(({ damagedLastSecond }) => damagedLastSecond);
+  return (
+    <span className="app-status-item" data-level={recent > 0 ? "warning" : "normal"}>
+      <span className="app-status-label">{t("status.damaged")}</span>
+      <span className="app-number">{total ?? t("words.dash")}</span>
+      <span className="app-number app-status-recent">{t("status.perSecond", { count: recent })}</span>
+    </span>
+  );
+}
+
+/** Use of a channel in percent: known only while its link is open and the gateway is heard. */
+function Use({ label, read }: { label: string; read: "rx" | "tx" | "xplane" }) {
+  const meter = useRef<MeterHandle>(null);
+  const { t } = useTranslation();
+  const percent = useConnection(({ status, phase }) => {
+    if (status === null || phase !== "open") {
+      return null;
+    }
+    const { board, simulator } = status;
+    return { rx: board.rx_percent, tx: board.tx_percent, xplane: simulator.percent }[read];
+  });
+  useEffect(() => {
+    meter.current?.paint(percent, percent === null ? t("words.dash") : `${percent.toFixed(0)} %`);
+  }, [percent, t]);
+  return <Meter ref={meter} label={label} />;
+}
+
+/** State of the board's link and the age of its last heartbeat, whether live or not: an age is always true. */
+function Link() {
+  const { t } = useTranslation();
+  const age = useRef<HTMLSpanElement>(null);
+  const state = useConnection(({ status, phase }) =>
+    phase === "open" ? (status?.board.state ?? "closed") : "unknown",
+  );
+  const heartbeat = useTelemetry((telemetry, now_ms) => telemetry.state("heartbeat", now_ms));
+  const paint = useCallback(
+    (telemetry: TelemetryStore, now_ms: number) => {
+      const age_s = telemetry.age_s("heartbeat", now_ms);
+      const text = age_s === null ? t("words.dash") : formatAge(age_s);
+      if (age.current !== null && age.current.textContent !== text) {
+        age.current.textContent = text;
+      }
+    },
+    [t],
+  );
+  usePaint("text", paint);
+  const level = state === "open" && heartbeat === "live" ? "good" : state === "closed" ? "normal" : "warning";
+  return (
+    <span className="app-status-item" data-level={level}>
+      <span className="app-lamp" aria-hidden="true" />
+      <span>{t(`link.${state}`)}</span>
+      <span className="app-status-label">{t("status.heartbeat")}</span>
+      <span ref={age} className="app-number app-status-age" />
+    </span>
+  );
+}
+
+function Recording() {
+  const { t } = useTranslation();
+  const file = useConnection(({ status }) => status?.recording.file ?? null);
+  const bytes = useConnection(({ status }) => status?.recording.bytes ?? 0);
+  return (
+    <span className="app-status-item" data-level={file === null ? "normal" : "recording"}>
+      <span className="app-lamp" aria-hidden="true" />
+      <span className="app-status-label">{t("status.recording")}</span>
+      {file === null ? (
+        <span>{t("status.notRecording")}</span>
+      ) : (
+        <>
+          <span className="app-status-file" title={file}>
+            {file.slice(file.lastIndexOf("/") + 1)}
+          </span>
+          <span className="app-number">{formatBytes(bytes)}</span>
+        </>
+      )}
+    </span>
+  );
+}

@@ -1,0 +1,45 @@
+import type { Shelf } from "../store/settings";
+import type { World } from "./page";
+
+/** How often the page is painted at most, in hertz. */
+const RATE_HZ = 60;
+
+/** The world of a real browser. */
+export function browserWorld(window: Window & typeof globalThis): World {
+  return {
+    timers: {
+      now_ms: () => window.performance.now(),
+      after: (delay_ms, run) => {
+        const handle = window.setTimeout(run, delay_ms);
+        return () => window.clearTimeout(handle);
+      },
+    },
+    wall_ms: () => Date.now(),
+    dial: (client, { onMessage, onClose }) => {
+      const address = new URL("/api/v1/stream", window.location.href);
+      address.protocol = address.protocol === "https:" ? "wss:" : "ws:";
+      address.searchParams.set("rate", String(RATE_HZ));
+      if (client !== null) {
+        address.searchParams.set("client", client);
+      }
+      const socket = new WebSocket(address);
+      socket.addEventListener("message", ({ data }) => onMessage(data));
+      socket.addEventListener("close", onClose);
+      return { send: (text) => socket.send(text), close: () => socket.close() };
+    },
+    fetch: (path, init) => window.fetch(path, init),
+    requestFrame: (callback) => window.requestAnimationFrame(callback),
+    cancelFrame: (handle) => window.cancelAnimationFrame(handle),
+    shelf: shelfOf(() => window.localStorage),
+    tabShelf: shelfOf(() => window.sessionStorage),
+  };
+}
+
+/** A browser that forbids its storage throws at the very mention of it. */
+function shelfOf(storage: () => Storage): Shelf | null {
+  try {
+    return storage();
+  } catch {
+    return null;
+  }
+}

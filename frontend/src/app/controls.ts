@@ -1,0 +1,39 @@
+import type { NumberField } from "../protocol/topics";
+import type { TelemetryStore } from "../store/telemetry";
+
+export const AXES = ["elevator", "aileron", "rudder", "throttle"] as const;
+export type Axis = (typeof AXES)[number];
+
+/** Channels of the RC receiver by what they move. */
+const RC_CHANNELS: Readonly<Record<Axis, NumberField<"servos_in">>> = {
+  aileron: "channel_0",
+  elevator: "channel_1",
+  throttle: "channel_2",
+  rudder: "channel_3",
+};
+
+/** Whether the joystick is the source of control; what the board said last, for its age is shown beside it. */
+function isJoystick(telemetry: TelemetryStore): boolean {
+  return telemetry.newestFlag("heartbeat", "source_joystick") === true;
+}
+
+/** Where the controls of the chosen source are heard: the stick in the simulator's information, the RC in its channels. */
+export function axisTopic(telemetry: TelemetryStore): "xplane_info" | "servos_in" {
+  return isJoystick(telemetry) ? "xplane_info" : "servos_in";
+}
+
+/** Newest position of an axis of the chosen source, -1..+1, throttle 0..1. */
+export function axisNumber(telemetry: TelemetryStore, axis: Axis): number | null {
+  return isJoystick(telemetry)
+    ? telemetry.newestNumber("xplane_info", axis)
+    : telemetry.newestNumber("servos_in", RC_CHANNELS[axis]);
+}
+
+/** Autopilot of the chosen source: with the joystick the HIL's flag, with RC the one of the transmitter's switch. */
+export function readAutopilot(telemetry: TelemetryStore): boolean | null {
+  return telemetry.newestFlag("heartbeat", isJoystick(telemetry) ? "autopilot_hil" : "autopilot");
+}
+
+export function readAutotrim(telemetry: TelemetryStore): boolean | null {
+  return telemetry.newestFlag("heartbeat", isJoystick(telemetry) ? "autotrim_hil" : "autotrim");
+}

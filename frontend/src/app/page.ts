@@ -1,0 +1,158 @@
+import { isNumber, isText, nullable, oneOf, shape } from "../lib/check";
+import type { StreamEvent, StreamMessage } from "../protocol/envelope";
+import type { Status } from "../protocol/status";
+import { createCommands } from "../store/commands";
+import { createConnection } from "../store/connection";
+import { DamageRate } from "../store/damage";
+import type { Page } from "../store/hooks";
+import { createMessages, type Message, say } from "../store/messages";
+import { Pump } from "../store/pump";
+import { createSettings, type Shelf } from "../store/settings";
+import { TelemetryStore } from "../store/telemetry";
+import { Rest } from "../transport/rest";
+import { StreamSocket, type Timers, type Wire, type WireListener } from "../transport/socket";
+import { createActions, problemMessage, resultMessage } from "./actions";
+
+/** What the page needs of the world around it: a browser's window, or a test. */
+export interface World {
+  readonly timers: Timers;
+  readonly wall_ms: () => number;
+  readonly dial: (client: string | null, listener: WireListener) => Wire;
+  readonly fetch: (path: string, init: RequestInit) => Promise<Response>;
+  readonly requestFrame: (callback: (now_ms: number) => void) => number;
+  readonly cancelFrame: (handle: number) => void;
+  /** Remembered for ever, and for as long as this browser tab lives. */
+  readonly shelf: Shelf | null;
+  readonly tabShelf: Shelf | null;
+}
+
+const CLIENT_KEY = "epf-gcs.client";
+
+const isCommandEvent = shape({
+  name: isText,
+  client: nullable(isText),
+  state: oneOf("pending", "confirmed", "rejected", "timed_out", "sent"),
+  by: isText,
+  ms: nullable(isNumber),
+  reason: nullable(isText),
+});
+const isErrorEvent = shape({ code: isText, detail: isText });
+
+/** Puts stores, transport and actions together: here alone each message goes from the one to the others. */
+export function createPage(world: World): {
+  readonly page: Page;
+  readonly start: () => void;
+  readonly stop: () => void;
+} {
+  const telemetry = new TelemetryStore();
+  const connection = createConnection();
+  const commands = createCommands();
+  const messages = createMessages();
+  const settings = createSettings(world.shelf);
+  const damage = new DamageRate();
+  const now_ms = world.timers.now_ms;
+  const pump = new Pump(
+    { request: world.requestFrame, cancel: world.cancelFrame },
+    () => telemetry.revision,
+    now_ms(),
+  );
+  const client = (): string | null => connection.getState().client;
+  const tell = (message: Message): void => say(messages, message, world.wall_ms());
+
+  function takeStatus(status: Status, at_ms: number): void {
+    telemetry.heard(at_ms);
+    telemetry.setStaleAfter(
+      Object.entries(status.topics).map(([topic, { stale_after_s }]) => [topic, stale_after_s]),
+    );
+    connection.setState({ status, damagedLastSecond: damage.observe(status.board.frames_damaged, at_ms) });
+  }
+
+  function takeEvent({ event, data }: StreamEvent): void {
+    if (event === "error" && isErrorEvent(data)) {
+      tell({
+        ...problemMessage({ code: data.code, detail: data.detail, params: wordsOf(data) }),
+        level: "warning",
+      });
+    } else if (
+      event === "command" &&
+      isCommandEvent(data) &&
+      data.client !== client() &&
+      data.state !== "pending"
+    ) {
+      const { name, state, by, ms, reason } = data;
+      tell(resultMessage(`@command.${name}`, { state, by, ms: ms ?? 0, reason }));
+    }
+  }
+
+  function take(message: StreamMessage, at_ms: number): void {
+    switch (message.type) {
+      case "batch":
+        telemetry.apply(message.t_s, message.samples, at_ms);
+        return;
+      case "status":
+        takeStatus(message.data, at_ms);
+        return;
+      case "event":
+        telemetry.heard(at_ms);
+        takeEvent(message);
+        return;
+      case "hello":
+        telemetry.greet(message.server_time_s, at_ms);
+        connection.setState({ client: message.client });
+        remember(world.tabShelf, message.client);
+        takeStatus(message.status, at_ms);
+    }
+  }
+
+  const socket = new StreamSocket({
+    dial: (listener) => world.dial(client() ?? remembered(world.tabShelf), listener),
+    timers: world.timers,
+    onMessage: take,
+    onState: ({ kind }) => {
+      if (kind !== "open") {
+        telemetry.silence();
+      }
+      connection.setState({ phase: kind });
+    },
+    onMalformed: () => {
+      connection.setState(({ malformed }) => ({ malformed: malformed + 1 }));
+      tell({ level: "error", key: "said.malformed", params: {} });
+    },
+  });
+  const rest = new Rest({ fetch: world.fetch, client });
+  const actions = createActions({ rest, commands, messages, client, now_ms, wall_ms: world.wall_ms });
+  return {
+    page: { telemetry, pump, connection, commands, messages, settings, actions },
+    start: () => socket.start(),
+    stop: () => socket.stop(),
+  };
+}
+
+/** The values of an error event's sentence, as far as they can stand in one. */
+function wordsOf(data: Readonly<Record<string, unknown>>): Message["params"] {
+  const { params } = data;
+  return typeof params === "object" && params !== null
+    ? Object.fromEntries(
+        Object.entries(params).filter((entry): entry is [string, string | number] => {
+          return isText(entry[1]) || isNumber(entry[1]);
+        }),
+      )
+    : {};
+}
+
+function remembered(shelf: Shelf | null): string | null {
+  try {
+    return shelf?.getItem(CLIENT_KEY) ?? null;
+  } catch {
+    return null;
+  }
+}
+
+/** The name of this tab's connection, so that a reload is the same client and keeps control. */
+function remember(shelf: Shelf | null, client: string): void {
+  try {
+    shelf?.setItem(CLIENT_KEY, client);
+  } catch {
+    // Without a memory a reload is a new client.
+  }
+}

@@ -1,0 +1,41 @@
+import { expect, test } from "vitest";
+import { dictionary, isFlag, isNumber, isObject, isText, list, nullable, oneOf, shape } from "./check";
+
+const isPort = shape({
+  device: isText,
+  baud: nullable(isNumber),
+  kind: oneOf("serial", "tcp"),
+  tags: list(isText),
+  counts: dictionary(isNumber),
+  open: isFlag,
+});
+const port = {
+  device: "/dev/ttyUSB0",
+  baud: 115200,
+  kind: "serial",
+  tags: ["a"],
+  counts: { n: 1 },
+  open: true,
+};
+
+test("a value with all its fields passes, with fields of a newer gateway too", () => {
+  expect(isPort(port)).toBe(true);
+  expect(isPort({ ...port, baud: null, added_later: 1 })).toBe(true);
+});
+
+test.each([
+  ["a missing field", { ...port, device: undefined }],
+  ["a field of another type", { ...port, baud: "115200" }],
+  ["a number that is not finite", { ...port, baud: Number.POSITIVE_INFINITY }],
+  ["an unknown word", { ...port, kind: "radio" }],
+  ["a wrong entry in a list", { ...port, tags: ["a", 1] }],
+  ["a wrong entry in a dictionary", { ...port, counts: { n: null } }],
+  ["null", null],
+  ["a list", [port]],
+])("%s fails", (_, value) => {
+  expect(isPort(value)).toBe(false);
+});
+
+test("a list and null are not objects", () => {
+  expect([isObject({}), isObject([]), isObject(null)]).toEqual([true, false, false]);
+});

@@ -1,0 +1,50 @@
+import { wrap360 } from "./angles";
+
+/**
+ * Numbers as text: rounded, whole, with a decimal point in every language (the station's users know it so, and a
+ * coordinate can be copied as it stands). What is not a finite number has no text: the caller shows "no data".
+ */
+export function formatFixed(value: number | null | undefined, digits: number): string | null {
+  if (value === null || value === undefined || !Number.isFinite(value)) {
+    return null;
+  }
+  const text = value.toFixed(digits);
+  // -0.04 to one digit must not read "-0.0".
+  return Number(text) === 0 ? (0).toFixed(digits) : text;
+}
+
+/** A heading, bearing or track: 0..360 and never "360.0", because the rounding comes before the wrap. */
+export function formatHeading(angle_deg: number | null | undefined, digits: number): string | null {
+  if (angle_deg === null || angle_deg === undefined || !Number.isFinite(angle_deg)) {
+    return null;
+  }
+  const rounded = Number(wrap360(angle_deg).toFixed(digits));
+  return wrap360(rounded).toFixed(digits);
+}
+
+/** Age of a value: tenths up to ten seconds, then seconds, then minutes and hours. */
+export function formatAge(age_s: number): string {
+  const age = Math.max(0, age_s);
+  if (age < 9.95) {
+    return `${age.toFixed(1)} s`;
+  }
+  if (age < 59.5) {
+    return `${Math.round(age)} s`;
+  }
+  const minutes = Math.round(age / 60);
+  return minutes < 60 ? `${minutes} min` : `${Math.floor(minutes / 60)} h ${minutes % 60} min`;
+}
+
+const SIZES = ["B", "kB", "MB", "GB", "TB"] as const;
+
+/** Bytes in steps of 1000, three figures. */
+export function formatBytes(bytes: number): string {
+  let value = bytes;
+  let step = 0;
+  while (value >= 999.5 && step < SIZES.length - 1) {
+    value /= 1000;
+    step += 1;
+  }
+  const digits = step === 0 || value >= 99.95 ? 0 : value >= 9.995 ? 1 : 2;
+  return `${value.toFixed(digits)} ${SIZES[step]}`;
+}

@@ -1,0 +1,30 @@
+import type { ReactNode } from "react";
+import type { CommandName } from "../protocol/messages.gen";
+import { usePage } from "../store/hooks";
+import { Button } from "../ui/Button";
+import { useAsked } from "./useAsked";
+import { useBoardBlocked } from "./useBlocked";
+
+interface Props {
+  command: CommandName;
+  children: ReactNode;
+  icon?: ReactNode;
+}
+
+/** A button that sends one command and shows what becomes of it. */
+export function CommandButton({ command, children, icon }: Props) {
+  const { actions } = usePage();
+  const { state, stateText } = useAsked(command);
+  const blocked = useBoardBlocked();
+  return (
+    <Button
+      onPress={() => void actions.command(command, { control: command })}
+      state={state}
+      stateText={stateText}
+      disabledReason={blocked}
+      icon={icon}
+    >
+      {children}
+    </Button>
+  );
+}

@@ -1,0 +1,87 @@
+import "./live.css";
+import { type ReactNode, useCallback, useRef } from "react";
+import { useTranslation } from "react-i18next";
+import { formatAge } from "../lib/format";
+import type { TopicName } from "../protocol/topics";
+import { useConnection, useTelemetry } from "../store/hooks";
+import type { TelemetryStore } from "../store/telemetry";
+import { usePaint } from "../store/usePaint";
+import { Panel } from "../ui/Panel";
+import { StreamBadge, type StreamBadgeHandle } from "../ui/StreamBadge";
+import { CommandButton } from "./CommandButton";
+import { STREAMS } from "./streams";
+
+interface Props {
+  topic: TopicName;
+  title: string;
+  level?: 2 | 3;
+  className?: string;
+  children: ReactNode;
+}
+
+/** A panel over one stream: how fresh it is, and where it is off, the switch that turns it on. */
+export function StreamPanel({ topic, title, level, className, children }: Props) {
+  const isOff = useStreamIsOff(topic);
+  return (
+    <Panel
+      title={title}
+      level={level}
+      className={className}
+      badge={isOff ? undefined : <LiveBadge topic={topic} />}
+      actions={isOff ? <StreamOff topic={topic} /> : undefined}
+    >
+      {children}
+    </Panel>
+  );
+}
+
+/** The same state for a sub tab, which has no head of its own. */
+export function StreamHead({ topic }: { topic: TopicName }) {
+  const isOff = useStreamIsOff(topic);
+  return <div className="live-head">{isOff ? <StreamOff topic={topic} /> : <LiveBadge topic={topic} />}</div>;
+}
+
+/** The state of a topic in a panel's head: its rate while it is live, its age when it is not. */
+export function LiveBadge({ topic }: { topic: TopicName }) {
+  const badge = useRef<StreamBadgeHandle>(null);
+  const rate_hz = useConnection(({ status }) => status?.topics[topic]?.rate_hz ?? null);
+  const paint = useCallback(
+    (telemetry: TelemetryStore, now_ms: number) => {
+      const state = telemetry.state(topic, now_ms);
+      const age_s = telemetry.age_s(topic, now_ms);
+      const rate = rate_hz === null ? "" : `${rate_hz >= 9.5 ? rate_hz.toFixed(0) : rate_hz.toFixed(1)} Hz`;
+      badge.current?.paint(state, state === "live" ? rate : age_s === null ? "" : formatAge(age_s));
+    },
+    [topic, rate_hz],
+  );
+  usePaint("text", paint);
+  return <StreamBadge ref={badge} />;
+}
+
+/** Says that a stream is off, with the button that switches it on: a command like any other, with its proof. */
+export function StreamOff({ topic }: { topic: TopicName }) {
+  const { t } = useTranslation();
+  const stream = STREAMS[topic];
+  return stream === undefined ? null : (
+    <>
+      <span className="live-off">{t("stream.off")}</span>
+      <CommandButton command={stream.on}>{t("stream.switchOn")}</CommandButton>
+    </>
+  );
+}
+
+/**
+ * Whether the board says that it does not send this. Its flag in a live heartbeat says so; for a stream without a flag
+ * silence does.
+ */
+export function useStreamIsOff(topic: TopicName): boolean {
+  const stream = STREAMS[topic];
+  return useTelemetry((telemetry, now_ms) => {
+    if (stream === undefined || telemetry.state("heartbeat", now_ms) !== "live") {
+      return false;
+    }
+    return stream.flag === null
+      ? telemetry.state(topic, now_ms) !== "live"
+      : telemetry.newestFlag("heartbeat", stream.flag) === false;
+  });
+}

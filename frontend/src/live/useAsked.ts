@@ -1,0 +1,22 @@
+import { useSentence } from "../i18n/useSentence";
+import type { CommandState } from "../store/commands";
+import { useCommandEntry } from "../store/hooks";
+
+export interface Asked {
+  readonly state: CommandState;
+  /** The sentence of an outcome that needs one: why it was refused. */
+  readonly stateText: string | undefined;
+  /** The position that was asked for, while it is not proven. */
+  readonly wanted: string | null;
+}
+
+/** What a control shows of its newest command. */
+export function useAsked(control: string): Asked {
+  const sentence = useSentence();
+  const entry = useCommandEntry(control);
+  return {
+    state: entry?.state ?? "idle",
+    stateText: entry?.message ? sentence(entry.message) : undefined,
+    wanted: entry?.state === "pending" ? entry.asked : null,
+  };
+}

@@ -1,0 +1,24 @@
+import { useTranslation } from "react-i18next";
+import { useConnection } from "../store/hooks";
+
+/** Why nothing can be asked of the gateway now, in a sentence; undefined when it can. */
+export function useGatewayBlocked(): string | undefined {
+  const { t } = useTranslation();
+  const isOpen = useConnection(({ phase }) => phase === "open");
+  const holder = useConnection(({ status, client }) => {
+    const control = status?.control;
+    return control?.client == null || control.client === client ? null : (control.name ?? control.client);
+  });
+  if (!isOpen) {
+    return t("blocked.gateway");
+  }
+  return holder === null ? undefined : t("blocked.viewer", { name: holder });
+}
+
+/** Why no command can go to the board now; undefined when one can. */
+export function useBoardBlocked(): string | undefined {
+  const { t } = useTranslation();
+  const gateway = useGatewayBlocked();
+  const isOpen = useConnection(({ status }) => status?.board.state === "open");
+  return gateway ?? (isOpen ? undefined : t("blocked.board"));
+}

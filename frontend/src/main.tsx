@@ -1,0 +1,25 @@
+import { StrictMode } from "react";
+import { createRoot } from "react-dom/client";
+import { I18nextProvider } from "react-i18next";
+import { App } from "./app/App";
+import { browserWorld } from "./app/browser";
+import { createPage } from "./app/page";
+import { createI18n } from "./i18n/i18n";
+import { PageContext } from "./store/hooks";
+import "./theme/index.css";
+
+const root = document.getElementById("root");
+if (root === null) {
+  throw new Error("index.html has no element #root");
+}
+const { page, start } = createPage(browserWorld(window));
+createRoot(root).render(
+  <StrictMode>
+    <I18nextProvider i18n={createI18n(page.settings.getState().language)}>
+      <PageContext value={page}>
+        <App />
+      </PageContext>
+    </I18nextProvider>
+  </StrictMode>,
+);
+start();

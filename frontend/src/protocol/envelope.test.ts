@@ -1,0 +1,83 @@
+import { describe, expect, test } from "vitest";
+import { aStatus } from "../test/status";
+import { parseMessage } from "./envelope";
+
+function parse(message: unknown) {
+  return parseMessage(JSON.stringify(message));
+}
+
+const ahrs = { topic: "ahrs", t_s: 1700000000.5, values: { yaw_deg: 12.5, pitch_deg: null, roll_deg: -3 } };
+const batch = { type: "batch", seq: 3, t_s: 1700000000.6, missed: 0, missed_events: 0, samples: [ahrs] };
+const hello = {
+  type: "hello",
+  version: "0.1.0",
+  client: "c1",
+  role: "operator",
+  server_time_s: 1700000000,
+  topics: ["ahrs"],
+  status: aStatus(),
+};
+
+describe("a message as agreed", () => {
+  test("a batch gives its samples, null as no data", () => {
+    expect(parse(batch)).toMatchObject({ type: "batch", seq: 3, samples: [ahrs] });
+  });
+
+  test("a hello gives name, role and clock", () => {
+    expect(parse(hello)).toMatchObject({
+      type: "hello",
+      client: "c1",
+      role: "operator",
+      server_time_s: 1700000000,
+    });
+  });
+
+  test("a status and an event pass", () => {
+    expect(parse({ type: "status", data: aStatus() })?.type).toBe("status");
+    expect(parse({ type: "event", event: "command", t_s: 1, data: { name: "ahrs_on" } })?.type).toBe("event");
+  });
+
+  test("a topic that this page does not know may hold anything", () => {
+    const sample = { topic: "added_later", t_s: 1, values: { rows: { 3: [1, 2] } } };
+    expect(parse({ ...batch, samples: [sample] })?.type).toBe("batch");
+  });
+
+  test("a field that this page does not know does no harm", () => {
+    const sample = { ...ahrs, values: { ...ahrs.values, added_later: "text" } };
+    expect(parse({ ...batch, samples: [sample] })?.type).toBe("batch");
+  });
+});
+
+describe("refused as a whole is", () => {
+  test.each([
+    ["no JSON", "{"],
+    ["JSON that is no object", "[1]"],
+    ["a kind that nobody agreed on", JSON.stringify({ type: "surprise" })],
+    ["a batch without number", JSON.stringify({ ...batch, seq: null })],
+    ["a batch without samples", JSON.stringify({ ...batch, samples: {} })],
+    ["a sample without time", JSON.stringify({ ...batch, samples: [{ ...ahrs, t_s: "now" }] })],
+    [
+      "a number that is text",
+      JSON.stringify({ ...batch, samples: [{ ...ahrs, values: { ...ahrs.values, roll_deg: "3" } }] }),
+    ],
+    ["a number without end", JSON.stringify(batch).replace("12.5", "1e999")],
+    [
+      "a missing field",
+      JSON.stringify({ ...batch, samples: [{ ...ahrs, values: { yaw_deg: 1, pitch_deg: 1 } }] }),
+    ],
+    [
+      "a flag that is a number",
+      JSON.stringify({ ...batch, samples: [{ topic: "heartbeat", t_s: 1, values: { ahrs: 1 } }] }),
+    ],
+    ["a hello with an unknown role", JSON.stringify({ ...hello, role: "captain" })],
+    [
+      "a status with a board in no known state",
+      JSON.stringify({
+        type: "status",
+        data: aStatus({ board: { ...aStatus().board, state: "odd" as never } }),
+      }),
+    ],
+  ])("%s", (_, text) => {
+    expect(parseMessage(text)).toBeNull();
+  });
+});

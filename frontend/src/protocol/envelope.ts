@@ -1,0 +1,104 @@
+import { isNumber, isObject, isText, oneOf } from "../lib/check";
+import { isStatus, type Status } from "./status";
+import { FIELD_KINDS } from "./topics";
+
+/** One message of a topic: when the gateway had it (Unix seconds of its clock) and what it said; null is "no data". */
+export interface Sample {
+  readonly topic: string;
+  readonly t_s: number;
+  readonly values: Readonly<Record<string, number | boolean | null>>;
+}
+
+export interface Hello {
+  readonly type: "hello";
+  readonly version: string;
+  /** Name of this connection; commands carry it. */
+  readonly client: string;
+  readonly role: "operator" | "viewer";
+  readonly server_time_s: number;
+  readonly status: Status;
+}
+
+export interface Batch {
+  readonly type: "batch";
+  readonly seq: number;
+  readonly t_s: number;
+  readonly samples: readonly Sample[];
+}
+
+export interface StatusMessage {
+  readonly type: "status";
+  readonly data: Status;
+}
+
+export interface StreamEvent {
+  readonly type: "event";
+  readonly event: string;
+  readonly t_s: number;
+  readonly data: Readonly<Record<string, unknown>>;
+}
+
+export type StreamMessage = Hello | Batch | StatusMessage | StreamEvent;
+
+/** What a text off the socket says, or null when any part of it is not as agreed. */
+export function parseMessage(text: string): StreamMessage | null {
+  let value: unknown;
+  try {
+    value = JSON.parse(text);
+  } catch {
+    return null;
+  }
+  if (isObject(value)) {
+    switch (value["type"]) {
+      case "batch":
+        return batch(value);
+      case "status":
+        return isStatus(value["data"]) ? { type: "status", data: value["data"] } : null;
+      case "event":
+        return event(value);
+      case "hello":
+        return hello(value);
+      default:
+        return null;
+    }
+  }
+  return null;
+}
+
+type Json = Readonly<Record<string, unknown>>;
+
+const isRole = oneOf("operator", "viewer");
+
+function hello(value: Json): Hello | null {
+  const { version, client, role, server_time_s, status } = value;
+  return isText(version) && isText(client) && isRole(role) && isNumber(server_time_s) && isStatus(status)
+    ? { type: "hello", version, client, role, server_time_s, status }
+    : null;
+}
+
+function event(value: Json): StreamEvent | null {
+  const { event: name, t_s, data } = value;
+  return isText(name) && isNumber(t_s) && isObject(data) ? { type: "event", event: name, t_s, data } : null;
+}
+
+function batch(value: Json): Batch | null {
+  const { seq, t_s, samples } = value;
+  return isNumber(seq) && isNumber(t_s) && Array.isArray(samples) && samples.every(isSample)
+    ? { type: "batch", seq, t_s, samples }
+    : null;
+}
+
+function isSample(value: unknown): value is Sample {
+  if (!(isObject(value) && isText(value["topic"]) && isNumber(value["t_s"]) && isObject(value["values"]))) {
+    return false;
+  }
+  const values = value["values"];
+  // A topic that this page does not know may hold anything: nothing reads it.
+  for (const [field, kind] of FIELD_KINDS.get(value["topic"]) ?? []) {
+    const entry = values[field];
+    if (entry !== null && (typeof entry !== kind || (kind === "number" && !Number.isFinite(entry)))) {
+      return false;
+    }
+  }
+  return true;
+}

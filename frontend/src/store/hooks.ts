@@ -1,0 +1,61 @@
+import { createContext, useContext, useSyncExternalStore } from "react";
+import { type StoreApi, useStore } from "zustand";
+import type { Actions } from "./actions";
+import { type CommandEntry, type CommandStore, shown } from "./commands";
+import type { Connection, ConnectionStore } from "./connection";
+import type { MessageStore } from "./messages";
+import type { Pump } from "./pump";
+import type { Settings, SettingsStore } from "./settings";
+import type { TelemetryStore } from "./telemetry";
+
+/** Everything that a component may read or ask for, put together by app. */
+export interface Page {
+  readonly telemetry: TelemetryStore;
+  readonly pump: Pump;
+  readonly connection: ConnectionStore;
+  readonly commands: CommandStore;
+  readonly messages: MessageStore;
+  readonly settings: SettingsStore;
+  readonly actions: Actions;
+}
+
+export const PageContext = createContext<Page | null>(null);
+
+export function usePage(): Page {
+  const page = useContext(PageContext);
+  if (page === null) {
+    throw new Error("a component that reads the stores stands outside of PageContext");
+  }
+  return page;
+}
+
+/** One thing of a slow store; the component renders again when it changes. */
+function useSelected<S, T>(store: StoreApi<S>, select: (state: S) => T): T {
+  return useStore(store, select);
+}
+
+export function useConnection<T>(select: (connection: Connection) => T): T {
+  return useSelected(usePage().connection, select);
+}
+
+export function useSettings<T>(select: (settings: Settings) => T): T {
+  return useSelected(usePage().settings, select);
+}
+
+/**
+ * One plain value out of the telemetry, looked at ten times a second: for flags and words that React shows. What
+ * changes faster is painted with usePaint.
+ */
+export function useTelemetry<T extends string | number | boolean | null>(
+  select: (telemetry: TelemetryStore, now_ms: number) => T,
+): T {
+  const { telemetry, pump } = usePage();
+  return useSyncExternalStore(pump.onTick, () => select(telemetry, pump.now_ms));
+}
+
+/** What a control's newest command is up to, or null when there is nothing to show. */
+export function useCommandEntry(control: string): CommandEntry | null {
+  const { commands, pump } = usePage();
+  const entries = useSelected(commands, (state) => state);
+  return useSyncExternalStore(pump.onTick, () => shown(entries, control, pump.now_ms));
+}

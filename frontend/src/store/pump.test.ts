@@ -1,0 +1,82 @@
+import { expect, test, vi } from "vitest";
+import { HandFrames } from "../test/frames";
+import { Pump } from "./pump";
+
+function setup() {
+  const frames = new HandFrames();
+  let revision = 0;
+  const pump = new Pump(frames, () => revision, 0);
+  return { frames, pump, arrive: () => (revision += 1) };
+}
+
+test("a burst of arrivals is one paint in the next frame", () => {
+  const { frames, pump, arrive } = setup();
+  const paint = vi.fn();
+  pump.add("frame", paint);
+  frames.show(1000);
+  paint.mockClear();
+  arrive();
+  arrive();
+  arrive();
+  frames.show(1016);
+  expect(paint).toHaveBeenCalledTimes(1);
+});
+
+test("frames without news paint only with the texts, ten times a second", () => {
+  const { frames, pump } = setup();
+  const instrument = vi.fn();
+  const text = vi.fn();
+  pump.add("frame", instrument);
+  pump.add("text", text);
+  for (let frame = 0; frame <= 60; frame += 1) {
+    frames.show(1000 + (frame * 1000) / 60);
+  }
+  expect(text).toHaveBeenCalledTimes(11);
+  expect(instrument).toHaveBeenCalledTimes(11);
+});
+
+test("with news in every frame instruments move in every frame and text does not", () => {
+  const { frames, pump, arrive } = setup();
+  const instrument = vi.fn();
+  const text = vi.fn();
+  pump.add("frame", instrument);
+  pump.add("text", text);
+  for (let frame = 0; frame < 60; frame += 1) {
+    arrive();
+    frames.show(1000 + (frame * 1000) / 60);
+  }
+  expect(instrument).toHaveBeenCalledTimes(60);
+  expect(text).toHaveBeenCalledTimes(10);
+});
+
+test("a painter that throws does not stop the loop", () => {
+  const { frames, pump } = setup();
+  const broken = pump.add("text", () => {
+    throw new Error("broken painter");
+  });
+  expect(() => frames.show(1000)).toThrow("broken painter");
+  broken();
+  const paint = vi.fn();
+  pump.add("text", paint);
+  frames.show(1200);
+  expect(paint).toHaveBeenCalledOnce();
+});
+
+test("nothing to paint asks for no frames", () => {
+  const { frames, pump } = setup();
+  const remove = pump.add("frame", () => undefined);
+  expect(frames.waiting).toBe(1);
+  remove();
+  expect(frames.waiting).toBe(0);
+});
+
+test("a new painter paints with the very next frame", () => {
+  const { frames, pump } = setup();
+  pump.add("text", () => undefined);
+  frames.show(1000);
+  const paint = vi.fn();
+  pump.add("text", paint);
+  frames.show(1016);
+  expect(paint).toHaveBeenCalledOnce();
+  expect(pump.now_ms).toBe(1016);
+});

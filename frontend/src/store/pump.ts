@@ -1,0 +1,77 @@
+/** Where displayed frames come from: the browser's, or a test's. */
+export interface FrameSource {
+  readonly request: (callback: (now_ms: number) => void) => number;
+  readonly cancel: (handle: number) => void;
+}
+
+/** `frame`: before each displayed frame, for what moves. `text`: ten times a second, as fast as anybody reads. */
+export type PaintRate = "frame" | "text";
+export type Paint = (now_ms: number) => void;
+
+/** A little under a tenth of a second, or every other round would wait one frame of 60 Hz more. */
+const TEXT_PERIOD_MS = 95;
+
+/**
+ * The one animation-frame loop of the page. Painters of a rate run together, so layout happens once; frames in which
+ * nothing new arrived paint nothing but the tenth-of-a-second texts, which also find what has become stale.
+ */
+export class Pump {
+  readonly #frames: FrameSource;
+  readonly #revision: () => number;
+  readonly #painters: Readonly<Record<PaintRate, Set<Paint>>> = { frame: new Set(), text: new Set() };
+  #handle: number | null = null;
+  #painted = -1;
+  #text_ms = Number.NEGATIVE_INFINITY;
+  #now_ms: number;
+
+  /** `revision` tells whether there is anything new: it differs from the last call's when there is. */
+  constructor(frames: FrameSource, revision: () => number, now_ms: number) {
+    this.#frames = frames;
+    this.#revision = revision;
+    this.#now_ms = now_ms;
+  }
+
+  /** Time of the newest text round: all that is decided by time in React agrees on it. */
+  get now_ms(): number {
+    return this.#now_ms;
+  }
+
+  /** Paint at this rate, first with the next frame, until the returned function is called. */
+  add(rate: PaintRate, paint: Paint): () => void {
+    const painters = this.#painters[rate];
+    painters.add(paint);
+    this.#painted = -1;
+    this.#text_ms = Number.NEGATIVE_INFINITY;
+    this.#handle ??= this.#frames.request(this.#frame);
+    return () => {
+      painters.delete(paint);
+      if (this.#painters.frame.size === 0 && this.#painters.text.size === 0 && this.#handle !== null) {
+        this.#frames.cancel(this.#handle);
+        this.#handle = null;
+      }
+    };
+  }
+
+  /** As React wants a subscription: called with each round of texts. */
+  readonly onTick = (changed: () => void): (() => void) => this.add("text", () => changed());
+
+  readonly #frame = (now_ms: number): void => {
+    // Asked for first, so that a painter which throws does not stop the others for ever.
+    this.#handle = this.#frames.request(this.#frame);
+    const textIsDue = now_ms - this.#text_ms >= TEXT_PERIOD_MS;
+    const revision = this.#revision();
+    if (textIsDue || revision !== this.#painted) {
+      this.#painted = revision;
+      for (const paint of this.#painters.frame) {
+        paint(now_ms);
+      }
+    }
+    if (textIsDue) {
+      this.#text_ms = now_ms;
+      this.#now_ms = now_ms;
+      for (const paint of this.#painters.text) {
+        paint(now_ms);
+      }
+    }
+  };
+}

@@ -1,0 +1,55 @@
+import { expect, test } from "vitest";
+import { choose, createSettings, type Shelf } from "./settings";
+
+class MemoryShelf implements Shelf {
+  readonly kept = new Map<string, string>();
+  getItem(key: string): string | null {
+    return this.kept.get(key) ?? null;
+  }
+  setItem(key: string, value: string): void {
+    this.kept.set(key, value);
+  }
+}
+
+test("a first visit is in Spanish and dark", () => {
+  expect(createSettings(new MemoryShelf()).getState()).toEqual({
+    language: "es",
+    theme: "dark",
+    choices: {},
+  });
+});
+
+test("what was chosen is there after a reload", () => {
+  const shelf = new MemoryShelf();
+  const before = createSettings(shelf);
+  before.setState({ language: "en", theme: "light" });
+  choose(before, "tab", "setup");
+  choose(before, "board.device", "tcp://127.0.0.1:5760");
+  expect(createSettings(shelf).getState()).toEqual({
+    language: "en",
+    theme: "light",
+    choices: { tab: "setup", "board.device": "tcp://127.0.0.1:5760" },
+  });
+});
+
+test.each(["not JSON", "[]", "null", '{"language":"fr","theme":7,"choices":{"tab":1}}'])(
+  "a spoilt memory (%s) is a first visit",
+  (text) => {
+    const shelf = new MemoryShelf();
+    shelf.setItem("epf-gcs.settings", text);
+    expect(createSettings(shelf).getState()).toEqual({ language: "es", theme: "dark", choices: {} });
+  },
+);
+
+test("a browser that forbids its memory still has settings", () => {
+  const store = createSettings({
+    getItem: () => {
+      throw new DOMException("forbidden", "SecurityError");
+    },
+    setItem: () => {
+      throw new DOMException("forbidden", "SecurityError");
+    },
+  });
+  store.setState({ language: "en" });
+  expect(store.getState().language).toBe("en");
+});

@@ -1,0 +1,63 @@
+import { createStore, type StoreApi } from "zustand/vanilla";
+import { isObject, isText } from "../lib/check";
+import { isThemeName, type ThemeName } from "../theme/theme";
+
+export const LANGUAGES = ["es", "en"] as const;
+export type Language = (typeof LANGUAGES)[number];
+
+/** What this browser remembers. `choices` are small things by name: the tab last open, a field last filled in. */
+export interface Settings {
+  readonly language: Language;
+  readonly theme: ThemeName;
+  readonly choices: Readonly<Record<string, string>>;
+}
+
+export type SettingsStore = StoreApi<Settings>;
+
+/** The part of localStorage that is used; it may throw when the browser forbids it. */
+export interface Shelf {
+  getItem(key: string): string | null;
+  setItem(key: string, value: string): void;
+}
+
+const KEY = "epf-gcs.settings";
+
+/** The chosen settings, kept on the shelf at each change; without a usable shelf they last as long as the page. */
+export function createSettings(shelf: Shelf | null): SettingsStore {
+  const store = createStore<Settings>(() => read(shelf));
+  store.subscribe((settings) => {
+    try {
+      shelf?.setItem(KEY, JSON.stringify(settings));
+    } catch {
+      // Full or forbidden: the page works without a memory.
+    }
+  });
+  return store;
+}
+
+export function choose(store: SettingsStore, name: string, value: string): void {
+  store.setState(({ choices }) => ({ choices: { ...choices, [name]: value } }));
+}
+
+function read(shelf: Shelf | null): Settings {
+  const stored = parse(shelf);
+  const { choices, language, theme } = stored;
+  return {
+    language: LANGUAGES.find((known) => known === language) ?? "es",
+    theme: isThemeName(theme) ? theme : "dark",
+    choices: isObject(choices)
+      ? Object.fromEntries(
+          Object.entries(choices).filter((entry): entry is [string, string] => isText(entry[1])),
+        )
+      : {},
+  };
+}
+
+function parse(shelf: Shelf | null): Readonly<Record<string, unknown>> {
+  try {
+    const value: unknown = JSON.parse(shelf?.getItem(KEY) ?? "null");
+    return isObject(value) ? value : {};
+  } catch {
+    return {};
+  }
+}

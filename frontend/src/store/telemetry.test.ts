@@ -1,0 +1,94 @@
+import { beforeEach, describe, expect, test } from "vitest";
+import { SILENCE_MS, TelemetryStore } from "./telemetry";
+
+const START_S = 1_700_000_000;
+let telemetry: TelemetryStore;
+
+/** A sample of ahrs that the gateway had `age_s` before it made the batch; the page's clock shows `now_ms`. */
+function batch(now_ms: number, age_s = 0, values = { roll_deg: 30 }): void {
+  const made_s = START_S + now_ms / 1000;
+  telemetry.apply(made_s, [{ topic: "ahrs", t_s: made_s - age_s, values }], now_ms);
+}
+
+beforeEach(() => {
+  telemetry = new TelemetryStore();
+  telemetry.greet(START_S, 0);
+  telemetry.setStaleAfter([["ahrs", 0.3]]);
+});
+
+describe("a value", () => {
+  test("never heard is no data, and not zero", () => {
+    expect(telemetry.state("ahrs", 10)).toBe("none");
+    expect(telemetry.liveNumber("ahrs", "roll_deg", 10)).toBeNull();
+    expect(telemetry.age_s("ahrs", 10)).toBeNull();
+  });
+
+  test("is live while it is young", () => {
+    batch(1000);
+    expect(telemetry.state("ahrs", 1200)).toBe("live");
+    expect(telemetry.liveNumber("ahrs", "roll_deg", 1200)).toBe(30);
+    expect(telemetry.age_s("ahrs", 1200)).toBeCloseTo(0.2, 6);
+  });
+
+  test("older than its stream allows is stale though the gateway is well", () => {
+    batch(1000);
+    telemetry.heard(1900);
+    expect(telemetry.state("ahrs", 1900)).toBe("stale");
+    expect(telemetry.liveNumber("ahrs", "roll_deg", 1900)).toBeNull();
+    expect(telemetry.newestNumber("ahrs", "roll_deg")).toBe(30);
+  });
+
+  test("of a batch that was held up on the way is as old as it is", () => {
+    batch(1000);
+    // Made at 1.1 s, here at 6 s: a stalled browser gets its past in one go.
+    telemetry.apply(START_S + 1.1, [{ topic: "ahrs", t_s: START_S + 1.1, values: { roll_deg: 31 } }], 6000);
+    expect(telemetry.state("ahrs", 6000)).toBe("stale");
+    expect(telemetry.age_s("ahrs", 6000)).toBeCloseTo(4.9, 1);
+  });
+
+  test("that the gateway kept for long is stale when it arrives first", () => {
+    batch(1000, 8);
+    expect(telemetry.state("ahrs", 1000)).toBe("stale");
+  });
+
+  test("of null stays null while its topic is live", () => {
+    telemetry.apply(START_S + 1, [{ topic: "ahrs", t_s: START_S + 1, values: { roll_deg: null } }], 1000);
+    expect(telemetry.state("ahrs", 1000)).toBe("live");
+    expect(telemetry.liveNumber("ahrs", "roll_deg", 1000)).toBeNull();
+  });
+});
+
+describe("the gateway", () => {
+  test("silent for more than a second makes everything stale", () => {
+    telemetry.setStaleAfter([["ahrs", 60]]);
+    batch(1000);
+    expect(telemetry.state("ahrs", 1000 + SILENCE_MS)).toBe("live");
+    expect(telemetry.state("ahrs", 1001 + SILENCE_MS)).toBe("stale");
+  });
+
+  test("that hung up makes everything stale at once", () => {
+    batch(1000);
+    telemetry.silence();
+    expect(telemetry.state("ahrs", 1001)).toBe("stale");
+    expect(telemetry.isConnected(1001)).toBe(false);
+  });
+
+  test("that started again with another clock does not make new samples old", () => {
+    batch(1000);
+    telemetry.greet(START_S - 500, 2000);
+    telemetry.apply(START_S - 500, [{ topic: "ahrs", t_s: START_S - 500, values: { roll_deg: 1 } }], 2000);
+    expect(telemetry.state("ahrs", 2100)).toBe("live");
+  });
+});
+
+test("a flag that was not sent is unknown, not off", () => {
+  telemetry.apply(START_S, [{ topic: "heartbeat", t_s: START_S, values: { ahrs: true } }], 0);
+  expect(telemetry.liveFlag("heartbeat", "ahrs", 0)).toBe(true);
+  expect(telemetry.liveFlag("heartbeat", "gps", 0)).toBeNull();
+});
+
+test("the revision moves with every arrival, so that painters know", () => {
+  const before = telemetry.revision;
+  batch(10);
+  expect(telemetry.revision).not.toBe(before);
+});

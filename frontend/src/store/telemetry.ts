@@ -1,0 +1,112 @@
+import type { Sample } from "../protocol/envelope";
+import type { FieldName, FlagField, NumberField, TopicName } from "../protocol/topics";
+import { ServerClock } from "./clock";
+
+/** `live`: shown as it is. `stale`: was heard, too long ago. `none`: never heard. */
+export type DataState = "live" | "stale" | "none";
+
+/** A gateway that says nothing for so long is not there: it sends its status twice a second. */
+export const SILENCE_MS = 1000;
+/** Until the gateway has said how old a topic may be. */
+const DEFAULT_STALE_AFTER_S = 1;
+/**
+ * What a sample may be older on the screen than at the gateway: one batch, the way here, one displayed frame. The
+ * gateway's three periods can be as short as 60 ms.
+ */
+const WAY_S = 0.15;
+
+/** The newest sample of every topic, changed in place: the pump's painters read it, nothing is told of a change. */
+export class TelemetryStore {
+  readonly #newest = new Map<string, Sample>();
+  readonly #staleAfter_s = new Map<string, number>();
+  readonly #clock = new ServerClock();
+  #heard_ms = Number.NEGATIVE_INFINITY;
+  #revision = 0;
+
+  /** Differs from what it was whenever something new arrived. */
+  get revision(): number {
+    return this.#revision;
+  }
+
+  /** A connection was opened, and the gateway's clock showed `server_s`. What an earlier gateway sent is history. */
+  greet(server_s: number, now_ms: number): void {
+    this.#clock.reset();
+    this.#clock.observe(server_s, now_ms / 1000);
+    this.heard(now_ms);
+  }
+
+  /** Any message arrived: the gateway lives. */
+  heard(now_ms: number): void {
+    this.#heard_ms = now_ms;
+    this.#revision += 1;
+  }
+
+  /** The connection is gone: nothing is live from this moment. */
+  silence(): void {
+    this.#heard_ms = Number.NEGATIVE_INFINITY;
+    this.#revision += 1;
+  }
+
+  /** A batch made at `made_s` of the gateway's clock. */
+  apply(made_s: number, samples: readonly Sample[], now_ms: number): void {
+    this.#clock.observe(made_s, now_ms / 1000);
+    this.heard(now_ms);
+    for (const sample of samples) {
+      this.#newest.set(sample.topic, sample);
+    }
+  }
+
+  /** How old each topic's newest sample may be: three periods of its stream; null while the gateway does not know. */
+  setStaleAfter(limits: Iterable<readonly [string, number | null]>): void {
+    for (const [topic, limit_s] of limits) {
+      this.#staleAfter_s.set(topic, limit_s ?? DEFAULT_STALE_AFTER_S);
+    }
+  }
+
+  /** Whether the gateway was heard within the last second. */
+  isConnected(now_ms: number): boolean {
+    return now_ms - this.#heard_ms <= SILENCE_MS;
+  }
+
+  /** Seconds since the gateway had the topic's newest sample; null where there is none. */
+  age_s(topic: TopicName, now_ms: number): number | null {
+    const sample = this.#newest.get(topic);
+    const server_s = this.#clock.now_s(now_ms / 1000);
+    return sample === undefined || server_s === null ? null : Math.max(0, server_s - sample.t_s);
+  }
+
+  state(topic: TopicName, now_ms: number): DataState {
+    const age_s = this.age_s(topic, now_ms);
+    if (age_s === null) {
+      return "none";
+    }
+    const limit_s = (this.#staleAfter_s.get(topic) ?? DEFAULT_STALE_AFTER_S) + WAY_S;
+    return this.isConnected(now_ms) && age_s <= limit_s ? "live" : "stale";
+  }
+
+  /** A number of a topic's newest sample, however old: ask `state` before showing it. */
+  newestNumber<T extends TopicName>(topic: T, field: NumberField<T>): number | null {
+    const value = this.#value(topic, field);
+    return typeof value === "number" ? value : null;
+  }
+
+  /** A number of a topic if it is live, else null: nothing old can be drawn by mistake. */
+  liveNumber<T extends TopicName>(topic: T, field: NumberField<T>, now_ms: number): number | null {
+    return this.state(topic, now_ms) === "live" ? this.newestNumber(topic, field) : null;
+  }
+
+  /** A flag of a topic's newest sample, however old. */
+  newestFlag<T extends TopicName>(topic: T, field: FlagField<T>): boolean | null {
+    const value = this.#value(topic, field);
+    return typeof value === "boolean" ? value : null;
+  }
+
+  /** A flag of a topic if it is live, else null. */
+  liveFlag<T extends TopicName>(topic: T, field: FlagField<T>, now_ms: number): boolean | null {
+    return this.state(topic, now_ms) === "live" ? this.newestFlag(topic, field) : null;
+  }
+
+  #value<T extends TopicName>(topic: T, field: FieldName<T>): number | boolean | null | undefined {
+    return this.#newest.get(topic)?.values[field];
+  }
+}

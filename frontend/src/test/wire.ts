@@ -1,0 +1,68 @@
+import type { Timers, Wire, WireListener } from "../transport/socket";
+
+/** A stream's line at the test's command. */
+export class HandWire implements Wire {
+  readonly sent: string[] = [];
+  closed = false;
+  readonly #listener: WireListener;
+
+  constructor(listener: WireListener) {
+    this.#listener = listener;
+  }
+
+  readonly send = (text: string): void => {
+    this.sent.push(text);
+  };
+
+  readonly close = (): void => {
+    this.closed = true;
+  };
+
+  /** The gateway sends this message. */
+  deliver(message: unknown): void {
+    this.#listener.onMessage(typeof message === "string" ? message : JSON.stringify(message));
+  }
+
+  /** Something that is no text comes. */
+  deliverBytes(bytes: ArrayBuffer): void {
+    this.#listener.onMessage(bytes);
+  }
+
+  /** The line breaks. */
+  breakOff(): void {
+    this.#listener.onClose();
+  }
+}
+
+/** A clock and timers at the test's command. */
+export class HandTimers implements Timers {
+  #now_ms = 0;
+  #waiting: Array<{ readonly due_ms: number; readonly run: () => void }> = [];
+
+  readonly now_ms = (): number => this.#now_ms;
+
+  readonly after = (delay_ms: number, run: () => void): (() => void) => {
+    const timer = { due_ms: this.#now_ms + delay_ms, run };
+    this.#waiting.push(timer);
+    return () => {
+      this.#waiting = this.#waiting.filter((waiting) => waiting !== timer);
+    };
+  };
+
+  /** Let this time pass; timers run in their order, each at its own time. */
+  pass(duration_ms: number): void {
+    const end_ms = this.#now_ms + duration_ms;
+    for (;;) {
+      const next = this.#waiting
+        .filter(({ due_ms }) => due_ms <= end_ms)
+        .sort((first, second) => first.due_ms - second.due_ms)[0];
+      if (next === undefined) {
+        break;
+      }
+      this.#waiting = this.#waiting.filter((timer) => timer !== next);
+      this.#now_ms = next.due_ms;
+      next.run();
+    }
+    this.#now_ms = end_ms;
+  }
+}

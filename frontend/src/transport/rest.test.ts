@@ -1,0 +1,82 @@
+import { expect, test } from "vitest";
+import { isText, shape } from "../lib/check";
+import { Rest } from "./rest";
+
+const isNamed = shape({ name: isText });
+
+interface Sent {
+  path: string;
+  init: RequestInit;
+}
+
+function restThat(answer: () => Response | Promise<Response>, client: string | null = "c1") {
+  const sent: Sent[] = [];
+  const rest = new Rest({
+    client: () => client,
+    fetch: async (path, init) => {
+      sent.push({ path, init });
+      return answer();
+    },
+  });
+  return { rest, sent };
+}
+
+test("a question carries the page's name and its body", async () => {
+  const { rest, sent } = restThat(() => Response.json({ name: "x" }));
+  const answer = await rest.ask("PUT", "/api/v1/hil", isNamed, { path: "manual" });
+  expect(answer).toEqual({ ok: true, value: { name: "x" } });
+  expect(sent[0]?.init).toMatchObject({
+    method: "PUT",
+    body: '{"path":"manual"}',
+    headers: { "x-client": "c1", "content-type": "application/json" },
+  });
+});
+
+test("before the stream gave a name the question has none", async () => {
+  const { rest, sent } = restThat(() => Response.json({ name: "x" }), null);
+  await rest.ask("GET", "/api/v1/ports", isNamed);
+  expect(sent[0]?.init.headers).not.toHaveProperty("x-client");
+});
+
+test("a problem document keeps its code, its sentence and the values in it", async () => {
+  const { rest } = restThat(() =>
+    Response.json(
+      {
+        status: 409,
+        code: "link_busy",
+        detail: "It is in use.",
+        params: { target: "/dev/ttyUSB0", deep: {} },
+      },
+      { status: 409 },
+    ),
+  );
+  expect(await rest.ask("PUT", "/x", isNamed, {})).toEqual({
+    ok: false,
+    problem: { code: "link_busy", detail: "It is in use.", params: { target: "/dev/ttyUSB0" } },
+  });
+});
+
+test("a failure that is no problem document says its status", async () => {
+  const { rest } = restThat(() => new Response("<html>Bad Gateway</html>", { status: 502 }));
+  const answer = await rest.ask("GET", "/x", isNamed);
+  expect(answer).toMatchObject({ ok: false, problem: { code: "unexpected", params: { status: 502 } } });
+});
+
+test("a gateway that is not there is a problem and no exception", async () => {
+  const { rest } = restThat(() => Promise.reject(new TypeError("failed to fetch")));
+  expect(await rest.ask("GET", "/x", isNamed)).toMatchObject({
+    ok: false,
+    problem: { code: "gateway_unreachable" },
+  });
+});
+
+test.each(['{"name":7}', "not JSON", ""])(
+  "an answer that is not as agreed (%s) is a problem",
+  async (text) => {
+    const { rest } = restThat(() => new Response(text));
+    expect(await rest.ask("GET", "/x", isNamed)).toMatchObject({
+      ok: false,
+      problem: { code: "answer_unreadable" },
+    });
+  },
+);

@@ -1,0 +1,132 @@
+import { beforeEach, describe, expect, test } from "vitest";
+import type { StreamMessage } from "../protocol/envelope";
+import { aStatus } from "../test/status";
+import { HandTimers, HandWire } from "../test/wire";
+import { type SocketState, StreamSocket } from "./socket";
+
+let timers: HandTimers;
+let wires: HandWire[];
+let messages: StreamMessage[];
+let states: SocketState[];
+let malformed: number;
+let socket: StreamSocket;
+
+function wire(): HandWire {
+  const newest = wires.at(-1);
+  if (newest === undefined) {
+    throw new Error("nothing was dialled");
+  }
+  return newest;
+}
+
+const status = { type: "status", data: aStatus() };
+const batch = (seq: number) => ({ type: "batch", seq, t_s: 1, missed: 0, missed_events: 0, samples: [] });
+
+beforeEach(() => {
+  timers = new HandTimers();
+  wires = [];
+  messages = [];
+  states = [];
+  malformed = 0;
+  socket = new StreamSocket({
+    dial: (listener) => {
+      wires.push(new HandWire(listener));
+      return wire();
+    },
+    timers,
+    onMessage: (message) => messages.push(message),
+    onState: (state) => states.push(state),
+    onMalformed: () => {
+      malformed += 1;
+    },
+  });
+  socket.start();
+});
+
+describe("batches", () => {
+  test("each is acknowledged after it was taken, by its number", () => {
+    wire().deliver(batch(7));
+    expect(messages).toHaveLength(1);
+    expect(wire().sent).toEqual(['{"type":"ack","seq":7}']);
+  });
+
+  test("other messages are not acknowledged", () => {
+    wire().deliver(status);
+    expect(wire().sent).toEqual([]);
+  });
+});
+
+test("a message that is not as agreed is dropped and counted, and the next one counts", () => {
+  wire().deliver("not JSON");
+  wire().deliver({ type: "batch", seq: "1" });
+  wire().deliverBytes(new ArrayBuffer(4));
+  wire().deliver(status);
+  expect(malformed).toBe(3);
+  expect(messages).toHaveLength(1);
+});
+
+describe("silence", () => {
+  test("of a second is noticed, and the next message ends it", () => {
+    wire().deliver(status);
+    timers.pass(1300);
+    expect(states.at(-1)?.kind).toBe("silent");
+    wire().deliver(status);
+    expect(states.at(-1)?.kind).toBe("open");
+  });
+
+  test("shorter than a second is nothing", () => {
+    wire().deliver(status);
+    timers.pass(900);
+    wire().deliver(status);
+    timers.pass(900);
+    expect(states.map(({ kind }) => kind)).toEqual(["connecting", "open"]);
+  });
+
+  test("that lasts gives the line up and dials again", () => {
+    wire().deliver(status);
+    timers.pass(6000);
+    expect(wires[0]?.closed).toBe(true);
+    expect(wires.length).toBeGreaterThan(1);
+  });
+});
+
+describe("after a loss", () => {
+  test("the waits grow up to four seconds", () => {
+    const waits: number[] = [];
+    for (let attempt = 0; attempt < 7; attempt += 1) {
+      wire().breakOff();
+      const state = states.at(-1);
+      const retry_ms = state?.kind === "waiting" ? state.retry_ms : Number.NaN;
+      waits.push(retry_ms);
+      timers.pass(retry_ms);
+    }
+    expect(waits).toEqual([250, 500, 1000, 2000, 4000, 4000, 4000]);
+    expect(wires).toHaveLength(8);
+  });
+
+  test("a connection that spoke starts the waits anew", () => {
+    wire().breakOff();
+    timers.pass(250);
+    wire().breakOff();
+    timers.pass(500);
+    wire().deliver(status);
+    wire().breakOff();
+    expect(states.at(-1)).toEqual({ kind: "waiting", retry_ms: 250 });
+  });
+
+  test("what the old line still had to say is not heard", () => {
+    const old = wire();
+    old.breakOff();
+    timers.pass(250);
+    old.deliver(status);
+    expect(messages).toHaveLength(0);
+  });
+});
+
+test("a stopped socket hangs up and does not come back", () => {
+  const only = wire();
+  socket.stop();
+  timers.pass(60_000);
+  expect(only.closed).toBe(true);
+  expect(wires).toHaveLength(1);
+});

@@ -1,0 +1,143 @@
+import type { StreamMessage } from "../protocol/envelope";
+import { parseMessage } from "../protocol/envelope";
+
+/** One connection, as a browser's WebSocket is. */
+export interface Wire {
+  readonly send: (text: string) => void;
+  readonly close: () => void;
+}
+
+/** Who hears of a connection: what came, and that it is over. */
+export interface WireListener {
+  readonly onMessage: (data: unknown) => void;
+  readonly onClose: () => void;
+}
+
+/** Time and timers, from the browser or from a test. */
+export interface Timers {
+  readonly now_ms: () => number;
+  readonly after: (delay_ms: number, run: () => void) => () => void;
+}
+
+/**
+ * `connecting`: dialling. `open`: messages come. `silent`: the line stands and nothing came for a second.
+ * `waiting`: it broke; the next try is in `retry_ms`.
+ */
+export type SocketState =
+  | { readonly kind: "connecting" }
+  | { readonly kind: "open" }
+  | { readonly kind: "silent" }
+  | { readonly kind: "waiting"; readonly retry_ms: number };
+
+export interface SocketOptions {
+  readonly dial: (listener: WireListener) => Wire;
+  readonly timers: Timers;
+  readonly onMessage: (message: StreamMessage, now_ms: number) => void;
+  readonly onState: (state: SocketState) => void;
+  /** A message that is not as agreed: dropped here, counted by the receiver of this call. */
+  readonly onMalformed: () => void;
+}
+
+/** The gateway sends its status twice a second, so a second of nothing means that something is wrong. */
+const SILENT_AFTER_MS = 1000;
+/** A line that stays silent so long is given up and dialled again. */
+const GIVE_UP_AFTER_MS = 5000;
+const CHECK_EVERY_MS = 250;
+const FIRST_RETRY_MS = 250;
+const LAST_RETRY_MS = 4000;
+
+/** The stream's line: dials, checks and acknowledges what comes, notices silence, and dials again after a loss. */
+export class StreamSocket {
+  readonly #options: SocketOptions;
+  #wire: Wire | null = null;
+  #state: SocketState = { kind: "connecting" };
+  #heard_ms = 0;
+  #failures = 0;
+  #cancelTimer: () => void = () => undefined;
+  #stopped = true;
+
+  constructor(options: SocketOptions) {
+    this.#options = options;
+  }
+
+  start(): void {
+    if (this.#stopped) {
+      this.#stopped = false;
+      this.#dial();
+    }
+  }
+
+  stop(): void {
+    this.#stopped = true;
+    this.#hangUp();
+  }
+
+  #dial(): void {
+    this.#become({ kind: "connecting" });
+    this.#heard_ms = this.#options.timers.now_ms();
+    const wire: Wire = this.#options.dial({
+      // What an old line still has to say must not be taken for the new one's.
+      onMessage: (data) => this.#wire === wire && this.#receive(wire, data),
+      onClose: () => this.#wire === wire && this.#lost(),
+    });
+    this.#wire = wire;
+    this.#watch();
+  }
+
+  #receive(wire: Wire, data: unknown): void {
+    const now_ms = this.#options.timers.now_ms();
+    const message = typeof data === "string" ? parseMessage(data) : null;
+    if (message === null) {
+      this.#options.onMalformed();
+      return;
+    }
+    this.#heard_ms = now_ms;
+    this.#failures = 0;
+    if (this.#state.kind !== "open") {
+      this.#become({ kind: "open" });
+    }
+    this.#options.onMessage(message, now_ms);
+    if (message.type === "batch") {
+      wire.send(`{"type":"ack","seq":${message.seq}}`);
+    }
+  }
+
+  /** Look at the silence every quarter of a second, for as long as the line stands. */
+  #watch(): void {
+    const { timers } = this.#options;
+    this.#cancelTimer = timers.after(CHECK_EVERY_MS, () => {
+      const silence_ms = timers.now_ms() - this.#heard_ms;
+      if (silence_ms >= GIVE_UP_AFTER_MS) {
+        this.#lost();
+        return;
+      }
+      if (silence_ms >= SILENT_AFTER_MS && this.#state.kind === "open") {
+        this.#become({ kind: "silent" });
+      }
+      this.#watch();
+    });
+  }
+
+  #lost(): void {
+    this.#hangUp();
+    if (this.#stopped) {
+      return;
+    }
+    const retry_ms = Math.min(LAST_RETRY_MS, FIRST_RETRY_MS * 2 ** this.#failures);
+    this.#failures += 1;
+    this.#become({ kind: "waiting", retry_ms });
+    this.#cancelTimer = this.#options.timers.after(retry_ms, () => this.#dial());
+  }
+
+  #hangUp(): void {
+    this.#cancelTimer();
+    const wire = this.#wire;
+    this.#wire = null;
+    wire?.close();
+  }
+
+  #become(state: SocketState): void {
+    this.#state = state;
+    this.#options.onState(state);
+  }
+}

@@ -1,0 +1,133 @@
+import { useTranslation } from "react-i18next";
+import { FmsReadouts } from "../../live/FmsReadouts";
+import { LiveFlag } from "../../live/LiveFlag";
+import { LiveServoBar } from "../../live/LiveServoBar";
+import { StreamHead } from "../../live/StreamPanel";
+import type { NumberField } from "../../protocol/topics";
+import { usePage, useSettings } from "../../store/hooks";
+import { choose } from "../../store/settings";
+import { Tabs } from "../../ui/Tabs";
+import { GpsReadouts, GpsState } from "./GpsTabs";
+
+/** The lower sub tabs: the flight plan, the whole GPS, the RC channels, the fly-by-wire's controls. */
+export function BoardTabs() {
+  const { t } = useTranslation();
+  const { settings } = usePage();
+  const tab = useSettings(({ choices }) => choices["flight.board"] ?? "fms");
+  return (
+    <Tabs
+      label={t("flight.boardTabs")}
+      size="sub"
+      value={tab}
+      onValueChange={(value) => choose(settings, "flight.board", value)}
+      tabs={[
+        { value: "fms", label: t("flight.fms"), content: <Fms /> },
+        { value: "gps", label: t("flight.gps"), content: <Gps /> },
+        { value: "servosIn", label: t("flight.servosIn"), content: <ServosIn /> },
+        { value: "flyByWire", label: t("flight.flyByWire"), content: <FlyByWire /> },
+      ]}
+    />
+  );
+}
+
+function Fms() {
+  const { t } = useTranslation();
+  return (
+    <>
+      <StreamHead topic="fms_plan" />
+      <FmsReadouts topic="fms_plan" columns={5} />
+      <div className="flight-automatic">
+        <LiveFlag
+          topic="heartbeat"
+          read={(telemetry) => telemetry.newestFlag("heartbeat", "autopilot")}
+          label={t("flag.autopilot")}
+        />
+        <LiveFlag
+          topic="heartbeat"
+          read={(telemetry) => telemetry.newestFlag("heartbeat", "autotrim")}
+          label={t("flag.autotrim")}
+        />
+      </div>
+    </>
+  );
+}
+
+function Gps() {
+  return (
+    <>
+      <StreamHead topic="gps" />
+      <GpsReadouts columns={3} />
+      <GpsState />
+    </>
+  );
+}
+
+const CHANNELS = [
+  "channel_0",
+  "channel_1",
+  "channel_2",
+  "channel_3",
+  "channel_4",
+  "channel_5",
+  "channel_6",
+  "channel_7",
+  "channel_8",
+  "channel_9",
+  "channel_10",
+  "channel_11",
+] as const satisfies readonly NumberField<"servos_in">[];
+
+function ServosIn() {
+  const { t } = useTranslation();
+  return (
+    <>
+      <StreamHead topic="servos_in" />
+      <div className="flight-servos">
+        {CHANNELS.map((field, index) => (
+          <LiveServoBar
+            key={field}
+            topic="servos_in"
+            field={field}
+            label={t("servo.channel", { number: index + 1 })}
+          />
+        ))}
+      </div>
+    </>
+  );
+}
+
+function FlyByWire() {
+  const { t } = useTranslation();
+  return (
+    <>
+      <StreamHead topic="fly_by_wire" />
+      <div className="flight-surfaces">
+        <LiveServoBar
+          topic="fly_by_wire"
+          field="aileron"
+          label={t("control.aileron")}
+          orientation="horizontal"
+        />
+        <LiveServoBar
+          topic="fly_by_wire"
+          field="elevator"
+          label={t("control.elevator")}
+          orientation="horizontal"
+        />
+        <LiveServoBar
+          topic="fly_by_wire"
+          field="rudder"
+          label={t("control.rudder")}
+          orientation="horizontal"
+        />
+        <LiveServoBar
+          topic="fly_by_wire"
+          field="throttle"
+          label={t("control.throttle")}
+          kind="throttle"
+          orientation="horizontal"
+        />
+      </div>
+    </>
+  );
+}

@@ -1,0 +1,138 @@
+import { useTranslation } from "react-i18next";
+import { coordinate, heading, tenths, whole } from "../../live/formats";
+import { LiveFlag, type ReadFlag } from "../../live/LiveFlag";
+import { LiveReadout } from "../../live/LiveReadout";
+import { StreamHead } from "../../live/StreamPanel";
+import { usePage, useSettings } from "../../store/hooks";
+import { choose } from "../../store/settings";
+import { ReadoutGrid } from "../../ui/Readout";
+import { Tabs } from "../../ui/Tabs";
+
+/** A fix is there when the receiver gives its kind and does not call it void. */
+export const hasFix: ReadFlag = (telemetry) => {
+  const fix = telemetry.newestNumber("gps", "fix");
+  return fix === null ? null : fix > 0 && telemetry.newestFlag("gps", "valid") !== false;
+};
+
+/** The upper sub tabs: position at a glance, the receiver's state, the load of the two processors. */
+export function GpsTabs() {
+  const { t } = useTranslation();
+  const { settings } = usePage();
+  const tab = useSettings(({ choices }) => choices["flight.gps"] ?? "fast");
+  return (
+    <Tabs
+      label={t("flight.gpsTabs")}
+      size="sub"
+      value={tab}
+      onValueChange={(value) => choose(settings, "flight.gps", value)}
+      tabs={[
+        { value: "fast", label: t("flight.fastGps"), content: <FastGps /> },
+        { value: "status", label: t("flight.gpsStatus"), content: <GpsStatus /> },
+        { value: "cpu", label: t("flight.cpu"), content: <Cpu /> },
+      ]}
+    />
+  );
+}
+
+function FastGps() {
+  return (
+    <>
+      <StreamHead topic="gps" />
+      <GpsReadouts />
+    </>
+  );
+}
+
+/** Position, height, speed and track of the receiver. */
+export function GpsReadouts({ columns = 1 }: { columns?: number }) {
+  const { t } = useTranslation();
+  return (
+    <ReadoutGrid columns={columns}>
+      <LiveReadout
+        topic="gps"
+        field="latitude_deg"
+        format={coordinate}
+        label={t("gps.latitude")}
+        unit={t("unit.deg")}
+        chars={11}
+      />
+      <LiveReadout
+        topic="gps"
+        field="longitude_deg"
+        format={coordinate}
+        label={t("gps.longitude")}
+        unit={t("unit.deg")}
+        chars={11}
+      />
+      <LiveReadout
+        topic="gps"
+        field="altitude_m"
+        format={tenths}
+        label={t("gps.altitude")}
+        unit={t("unit.m")}
+      />
+      <LiveReadout topic="gps" field="speed_kt" format={tenths} label={t("gps.speed")} unit={t("unit.kt")} />
+      <LiveReadout
+        topic="gps"
+        field="heading_deg"
+        format={heading}
+        label={t("gps.heading")}
+        unit={t("unit.deg")}
+      />
+    </ReadoutGrid>
+  );
+}
+
+function GpsStatus() {
+  return (
+    <>
+      <StreamHead topic="gps" />
+      <GpsState />
+    </>
+  );
+}
+
+export function GpsState() {
+  const { t } = useTranslation();
+  return (
+    <div className="flight-gps-state">
+      <LiveFlag
+        topic="gps"
+        read={hasFix}
+        label={t("gps.fix")}
+        texts={{ on: t("gps.fixed"), off: t("gps.noFix") }}
+      />
+      <ReadoutGrid>
+        <LiveReadout topic="gps" field="satellites" format={whole} label={t("gps.satellites")} chars={3} />
+      </ReadoutGrid>
+    </div>
+  );
+}
+
+function Cpu() {
+  const { t } = useTranslation();
+  const percent = t("unit.percent");
+  return (
+    <>
+      <StreamHead topic="statistics" />
+      <ReadoutGrid>
+        <LiveReadout
+          topic="statistics"
+          field="sensor_dsc_percent"
+          format={whole}
+          label={t("cpu.sensor")}
+          unit={percent}
+          chars={4}
+        />
+        <LiveReadout
+          topic="statistics"
+          field="control_dsc_percent"
+          format={whole}
+          label={t("cpu.control")}
+          unit={percent}
+          chars={4}
+        />
+      </ReadoutGrid>
+    </>
+  );
+}

@@ -1,0 +1,13 @@
+/** Names and values of what changes seldom, in two columns. */
+export function Facts({ facts }: { facts: ReadonlyArray<readonly [name: string, value: string]> }) {
+  return (
+    <dl className="setup-facts">
+      {facts.map(([name, value]) => (
+        <div key={name} className="setup-fact">
+          <dt>{name}</dt>
+          <dd>{value}</dd>
+        </div>
+      ))}
+    </dl>
+  );
+}
