@@ -14,9 +14,7 @@ from . import emit_c, emit_json_schema, emit_markdown, emit_python, emit_typescr
 from .load import load
 from .model import Definition, DefinitionError
 
-PROTOCOL = Path(__file__).resolve().parent.parent
-ROOT = PROTOCOL.parent
-RELEASED = PROTOCOL / "released.json"
+ROOT = Path(__file__).resolve().parent.parent.parent
 
 
 def outputs(definition: Definition) -> dict[str, str]:
@@ -35,43 +33,53 @@ def outputs(definition: Definition) -> dict[str, str]:
     }
 
 
-def main(arguments: list[str]) -> int:
+def main(arguments: list[str], root: Path = ROOT) -> int:
+    """Do what the command line says to the tree at `root`; returns the exit code."""
     parser = argparse.ArgumentParser(prog="generator", description=__doc__)
     parser.add_argument("--check", action="store_true", help="write nothing; fail when a file is out of date")
     parser.add_argument("--release", action="store_true", help="make the present wire the released one")
     chosen = parser.parse_args(arguments)
     try:
-        definition = load(PROTOCOL / "definition")
+        definition = load(root / "protocol" / "definition")
     except DefinitionError as error:
         print(f"protocol/definition: {error}", file=sys.stderr)
         return 1
+    last_release = root / "protocol" / "released.json"
     if chosen.release:
-        RELEASED.write_text(released.text(definition), "utf-8")
+        last_release.write_text(released.text(definition), "utf-8")
     made = outputs(definition)
+    faults = _broken(definition, last_release)
     if chosen.check:
-        return _check(definition, made)
+        faults += _stale(root, made)
+    else:
+        _write(root, made)
+    for fault in faults:
+        print(fault, file=sys.stderr)
+    return 1 if faults else 0
+
+
+def _write(root: Path, made: dict[str, str]) -> None:
     for name, text in made.items():
-        path = ROOT / name
+        path = root / name
         path.parent.mkdir(parents=True, exist_ok=True)
         if not path.exists() or path.read_text("utf-8") != text:
             path.write_text(text, "utf-8")
             print(f"wrote {name}")
-    return 0
 
 
-def _check(definition: Definition, made: dict[str, str]) -> int:
-    faults = [
+def _stale(root: Path, made: dict[str, str]) -> list[str]:
+    return [
         f"{name} is out of date: run `make generate`"
         for name, text in made.items()
-        if not (ROOT / name).exists() or (ROOT / name).read_text("utf-8") != text
+        if not (root / name).exists() or (root / name).read_text("utf-8") != text
     ]
-    if RELEASED.exists():
-        faults += released.breaks(definition, json.loads(RELEASED.read_text("utf-8")))
-    else:
-        faults.append("protocol/released.json is missing: nothing would notice a changed frame")
-    for fault in faults:
-        print(fault, file=sys.stderr)
-    return 1 if faults else 0
+
+
+def _broken(definition: Definition, last_release: Path) -> list[str]:
+    """What deployed stations and boards would trip over."""
+    if not last_release.exists():
+        return ["protocol/released.json is missing: nothing would notice a changed frame"]
+    return released.breaks(definition, json.loads(last_release.read_text("utf-8")))
 
 
 if __name__ == "__main__":

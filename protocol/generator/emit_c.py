@@ -162,6 +162,7 @@ def routes_source(definition: Definition) -> str:
 
 def _protocol_header(definition: Definition) -> Iterator[str]:
     frame = definition.frame
+    forbidden = sum(1 << bit for bit in frame.forbidden_type_bits)
     yield from [
         NOTICE,
         "#ifndef PROTOCOL_GEN_H",
@@ -174,8 +175,7 @@ def _protocol_header(definition: Definition) -> Iterator[str]:
         f"#define PROTOCOL_TO_BOARD_HEADER {_word(frame.to_board_header)} // as a little-endian word",
         f"#define PROTOCOL_END {_word(frame.end)}             // as a little-endian word",
         f"#define PROTOCOL_TO_PC_TYPE_BIT 0x{1 << frame.to_pc_type_bit:08X}u  // set in every type word to the PC",
-        f"#define PROTOCOL_FORBIDDEN_TYPE_BITS 0x{sum(1 << b for b in frame.forbidden_type_bits):08X}u"
-        " // clear in every type word",
+        f"#define PROTOCOL_FORBIDDEN_TYPE_BITS 0x{forbidden:08X}u // clear in every type word",
         "#define PROTOCOL_OVERHEAD 16u // bytes of a frame besides its payload",
         f'#define PROTOCOL_OPEN_BINARY_MODE "{frame.open_binary_mode.encode("unicode_escape").decode()}"',
         f"#define PROTOCOL_TELEMETRY_SIZE_MAX {max(m.size for m in definition.messages)}u",
@@ -269,6 +269,7 @@ def message_slot(message: Message, position: int) -> Slot:
 
 
 def declared(slot: Slot) -> str:
+    """The field's name as it is declared, with its array size."""
     if slot.type == "char16":
         return f"{slot.name}[16]"
     return f"{slot.name}[{slot.count}]" if slot.count > 1 else slot.name

@@ -95,7 +95,7 @@ GET = {
 
 def packers(messages: Iterable[tuple[str, Message]]) -> list[str]:
     """Helpers, then both functions of each (prefix, message)."""
-    lines = HELPERS.splitlines() + [""]
+    lines = [*HELPERS.splitlines(), ""]
     for prefix, message in messages:
         name = f"{prefix}_{message.name}"
         lines += [f"void {name}_pack(const {name}_t* const values, uint8_t* const payload)", "{"]

@@ -6,7 +6,10 @@ from collections.abc import Iterator
 
 from .model import Confirm, Definition, Message, Slot, Value
 
-NOTICE = "<!-- Made by protocol/generator (emit_markdown.py). Do not edit: change protocol/definition and run `make generate`. -->"
+NOTICE = (
+    "<!-- Made by protocol/generator (emit_markdown.py). "
+    "Do not edit: change protocol/definition and run `make generate`. -->"
+)
 
 
 def reference(definition: Definition) -> str:
@@ -19,11 +22,18 @@ def _page(definition: Definition) -> Iterator[str]:
     yield "# Protocol reference"
     yield ""
     yield "Frame, checksum and session are in [README.md](README.md). All values are little-endian."
-    yield "Range is what is plausible: outside it a value is \"no data\" and is counted."
+    yield 'Range is what is plausible: outside it a value is "no data" and is counted.'
     yield ""
     yield "## Board to PC"
     for message in definition.messages:
         yield from _message(message)
+    yield from _commands(definition)
+    yield from _parameters(definition)
+    yield from _rows(definition)
+    yield from _routes(definition)
+
+
+def _commands(definition: Definition) -> Iterator[str]:
     yield ""
     yield "## PC to board"
     yield ""
@@ -40,6 +50,9 @@ def _page(definition: Definition) -> Iterator[str]:
     for command in definition.commands:
         if command.values and not command.parameter:
             yield from _message(command)
+
+
+def _parameters(definition: Definition) -> Iterator[str]:
     yield ""
     yield "## Parameters"
     yield ""
@@ -50,6 +63,9 @@ def _page(definition: Definition) -> Iterator[str]:
     for p in definition.parameters:
         numbers = " | ".join(f"{number:g}" for number in (p.default, p.minimum, p.maximum, p.step))
         yield f"| {p.name} | {p.group} | {p.set_id} | {p.type} | {numbers} | {_cell(p.doc)} |"
+
+
+def _rows(definition: Definition) -> Iterator[str]:
     yield ""
     yield "## Simulator rows"
     for profile in definition.datagram.profiles:
@@ -66,6 +82,9 @@ def _page(definition: Definition) -> Iterator[str]:
                     f"| {title} | {value.index} | {value.name} | {value.unit} | {span} | {value.sign} | "
                     f"{_cell(value.doc)} |"
                 )
+
+
+def _routes(definition: Definition) -> Iterator[str]:
     yield ""
     yield "## Routes"
     for route in definition.routes:

@@ -6,7 +6,9 @@ from collections.abc import Iterator, Mapping
 
 from .model import Confirm, Definition, Message, Row, Value
 
-NOTICE = "# Made by protocol/generator (emit_python.py). Do not edit: change protocol/definition and run `make generate`."
+NOTICE = (
+    "# Made by protocol/generator (emit_python.py). Do not edit: change protocol/definition and run `make generate`."
+)
 
 IMPORTS = """\
 from __future__ import annotations
@@ -79,8 +81,7 @@ def _module(definition: Definition) -> Iterator[str]:
         yield ")"
     yield "XPLANE_ROWS: Final[Mapping[str, Mapping[int, Row]]] = MappingProxyType("
     pairs = ", ".join(
-        f'"{profile}": MappingProxyType({{r.id: r for r in _ROWS_{profile.upper()}}})'
-        for profile in datagram.profiles
+        f'"{profile}": MappingProxyType({{r.id: r for r in _ROWS_{profile.upper()}}})' for profile in datagram.profiles
     )
     yield f"    {{{pairs}}}"
     yield ")"
@@ -93,9 +94,7 @@ def _module(definition: Definition) -> Iterator[str]:
             f"{route.loop}, {route.doc!r}, ("
         )
         for w in route.waypoints:
-            yield (
-                f"            Waypoint({w.latitude_deg!r}, {w.longitude_deg!r}, {w.altitude_ft!r}, {w.speed_kt!r}),"
-            )
+            yield (f"            Waypoint({w.latitude_deg!r}, {w.longitude_deg!r}, {w.altitude_ft!r}, {w.speed_kt!r}),")
         yield "        )),"
     yield "    }"
     yield ")"

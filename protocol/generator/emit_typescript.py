@@ -8,7 +8,8 @@ from collections.abc import Iterable, Iterator, Mapping
 from .model import Definition, Message, Row, Value
 
 NOTICE = (
-    "// Made by protocol/generator (emit_typescript.py). Do not edit: change protocol/definition and run `make generate`."
+    "// Made by protocol/generator (emit_typescript.py). "
+    "Do not edit: change protocol/definition and run `make generate`."
 )
 
 TYPES: Mapping[str, str] = {"number": "number", "integer": "number", "boolean": "boolean", "text": "string"}
@@ -106,7 +107,7 @@ def _module(definition: Definition) -> Iterator[str]:
     yield PRELUDE
     for message in shown:
         yield from _interface(message)
-    yield "/** Newest values of every topic; null is \"no data\". */"
+    yield '/** Newest values of every topic; null is "no data". */'
     yield "export interface Telemetry {"
     yield from (f"  readonly {message.name}: {_pascal(message.name)};" for message in shown)
     yield "}"

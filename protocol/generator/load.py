@@ -78,16 +78,14 @@ def _frame(table: Table) -> Frame:
     )
 
 
-def _messages(
-    table: Table, parameters: Iterable[Parameter], commands: Iterable[Message]
-) -> tuple[Message, ...]:
+def _messages(table: Table, parameters: Iterable[Parameter], commands: Iterable[Message]) -> tuple[Message, ...]:
     field_tables = {message["name"]: message.get("fields") for message in table["message"]}
     by_name = {command.name: command for command in commands}
     made = []
     for message in table["message"]:
         origin = message.get("fields_of", message["name"])
         if origin == "parameters":
-            slots, values = _fields([_parameter_field(p) for p in parameters], absent_nan=False)
+            slots, values = _fields([_parameter_field(p) for p in parameters])
         elif origin.startswith("command "):
             command = by_name[origin.removeprefix("command ")]
             slots, values = command.slots, command.values
@@ -98,12 +96,10 @@ def _messages(
     return tuple(made)
 
 
-def _commands(
-    table: Table, parameters: Iterable[Parameter], parameter_source: str
-) -> tuple[Message, ...]:
+def _commands(table: Table, parameters: Iterable[Parameter], parameter_source: str) -> tuple[Message, ...]:
     made = []
     for command in table["command"]:
-        slots, values = _fields(command.get("fields", []), absent_nan=False)
+        slots, values = _fields(command.get("fields", []))
         confirm = dict(command["confirm"])
         made.append(
             _message(
@@ -120,7 +116,7 @@ def _commands(
             )
         )
     for parameter in parameters:
-        slots, values = _fields([_parameter_field(parameter, name="value")], absent_nan=False)
+        slots, values = _fields([_parameter_field(parameter, name="value")])
         made.append(
             Message(
                 name=f"set_{parameter.name}",
@@ -172,9 +168,7 @@ def _parameter_field(parameter: Parameter, name: str = "") -> Table:
     }
 
 
-def _fields(
-    tables: Iterable[Table], absent_nan: bool
-) -> tuple[tuple[Slot, ...], tuple[Value, ...]]:
+def _fields(tables: Iterable[Table], *, absent_nan: bool = False) -> tuple[tuple[Slot, ...], tuple[Value, ...]]:
     """Fields -> the slots of the wire and the values in them. A value's `slot` counts single wire values."""
     slots: list[Slot] = []
     values: list[Value] = []
@@ -184,18 +178,14 @@ def _fields(
         count = table.get("count", 1)
         wire_name = table["name"]
         if encoding == "plain":
-            wire_name = suffixed(wire_name, table["unit"])
-        slots.append(
-            Slot(wire_name, table["type"], count, table["doc"], encoding, table.get("values", {}))
-        )
-        values.extend(_values(table, encoding, count, position, absent_nan))
+            wire_name = suffixed(wire_name, table.get("unit", "1"))
+        slots.append(Slot(wire_name, table["type"], count, table["doc"], encoding, table.get("values", {})))
+        values.extend(_values(table, encoding, count, position, absent_nan=absent_nan))
         position += count
     return tuple(slots), tuple(values)
 
 
-def _values(
-    table: Table, encoding: str, count: int, position: int, absent_nan: bool
-) -> list[Value]:
+def _values(table: Table, encoding: str, count: int, position: int, *, absent_nan: bool) -> list[Value]:
     minimum, maximum = table.get("range", (None, None))
     if encoding == "bits":
         return [
@@ -209,6 +199,9 @@ def _values(
         return [Value(table["name"], "boolean", position, encoding, table["doc"], letters=letters)]
     if encoding == "text":
         return [Value(table["name"], "text", position, encoding, table["doc"])]
+    missing = {"unit", "sign", "range"} - set(table)
+    if missing:
+        raise DefinitionError(f"field {table['name']}: {', '.join(sorted(missing))} missing")
     kind = "number" if table["type"] in ("f32", "f64") else "integer"
     return [
         Value(

@@ -84,6 +84,7 @@ class Slot:
 
     @property
     def size(self) -> int:
+        """Bytes of all its values."""
         return TYPE_SIZES[self.type] * self.count
 
 
@@ -121,6 +122,8 @@ class Message:
 
 @dataclass(frozen=True)
 class Parameter:
+    """One gain, in the order of autopilot_parameters; its docs say what the number multiplies."""
+
     name: str
     group: str
     set_id: int
@@ -147,6 +150,8 @@ class RowValue:
 
 @dataclass(frozen=True)
 class Row:
+    """A simulator row, with its used values for each profile."""
+
     id: int
     name: str
     doc: str
@@ -156,6 +161,8 @@ class Row:
 
 @dataclass(frozen=True)
 class Datagram:
+    """What is common to all datagrams of the simulator."""
+
     magic: str
     tag_from_simulator: int
     tag_to_simulator: int
@@ -168,6 +175,8 @@ class Datagram:
 
 @dataclass(frozen=True)
 class Waypoint:
+    """WGS84, + north and + east; altitude above mean sea level, speed indicated."""
+
     latitude_deg: float
     longitude_deg: float
     altitude_ft: float
@@ -176,6 +185,8 @@ class Waypoint:
 
 @dataclass(frozen=True)
 class Route:
+    """A HIL route that the board knows by name; `plan_name` is its number in board_status."""
+
     name: str
     title: str
     plan_name: int
@@ -187,6 +198,8 @@ class Route:
 
 @dataclass(frozen=True)
 class Frame:
+    """What wraps every payload, and the line that opens binary mode."""
+
     to_pc_header: bytes
     to_board_header: bytes
     end: bytes
@@ -197,6 +210,8 @@ class Frame:
 
 @dataclass(frozen=True)
 class Definition:
+    """The whole wire, checked."""
+
     frame: Frame
     messages: tuple[Message, ...]
     commands: tuple[Message, ...]

@@ -17,8 +17,23 @@ TYPES: Mapping[str, tuple[type, ...]] = {
     "number": (int, float),
 }
 KNOWN = {
-    "$schema", "$id", "$defs", "$ref", "title", "description", "type", "enum", "pattern", "minimum", "maximum",
-    "minItems", "maxItems", "items", "properties", "required", "additionalProperties",
+    "$schema",
+    "$id",
+    "$defs",
+    "$ref",
+    "title",
+    "description",
+    "type",
+    "enum",
+    "pattern",
+    "minimum",
+    "maximum",
+    "minItems",
+    "maxItems",
+    "items",
+    "properties",
+    "required",
+    "additionalProperties",
 }
 
 
