@@ -1,0 +1,114 @@
+"""`epf-run`: the whole demonstration with one command, and the station for a real board or X-Plane."""
+
+import fcntl
+import signal
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from types import FrameType
+from typing import Annotated
+
+import typer
+
+from launcher.demonstration import Demonstration, Stopped
+from launcher.errors import LaunchError
+from launcher.options import Options
+
+app = typer.Typer(
+    add_completion=False, pretty_exceptions_enable=False, context_settings={"help_option_names": ["-h", "--help"]}
+)
+
+
+@app.command()
+def run(
+    *,
+    board: Annotated[
+        str | None,
+        typer.Option(
+            metavar="URL",
+            help="A real board in the demonstration board's place: a device (/dev/ttyUSB0), "
+            "serial:///dev/ttyUSB0?baud=115200, or tcp://host:port. Its modes are left as they are.",
+            show_default="the board on this computer",
+        ),
+    ] = None,
+    xplane: Annotated[
+        str | None,
+        typer.Option(
+            metavar="HOST",
+            help="The computer X-Plane runs on, in the embedded simulator's place. X-Plane has to send its data "
+            "to this computer, UDP port 49003, and receives on 49000.",
+            show_default="the embedded simulator",
+        ),
+    ] = None,
+    port: Annotated[int, typer.Option(min=1, max=65535, help="Port of the page and the interface.")] = 8000,
+    lan: Annotated[
+        bool,
+        typer.Option("--lan", help="Let other computers of the network open the page; else only this one can."),
+    ] = False,
+    data: Annotated[
+        Path, typer.Option(help="Folder for recordings, settings, the board's card and the programs' logs.")
+    ] = Path("data"),
+) -> None:
+    """Start the board, the simulator and the gateway, and fly the Gando route.
+
+    The page's address is printed once everything flies. Ctrl-C stops it all. A gateway that dies is
+    started again and carries on. Logs: DATA/logs; those of the run before end in .1.log.
+    """
+    options = Options(board=board, xplane=xplane, port=port, lan=lan, data=data.resolve())
+    asked = _StopRequest()
+    demonstration = Demonstration(options, _say, lambda: asked.heard)
+    try:
+        with _alone(options.data):
+            try:
+                demonstration.start()
+                print(options.url, flush=True)
+                demonstration.watch()
+            except Stopped:
+                pass
+            finally:
+                if asked.heard:
+                    _say("Stopping ...")
+                demonstration.stop()
+    except LaunchError as error:
+        _say(str(error))
+        raise typer.Exit(1) from None
+
+
+class _StopRequest:
+    """Remembers that Ctrl-C or SIGTERM came; whoever waits asks now and then."""
+
+    def __init__(self) -> None:
+        self.heard = False
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+            signal.signal(number, self._hear)
+
+    def _hear(self, _number: int, _frame: FrameType | None) -> None:
+        self.heard = True
+
+
+@contextmanager
+def _alone(data: Path) -> Iterator[None]:
+    """Hold the data folder for this run: two boards on one line, or two recorders, would spoil each other."""
+    data.mkdir(parents=True, exist_ok=True)
+    with (data / "run.lock").open("w") as lock:
+        try:
+            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except OSError:
+            raise LaunchError(
+                f"Another epf-run is using the folder {data}: stop that one, or choose another with --data."
+            ) from None
+        yield
+
+
+def _say(text: str) -> None:
+    print(text, file=sys.stderr, flush=True)
+
+
+def main() -> None:
+    """Entry point of `epf-run`."""
+    app()
+
+
+if __name__ == "__main__":
+    main()

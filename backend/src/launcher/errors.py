@@ -1,0 +1,5 @@
+"""Why the demonstration cannot start or go on."""
+
+
+class LaunchError(Exception):
+    """One sentence for the person at the terminal: which, why, what to do."""
