@@ -80,7 +80,7 @@ size = 4
 doc = "Choose the mode."
 confirm = { by = "heartbeat", stick = "argument" }
 fields = [
-  { name = "mode", type = "i32", unit = "1", range = [0, 1], sign = "none", doc = "M.", values = { auto = 0, stick = 1 } },
+  {name="mode", type="i32", unit="1", range=[0, 1], sign="none", doc="Mode.", values={auto=0, stick=1}},
 ]
 [[command]]
 name = "hil_load_home"

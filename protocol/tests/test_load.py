@@ -86,7 +86,7 @@ FAULTS = {
     "an empty range": ("telemetry", "[-180.0, 180.0]", "[180.0, -180.0]", "range is empty"),
     "no doc": ("commands", 'doc = "Stop."', "", "'doc'] missing"),
     "a flag that no heartbeat has": ("commands", "armed = false", "loaded = false", "heartbeat has no flag"),
-    "a name outside the range": ("commands", "stick = 1 }", "stick = 2 }", "named value stick is outside"),
+    "a name outside the range": ("commands", "stick=1}", "stick=2}", "named value stick is outside"),
     "a frame that does not exist": ("commands", 'by = "none"', 'by = "frame", message = "ahrs"', "no message ahrs"),
     "a rule without its message": ("commands", 'by = "none"', 'by = "plan"', "a message goes with"),
     "a default outside the range": ("parameters", "default = 700", "default = 7", "default outside its range"),
