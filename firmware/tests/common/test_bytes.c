@@ -17,7 +17,7 @@ static void a_float_is_its_ieee_754_word(void** state)
     uint8_t bytes[4];
     bytes_write_f32(bytes, -0.5F);
     assert_memory_equal(bytes, "\x00\x00\x00\xBF", 4);
-    assert_float_equal(bytes_read_f32(bytes), -0.5, 0.0);
+    assert_close(bytes_read_f32(bytes), -0.5F, 0.0);
 }
 
 static void an_odd_address_is_as_good_as_any(void** state)
@@ -27,7 +27,7 @@ static void an_odd_address_is_as_good_as_any(void** state)
     bytes_write_u32(bytes + 1, 0xA1B2C3D4U);
     bytes_write_f32(bytes + 5, 27.9319F);
     assert_int_equal(bytes_read_u32(bytes + 1), 0xA1B2C3D4U);
-    assert_float_equal(bytes_read_f32(bytes + 5), 27.9319F, 0.0);
+    assert_close(bytes_read_f32(bytes + 5), 27.9319F, 0.0);
 }
 
 int main(void)

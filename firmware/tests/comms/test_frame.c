@@ -109,7 +109,7 @@ static void noise_never_hides_the_next_frame(void** state)
         assert_non_null(found);
         message_ahrs_t values;
         message_ahrs_unpack(&values, found->payload);
-        assert_float_equal(values.yaw_deg, 33.0, 0.0);
+        assert_close(values.yaw_deg, 33.0F, 0.0);
     }
 }
 
@@ -134,7 +134,7 @@ static void every_single_flipped_bit_is_refused_and_costs_only_its_frame(void** 
         {
             message_ahrs_t values;
             message_ahrs_unpack(&values, line.frames[i].payload);
-            assert_float_equal(values.yaw_deg, (float)i + 2.0F, 0.0);
+            assert_close(values.yaw_deg, (float)i + 2.0F, 0.0);
         }
         stream.bytes[bit / 8] ^= (uint8_t)(1U << (bit % 8));
     }
