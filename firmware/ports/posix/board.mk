@@ -1,0 +1,38 @@
+# The board as a process of this computer: build/posix/epf-board, and build/posix-asan/epf-board with the address and
+# undefined-behaviour sanitizers. Included by the Makefile, whose warnings and flags it uses.
+
+.PHONY: board-asan
+
+kernel_folder := third_party/freertos
+kernel_sources := $(addprefix $(kernel_folder)/,tasks.c queue.c list.c portable/ThirdParty/GCC/Posix/port.c \
+  portable/ThirdParty/GCC/Posix/utils/wait_for_event.c)
+board_sources := $(pure_sources) $(wildcard src/app/*.c ports/posix/*.c)
+# the kernel's headers are not ours, so they are no place for our warnings
+board_includes := -Isrc -Iports/posix -isystem $(kernel_folder)/include \
+  -isystem $(kernel_folder)/portable/ThirdParty/GCC/Posix
+# the port's tick and run-time counter are replaced by those of ports/posix/kernel.c
+board_link := -pthread -Wl,--wrap=usleep -Wl,--wrap=ulPortGetRunTime -lm
+
+board: $(BUILD)/posix/epf-board
+board-asan: $(BUILD)/posix-asan/epf-board
+
+# $(1): folder, $(2): its flags
+define board_flavour
+$(BUILD)/$(1)/object/$(kernel_folder)/%.o: $(kernel_folder)/%.c ports/posix/FreeRTOSConfig.h
+	@mkdir -p $$(@D)
+	@echo "  CC $$<"
+	@$$(CC) -std=gnu11 -w $(2) -pthread -Iports/posix -I$(kernel_folder)/include \
+	  -I$(kernel_folder)/portable/ThirdParty/GCC/Posix -c $$< -o $$@
+
+$(BUILD)/$(1)/object/%.o: %.c
+	@mkdir -p $$(@D)
+	@echo "  CC $$<"
+	@$$(CC) $$(WARNINGS) $(2) -pthread $$(board_includes) $$(DEPENDENCIES) -c $$< -o $$@
+
+$(BUILD)/$(1)/epf-board: $(board_sources:%.c=$(BUILD)/$(1)/object/%.o) $(kernel_sources:%.c=$(BUILD)/$(1)/object/%.o)
+	@mkdir -p $$(@D)
+	@echo "  LD $$@"
+	@$$(CC) $(2) -o $$@ $$^ $$(board_link)
+endef
+$(eval $(call board_flavour,posix,$(OPTIMISED)))
+$(eval $(call board_flavour,posix-asan,$(SANITIZED)))

@@ -1,0 +1,135 @@
+#include "sim_board.h"
+
+#include <stdbool.h>
+
+#include "common/angle.h"
+#include "common/limit.h"
+#include "flight/board.h"
+#include "sim_air.h"
+#include "sim_gps.h"
+#include "sim_inertial.h"
+
+static const float m_per_ft = 0.3048F;
+static const float m_s_per_kt = 0.514444F;
+static const float m_s_per_ft_min = 0.00508F;
+static const uint32_t still_after_ms = 1000; ///< simulator information that old is of an aircraft that stands still
+static const float receiver_steps = 512.0F;  ///< a receiver's pulses are counted, so its channels move in steps
+static const float receiver_noise = 0.001F;
+
+/// Gran Canaria (GCLP), beginning of runway 03, nose along it.
+static const sim_truth_t parked = {
+    .latitude_deg = 27.9319, .longitude_deg = -15.3866, .altitude_m = 23.8F, .yaw_deg = 28.0F};
+
+static struct
+{
+    sim_truth_t truth;
+    command_xplane_info_t stick;       ///< the newest one; only its stick is used, all 0 before
+    float throttle;                    ///< of the simulated motor
+    float servo_throttle;              ///< of the real one
+    float switches[board_servo_count]; ///< by receiver channel
+    bool is_observed;
+    uint32_t observed_ms;
+    bool has_read;
+    uint32_t read_ms;
+    sim_noise_t noise;
+    sim_inertial_t inertial;
+    sim_air_t air;
+    sim_gps_t gps;
+} sim;
+
+static void observe(void* context, const command_xplane_info_t* info, float throttle, uint32_t now_ms)
+{
+    (void)context;
+    sim.truth = (sim_truth_t){
+        .latitude_deg = (double)info->latitude_deg,
+        .longitude_deg = (double)info->longitude_deg,
+        .altitude_m = info->altitude_ft * m_per_ft,
+        .climb_m_s = info->vvi_ft_min * m_s_per_ft_min,
+        .airspeed_m_s = info->speed_kt * m_s_per_kt,
+        .yaw_deg = angle_wrap_360(info->yaw_deg),
+        .pitch_deg = info->pitch_deg,
+        .roll_deg = info->roll_deg,
+        .p_rad_s = info->gx_rad_s,
+        .q_rad_s = info->gy_rad_s,
+        .r_rad_s = info->gz_rad_s,
+    };
+    sim.stick = *info;
+    sim.throttle = throttle;
+    sim.observed_ms = now_ms;
+    sim.is_observed = true;
+}
+
+/// One channel as the receiver gives it.
+static float received(float position, float minimum)
+{
+    const float noisy = limit_to(position, minimum, 1.0F) + sim_noise_normal(&sim.noise, receiver_noise);
+    const float steps = (float)(int)(noisy * receiver_steps + (noisy < 0.0F ? -0.5F : 0.5F));
+    return limit_to(steps / receiver_steps, minimum, 1.0F);
+}
+
+static void read_receiver(message_servos_in_t* receiver)
+{
+    const size_t channels = sizeof receiver->channel / sizeof receiver->channel[0];
+    for (size_t i = 0; i < channels; i++)
+    {
+        receiver->channel[i] = received(sim.switches[i], -1.0F);
+    }
+    receiver->channel[rc_channel_aileron] = received(sim.stick.aileron, -1.0F);
+    receiver->channel[rc_channel_elevator] = received(sim.stick.elevator, -1.0F);
+    receiver->channel[rc_channel_throttle] = received(sim.stick.throttle, 0.0F);
+    receiver->channel[rc_channel_rudder] = received(sim.stick.rudder, -1.0F);
+}
+
+static void read_all(void* context, uint32_t now_ms, sensors_reading_t* reading)
+{
+    (void)context;
+    const float elapsed_s = sim.has_read ? (float)(now_ms - sim.read_ms) / 1000.0F : 0.02F;
+    const float dt_s = limit_to(elapsed_s, 0.001F, 0.2F);
+    sim.read_ms = now_ms;
+    sim.has_read = true;
+    const bool is_flying = sim.is_observed && now_ms - sim.observed_ms < still_after_ms;
+    if (!is_flying)
+    {
+        sim.truth.climb_m_s = 0.0F;
+        sim.truth.p_rad_s = 0.0F;
+        sim.truth.q_rad_s = 0.0F;
+        sim.truth.r_rad_s = 0.0F;
+    }
+    sim_inertial_read(&sim.inertial, &sim.truth, dt_s, &reading->inertial, &reading->ahrs);
+    sim_air_read(&sim.air, &sim.truth, is_flying ? sim.throttle : sim.servo_throttle, dt_s, &reading->analog);
+    reading->gps = sim_gps_read(&sim.gps, &sim.truth, now_ms);
+    read_receiver(&reading->receiver);
+}
+
+static void set_switch(void* context, int32_t channel, float position)
+{
+    (void)context;
+    sim.switches[channel] = position;
+}
+
+sensors_t sim_board_sensors(uint32_t seed)
+{
+    // Each model has its own noise, so that one of them called once more does not change the others.
+    sim.truth = parked;
+    sim.switches[rc_channel_autopilot] = -1.0F;
+    sim.switches[rc_channel_autotrim] = -1.0F;
+    sim_noise_init(&sim.noise, seed);
+    sim_inertial_init(&sim.inertial, seed + 1U);
+    sim_air_init(&sim.air, seed + 2U);
+    sim_gps_init(&sim.gps, seed + 3U);
+    return (sensors_t){.context = NULL, .read = read_all, .observe = observe, .set_switch = set_switch};
+}
+
+static void write_servos(void* context, const float* positions, size_t count)
+{
+    (void)context;
+    if (count > rc_channel_throttle)
+    {
+        sim.servo_throttle = limit_to(positions[rc_channel_throttle], 0.0F, 1.0F);
+    }
+}
+
+servos_t sim_board_servos(void)
+{
+    return (servos_t){.context = NULL, .write = write_servos};
+}

@@ -1,0 +1,45 @@
+/// Model of a GPS receiver: five solutions a second, each out a fifth of a second late, with an error that wanders.
+#ifndef SIM_GPS_H
+#define SIM_GPS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "comms/protocol_gen.h"
+#include "sim_noise.h"
+#include "sim_truth.h"
+
+enum
+{
+    sim_gps_period_ms = 200,
+    sim_gps_places = 6 ///< speed and track come from the way of one second
+};
+
+typedef struct
+{
+    double latitude_deg;
+    double longitude_deg;
+} sim_gps_place_t;
+
+typedef struct
+{
+    sim_noise_t noise;
+    float north_error_m;
+    float east_error_m;
+    float up_error_m;
+    float satellites_wander;                ///< rounded and added to the usual number
+    sim_gps_place_t places[sim_gps_places]; ///< newest first
+    size_t places_held;
+    uint32_t solved_ms;
+    float heading_deg;      ///< kept while standing
+    message_gps_t computed; ///< to be put out with the next solution
+    message_gps_t put_out;
+    bool has_solution;
+} sim_gps_t;
+
+void sim_gps_init(sim_gps_t* model, uint32_t seed);
+
+/// The newest solution that is out at `now_ms`.
+message_gps_t sim_gps_read(sim_gps_t* model, const sim_truth_t* truth, uint32_t now_ms);
+
+#endif

@@ -1,0 +1,26 @@
+/// The board's application: the same on every target. A port gives it its devices and starts it.
+#ifndef APP_APPLICATION_H
+#define APP_APPLICATION_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "hal/sensors.h"
+#include "hal/servos.h"
+#include "hal/storage.h"
+#include "hal/uart.h"
+
+typedef struct
+{
+    uart_t uart;
+    sensors_t sensors;
+    servos_t servos;
+    const storage_t* storage; ///< NULL: there is no card
+    bool legacy;              ///< like a deployed board: no extension exists
+    uint32_t hil_period_ms;   ///< time of one HIL step; 0: measured
+} application_hardware_t;
+
+/// Start the board's tasks; never returns.
+_Noreturn void application_run(const application_hardware_t* hardware);
+
+#endif

@@ -1,0 +1,41 @@
+/// Everything the application's tasks share. `board`, `shell`, `tty` and `load` belong to who holds `board_mutex`.
+#ifndef APP_APPLICATION_STATE_H
+#define APP_APPLICATION_STATE_H
+
+#include "FreeRTOS.h"
+#include "semphr.h"
+#include "task.h"
+
+#include "app/application.h"
+#include "app/load.h"
+#include "app/mailbox.h"
+#include "app/task_table.h"
+#include "app/tty.h"
+
+typedef struct
+{
+    application_hardware_t hardware;
+    storage_t storage; ///< the card, with the mutex given back while it writes
+    board_t board;
+    SemaphoreHandle_t board_mutex;
+    StaticSemaphore_t board_mutex_memory;
+    mailbox_t received;    ///< from UartRxTask to ttyTask
+    mailbox_t transmitted; ///< from every task to UartTxTask
+    shell_t shell;
+    tty_t tty;
+    char reply[shell_reply_bytes];
+    load_t load;
+    uint32_t started_ms;
+    TaskHandle_t handles[task_count];
+} application_t;
+
+void application_lock(application_t* app);
+void application_unlock(application_t* app);
+
+/// Milliseconds since the board started, at power-on or by a reset.
+uint32_t application_now_ms(const application_t* app);
+
+/// Begin anew, as after power-on: defaults, the card's parameters, text mode. With the mutex held.
+void application_reset(application_t* app);
+
+#endif

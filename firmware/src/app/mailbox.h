@@ -1,0 +1,38 @@
+/// A mailbox of bytes from many tasks to one: what is put in goes in whole or not at all, guarded by a mutex, so that
+/// the frames of different tasks never mix.
+#ifndef APP_MAILBOX_H
+#define APP_MAILBOX_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "FreeRTOS.h"
+#include "semphr.h"
+#include "task.h"
+
+#include "common/byte_ring.h"
+
+enum
+{
+    mailbox_bytes = 4096 ///< the longest answer of the shell, or 350 ms of a 115200 line
+};
+
+typedef struct
+{
+    byte_ring_t ring;
+    uint8_t bytes[mailbox_bytes];
+    SemaphoreHandle_t mutex;
+    StaticSemaphore_t mutex_memory;
+    TaskHandle_t reader;
+    uint32_t refused; ///< times that there was no room
+} mailbox_t;
+
+/// An empty mailbox. Set `reader` before anything is put in.
+void mailbox_init(mailbox_t* mailbox);
+
+/// Put `size` bytes in and wake the reader. False, and counted, when there is no room for all of them: a line that is
+/// too slow costs frames and never makes a task wait.
+bool mailbox_put(mailbox_t* mailbox, const uint8_t* bytes, size_t size);
+
+#endif

@@ -1,0 +1,226 @@
+#include <stdbool.h>
+
+#include "app/shell_commands.h"
+#include "app/task_table.h"
+#include "navigation/routes_gen.h"
+
+enum
+{
+    name_width = 20
+};
+
+/// One line: a name, a number and its unit.
+static void show_number(text_t* reply, const char* name, float value, unsigned int decimals, const char* unit)
+{
+    const size_t start = reply->size;
+    shell_begin(reply);
+    text_add(reply, name);
+    text_pad(reply, start, name_width);
+    text_add_number(reply, value, decimals);
+    text_add(reply, unit[0] == '\0' ? "" : " ");
+    text_add(reply, unit);
+    shell_end(reply);
+}
+
+static void show_count(text_t* reply, const char* name, uint32_t value)
+{
+    const size_t start = reply->size;
+    shell_begin(reply);
+    text_add(reply, name);
+    text_pad(reply, start, name_width);
+    text_add_unsigned(reply, value);
+    shell_end(reply);
+}
+
+static void show_words(text_t* reply, const char* name, const char* words)
+{
+    const size_t start = reply->size;
+    shell_begin(reply);
+    text_add(reply, name);
+    text_pad(reply, start, name_width);
+    text_add(reply, words);
+    shell_end(reply);
+}
+
+static const char* on_off(bool on)
+{
+    return on ? "on" : "off";
+}
+
+void shell_show_version(const shell_call_t* call)
+{
+    shell_line(call->reply, BOARD_FIRMWARE_NAME " " BOARD_FIRMWARE_VERSION);
+}
+
+static const char* hil_plan_title(const board_t* board)
+{
+    if (board->hil_plan_name >= 0)
+    {
+        return routes[board->hil_plan_name].title;
+    }
+    return board->plans[board_plan_hil].count > 0 ? "uploaded" : "none";
+}
+
+void shell_show_status(const shell_call_t* call)
+{
+    const board_t* const board = call->shell->board;
+    text_t* const reply = call->reply;
+    show_number(reply, "uptime", (float)call->shell->now_ms / 1000.0F, 1, "s");
+    show_words(reply, "extensions", board->config.legacy ? "none (legacy)" : "yes");
+    show_words(reply, "card", board->config.storage == NULL ? "none" : "present");
+    show_words(reply, "autopilot", on_off(board_flight_autopilot(board)));
+    show_words(reply, "autotrim", on_off(board_flight_autotrim(board)));
+    show_words(reply, "airspeed source",
+               board->airspeed_source == COMMAND_SELECT_AIRSPEED_SOURCE_SOURCE_GPS ? "gps" : "pitot");
+    show_words(reply, "altitude source",
+               board->altitude_source == COMMAND_SELECT_ALTITUDE_SOURCE_SOURCE_GPS ? "gps" : "barometer");
+    show_words(reply, "servos follow", board->servos_mode == board_servos_hil ? "hil" : "fly-by-wire");
+    show_words(reply, "hil plan", hil_plan_title(board));
+    show_count(reply, "frames received", board->frames_received);
+    show_count(reply, "frames rejected", board->frames_rejected);
+    show_count(reply, "frames dropped", *call->shell->frames_dropped);
+    show_count(reply, "hil frames", board->xplane_info_count);
+    show_count(reply, "hil frames refused", board->xplane_info_refused);
+    show_number(reply, "sensor load", (float)call->shell->load->percent[load_sensor_dsc], 0, "%");
+    show_number(reply, "control load", (float)call->shell->load->percent[load_control_dsc], 0, "%");
+}
+
+void shell_show_tasks(const shell_call_t* call)
+{
+    for (size_t i = 0; i < task_count; i++)
+    {
+        const task_row_t* const row = &task_table[i];
+        const size_t start = call->reply->size;
+        shell_begin(call->reply);
+        text_add(call->reply, row->name);
+        text_pad(call->reply, start, name_width);
+        text_add(call->reply, "priority ");
+        text_add_unsigned(call->reply, row->priority);
+        text_pad(call->reply, start, name_width + 14);
+        text_add_number(call->reply, (float)call->shell->load->tasks[i].per_mille / 10.0F, 1);
+        text_add(call->reply, " %");
+        shell_end(call->reply);
+    }
+}
+
+void shell_show_sensors(const shell_call_t* call)
+{
+    const board_sensors_t* const sensors = &call->shell->board->sensors;
+    text_t* const reply = call->reply;
+    show_number(reply, "yaw", sensors->ahrs.yaw_deg, 1, "deg");
+    show_number(reply, "pitch", sensors->ahrs.pitch_deg, 1, "deg");
+    show_number(reply, "roll", sensors->ahrs.roll_deg, 1, "deg");
+    show_number(reply, "altitude", sensors->analog.altitude_m, 1, "m");
+    show_number(reply, "pressure", sensors->analog.baro_hpa, 1, "hPa");
+    show_number(reply, "airspeed", sensors->analog.calibrated_airspeed_kt, 1, "kt");
+    show_number(reply, "vertical speed", sensors->analog.vvi_ft_min, 0, "ft/min");
+    show_number(reply, "temperature", sensors->analog.temperature_degc, 1, "degC");
+    show_number(reply, "battery", sensors->analog.battery_v, 2, "V");
+    show_number(reply, "gps latitude", sensors->gps.latitude_deg, 5, "deg");
+    show_number(reply, "gps longitude", sensors->gps.longitude_deg, 5, "deg");
+    show_number(reply, "gps speed", sensors->gps.speed_kt, 1, "kt");
+}
+
+/// Numbered values, four in a line.
+static void show_values(text_t* reply, const float* values, size_t count)
+{
+    enum
+    {
+        per_line = 4,
+        column = 14
+    };
+    size_t start = 0;
+    for (size_t i = 0; i < count; i++)
+    {
+        if (i % per_line == 0)
+        {
+            start = reply->size;
+            shell_begin(reply);
+        }
+        else
+        {
+            text_pad(reply, start, column * (i % per_line));
+        }
+        text_add_unsigned(reply, (uint32_t)i);
+        text_add(reply, ": ");
+        text_add_number(reply, values[i], 3);
+        if (i % per_line == per_line - 1 || i + 1 == count)
+        {
+            shell_end(reply);
+        }
+    }
+}
+
+void shell_show_receiver(const shell_call_t* call)
+{
+    const message_servos_in_t* const servos_in = &call->shell->board->sensors.servos_in;
+    show_values(call->reply, servos_in->channel, sizeof servos_in->channel / sizeof servos_in->channel[0]);
+}
+
+void shell_show_servos(const shell_call_t* call)
+{
+    float positions[board_servo_count];
+    board_servo_positions(call->shell->board, positions);
+    show_words(call->reply, "outputs 0..3 follow",
+               call->shell->board->servos_mode == board_servos_hil ? "hil" : "fly-by-wire");
+    show_values(call->reply, positions, board_servo_count);
+}
+
+static void show_plan(text_t* reply, const plan_t* plan)
+{
+    for (size_t i = 0; i < plan->count; i++)
+    {
+        const waypoint_t* const waypoint = &plan->waypoints[i];
+        const size_t start = reply->size;
+        shell_begin(reply);
+        text_add(reply, i == plan->current ? "> " : "  ");
+        text_add_unsigned(reply, (uint32_t)i);
+        text_pad(reply, start, 8);
+        text_add_double(reply, waypoint->position.latitude_deg, 5);
+        text_pad(reply, start, 18);
+        text_add_double(reply, waypoint->position.longitude_deg, 5);
+        text_pad(reply, start, 29);
+        text_add_number(reply, waypoint->altitude_ft, 0);
+        text_add(reply, " ft ");
+        text_add_number(reply, waypoint->speed_kt, 0);
+        text_add(reply, " kt");
+        shell_end(reply);
+    }
+}
+
+void shell_show_hil(const shell_call_t* call)
+{
+    const board_t* const board = call->shell->board;
+    show_words(call->reply, "source", board->source == board_source_rc ? "rc" : "joystick");
+    show_words(call->reply, "autopilot", on_off(board->hil_autopilot));
+    show_words(call->reply, "autotrim", on_off(board->hil_autotrim));
+    show_words(call->reply, "plan", hil_plan_title(board));
+    show_plan(call->reply, &board->plans[board_plan_hil]);
+}
+
+void shell_show_flight_plan(const shell_call_t* call)
+{
+    const plan_t* const plan = &call->shell->board->plans[board_plan_flight];
+    show_words(call->reply, "plan", plan->count > 0 ? "uploaded" : "none");
+    show_plan(call->reply, plan);
+}
+
+void shell_show_streams(const shell_call_t* call)
+{
+    const telemetry_schedule_t* const schedule = &call->shell->board->schedule;
+    for (size_t stream = 0; stream < telemetry_stream_count; stream++)
+    {
+        show_words(call->reply, shell_stream_names[stream], on_off(schedule->on[stream]));
+    }
+    for (size_t task = 0; task < telemetry_task_count; task++)
+    {
+        const size_t start = call->reply->size;
+        shell_begin(call->reply);
+        text_add(call->reply, shell_task_names[task]);
+        text_add(call->reply, " task");
+        text_pad(call->reply, start, name_width);
+        text_add_unsigned(call->reply, schedule->period_ms[task]);
+        text_add(call->reply, " ms");
+        shell_end(call->reply);
+    }
+}

@@ -1,0 +1,32 @@
+/// What the board measures, and the receiver of the pilot's transmitter. Implemented by each port: drivers on hardware,
+/// models on a PC. The readings are those of the telemetry, with its units, axes and signs.
+#ifndef HAL_SENSORS_H
+#define HAL_SENSORS_H
+
+#include "comms/protocol_gen.h"
+
+typedef struct
+{
+    message_ahrs_t ahrs;
+    message_inertial_t inertial;
+    message_analog_t analog;
+    message_gps_t gps;
+    message_servos_in_t receiver;
+} sensors_reading_t;
+
+typedef struct
+{
+    void* context;
+
+    /// Read everything once. Call it at a steady rate, `now_ms` from `time_ms`.
+    void (*read)(void* context, uint32_t now_ms, sensors_reading_t* reading);
+
+    /// The newest command 50, which models of sensors follow, and the throttle (0..1) that the board answered it with.
+    /// NULL where the sensors are real.
+    void (*observe)(void* context, const command_xplane_info_t* info, float throttle, uint32_t now_ms);
+
+    /// Put a switch of the modelled transmitter (a receiver channel) to -1..+1; NULL where the receiver is real.
+    void (*set_switch)(void* context, int32_t channel, float position);
+} sensors_t;
+
+#endif
