@@ -34,7 +34,7 @@ class LinkAddress:
             host = f"[{self.target}]" if ":" in self.target else self.target
             base = f"tcp://{host}:{self.port}"
         else:
-            base = f"{self.scheme}://{'' if self.target.startswith('/') else '/'}{self.target}"
+            base = f"{self.scheme}://{'' if self.target.startswith(('/', '.')) else '/'}{self.target}"
         if self.scheme == "serial" or self.baud != DEFAULT_BAUD:
             return f"{base}?baud={self.baud}"
         return base
@@ -52,7 +52,7 @@ def parse_address(text: str) -> LinkAddress:
     text = text.strip()
     if len(text) > 500 or not text.isprintable():
         raise _bad(text[:60], "it is too long or holds unprintable characters")
-    if text.startswith("/") or text.upper().startswith("COM"):
+    if text.startswith(("/", "./", "../")) or text.upper().startswith("COM"):
         return LinkAddress("serial", text)
     try:
         parts = urlsplit(text)
@@ -66,9 +66,9 @@ def parse_address(text: str) -> LinkAddress:
                 raise _bad(text, "a TCP address needs a host and a port from 1 to 65535")
             return LinkAddress("tcp", parts.hostname, port, baud)
         case "serial" | "pty" as scheme:
-            if parts.netloc or len(parts.path) < 2:
+            if parts.netloc not in ("", ".", "..") or len(parts.path) < 2:
                 raise _bad(text, f"after {scheme}: come three slashes and the device")
-            device = parts.path[1:] if parts.path[1:].upper().startswith("COM") else parts.path
+            device = parts.path[1:] if parts.path[1:].upper().startswith("COM") else parts.netloc + parts.path
             return LinkAddress(scheme, device, baud=baud)
         case _:
             raise _bad(text, "its kind is none of serial, tcp and pty")

@@ -30,6 +30,9 @@ class Link(Protocol):
     def backlog(self) -> int:
         """Bytes written that have not left this machine yet, as far as the system tells."""
 
+    def start(self, callbacks: LinkCallbacks) -> None:
+        """Begin to read; until now the bytes waited in the system."""
+
     def write(self, data: bytes) -> bool:
         """Send now, or queue what the system does not take. False: the queue is full, nothing was taken."""
 

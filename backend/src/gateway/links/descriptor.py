@@ -12,6 +12,7 @@ from gateway.links.failures import lost_error
 # More than a second of the fastest line; what is older than that helps nobody.
 _MAX_PENDING_BYTES: Final = 131072
 _READ_BYTES: Final = 65536
+_NOBODY: Final = LinkCallbacks(on_bytes=lambda _: None, on_lost=lambda _: None)
 
 
 class DescriptorLink:
@@ -20,13 +21,17 @@ class DescriptorLink:
     Made on a running loop. Implements `Link`.
     """
 
-    def __init__(self, device: Device, callbacks: LinkCallbacks) -> None:
+    def __init__(self, device: Device) -> None:
         self._device = device
-        self._callbacks = callbacks
+        self._callbacks = _NOBODY
         self._loop = asyncio.get_running_loop()
         self._pending = bytearray()
         self._closed = False
-        self._loop.add_reader(device.fd, self._readable)
+
+    def start(self, callbacks: LinkCallbacks) -> None:
+        """Begin to read; until now the bytes waited in the system."""
+        self._callbacks = callbacks
+        self._loop.add_reader(self._device.fd, self._readable)
 
     @property
     def baud(self) -> int:

@@ -1,0 +1,96 @@
+"""Command line -> settings -> server."""
+
+from __future__ import annotations
+
+import logging
+import sys
+from pathlib import Path
+from typing import Annotated, Any
+
+import orjson
+import structlog
+import typer
+
+from gateway.app import create_app
+from gateway.errors import GatewayError
+from gateway.links.address import parse_address
+from gateway.server import Server
+from gateway.settings import Settings
+
+app = typer.Typer(add_completion=False, context_settings={"help_option_names": ["-h", "--help"]})
+
+
+@app.command()
+def run(
+    *,
+    host: Annotated[
+        str | None, typer.Option(help="Address to listen on. Beyond 127.0.0.1 anybody there can fly the aircraft.")
+    ] = None,
+    port: Annotated[int | None, typer.Option(help="TCP port of page and interface; 0 takes any free one.")] = None,
+    board: Annotated[
+        str | None,
+        typer.Option(help="Board to connect to: serial:///dev/ttyUSB0?baud=115200, tcp://host:port or pty:///path."),
+    ] = None,
+    data_dir: Annotated[Path | None, typer.Option(help="Folder of the recordings and the remembered links.")] = None,
+    page_dir: Annotated[Path | None, typer.Option(help="Folder of the built page.")] = None,
+    recording: Annotated[bool | None, typer.Option(help="Record every byte of the lines.")] = None,
+    verbose: Annotated[bool, typer.Option(help="Log more.")] = False,
+    print_openapi: Annotated[bool, typer.Option(help="Print the OpenAPI document and end.")] = False,
+) -> None:
+    """The gateway of EPF GCS: connects a board and a flight simulator with browsers.
+
+    Without --board it opens the links of its last run. Every option is also a variable: GCS_HOST, GCS_PORT,
+    GCS_BOARD, GCS_DATA_DIR, GCS_PAGE_DIR, GCS_RECORDING; GCS_ALLOWED_HOSTS and GCS_ALLOWED_ORIGINS (JSON lists) let
+    more names and pages in.
+    """
+    given: dict[str, Any] = {
+        "host": host,
+        "port": port,
+        "board": board,
+        "data_dir": data_dir,
+        "page_dir": page_dir,
+        "recording": recording,
+    }
+    settings = Settings(**{name: value for name, value in given.items() if value is not None})
+    if print_openapi:
+        _print_openapi(settings)
+        return
+    if settings.board is not None:
+        try:
+            parse_address(settings.board)
+        except GatewayError as error:
+            raise typer.BadParameter(error.detail, param_hint="--board") from error
+    _set_up_logging(verbose=verbose)
+    Server(settings).run()
+
+
+def main() -> None:
+    """Entry point of `epf-gcs`."""
+    app()
+
+
+def _print_openapi(settings: Settings) -> None:
+    document = create_app(settings).openapi()
+    sys.stdout.buffer.write(orjson.dumps(document, option=orjson.OPT_INDENT_2 | orjson.OPT_SORT_KEYS) + b"\n")
+
+
+def _set_up_logging(*, verbose: bool) -> None:
+    """Everything to stderr, one line each; uvicorn's own log only where something is wrong."""
+    level = logging.DEBUG if verbose else logging.INFO
+    logging.basicConfig(
+        level=level if verbose else logging.WARNING, stream=sys.stderr, format="%(levelname)s %(message)s"
+    )
+    structlog.configure(
+        wrapper_class=structlog.make_filtering_bound_logger(level),
+        processors=[
+            structlog.processors.add_log_level,
+            structlog.processors.TimeStamper(fmt="iso", utc=True),
+            structlog.processors.format_exc_info,
+            structlog.processors.LogfmtRenderer(key_order=["timestamp", "level", "event"]),
+        ],
+        logger_factory=structlog.PrintLoggerFactory(sys.stderr),
+    )
+
+
+if __name__ == "__main__":
+    main()

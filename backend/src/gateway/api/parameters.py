@@ -1,0 +1,107 @@
+"""The 17 gains and the flight plans: what the board holds."""
+
+from __future__ import annotations
+
+from dataclasses import asdict
+from typing import Annotated
+
+from fastapi import APIRouter, Body
+
+from gateway.api.deps import OperatorDep, StationDep
+from gateway.api.errors import problems, reading_problems
+from gateway.api.schemas import (
+    CommandOutcome,
+    Mission,
+    MissionInput,
+    ParameterList,
+    ParameterState,
+    PlanName,
+    WaypointModel,
+)
+from gateway.codec.messages_gen import PARAMETERS
+from gateway.codec.tables import Waypoint
+from gateway.services.station import Station
+from gateway.vehicle.parameters import shown
+
+router = APIRouter()
+
+
+@router.get("/parameters", tags=["parameters"], responses=reading_problems())
+async def get_parameters(station: StationDep) -> ParameterList:
+    """The gains as far as they are known; nothing is asked of the board."""
+    return _parameters(station)
+
+
+@router.post("/parameters/load", tags=["parameters"], responses=problems(409, 502))
+async def load_parameters(station: StationDep, operator: OperatorDep) -> ParameterList:
+    """Read the gains from the board; nothing is written."""
+    await station.parameters.load(operator)
+    return _parameters(station)
+
+
+@router.patch("/parameters", tags=["parameters"], responses=problems(404, 409, 502))
+async def patch_parameters(
+    changes: Annotated[dict[str, float], Body(examples=[{"k_pitch": 2.5}], max_length=17)],
+    station: StationDep,
+    operator: OperatorDep,
+) -> ParameterList:
+    """Set some gains; answers after they were read back, each `confirmed` or `rejected`."""
+    await station.parameters.set(changes, operator)
+    return _parameters(station)
+
+
+@router.post("/parameters/store", tags=["parameters"], responses=problems(409))
+async def store_parameters(station: StationDep, operator: OperatorDep) -> CommandOutcome:
+    """Write the board's gains to its card."""
+    result = await station.parameters.store(operator)
+    return CommandOutcome.model_validate(asdict(result))
+
+
+@router.get("/missions/{plan}", tags=["missions"], responses=reading_problems(409, 502))
+async def get_mission(plan: PlanName, station: StationDep) -> Mission:
+    """The plan as the board has it now."""
+    return _mission(plan, await station.missions.read(plan))
+
+
+@router.put("/missions/{plan}", tags=["missions"], responses=problems(409, 502))
+async def put_mission(plan: PlanName, body: MissionInput, station: StationDep, operator: OperatorDep) -> Mission:
+    """Replace a plan, whole or not at all; answers with what was read back."""
+    waypoints = [Waypoint(**waypoint.model_dump()) for waypoint in body.waypoints]
+    return _mission(plan, await station.missions.write(plan, waypoints, operator))
+
+
+def _parameters(station: Station) -> ParameterList:
+    held = station.parameters.held
+    return ParameterList(
+        parameters=[
+            ParameterState(
+                name=parameter.name,
+                group=parameter.group,
+                value=None if (value := held[parameter.name].value) is None else shown(parameter.name, value),
+                state=held[parameter.name].state,
+                unit="1",
+                minimum=parameter.minimum,
+                maximum=parameter.maximum,
+                step=parameter.step,
+                default=parameter.default,
+                is_integer=parameter.is_integer,
+                doc=parameter.doc,
+            )
+            for parameter in PARAMETERS
+        ]
+    )
+
+
+def _mission(plan: PlanName, waypoints: list[Waypoint]) -> Mission:
+    return Mission(
+        plan=plan,
+        waypoints=[
+            WaypointModel(
+                latitude_deg=waypoint.latitude_deg,
+                longitude_deg=waypoint.longitude_deg,
+                altitude_ft=waypoint.altitude_ft,
+                speed_kt=waypoint.speed_kt,
+            )
+            for waypoint in waypoints
+        ],
+    )

@@ -1,0 +1,59 @@
+"""The composition root: builds the parts, and owns their life."""
+
+from __future__ import annotations
+
+import contextlib
+import gc
+from collections.abc import AsyncIterator
+from pathlib import Path
+from typing import Any, Final
+
+from fastapi import FastAPI
+
+from gateway import __version__
+from gateway.api import commands, docs, links, parameters, recordings, state
+from gateway.api.errors import install_error_handlers
+from gateway.api.guard import Access, Guard
+from gateway.api.page import install_page
+from gateway.api.stream import StreamEndpoint
+from gateway.services.error_log import ErrorLog
+from gateway.services.station import Station
+from gateway.settings import Settings
+
+_PAGE_IN_TREE: Final = Path(__file__).parents[3] / "frontend" / "dist"
+_PREFIX: Final = "/api/v1"
+
+
+def create_app(settings: Settings) -> FastAPI:
+    """The whole gateway as an ASGI application; the stream needs `gateway.server`, which hands it the transports."""
+    access = Access((settings.host, *settings.allowed_hosts), settings.allowed_origins)
+    errors = ErrorLog()
+
+    @contextlib.asynccontextmanager
+    async def lifespan(app: FastAPI) -> AsyncIterator[dict[str, Any]]:
+        station = Station(settings.data_dir, errors, record=settings.recording, board_url=settings.board)
+        station.status_text = state.status_message(station)
+        app.state.station = station
+        async with station.running():
+            # What was made until now lives as long as the process: the collector need not look at it again, and
+            # does not stop the loop for milliseconds to do so.
+            gc.collect()
+            gc.freeze()
+            yield {"socket_endpoint": StreamEndpoint(station, access)}
+
+    app = FastAPI(
+        title="EPF GCS gateway",
+        version=__version__,
+        lifespan=lifespan,
+        openapi_url=docs.OPENAPI_PATH,
+        docs_url=None,
+        redoc_url=None,
+    )
+    app.openapi = lambda: docs.describe(app)  # type: ignore[method-assign]
+    for router in (state.router, links.router, commands.router, parameters.router, recordings.router):
+        app.include_router(router, prefix=_PREFIX)
+    app.include_router(docs.router)
+    install_error_handlers(app, errors)
+    install_page(app, settings.page_dir or _PAGE_IN_TREE)
+    app.add_middleware(Guard, access=access, errors=errors, max_body_bytes=settings.max_body_bytes)
+    return app

@@ -1,0 +1,201 @@
+"""One board: bytes -> frames -> state and viewers, and frames back. Knows nothing of devices or of HTTP."""
+
+from __future__ import annotations
+
+import asyncio
+from collections import Counter
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import Final
+
+from gateway.codec.frame import Damage, Frame, FrameDecoder
+from gateway.codec.session import Session, SessionState
+from gateway.codec.values import Json, Meaning, meaning
+from gateway.errors import LinkError
+from gateway.links.base import Link
+from gateway.services.clock import Clock
+from gateway.services.error_log import ErrorLog
+from gateway.services.hub import Hub
+from gateway.services.telemetry import Telemetry
+
+_URGENT: Final = frozenset({"hil_surfaces", "servos_in"})
+_HANDSHAKE: Final = frozenset({"heartbeat", "capabilities"})
+# Text waits for its line end this long; the board's prompt has none.
+_SILENCE_S: Final = 0.05
+
+Listener = Callable[[Frame, Meaning], None]
+
+
+class Board:
+    """Told of links and bytes; tells the hub, the listeners, and first of all the simulator's bridge."""
+
+    def __init__(self, clock: Clock, hub: Hub, telemetry: Telemetry, errors: ErrorLog) -> None:
+        self._loop = asyncio.get_running_loop()
+        self._clock = clock
+        self._hub = hub
+        self._telemetry = telemetry
+        self._errors = errors
+        self._decoder = FrameDecoder()
+        self._link: Link | None = None
+        self._listeners: list[Listener] = []
+        self._last_byte_s = 0.0
+        self._was_open = False
+        self.session = Session()
+        self.frames_received = 0
+        self.damage: Counter[str] = Counter()
+        self.bytes_in = 0
+        self.bytes_out = 0
+        self.baud = 0
+        # Set by the composition: the bridge that must hear first, and who re-arms an opened board.
+        self.on_urgent: Callable[[Frame], None] | None = None
+        self.on_opened: Callable[[], None] | None = None
+
+    @property
+    def link(self) -> Link | None:
+        """The open link, if any."""
+        return self._link
+
+    @property
+    def is_open(self) -> bool:
+        """Commands can be sent, and it is known how they are proved."""
+        return self._link is not None and self.session.is_open
+
+    @property
+    def frames_damaged(self) -> int:
+        """Candidates that did not hold; bytes that never looked like a frame are counted as noise alone."""
+        return sum(count for kind, count in self.damage.items() if kind not in ("noise", "remains", "text"))
+
+    def heartbeat_age_s(self) -> float | None:
+        """Time since the board's last heartbeat on this link."""
+        return self.session.heartbeat_age_s(self._loop.time())
+
+    def attach(self, link: Link) -> None:
+        """A link is open: begin the dialogue."""
+        self._link = link
+        self.baud = link.baud
+        self._decoder = FrameDecoder()
+        self._was_open = False
+        self.write(self.session.open(self._loop.time()))
+
+    def detach(self) -> None:
+        """The link is gone."""
+        self._link = None
+        self._take(self._decoder.finish())
+        self._was_open = False
+        self.session.close()
+
+    def say_goodbye(self) -> None:
+        """Leave the board quiet and in text mode, as long as the link still is there."""
+        farewell = self.session.close()
+        if farewell:
+            self.write(farewell)
+
+    def write(self, data: bytes) -> bool:
+        """Send bytes as they are. False where they could not even be queued."""
+        if self._link is None or not self._link.write(data):
+            return False
+        self.bytes_out += len(data)
+        return True
+
+    def listen(self, listener: Listener) -> None:
+        """From now on every good frame is handed to `listener` too."""
+        self._listeners.append(listener)
+
+    @contextmanager
+    def listening(self, listener: Listener) -> Iterator[None]:
+        """While inside, every good frame is handed to `listener` too."""
+        self._listeners.append(listener)
+        try:
+            yield
+        finally:
+            self._listeners.remove(listener)
+
+    def on_bytes(self, data: bytes) -> None:
+        """Bytes of the line."""
+        self.bytes_in += len(data)
+        self._last_byte_s = self._loop.time()
+        self._take(self._decoder.feed(data))
+
+    def tick(self) -> None:
+        """Do what is due; called some times a second."""
+        now_s = self._loop.time()
+        if now_s - self._last_byte_s > _SILENCE_S:
+            self._take(self._decoder.flush())
+        if self._link is not None:
+            answer = self.session.tick(now_s)
+            if answer:
+                self.write(answer)
+            self._notice_opening()
+
+    def _take(self, found: list[Frame | Damage]) -> None:
+        if not found:
+            return
+        # The simulator waits for these; everybody else can wait for a tenth of a millisecond.
+        if self.on_urgent is not None:
+            for item in found:
+                if isinstance(item, Frame) and item.message.name in _URGENT:
+                    self.on_urgent(item)
+        t_s = self._clock.now_s()
+        for item in found:
+            if isinstance(item, Frame):
+                self._take_frame(item, t_s)
+            else:
+                self._take_damage(item)
+        self._hub.flush()
+
+    def _take_frame(self, frame: Frame, t_s: float) -> None:
+        self.frames_received += 1
+        message = frame.message
+        if message.name in _HANDSHAKE:
+            answer = self.session.on_frame(frame, self._loop.time())
+            if answer:
+                self.write(answer)
+        meant = meaning(frame)
+        if message.topic:
+            self._telemetry.heard(message.name, t_s, meant.values, meant.implausible)
+        if self._listeners:
+            for listener in tuple(self._listeners):
+                listener(frame, meant)
+        if not self._was_open:
+            self._notice_opening()
+
+    def _take_damage(self, damage: Damage) -> None:
+        text = _as_text(damage)
+        if text is not None:
+            self.damage["text"] += 1
+            if text:
+                self._hub.event("console", {"direction": "received", "text": text})
+            return
+        self.damage[damage.kind] += 1
+        if damage.kind != "remains":
+            self._errors.report(
+                LinkError(
+                    "line_garbage",
+                    f"The board's line brought bytes that are no frame ({damage.kind}): check baud rate and cable.",
+                    kind=damage.kind,
+                )
+            )
+
+    def _notice_opening(self) -> None:
+        """The session became open, or the board started anew and it is not any more."""
+        is_open = self.is_open
+        if is_open and not self._was_open and self.on_opened is not None:
+            self._was_open = True
+            self.on_opened()
+        elif not is_open and self.session.state is SessionState.OPENING:
+            self._was_open = False
+
+    def capabilities(self) -> dict[str, Json]:
+        """What an extended board said of itself; empty for a legacy board."""
+        return self.session.capabilities or {}
+
+
+def _as_text(damage: Damage) -> str | None:
+    """A line of the board's shell, as against rubbish."""
+    if damage.kind != "noise":
+        return None
+    data = damage.data.strip(b"\r\n\t ")
+    if not data or not data.isascii():
+        return "" if not data and damage.data else None
+    text = data.decode("ascii")
+    return text if text.isprintable() else None

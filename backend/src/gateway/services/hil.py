@@ -1,0 +1,174 @@
+"""The loop between simulator and board. Nothing here waits for a disk, a browser or a log line.
+
+In: a datagram; when it completes a frame of the simulator, command 50 leaves in the same call. Back: a frame with
+surfaces; the simulator's datagram leaves in the same call. What viewers are shown of it is made afterwards.
+"""
+
+from __future__ import annotations
+
+import asyncio
+from collections import Counter
+from typing import Any, Final, Literal, cast
+
+from gateway.codec.encode import frame_bytes
+from gateway.codec.frame import TO_BOARD, Frame
+from gateway.codec.messages_gen import COMMANDS, XPLANE_ROWS
+from gateway.links.udp import UdpLink
+from gateway.services.board import Board
+from gateway.services.clock import Clock
+from gateway.services.hub import Hub
+from gateway.services.telemetry import Telemetry
+from gateway.vehicle.round_trip import RoundTrip
+from gateway.xplane.datagram import Eight, Surfaces, parse, surfaces_datagram
+from gateway.xplane.gather import Gatherer
+from gateway.xplane.mapping import NEEDED_ROWS, XplaneInfo, row_meaning, surfaces_from_servos_in
+
+Path = Literal["manual", "assisted"]
+Source = Literal["joystick", "rc"]
+
+_COMMAND_50: Final = COMMANDS["xplane_info"]
+# More waiting than this and the line is slower than the simulator: a frame that waits is old when it leaves.
+_MAX_BACKLOG_BYTES: Final = 256
+# A row that was not heard for this long is not shown: 20 periods of the slowest simulator.
+_ROW_AGE_S: Final = 1.0
+_SHOW_EVERY_S: Final = 0.02
+_RAW_EVERY_S: Final = 0.2
+
+
+class Hil:
+    """Told of datagrams and of the board's urgent frames. `path` says who moves the simulator's surfaces."""
+
+    def __init__(self, board: Board, telemetry: Telemetry, hub: Hub, clock: Clock) -> None:
+        self._loop = asyncio.get_running_loop()
+        self._board = board
+        self._telemetry = telemetry
+        self._hub = hub
+        self._clock = clock
+        self._gatherer = Gatherer("xp10")
+        self._profile = "xp10"
+        self._rows: dict[int, tuple[float, Eight]] = {}
+        self._info: XplaneInfo | None = None
+        self._show_due = False
+        self._shown_s = 0.0
+        self._raw_shown_s = 0.0
+        self.path: Path = "manual"
+        self.link: UdpLink | None = None
+        self.round_trip = RoundTrip()
+        self.skipped: Counter[str] = Counter()
+        self.frames_to_board = 0
+        self.frames_to_simulator = 0
+        self.last_to_board_s: float | None = None
+        self.last_surfaces_s: float | None = None
+
+    @property
+    def source(self) -> Source | None:
+        """Who holds the stick, as the board says; None before it said."""
+        heartbeat = self._telemetry.newest("heartbeat")
+        joystick = None if heartbeat is None else heartbeat.get("source_joystick")
+        return None if joystick is None else "joystick" if joystick else "rc"
+
+    @property
+    def rows(self) -> list[int]:
+        """Numbers of the rows that arrive now."""
+        oldest_s = self._loop.time() - _ROW_AGE_S
+        return sorted(row for row, (heard_s, _) in self._rows.items() if heard_s >= oldest_s)
+
+    @property
+    def missing_rows(self) -> list[int]:
+        """Rows without which the board cannot be told where the aircraft is."""
+        return sorted(NEEDED_ROWS - set(self.rows))
+
+    def begin(self, link: UdpLink, profile: str) -> None:
+        """The simulator's socket is open: nothing of an earlier one counts."""
+        self.link = link
+        self._profile = profile
+        self._gatherer = Gatherer(profile)
+        self._rows.clear()
+        self.round_trip.clear()
+        self.last_to_board_s = self.last_surfaces_s = None
+
+    def end(self) -> None:
+        """The socket is closed."""
+        self.link = None
+
+    def on_datagram(self, datagram: bytes) -> bool:
+        """A datagram of the simulator. False where it is none."""
+        records = parse(datagram)
+        if records is None:
+            return False
+        now_s = self._loop.time()
+        info = self._gatherer.take(records, now_s)
+        if info is not None:
+            self._to_board(info, now_s)
+            self._info = info
+            if self.path == "manual" and self.source == "joystick":
+                self._move(info.stick)
+        for row, values in records:
+            self._rows[row] = (now_s, values)
+        if not self._show_due and (info is not None or now_s - self._shown_s >= _SHOW_EVERY_S):
+            self._show_due = True
+            self._loop.call_soon(self._show)
+        return True
+
+    def on_urgent(self, frame: Frame) -> None:
+        """Surfaces or RC channels, straight from the decoder."""
+        if frame.message.name == "hil_surfaces":
+            now_s = self._loop.time()
+            self.last_surfaces_s = now_s
+            if self.path == "assisted":
+                self._move(Surfaces(*frame.values))
+            self.round_trip.answered(now_s)
+        elif self.path == "manual" and self.source == "rc":
+            self._move(surfaces_from_servos_in(frame.values))
+
+    def _to_board(self, info: XplaneInfo, now_s: float) -> None:
+        link = self._board.link
+        if link is None or not self._board.is_open:
+            self.skipped["board_not_open"] += 1
+        elif link.backlog > _MAX_BACKLOG_BYTES:
+            self.skipped["line_busy"] += 1
+        elif self._board.write(frame_bytes(TO_BOARD, _COMMAND_50, _COMMAND_50.struct.pack(*info))):
+            self.frames_to_board += 1
+            self.last_to_board_s = now_s
+            self.round_trip.asked(now_s)
+        else:
+            self.skipped["line_busy"] += 1
+
+    def _move(self, surfaces: Surfaces) -> None:
+        if self.link is None:
+            return
+        datagram = surfaces_datagram(surfaces)
+        if datagram is None:
+            self.skipped["surfaces_not_finite"] += 1
+        elif self.link.send(datagram):
+            self.frames_to_simulator += 1
+
+    def _show(self) -> None:
+        """Tell the viewers; after the frame is on its way."""
+        self._show_due = False
+        t_s = self._clock.now_s()
+        self._shown_s = self._loop.time()
+        oldest_s = self._shown_s - _ROW_AGE_S
+        live = {row: values for row, (heard_s, values) in self._rows.items() if heard_s >= oldest_s}
+        named: dict[str, float | None] = dict(_NO_VALUES)
+        implausible: list[str] = []
+        for row, values in live.items():
+            meaning = row_meaning(row, values, self._profile)
+            named.update(meaning.values)
+            implausible += meaning.implausible
+        self._telemetry.heard("simulator", t_s, named, implausible)
+        info, self._info = self._info, None
+        if info is not None:
+            self._telemetry.heard("xplane_info", t_s, info._asdict())
+        if self._shown_s - self._raw_shown_s >= _RAW_EVERY_S:
+            self._raw_shown_s = self._shown_s
+            raw = {str(row): list(values) for row, values in sorted(live.items())}
+            self._telemetry.heard("xplane_rows", t_s, {"rows": raw})
+        self._hub.flush()
+
+
+_NO_VALUES: Final[dict[str, Any]] = {
+    name: None
+    for row in XPLANE_ROWS["xp10"].values()
+    for name in row_meaning(row.id, cast(Eight, (0.0,) * 8), "xp10").values
+}

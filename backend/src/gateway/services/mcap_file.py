@@ -1,0 +1,90 @@
+"""The bytes of an MCAP file without chunks: whatever reached the disk can be read, up to the last whole record.
+
+The library's own writer builds each record in Python objects under the interpreter's lock, for 10-15 µs
+each; the one record that is written thousands of times is packed here in one step instead.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from struct import Struct
+from typing import Final
+
+from mcap.data_stream import RecordBuilder
+from mcap.opcode import Opcode
+from mcap.records import Channel, DataEnd, Footer, Header, McapRecord, Metadata, Statistics
+
+MAGIC: Final = b"\x89MCAP0\r\n"
+# opcode, record length | channel, sequence, log time, publish time
+_MESSAGE: Final = Struct("<BQHIQQ")
+_MESSAGE_FIELDS: Final = _MESSAGE.size - 9
+
+
+def message_record(channel: int, sequence: int, time_ns: int, data: bytes) -> bytes:
+    """One message; its publish time is its log time, for the bytes carry no clock of their own."""
+    length = _MESSAGE_FIELDS + len(data)
+    return _MESSAGE.pack(Opcode.MESSAGE, length, channel, sequence & 0xFFFFFFFF, time_ns, time_ns) + data
+
+
+def metadata_record(name: str, values: Mapping[str, str]) -> bytes:
+    """A note that stands in the file at the place where it was true."""
+    return _encode(Metadata(name=name, metadata=dict(values)))
+
+
+def opening(library: str, topics: Mapping[int, str]) -> bytes:
+    """What stands before the first message. The messages are raw bytes: there is no schema."""
+    return MAGIC + _encode(Header(profile="", library=library)) + _channels(topics)
+
+
+@dataclass
+class Tally:
+    """What the summary at the end of a file has to say."""
+
+    counts: dict[int, int] = field(default_factory=dict)
+    metadata_count: int = 0
+    first_ns: int = 0
+    last_ns: int = 0
+
+    def add(self, channel: int, time_ns: int) -> None:
+        """Count one message."""
+        if not self.counts:
+            self.first_ns = time_ns
+        self.last_ns = time_ns
+        self.counts[channel] = self.counts.get(channel, 0) + 1
+
+
+def closing(topics: Mapping[int, str], tally: Tally, summary_start: int) -> bytes:
+    """What stands after the last message; `summary_start` is the offset of the byte after DataEnd."""
+    statistics = Statistics(
+        attachment_count=0,
+        channel_count=len(topics),
+        channel_message_counts=dict(tally.counts),
+        chunk_count=0,
+        message_count=sum(tally.counts.values()),
+        message_end_time=tally.last_ns,
+        message_start_time=tally.first_ns,
+        metadata_count=tally.metadata_count,
+        schema_count=0,
+    )
+    footer = Footer(summary_start=summary_start, summary_offset_start=0, summary_crc=0)
+    return _channels(topics) + _encode(statistics) + _encode(footer) + MAGIC
+
+
+def data_end() -> bytes:
+    """The record between messages and summary."""
+    return _encode(DataEnd(data_section_crc=0))
+
+
+def _channels(topics: Mapping[int, str]) -> bytes:
+    return b"".join(
+        _encode(Channel(id=number, topic=topic, message_encoding="application/octet-stream", metadata={}, schema_id=0))
+        for number, topic in topics.items()
+    )
+
+
+def _encode(record: McapRecord) -> bytes:
+    builder = RecordBuilder()
+    record.write(builder)
+    encoded: bytes = builder.end()  # type: ignore[no-untyped-call]
+    return encoded

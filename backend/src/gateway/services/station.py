@@ -1,0 +1,233 @@
+"""All running parts of the gateway, put together once and told when to begin and to end."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+from collections.abc import AsyncIterator, Awaitable, Callable
+from pathlib import Path
+from typing import Any, Final
+
+import structlog
+
+from gateway import __version__
+from gateway.errors import GatewayError
+from gateway.links.address import LinkAddress, parse_address
+from gateway.services.alarms import Alarms
+from gateway.services.board import Board
+from gateway.services.clock import Clock
+from gateway.services.commands import Commands
+from gateway.services.control import Client, Control
+from gateway.services.error_log import ErrorLog
+from gateway.services.hil import Hil
+from gateway.services.hub import Hub
+from gateway.services.line_rates import LineRates
+from gateway.services.memory import Memory
+from gateway.services.missions import Missions
+from gateway.services.parameters import Parameters
+from gateway.services.recorder import Recorder
+from gateway.services.simulator import Simulator, SimulatorAddress
+from gateway.services.supervisor import Supervisor
+from gateway.services.telemetry import Telemetry
+from gateway.vehicle.wanted import RATE_COMMANDS, Wanted
+
+_TICK_S: Final = 0.1
+_STATUS_EVERY_TICKS: Final = 5
+_RESTART_S: Final = 1.0
+
+log = structlog.get_logger("gateway")
+
+
+class Station:
+    """Made on the running loop. `board_url` overrides the remembered board."""
+
+    def __init__(self, data_dir: Path, errors: ErrorLog, *, record: bool, board_url: str | None = None) -> None:
+        loop = asyncio.get_running_loop()
+        self._loop = loop
+        self._board_url = board_url
+        self._status_due = False
+        # Set by the composition: makes the status text that all viewers get.
+        self.status_text: Callable[[], bytes] = lambda: b"{}"
+        self.recordings_dir = data_dir / "recordings"
+        self.clock = Clock()
+        self.hub = Hub(loop, self.clock.now_s)
+        self.errors = errors
+        errors.tell_viewers(loop.time, self.hub.event)
+        self.memory = Memory(data_dir / "state.json", self._report)
+        self.telemetry = Telemetry(self.hub, self.clock, self._commanded_period_s)
+        self.control = Control(loop, self._on_control)
+        self.recorder = Recorder(self.recordings_dir, self.clock, f"epf-gcs {__version__}") if record else None
+        taps = (self.recorder.board_tap(), self.recorder.simulator_tap()) if self.recorder else (None, None)
+        self.board = Board(self.clock, self.hub, self.telemetry, self.errors)
+        self.commands = Commands(self.board, self.telemetry, self.hub, self.errors.count)
+        self.parameters = Parameters(self.board, self.commands, self.hub)
+        self.missions = Missions(self.board, self.commands, self.hub)
+        self.hil = Hil(self.board, self.telemetry, self.hub, self.clock)
+        self.supervisor = Supervisor(self.board, taps[0], self._report, self._on_link)
+        self.simulator = Simulator(self.hil, taps[1], self._report, self._on_link)
+        self.rates = LineRates()
+        self.alarms = Alarms(
+            supervisor=self.supervisor,
+            board=self.board,
+            telemetry=self.telemetry,
+            simulator=self.simulator,
+            hil=self.hil,
+            recorder=self.recorder,
+            hub=self.hub,
+            steady_s=loop.time,
+        )
+        self._board_opened = asyncio.Event()
+        self.board.on_urgent = self.hil.on_urgent
+        self.board.on_opened = self._board_opened.set
+        self.commands.on_done = self._on_command_done
+
+    @contextlib.asynccontextmanager
+    async def running(self) -> AsyncIterator[None]:
+        """Everything runs inside; at the end board and simulator are let go as they should be."""
+        if self.recorder is not None:
+            self.recorder.start()
+        self._remember_links()
+        try:
+            async with asyncio.TaskGroup() as tasks:
+                running = [
+                    tasks.create_task(self._keep_alive(name, job), name=name)
+                    for name, job in (
+                        ("board link", self.supervisor.run),
+                        ("simulator link", self.simulator.run),
+                        ("re-arming", self._rearm),
+                        ("housekeeping", self._keep_house),
+                    )
+                ]
+                try:
+                    yield
+                finally:
+                    self.supervisor.shut_down()
+                    self.simulator.shut_down()
+                    for task in running:
+                        task.cancel()
+        finally:
+            if self.recorder is not None:
+                await asyncio.to_thread(self.recorder.stop)
+
+    def changed(self) -> None:
+        """Something in the status changed that should be seen now and not in half a second."""
+        if not self._status_due:
+            self._status_due = True
+            self._loop.call_soon(self._send_status)
+
+    async def close_board(self) -> None:
+        """The operator ends the session with this board: nothing of it is asked for again."""
+        await self.supervisor.close()
+        self.parameters.forget()
+        self.memory.update(board_url=None, board_identity=None, wanted=Wanted())
+        self._end_recording_if_idle()
+
+    async def open_board(self, address: LinkAddress) -> None:
+        """Open a board link and remember it."""
+        await self.supervisor.open(address)
+        self.memory.update(board_url=address.url, board_identity=self.supervisor.identity)
+        self._note("board_link", {"url": address.url})
+
+    async def open_simulator(self, address: SimulatorAddress) -> None:
+        """Open the simulator's socket and remember it."""
+        await self.simulator.open(address)
+        self.memory.update(simulator=address.as_dict())
+        self._note("simulator_link", {name: str(value) for name, value in address.as_dict().items()})
+
+    async def close_simulator(self) -> None:
+        """Hand the simulator its controls back and forget it."""
+        await self.simulator.close()
+        self.memory.update(simulator=None)
+        self._end_recording_if_idle()
+
+    def set_path(self, path: str) -> None:
+        """Who moves the simulator's surfaces from now on."""
+        self.hil.path = "assisted" if path == "assisted" else "manual"
+        self.memory.update(hil_path=self.hil.path)
+        self.changed()
+
+    def _remember_links(self) -> None:
+        remembered = self.memory.now
+        self.hil.path = "assisted" if remembered.hil_path == "assisted" else "manual"
+        url = self._board_url or remembered.board_url
+        try:
+            if url is not None:
+                identity = remembered.board_identity if url == remembered.board_url else None
+                self.supervisor.want(parse_address(url), identity)
+            if remembered.simulator is not None:
+                self.simulator.want(SimulatorAddress(**remembered.simulator))
+        except (GatewayError, TypeError) as error:
+            log.error("a remembered link cannot be opened", reason=str(error))
+
+    async def _keep_alive(self, name: str, job: Callable[[], Awaitable[None]]) -> None:
+        """The top of each task: a fault of ours in one of them must not end a flight."""
+        while True:
+            try:
+                await job()
+            except Exception:
+                log.exception("a part failed and begins again", part=name)
+                self.errors.count("internal")
+                await asyncio.sleep(_RESTART_S)
+
+    async def _rearm(self) -> None:
+        """Each time the board opens, bring it to what was asked of it before."""
+        while True:
+            await self._board_opened.wait()
+            self._board_opened.clear()
+            self.changed()
+            self.parameters.forget()
+            wanted = self.memory.now.wanted
+            self.board.session.expect_heartbeat_every(wanted.period_s(RATE_COMMANDS[0]))
+            for name, arguments in wanted.missing(self.telemetry.newest("heartbeat") or {}):
+                try:
+                    await self.commands.run(name, arguments, client="gateway")
+                except GatewayError as error:
+                    self.errors.report(error)
+                    break
+
+    async def _keep_house(self) -> None:
+        ticks = 0
+        while True:
+            await asyncio.sleep(_TICK_S)
+            self.board.tick()
+            ticks += 1
+            if ticks % _STATUS_EVERY_TICKS == 0:
+                self.rates.note(self._loop.time(), self.board, self.simulator)
+                self.changed()
+            if self.alarms.look(self.clock.now_s()):
+                self.changed()
+
+    def _send_status(self) -> None:
+        self._status_due = False
+        if self.hub.viewers:
+            self.hub.status(self.status_text())
+
+    def _on_command_done(self, name: str, arguments: tuple[float, ...]) -> None:
+        self.memory.update(wanted=self.memory.now.wanted.after(name, arguments))
+        if name in RATE_COMMANDS:
+            self.telemetry.rate_changed(name)
+            if name == RATE_COMMANDS[0]:
+                self.board.session.expect_heartbeat_every(arguments[0] / 1000.0)
+
+    def _commanded_period_s(self, rate_command: str) -> float:
+        return self.memory.now.wanted.period_s(rate_command)
+
+    def _on_control(self, holder: Client | None) -> None:
+        data: dict[str, Any] = {"client": holder.id if holder else None, "name": holder.name if holder else None}
+        self.hub.event("control", data)
+        self.changed()
+
+    def _on_link(self) -> None:
+        self.hub.event("link", {"board": self.supervisor.state, "simulator": self.simulator.state})
+        self.changed()
+
+    def _report(self, error: GatewayError) -> None:
+        self.errors.report(error)
+
+    def _note(self, name: str, values: dict[str, str]) -> None:
+        if self.recorder is not None:
+            self.recorder.note(name, values)
+
+    def _end_recording_if_idle(self) -> None:
+        if self.recorder is not None and self.supervisor.address is None and self.simulator.address is None:
+            self.recorder.end_session()

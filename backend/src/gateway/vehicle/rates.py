@@ -1,0 +1,28 @@
+"""Bytes a second over the last second or so, from counters that only grow."""
+
+from __future__ import annotations
+
+from collections import deque
+from typing import Final
+
+_WINDOW_S: Final = 1.0
+
+
+class ByteRate:
+    """Told the counter's value now and then; says how fast it grew within the last second."""
+
+    def __init__(self) -> None:
+        self._points: deque[tuple[float, int]] = deque()
+
+    def note(self, now_s: float, total: int) -> None:
+        """The counter stands at `total`."""
+        self._points.append((now_s, total))
+        while len(self._points) > 2 and self._points[1][0] <= now_s - _WINDOW_S:
+            self._points.popleft()
+
+    def per_s(self) -> float:
+        """Growth a second between the ends of the window."""
+        if len(self._points) < 2:
+            return 0.0
+        (first_s, first), (last_s, last) = self._points[0], self._points[-1]
+        return (last - first) / (last_s - first_s) if last_s > first_s else 0.0

@@ -1,0 +1,72 @@
+"""The time from a simulator frame sent to the board until its answer, in a line that numbers nothing."""
+
+from __future__ import annotations
+
+from collections import deque
+from dataclasses import dataclass
+from typing import Final
+
+_KEPT: Final = 512
+# An answer this late steers nothing: the loop is lost at 250 ms. Older questions were lost on the line.
+_FORGET_S: Final = 0.5
+
+
+@dataclass(frozen=True, slots=True)
+class RoundTripSummary:
+    """Milliseconds; None before the first answer. p50 and p99 are of the last 512 answers."""
+
+    newest: float | None
+    p50: float | None
+    p99: float | None
+
+
+class RoundTrip:
+    """Each question has one answer, in order. Lost ones are noticed by the gap that they leave.
+
+    A lost frame would shift every later pair by one, so a gap of several periods between two answers takes as many
+    questions out; and nothing older than half a second is waited for.
+    """
+
+    def __init__(self) -> None:
+        self._asked: deque[float] = deque(maxlen=64)
+        self._answers_ms: deque[float] = deque(maxlen=_KEPT)
+        self._last_answer_s: float | None = None
+        self._period_s = 0.0
+        self._last_asked_s: float | None = None
+
+    def asked(self, now_s: float) -> None:
+        """A frame went to the board."""
+        if self._last_asked_s is not None:
+            self._period_s = now_s - self._last_asked_s
+        self._last_asked_s = now_s
+        self._asked.append(now_s)
+
+    def answered(self, now_s: float) -> None:
+        """Its answer, or that of an earlier one, came."""
+        while self._asked and now_s - self._asked[0] > _FORGET_S:
+            self._asked.popleft()
+        for _ in range(self._lost_before(now_s)):
+            if len(self._asked) > 1:
+                self._asked.popleft()
+        self._last_answer_s = now_s
+        if self._asked:
+            self._answers_ms.append((now_s - self._asked.popleft()) * 1000.0)
+
+    def clear(self) -> None:
+        """The loop was opened: what waits has no answer any more."""
+        self._asked.clear()
+        self._answers_ms.clear()
+        self._last_answer_s = self._last_asked_s = None
+
+    def summary(self) -> RoundTripSummary:
+        """Newest, median and 99th percentile."""
+        if not self._answers_ms:
+            return RoundTripSummary(None, None, None)
+        ordered = sorted(self._answers_ms)
+        last = len(ordered) - 1
+        return RoundTripSummary(self._answers_ms[-1], ordered[last // 2], ordered[round(last * 0.99)])
+
+    def _lost_before(self, now_s: float) -> int:
+        if self._last_answer_s is None or self._period_s <= 0:
+            return 0
+        return max(0, round((now_s - self._last_answer_s) / self._period_s) - 1)
