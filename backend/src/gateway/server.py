@@ -7,11 +7,14 @@ import contextlib
 import signal
 from typing import Any, cast
 
+import structlog
 import uvicorn
 
 from gateway.api.socket import SocketConnection
 from gateway.app import create_app
 from gateway.settings import Settings
+
+log = structlog.get_logger("gateway")
 
 
 class Server(uvicorn.Server):
@@ -40,6 +43,17 @@ class Server(uvicorn.Server):
         with contextlib.suppress(NotImplementedError, RuntimeError, ValueError):
             asyncio.get_running_loop().add_signal_handler(signal.SIGHUP, self._hang_up)
         await super().serve(sockets)
+
+    async def startup(self, sockets: list[Any] | None = None) -> None:
+        """Begin to listen, and say where."""
+        await super().startup(sockets)
+        if self.started:
+            log.info("listening", url=f"http://{self.config.host}:{self.port}")
+
+    @property
+    def port(self) -> int:
+        """The port that was taken."""
+        return int(self.servers[0].sockets[0].getsockname()[1])
 
     def _hang_up(self) -> None:
         self.should_exit = True

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import asyncio
 from collections import Counter
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -30,7 +29,6 @@ class Board:
     """Told of links and bytes; tells the hub, the listeners, and first of all the simulator's bridge."""
 
     def __init__(self, clock: Clock, hub: Hub, telemetry: Telemetry, errors: ErrorLog) -> None:
-        self._loop = asyncio.get_running_loop()
         self._clock = clock
         self._hub = hub
         self._telemetry = telemetry
@@ -67,7 +65,7 @@ class Board:
 
     def heartbeat_age_s(self) -> float | None:
         """Time since the board's last heartbeat on this link."""
-        return self.session.heartbeat_age_s(self._loop.time())
+        return self.session.heartbeat_age_s(self._clock.steady_s())
 
     def attach(self, link: Link) -> None:
         """A link is open: begin the dialogue."""
@@ -75,7 +73,7 @@ class Board:
         self.baud = link.baud
         self._decoder = FrameDecoder()
         self._was_open = False
-        self.write(self.session.open(self._loop.time()))
+        self.write(self.session.open(self._clock.steady_s()))
 
     def detach(self) -> None:
         """The link is gone."""
@@ -113,12 +111,12 @@ class Board:
     def on_bytes(self, data: bytes) -> None:
         """Bytes of the line."""
         self.bytes_in += len(data)
-        self._last_byte_s = self._loop.time()
+        self._last_byte_s = self._clock.steady_s()
         self._take(self._decoder.feed(data))
 
     def tick(self) -> None:
         """Do what is due; called some times a second."""
-        now_s = self._loop.time()
+        now_s = self._clock.steady_s()
         if now_s - self._last_byte_s > _SILENCE_S:
             self._take(self._decoder.flush())
         if self._link is not None:
@@ -147,7 +145,7 @@ class Board:
         self.frames_received += 1
         message = frame.message
         if message.name in _HANDSHAKE:
-            answer = self.session.on_frame(frame, self._loop.time())
+            answer = self.session.on_frame(frame, self._clock.steady_s())
             if answer:
                 self.write(answer)
         meant = meaning(frame)

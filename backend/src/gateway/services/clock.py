@@ -15,6 +15,10 @@ class Clock:
         """Unix nanoseconds."""
         return self._offset_ns + time.monotonic_ns()
 
+    def steady_s(self) -> float:
+        """Seconds since some time or other, for measuring. The event loop's own clock counts whole milliseconds."""
+        return time.monotonic()
+
     def now_s(self) -> float:
         """Unix seconds."""
         return (self._offset_ns + time.monotonic_ns()) * 1e-9

@@ -16,6 +16,8 @@ from gateway.codec.tables import Message
 from gateway.codec.values import Meaning
 from gateway.errors import ConflictError
 from gateway.services.board import Board
+from gateway.services.clock import Clock
+from gateway.services.error_log import ErrorLog
 from gateway.services.hub import Hub
 from gateway.services.telemetry import Telemetry
 from gateway.vehicle.parameters import differing
@@ -62,12 +64,13 @@ class CommandResult:
 class Commands:
     """Sends commands one at a time of each type, for an acknowledgement names nothing but the type."""
 
-    def __init__(self, board: Board, telemetry: Telemetry, hub: Hub, errors: Callable[[str], None]) -> None:
+    def __init__(self, board: Board, telemetry: Telemetry, hub: Hub, clock: Clock, errors: ErrorLog) -> None:
         self._loop = asyncio.get_running_loop()
         self._board = board
         self._telemetry = telemetry
         self._hub = hub
-        self._count_error = errors
+        self._clock = clock
+        self._errors = errors
         self._locks: defaultdict[str, asyncio.Lock] = defaultdict(asyncio.Lock)
         self._ids = count(1)
         # Set by the composition: hears of every command that was done.
@@ -96,7 +99,7 @@ class Commands:
         if result.done and self.on_done is not None:
             self.on_done(name, arguments)
         if not result.done:
-            self._count_error(f"command_{result.state}")
+            self._errors.count(f"command_{result.state}")
         if not quiet:
             self._tell(story, result.state, result.by, result.ms, result.reason)
         return result
@@ -119,7 +122,7 @@ class Commands:
     async def _prove(self, command: Message, arguments: tuple[float, ...]) -> CommandResult:
         frame = encode_command(command.name, *arguments)
         proof, judge = self._judge(command, arguments)
-        started_s = self._loop.time()
+        started_s = self._clock.steady_s()
         if judge is None:
             self._send(command, frame)
             return CommandResult("sent", "none", 0.0)
@@ -129,7 +132,7 @@ class Commands:
             verdict = await self._attempt(command, frame, proof, judge)
             if verdict is not None:
                 break
-        ms = round((self._loop.time() - started_s) * 1000.0, 1)
+        ms = round((self._clock.steady_s() - started_s) * 1000.0, 1)
         by: By = "read_back" if proof == "frame" else proof
         if verdict is None:
             return CommandResult("timed_out", by, ms)

@@ -70,7 +70,7 @@ class Hil:
     @property
     def rows(self) -> list[int]:
         """Numbers of the rows that arrive now."""
-        oldest_s = self._loop.time() - _ROW_AGE_S
+        oldest_s = self._clock.steady_s() - _ROW_AGE_S
         return sorted(row for row, (heard_s, _) in self._rows.items() if heard_s >= oldest_s)
 
     @property
@@ -96,7 +96,7 @@ class Hil:
         records = parse(datagram)
         if records is None:
             return False
-        now_s = self._loop.time()
+        now_s = self._clock.steady_s()
         info = self._gatherer.take(records, now_s)
         if info is not None:
             self._to_board(info, now_s)
@@ -113,7 +113,7 @@ class Hil:
     def on_urgent(self, frame: Frame) -> None:
         """Surfaces or RC channels, straight from the decoder."""
         if frame.message.name == "hil_surfaces":
-            now_s = self._loop.time()
+            now_s = self._clock.steady_s()
             self.last_surfaces_s = now_s
             if self.path == "assisted":
                 self._move(Surfaces(*frame.values))
@@ -147,7 +147,7 @@ class Hil:
         """Tell the viewers; after the frame is on its way."""
         self._show_due = False
         t_s = self._clock.now_s()
-        self._shown_s = self._loop.time()
+        self._shown_s = self._clock.steady_s()
         oldest_s = self._shown_s - _ROW_AGE_S
         live = {row: values for row, (heard_s, values) in self._rows.items() if heard_s >= oldest_s}
         named: dict[str, float | None] = dict(_NO_VALUES)

@@ -11,6 +11,7 @@ from typing import Any, Final, Literal
 from gateway.errors import GatewayError, LinkError
 from gateway.links.base import Tap
 from gateway.links.udp import UdpAddress, UdpCallbacks, UdpLink, open_udp
+from gateway.services.clock import Clock
 from gateway.services.hil import Hil
 from gateway.xplane.datagram import release_datagram
 
@@ -46,9 +47,14 @@ class Simulator:
     """Owns the socket's life and hands its datagrams to the bridge."""
 
     def __init__(
-        self, hil: Hil, tap: Tap | None, report: Callable[[GatewayError], None], on_change: Callable[[], None]
+        self,
+        hil: Hil,
+        clock: Clock,
+        tap: Tap | None,
+        report: Callable[[GatewayError], None],
+        on_change: Callable[[], None],
     ) -> None:
-        self._loop = asyncio.get_running_loop()
+        self._clock = clock
         self._hil = hil
         self._tap = tap
         self._report = report
@@ -72,7 +78,7 @@ class Simulator:
             return "lost" if self.failure is not None else "opening"
         if self._last_datagram_s is None:
             return "opening"
-        return "open" if self._loop.time() - self._last_datagram_s < _LOST_AFTER_S else "lost"
+        return "open" if self._clock.steady_s() - self._last_datagram_s < _LOST_AFTER_S else "lost"
 
     async def open(self, address: SimulatorAddress) -> None:
         """Listen here in place of anywhere else. Raises LinkError; then everything is as it was."""
@@ -151,7 +157,7 @@ class Simulator:
 
     def _on_datagram(self, datagram: bytes) -> None:
         if self._hil.on_datagram(datagram):
-            self._last_datagram_s = self._loop.time()
+            self._last_datagram_s = self._clock.steady_s()
             self.datagrams += 1
             self.bytes_in += len(datagram)
             return

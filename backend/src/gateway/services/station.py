@@ -52,19 +52,19 @@ class Station:
         self.clock = Clock()
         self.hub = Hub(loop, self.clock.now_s)
         self.errors = errors
-        errors.tell_viewers(loop.time, self.hub.event)
+        errors.tell_viewers(self.clock.steady_s, self.hub.event)
         self.memory = Memory(data_dir / "state.json", self._report)
         self.telemetry = Telemetry(self.hub, self.clock, self._commanded_period_s)
         self.control = Control(loop, self._on_control)
         self.recorder = Recorder(self.recordings_dir, self.clock, f"epf-gcs {__version__}") if record else None
         taps = (self.recorder.board_tap(), self.recorder.simulator_tap()) if self.recorder else (None, None)
         self.board = Board(self.clock, self.hub, self.telemetry, self.errors)
-        self.commands = Commands(self.board, self.telemetry, self.hub, self.errors.count)
+        self.commands = Commands(self.board, self.telemetry, self.hub, self.clock, self.errors)
         self.parameters = Parameters(self.board, self.commands, self.hub)
         self.missions = Missions(self.board, self.commands, self.hub)
         self.hil = Hil(self.board, self.telemetry, self.hub, self.clock)
         self.supervisor = Supervisor(self.board, taps[0], self._report, self._on_link)
-        self.simulator = Simulator(self.hil, taps[1], self._report, self._on_link)
+        self.simulator = Simulator(self.hil, self.clock, taps[1], self._report, self._on_link)
         self.rates = LineRates()
         self.alarms = Alarms(
             supervisor=self.supervisor,
@@ -74,7 +74,7 @@ class Station:
             hil=self.hil,
             recorder=self.recorder,
             hub=self.hub,
-            steady_s=loop.time,
+            steady_s=self.clock.steady_s,
         )
         self._board_opened = asyncio.Event()
         self.board.on_urgent = self.hil.on_urgent
@@ -192,7 +192,7 @@ class Station:
             self.board.tick()
             ticks += 1
             if ticks % _STATUS_EVERY_TICKS == 0:
-                self.rates.note(self._loop.time(), self.board, self.simulator)
+                self.rates.note(self.clock.steady_s(), self.board, self.simulator)
                 self.changed()
             if self.alarms.look(self.clock.now_s()):
                 self.changed()
