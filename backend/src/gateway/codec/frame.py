@@ -44,7 +44,8 @@ class Frame(NamedTuple):
     @property
     def values(self) -> tuple[Any, ...]:
         """The payload as the wire has it, in the order of the definition."""
-        return self.message.struct.unpack(self.payload)
+        message, payload = self
+        return message.struct.unpack(payload)
 
 
 class Damage(NamedTuple):
@@ -148,6 +149,8 @@ class FrameDecoder:
         found: list[Frame | Damage] = []
         append = found.append
         layout_of = self._layouts.get
+        end_word, mask = _END_WORD, MASK
+        skipping = True  # bytes were, or may have been, skipped since the last frame
         position = 0
         length = len(buffer)
         while True:
@@ -157,6 +160,7 @@ class FrameDecoder:
                     self._buffer = b""
                     self._need = 1
                     break
+                skipping = True
                 position = self._search(buffer, position, found)
                 if position < 0:
                     break
@@ -169,14 +173,15 @@ class FrameDecoder:
                 break
             words = words_at(buffer, position + _HEADER_SIZE)
             # Type, payload and checksum sum to 0, so with the end marker the sum is the end marker's word.
-            if words[-1] == _END_WORD and sum(words) & MASK == _END_WORD:
-                if self._run:
+            if words[-1] == end_word and sum(words) & mask == end_word:
+                if skipping:
                     found += self._take_run()
-                self._run_is_remains = False
+                    self._run_is_remains = skipping = False
                 append(_new_frame(Frame, (message, buffer[position + _START_SIZE : stop - _TAIL_SIZE])))
                 position = stop
             else:
-                self._fail("bad_checksum" if words[-1] == _END_WORD else "bad_end", found)
+                skipping = True
+                self._fail("bad_checksum" if words[-1] == end_word else "bad_end", found)
                 position += _HEADER_SIZE
         return found
 

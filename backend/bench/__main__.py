@@ -1,0 +1,33 @@
+"""Run the measurements and print one table: `python -m bench [name ...]`."""
+
+from __future__ import annotations
+
+import argparse
+import importlib
+import sys
+from collections.abc import Sequence
+
+from bench.table import Row, table
+
+MODULES = ("decode", "damaged")
+"""Each is a module of this package with `run() -> list[Row]`, in the order of the table."""
+
+
+def main(arguments: Sequence[str]) -> int:
+    """Measure what was asked for, all by default. Falling short is printed and is no failure of the run."""
+    parser = argparse.ArgumentParser(prog="bench", description=__doc__)
+    parser.add_argument("names", nargs="*", metavar="name", help=f"which to run: {', '.join(MODULES)} (default: all)")
+    chosen = parser.parse_args(arguments).names or MODULES
+    unknown = sorted(set(chosen) - set(MODULES))
+    if unknown:
+        parser.error(f"there is no measurement {', '.join(unknown)}; there are {', '.join(MODULES)}")
+    rows: list[Row] = []
+    for name in chosen:
+        print(f"measuring {name} ...", file=sys.stderr, flush=True)
+        rows += importlib.import_module(f"bench.{name}").run()
+    print(table(rows))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
