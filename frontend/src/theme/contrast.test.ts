@@ -1,6 +1,9 @@
+// @vitest-environment node
+import { readFileSync } from "node:fs";
 import { describe, expect, test } from "vitest";
 import { THEMES, type ThemeName } from "./theme";
-import css from "./tokens.css?raw";
+
+const css = readFileSync(new URL("./tokens.css", import.meta.url), "utf-8");
 
 /** Colours of one theme as tokens.css declares them, by token name. */
 function palette(theme: ThemeName): Map<string, string> {
@@ -33,8 +36,9 @@ const pairs: [string, string, number][] = [
   ...surfaces.flatMap((surface) => inks.map((ink): [string, string, number] => [ink, surface, TEXT])),
   ...surfaces.map((surface): [string, string, number] => ["--line-control", surface, GRAPHIC]),
   ["--accent-ink", "--accent", TEXT],
-  ["--caution-ink", "--caution", TEXT],
-  ["--warning-ink", "--warning", TEXT],
+  ["--dial-caution-ink", "--dial-caution", TEXT],
+  ["--dial-caution", "--dial-face", GRAPHIC],
+  ["--alarm-ink", "--alarm", TEXT],
   ["--text", "--accent-wash", TEXT],
   ["--accent", "--accent-wash", TEXT],
   ["--engaged", "--engaged-wash", TEXT],

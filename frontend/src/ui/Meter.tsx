@@ -29,9 +29,10 @@ export function Meter({ ref, label }: Props) {
     () => ({
       paint(percent, text) {
         if (root.current === null || fill.current === null || number.current === null) return;
-        const share = Math.min(1, Math.max(0, (percent ?? 0) / 100));
+        const known = percent !== null && Number.isFinite(percent) ? percent : null;
+        const share = Math.min(1, Math.max(0, (known ?? 0) / 100));
         fill.current.style.transform = `scaleX(${share.toFixed(3)})`;
-        root.current.dataset["level"] = level(percent);
+        root.current.dataset["level"] = level(known);
         if (number.current.textContent !== text) {
           number.current.textContent = text;
         }

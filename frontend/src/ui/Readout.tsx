@@ -40,6 +40,9 @@ interface Props {
 /** Shown where there is no number: as wide as one, and nobody can take it for a zero. */
 const DASHES = "\u2013\u2009\u2013\u2009\u2013";
 
+/** Advance of a figure of the number font; `ch` would measure another of the fonts that make it up. */
+const EM_PER_FIGURE = 0.65;
+
 /** One reading: name, number, unit, and whether it is live. Painted by its handle, without a render. */
 export function Readout({ ref, label, unit, chars = 7, size = "normal" }: Props) {
   const words = useWords();
@@ -74,7 +77,7 @@ export function Readout({ ref, label, unit, chars = 7, size = "normal" }: Props)
     <div ref={root} className="ui-readout" data-size={size}>
       <dt className="ui-readout-label">{label}</dt>
       <dd className="ui-readout-value">
-        <span ref={number} className="ui-readout-number" style={{ minWidth: `${chars}ch` }}>
+        <span ref={number} className="ui-readout-number" style={{ minWidth: `${chars * EM_PER_FIGURE}em` }}>
           {DASHES}
         </span>
         {unit !== undefined && <span className="ui-readout-unit">{unit}</span>}

@@ -22,8 +22,8 @@ export const AIRSPEED_GEOMETRY: PointerGeometry = {
     text: String(airspeed_kt),
     ...polar(62, angle_deg(airspeed_kt)),
   })),
-  window: { y: 34, width: 62 },
-  captionY: -26,
+  window: { y: 30, width: 48 },
+  captionY: -28,
   pointerAngle_deg: angle_deg,
   reach: (airspeed_kt) => reach(AIRSPEED_SCALE.minimum, AIRSPEED_SCALE.maximum, airspeed_kt),
 };

@@ -27,8 +27,8 @@ export const ALTITUDE_GEOMETRY: PointerGeometry = {
     text: String(altitude_ft / 100),
     ...polar(64, altitudeAngle_deg(altitude_ft)),
   })),
-  window: { y: 32, width: 76 },
-  captionY: -26,
+  window: { y: 28, width: 68 },
+  captionY: -28,
   pointerAngle_deg: altitudeAngle_deg,
   reach: (altitude_ft) => reach(ALTITUDE_MINIMUM_FT, ALTITUDE_MAXIMUM_FT, altitude_ft),
 };

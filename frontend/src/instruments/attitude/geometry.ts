@@ -1,5 +1,5 @@
 import { wrap360 } from "../../lib/angles";
-import { clamp, isDrawable, series, tickPath } from "../dial/scale";
+import { clamp, isDrawable, round, series, tickPath } from "../dial/scale";
 
 /**
  * Attitude of the airframe against local north-east-down: pitch nose up is positive, roll right wing down is
@@ -38,18 +38,18 @@ export function shownPitch_deg(pitch_deg: number): number {
  * to the left.
  */
 export function rollTransform(roll_deg: number): string {
-  return `rotate(${fixed(wrap360(-roll_deg))})`;
+  return `rotate(${round(wrap360(-roll_deg))})`;
 }
 
 /** The pitch ladder: SVG's y points down, so a raised nose pushes it down. */
 export function ladderTransform(pitch_deg: number, roll_deg: number): string {
-  return `${rollTransform(roll_deg)} translate(0 ${fixed(shownPitch_deg(pitch_deg) * UNITS_PER_DEGREE)})`;
+  return `${rollTransform(roll_deg)} translate(0 ${round(shownPitch_deg(pitch_deg) * UNITS_PER_DEGREE)})`;
 }
 
 /** The edge between sky and ground: as the ladder, but kept within the ball. */
 export function horizonTransform(pitch_deg: number, roll_deg: number): string {
   const offset = clamp(shownPitch_deg(pitch_deg) * UNITS_PER_DEGREE, -EDGE_LIMIT, EDGE_LIMIT);
-  return `${rollTransform(roll_deg)} translate(0 ${fixed(offset)})`;
+  return `${rollTransform(roll_deg)} translate(0 ${round(offset)})`;
 }
 
 /** A rung of the ladder: its height in the picture and half its width. */
@@ -73,15 +73,10 @@ export const RUNGS: readonly Rung[] = series(-90, 90, 2.5).flatMap((pitch_deg) =
 export const NUMBERED_RUNGS: readonly Rung[] = RUNGS.filter((candidate) => candidate.pitch_deg % 10 === 0);
 
 /** All rungs as one path. */
-export const LADDER_PATH = RUNGS.map(({ y, halfWidth }) => `M${-halfWidth} ${fixed(y)}H${halfWidth}`).join(
+export const LADDER_PATH = RUNGS.map(({ y, halfWidth }) => `M${-halfWidth} ${round(y)}H${halfWidth}`).join(
   "",
 );
 
 /** Fixed bank scale: long strokes at 30 and 60 degrees, short ones at 10, 20 and 45. */
 export const ROLL_TICKS_LONG = tickPath([-60, -30, 30, 60], ROLL_SCALE_INNER, ROLL_SCALE_OUTER);
 export const ROLL_TICKS_SHORT = tickPath([-45, -20, -10, 10, 20, 45], ROLL_SCALE_INNER, ROLL_SCALE_INNER + 5);
-
-function fixed(value: number): string {
-  const text = value.toFixed(2);
-  return Number(text) === 0 ? "0" : text;
-}

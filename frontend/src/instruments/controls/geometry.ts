@@ -1,4 +1,4 @@
-import { clamp, isDrawable } from "../dial/scale";
+import { clamp, isDrawable, round } from "../dial/scale";
 
 /**
  * The pilot's controls as the wire means them: elevator + nose up, aileron + right wing down, rudder + nose
@@ -47,11 +47,9 @@ export function pedalTransform(rudder: number): string {
 
 /** The lever goes up the picture as the throttle opens. */
 export function throttleTransform(throttle: number): string {
-  const up = (-clamp(throttle, 0, 1) * THROTTLE_TRAVEL).toFixed(2);
-  return `translate(0 ${Number(up) === 0 ? "0" : up})`;
+  return `translate(0 ${round(-clamp(throttle, 0, 1) * THROTTLE_TRAVEL)})`;
 }
 
-function along(value: number, travel: number): string {
-  const text = (clamp(value, -1, 1) * travel).toFixed(2);
-  return Number(text) === 0 ? "0" : text;
+function along(value: number, travel: number): number {
+  return round(clamp(value, -1, 1) * travel);
 }

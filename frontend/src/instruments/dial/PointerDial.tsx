@@ -9,7 +9,7 @@ import {
   setAttribute,
   setText,
 } from "./paint";
-import { isDrawable, type Reach } from "./scale";
+import { isDrawable, type Reach, round } from "./scale";
 
 export interface DialHandle {
   /** Show a value in the dial's own unit; `null` (or a value that is no number) shows the cross. */
@@ -25,6 +25,8 @@ export interface PointerGeometry {
   /** Height of the number's window and of the caption, and width of the window. */
   readonly window: { readonly y: number; readonly width: number };
   readonly captionY: number;
+  /** Filled signs on the face, where the scale needs them. */
+  readonly signs?: string;
   readonly pointerAngle_deg: (value: number) => number;
   readonly reach: (value: number) => Reach;
 }
@@ -87,7 +89,7 @@ export function PointerDial(props: Props) {
           descriptionPace.reset();
           return;
         }
-        setAttribute(pointer.current, "transform", `rotate(${geometry.pointerAngle_deg(value).toFixed(2)})`);
+        setAttribute(pointer.current, "transform", `rotate(${round(geometry.pointerAngle_deg(value))})`);
         setAttribute(svg, attribute, attributeNumber(value, decimals));
         setAttribute(svg, "data-reach", geometry.reach(value));
         setAttribute(svg, "data-state", "live");
@@ -112,6 +114,7 @@ export function PointerDial(props: Props) {
           {text}
         </text>
       ))}
+      {geometry.signs !== undefined && <path d={geometry.signs} className="inst-sign" />}
       <text y={geometry.captionY} className="inst-caption">
         {caption}
       </text>
@@ -130,14 +133,14 @@ export function PointerDial(props: Props) {
           rx="2"
           className="inst-window"
         />
-        <text ref={number} x={window.width / 2 - 20} y="0.6" className="inst-window-number inst-moving" />
-        <text x={window.width / 2 - 17} y="5" className="inst-window-unit">
+        <text ref={number} y="0.6" className="inst-window-number inst-moving" />
+        <text y="18" className="inst-caption">
           {unit}
         </text>
       </g>
-      <g className="inst-off-scale">
-        <rect x="-38" y="-52" width="76" height="13" rx="2" />
-        <text y="-42.8">{offScaleText}</text>
+      <g className="inst-off-scale" transform={`translate(0 ${geometry.captionY - 2.6})`}>
+        <rect x="-41" y="-7" width="82" height="14" rx="2" />
+        <text y="2.8">{offScaleText}</text>
       </g>
     </Dial>
   );

@@ -60,8 +60,9 @@ export function series(first: number, last: number, step: number): number[] {
   );
 }
 
-/** Two decimals are a hundredth of a unit: less than a pixel at any size, and short in the document. */
-function round(value: number): number {
+/** `value` on two decimals: a hundredth of a unit is less than a pixel at any size, and short in the document. */
+export function round(value: number): number {
   const rounded = Math.round(value * 100) / 100;
+  // No minus before a zero.
   return rounded === 0 ? 0 : rounded;
 }

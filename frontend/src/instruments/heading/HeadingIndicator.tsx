@@ -77,7 +77,7 @@ export function HeadingIndicator({ ref, label, noDataText, cardinals, describe }
         {numerals.map(({ text, angle_deg, cardinal }) => (
           <text
             key={angle_deg}
-            y="-65"
+            y="-61"
             transform={`rotate(${angle_deg})`}
             className={cardinal ? "inst-numeral inst-cardinal" : "inst-numeral"}
           >
@@ -86,20 +86,20 @@ export function HeadingIndicator({ ref, label, noDataText, cardinals, describe }
         ))}
       </g>
       <g className="inst-moving">
-        <path ref={bug} d="M-9 -86V-77.5H-4.2L0 -84L4.2 -77.5H9V-86Z" className="inst-bug" />
+        <path ref={bug} d="M-10 -91.2H10V-82.5H5.5L0 -87L-5.5 -82.5H-10Z" className="inst-bug" />
       </g>
       {REFERENCE_MARKS.map(({ angle_deg }) => (
         <path
           key={angle_deg}
-          d="M0 -86.5L2.6 -91.5H-2.6Z"
+          d="M0 -84.5L2.8 -91H-2.8Z"
           transform={`rotate(${angle_deg})`}
           className="inst-mark"
         />
       ))}
-      <path d="M0 -76L5.5 -91.5H-5.5Z" className="inst-lubber" />
+      <path d="M0 -74L4.6 -91.2H-4.6Z" className="inst-lubber" />
       <path
         d="M0 -34C2.6 -34 3.6 -29 3.6 -24V-11L34 1V7L3.6 2.5V21L13 27V31L0 28L-13 31V27L-3.6 21V2.5L-34 7V1L-3.6 -11V-24C-3.6 -29 -2.6 -34 0 -34Z"
-        className="inst-airframe"
+        className="inst-moving inst-airframe"
       />
     </Dial>
   );

@@ -1,5 +1,5 @@
 import { wrap360 } from "../../lib/angles";
-import { polar, series, tickPath } from "../dial/scale";
+import { polar, round, series, tickPath } from "../dial/scale";
 
 /** The letters of the four cardinal points; the language is the caller's. */
 export interface Cardinals {
@@ -10,7 +10,7 @@ export interface Cardinals {
 }
 
 /** Radius of the compass card's edge. */
-export const CARD_RADIUS = 86;
+export const CARD_RADIUS = 82;
 
 /** Turn of the card: a heading of 90 brings the east mark, drawn at three o'clock, up to the lubber line. */
 export function cardTransform(heading_deg: number): string {
@@ -68,5 +68,5 @@ export const REFERENCE_MARKS = [45, 90, 135, 180, 225, 270, 315].map((angle_deg)
 }));
 
 function turn(angle_deg: number): number {
-  return wrap360(Math.round(wrap360(angle_deg) * 100) / 100);
+  return wrap360(round(wrap360(angle_deg)));
 }

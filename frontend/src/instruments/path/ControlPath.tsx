@@ -25,7 +25,7 @@ interface Props extends Switches {
 }
 
 const BOX_HEIGHT = 28;
-const INPUT_WIDTH = 74;
+const INPUT_WIDTH = 72;
 const COMPUTER = { left: 176, right: 244 };
 const SURFACES = { left: 262, width: 56 };
 
@@ -39,7 +39,7 @@ export function ControlPath({ label, description, labels, source, path, autopilo
   return (
     <svg
       className="inst-path"
-      viewBox="0 0 320 160"
+      viewBox="0 14 320 146"
       role="img"
       aria-label={label}
       data-source={source ?? "unknown"}
@@ -108,8 +108,8 @@ export function ControlPath({ label, description, labels, source, path, autopilo
         text={labels.computer}
       />
       <Box
-        at={{ x: computerMiddle - 52, y: 134 }}
-        width={104}
+        at={{ x: computerMiddle - 58, y: 134 }}
+        width={116}
         height={24}
         live={way.automatic}
         text={labels.autopilot}
@@ -145,7 +145,7 @@ export function ControlPath({ label, description, labels, source, path, autopilo
         </text>
       )}
       {(source === null || path === null) && (
-        <text x="123" y="18" className="inst-path-unknown">
+        <text x="123" y="118" className="inst-path-unknown">
           {labels.unknown}
         </text>
       )}

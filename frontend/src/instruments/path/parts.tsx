@@ -55,7 +55,6 @@ export function Box({ at, width, height, live, ignored = false, text }: BoxProps
       <text x={width / 2} y={height / 2}>
         {text}
       </text>
-      {ignored && <path d={`M4 ${height - 4}L${width - 4} 4`} className="inst-path-strike" />}
     </g>
   );
 }

@@ -19,13 +19,15 @@ export interface ServoBarHandle {
 interface Props {
   ref?: Ref<ServoBarHandle>;
   label: string;
-  /** Stands in the number's place while there is nothing live. */
+  /** Read out in the number's place while there is nothing live; the eye sees dashes and a crossed-out track. */
   noDataText: string;
   /** The number under the bar, in the reader's own notation. */
   format: (value: number) => string;
   kind?: ServoKind | undefined;
   orientation?: Orientation | undefined;
 }
+
+const DASHES = "\u2013\u2009\u2013\u2009\u2013";
 
 /** One servo's position as a bar and a number. Read only. */
 export function ServoBar({
@@ -88,7 +90,10 @@ export function ServoBar({
       </span>
       <span className="inst-servo-value">
         <span ref={number} className="inst-servo-number" />
-        <span className="inst-servo-none">{noDataText}</span>
+        <span className="inst-servo-none">
+          <span aria-hidden="true">{DASHES}</span>
+          <span className="visually-hidden">{noDataText}</span>
+        </span>
       </span>
     </div>
   );

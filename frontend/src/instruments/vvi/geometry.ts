@@ -18,8 +18,10 @@ export const VERTICAL_SPEED_GEOMETRY: PointerGeometry = {
   ticksMiddle: tickPath(MIDDLE.map(angle_deg), 80, 88),
   ticksMajor: tickPath(MAJOR.map(angle_deg), 76, 88),
   numerals: MAJOR.map((rate) => ({ text: String(Math.abs(rate) / 100), ...polar(63, angle_deg(rate)) })),
-  window: { y: 28, width: 84 },
-  captionY: -22,
+  // Arrows above and under the zero: which half of the dial is climb, and which descent.
+  signs: "M-60 -24L-55.5 -16H-64.5ZM-60 24L-55.5 16H-64.5Z",
+  window: { y: 28, width: 68 },
+  captionY: -28,
   pointerAngle_deg: angle_deg,
   reach: (vertical_speed_ft_min) => reach(minimum, maximum, vertical_speed_ft_min),
 };

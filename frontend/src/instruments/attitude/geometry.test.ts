@@ -1,0 +1,87 @@
+import { describe, expect, test } from "vitest";
+import {
+  BALL_RADIUS,
+  horizonTransform,
+  isAttitude,
+  LADDER_PATH,
+  ladderTransform,
+  NUMBERED_RUNGS,
+  RUNGS,
+  rollTransform,
+  UNITS_PER_DEGREE,
+} from "./geometry";
+
+/** Turn [deg] and shift [units] of a transform, as SVG reads them. */
+function read(transform: string): { turn: number; shift: number } {
+  const turn = /rotate\((?<angle>[-\d.]+)\)/.exec(transform)?.groups?.["angle"];
+  const shift = /translate\(0 (?<y>[-\d.]+)\)/.exec(transform)?.groups?.["y"];
+  return { turn: Number(turn), shift: Number(shift) };
+}
+
+describe("the horizon", () => {
+  test("lies level through the middle in level flight", () => {
+    expect(horizonTransform(0, 0)).toBe("rotate(0) translate(0 0)");
+    expect(ladderTransform(0, -0)).toBe("rotate(0) translate(0 0)");
+  });
+
+  test("turns left in a bank to the right", () => {
+    // SVG turns clockwise: 330 is thirty degrees to the left.
+    expect(read(horizonTransform(0, 30)).turn).toBe(330);
+    expect(read(horizonTransform(0, -30)).turn).toBe(30);
+    expect(rollTransform(30)).toBe("rotate(330)");
+  });
+
+  test("moves down when the nose goes up, and up when it goes down", () => {
+    expect(read(horizonTransform(10, 0)).shift).toBe(10 * UNITS_PER_DEGREE);
+    expect(read(horizonTransform(-10, 0)).shift).toBe(-10 * UNITS_PER_DEGREE);
+  });
+
+  test("is turned first and shifted then, so that pitch moves it along the aircraft's own axis", () => {
+    expect(horizonTransform(5, 30)).toBe(`rotate(330) translate(0 ${5 * UNITS_PER_DEGREE})`);
+  });
+
+  test.each([90, 60, -60, -90, 400, -400])(
+    "never leaves the ball, at %d degrees of pitch neither",
+    (pitch_deg) => {
+      const { shift } = read(horizonTransform(pitch_deg, 0));
+      expect(Math.abs(shift)).toBeLessThan(BALL_RADIUS);
+      expect(Math.sign(shift)).toBe(Math.sign(pitch_deg));
+    },
+  );
+
+  test("comes round whole over the back and is the same from either side", () => {
+    expect(rollTransform(180)).toBe(rollTransform(-180));
+    expect(rollTransform(540)).toBe("rotate(180)");
+  });
+});
+
+describe("the pitch ladder", () => {
+  test("brings the rung of the present pitch to the middle", () => {
+    for (const { pitch_deg, y } of RUNGS) {
+      expect(y + read(ladderTransform(pitch_deg, 0)).shift).toBeCloseTo(0, 6);
+    }
+  });
+
+  test("stops at straight up and straight down", () => {
+    expect(ladderTransform(120, 0)).toBe(ladderTransform(90, 0));
+    expect(ladderTransform(-120, 0)).toBe(ladderTransform(-90, 0));
+  });
+
+  test("has a numbered rung each ten degrees but none at the horizon", () => {
+    expect(NUMBERED_RUNGS.map(({ pitch_deg }) => pitch_deg)).toEqual([
+      -90, -80, -70, -60, -50, -40, -30, -20, -10, 10, 20, 30, 40, 50, 60, 70, 80, 90,
+    ]);
+  });
+
+  test("draws every rung", () => {
+    expect(LADDER_PATH.match(/M/g)).toHaveLength(RUNGS.length);
+  });
+});
+
+test("half an attitude is none, and so is a value that is no number", () => {
+  expect(isAttitude({ pitch_deg: 0, roll_deg: 0 })).toBe(true);
+  expect(isAttitude(null)).toBe(false);
+  expect(isAttitude({ pitch_deg: null, roll_deg: 3 })).toBe(false);
+  expect(isAttitude({ pitch_deg: 3, roll_deg: Number.NaN })).toBe(false);
+  expect(isAttitude({ pitch_deg: Number.POSITIVE_INFINITY, roll_deg: 0 })).toBe(false);
+});

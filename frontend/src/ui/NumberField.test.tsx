@@ -1,0 +1,126 @@
+import { fireEvent, screen } from "@testing-library/react";
+import userEvent from "@testing-library/user-event";
+import type { ComponentProps } from "react";
+import { expect, test, vi } from "vitest";
+import { NumberField } from "./NumberField";
+import { renderWithWords } from "./test/words";
+
+function draw(props: Partial<ComponentProps<typeof NumberField>> = {}) {
+  const onCommit = vi.fn();
+  const field = (more: typeof props) => (
+    <NumberField
+      label="k_pitch"
+      value={2}
+      minimum={0}
+      maximum={99.99}
+      step={0.1}
+      onCommit={onCommit}
+      {...props}
+      {...more}
+    />
+  );
+  const { rerender } = renderWithWords(field({}));
+  return {
+    onCommit,
+    input: screen.getByRole<HTMLInputElement>("textbox", { name: "k_pitch" }),
+    again: (more: typeof props) => rerender(field(more)),
+  };
+}
+
+test("typing sends nothing, Enter sends the finished number once", async () => {
+  const { onCommit, input } = draw();
+  await userEvent.clear(input);
+  await userEvent.type(input, "12,5");
+  expect(onCommit).not.toHaveBeenCalled();
+  await userEvent.keyboard("{Enter}");
+  await userEvent.tab();
+  expect(onCommit.mock.calls).toEqual([[12.5]]);
+});
+
+test("leaving the field sends the number", async () => {
+  const { onCommit, input } = draw();
+  await userEvent.clear(input);
+  await userEvent.type(input, "3");
+  await userEvent.tab();
+  expect(onCommit.mock.calls).toEqual([[3]]);
+});
+
+test("Escape takes the edit back", async () => {
+  const { onCommit, input } = draw();
+  await userEvent.type(input, "99");
+  await userEvent.keyboard("{Escape}");
+  expect(input.value).toBe("2");
+  await userEvent.tab();
+  expect(onCommit).not.toHaveBeenCalled();
+});
+
+test("an edit that changes nothing, and an emptied field, send nothing", async () => {
+  const { onCommit, input } = draw();
+  await userEvent.clear(input);
+  await userEvent.type(input, "2.0{Enter}");
+  await userEvent.clear(input);
+  await userEvent.tab();
+  expect(onCommit).not.toHaveBeenCalled();
+  expect(input.value).toBe("2");
+});
+
+test("out of range is refused with the range and neither cut nor sent", async () => {
+  const { onCommit, input } = draw();
+  await userEvent.clear(input);
+  await userEvent.type(input, "100{Enter}");
+  expect(onCommit).not.toHaveBeenCalled();
+  expect(input.getAttribute("aria-invalid")).toBe("true");
+  expect(screen.getByRole("status").textContent).toBe("w-outside 0 to 99.99");
+  expect(input.value).toBe("100");
+});
+
+test("what is no number is refused in words", async () => {
+  const { onCommit, input } = draw();
+  await userEvent.type(input, "x{Enter}");
+  expect(onCommit).not.toHaveBeenCalled();
+  expect(screen.getByRole("status").textContent).toBe("w-not-a-number");
+});
+
+test("buttons and arrow keys step from the value, and from a draft", async () => {
+  const { onCommit, input } = draw();
+  await userEvent.click(screen.getByRole("button", { name: "w-increase k_pitch" }));
+  await userEvent.click(screen.getByRole("button", { name: "w-decrease k_pitch" }));
+  await userEvent.clear(input);
+  await userEvent.type(input, "7{ArrowUp}");
+  expect(onCommit.mock.calls).toEqual([[2.1], [1.9], [7.1]]);
+});
+
+test("the wheel does nothing", () => {
+  const { onCommit, input } = draw();
+  input.focus();
+  fireEvent.wheel(input, { deltaY: -100 });
+  expect(onCommit).not.toHaveBeenCalled();
+  expect(input.value).toBe("2");
+});
+
+test("what was asked for stands there while it is pending, and the board's value afterwards", async () => {
+  const { input, again } = draw();
+  await userEvent.clear(input);
+  await userEvent.type(input, "5{Enter}");
+  again({ state: "pending" });
+  expect(input.value).toBe("5");
+  again({ state: "rejected" });
+  expect(input.value).toBe("2");
+  expect(screen.getByRole("status").textContent).toBe("w-rejected");
+});
+
+test("a value nobody knows is empty, not zero, and the first number typed is sent", async () => {
+  const { onCommit, input } = draw({ value: null });
+  expect(input.value).toBe("");
+  await userEvent.type(input, "0{Enter}");
+  expect(onCommit.mock.calls).toEqual([[0]]);
+});
+
+test("disabled, it tells why and takes neither text nor steps", async () => {
+  const { onCommit, input } = draw({ disabledReason: "no board link" });
+  await userEvent.type(input, "5{Enter}{ArrowUp}");
+  await userEvent.click(screen.getByRole("button", { name: "w-increase k_pitch" }));
+  expect(onCommit).not.toHaveBeenCalled();
+  expect(input.value).toBe("2");
+  expect(screen.getByRole("textbox", { description: "no board link" })).toBe(input);
+});

@@ -1,0 +1,34 @@
+import { render, screen } from "@testing-library/react";
+import userEvent from "@testing-library/user-event";
+import { expect, test, vi } from "vitest";
+import { Tabs } from "./Tabs";
+
+const TABS = [
+  { value: "flight", label: "Flight", content: "flight panel" },
+  { value: "hil", label: "HIL", content: "hil panel" },
+  { value: "setup", label: "Setup", content: "setup panel" },
+] as const;
+
+test("the first tab is open, and the arrow keys open the next", async () => {
+  render(<Tabs label="Main" tabs={TABS} />);
+  expect(screen.getByRole("tablist", { name: "Main" })).toBeDefined();
+  expect(screen.getByRole("tabpanel", { name: "Flight" }).textContent).toBe("flight panel");
+  await userEvent.tab();
+  await userEvent.keyboard("{ArrowRight}");
+  expect((await screen.findByRole("tabpanel", { name: "HIL" })).textContent).toBe("hil panel");
+  expect(screen.queryByText("flight panel")).toBeNull();
+});
+
+test("a closed tab that is kept stays in the document", () => {
+  render(<Tabs label="Main" tabs={TABS} defaultValue="setup" keepMounted />);
+  expect(screen.getByText("flight panel").hidden).toBe(true);
+  expect(screen.getByRole("tab", { name: "Setup" }).getAttribute("aria-selected")).toBe("true");
+});
+
+test("a page that owns the open tab is asked and decides", async () => {
+  const onValueChange = vi.fn();
+  render(<Tabs label="Main" tabs={TABS} value="flight" onValueChange={onValueChange} />);
+  await userEvent.click(screen.getByRole("tab", { name: "Setup" }));
+  expect(onValueChange).toHaveBeenCalledWith("setup");
+  expect(screen.getByText("flight panel")).toBeDefined();
+});

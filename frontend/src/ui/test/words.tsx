@@ -1,0 +1,32 @@
+import { render } from "@testing-library/react";
+import type { ReactElement } from "react";
+import { type Words, WordsProvider } from "../words";
+
+/** Words of a made-up language: a test that finds one of them knows that it came from the catalogue. */
+export const WORDS: Words = {
+  live: "w-live",
+  stale: "w-stale",
+  noData: "w-no-data",
+  pending: "w-pending",
+  confirmed: "w-confirmed",
+  rejected: "w-rejected",
+  timedOut: "w-timed-out",
+  sent: "w-sent",
+  on: "w-on",
+  off: "w-off",
+  unknown: "w-unknown",
+  increase: "w-increase",
+  decrease: "w-decrease",
+  dismiss: "w-dismiss",
+  warning: "w-warning",
+  critical: "w-critical",
+  notANumber: "w-not-a-number",
+  outOfRange: (minimum, maximum) => `w-outside ${minimum} to ${maximum}`,
+};
+
+/** Render a control with words around it; `rerender` keeps them. */
+export function renderWithWords(control: ReactElement) {
+  return render(control, {
+    wrapper: ({ children }) => <WordsProvider words={WORDS}>{children}</WordsProvider>,
+  });
+}
