@@ -12,8 +12,8 @@
 static const float m_per_ft = 0.3048F;
 static const float m_s_per_kt = 0.514444F;
 static const float m_s_per_ft_min = 0.00508F;
-static const uint32_t still_after_ms = 1000; ///< simulator information that old is of an aircraft that stands still
-static const float receiver_steps = 512.0F;  ///< a receiver's pulses are counted, so its channels move in steps
+static const float still_after_s = 1.0F;    ///< simulator information that old is of an aircraft that stands still
+static const float receiver_steps = 512.0F; ///< a receiver's pulses are counted, so its channels move in steps
 static const float receiver_noise = 0.001F;
 
 /// Gran Canaria (GCLP), beginning of runway 03, nose along it.
@@ -28,16 +28,14 @@ static struct
     float servo_throttle;              ///< of the real one
     float switches[board_servo_count]; ///< by receiver channel
     bool is_observed;
-    uint32_t observed_ms;
-    bool has_read;
-    uint32_t read_ms;
+    float age_s; ///< of the newest simulator information
     sim_noise_t noise;
     sim_inertial_t inertial;
     sim_air_t air;
     sim_gps_t gps;
 } sim;
 
-static void observe(void* context, const command_xplane_info_t* info, float throttle, uint32_t now_ms)
+static void observe(void* context, const command_xplane_info_t* info, float throttle)
 {
     (void)context;
     sim.truth = (sim_truth_t){
@@ -55,7 +53,7 @@ static void observe(void* context, const command_xplane_info_t* info, float thro
     };
     sim.stick = *info;
     sim.throttle = throttle;
-    sim.observed_ms = now_ms;
+    sim.age_s = 0.0F;
     sim.is_observed = true;
 }
 
@@ -80,14 +78,11 @@ static void read_receiver(message_servos_in_t* receiver)
     receiver->channel[rc_channel_rudder] = received(sim.stick.rudder, -1.0F);
 }
 
-static void read_all(void* context, uint32_t now_ms, sensors_reading_t* reading)
+static void read_all(void* context, float dt_s, sensors_reading_t* reading)
 {
     (void)context;
-    const float elapsed_s = sim.has_read ? (float)(now_ms - sim.read_ms) / 1000.0F : 0.02F;
-    const float dt_s = limit_to(elapsed_s, 0.001F, 0.2F);
-    sim.read_ms = now_ms;
-    sim.has_read = true;
-    const bool is_flying = sim.is_observed && now_ms - sim.observed_ms < still_after_ms;
+    sim.age_s = limit_to(sim.age_s + dt_s, 0.0F, 2.0F * still_after_s);
+    const bool is_flying = sim.is_observed && sim.age_s < still_after_s;
     if (!is_flying)
     {
         sim.truth.climb_m_s = 0.0F;
@@ -97,7 +92,7 @@ static void read_all(void* context, uint32_t now_ms, sensors_reading_t* reading)
     }
     sim_inertial_read(&sim.inertial, &sim.truth, dt_s, &reading->inertial, &reading->ahrs);
     sim_air_read(&sim.air, &sim.truth, is_flying ? sim.throttle : sim.servo_throttle, dt_s, &reading->analog);
-    reading->gps = sim_gps_read(&sim.gps, &sim.truth, now_ms);
+    reading->gps = sim_gps_read(&sim.gps, &sim.truth, dt_s);
     read_receiver(&reading->receiver);
 }
 

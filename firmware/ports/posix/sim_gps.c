@@ -8,7 +8,7 @@
 static const float kt_per_m_s = 1.943844F;
 static const double m_per_deg = 111195.0; ///< of latitude, on the mean sphere
 static const double rad_per_deg = 0.017453292519943295;
-static const float period_s = (float)sim_gps_period_ms / 1000.0F;
+static const float period_s = 0.2F;
 
 static const float horizontal_error_m = 1.2F;
 static const float vertical_error_m = 2.5F;
@@ -95,19 +95,20 @@ static message_gps_t solve(sim_gps_t* model, const sim_truth_t* truth)
     };
 }
 
-message_gps_t sim_gps_read(sim_gps_t* model, const sim_truth_t* truth, uint32_t now_ms)
+message_gps_t sim_gps_read(sim_gps_t* model, const sim_truth_t* truth, float dt_s)
 {
+    model->age_s += dt_s;
     if (!model->has_solution)
     {
         model->computed = solve(model, truth);
         model->put_out = model->computed;
-        model->solved_ms = now_ms;
+        model->age_s = 0.0F;
         model->has_solution = true;
     }
-    if (now_ms - model->solved_ms >= sim_gps_period_ms)
+    // Half a step of slack: the ages are sums of rounded steps.
+    if (model->age_s + dt_s / 2.0F >= period_s)
     {
-        const bool is_late = now_ms - model->solved_ms >= 2 * sim_gps_period_ms;
-        model->solved_ms = is_late ? now_ms : model->solved_ms + sim_gps_period_ms;
+        model->age_s = 0.0F;
         model->put_out = model->computed;
         model->computed = solve(model, truth);
     }

@@ -11,7 +11,6 @@
 
 enum
 {
-    sim_gps_period_ms = 200,
     sim_gps_places = 6 ///< speed and track come from the way of one second
 };
 
@@ -30,7 +29,7 @@ typedef struct
     float satellites_wander;                ///< rounded and added to the usual number
     sim_gps_place_t places[sim_gps_places]; ///< newest first
     size_t places_held;
-    uint32_t solved_ms;
+    float age_s;            ///< of the newest solution
     float heading_deg;      ///< kept while standing
     message_gps_t computed; ///< to be put out with the next solution
     message_gps_t put_out;
@@ -39,7 +38,7 @@ typedef struct
 
 void sim_gps_init(sim_gps_t* model, uint32_t seed);
 
-/// The newest solution that is out at `now_ms`.
-message_gps_t sim_gps_read(sim_gps_t* model, const sim_truth_t* truth, uint32_t now_ms);
+/// The newest solution that is out, `dt_s` after the last call.
+message_gps_t sim_gps_read(sim_gps_t* model, const sim_truth_t* truth, float dt_s);
 
 #endif

@@ -93,7 +93,7 @@ _Noreturn void application_run(const application_hardware_t* hardware)
     for (size_t i = 0; i < task_count; i++)
     {
         app->load.tasks[i].processor = task_table[i].processor;
-        app->handles[i] = xTaskCreateStatic(task_table[i].body, task_table[i].name, stack_words, app,
+        app->handles[i] = xTaskCreateStatic(task_bodies[i], task_table[i].name, stack_words, app,
                                             task_table[i].priority, stacks[i], &tasks[i]);
     }
     app->received.reader = app->handles[task_tty];

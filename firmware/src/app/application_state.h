@@ -29,6 +29,9 @@ typedef struct
     TaskHandle_t handles[task_count];
 } application_t;
 
+/// What each task does with the application; none returns.
+extern void (*const task_bodies[task_count])(void* application);
+
 void application_lock(application_t* app);
 void application_unlock(application_t* app);
 

@@ -1,12 +1,9 @@
 #include <string.h>
 
 #include "app/application_state.h"
-#include "hal/time.h"
 
 enum
 {
-    sensors_period_ms = 20,
-    control_period_ms = 20,
     load_period_us = 1000000,
     piece_bytes = 64, ///< moved at a time; a receiver's FIFO threshold of 8 fits several times
     reply_piece_bytes = 512
@@ -15,6 +12,11 @@ enum
 static TickType_t ticks_of(uint32_t time)
 {
     return pdMS_TO_TICKS((TickType_t)time);
+}
+
+static float period_s(task_id_t task)
+{
+    return (float)task_table[task].period_ms / 1000.0F;
 }
 
 /// Reads every sensor and gives the readings to the board. Models of sensors are told what the simulator says first.
@@ -32,14 +34,13 @@ static void run_sensors(void* context)
         const float throttle = app->board.loops[board_plan_hil].surfaces.throttle;
         application_unlock(app);
 
-        const uint32_t now_ms = time_ms();
         if (count != observed && sensors->observe != NULL && count != 0U)
         {
-            sensors->observe(sensors->context, &info, throttle, now_ms);
+            sensors->observe(sensors->context, &info, throttle);
         }
         observed = count;
         sensors_reading_t reading;
-        sensors->read(sensors->context, now_ms, &reading);
+        sensors->read(sensors->context, period_s(task_sensors), &reading);
 
         application_lock(app);
         app->board.sensors.ahrs = reading.ahrs;
@@ -48,7 +49,7 @@ static void run_sensors(void* context)
         app->board.sensors.gps = reading.gps;
         app->board.sensors.servos_in = reading.receiver;
         application_unlock(app);
-        (void)xTaskDelayUntil(&woken, ticks_of(sensors_period_ms));
+        (void)xTaskDelayUntil(&woken, ticks_of(task_table[task_sensors].period_ms));
     }
 }
 
@@ -59,10 +60,10 @@ static void run_control(void* context)
     TickType_t woken = xTaskGetTickCount();
     for (;;)
     {
-        (void)xTaskDelayUntil(&woken, ticks_of(control_period_ms));
+        (void)xTaskDelayUntil(&woken, ticks_of(task_table[task_control].period_ms));
         float positions[board_servo_count];
         application_lock(app);
-        board_flight_step(&app->board, (float)control_period_ms / 1000.0F);
+        board_flight_step(&app->board, period_s(task_control));
         board_servo_positions(&app->board, positions);
         application_unlock(app);
         app->hardware.servos.write(app->hardware.servos.context, positions, board_servo_count);
@@ -273,13 +274,8 @@ static void run_param(void* context)
     }
 }
 
-const task_row_t task_table[task_count] = {
-    [task_sensors] = {"sensorTask", 7, sensors_period_ms, load_sensor_dsc, run_sensors},
-    [task_control] = {"controlTask", 6, control_period_ms, load_control_dsc, run_control},
-    [task_uart_rx] = {"UartRxTask", 5, 0, load_control_dsc, run_uart_rx},
-    [task_uart_tx] = {"UartTxTask", 4, 0, load_control_dsc, run_uart_tx},
-    [task_tty] = {"ttyTask", 3, 0, load_control_dsc, run_tty},
-    [task_servos] = {"qServosTask", 2, 0, load_control_dsc, run_servos},
-    [task_fms] = {"qFMSTask", 1, 0, load_control_dsc, run_fms},
-    [task_param] = {"qParamTask", 1, 0, load_control_dsc, run_param},
+void (*const task_bodies[task_count])(void* application) = {
+    [task_sensors] = run_sensors, [task_control] = run_control, [task_uart_rx] = run_uart_rx,
+    [task_uart_tx] = run_uart_tx, [task_tty] = run_tty,         [task_servos] = run_servos,
+    [task_fms] = run_fms,         [task_param] = run_param,
 };

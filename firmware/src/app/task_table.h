@@ -26,7 +26,6 @@ typedef struct
     uint32_t priority;          ///< higher runs first; 0 is the kernel's idle task
     uint32_t period_ms;         ///< 0: runs when it is woken, or at a period that the station sets
     load_processor_t processor; ///< whose load it counts for
-    void (*body)(void* unused); ///< never returns
 } task_row_t;
 
 /// In the order of `task_id_t`.

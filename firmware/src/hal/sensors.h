@@ -18,12 +18,12 @@ typedef struct
 {
     void* context;
 
-    /// Read everything once. Call it at a steady rate, `now_ms` from `time_ms`.
-    void (*read)(void* context, uint32_t now_ms, sensors_reading_t* reading);
+    /// Read everything once, `dt_s` (> 0) after the last time.
+    void (*read)(void* context, float dt_s, sensors_reading_t* reading);
 
     /// The newest command 50, which models of sensors follow, and the throttle (0..1) that the board answered it with.
     /// NULL where the sensors are real.
-    void (*observe)(void* context, const command_xplane_info_t* info, float throttle, uint32_t now_ms);
+    void (*observe)(void* context, const command_xplane_info_t* info, float throttle);
 
     /// Put a switch of the modelled transmitter (a receiver channel) to -1..+1; NULL where the receiver is real.
     void (*set_switch)(void* context, int32_t channel, float position);
