@@ -1,0 +1,276 @@
+#include "support/cmocka_all.h"
+
+#include <string.h>
+
+#include "flight/board_loops.h"
+#include "support/rig.h"
+
+static void assert_usable(message_hil_surfaces_t surfaces)
+{
+    assert_true(surfaces.elevator >= -1.0F && surfaces.elevator <= 1.0F);
+    assert_true(surfaces.aileron >= -1.0F && surfaces.aileron <= 1.0F);
+    assert_true(surfaces.rudder >= -1.0F && surfaces.rudder <= 1.0F);
+    assert_true(surfaces.throttle >= 0.0F && surfaces.throttle <= 1.0F);
+}
+
+static void every_command_50_is_answered_by_one_surfaces_frame(void** state)
+{
+    (void)state;
+    rig_t* const rig = rig_start();
+    command_xplane_info_t info = rig_level_flight();
+    for (int i = 0; i < 100; i++)
+    {
+        info.roll_deg = (float)i / 5.0F;
+        assert_usable(rig_fly(rig, &info));
+    }
+    assert_int_equal(rig->board.xplane_info_count, 100);
+}
+
+static void with_the_joystick_the_stick_of_command_50_flies(void** state)
+{
+    (void)state;
+    rig_t* const rig = rig_start();
+    (void)rig_do_with(rig, COMMAND_CONTROL_SOURCE_ID, 1);
+    command_xplane_info_t info = rig_level_flight();
+    info.elevator = 0.1F;
+    info.aileron = -0.2F;
+    info.rudder = 0.3F;
+    info.throttle = 0.4F;
+    rig->board.sensors.servos_in.channel[rc_channel_elevator] = -0.9F; // not this one
+    const message_hil_surfaces_t surfaces = rig_fly(rig, &info);
+    assert_close(surfaces.elevator, 0.2, 1e-6);
+    assert_close(surfaces.aileron, 0.6 * -0.6, 1e-6);
+    assert_close(surfaces.rudder, 0.3, 1e-6);
+    assert_close(surfaces.throttle, 0.4, 1e-6);
+}
+
+static void with_rc_the_receivers_channels_fly(void** state)
+{
+    (void)state;
+    rig_t* const rig = rig_start();
+    float* const channel = rig->board.sensors.servos_in.channel;
+    channel[rc_channel_aileron] = 0.1F;
+    channel[rc_channel_elevator] = -0.2F;
+    channel[rc_channel_throttle] = 0.8F;
+    channel[rc_channel_rudder] = 0.3F;
+    command_xplane_info_t info = rig_level_flight();
+    info.elevator = 0.9F; // not this one
+    const message_hil_surfaces_t surfaces = rig_fly(rig, &info);
+    assert_close(surfaces.elevator, -0.4, 1e-6);
+    assert_close(surfaces.aileron, 0.6 * 0.3, 1e-6);
+    assert_close(surfaces.rudder, 0.3, 1e-6);
+    assert_close(surfaces.throttle, 0.8, 1e-6);
+}
+
+static void a_stick_beyond_its_stops_counts_as_at_its_stops(void** state)
+{
+    (void)state;
+    rig_t* const rig = rig_start();
+    (void)rig_do_with(rig, COMMAND_CONTROL_SOURCE_ID, 1);
+    command_xplane_info_t info = rig_level_flight();
+    info.rudder = 7.0F;
+    info.throttle = -3.0F;
+    const message_hil_surfaces_t surfaces = rig_fly(rig, &info);
+    assert_close(surfaces.rudder, 1.0, 0.0);
+    assert_close(surfaces.throttle, 0.0, 0.0);
+}
+
+static void a_command_50_that_is_not_finite_keeps_the_surfaces_and_is_counted(void** state)
+{
+    (void)state;
+    rig_t* const rig = rig_start();
+    (void)rig_do_with(rig, COMMAND_CONTROL_SOURCE_ID, 1);
+    command_xplane_info_t info = rig_level_flight();
+    info.elevator = 0.2F;
+    const message_hil_surfaces_t good = rig_fly(rig, &info);
+    for (size_t i = 0; i < COMMAND_XPLANE_INFO_SIZE / 4; i++)
+    {
+        const float bad[] = {NAN, INFINITY, -INFINITY};
+        for (size_t j = 0; j < 3; j++)
+        {
+            uint8_t payload[COMMAND_XPLANE_INFO_SIZE];
+            command_xplane_info_pack(&info, payload);
+            protocol_put_f32(payload + 4 * i, bad[j]);
+            command_xplane_info_t broken;
+            command_xplane_info_unpack(&broken, payload);
+            const message_hil_surfaces_t surfaces = rig_fly(rig, &broken);
+            assert_memory_equal(&surfaces, &good, sizeof good);
+        }
+    }
+    assert_int_equal(rig->board.xplane_info_refused, 45);
+    assert_int_equal(rig->board.xplane_info_count, 1);
+    const message_hil_surfaces_t after = rig_fly(rig, &info);
+    assert_memory_equal(&after, &good, sizeof good);
+}
+
+static void finite_values_of_any_size_give_usable_surfaces(void** state)
+{
+    (void)state;
+    const float sizes[] = {3e38F, -3e38F, 1e-38F, -999.0F};
+    for (size_t i = 0; i < COMMAND_XPLANE_INFO_SIZE / 4; i++)
+    {
+        for (size_t j = 0; j < sizeof sizes / sizeof sizes[0]; j++)
+        {
+            rig_t* const rig = rig_start();
+            (void)rig_do_with(rig, COMMAND_CONTROL_SOURCE_ID, 1);
+            (void)rig_do(rig, COMMAND_AUTOTRIM_ON_ID);
+            (void)rig_do(rig, COMMAND_AUTOPILOT_ON_ID);
+            (void)rig_do(rig, COMMAND_HIL_LOAD_GANDO_ID);
+            command_xplane_info_t info = rig_level_flight();
+            uint8_t payload[COMMAND_XPLANE_INFO_SIZE];
+            command_xplane_info_pack(&info, payload);
+            protocol_put_f32(payload + 4 * i, sizes[j]);
+            command_xplane_info_unpack(&info, payload);
+            assert_usable(rig_fly(rig, &info));
+            assert_usable(rig_fly(rig, &info));
+            // and the laws have not kept any of it
+            info = rig_level_flight();
+            assert_usable(rig_fly(rig, &info));
+        }
+    }
+}
+
+/// Throttle after one more second of flight 10 kt too slow, with commands 50 `period_ms` apart.
+static float throttle_after(rig_t* rig, uint32_t period_ms, uint32_t count)
+{
+    const command_xplane_info_t info = {
+        .throttle = 0.5F, .altitude_ft = 1000.0F, .speed_kt = 45.0F, .latitude_deg = 27.9F, .longitude_deg = -15.4F};
+    for (uint32_t i = 0; i < count; i++)
+    {
+        uint8_t payload[COMMAND_XPLANE_INFO_SIZE];
+        command_xplane_info_pack(&info, payload);
+        rig->now_ms += period_ms;
+        (void)rig_send(rig, COMMAND_XPLANE_INFO_ID, payload, sizeof payload);
+    }
+    return rig->board.loops[board_plan_hil].autopilot.throttle;
+}
+
+static rig_t* start_measured(void)
+{
+    rig_t* const rig = rig_start();
+    rig->board.config.hil_period_s = 0.0F;
+    (void)rig_do_with(rig, COMMAND_CONTROL_SOURCE_ID, 1);
+    (void)rig_do(rig, COMMAND_HIL_LOAD_GANDO_ID); // its first waypoint asks for 55 kt
+    (void)rig_do(rig, COMMAND_AUTOPILOT_ON_ID);
+    return rig;
+}
+
+static void the_measured_step_is_the_time_between_two_arrivals(void** state)
+{
+    (void)state;
+    for (uint32_t period_ms = 10; period_ms <= 200; period_ms += 10)
+    {
+        rig_t* const rig = start_measured();
+        (void)throttle_after(rig, period_ms, 1);
+        const float before = throttle_after(rig, period_ms, 1);
+        assert_close(throttle_after(rig, period_ms, 20) - before, 20.0 * period_ms / 1000.0 * 10.0 / 700.0, 1e-5);
+    }
+}
+
+static void the_measured_step_stays_between_5_and_200_ms(void** state)
+{
+    (void)state;
+    rig_t* rig = start_measured();
+    float before = throttle_after(rig, 20, 2);
+    assert_close(throttle_after(rig, 0, 1) - before, 0.005 * 10.0 / 700.0, 1e-6);
+    before = throttle_after(rig, 20, 1);
+    assert_close(throttle_after(rig, 450, 1) - before, 0.2 * 10.0 / 700.0, 1e-6);
+}
+
+static void after_a_pause_the_states_stay_and_nothing_is_integrated(void** state)
+{
+    (void)state;
+    rig_t* const rig = start_measured();
+    const float before = throttle_after(rig, 20, 50);
+    assert_close(throttle_after(rig, 5000, 1), before, 0.0);
+    assert_close(throttle_after(rig, 20, 1) - before, 0.02 * 10.0 / 700.0, 1e-6);
+}
+
+static void the_fixed_step_does_not_look_at_the_clock(void** state)
+{
+    (void)state;
+    rig_t* const rig = start_measured();
+    rig->board.config.hil_period_s = 0.05F;
+    const float before = throttle_after(rig, 3000, 1);
+    assert_close(throttle_after(rig, 3000, 10) - before, 10 * 0.05 * 10.0 / 700.0, 1e-5);
+}
+
+static void the_real_loop_flies_by_the_sources_that_were_selected(void** state)
+{
+    (void)state;
+    rig_t* const rig = rig_start();
+    board_sensors_t* const sensors = &rig->board.sensors;
+    sensors->gps = (message_gps_t){.latitude_deg = 27.9F,
+                                   .longitude_deg = -15.4F,
+                                   .altitude_m = 300.0F,
+                                   .speed_kt = 60.0F,
+                                   .heading_deg = 77.0F,
+                                   .valid = 'A'};
+    sensors->analog.altitude_m = 310.0F;
+    sensors->analog.calibrated_airspeed_kt = 50.0F;
+    control_loop_input_t input = board_flight_input(&rig->board);
+    assert_close(input.speed_kt, 50.0, 0.0);
+    assert_close(input.altitude_ft, 310.0 * 3.28084, 0.01);
+    assert_close(input.direction_deg, 77.0, 0.0);
+    (void)rig_do_with(rig, COMMAND_SELECT_AIRSPEED_SOURCE_ID, 0);
+    (void)rig_do_with(rig, COMMAND_SELECT_ALTITUDE_SOURCE_ID, 0);
+    input = board_flight_input(&rig->board);
+    assert_close(input.speed_kt, 60.0, 0.0);
+    assert_close(input.altitude_ft, 300.0 * 3.28084, 0.01);
+}
+
+static void a_source_that_measures_nothing_is_replaced_by_the_other(void** state)
+{
+    (void)state;
+    rig_t* const rig = rig_start();
+    board_sensors_t* const sensors = &rig->board.sensors;
+    sensors->gps = (message_gps_t){.altitude_m = 300.0F, .speed_kt = 60.0F, .heading_deg = 77.0F, .valid = 'A'};
+    sensors->ahrs.yaw_deg = 12.0F;
+    sensors->analog.altitude_m = NAN;
+    sensors->analog.calibrated_airspeed_kt = NAN;
+    sensors->analog.vvi_ft_min = NAN;
+    control_loop_input_t input = board_flight_input(&rig->board);
+    assert_close(input.speed_kt, 60.0, 0.0);
+    assert_close(input.altitude_ft, 300.0 * 3.28084, 0.01);
+    assert_close(input.vvi_ft_min, 0.0, 0.0);
+    sensors->gps.valid = 'V';
+    input = board_flight_input(&rig->board);
+    assert_close(input.speed_kt, 0.0, 0.0);
+    assert_close(input.direction_deg, 12.0, 0.0);
+    assert_false(position_is_valid(&input.position));
+}
+
+static void the_real_loop_puts_its_surfaces_into_the_fly_by_wire_stream(void** state)
+{
+    (void)state;
+    rig_t* const rig = rig_start();
+    rig->board.sensors.servos_in.channel[rc_channel_throttle] = 0.7F;
+    rig->board.sensors.servos_in.channel[rc_channel_elevator] = 0.1F;
+    board_flight_step(&rig->board, 0.02F);
+    (void)rig_do(rig, COMMAND_FLY_BY_WIRE_ON_ID);
+    board_send_streams(&rig->board, telemetry_task_servos);
+    message_fly_by_wire_t values;
+    message_fly_by_wire_unpack(&values, line_newest(&rig->out, MESSAGE_FLY_BY_WIRE_ID)->payload);
+    assert_close(values.throttle, 0.7, 1e-6);
+    assert_close(values.elevator, 0.2, 1e-6);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_command_50_is_answered_by_one_surfaces_frame),
+        cmocka_unit_test(with_the_joystick_the_stick_of_command_50_flies),
+        cmocka_unit_test(with_rc_the_receivers_channels_fly),
+        cmocka_unit_test(a_stick_beyond_its_stops_counts_as_at_its_stops),
+        cmocka_unit_test(a_command_50_that_is_not_finite_keeps_the_surfaces_and_is_counted),
+        cmocka_unit_test(finite_values_of_any_size_give_usable_surfaces),
+        cmocka_unit_test(the_measured_step_is_the_time_between_two_arrivals),
+        cmocka_unit_test(the_measured_step_stays_between_5_and_200_ms),
+        cmocka_unit_test(after_a_pause_the_states_stay_and_nothing_is_integrated),
+        cmocka_unit_test(the_fixed_step_does_not_look_at_the_clock),
+        cmocka_unit_test(the_real_loop_flies_by_the_sources_that_were_selected),
+        cmocka_unit_test(a_source_that_measures_nothing_is_replaced_by_the_other),
+        cmocka_unit_test(the_real_loop_puts_its_surfaces_into_the_fly_by_wire_stream),
+    };
+    return cmocka_run_group_tests_name("flight.board_loops", tests, NULL, NULL);
+}

@@ -1,0 +1,139 @@
+#include "support/cmocka_all.h"
+
+#include "flight/board_reports.h"
+#include "support/rig.h"
+
+static message_fms_plan_t hil_plan_of(rig_t* rig)
+{
+    line_clear(&rig->out);
+    board_report_stream(&rig->board, telemetry_fms_hil_plan);
+    message_fms_plan_t values;
+    message_fms_plan_unpack(&values, line_newest(&rig->out, MESSAGE_FMS_HIL_PLAN_ID)->payload);
+    return values;
+}
+
+static void each_stream_is_sent_as_its_own_message(void** state)
+{
+    (void)state;
+    rig_t* const rig = rig_start();
+    const uint32_t ids[telemetry_stream_count] = {
+        [telemetry_heartbeat] = MESSAGE_HEARTBEAT_ID,       [telemetry_ahrs] = MESSAGE_AHRS_ID,
+        [telemetry_inertial] = MESSAGE_INERTIAL_ID,         [telemetry_analog] = MESSAGE_ANALOG_ID,
+        [telemetry_fms_plan] = MESSAGE_FMS_PLAN_ID,         [telemetry_fms_hil_plan] = MESSAGE_FMS_HIL_PLAN_ID,
+        [telemetry_statistics] = MESSAGE_STATISTICS_ID,     [telemetry_gps] = MESSAGE_GPS_ID,
+        [telemetry_servos_in] = MESSAGE_SERVOS_IN_ID,       [telemetry_fly_by_wire] = MESSAGE_FLY_BY_WIRE_ID,
+    };
+    for (size_t stream = 0; stream < telemetry_stream_count; stream++)
+    {
+        line_clear(&rig->out);
+        board_report_stream(&rig->board, (telemetry_stream_t)stream);
+        assert_int_equal(rig->out.count, 1);
+        assert_int_equal(rig->out.frames[0].type_id, ids[stream]);
+    }
+}
+
+static void sensor_readings_come_through_unchanged(void** state)
+{
+    (void)state;
+    rig_t* const rig = rig_start();
+    rig->board.sensors.ahrs = (message_ahrs_t){.yaw_deg = 10.5F, .pitch_deg = 5.25F, .roll_deg = -12.125F};
+    rig->board.sensors.analog.alpha_deg = NAN; // not measured
+    rig->board.sensors.analog.battery_v = 11.5F;
+    line_clear(&rig->out);
+    board_report_stream(&rig->board, telemetry_ahrs);
+    board_report_stream(&rig->board, telemetry_analog);
+    message_ahrs_t ahrs;
+    message_ahrs_unpack(&ahrs, line_newest(&rig->out, MESSAGE_AHRS_ID)->payload);
+    assert_memory_equal(&ahrs, &rig->board.sensors.ahrs, sizeof ahrs);
+    message_analog_t analog;
+    message_analog_unpack(&analog, line_newest(&rig->out, MESSAGE_ANALOG_ID)->payload);
+    assert_true(isnan(analog.alpha_deg));
+    assert_close(analog.battery_v, 11.5, 0.0);
+}
+
+static void an_empty_plan_is_reported_as_nothing_asked(void** state)
+{
+    (void)state;
+    rig_t* const rig = rig_start();
+    const command_xplane_info_t info = rig_level_flight();
+    (void)rig_fly(rig, &info);
+    const message_fms_plan_t values = hil_plan_of(rig);
+    assert_close(values.bearing_deg, 0.0, 0.0);
+    assert_close(values.altitude_ft, 0.0, 0.0);
+    assert_int_equal(values.distance_m, 0);
+    assert_int_equal(values.waypoint, 0);
+}
+
+static void a_plan_is_reported_from_where_the_aircraft_is(void** state)
+{
+    (void)state;
+    rig_t* const rig = rig_start();
+    (void)rig_do(rig, COMMAND_HIL_LOAD_GANDO_ID);
+    assert_int_equal(hil_plan_of(rig).distance_m, 0); // the simulator has not said where yet
+    const command_xplane_info_t info = rig_level_flight();
+    (void)rig_fly(rig, &info);
+    const message_fms_plan_t values = hil_plan_of(rig);
+    // from the airport to 27.9515 N 15.3741 W
+    assert_close(values.bearing_deg, 29.4, 0.1);
+    assert_close(values.distance_m, 2502, 3.0);
+    assert_close(values.altitude_ft, 700.0, 0.0);
+    assert_close(values.speed_kt, 55.0, 0.0);
+    assert_int_equal(values.waypoint, 0);
+}
+
+static void reporting_a_plan_does_not_move_it_on(void** state)
+{
+    (void)state;
+    rig_t* const rig = rig_start();
+    (void)rig_do(rig, COMMAND_HIL_LOAD_VUELO_ID);
+    command_xplane_info_t info = rig_level_flight();
+    (void)rig_fly(rig, &info);
+    rig->board.xplane_info.latitude_deg = 27.960F; // at the first waypoint, before the next step
+    rig->board.xplane_info.longitude_deg = -15.360F;
+    assert_int_equal(hil_plan_of(rig).waypoint, 0);
+    assert_int_equal(hil_plan_of(rig).distance_m, 0);
+    assert_int_equal(rig->board.plans[board_plan_hil].current, 0);
+}
+
+static void the_parameters_frame_is_the_one_of_the_definition(void** state)
+{
+    (void)state;
+    rig_t* const rig = rig_start();
+    line_clear(&rig->out);
+    board_report_parameters(&rig->board);
+    message_autopilot_parameters_t values;
+    message_autopilot_parameters_unpack(&values, line_newest(&rig->out, MESSAGE_AUTOPILOT_PARAMETERS_ID)->payload);
+    const message_autopilot_parameters_t defaults = {
+        .k_int_altura = 0.06F,
+        .k_altura = 0.06F,
+        .k_VVI = 0.1F,
+        .k_pitch = 2.0F,
+        .k_heading = 0.8F,
+        .k_roll = 2.0F,
+        .k_div_velocidad = 700,
+        .k_div_P_init = 0.5F,
+        .k_div_P_speed = 30.0F,
+        .k_div_Q_init = 0.2F,
+        .k_div_Q_speed = 40.0F,
+        .k_div_R_init = 0.1F,
+        .k_div_R_speed = 35.0F,
+        .k_int_pitch = 0.6F,
+        .k_elev = 1.0F,
+        .k_airln = 0.6F,
+        .k_rudder = 1.0F,
+    };
+    assert_memory_equal(&values, &defaults, sizeof values);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(each_stream_is_sent_as_its_own_message),
+        cmocka_unit_test(sensor_readings_come_through_unchanged),
+        cmocka_unit_test(an_empty_plan_is_reported_as_nothing_asked),
+        cmocka_unit_test(a_plan_is_reported_from_where_the_aircraft_is),
+        cmocka_unit_test(reporting_a_plan_does_not_move_it_on),
+        cmocka_unit_test(the_parameters_frame_is_the_one_of_the_definition),
+    };
+    return cmocka_run_group_tests_name("flight.board_reports", tests, NULL, NULL);
+}
