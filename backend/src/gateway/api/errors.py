@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from http import HTTPStatus
 from typing import Any, Final
 
@@ -16,6 +17,9 @@ from gateway.errors import BoardError, ConflictError, GatewayError, InvalidInput
 from gateway.services.error_log import ErrorLog
 
 MEDIA_TYPE: Final = "application/problem+json"
+
+# Where a request was wrong, these parts of the place are the validator's own words.
+_NO_FIELD: Final = re.compile(r"body|query|path|header|float|str|int|list\[.*|dict\[.*")
 
 _STATUS: Final[dict[type[GatewayError], HTTPStatus]] = {
     InvalidInputError: HTTPStatus.UNPROCESSABLE_ENTITY,
@@ -75,7 +79,7 @@ def install_error_handlers(app: FastAPI, errors: ErrorLog) -> None:
 
     async def invalid(_: Request, error: Exception) -> Response:
         first = error.errors()[0] if isinstance(error, RequestValidationError) else {"type": "", "msg": str(error)}
-        place = ".".join(str(part) for part in first.get("loc", ()) if part not in ("body", "query", "path"))
+        place = ".".join(str(part) for part in first.get("loc", ()) if _NO_FIELD.fullmatch(str(part)) is None)
         if first["type"] == "json_invalid":
             errors.count("bad_json")
             detail = "The body is not JSON: send an object such as {}, with the content type application/json."

@@ -1,0 +1,39 @@
+"""Fixtures of the gateway's tests."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tests.support.fake_board import FakeBoard
+from tests.support.gateway import Gateway, running_gateway
+
+
+@pytest.fixture
+def anyio_backend() -> tuple[str, dict[str, Any]]:
+    """Asynchronous tests run on the loop that the gateway runs on."""
+    return "asyncio", {"use_uvloop": True}
+
+
+@pytest.fixture
+def gateway(tmp_path: Path) -> Iterator[Gateway]:
+    """A gateway without any link."""
+    with running_gateway(tmp_path / "data") as running:
+        yield running
+
+
+@pytest.fixture
+def board(tmp_path: Path) -> Iterator[FakeBoard]:
+    """An extended board that is plugged in."""
+    with FakeBoard(tmp_path / "board") as plugged:
+        yield plugged
+
+
+@pytest.fixture
+def legacy_board(tmp_path: Path) -> Iterator[FakeBoard]:
+    """A deployed board that is plugged in."""
+    with FakeBoard(tmp_path / "board", extended=False) as plugged:
+        yield plugged

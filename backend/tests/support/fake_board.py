@@ -1,0 +1,210 @@
+"""A board whose mistakes can be ordered: real frames over a real pseudo-terminal, answered by a thread.
+
+The real firmware is `epf-board`; this one is for what that never does: refuse at will, lose an answer, send rubbish.
+"""
+
+from __future__ import annotations
+
+import os
+import pty
+import select
+import threading
+import time
+import tty
+from collections import Counter
+from pathlib import Path
+from types import TracebackType
+from typing import Self
+
+from gateway.codec.encode import encode_telemetry
+from gateway.codec.frame import TO_BOARD, Frame, FrameDecoder
+from gateway.codec.messages_gen import OPEN_BINARY_MODE, PARAMETERS
+
+HEARTBEAT_PERIOD_S = 0.02
+_FLAGS = (
+    "autopilot",
+    "autotrim",
+    "auto_switch",
+    "servos",
+    "gps",
+    "statistics",
+    "ahrs",
+    "inertial",
+    "analog",
+    "fly_by_wire",
+    "autopilot_hil",
+    "autotrim_hil",
+)
+_STREAMS = {"servos_in": "servos"}
+_ALL_STREAMS = ("servos", "gps", "statistics", "ahrs", "inertial", "analog", "fly_by_wire")
+
+
+class FakeBoard:
+    """Plug it in with `with`; a station opens `url`. `received` are the names of the commands that came."""
+
+    def __init__(self, path: Path, *, extended: bool = True) -> None:
+        self.path = path
+        self.extended = extended
+        self.flags = dict.fromkeys(_FLAGS, 0)
+        self.gains: dict[str, float] = {parameter.name: parameter.default for parameter in PARAMETERS}
+        self.plans: dict[int, list[tuple[float, ...]]] = {0: [], 1: []}
+        self.received: list[str] = []
+        self.arguments: list[tuple[float, ...]] = []
+        self.raw = b""
+        # Orders: how often to ignore a command before it works, and which result to acknowledge it with.
+        self.ignore: Counter[str] = Counter()
+        self.refuse: dict[str, int] = {}
+        self.lose_item: int | None = None
+        self.silent = False
+        self.in_binary_mode = False
+        self._master = -1
+        self._slave = -1
+        self._building: list[tuple[float, ...]] = []
+        self._stop = threading.Event()
+        self._lock = threading.Lock()
+        self._thread: threading.Thread | None = None
+
+    @property
+    def url(self) -> str:
+        """Where a station finds it."""
+        return f"pty://{self.path}"
+
+    def __enter__(self) -> Self:
+        self.plug_in()
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self.unplug()
+
+    def plug_in(self) -> None:
+        """Power on: text mode, all streams off."""
+        self._master, slave = pty.openpty()
+        tty.setraw(slave)
+        self.path.symlink_to(os.ttyname(slave))
+        # Held open until a station is there: a pseudo-terminal without a slave reads as hung up.
+        self._slave = slave
+        self.in_binary_mode = False
+        self.flags = dict.fromkeys(_FLAGS, 0)
+        self._stop.clear()
+        self._thread = threading.Thread(target=self._run, name="fake board", daemon=True)
+        self._thread.start()
+
+    def unplug(self) -> None:
+        """Power off and pull the cable."""
+        if self._thread is None:
+            return
+        self._stop.set()
+        self._thread.join()
+        self._thread = None
+        self.path.unlink(missing_ok=True)
+        os.close(self._slave)
+        os.close(self._master)
+
+    def restart(self) -> None:
+        """Power off and on while the cable stays: text mode, all streams off."""
+        with self._lock:
+            self.in_binary_mode = False
+            self.flags = dict.fromkeys(_FLAGS, 0)
+
+    def send(self, data: bytes) -> None:
+        """Put bytes on the line."""
+        with self._lock:
+            self._write(data)
+
+    def count(self, name: str) -> int:
+        """How often this command came."""
+        return self.received.count(name)
+
+    def _run(self) -> None:
+        decoder = FrameDecoder(TO_BOARD)
+        next_s = time.monotonic()
+        while not self._stop.is_set():
+            ready, _, _ = select.select([self._master], [], [], max(0.0, next_s - time.monotonic()))
+            with self._lock:
+                if ready:
+                    self._read(decoder)
+                if time.monotonic() >= next_s:
+                    next_s = time.monotonic() + HEARTBEAT_PERIOD_S
+                    if self.in_binary_mode and not self.silent:
+                        self._write(encode_telemetry("heartbeat", *self.flags.values()))
+                        if self.flags["ahrs"]:
+                            self._write(encode_telemetry("ahrs", 10.0, 5.0, -3.0))
+
+    def _read(self, decoder: FrameDecoder) -> None:
+        try:
+            data = os.read(self._master, 65536)
+        except OSError:
+            return
+        self.raw += data
+        if OPEN_BINARY_MODE in data:
+            self.in_binary_mode = True
+        for found in decoder.feed(data):
+            if isinstance(found, Frame):
+                self._obey(found)
+
+    def _obey(self, frame: Frame) -> None:
+        name = frame.message.name
+        self.received.append(name)
+        self.arguments.append(tuple(frame.values))
+        if self.silent:
+            return
+        if self.ignore[name] > 0:
+            self.ignore[name] -= 1
+            return
+        if frame.message.extension and not self.extended:
+            return
+        result = self.refuse.get(name, 0)
+        if result == 0:
+            self._act(frame)
+        if self.extended and name not in ("do_nothing", "xplane_info"):
+            self._write(encode_telemetry("acknowledgement", frame.message.id, result))
+
+    def _act(self, frame: Frame) -> None:  # noqa: C901 - a board does many things, one line each
+        name, values = frame.message.name, frame.values
+        stream, _, state = name.rpartition("_")
+        if name in ("start", "stop"):
+            self.flags.update(dict.fromkeys(_ALL_STREAMS, int(name == "start")))
+        elif name in ("autopilot_on", "autopilot_off"):
+            self.flags["autopilot_hil"] = self.flags["autopilot_hil"] & 2 | int(state == "on")
+        elif name == "control_source":
+            self.flags["autopilot_hil"] = self.flags["autopilot_hil"] & 1 | int(values[0]) << 1
+        elif state in ("on", "off") and _STREAMS.get(stream, stream) in self.flags:
+            self.flags[_STREAMS.get(stream, stream)] = int(state == "on")
+        elif name == "exit_binary_mode":
+            self.in_binary_mode = False
+        elif name == "capabilities":
+            self._write(encode_telemetry("capabilities", 1, 15, b"fake", b"1.0", 5))
+        elif name == "load_autopilot_parameters":
+            self._write(encode_telemetry("autopilot_parameters", *self._gains_as_sent()))
+        elif frame.message.parameter:
+            self.gains[frame.message.parameter] = values[0]
+        elif name == "xplane_info":
+            self._write(encode_telemetry("hil_surfaces", 0.25, -0.5, 0.125, 0.75))
+        elif name.startswith("mission_"):
+            self._plan(name, values)
+
+    def _plan(self, name: str, values: tuple[float, ...]) -> None:
+        plan = int(values[0])
+        if name == "mission_begin":
+            self._building = []
+        elif name == "mission_item":
+            self._building.append(values)
+        elif name == "mission_commit":
+            self.plans[plan] = self._building
+        else:
+            items = self.plans[plan]
+            self._write(encode_telemetry("mission_count", plan, len(items)))
+            for index, item in enumerate(items):
+                if index != self.lose_item:
+                    self._write(encode_telemetry("mission_item", *item))
+
+    def _gains_as_sent(self) -> list[float]:
+        return [
+            int(self.gains[parameter.name]) if parameter.is_integer else self.gains[parameter.name]
+            for parameter in PARAMETERS
+        ]
+
+    def _write(self, data: bytes) -> None:
+        os.write(self._master, data)

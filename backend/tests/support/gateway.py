@@ -1,0 +1,107 @@
+"""The whole gateway in this process: a real server on a free port, real sockets, real WebSockets."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any, cast
+
+import httpx
+import orjson
+from websockets.sync.client import ClientConnection, connect
+
+from gateway.server import Server
+from gateway.services.station import Station
+from gateway.settings import Settings
+from tests.support.waiting import DEADLINE_S, eventually
+
+
+class Gateway:
+    """A running gateway and a client of it."""
+
+    def __init__(self, server: Server) -> None:
+        self.server = server
+        self.base = f"http://127.0.0.1:{server.port}"
+        self.http = httpx.Client(base_url=f"{self.base}/api/v1", timeout=DEADLINE_S)
+
+    @property
+    def station(self) -> Station:
+        """The parts inside; only to look at."""
+        return cast(Station, cast(Any, self.server.config.app).state.station)
+
+    def status(self) -> dict[str, Any]:
+        """GET /status."""
+        return cast(dict[str, Any], self.http.get("/status").raise_for_status().json())
+
+    def open_board(self, url: str) -> None:
+        """Open the board's link and wait until commands work."""
+        self.http.put("/links/board", json={"url": url}).raise_for_status()
+        eventually(lambda: self.status()["board"]["state"] == "open", "the board opens")
+
+    @contextmanager
+    def stream(self, query: str = "") -> Iterator[Stream]:
+        """A browser on the stream."""
+        with connect(f"ws://127.0.0.1:{self.server.port}/api/v1/stream{query}", max_size=None) as connection:
+            yield Stream(connection)
+
+
+class Stream:
+    """What a browser sees; batches are acknowledged unless told otherwise."""
+
+    def __init__(self, connection: ClientConnection) -> None:
+        self.connection = connection
+        self.hello = self.receive()
+
+    def receive(self) -> dict[str, Any]:
+        """The next message."""
+        return cast(dict[str, Any], orjson.loads(self.connection.recv(timeout=DEADLINE_S)))
+
+    def send(self, message: dict[str, Any]) -> None:
+        """A message to the gateway."""
+        self.connection.send(orjson.dumps(message).decode())
+
+    def acknowledge(self, batch: dict[str, Any]) -> None:
+        """This batch was shown."""
+        self.send({"type": "ack", "seq": batch["seq"]})
+
+    def next(self, kind: str) -> dict[str, Any]:
+        """The next message of this kind; batches on the way are acknowledged."""
+        while True:
+            message = self.receive()
+            if message["type"] == "batch":
+                self.acknowledge(message)
+            if message["type"] == kind:
+                return message
+
+    def event(self, kind: str) -> dict[str, Any]:
+        """The data of the next event of this kind."""
+        while True:
+            message = self.next("event")
+            if message["event"] == kind:
+                return cast(dict[str, Any], message["data"])
+
+    def sample(self, topic: str) -> dict[str, Any]:
+        """The values of the next sample of this topic."""
+        while True:
+            for sample in self.next("batch")["samples"]:
+                if sample["topic"] == topic:
+                    return cast(dict[str, Any], sample["values"])
+
+
+@contextmanager
+def running_gateway(data_dir: Path, **settings: Any) -> Iterator[Gateway]:
+    """A gateway that is up, and that ends as on SIGTERM."""
+    server = Server(Settings(data_dir=data_dir, port=0, **settings))
+    thread = threading.Thread(target=server.run, name="gateway", daemon=True)
+    thread.start()
+    eventually(lambda: server.started or not thread.is_alive(), "the gateway starts")
+    gateway = Gateway(server)
+    try:
+        yield gateway
+    finally:
+        gateway.http.close()
+        server.should_exit = True
+        thread.join(DEADLINE_S)
+        assert not thread.is_alive(), "the gateway did not end"

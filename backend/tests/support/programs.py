@@ -1,0 +1,72 @@
+"""Programs of this project as processes of their own."""
+
+from __future__ import annotations
+
+import os
+import re
+import signal
+import subprocess
+import sys
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from tests.support.waiting import DEADLINE_S, eventually
+
+BOARD = Path(__file__).parents[3] / "firmware" / "build" / "posix" / "epf-board"
+
+
+class Program:
+    """A child process; what it says on stderr is kept."""
+
+    def __init__(self, arguments: list[str]) -> None:
+        environment = {name: value for name, value in os.environ.items() if not name.startswith("GCS_")}
+        self.process = subprocess.Popen(arguments, stderr=subprocess.PIPE, stdout=subprocess.DEVNULL, env=environment)
+        self.said = ""
+        self._reader = threading.Thread(target=self._read, daemon=True)
+        self._reader.start()
+
+    def wait_for_words(self, pattern: str) -> str:
+        """The first group of the pattern in what it says."""
+        eventually(lambda: re.search(pattern, self.said) is not None, f"'{pattern}' in: {self.said}")
+        found = re.search(pattern, self.said)
+        return found.group(1) if found is not None and found.groups() else ""
+
+    def end(self, how: signal.Signals = signal.SIGTERM) -> int:
+        """Send a signal and wait for the end."""
+        if self.process.poll() is None:
+            self.process.send_signal(how)
+        code = self.process.wait(DEADLINE_S)
+        self._reader.join(DEADLINE_S)
+        if self.process.stderr is not None:
+            self.process.stderr.close()
+        return code
+
+    def _read(self) -> None:
+        stream = self.process.stderr
+        assert stream is not None
+        for line in iter(stream.readline, b""):
+            self.said += line.decode(errors="replace")
+
+
+@contextmanager
+def gateway_process(data_dir: Path, *arguments: str) -> Iterator[Program]:
+    """`epf-gcs` on a free port."""
+    program = Program([sys.executable, "-m", "gateway", "--port", "0", "--data-dir", str(data_dir), *arguments])
+    try:
+        yield program
+    finally:
+        program.end(signal.SIGKILL)
+
+
+@contextmanager
+def board_process(path: Path, *arguments: str) -> Iterator[Program]:
+    """The firmware itself on a pseudo-terminal."""
+    assert BOARD.exists(), "build the board first: make -C firmware board"
+    program = Program([str(BOARD), "--pty", str(path), *arguments])
+    try:
+        eventually(path.is_symlink, "the board makes its pseudo-terminal")
+        yield program
+    finally:
+        program.end(signal.SIGTERM)

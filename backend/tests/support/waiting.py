@@ -1,0 +1,28 @@
+"""Waiting for what must come true, with a deadline that no healthy machine reaches."""
+
+from __future__ import annotations
+
+import asyncio
+import time
+from collections.abc import Callable
+
+DEADLINE_S = 20.0
+_LOOK_EVERY_S = 0.005
+
+
+def eventually(condition: Callable[[], bool], what: str) -> None:
+    """Return when the condition holds; fail with `what` when it never does."""
+    give_up_s = time.monotonic() + DEADLINE_S
+    while not condition():
+        if time.monotonic() > give_up_s:
+            raise AssertionError(f"never happened: {what}")
+        time.sleep(_LOOK_EVERY_S)
+
+
+async def eventually_async(condition: Callable[[], bool], what: str) -> None:
+    """The same on an event loop, which goes on meanwhile."""
+    give_up_s = time.monotonic() + DEADLINE_S
+    while not condition():
+        if time.monotonic() > give_up_s:
+            raise AssertionError(f"never happened: {what}")
+        await asyncio.sleep(_LOOK_EVERY_S)
