@@ -94,7 +94,7 @@ static void noise_never_hides_the_next_frame(void** state)
         for (uint32_t i = 0; i < length; i++)
         {
             // many bytes of headers and end markers among the noise
-            const uint8_t byte = random_below(&seed, 2) == 0 ? (uint8_t) "\rQT,\n#"[random_below(&seed, 6)]
+            const uint8_t byte = random_below(&seed, 2) == 0 ? (uint8_t)"\rQT,\n#"[random_below(&seed, 6)]
                                                              : (uint8_t)random_below(&seed, 256);
             add_bytes(&stream, &byte, 1);
         }

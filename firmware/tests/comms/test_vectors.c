@@ -118,8 +118,7 @@ static void check_stream(const stream_vector_t* vector, size_t chunk)
         assert_memory_equal(line.frames[i].payload, vector->frames[i].payload, vector->frames[i].payload_size);
     }
     assert_memory_equal(line.decoder.damage, vector->damage, sizeof vector->damage);
-    const size_t dropped =
-        line.decoder.noise_bytes + 4U * frame_decoder_rejected(&line.decoder) + 4U * line.greetings;
+    const size_t dropped = line.decoder.noise_bytes + 4U * frame_decoder_rejected(&line.decoder) + 4U * line.greetings;
     assert_int_equal(dropped, vector->dropped_bytes);
 }
 

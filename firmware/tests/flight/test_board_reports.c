@@ -17,11 +17,11 @@ static void each_stream_is_sent_as_its_own_message(void** state)
     (void)state;
     rig_t* const rig = rig_start();
     const uint32_t ids[telemetry_stream_count] = {
-        [telemetry_heartbeat] = MESSAGE_HEARTBEAT_ID,       [telemetry_ahrs] = MESSAGE_AHRS_ID,
-        [telemetry_inertial] = MESSAGE_INERTIAL_ID,         [telemetry_analog] = MESSAGE_ANALOG_ID,
-        [telemetry_fms_plan] = MESSAGE_FMS_PLAN_ID,         [telemetry_fms_hil_plan] = MESSAGE_FMS_HIL_PLAN_ID,
-        [telemetry_statistics] = MESSAGE_STATISTICS_ID,     [telemetry_gps] = MESSAGE_GPS_ID,
-        [telemetry_servos_in] = MESSAGE_SERVOS_IN_ID,       [telemetry_fly_by_wire] = MESSAGE_FLY_BY_WIRE_ID,
+        [telemetry_heartbeat] = MESSAGE_HEARTBEAT_ID,   [telemetry_ahrs] = MESSAGE_AHRS_ID,
+        [telemetry_inertial] = MESSAGE_INERTIAL_ID,     [telemetry_analog] = MESSAGE_ANALOG_ID,
+        [telemetry_fms_plan] = MESSAGE_FMS_PLAN_ID,     [telemetry_fms_hil_plan] = MESSAGE_FMS_HIL_PLAN_ID,
+        [telemetry_statistics] = MESSAGE_STATISTICS_ID, [telemetry_gps] = MESSAGE_GPS_ID,
+        [telemetry_servos_in] = MESSAGE_SERVOS_IN_ID,   [telemetry_fly_by_wire] = MESSAGE_FLY_BY_WIRE_ID,
     };
     for (size_t stream = 0; stream < telemetry_stream_count; stream++)
     {

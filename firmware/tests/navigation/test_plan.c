@@ -204,8 +204,7 @@ static void all_four_routes_are_plans_that_end_at_the_airport(void** state)
         for (size_t j = 0; j < routes[i].count; j++)
         {
             const route_waypoint_t* const from = &routes[i].waypoints[j];
-            const waypoint_t waypoint = {
-                {from->latitude_deg, from->longitude_deg}, from->altitude_ft, from->speed_kt};
+            const waypoint_t waypoint = {{from->latitude_deg, from->longitude_deg}, from->altitude_ft, from->speed_kt};
             assert_true(waypoint_is_valid(&waypoint));
         }
         const route_waypoint_t* const last = &routes[i].waypoints[routes[i].count - 1];

@@ -1,0 +1,85 @@
+"""Hold the firmware's import rules: which folder of src may include which.
+
+Usage: check_layers.py SRC TESTS
+
+Pure code knows no RTOS, no vendor and no hardware header; only `params` sees the storage interface, and only `app`
+sees everything. Each pure source has a test of its own name. Fails, too, when it saw no file: a check of nothing is
+no check.
+"""
+
+from __future__ import annotations
+
+import re
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+# folder -> what its files may include besides their own folder
+RULES: dict[str, tuple[str, ...]] = {
+    "common": (),
+    "comms": ("common/",),
+    "control": ("common/",),
+    "navigation": ("common/",),
+    "params": ("common/", "hal/storage.h"),
+    "flight": ("common/", "comms/", "control/", "navigation/", "params/"),
+    "hal": ("common/", "comms/protocol_gen.h"),
+}
+FREE = {"app"}
+INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
+STANDARD = {
+    "assert.h",
+    "float.h",
+    "limits.h",
+    "math.h",
+    "stdarg.h",
+    "stdatomic.h",
+    "stdbool.h",
+    "stddef.h",
+    "stdint.h",
+    "string.h",
+}
+
+
+def faults(path: Path, folder: str) -> Iterator[str]:
+    """Yield one sentence for each include that the rules forbid."""
+    for bracket, name in INCLUDE.findall(path.read_text(encoding="utf-8")):
+        if bracket == "<":
+            if name not in STANDARD:
+                yield f"{path}: <{name}> is no header of freestanding C that pure code may use"
+        elif "/" not in name:
+            if not (path.parent / name).is_file():
+                yield f'{path}: "{name}" is not in its folder'
+        elif not name.startswith((f"{folder}/", *RULES[folder])):
+            yield f'{path}: folder {folder} may not include "{name}"'
+
+
+def untested(source: Path, tests: Path) -> Iterator[str]:
+    """Yield a sentence when a source has no test program of its name."""
+    if source.suffix == ".c" and not source.stem.endswith("_gen"):
+        partner = tests / source.parent.name / f"test_{source.stem}.c"
+        if not partner.is_file():
+            yield f"{source}: there is no {partner}"
+
+
+def main(src: Path, tests: Path) -> int:
+    """Check every file below `src`; return the exit code."""
+    seen = 0
+    found: list[str] = []
+    for path in sorted(src.glob("*/*.[ch]")):
+        folder = path.parent.name
+        if folder in FREE:
+            continue
+        if folder not in RULES:
+            found.append(f"{path}: folder {folder} has no rule in {Path(__file__).name}")
+            continue
+        seen += 1
+        found += faults(path, folder)
+        found += untested(path, tests)
+    if seen < len(RULES):
+        found.append(f"only {seen} files were seen below {src}")
+    print("\n".join(found) if found else f"layers: {seen} files keep the rules")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(Path(sys.argv[1]), Path(sys.argv[2])))
