@@ -90,8 +90,14 @@ class _StopRequest:
 @contextmanager
 def _alone(data: Path) -> Iterator[None]:
     """Hold the data folder for this run: two boards on one line, or two recorders, would spoil each other."""
-    data.mkdir(parents=True, exist_ok=True)
-    with (data / "run.lock").open("w") as lock:
+    try:
+        data.mkdir(parents=True, exist_ok=True)
+        opened = (data / "run.lock").open("w")
+    except OSError as error:
+        raise LaunchError(
+            f"The folder {data} cannot be written to ({error.strerror}): choose another with --data."
+        ) from None
+    with opened as lock:
         try:
             fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except OSError:

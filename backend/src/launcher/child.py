@@ -21,9 +21,11 @@ _PR_SET_PDEATHSIG: Final = 1
 class Child:
     """A child process by pid. Its output goes to `<name>.log`, that of the run before to `<name>.1.log`."""
 
-    def __init__(self, name: str, command: Sequence[str], logs: Path) -> None:
+    def __init__(self, name: str, command: Sequence[str], logs: Path, again: Sequence[str] | None = None) -> None:
+        """`again` is the command of every start but the first, where it is another."""
         self.name = name
         self._command = tuple(command)
+        self._again = self._command if again is None else tuple(again)
         self.log_path = logs / f"{name}.log"
         self._process: subprocess.Popen[bytes] | None = None
         if self.log_path.exists():
@@ -31,11 +33,12 @@ class Child:
 
     def start(self) -> None:
         """Start the program; raises LaunchError where it cannot be run at all."""
+        command = self._command if self._process is None else self._again
         # Append: the lines of a program that died and is started again stay.
         with self.log_path.open("ab") as log:
             try:
                 self._process = subprocess.Popen(
-                    self._command,
+                    command,
                     stdin=subprocess.DEVNULL,
                     stdout=log,
                     stderr=subprocess.STDOUT,
@@ -44,9 +47,7 @@ class Child:
                     preexec_fn=_die_with_launcher(),  # noqa: PLW1509 (the launcher has one thread)
                 )
             except OSError as error:
-                raise LaunchError(
-                    f"The {self.name} ({self._command[0]}) cannot be started: {error.strerror}."
-                ) from error
+                raise LaunchError(f"The {self.name} ({command[0]}) cannot be started: {error.strerror}.") from error
 
     @property
     def pid(self) -> int | None:

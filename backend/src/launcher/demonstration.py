@@ -36,20 +36,31 @@ class Demonstration:
 
     def start(self) -> None:
         """Start everything and close the loop; raises LaunchError with what failed, Stopped when asked to."""
-        options = self._options
-        require_tcp_port(options.host, options.port)
+        require_tcp_port(self._options.host, self._options.port)
         if not PAGE.exists():
             self._say(f"The page has not been built ({PAGE} is missing): `make run` builds it. The interface works.")
+        ports = self._udp_ports()
+        try:
+            self._start_on(*ports)
+        except LaunchError:
+            self.stop()
+            # Two that start at the same moment see the same ports free, and one of them comes too late.
+            if self._options.xplane is not None or all(free_udp_port(port) == port for port in ports):
+                raise
+            self._start_on(*self._udp_ports())
+
+    def _start_on(self, listen_port: int, receive_port: int) -> None:
+        options = self._options
         logs = options.data / "logs"
         logs.mkdir(parents=True, exist_ok=True)
-        listen_port, receive_port = self._udp_ports()
         # In the order of starting; they are stopped the other way round, the gateway first, because it
         # hands the controls back to the simulator and closes the board's binary mode.
         if options.board is None:
             self._children.append(Child("board", options.board_command(), logs))
         if options.xplane is None:
             self._children.append(Child("simulator", options.simulator_command(listen_port, receive_port), logs))
-        self._children.append(Child("gateway", options.gateway_command(), logs))
+        gateway = [options.gateway_command(first=first) for first in (True, False)]
+        self._children.append(Child("gateway", gateway[0], logs, again=gateway[1]))
         self._say("Starting " + ", ".join(f"the {child.name}" for child in self._children) + " ...")
         for child in self._children:
             child.start()

@@ -15,6 +15,7 @@ PAGE: Final = ROOT / "frontend" / "dist" / "index.html"
 
 STATION_PORT: Final = 49003
 SIMULATOR_PORT: Final = 49000
+_LINK_KINDS: Final = ("serial", "tcp", "pty")
 EVERY_INTERFACE: Final = "0.0.0.0"  # noqa: S104 (only with --lan, which asks for it)
 
 
@@ -44,10 +45,21 @@ class Options:
         return self.data / "board.pty"
 
     def board_url(self) -> str:
-        """What the gateway is to open: the demonstration's line, or the real board's device or address."""
+        """What the gateway is to open: the demonstration's line, or the real board's device or address.
+
+        Raises LaunchError for what can be neither.
+        """
         if self.board is None:
             return f"pty://{self.board_line}"
-        return self.board if "://" in self.board else f"serial://{self.board}"
+        kind, separator, _ = self.board.partition("://")
+        if not separator:
+            return f"serial://{self.board}"
+        if kind not in _LINK_KINDS:
+            raise LaunchError(
+                f"{self.board} is not the address of a board: give a device like /dev/ttyUSB0, or an address like "
+                "serial:///dev/ttyUSB0?baud=115200, tcp://192.168.1.5:4000 or pty:///run/board."
+            )
+        return self.board
 
     def board_command(self) -> list[str]:
         """Raises LaunchError where the firmware has not been built."""
@@ -62,9 +74,14 @@ class Options:
             *("--listen", f"{LOOPBACK}:{listen_port}", "--send-to", f"{LOOPBACK}:{send_port}"),
         ]
 
-    def gateway_command(self) -> list[str]:
-        """The gateway, which serves the page too."""
+    def gateway_command(self, *, first: bool) -> list[str]:
+        """The gateway, which serves the page too.
+
+        It remembers its links. Only its first start is told the board, lest it opens for a moment the one of
+        another day; started again, it opens what was open when it died.
+        """
         return [
             *(sys.executable, "-m", "gateway"),
             *("--host", self.host, "--port", str(self.port), "--data-dir", str(self.data)),
+            *(("--board", self.board_url()) if first else ()),
         ]

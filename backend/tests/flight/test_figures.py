@@ -47,7 +47,7 @@ def test_a_leg_begins_where_the_plan_goes_on_and_unflown_legs_are_not_reached() 
     assert [len(leg.samples) for leg in legs] == [2, 2]
     assert legs[1].begin == (ROUTE[0].latitude_deg, ROUTE[0].longitude_deg)
     assert measure(flight, ROUTE).waypoints_reached == 1
-    assert measure([*flight, sample(5.0, 0, 6.0)], ROUTE).waypoints_reached == 2
+    assert measure([*flight, sample(5.0, 1, 5.9)], ROUTE).waypoints_reached == 2
 
 
 def test_settling_ends_with_the_last_sample_outside_the_band() -> None:
