@@ -98,6 +98,21 @@ def test_text_behind_a_damaged_frame_is_text_again() -> None:
     assert events[-1] == Damage("noise", b"\rhello\n")
 
 
+def test_text_behind_a_damaged_frame_without_end_marker_is_text_again_behind_the_longest_frame() -> None:
+    header = HEARTBEAT[:4] + b"\xff\xff\xff\xff"
+    events = FrameDecoder().feed(header + b"x" * 124 + b"hello\n")
+    assert [(event.kind, len(event.data)) for event in events if isinstance(event, Damage)] == [
+        ("bad_type_bits", 4),
+        ("remains", 128),
+        ("noise", 6),
+    ]
+
+
+def test_text_behind_the_good_frame_that_follows_a_damaged_one_is_text() -> None:
+    events = FrameDecoder().feed(HEARTBEAT[:9] + HEARTBEAT * 2 + b"hello\n")
+    assert [getattr(event, "kind", "frame") for event in events] == ["bad_end", "remains", "frame", "frame", "noise"]
+
+
 def test_noise_without_line_ends_is_handed_out_in_bounded_pieces() -> None:
     events = FrameDecoder().feed(b"\x55" * 1000)
     assert [len(event.data) for event in events if isinstance(event, Damage)] == [256, 256, 256]
