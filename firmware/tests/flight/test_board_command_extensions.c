@@ -174,6 +174,12 @@ static void a_read_back_ends_when_its_plan_is_replaced(void** state)
     line_clear(&rig->out);
     assert_false(board_tick(&rig->board, rig->now_ms));
     assert_int_equal(rig->out.count, 0);
+    (void)rig_do_with(rig, COMMAND_MISSION_READ_ID, board_plan_hil);
+    assert_true(board_tick(&rig->board, rig->now_ms));
+    upload(rig, board_plan_hil, 5);
+    line_clear(&rig->out);
+    assert_false(board_tick(&rig->board, rig->now_ms));
+    assert_int_equal(rig->out.count, 0);
 }
 
 static void go_to_chooses_a_waypoint_of_its_plan(void** state)

@@ -62,6 +62,24 @@ static void with_rc_the_receivers_channels_fly(void** state)
     assert_close(surfaces.throttle, 0.8, 1e-6);
 }
 
+static void each_rate_of_command_50_is_damped_on_its_own_axis(void** state)
+{
+    (void)state;
+    const float rates[3][3] = {{0.5F, 0.0F, 0.0F}, {0.0F, 0.5F, 0.0F}, {0.0F, 0.0F, 0.5F}};
+    for (size_t axis = 0; axis < 3; axis++)
+    {
+        rig_t* const rig = rig_start();
+        command_xplane_info_t info = rig_level_flight();
+        info.gx_rad_s = rates[axis][0];
+        info.gy_rad_s = rates[axis][1];
+        info.gz_rad_s = rates[axis][2];
+        const message_hil_surfaces_t surfaces = rig_fly(rig, &info);
+        assert_int_equal(surfaces.aileron < 0.0F, axis == 0);
+        assert_int_equal(surfaces.elevator < 0.0F, axis == 1);
+        assert_int_equal(surfaces.rudder < 0.0F, axis == 2);
+    }
+}
+
 static void a_stick_beyond_its_stops_counts_as_at_its_stops(void** state)
 {
     (void)state;
@@ -261,6 +279,7 @@ int main(void)
         cmocka_unit_test(every_command_50_is_answered_by_one_surfaces_frame),
         cmocka_unit_test(with_the_joystick_the_stick_of_command_50_flies),
         cmocka_unit_test(with_rc_the_receivers_channels_fly),
+        cmocka_unit_test(each_rate_of_command_50_is_damped_on_its_own_axis),
         cmocka_unit_test(a_stick_beyond_its_stops_counts_as_at_its_stops),
         cmocka_unit_test(a_command_50_that_is_not_finite_keeps_the_surfaces_and_is_counted),
         cmocka_unit_test(finite_values_of_any_size_give_usable_surfaces),

@@ -14,6 +14,9 @@ static void distances_agree_with_the_sphere(void** state)
     const position_t west = {0.0, 179.5};
     const position_t east = {0.0, -179.5};
     assert_close(geodesy_distance_m(&west, &east), 111195.08, 1.0);
+    assert_close(geodesy_distance_m(&east, &west), 111195.08, 1.0);
+    assert_close(geodesy_bearing_deg(&west, &east), 90.0, 0.01);
+    assert_close(geodesy_bearing_deg(&east, &west), 270.0, 0.01);
     // half way round
     const position_t pole = {90.0, 0.0};
     const position_t other = {-90.0, 0.0};

@@ -51,6 +51,15 @@ static void the_first_answer_is_the_given_direction(void** state)
     assert_close(track_update(&track, &at, -30.0F, 58.0F), 330.0, 1e-3);
 }
 
+static void a_direction_that_is_far_from_the_flight_is_no_drift(void** state)
+{
+    (void)state;
+    track_t track;
+    track_init(&track);
+    position_t at = {27.95, -15.4};
+    assert_close(fly(&track, &at, 170.0F, 90.0F, 3000), 90.0, 0.5); // side-ways: no aircraft
+}
+
 static void a_jump_of_the_simulator_is_no_drift(void** state)
 {
     (void)state;
@@ -58,7 +67,8 @@ static void a_jump_of_the_simulator_is_no_drift(void** state)
     track_init(&track);
     position_t at = {27.95, -15.4};
     (void)fly(&track, &at, 90.0F, 90.0F, 500);
-    at.latitude_deg += 1.0;
+    at.latitude_deg += 0.5;
+    at.longitude_deg += 1.0;
     assert_close(fly(&track, &at, 90.0F, 90.0F, 1), 90.0, 0.5);
     assert_close(fly(&track, &at, 90.0F, 90.0F, 500), 90.0, 0.5);
 }
@@ -89,6 +99,7 @@ int main(void)
         cmocka_unit_test(a_source_that_gives_the_track_comes_through),
         cmocka_unit_test(a_source_that_gives_the_heading_is_corrected_by_the_drift),
         cmocka_unit_test(the_first_answer_is_the_given_direction),
+        cmocka_unit_test(a_direction_that_is_far_from_the_flight_is_no_drift),
         cmocka_unit_test(a_jump_of_the_simulator_is_no_drift),
         cmocka_unit_test(too_slow_to_fly_there_is_no_drift),
         cmocka_unit_test(a_position_that_is_none_gives_the_direction),

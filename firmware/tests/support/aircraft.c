@@ -6,7 +6,7 @@
 
 static const double rad = 0.017453292519943295;
 static const double ft_per_nmi = 6076.115;
-static const double level_elevator = -0.05; ///< what it needs to fly level at any speed
+static const double level_elevator = -0.15; ///< to fly level at any speed; more than the autopilot itself commands
 static const double level_alpha_deg = 3.0;
 
 void aircraft_init(aircraft_t* aircraft)
