@@ -1,3 +1,4 @@
+import "./theme/index.css";
 import { StrictMode } from "react";
 import { createRoot } from "react-dom/client";
 import { I18nextProvider } from "react-i18next";
@@ -6,7 +7,6 @@ import { browserWorld } from "./app/browser";
 import { createPage } from "./app/page";
 import { createI18n } from "./i18n/i18n";
 import { PageContext } from "./store/hooks";
-import "./theme/index.css";
 
 const root = document.getElementById("root");
 if (root === null) {

@@ -18,40 +18,44 @@ export function LeftPanel() {
   const deg = t("unit.deg");
   return (
     <aside className="left" aria-label={t("left.label")}>
-      <Attitude />
-      <StreamPanel topic="ahrs" title={t("left.ahrs")} className="left-ahrs">
-        <ReadoutGrid>
-          <LiveReadout
-            topic="ahrs"
-            field="yaw_deg"
-            format={heading}
-            label={t("attitude.heading")}
-            unit={deg}
-            size="large"
-            chars={6}
-          />
-          <LiveReadout
-            topic="ahrs"
-            field="pitch_deg"
-            format={tenths}
-            label={t("attitude.pitch")}
-            unit={deg}
-            size="large"
-            chars={6}
-          />
-          <LiveReadout
-            topic="ahrs"
-            field="roll_deg"
-            format={tenths}
-            label={t("attitude.roll")}
-            unit={deg}
-            size="large"
-            chars={6}
-          />
-        </ReadoutGrid>
-      </StreamPanel>
-      <Heading />
-      <ControlsPanel />
+      <div className="left-dials">
+        <Attitude />
+        <Heading />
+      </div>
+      <div className="left-numbers">
+        <StreamPanel topic="ahrs" title={t("left.ahrs")} className="left-ahrs">
+          <ReadoutGrid>
+            <LiveReadout
+              topic="ahrs"
+              field="yaw_deg"
+              format={heading}
+              label={t("attitude.heading")}
+              unit={deg}
+              size="large"
+              chars={6}
+            />
+            <LiveReadout
+              topic="ahrs"
+              field="pitch_deg"
+              format={tenths}
+              label={t("attitude.pitch")}
+              unit={deg}
+              size="large"
+              chars={6}
+            />
+            <LiveReadout
+              topic="ahrs"
+              field="roll_deg"
+              format={tenths}
+              label={t("attitude.roll")}
+              unit={deg}
+              size="large"
+              chars={6}
+            />
+          </ReadoutGrid>
+        </StreamPanel>
+        <ControlsPanel />
+      </div>
       <LiveControlPath />
     </aside>
   );
@@ -76,14 +80,12 @@ function Attitude() {
     [t],
   );
   return (
-    <div className="left-instrument">
-      <AttitudeIndicator
-        ref={instrument}
-        label={t("attitude.indicator")}
-        noDataText={t("words.noData")}
-        describe={describe}
-      />
-    </div>
+    <AttitudeIndicator
+      ref={instrument}
+      label={t("attitude.indicator")}
+      noDataText={t("words.noData")}
+      describe={describe}
+    />
   );
 }
 
@@ -120,14 +122,12 @@ function Heading() {
     [t],
   );
   return (
-    <div className="left-instrument">
-      <HeadingIndicator
-        ref={instrument}
-        label={t("heading.indicator")}
-        noDataText={t("words.noData")}
-        cardinals={cardinals}
-        describe={describe}
-      />
-    </div>
+    <HeadingIndicator
+      ref={instrument}
+      label={t("heading.indicator")}
+      noDataText={t("words.noData")}
+      cardinals={cardinals}
+      describe={describe}
+    />
   );
 }

@@ -9,7 +9,11 @@ import { useSource } from "./useSource";
 export function LiveControlPath() {
   const { t } = useTranslation();
   const source = useSource();
-  const path = useConnection(({ status, phase }) => (phase === "open" ? (status?.hil.path ?? null) : null));
+  // Where no heartbeat tells the source, no signal is known to take any way.
+  const chosenPath = useConnection(({ status, phase }) =>
+    phase === "open" ? (status?.hil.path ?? null) : null,
+  );
+  const path = source === null ? null : chosenPath;
   const autopilot = useTelemetry((telemetry, now_ms) =>
     telemetry.state("heartbeat", now_ms) === "live" ? readAutopilot(telemetry) : null,
   );
@@ -18,7 +22,7 @@ export function LiveControlPath() {
       joystick: t("path.joystick"),
       rc: t("path.rc"),
       manual: t("path.manual"),
-      assisted: t("path.assisted"),
+      assisted: t("path.assistedShort"),
       computer: t("path.computer"),
       autopilot: t("path.autopilot"),
       surfaces: t("path.surfaces"),

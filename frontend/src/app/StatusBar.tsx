@@ -105,20 +105,26 @@ function Link() {
 
 function Recording() {
   const { t } = useTranslation();
-  const file = useConnection(({ status }) => status?.recording.file ?? null);
-  const bytes = useConnection(({ status }) => status?.recording.bytes ?? 0);
+  const recording = useConnection(({ status, phase }) =>
+    phase === "open" ? (status?.recording ?? null) : null,
+  );
+  const file = recording?.active ? recording.file : null;
+  const failure = recording?.failure ?? null;
   return (
-    <span className="app-status-item" data-level={file === null ? "normal" : "recording"}>
+    <span
+      className="app-status-item"
+      data-level={failure !== null ? "warning" : file === null ? "normal" : "recording"}
+    >
       <span className="app-lamp" aria-hidden="true" />
       <span className="app-status-label">{t("status.recording")}</span>
-      {file === null ? (
-        <span>{t("status.notRecording")}</span>
+      {recording === null || file === null ? (
+        <span>{failure === null ? t("status.notRecording") : t("status.recordingFailed")}</span>
       ) : (
         <>
           <span className="app-status-file" title={file}>
             {file.slice(file.lastIndexOf("/") + 1)}
           </span>
-          <span className="app-number">{formatBytes(bytes)}</span>
+          <span className="app-number">{formatBytes(recording.bytes)}</span>
         </>
       )}
     </span>

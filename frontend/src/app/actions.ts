@@ -2,8 +2,8 @@ import type { Check } from "../lib/check";
 import { isCommandResult, isDone, isPorts } from "../protocol/answers";
 import type { Actions, Asker } from "../store/actions";
 import { begin, type CommandStore, finish, type Outcome } from "../store/commands";
-import { type Message, type MessageStore, say } from "../store/messages";
-import type { Answer, Problem, Rest } from "../transport/rest";
+import { failureMessage, type Message, type MessageStore, say } from "../store/messages";
+import type { Answer, Rest } from "../transport/rest";
 
 export interface ActionParts {
   readonly rest: Rest;
@@ -20,10 +20,6 @@ interface Ended {
   readonly message: Message;
 }
 
-export function problemMessage({ code, detail, params }: Problem): Message {
-  return { level: "error", key: `problem.${code}`, params, fallback: detail };
-}
-
 function info(key: string, params: Message["params"] = {}): Message {
   return { level: "info", key, params };
 }
@@ -37,7 +33,7 @@ export function createActions(parts: ActionParts): Actions {
     const answer = await ask;
     const ended: Ended = answer.ok
       ? end(answer.value)
-      : { state: "rejected", message: problemMessage(answer.problem) };
+      : { state: "rejected", message: failureMessage(answer.problem) };
     finish(commands, asker.control, entry, ended, parts.now_ms());
     say(messages, ended.message, parts.wall_ms());
   }
@@ -94,8 +90,8 @@ export function createActions(parts: ActionParts): Actions {
     listPorts: async () => {
       const answer = await rest.ask("GET", "/api/v1/ports", isPorts);
       return answer.ok
-        ? answer.value.map(({ path, description }) => ({ device: path, description }))
-        : problemMessage(answer.problem);
+        ? answer.value.ports.map(({ path, description }) => ({ device: path, description }))
+        : failureMessage(answer.problem);
     },
   };
 }

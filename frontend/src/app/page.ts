@@ -1,17 +1,18 @@
-import { isNumber, isText, nullable, oneOf, shape } from "../lib/check";
+import { isNumber, isObject, isText, nullable, oneOf, shape } from "../lib/check";
 import type { StreamEvent, StreamMessage } from "../protocol/envelope";
 import type { Status } from "../protocol/status";
 import { createCommands } from "../store/commands";
 import { createConnection } from "../store/connection";
 import { DamageRate } from "../store/damage";
 import type { Page } from "../store/hooks";
-import { createMessages, type Message, say } from "../store/messages";
+import { createMessages, failureMessage, type Message, say } from "../store/messages";
 import { Pump } from "../store/pump";
+import { StreamRates } from "../store/rates";
 import { createSettings, type Shelf } from "../store/settings";
 import { TelemetryStore } from "../store/telemetry";
 import { Rest } from "../transport/rest";
 import { StreamSocket, type Timers, type Wire, type WireListener } from "../transport/socket";
-import { createActions, problemMessage, resultMessage } from "./actions";
+import { createActions, resultMessage } from "./actions";
 
 /** What the page needs of the world around it: a browser's window, or a test. */
 export interface World {
@@ -36,7 +37,7 @@ const isCommandEvent = shape({
   ms: nullable(isNumber),
   reason: nullable(isText),
 });
-const isErrorEvent = shape({ code: isText, detail: isText });
+const isErrorEvent = shape({ code: isText, detail: isText, params: isObject });
 
 /** Puts stores, transport and actions together: here alone each message goes from the one to the others. */
 export function createPage(world: World): {
@@ -50,6 +51,7 @@ export function createPage(world: World): {
   const messages = createMessages();
   const settings = createSettings(world.shelf);
   const damage = new DamageRate();
+  const rates = new StreamRates();
   const now_ms = world.timers.now_ms;
   const pump = new Pump(
     { request: world.requestFrame, cancel: world.cancelFrame },
@@ -64,15 +66,19 @@ export function createPage(world: World): {
     telemetry.setStaleAfter(
       Object.entries(status.topics).map(([topic, { stale_after_s }]) => [topic, stale_after_s]),
     );
-    connection.setState({ status, damagedLastSecond: damage.observe(status.board.frames_damaged, at_ms) });
+    const counts = Object.fromEntries(
+      Object.entries(status.topics).map(([topic, { count }]) => [topic, count]),
+    );
+    connection.setState({
+      status,
+      damagedLastSecond: damage.observe(status.board.frames_damaged, at_ms),
+      rates_hz: rates.observe(status.server_time_s, counts),
+    });
   }
 
   function takeEvent({ event, data }: StreamEvent): void {
     if (event === "error" && isErrorEvent(data)) {
-      tell({
-        ...problemMessage({ code: data.code, detail: data.detail, params: wordsOf(data) }),
-        level: "warning",
-      });
+      tell(failureMessage(data, "warning"));
     } else if (
       event === "command" &&
       isCommandEvent(data) &&
@@ -126,18 +132,6 @@ export function createPage(world: World): {
     start: () => socket.start(),
     stop: () => socket.stop(),
   };
-}
-
-/** The values of an error event's sentence, as far as they can stand in one. */
-function wordsOf(data: Readonly<Record<string, unknown>>): Message["params"] {
-  const { params } = data;
-  return typeof params === "object" && params !== null
-    ? Object.fromEntries(
-        Object.entries(params).filter((entry): entry is [string, string | number] => {
-          return isText(entry[1]) || isNumber(entry[1]);
-        }),
-      )
-    : {};
 }
 
 function remembered(shelf: Shelf | null): string | null {

@@ -7,12 +7,14 @@ import { useBoardBlocked } from "./useBlocked";
 
 interface Props {
   command: CommandName;
-  children: ReactNode;
+  children?: ReactNode;
   icon?: ReactNode;
+  /** Accessible name, for a button with an icon alone. */
+  label?: string;
 }
 
 /** A button that sends one command and shows what becomes of it. */
-export function CommandButton({ command, children, icon }: Props) {
+export function CommandButton({ command, children, icon, label }: Props) {
   const { actions } = usePage();
   const { state, stateText } = useAsked(command);
   const blocked = useBoardBlocked();
@@ -23,6 +25,7 @@ export function CommandButton({ command, children, icon }: Props) {
       stateText={stateText}
       disabledReason={blocked}
       icon={icon}
+      label={label}
     >
       {children}
     </Button>

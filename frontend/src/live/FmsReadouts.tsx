@@ -25,6 +25,7 @@ export function FmsReadouts({ topic, columns }: { topic: keyof typeof PLANS; col
     <div className="live-fms">
       <ReadoutGrid columns={columns}>
         <LiveReadout
+          size="large"
           topic={topic}
           field="bearing_deg"
           format={heading}
@@ -32,6 +33,7 @@ export function FmsReadouts({ topic, columns }: { topic: keyof typeof PLANS; col
           unit={t("unit.deg")}
         />
         <LiveReadout
+          size="large"
           topic={topic}
           field="altitude_ft"
           format={whole}
@@ -39,6 +41,7 @@ export function FmsReadouts({ topic, columns }: { topic: keyof typeof PLANS; col
           unit={t("unit.ft")}
         />
         <LiveReadout
+          size="large"
           topic={topic}
           field="speed_kt"
           format={tenths}
@@ -46,13 +49,14 @@ export function FmsReadouts({ topic, columns }: { topic: keyof typeof PLANS; col
           unit={t("unit.kt")}
         />
         <LiveReadout
+          size="large"
           topic={topic}
           field="distance_m"
           format={whole}
           label={t("fms.distance")}
           unit={t("unit.m")}
         />
-        <LiveReadout topic={topic} field="waypoint" format={whole} label={t("fms.waypoint")} />
+        <LiveReadout size="large" topic={topic} field="waypoint" format={whole} label={t("fms.waypoint")} />
       </ReadoutGrid>
       <div className="live-fms-steps">
         <CommandButton command={plan.previous} icon={<ChevronLeft aria-hidden="true" />}>

@@ -12,6 +12,8 @@ export interface Connection {
   readonly status: Status | null;
   /** Frames of the board that were damaged within the last second. */
   readonly damagedLastSecond: number;
+  /** Samples a second of each topic. */
+  readonly rates_hz: Readonly<Record<string, number>>;
   /** Messages of the gateway that were not as agreed. */
   readonly malformed: number;
 }
@@ -24,6 +26,7 @@ export function createConnection(): ConnectionStore {
     client: null,
     status: null,
     damagedLastSecond: 0,
+    rates_hz: {},
     malformed: 0,
   }));
 }

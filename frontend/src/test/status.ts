@@ -4,10 +4,14 @@ import type { Status } from "../protocol/status";
 export function aStatus(parts: Partial<Status> = {}): Status {
   return {
     version: "0.1.0",
+    server_time_s: 1_700_000_000,
     board: {
       state: "open",
       url: "pty:///tmp/board",
       mode: "extended",
+      failure: null,
+      reopened: 0,
+      firmware: { name: "epf", version: "1.0" },
       heartbeat_age_s: 0.05,
       frames_received: 1000,
       frames_damaged: 0,
@@ -16,6 +20,12 @@ export function aStatus(parts: Partial<Status> = {}): Status {
     },
     simulator: {
       state: "open",
+      failure: null,
+      receive_port: 49003,
+      send_host: "127.0.0.1",
+      send_port: 49000,
+      profile: "xp10",
+      missing_rows: [],
       rows: [3, 4, 8, 16, 17, 18, 20, 25],
       datagrams_received: 5000,
       datagrams_dropped: 0,
@@ -24,8 +34,8 @@ export function aStatus(parts: Partial<Status> = {}): Status {
     },
     hil: { source: "joystick", path: "assisted" },
     control: { client: "c1", name: "127.0.0.1" },
-    recording: { file: "data/recordings/flight.mcap", bytes: 61_500_000 },
-    topics: { ahrs: { stale_after_s: 0.3, rate_hz: 10 }, heartbeat: { stale_after_s: 0.3, rate_hz: 10 } },
+    recording: { active: true, failure: null, file: "data/recordings/flight.mcap", bytes: 61_500_000 },
+    topics: { ahrs: { count: 100, stale_after_s: 0.3 }, heartbeat: { count: 100, stale_after_s: 0.3 } },
     alarms: [],
     ...parts,
   };

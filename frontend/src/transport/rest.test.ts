@@ -45,7 +45,7 @@ test("a problem document keeps its code, its sentence and the values in it", asy
         status: 409,
         code: "link_busy",
         detail: "It is in use.",
-        params: { target: "/dev/ttyUSB0", deep: {} },
+        params: { target: "/dev/ttyUSB0" },
       },
       { status: 409 },
     ),

@@ -1,4 +1,4 @@
-import { type Check, isNumber, isObject, isText } from "../lib/check";
+import { type Check, isObject, isText } from "../lib/check";
 
 /** What the gateway says when it did not do something (RFC 9457), or what stands in for it when it says nothing. */
 export interface Problem {
@@ -6,7 +6,7 @@ export interface Problem {
   readonly code: string;
   /** One clear English sentence: which, why, what to do. */
   readonly detail: string;
-  readonly params: Readonly<Record<string, string | number>>;
+  readonly params: Readonly<Record<string, unknown>>;
 }
 
 export type Answer<T> =
@@ -79,14 +79,7 @@ function parse(text: string): unknown {
 function problemOf(value: unknown, status: number): Problem {
   if (isObject(value) && isText(value["code"]) && isText(value["detail"])) {
     const { code, detail, params } = value;
-    const entries = isObject(params) ? Object.entries(params) : [];
-    return {
-      code,
-      detail,
-      params: Object.fromEntries(
-        entries.filter((entry): entry is [string, string | number] => isText(entry[1]) || isNumber(entry[1])),
-      ),
-    };
+    return { code, detail, params: isObject(params) ? params : {} };
   }
   return { code: "unexpected", detail: `The gateway answered with status ${status}.`, params: { status } };
 }

@@ -3,21 +3,37 @@ import { FmsReadouts } from "../../live/FmsReadouts";
 import { LiveFlag } from "../../live/LiveFlag";
 import { LiveServoBar } from "../../live/LiveServoBar";
 import { StreamHead } from "../../live/StreamPanel";
-import type { NumberField } from "../../protocol/topics";
+import type { NumberField, TopicName } from "../../protocol/topics";
 import { usePage, useSettings } from "../../store/hooks";
 import { choose } from "../../store/settings";
 import { Tabs } from "../../ui/Tabs";
 import { GpsReadouts, GpsState } from "./GpsTabs";
 
+const TOPICS = {
+  fms: "fms_plan",
+  gps: "gps",
+  servosIn: "servos_in",
+  flyByWire: "fly_by_wire",
+} as const satisfies Readonly<Record<string, TopicName>>;
+type TabName = keyof typeof TOPICS;
+
+function isTab(name: string | undefined): name is TabName {
+  return name !== undefined && name in TOPICS;
+}
+
 /** The lower sub tabs: the flight plan, the whole GPS, the RC channels, the fly-by-wire's controls. */
 export function BoardTabs() {
   const { t } = useTranslation();
   const { settings } = usePage();
-  const tab = useSettings(({ choices }) => choices["flight.board"] ?? "fms");
+  const tab = useSettings(({ choices }) =>
+    isTab(choices["flight.board"]) ? choices["flight.board"] : "fms",
+  );
   return (
     <Tabs
       label={t("flight.boardTabs")}
       size="sub"
+      className="live-card"
+      trailing={<StreamHead topic={TOPICS[tab]} />}
       value={tab}
       onValueChange={(value) => choose(settings, "flight.board", value)}
       tabs={[
@@ -34,8 +50,7 @@ function Fms() {
   const { t } = useTranslation();
   return (
     <>
-      <StreamHead topic="fms_plan" />
-      <FmsReadouts topic="fms_plan" columns={5} />
+      <FmsReadouts topic="fms_plan" columns={3} />
       <div className="flight-automatic">
         <LiveFlag
           topic="heartbeat"
@@ -55,7 +70,6 @@ function Fms() {
 function Gps() {
   return (
     <>
-      <StreamHead topic="gps" />
       <GpsReadouts columns={3} />
       <GpsState />
     </>
@@ -80,54 +94,43 @@ const CHANNELS = [
 function ServosIn() {
   const { t } = useTranslation();
   return (
-    <>
-      <StreamHead topic="servos_in" />
-      <div className="flight-servos">
-        {CHANNELS.map((field, index) => (
-          <LiveServoBar
-            key={field}
-            topic="servos_in"
-            field={field}
-            label={t("servo.channel", { number: index + 1 })}
-          />
-        ))}
-      </div>
-    </>
+    <div className="flight-servos">
+      {CHANNELS.map((field, index) => (
+        <LiveServoBar
+          key={field}
+          topic="servos_in"
+          field={field}
+          label={t("servo.channel", { number: index + 1 })}
+        />
+      ))}
+    </div>
   );
 }
 
 function FlyByWire() {
   const { t } = useTranslation();
   return (
-    <>
-      <StreamHead topic="fly_by_wire" />
-      <div className="flight-surfaces">
-        <LiveServoBar
-          topic="fly_by_wire"
-          field="aileron"
-          label={t("control.aileron")}
-          orientation="horizontal"
-        />
-        <LiveServoBar
-          topic="fly_by_wire"
-          field="elevator"
-          label={t("control.elevator")}
-          orientation="horizontal"
-        />
-        <LiveServoBar
-          topic="fly_by_wire"
-          field="rudder"
-          label={t("control.rudder")}
-          orientation="horizontal"
-        />
-        <LiveServoBar
-          topic="fly_by_wire"
-          field="throttle"
-          label={t("control.throttle")}
-          kind="throttle"
-          orientation="horizontal"
-        />
-      </div>
-    </>
+    <div className="flight-surfaces">
+      <LiveServoBar
+        topic="fly_by_wire"
+        field="aileron"
+        label={t("control.aileron")}
+        orientation="horizontal"
+      />
+      <LiveServoBar
+        topic="fly_by_wire"
+        field="elevator"
+        label={t("control.elevator")}
+        orientation="horizontal"
+      />
+      <LiveServoBar topic="fly_by_wire" field="rudder" label={t("control.rudder")} orientation="horizontal" />
+      <LiveServoBar
+        topic="fly_by_wire"
+        field="throttle"
+        label={t("control.throttle")}
+        kind="throttle"
+        orientation="horizontal"
+      />
+    </div>
   );
 }

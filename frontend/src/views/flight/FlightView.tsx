@@ -67,7 +67,7 @@ function InertialPanels() {
   const acceleration = t("unit.mPerS2");
   return (
     <>
-      <StreamPanel topic="inertial" title={t("flight.gyros")} className="flight-gyros">
+      <StreamPanel topic="inertial" title={t("flight.gyros")} className="flight-gyros" narrow>
         <ReadoutGrid>
           <LiveReadout
             topic="inertial"
@@ -92,7 +92,12 @@ function InertialPanels() {
           />
         </ReadoutGrid>
       </StreamPanel>
-      <StreamPanel topic="inertial" title={t("flight.accelerometers")} className="flight-accelerometers">
+      <StreamPanel
+        topic="inertial"
+        title={t("flight.accelerometers")}
+        className="flight-accelerometers"
+        narrow
+      >
         <ReadoutGrid>
           <LiveReadout
             topic="inertial"
@@ -117,7 +122,7 @@ function InertialPanels() {
           />
         </ReadoutGrid>
       </StreamPanel>
-      <StreamPanel topic="inertial" title={t("flight.magnetometers")} className="flight-magnetometers">
+      <StreamPanel topic="inertial" title={t("flight.magnetometers")} className="flight-magnetometers" narrow>
         <ReadoutGrid>
           <LiveReadout topic="inertial" field="magx" format={thousandths} label={t("axis.x")} />
           <LiveReadout topic="inertial" field="magy" format={thousandths} label={t("axis.y")} />

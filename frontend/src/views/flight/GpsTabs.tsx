@@ -14,32 +14,27 @@ export const hasFix: ReadFlag = (telemetry) => {
   return fix === null ? null : fix > 0 && telemetry.newestFlag("gps", "valid") !== false;
 };
 
+const TABS = ["fast", "status", "cpu"] as const;
+
 /** The upper sub tabs: position at a glance, the receiver's state, the load of the two processors. */
 export function GpsTabs() {
   const { t } = useTranslation();
   const { settings } = usePage();
-  const tab = useSettings(({ choices }) => choices["flight.gps"] ?? "fast");
+  const tab = useSettings(({ choices }) => TABS.find((name) => name === choices["flight.gps"]) ?? "fast");
   return (
     <Tabs
       label={t("flight.gpsTabs")}
       size="sub"
+      className="live-card"
+      trailing={<StreamHead topic={tab === "cpu" ? "statistics" : "gps"} narrow />}
       value={tab}
       onValueChange={(value) => choose(settings, "flight.gps", value)}
       tabs={[
-        { value: "fast", label: t("flight.fastGps"), content: <FastGps /> },
-        { value: "status", label: t("flight.gpsStatus"), content: <GpsStatus /> },
+        { value: "fast", label: t("flight.fastGps"), content: <GpsReadouts /> },
+        { value: "status", label: t("flight.gpsStatus"), content: <GpsState /> },
         { value: "cpu", label: t("flight.cpu"), content: <Cpu /> },
       ]}
     />
-  );
-}
-
-function FastGps() {
-  return (
-    <>
-      <StreamHead topic="gps" />
-      <GpsReadouts />
-    </>
   );
 }
 
@@ -83,15 +78,6 @@ export function GpsReadouts({ columns = 1 }: { columns?: number }) {
   );
 }
 
-function GpsStatus() {
-  return (
-    <>
-      <StreamHead topic="gps" />
-      <GpsState />
-    </>
-  );
-}
-
 export function GpsState() {
   const { t } = useTranslation();
   return (
@@ -113,26 +99,23 @@ function Cpu() {
   const { t } = useTranslation();
   const percent = t("unit.percent");
   return (
-    <>
-      <StreamHead topic="statistics" />
-      <ReadoutGrid>
-        <LiveReadout
-          topic="statistics"
-          field="sensor_dsc_percent"
-          format={whole}
-          label={t("cpu.sensor")}
-          unit={percent}
-          chars={4}
-        />
-        <LiveReadout
-          topic="statistics"
-          field="control_dsc_percent"
-          format={whole}
-          label={t("cpu.control")}
-          unit={percent}
-          chars={4}
-        />
-      </ReadoutGrid>
-    </>
+    <ReadoutGrid>
+      <LiveReadout
+        topic="statistics"
+        field="sensor_dsc_percent"
+        format={whole}
+        label={t("cpu.sensor")}
+        unit={percent}
+        chars={4}
+      />
+      <LiveReadout
+        topic="statistics"
+        field="control_dsc_percent"
+        format={whole}
+        label={t("cpu.control")}
+        unit={percent}
+        chars={4}
+      />
+    </ReadoutGrid>
   );
 }

@@ -52,7 +52,7 @@ export function HilView() {
         />
       </StreamPanel>
       <StreamPanel topic="fms_hil_plan" title={t("hil.fms")} className="hil-fms">
-        <FmsReadouts topic="fms_hil_plan" columns={5} />
+        <FmsReadouts topic="fms_hil_plan" columns={3} />
       </StreamPanel>
     </div>
   );
@@ -93,8 +93,8 @@ function SimulatorGroups() {
         />
       </Group>
       <Group title={t("hil.gps")} className="hil-gps">
-        <Value field="latitude_deg" format={coordinate} label={t("gps.latitude")} unit={deg} chars={11} />
-        <Value field="longitude_deg" format={coordinate} label={t("gps.longitude")} unit={deg} chars={11} />
+        <Value field="latitude_deg" format={coordinate} label={t("gps.latitude")} unit={deg} chars={10} />
+        <Value field="longitude_deg" format={coordinate} label={t("gps.longitude")} unit={deg} chars={10} />
         <Value field="altitude_msl_ft" format={whole} label={t("gps.altitude")} unit={t("unit.ft")} />
       </Group>
       <Group title={t("hil.gyros")} className="hil-gyros">

@@ -5,13 +5,14 @@ import { useAsked } from "../../live/useAsked";
 import { useGatewayBlocked } from "../../live/useBlocked";
 import type { Port } from "../../store/actions";
 import { useCommandEntry, useConnection, usePage, useSettings } from "../../store/hooks";
+import { failureMessage } from "../../store/messages";
 import { choose } from "../../store/settings";
 import { Button } from "../../ui/Button";
 import { Notice } from "../../ui/Notice";
 import { Panel } from "../../ui/Panel";
 import { Select } from "../../ui/Select";
 import { TextField } from "../../ui/TextField";
-import { BAUDS, type Baud, boardUrl, DEFAULT_BAUD, isBaud, OTHER } from "./address";
+import { BAUDS, type BoardChoice, boardUrl, choiceOf, isBaud, OTHER } from "./address";
 import { Facts } from "./Facts";
 import { usePorts } from "./usePorts";
 
@@ -73,18 +74,16 @@ function BoardForm() {
   );
 }
 
-interface Choice {
-  readonly port: string | null;
-  readonly baud: Baud;
-  readonly address: string;
+interface Choice extends BoardChoice {
   readonly options: ReadonlyArray<{ readonly value: string; readonly label: string }>;
 }
 
 /** What was chosen here before, and what there is to choose from. */
 function useBoardChoice(ports: readonly Port[]): Choice {
   const { t } = useTranslation();
-  const chosen = useSettings(({ choices }) => choices["board.port"] ?? null);
-  const address = useSettings(({ choices }) => choices["board.address"] ?? "");
+  const open = choiceOf(useConnection(({ status }) => status?.board.url ?? null));
+  const chosen = useSettings(({ choices }) => choices["board.port"]) ?? open.port;
+  const address = useSettings(({ choices }) => choices["board.address"]) ?? open.address;
   const baud = useSettings(({ choices }) => choices["board.baud"]);
   const listed = ports.map(({ device, description }) => ({
     value: device,
@@ -95,7 +94,7 @@ function useBoardChoice(ports: readonly Port[]): Choice {
   const missing = isMissing ? [{ value: chosen, label: t("setup.portMissing", { port: chosen }) }] : [];
   return {
     port: chosen ?? (listed.length === 0 ? OTHER : null),
-    baud: isBaud(baud) ? baud : DEFAULT_BAUD,
+    baud: isBaud(baud) ? baud : open.baud,
     address,
     options: [...listed, ...missing, { value: OTHER, label: t("setup.otherAddress") }],
   };
@@ -107,7 +106,10 @@ function BoardButtons({ url }: { url: string | null }) {
   const sentence = useSentence();
   const isClosed = useConnection(({ status }) => (status?.board.state ?? "closed") === "closed");
   const { state, wanted } = useAsked("board");
-  const failure = useCommandEntry("board")?.message ?? null;
+  const refusal = useCommandEntry("board")?.message ?? null;
+  const failure = useConnection(({ status }) => status?.board.failure ?? null);
+  // Why the line is not open is said for as long as it is not; a refused press, for as long as it is shown.
+  const notice = failure === null ? refusal : failureMessage(failure);
   const blocked = useGatewayBlocked();
   return (
     <>
@@ -133,7 +135,7 @@ function BoardButtons({ url }: { url: string | null }) {
           {t("setup.close")}
         </Button>
       </div>
-      {failure?.level === "error" && <Notice level="error">{sentence(failure)}</Notice>}
+      {notice?.level === "error" && <Notice level="error">{sentence(notice)}</Notice>}
     </>
   );
 }
@@ -146,12 +148,15 @@ function BoardFacts() {
     return <Facts facts={[[t("setup.state"), t("link.unknown")]]} />;
   }
   const mode = board.mode === null ? t("words.unknown") : t(`mode.${board.mode}`);
+  const firmware = [board.firmware?.name, board.firmware?.version].filter(Boolean).join(" ");
   return (
     <Facts
       facts={[
         [t("setup.state"), t(`link.${board.state}`)],
         [t("setup.line"), board.url ?? t("words.dash")],
         [t("setup.mode"), board.state === "open" ? mode : t("words.dash")],
+        [t("setup.firmware"), firmware === "" ? t("words.dash") : firmware],
+        [t("setup.reopened"), String(board.reopened)],
         [t("setup.framesReceived"), String(board.frames_received)],
         [t("setup.framesDamaged"), String(board.frames_damaged)],
       ]}

@@ -7,6 +7,7 @@ import { useAsked } from "../../live/useAsked";
 import { useGatewayBlocked } from "../../live/useBlocked";
 import type { SimulatorLink as Link } from "../../store/actions";
 import { useCommandEntry, useConnection, usePage, useSettings } from "../../store/hooks";
+import { failureMessage } from "../../store/messages";
 import { choose } from "../../store/settings";
 import { Button } from "../../ui/Button";
 import { Notice } from "../../ui/Notice";
@@ -36,14 +37,16 @@ function port(text: string | undefined, fallback: number): number {
   return Number.isInteger(number) && number >= 1 && number <= 65535 ? number : fallback;
 }
 
-/** The fields as they were last filled in here; the usual ones at a first visit. */
+/** The fields as they were last filled in here; else as the link is open; else the usual ones. */
 function useLink(): Link {
   const choices = useSettings((settings) => settings.choices);
+  const open = useConnection(({ status }) => status?.simulator);
+  const profile = choices["simulator.profile"];
   return {
-    send_host: choices["simulator.host"] ?? "127.0.0.1",
-    send_port: port(choices["simulator.sendPort"], SEND_PORT),
-    receive_port: port(choices["simulator.receivePort"], RECEIVE_PORT),
-    profile: PROFILES.find((profile) => profile === choices["simulator.profile"]) ?? "xp10",
+    send_host: choices["simulator.host"] ?? open?.send_host ?? "127.0.0.1",
+    send_port: port(choices["simulator.sendPort"], open?.send_port ?? SEND_PORT),
+    receive_port: port(choices["simulator.receivePort"], open?.receive_port ?? RECEIVE_PORT),
+    profile: PROFILES.find((known) => known === profile) ?? open?.profile ?? "xp10",
   };
 }
 
@@ -52,10 +55,13 @@ function SimulatorForm() {
   const { actions, settings } = usePage();
   const sentence = useSentence();
   const link = useLink();
-  const [host, setHost] = useState(link.send_host);
+  const [draft, setDraft] = useState<string | null>(null);
+  const host = (draft ?? link.send_host).trim();
   const state = useConnection(({ status }) => status?.simulator.state ?? "closed");
   const opening = useAsked("simulator");
-  const failure = useCommandEntry("simulator")?.message ?? null;
+  const refusal = useCommandEntry("simulator")?.message ?? null;
+  const failure = useConnection(({ status }) => status?.simulator.failure ?? null);
+  const notice = failure === null ? refusal : failureMessage(failure);
   const blocked = useGatewayBlocked();
   return (
     <div className="setup-form">
@@ -64,10 +70,10 @@ function SimulatorForm() {
           label={t("setup.host")}
           value={link.send_host}
           onCommit={(value) => {
-            setHost(value);
+            setDraft(null);
             choose(settings, "simulator.host", value.trim());
           }}
-          onEdit={setHost}
+          onEdit={setDraft}
           monospace
         />
         <Select
@@ -99,11 +105,9 @@ function SimulatorForm() {
       <div className="setup-buttons">
         <Button
           variant="primary"
-          onPress={() =>
-            void actions.openSimulator({ ...link, send_host: host.trim() }, { control: "simulator" })
-          }
+          onPress={() => void actions.openSimulator({ ...link, send_host: host }, { control: "simulator" })}
           state={opening.wanted === "close" ? "idle" : opening.state}
-          disabledReason={blocked ?? (host.trim() === "" ? t("setup.noHost") : undefined)}
+          disabledReason={blocked ?? (host === "" ? t("setup.noHost") : undefined)}
           icon={<Plug aria-hidden="true" size={14} />}
         >
           {t("setup.open")}
@@ -116,9 +120,25 @@ function SimulatorForm() {
           {t("setup.close")}
         </Button>
       </div>
-      {failure !== null && failure.level === "error" && <Notice level="error">{sentence(failure)}</Notice>}
+      {notice?.level === "error" && <Notice level="error">{sentence(notice)}</Notice>}
+      <Advice />
     </div>
   );
+}
+
+/** What is missing although the port is open. */
+function Advice() {
+  const { t } = useTranslation();
+  const state = useConnection(({ status, phase }) =>
+    phase === "open" ? status?.simulator.state : undefined,
+  );
+  const missing = useConnection(({ status }) => status?.simulator.missing_rows.join(", ") ?? "");
+  if (state === "opening") {
+    return <Notice level="info">{t("setup.nothingHeard")}</Notice>;
+  }
+  return state === "open" && missing !== "" ? (
+    <Notice level="warning">{t("setup.missingRows", { rows: missing })}</Notice>
+  ) : null;
 }
 
 function SimulatorFacts() {

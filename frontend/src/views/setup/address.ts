@@ -17,11 +17,35 @@ export function isBaud(text: string | undefined): text is Baud {
 export function boardUrl(choice: { port: string | null; baud: Baud; address: string }): string | null {
   const { port, baud } = choice;
   if (port !== null && port !== OTHER) {
-    return `serial://${port}?baud=${baud}`;
+    return serialUrl(port, baud);
   }
   const address = choice.address.trim();
   if (address === "") {
     return null;
   }
-  return /^[a-z]+:\/\//i.test(address) ? address : `serial://${address}?baud=${baud}`;
+  return /^[a-z]+:\/\//i.test(address) ? address : serialUrl(address, baud);
+}
+
+/** Three slashes before the device: a path brings its own, a name like COM3 does not. */
+function serialUrl(device: string, baud: Baud): string {
+  return `serial://${/^[./]/.test(device) ? "" : "/"}${device}?baud=${baud}`;
+}
+
+export interface BoardChoice {
+  readonly port: string | null;
+  readonly baud: Baud;
+  readonly address: string;
+}
+
+/** The choice that gives this address: what is open now is what the form shows to who has not chosen yet. */
+export function choiceOf(url: string | null): BoardChoice {
+  if (url === null) {
+    return { port: null, baud: DEFAULT_BAUD, address: "" };
+  }
+  const serial = /^serial:\/\/(?:\/(?=[a-z]))?([^?]+)(?:\?baud=(\d+))?$/i.exec(url);
+  const device = serial?.[1];
+  const baud = serial?.[2];
+  return device === undefined
+    ? { port: OTHER, baud: DEFAULT_BAUD, address: url }
+    : { port: device, baud: isBaud(baud) ? baud : DEFAULT_BAUD, address: "" };
 }
