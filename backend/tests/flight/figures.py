@@ -46,10 +46,8 @@ class Leg:
         return distances
 
     def is_reached(self) -> bool:
-        """Whether the aircraft has come as near to the waypoint as its capture."""
-        place = (self.waypoint.latitude_deg, self.waypoint.longitude_deg)
-        latest = (self.samples[-1].state.latitude_deg, self.samples[-1].state.longitude_deg)
-        return math.hypot(*_metres(place, latest)) <= REACHED_M
+        """Whether the leg ended as near to its waypoint as the capture."""
+        return is_near(self.samples[-1], self.waypoint)
 
     def altitude_errors_ft(self) -> list[float]:
         """Steady ones."""
@@ -107,6 +105,12 @@ def split(samples: Sequence[Sample], route: Sequence[Waypoint]) -> list[Leg]:
         legs.append(Leg(waypoint, begin, samples[first:last]))
         first, begin = last, (waypoint.latitude_deg, waypoint.longitude_deg)
     return legs
+
+
+def is_near(sample: Sample, waypoint: Waypoint) -> bool:
+    """Whether the aircraft is as near to the waypoint as its capture."""
+    place = (waypoint.latitude_deg, waypoint.longitude_deg)
+    return math.hypot(*_metres(place, (sample.state.latitude_deg, sample.state.longitude_deg))) <= REACHED_M
 
 
 def settling_s(samples: Sequence[Sample], error: Callable[[Sample], float], band: float) -> float:

@@ -12,8 +12,10 @@ from gateway.codec.messages_gen import ROUTES
 from simulator.link import LinkQuality
 from simulator.simulation import SimulationOptions
 from simulator.situation import Situation, Start, Turbulence, Wind
-from tests.flight.closed_loop import ClosedLoop, Sample
+from tests.flight.closed_loop import ClosedLoop
 from tests.flight.figures import Figures, measure
+from tests.flight.manoeuvres import fly_route
+from tests.flight.reference import ALTITUDE_LIMIT_FT, CROSS_TRACK_LIMIT_M, ROUTE_REFERENCES, WITHIN
 
 GANDO = ROUTES["gando"].waypoints
 CALM = SimulationOptions()
@@ -21,27 +23,9 @@ WINDY = Situation(wind=Wind(330.0, 20.0), turbulence=Turbulence.MODERATE)
 LONGEST_S = 800.0
 
 
-class Round:
-    """Notices when the last waypoint has been captured: the plan then begins again."""
-
-    def __init__(self) -> None:
-        self._was_on_last = False
-
-    def is_over(self, sample: Sample) -> bool:
-        over = self._was_on_last and sample.waypoint == 0
-        self._was_on_last = sample.waypoint == len(GANDO) - 1
-        return over
-
-
-def fly_gando(loop: ClosedLoop, seconds: float = LONGEST_S) -> list[Sample]:
-    loop.command("hil_load_gando")
-    loop.command("autopilot_on")
-    return loop.fly(seconds, Round().is_over)
-
-
 def figures_of(options: SimulationOptions) -> Figures:
     with ClosedLoop(options) as loop:
-        samples = fly_gando(loop)
+        samples = fly_route(loop, "gando", LONGEST_S)
         assert loop.crashes == []
         return measure(samples, GANDO)
 
@@ -49,7 +33,7 @@ def figures_of(options: SimulationOptions) -> Figures:
 @pytest.fixture(scope="module")
 def calm_flight() -> Iterator[ClosedLoop]:
     with ClosedLoop(CALM) as loop:
-        fly_gando(loop)
+        fly_route(loop, "gando", LONGEST_S)
         yield loop
 
 
@@ -57,14 +41,14 @@ def test_the_whole_circuit_is_flown_within_the_limits(calm_flight: ClosedLoop) -
     figures = measure(calm_flight.samples, GANDO)
     assert calm_flight.crashes == []
     assert figures.waypoints_reached == 8
-    assert figures.altitude_rms_ft < 20.0
-    assert figures.cross_track_rms_m < 60.0
-    assert figures.time_s < 575.0 * 1.2
+    assert figures.altitude_rms_ft < ALTITUDE_LIMIT_FT
+    assert figures.cross_track_rms_m < CROSS_TRACK_LIMIT_M
+    assert figures.time_s < ROUTE_REFERENCES["gando"].time_s * WITHIN
 
 
 def test_the_same_seed_gives_the_same_bytes(calm_flight: ClosedLoop) -> None:
     with ClosedLoop(CALM) as again:
-        fly_gando(again, 150.0)
+        fly_route(again, "gando", 150.0)
         assert len(again.bytes_to_station) == 7500
         assert again.bytes_to_station == calm_flight.bytes_to_station[:7500]
 
@@ -74,7 +58,7 @@ def test_in_turbulence_over_a_bad_link_the_seed_decides_every_byte() -> None:
 
     def bytes_of(seed: int) -> list[bytes]:
         with ClosedLoop(replace(rough, situation=replace(WINDY, seed=seed))) as loop:
-            fly_gando(loop, 30.0)
+            fly_route(loop, "gando", 30.0)
             return loop.bytes_to_station
 
     first = bytes_of(7)
@@ -93,8 +77,8 @@ def test_in_turbulence_over_a_bad_link_the_seed_decides_every_byte() -> None:
 def test_a_worse_link_changes_nothing_that_shows(link: LinkQuality) -> None:
     figures = figures_of(replace(CALM, link=link))
     assert figures.waypoints_reached == 8
-    assert figures.altitude_rms_ft < 20.0
-    assert figures.cross_track_rms_m < 60.0
+    assert figures.altitude_rms_ft < ALTITUDE_LIMIT_FT
+    assert figures.cross_track_rms_m < CROSS_TRACK_LIMIT_M
 
 
 def test_the_circuit_is_flown_in_20_kt_of_wind_with_turbulence() -> None:
@@ -108,11 +92,11 @@ def test_the_circuit_is_flown_from_a_standing_start_on_the_runway() -> None:
     # The pilot opens the throttle; the autopilot, on from the first moment, does the rest.
     standing = replace(CALM, situation=Situation(start=Start.RUNWAY), throttle=1.0)
     with ClosedLoop(standing) as loop:
-        samples = fly_gando(loop)
+        samples = fly_route(loop, "gando", LONGEST_S)
         assert samples[0].state.on_ground
         assert samples[0].state.speed_ground_kt < 1.0
         assert loop.crashes == []
         figures = measure(samples, GANDO)
     assert figures.waypoints_reached == 8
-    assert figures.altitude_rms_ft < 20.0
-    assert figures.cross_track_rms_m < 60.0
+    assert figures.altitude_rms_ft < ALTITUDE_LIMIT_FT
+    assert figures.cross_track_rms_m < CROSS_TRACK_LIMIT_M
