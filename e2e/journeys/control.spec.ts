@@ -1,0 +1,25 @@
+import { expect, open, test } from "../support/fixtures.js";
+
+test("one operator has control at a time: the second page watches until the first lets go", async ({
+  page,
+  context,
+  flying,
+}) => {
+  await open(page, flying);
+  await expect(page.getByText("Tienes el control", { exact: true })).toBeVisible();
+
+  const second = await context.newPage();
+  await open(second, flying);
+  const off = second.getByRole("group", { name: "Autopilot" }).getByRole("radio", { name: "Off" });
+  await expect(off).toBeDisabled();
+  await expect(second.getByText("Tienes el control", { exact: true })).toHaveCount(0);
+
+  await page.getByRole("button", { name: "Soltar" }).click();
+  await second.getByRole("button", { name: "Tomar el control" }).click();
+  await expect(second.getByText("Tienes el control", { exact: true })).toBeVisible();
+  await expect(off).toBeEnabled();
+  await expect(page.getByRole("group", { name: "Autopilot" }).getByRole("radio", { name: "Off" })).toBeDisabled();
+
+  await second.close();
+  await expect(page.getByRole("button", { name: "Tomar el control" })).toBeEnabled();
+});

@@ -1,0 +1,33 @@
+import { attitude, expect, open, test } from "../support/fixtures.js";
+
+test("a visitor sees the aircraft fly and bank, and the waypoint number advance", async ({ page, flying }) => {
+  await open(page, flying);
+  await expect(attitude(page)).toHaveAttribute("data-state", "live");
+  await expect(page.getByText("Tienes el control", { exact: true })).toBeVisible();
+
+  await page.getByRole("tab", { name: "HIL", exact: true }).click();
+  const fms = page.getByRole("region", { name: "Parámetros del Flight Management System" });
+  const waypoint = fms.locator("dl > *", { hasText: "Waypoint" });
+  await expect(waypoint).toContainText("0");
+  // The third waypoint lies behind the aircraft: on the way to it the autopilot has to bank.
+  for (const number of [1, 2, 3]) {
+    await fms.getByRole("button", { name: "Next" }).click();
+    await expect(waypoint).toContainText(`${number}`);
+  }
+  await expect
+    .poll(async () => Math.abs(Number(await attitude(page).getAttribute("data-roll-deg"))))
+    .toBeGreaterThan(15);
+  await expect.poll(async () => await flying.value("ahrs", "roll_deg"), "the turn ends").toBeLessThan(5);
+});
+
+test("the page's numbers are the gateway's, in sign and size", async ({ page, flying }) => {
+  await open(page, flying);
+  await expect
+    .poll(async () => {
+      const shown = Number(await attitude(page).getAttribute("data-pitch-deg"));
+      return Math.abs(shown - (await flying.value("ahrs", "pitch_deg")));
+    })
+    .toBeLessThan(1.5);
+  const latitude = page.getByRole("tabpanel", { name: "Fast GPS" }).locator("dl > *", { hasText: "Latitud" });
+  await expect(latitude).toContainText(/27\.9\d{5}/);
+});

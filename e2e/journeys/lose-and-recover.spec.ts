@@ -1,0 +1,48 @@
+import { attitude, expect, open, test } from "../support/fixtures.js";
+
+test("the board's line is pulled: everything goes stale and the alarm shows; plugged in, it recovers", async ({
+  page,
+  flying,
+}) => {
+  await open(page, flying);
+  await expect(attitude(page)).toHaveAttribute("data-state", "live");
+
+  await flying.line.pull();
+  const alarms = page.getByRole("region", { name: "Alarmas" });
+  await expect(alarms.getByRole("alert")).toContainText("Se ha perdido el latido de la placa");
+  await expect(attitude(page)).not.toHaveAttribute("data-state", "live");
+  await expect(page.getByRole("img", { name: "Indicador de rumbo" })).not.toHaveAttribute("data-state", "live");
+  const panel = page.getByRole("tabpanel", { name: "Datos de vuelo", exact: true });
+  await expect(panel.getByText("en vivo")).toHaveCount(0);
+  await expect(page.getByRole("contentinfo")).toContainText("perdido");
+  // A command cannot be given, and says why.
+  await expect(page.getByRole("group", { name: "Autopilot" }).getByRole("radio", { name: "Off" })).toBeDisabled();
+  for (const tab of ["HIL", "Setup"]) {
+    await page.getByRole("tab", { name: tab, exact: true }).click();
+    await expect(alarms.getByRole("alert")).toContainText("Se ha perdido el latido de la placa");
+  }
+
+  await flying.line.plugIn();
+  await expect(attitude(page)).toHaveAttribute("data-state", "live");
+  await expect(alarms.getByRole("alert")).not.toContainText("latido");
+  await expect(page.getByRole("contentinfo")).toContainText("conectado");
+  // The board never stopped flying, and flies on under the station.
+  await expect.poll(async () => await flying.value("heartbeat", "autopilot_hil")).toBe(true);
+});
+
+test("the gateway is killed in flight: the page says so, and both carry on by themselves", {
+  tag: "@gateway-away",
+}, async ({ page, flying }) => {
+  await open(page, flying);
+  await expect(attitude(page)).toHaveAttribute("data-state", "live");
+
+  await flying.killGateway();
+  await expect(page.getByRole("alert")).toContainText("No hay conexión con la estación");
+  await expect(attitude(page)).not.toHaveAttribute("data-state", "live");
+
+  await flying.restartGateway();
+  await expect(attitude(page)).toHaveAttribute("data-state", "live");
+  await expect(page.getByRole("alert")).not.toContainText("No hay conexión");
+  await expect.poll(async () => (await flying.status()).simulator.hil_round_trip_ms.newest).not.toBeNull();
+  expect((await flying.status()).hil).toEqual({ source: "joystick", path: "assisted" });
+});

@@ -1,0 +1,30 @@
+import { mkdtemp, rm } from "node:fs/promises";
+import { tmpdir } from "node:os";
+import path from "node:path";
+import { expect, test } from "@playwright/test";
+import { freeTcpPort, PATIENCE_MS, Program, ROOT, until } from "../support/processes.js";
+
+test("one command flies: it prints the page's address, the loop is closed, and Ctrl-C leaves nothing behind", async ({
+  page,
+}) => {
+  const data = await mkdtemp(path.join(tmpdir(), "epf-run-"));
+  const port = await freeTcpPort();
+  const launcher = new Program("epf-run", `${ROOT}/.venv/bin/epf-run`, ["--port", `${port}`, "--data", data]);
+  const url = `http://127.0.0.1:${port}`;
+  try {
+    await until(`the address\n${launcher.output}`, () => (launcher.output.includes(url) ? true : undefined));
+    await page.goto(url, { waitUntil: "domcontentloaded" });
+    await expect(page.getByRole("img", { name: "Indicador de actitud" })).toHaveAttribute("data-state", "live");
+    // The first waypoint is 2.4 km away; its distance shrinks while the board's own code flies there.
+    const distance = async () => {
+      const telemetry = await (await fetch(`${url}/api/v1/telemetry`)).json();
+      return telemetry.fms_hil_plan.values.distance_m as number;
+    };
+    const first = await distance();
+    await expect.poll(distance, { timeout: PATIENCE_MS }).toBeLessThan(first - 200);
+  } finally {
+    expect(await launcher.stop("SIGINT")).toBe(0);
+    await rm(data, { recursive: true, force: true });
+  }
+  await expect(fetch(`${url}/api/v1/status`)).rejects.toThrow();
+});

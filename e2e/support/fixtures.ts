@@ -1,0 +1,63 @@
+import { test as base, expect, type Page } from "@playwright/test";
+import { Station } from "./station.js";
+
+type Fixtures = {
+  /** A station that is up, with both links closed. */
+  station: Station;
+  /** A station whose aircraft flies the Gando route. */
+  flying: Station;
+};
+
+/** What a page may say on its console while the journey has taken its gateway away. */
+const GATEWAY_AWAY = /ERR_CONNECTION_REFUSED|ERR_CONNECTION_RESET|ERR_EMPTY_RESPONSE|WebSocket connection to/;
+
+/**
+ * The journeys' test: any console error, any exception in the page and any request that leaves the gateway fails it.
+ */
+export const test = base.extend<Fixtures>({
+  // biome-ignore lint/correctness/noEmptyPattern: Playwright wants a destructuring pattern
+  station: async ({}, use) => {
+    const station = await Station.start();
+    await use(station);
+    await station.stop();
+  },
+
+  flying: async ({ station }, use) => {
+    await station.fly();
+    await use(station);
+  },
+
+  context: async ({ context, station }, use, info) => {
+    const complaints: string[] = [];
+    const away = info.tags.includes("@gateway-away");
+    // A problem answer to a wrong request is what such a journey is about; the browser logs each on its own.
+    const refused = info.tags.includes("@refused");
+    context.on("console", (message) => {
+      if (message.type() !== "error" && message.type() !== "warning") return;
+      if (away && GATEWAY_AWAY.test(message.text())) return;
+      if (refused && /the server responded with a status of 4\d\d/.test(message.text())) return;
+      complaints.push(`${message.type()}: ${message.text()}`);
+    });
+    context.on("weberror", (error) => complaints.push(`${error.error()}`));
+    context.on("request", (request) => {
+      if (/^(https?|wss?):/.test(request.url()) && new URL(request.url()).host !== new URL(station.url).host) {
+        complaints.push(`request that leaves the gateway: ${request.url()}`);
+      }
+    });
+    await use(context);
+    expect(complaints, "console, exceptions and foreign requests").toEqual([]);
+  },
+});
+
+export { expect };
+
+/** Open the station's page and wait until it is live. */
+export async function open(page: Page, station: Station): Promise<void> {
+  await page.goto(station.url, { waitUntil: "domcontentloaded" });
+  await expect(page.getByRole("heading", { name: "EPF GCS" })).toBeVisible();
+}
+
+/** The attitude indicator, which tells what it shows in attributes. */
+export function attitude(page: Page) {
+  return page.getByRole("img", { name: "Indicador de actitud" });
+}

@@ -1,0 +1,126 @@
+import { mkdtemp, rm } from "node:fs/promises";
+import { tmpdir } from "node:os";
+import path from "node:path";
+import { Line } from "./line.js";
+import { freeTcpPort, freeUdpPort, Program, ROOT, until } from "./processes.js";
+
+const BIN = `${ROOT}/.venv/bin`;
+
+/**
+ * A station of the test's own: board, cable, simulator and gateway as separate programs on the loopback, and the
+ * gateway's interface to prepare a flight. Nothing in it is a stand-in but the cable.
+ */
+export class Station {
+  private constructor(
+    readonly url: string,
+    readonly line: Line,
+    private readonly data: string,
+    private readonly startGateway: () => Program,
+    private readonly programs: { board: Program; simulator: Program; gateway: Program },
+    private readonly udp: { receive_port: number; send_port: number },
+  ) {}
+
+  static async start(boardOptions: readonly string[] = []): Promise<Station> {
+    const data = await mkdtemp(path.join(tmpdir(), "epf-e2e-"));
+    const [boardPort, linePort, httpPort] = [await freeTcpPort(), await freeTcpPort(), await freeTcpPort()];
+    const udp = { receive_port: await freeUdpPort(), send_port: await freeUdpPort() };
+    const board = new Program("epf-board", `${ROOT}/firmware/build/posix/epf-board`, [
+      ...["--tcp", `${boardPort}`, "--card", path.join(data, "card"), ...boardOptions],
+    ]);
+    const simulator = new Program("epf-sim", `${BIN}/epf-sim`, [
+      ...["--listen", `127.0.0.1:${udp.send_port}`, "--send-to", `127.0.0.1:${udp.receive_port}`],
+    ]);
+    const startGateway = () =>
+      new Program("epf-gcs", `${BIN}/epf-gcs`, ["--port", `${httpPort}`, "--data-dir", path.join(data, "station")]);
+    const station = new Station(
+      `http://127.0.0.1:${httpPort}`,
+      await Line.between(linePort, boardPort),
+      data,
+      startGateway,
+      { board, simulator, gateway: startGateway() },
+      udp,
+    );
+    await station.answers();
+    return station;
+  }
+
+  get gateway(): Program {
+    return this.programs.gateway;
+  }
+
+  get boardUrl(): string {
+    return `tcp://127.0.0.1:${this.line.port}`;
+  }
+
+  get simulatorLink() {
+    return { ...this.udp, send_host: "127.0.0.1", profile: "xp10" };
+  }
+
+  /** Both links open, every stream on, the autopilot flies the Gando route in the simulator. */
+  async fly(): Promise<void> {
+    await this.openBoard();
+    await this.request("PUT", "links/simulator", this.simulatorLink);
+    await this.request("PUT", "hil", { source: "joystick", path: "assisted" });
+    for (const name of ["start", "hil_load_gando", "autotrim_on", "autopilot_on"]) await this.command(name);
+    await until("the closed loop", async () =>
+      (await this.status()).simulator.hil_round_trip_ms.newest === null ? undefined : true,
+    );
+  }
+
+  async openBoard(): Promise<void> {
+    await this.request("PUT", "links/board", { url: this.boardUrl });
+    await until("the board's heartbeat", async () =>
+      (await this.status()).board.heartbeat_age_s === null ? undefined : true,
+    );
+  }
+
+  async command(name: string): Promise<void> {
+    const result = await this.request("POST", `commands/${name}`, {});
+    if (result.state !== "confirmed") throw new Error(`${name}: ${JSON.stringify(result)}`);
+  }
+
+  // biome-ignore lint/suspicious/noExplicitAny: a journey looks at single members of the public interface
+  async status(): Promise<any> {
+    return await this.request("GET", "status");
+  }
+
+  /** Newest value of one topic, as the public interface tells it. */
+  async value(topic: string, name: string): Promise<number> {
+    return (await this.request("GET", "telemetry"))[topic].values[name];
+  }
+
+  async killGateway(): Promise<void> {
+    await this.programs.gateway.stop("SIGKILL");
+  }
+
+  async restartGateway(): Promise<void> {
+    this.programs.gateway = this.startGateway();
+    await this.answers();
+  }
+
+  async killBoard(): Promise<void> {
+    await this.programs.board.stop("SIGKILL");
+  }
+
+  async stop(): Promise<void> {
+    await this.programs.gateway.stop();
+    await this.programs.simulator.stop();
+    await this.programs.board.stop();
+    await this.line.pull();
+    await rm(this.data, { recursive: true, force: true });
+  }
+
+  private async answers(): Promise<void> {
+    await until(`the gateway's answer\n${this.programs.gateway.output}`, async () => await this.status());
+  }
+
+  // biome-ignore lint/suspicious/noExplicitAny: a journey looks at single members of the public interface
+  private async request(method: string, resource: string, body?: unknown): Promise<any> {
+    const answer = await fetch(`${this.url}/api/v1/${resource}`, {
+      method,
+      ...(body === undefined ? {} : { body: JSON.stringify(body), headers: { "Content-Type": "application/json" } }),
+    });
+    if (!answer.ok) throw new Error(`${method} ${resource}: ${answer.status} ${await answer.text()}`);
+    return answer.status === 204 ? undefined : await answer.json();
+  }
+}
