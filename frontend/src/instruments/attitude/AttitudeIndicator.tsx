@@ -14,10 +14,9 @@ import {
   BALL_RADIUS,
   horizonTransform,
   isAttitude,
-  LADDER_PATH,
+  LADDER_BANDS,
   LADDER_RADIUS,
   ladderTransform,
-  NUMBERED_RUNGS,
   ROLL_TICKS_LONG,
   ROLL_TICKS_SHORT,
   rollTransform,
@@ -97,16 +96,8 @@ export function AttitudeIndicator({ ref, label, noDataText, describe }: Props) {
         </g>
         <g clipPath={`url(#${ladderClip})`}>
           <g ref={ladder} className="inst-ladder">
-            <path d={LADDER_PATH} />
-            {NUMBERED_RUNGS.map(({ pitch_deg, y, halfWidth }) => (
-              <g key={pitch_deg}>
-                <text x={-halfWidth - 9} y={y}>
-                  {Math.abs(pitch_deg)}
-                </text>
-                <text x={halfWidth + 9} y={y}>
-                  {Math.abs(pitch_deg)}
-                </text>
-              </g>
+            {LADDER_BANDS.map(({ from_deg, path }) => (
+              <path key={from_deg} d={path} />
             ))}
           </g>
         </g>

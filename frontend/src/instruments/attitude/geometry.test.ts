@@ -1,11 +1,11 @@
 import { describe, expect, test } from "vitest";
+import { digitsPath } from "../dial/digits";
 import {
   BALL_RADIUS,
   horizonTransform,
   isAttitude,
-  LADDER_PATH,
+  LADDER_BANDS,
   ladderTransform,
-  NUMBERED_RUNGS,
   RUNGS,
   rollTransform,
   UNITS_PER_DEGREE,
@@ -67,14 +67,21 @@ describe("the pitch ladder", () => {
     expect(ladderTransform(-120, 0)).toBe(ladderTransform(-90, 0));
   });
 
-  test("has a numbered rung each ten degrees but none at the horizon", () => {
-    expect(NUMBERED_RUNGS.map(({ pitch_deg }) => pitch_deg)).toEqual([
-      -90, -80, -70, -60, -50, -40, -30, -20, -10, 10, 20, 30, 40, 50, 60, 70, 80, 90,
-    ]);
+  test("draws every rung once, in bands of ten degrees", () => {
+    const lines = LADDER_BANDS.flatMap(({ path }) => path.match(/M-?[\d.]+ -?[\d.]+H/g) ?? []);
+    expect(lines).toHaveLength(RUNGS.length);
+    expect(new Set(lines).size).toBe(RUNGS.length);
   });
 
-  test("draws every rung", () => {
-    expect(LADDER_PATH.match(/M/g)).toHaveLength(RUNGS.length);
+  test("numbers each ten degrees on both sides, and nothing between", () => {
+    const ten = LADDER_BANDS.find(({ from_deg }) => from_deg === 10)?.path ?? "";
+    const y = -10 * UNITS_PER_DEGREE;
+    expect(ten).toContain(digitsPath(10, -33, y, 6.4));
+    expect(ten).toContain(digitsPath(10, 33, y, 6.4));
+    const numbered = RUNGS.filter(({ halfWidth }) => halfWidth === 24).map(({ pitch_deg }) => pitch_deg);
+    expect(numbered).toEqual([
+      -90, -80, -70, -60, -50, -40, -30, -20, -10, 10, 20, 30, 40, 50, 60, 70, 80, 90,
+    ]);
   });
 });
 

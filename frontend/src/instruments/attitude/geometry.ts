@@ -1,4 +1,5 @@
 import { wrap360 } from "../../lib/angles";
+import { digitsPath } from "../dial/digits";
 import { clamp, isDrawable, round, series, tickPath } from "../dial/scale";
 
 /**
@@ -70,12 +71,31 @@ function rung(pitch_deg: number): Rung | null {
 
 export const RUNGS: readonly Rung[] = series(-90, 90, 2.5).flatMap((pitch_deg) => rung(pitch_deg) ?? []);
 
-export const NUMBERED_RUNGS: readonly Rung[] = RUNGS.filter((candidate) => candidate.pitch_deg % 10 === 0);
+const NUMERAL_HEIGHT = 6.4;
+const NUMERAL_DISTANCE = 9;
 
-/** All rungs as one path. */
-export const LADDER_PATH = RUNGS.map(({ y, halfWidth }) => `M${-halfWidth} ${round(y)}H${halfWidth}`).join(
-  "",
-);
+function rungPath({ pitch_deg, y, halfWidth }: Rung): string {
+  const line = `M${-halfWidth} ${round(y)}H${halfWidth}`;
+  if (pitch_deg % 10 !== 0) return line;
+  const x = halfWidth + NUMERAL_DISTANCE;
+  const tens = Math.abs(pitch_deg);
+  return line + digitsPath(tens, -x, y, NUMERAL_HEIGHT) + digitsPath(tens, x, y, NUMERAL_HEIGHT);
+}
+
+/**
+ * The ladder as one path for each ten degrees: few elements, and those outside the window cost nothing, for the
+ * browser skips a path whose box it need not draw.
+ */
+export const LADDER_BANDS: readonly { readonly from_deg: number; readonly path: string }[] = series(
+  -90,
+  90,
+  10,
+).map((from_deg) => ({
+  from_deg,
+  path: RUNGS.filter(({ pitch_deg }) => pitch_deg >= from_deg && pitch_deg < from_deg + 10)
+    .map(rungPath)
+    .join(""),
+}));
 
 /** Fixed bank scale: long strokes at 30 and 60 degrees, short ones at 10, 20 and 45. */
 export const ROLL_TICKS_LONG = tickPath([-60, -30, 30, 60], ROLL_SCALE_INNER, ROLL_SCALE_OUTER);
