@@ -19,7 +19,7 @@ test("language and theme are one click away and remembered", async ({ page, flyi
   await open(page, flying);
   await page.getByRole("group", { name: "Idioma" }).getByText("English").click();
   await expect(page.getByRole("tab", { name: "Flight data" })).toBeVisible();
-  await page.getByRole("combobox", { name: "Theme" }).selectOption("Light");
+  await page.getByRole("combobox", { name: "Look" }).selectOption("Light");
   await page.reload({ waitUntil: "domcontentloaded" });
   await expect(page.getByRole("tab", { name: "Flight data" })).toBeVisible();
   await expect(page.locator("html")).toHaveAttribute("data-theme", "light");

@@ -189,19 +189,21 @@ static void switch_stream(const shell_call_t* call)
     if (text_is(call->words[0], "all"))
     {
         telemetry_switch_all(schedule, on == 1);
+        shell_tell_result(call->reply, command_done);
     }
     else if (stream == telemetry_stream_count)
     {
-        shell_line(call->reply, "refused: no stream has that name (`stream` lists them)");
-        return;
+        shell_line(call->reply, "refused: no stream has that name (`stream list` lists them)");
     }
     else if (stream == telemetry_heartbeat && on == 0)
     {
         shell_line(call->reply, "refused: the heartbeat is always on");
-        return;
     }
-    telemetry_switch(schedule, (telemetry_stream_t)stream, on == 1);
-    shell_tell_result(call->reply, command_done);
+    else
+    {
+        telemetry_switch(schedule, (telemetry_stream_t)stream, on == 1);
+        shell_tell_result(call->reply, command_done);
+    }
 }
 
 static void set_period(const shell_call_t* call)

@@ -6,7 +6,7 @@
 
 enum
 {
-    name_width = 20
+    name_width = 21
 };
 
 /// One line: a name, a number and its unit.

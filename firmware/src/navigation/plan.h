@@ -44,7 +44,7 @@ typedef struct
 void plan_clear(plan_t* plan);
 
 /// True when position, altitude and speed are finite and inside of what can be flown
-/// (-2000..60000 ft, 0 < speed <= 500 kt).
+/// (-2000..60000 ft, 0..500 kt).
 bool waypoint_is_valid(const waypoint_t* waypoint);
 
 /// Replace the plan and begin at its first waypoint. False, and nothing changed, when `count` is not 1..100 or a

@@ -51,10 +51,12 @@ export function App() {
   return (
     <WordsProvider words={words}>
       <div className="app">
-        <Header />
-        <div className="app-toolbars">
-          <Toolbars />
-        </div>
+        <header>
+          <Header />
+          <div className="app-toolbars">
+            <Toolbars />
+          </div>
+        </header>
         <Alarms />
         <div className="app-body">
           <LeftPanel />

@@ -11,7 +11,7 @@ import { Select } from "../ui/Select";
 export function Header() {
   const { t } = useTranslation();
   return (
-    <header className="app-header">
+    <div className="app-header">
       <h1 className="app-brand">
         <span className="app-brand-mark" aria-hidden="true" />
         {t("app.name")}
@@ -21,7 +21,7 @@ export function Header() {
         <LanguageSwitch />
         <ThemeSelect />
       </div>
-    </header>
+    </div>
   );
 }
 

@@ -23,7 +23,7 @@ export function LeftPanel() {
         <Heading />
       </div>
       <div className="left-numbers">
-        <StreamPanel topic="ahrs" title={t("left.ahrs")} className="left-ahrs">
+        <StreamPanel topic="ahrs" title={t("left.ahrs")} className="left-ahrs" plain>
           <ReadoutGrid>
             <LiveReadout
               topic="ahrs"

@@ -19,17 +19,20 @@ interface Props {
   className?: string;
   /** Leave the rate out of the head, where the panel is narrow. */
   narrow?: boolean;
+  /** No landmark: another panel bears the same title. */
+  plain?: boolean;
   children: ReactNode;
 }
 
 /** A panel over one stream: how fresh it is, and where it is off, the switch that turns it on. */
-export function StreamPanel({ topic, title, level, className, narrow = false, children }: Props) {
+export function StreamPanel({ topic, title, level, className, narrow = false, plain, children }: Props) {
   const isOff = useStreamIsOff(topic);
   return (
     <Panel
       title={title}
       level={level}
       className={className}
+      plain={plain}
       badge={isOff ? undefined : <LiveBadge topic={topic} narrow={narrow} />}
       actions={isOff ? <StreamOff topic={topic} narrow={narrow} /> : undefined}
     >

@@ -7,6 +7,7 @@ the sans-I/O protocol of `websockets`; texts to the browser are framed here, for
 from __future__ import annotations
 
 import asyncio
+import os
 from http import HTTPStatus
 from typing import Any, Final, Protocol, cast
 from urllib.parse import parse_qsl, urlsplit
@@ -66,6 +67,8 @@ class SocketConnection(asyncio.Protocol):
         self._loop = asyncio.get_running_loop()
         self._protocol = ServerProtocol(max_size=_MAX_MESSAGE_BYTES)
         self._transport: asyncio.Transport | None = None
+        self._fd = -1
+        self._is_open = False
         self._conversation: Conversation | None = None
         self._keepalive: asyncio.TimerHandle | None = None
         self._heard = True
@@ -94,22 +97,42 @@ class SocketConnection(asyncio.Protocol):
         if self._keepalive is not None:
             self._keepalive.cancel()
         conversation, self._conversation = self._conversation, None
+        self._is_open = False
         self._transport = None
+        self._fd = -1
         if conversation is not None:
             conversation.on_closed()
 
     def shutdown(self) -> None:
         """The server stops."""
         if self._transport is not None:
-            if self._protocol.state is State.OPEN:
+            if self._is_open:
                 self._protocol.send_close(_GONE)
                 self._write_protocol_output()
+            self._is_open = False
             self._transport.close()
 
     def send(self, messages: list[bytes]) -> None:
         """Send texts, all in one write."""
-        if self._transport is not None and self._protocol.state is State.OPEN:
-            self._transport.write(b"".join([part for text in messages for part in (text_header(len(text)), text)]))
+        if not self._is_open or self._transport is None:
+            return
+        if len(messages) == 1:
+            data = text_header(len(messages[0])) + messages[0]
+        else:
+            data = b"".join([text_header(len(text)) + text for text in messages])
+        # The transport would send at the end of the loop's turn; straight to the socket is a tenth of a
+        # millisecond sooner on a busy machine. What the system does not take at once is the transport's.
+        if self._transport.get_write_buffer_size() == 0:
+            try:
+                written = os.write(self._fd, data)
+            except BlockingIOError:
+                written = 0
+            except OSError:
+                return  # the transport notices too, and tells us by connection_lost
+            if written == len(data):
+                return
+            data = data[written:]
+        self._transport.write(data)
 
     def unsent_bytes(self) -> int:
         """Bytes that wait in this process."""
@@ -122,6 +145,8 @@ class SocketConnection(asyncio.Protocol):
             elif isinstance(event, Frame):
                 self._take_frame(event)
         self._write_protocol_output()
+        if self._is_open and self._protocol.state is not State.OPEN:
+            self._is_open = False
         if self._protocol.close_expected() and self._transport is not None:
             self._transport.close()
 
@@ -153,6 +178,8 @@ class SocketConnection(asyncio.Protocol):
             return
         self._write_protocol_output()
         self._conversation = conversation
+        self._is_open = True
+        self._fd = transport.get_extra_info("socket").fileno()
         self._keepalive = self._loop.call_later(_KEEPALIVE_S, self._check_alive)
         self._endpoint.opened(conversation)
 
@@ -172,7 +199,7 @@ class SocketConnection(asyncio.Protocol):
             self._transport.abort()
             return
         self._heard = False
-        if self._protocol.state is State.OPEN:
+        if self._is_open:
             self._protocol.send_ping(b"")
             self._write_protocol_output()
         self._keepalive = self._loop.call_later(_KEEPALIVE_S, self._check_alive)

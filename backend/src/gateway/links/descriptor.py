@@ -4,15 +4,21 @@ from __future__ import annotations
 
 import asyncio
 import os
+from collections.abc import Callable
 from typing import Final
 
-from gateway.links.base import Device, LinkCallbacks
+from gateway.errors import LinkError
+from gateway.links.base import Device, LinkCallbacks, Tap
 from gateway.links.failures import lost_error
 
 # More than a second of the fastest line; what is older than that helps nobody.
 _MAX_PENDING_BYTES: Final = 131072
-_READ_BYTES: Final = 65536
-_NOBODY: Final = LinkCallbacks(on_bytes=lambda _: None, on_lost=lambda _: None)
+# A terminal gives no more at a time, and a larger buffer costs a new mapping for every few bytes.
+_READ_BYTES: Final = 4096
+
+
+def _nobody(_: object) -> None:
+    """Before `start` nobody listens."""
 
 
 class DescriptorLink:
@@ -23,14 +29,18 @@ class DescriptorLink:
 
     def __init__(self, device: Device) -> None:
         self._device = device
-        self._callbacks = _NOBODY
+        self._on_bytes: Callable[[bytes], None] = _nobody
+        self._on_lost: Callable[[LinkError], None] = _nobody
+        self._tap: Tap | None = None
         self._loop = asyncio.get_running_loop()
         self._pending = bytearray()
         self._closed = False
 
     def start(self, callbacks: LinkCallbacks) -> None:
         """Begin to read; until now the bytes waited in the system."""
-        self._callbacks = callbacks
+        self._on_bytes = callbacks.on_bytes
+        self._on_lost = callbacks.on_lost
+        self._tap = callbacks.tap
         self._loop.add_reader(self._device.fd, self._readable)
 
     @property
@@ -58,8 +68,8 @@ class DescriptorLink:
             except OSError as error:
                 self._lose(error.strerror or str(error))
                 return False
-        if self._callbacks.tap is not None:
-            self._callbacks.tap.sent(data)
+        if self._tap is not None:
+            self._tap.sent(data)
         if written < len(data):
             if not self._pending:
                 self._loop.add_writer(self._device.fd, self._writable)
@@ -86,9 +96,10 @@ class DescriptorLink:
         if not data:
             self._lose("the other side closed it")
             return
-        if self._callbacks.tap is not None:
-            self._callbacks.tap.received(data)
-        self._callbacks.on_bytes(data)
+        tap = self._tap
+        if tap is not None:
+            tap.received(data)
+        self._on_bytes(data)
 
     def _writable(self) -> None:
         try:
@@ -106,4 +117,4 @@ class DescriptorLink:
         if self._closed:
             return
         self.close()
-        self._callbacks.on_lost(lost_error(self._device.name, reason))
+        self._on_lost(lost_error(self._device.name, reason))

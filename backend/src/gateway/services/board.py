@@ -31,6 +31,7 @@ class Board:
     def __init__(self, clock: Clock, hub: Hub, telemetry: Telemetry, errors: ErrorLog) -> None:
         self._clock = clock
         self._hub = hub
+        self._put = hub.state.put
         self._telemetry = telemetry
         self._errors = errors
         self._decoder = FrameDecoder()
@@ -126,36 +127,44 @@ class Board:
             self._notice_opening()
 
     def _take(self, found: list[Frame | Damage]) -> None:
+        """What the line brought, in the order of who waits for it: the simulator, the viewers, the books."""
         if not found:
             return
-        # The simulator waits for these; everybody else can wait for a tenth of a millisecond.
-        if self.on_urgent is not None:
-            for item in found:
-                if isinstance(item, Frame) and item.message.name in _URGENT:
-                    self.on_urgent(item)
         t_s = self._clock.now_s()
+        heard: list[tuple[Frame, Meaning]] = []
         for item in found:
             if isinstance(item, Frame):
-                self._take_frame(item, t_s)
-            else:
-                self._take_damage(item)
+                if item.message.name in _URGENT and self.on_urgent is not None:
+                    self.on_urgent(item)
+                meant = meaning(item)
+                heard.append((item, meant))
+                if item.message.topic:
+                    self._put(item.message.name, t_s, meant.values)
         self._hub.flush()
+        for frame, meant in heard:
+            self._take_frame(frame, meant, t_s)
+        if len(heard) < len(found):
+            self._take_damages(found)
 
-    def _take_frame(self, frame: Frame, t_s: float) -> None:
+    def _take_frame(self, frame: Frame, meant: Meaning, t_s: float) -> None:
         self.frames_received += 1
         message = frame.message
         if message.name in _HANDSHAKE:
             answer = self.session.on_frame(frame, self._clock.steady_s())
             if answer:
                 self.write(answer)
-        meant = meaning(frame)
         if message.topic:
-            self._telemetry.heard(message.name, t_s, meant.values, meant.implausible)
+            self._telemetry.heard(message.name, t_s, meant.implausible)
         if self._listeners:
             for listener in tuple(self._listeners):
                 listener(frame, meant)
         if not self._was_open:
             self._notice_opening()
+
+    def _take_damages(self, found: list[Frame | Damage]) -> None:
+        for item in found:
+            if isinstance(item, Damage):
+                self._take_damage(item)
 
     def _take_damage(self, damage: Damage) -> None:
         text = _as_text(damage)

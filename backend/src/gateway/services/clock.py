@@ -19,6 +19,10 @@ class Clock:
         """Seconds since some time or other, for measuring. The event loop's own clock counts whole milliseconds."""
         return time.monotonic()
 
+    def unix_ns(self, steady_ns: int) -> int:
+        """Unix nanoseconds of a moment of the system's steady clock."""
+        return self._offset_ns + steady_ns
+
     def now_s(self) -> float:
         """Unix seconds."""
         return (self._offset_ns + time.monotonic_ns()) * 1e-9

@@ -156,14 +156,14 @@ class Hil:
             meaning = row_meaning(row, values, self._profile)
             named.update(meaning.values)
             implausible += meaning.implausible
-        self._telemetry.heard("simulator", t_s, named, implausible)
+        self._telemetry.show("simulator", t_s, named, implausible)
         info, self._info = self._info, None
         if info is not None:
-            self._telemetry.heard("xplane_info", t_s, info._asdict())
+            self._telemetry.show("xplane_info", t_s, info._asdict())
         if self._shown_s - self._raw_shown_s >= _RAW_EVERY_S:
             self._raw_shown_s = self._shown_s
             raw = {str(row): list(values) for row, values in sorted(live.items())}
-            self._telemetry.heard("xplane_rows", t_s, {"rows": raw})
+            self._telemetry.show("xplane_rows", t_s, {"rows": raw})
         self._hub.flush()
 
 

@@ -9,7 +9,7 @@ from typing import Any, Final
 
 import orjson
 
-from gateway.services.hub_state import HubState, Values
+from gateway.services.hub_state import HubState
 from gateway.services.viewer import Viewer
 
 # Viewers served in one turn of the event loop. Between turns the loop looks at the board and the simulator, so
@@ -21,43 +21,43 @@ class _Pacer:
     """All viewers of one rate: their batches leave together, at most `rate_hz` times a second."""
 
     def __init__(self, rate_hz: int) -> None:
-        self.period_s = 1.0 / rate_hz if rate_hz else 0.0
+        self.period_s = 1.0 / rate_hz
         self.viewers: list[Viewer] = []
         self.due_s = 0.0
         self.armed = False
 
 
 class Hub:
-    """Owned by the event loop. `publish` any number of samples, then `flush` once."""
+    """Owned by the event loop. Put any number of samples into `state`, then `flush` once."""
 
     def __init__(self, loop: asyncio.AbstractEventLoop, now_s: Callable[[], float]) -> None:
         self.state = HubState()
         self._loop = loop
         self._now_s = now_s
         self._pacers: dict[int, _Pacer] = {}
+        self._every_sample: list[Viewer] = []
         self._queue: deque[Viewer] = deque()
         self._turn_due = False
 
     @property
     def viewers(self) -> list[Viewer]:
         """Everybody on the stream."""
-        return [viewer for pacer in self._pacers.values() for viewer in pacer.viewers]
-
-    def publish(self, topic: str, t_s: float, values: Values) -> None:
-        """A new sample; it leaves with the next `flush`."""
-        self.state.put(topic, t_s, values)
+        return [*self._every_sample, *(viewer for pacer in self._pacers.values() for viewer in pacer.viewers)]
 
     def flush(self) -> None:
         """Send what is new to those whose turn it is, and set a timer for the others."""
-        now = self._loop.time()
-        for pacer in self._pacers.values():
-            if pacer.armed:
-                continue
-            if now >= pacer.due_s:
-                self._release(pacer, now)
-            else:
-                pacer.armed = True
-                self._loop.call_at(pacer.due_s, self._timer, pacer)
+        if self._every_sample:
+            self._send(self._every_sample)
+        if self._pacers:
+            now = self._loop.time()
+            for pacer in self._pacers.values():
+                if pacer.armed:
+                    continue
+                if now >= pacer.due_s:
+                    self._release(pacer, now)
+                else:
+                    pacer.armed = True
+                    self._loop.call_at(pacer.due_s, self._timer, pacer)
 
     def event(self, kind: str, data: dict[str, Any]) -> None:
         """Something happened that every viewer should hear of."""
@@ -78,21 +78,23 @@ class Hub:
 
     def add(self, viewer: Viewer) -> None:
         """A viewer begins with the newest sample of every topic."""
-        pacer = self._pacers.setdefault(viewer.rate_hz, _Pacer(viewer.rate_hz))
-        pacer.viewers.append(viewer)
-        if viewer.rate_hz == 0:
+        if viewer.rate_hz:
+            self._pacers.setdefault(viewer.rate_hz, _Pacer(viewer.rate_hz)).viewers.append(viewer)
+        else:
+            self._every_sample.append(viewer)
             self.state.keep_all = True
         self.serve(viewer)
 
     def remove(self, viewer: Viewer) -> None:
         """Forget a viewer; nothing is sent to it any more."""
         pacer = self._pacers.get(viewer.rate_hz)
-        if pacer is None or viewer not in pacer.viewers:
-            return
-        pacer.viewers.remove(viewer)
-        if not pacer.viewers:
-            del self._pacers[viewer.rate_hz]
-            if viewer.rate_hz == 0:
+        if pacer is not None and viewer in pacer.viewers:
+            pacer.viewers.remove(viewer)
+            if not pacer.viewers:
+                del self._pacers[viewer.rate_hz]
+        elif viewer in self._every_sample:
+            self._every_sample.remove(viewer)
+            if not self._every_sample:
                 self.state.drop_log()
 
     def change_rate(self, viewer: Viewer, rate_hz: int) -> None:
@@ -117,8 +119,11 @@ class Hub:
     def _release(self, pacer: _Pacer, now: float) -> None:
         # From a fixed grid, so that the mean rate is the rate asked for; after a pause the grid starts again.
         pacer.due_s = max(pacer.due_s + pacer.period_s, now + 0.5 * pacer.period_s)
+        self._send(pacer.viewers)
+
+    def _send(self, viewers: list[Viewer]) -> None:
         # The first goes at once, for the shortest way from the board to a lone browser.
-        for place, viewer in enumerate(pacer.viewers):
+        for place, viewer in enumerate(viewers):
             if place == 0:
                 viewer.flush()
             else:

@@ -46,12 +46,14 @@ class Tally:
     first_ns: int = 0
     last_ns: int = 0
 
-    def add(self, channel: int, time_ns: int) -> None:
-        """Count one message."""
+    def add(self, channel: int, time_ns: int) -> int:
+        """Count one message; returns how many there were on its channel before it."""
         if not self.counts:
             self.first_ns = time_ns
         self.last_ns = time_ns
-        self.counts[channel] = self.counts.get(channel, 0) + 1
+        before = self.counts.get(channel, 0)
+        self.counts[channel] = before + 1
+        return before
 
 
 def closing(topics: Mapping[int, str], tally: Tally, summary_start: int) -> bytes:

@@ -1,7 +1,7 @@
 """Every byte of both lines, both ways, into one MCAP file a session, before anybody decodes it.
 
-The event loop only packs a record and appends it to a queue. A thread writes the queue out four times a
-second. Whatever the disk does, the flight goes on; what could not be written is counted and told.
+The event loop only appends to a queue; a thread packs and writes what is in it, four times a second.
+Whatever the disk does, the flight goes on; what could not be written is counted and told.
 """
 
 from __future__ import annotations
@@ -12,6 +12,7 @@ from collections import deque
 from datetime import UTC, datetime
 from io import FileIO
 from pathlib import Path
+from time import monotonic_ns
 from typing import Final
 
 from gateway.services.clock import Clock
@@ -30,28 +31,41 @@ TOPICS: Final = {
 
 _FLUSH_S: Final = 0.25
 _RETRY_S: Final = 5.0
-# An hour of a full line is 40 MB: a disk that is this far behind will not catch up.
-_MAX_QUEUED_BYTES: Final = 32 * 1024 * 1024
+# A minute of a full line and of a simulator: a disk that is this far behind will not catch up.
+_MAX_QUEUED: Final = 100_000
+_NOTE: Final = 0
 
-# What waits for the writer: (channel, time, record); channel 0 is a note; None ends the session.
+# What waits for the writer: (channel or _NOTE, steady time, bytes); None ends the session.
 _Entry = tuple[int, int, bytes] | None
 
 
 class RecorderTap:
-    """Hands the bytes of one line to the recorder; see `gateway.links.base.Tap`."""
+    """Hands the bytes of one line to the recorder; see `gateway.links.base.Tap`. Never blocks.
 
-    def __init__(self, recorder: Recorder, received: int, sent: int) -> None:
-        self._recorder = recorder
+    This runs for every chunk of a line before anything else does, so it is one look and one append.
+    """
+
+    __slots__ = ("_queue", "_received", "_sent", "lost")
+
+    def __init__(self, queue: deque[_Entry], received: int, sent: int) -> None:
+        self._queue = queue
         self._received = received
         self._sent = sent
+        self.lost = 0
 
     def received(self, data: bytes) -> None:
         """Bytes as they came."""
-        self._recorder.append(self._received, data)
+        if len(self._queue) < _MAX_QUEUED:
+            self._queue.append((self._received, monotonic_ns(), data))
+        else:
+            self.lost += len(data)
 
     def sent(self, data: bytes) -> None:
         """Bytes as they went."""
-        self._recorder.append(self._sent, data)
+        if len(self._queue) < _MAX_QUEUED:
+            self._queue.append((self._sent, monotonic_ns(), data))
+        else:
+            self.lost += len(data)
 
 
 class Recorder:
@@ -63,19 +77,16 @@ class Recorder:
         self._library = library
         self._retry_s = retry_s
         self._queue: deque[_Entry] = deque()
-        # Each of these is written by one side alone: the loop counts in, the thread counts out.
-        self._bytes_in = 0
-        self._bytes_out = 0
-        self._bytes_refused = 0
-        self._bytes_unwritten = 0
-        self._sequences = dict.fromkeys(TOPICS, 0)
         self._wake = threading.Event()
         self._stopping = False
         self._thread = threading.Thread(target=self._run, name="recorder", daemon=True)
+        self.board_tap = RecorderTap(self._queue, BOARD_RECEIVED, BOARD_SENT)
+        self.simulator_tap = RecorderTap(self._queue, SIMULATOR_RECEIVED, SIMULATOR_SENT)
         # Written by the thread alone and read by the loop: single assignments, no lock needed.
         self.file: Path | None = None
         self.bytes_written = 0
         self.failure: str | None = None
+        self._bytes_unwritten = 0
         self._output: FileIO | None = None
         self._tally = Tally()
         self._retry_at_s = 0.0
@@ -83,7 +94,7 @@ class Recorder:
     @property
     def bytes_lost(self) -> int:
         """Bytes of the lines that are in no file."""
-        return self._bytes_refused + self._bytes_unwritten
+        return self.board_tap.lost + self.simulator_tap.lost + self._bytes_unwritten
 
     def start(self) -> None:
         """Begin to write in the background."""
@@ -96,31 +107,9 @@ class Recorder:
         self._wake.set()
         self._thread.join()
 
-    def board_tap(self) -> RecorderTap:
-        """For the board's line."""
-        return RecorderTap(self, BOARD_RECEIVED, BOARD_SENT)
-
-    def simulator_tap(self) -> RecorderTap:
-        """For the simulator's datagrams."""
-        return RecorderTap(self, SIMULATOR_RECEIVED, SIMULATOR_SENT)
-
-    def append(self, channel: int, data: bytes) -> None:
-        """Queue one piece of a line; never blocks. Lost and counted when the disk is hopelessly behind."""
-        if self._bytes_in - self._bytes_out > _MAX_QUEUED_BYTES:
-            self._bytes_refused += len(data)
-            return
-        now_ns = self._clock.now_ns()
-        sequence = self._sequences[channel]
-        self._sequences[channel] = sequence + 1
-        record = message_record(channel, sequence, now_ns, data)
-        self._bytes_in += len(record)
-        self._queue.append((channel, now_ns, record))
-
     def note(self, name: str, values: dict[str, str]) -> None:
         """Put a note into the recording, such as the address of a line that was opened."""
-        record = metadata_record(name, values)
-        self._bytes_in += len(record)
-        self._queue.append((0, 0, record))
+        self._queue.append((_NOTE, 0, metadata_record(name, values)))
 
     def end_session(self) -> None:
         """Close the file; what comes next begins another."""
@@ -130,6 +119,8 @@ class Recorder:
         while not self._stopping:
             self._wake.wait(_FLUSH_S)
             self._write_queue()
+        # What came between the last look and the order to stop.
+        self._write_queue()
 
     def _write_queue(self) -> None:
         batch: list[tuple[int, int, bytes]] = []
@@ -146,23 +137,21 @@ class Recorder:
     def _write(self, batch: list[tuple[int, int, bytes]]) -> None:
         if not batch:
             return
-        data = b"".join(record for _, _, record in batch)
-        self._bytes_out += len(data)
         try:
             output = self._output or self._open()
-            if output is None:
-                self._bytes_unwritten += len(data)
+            if output is not None:
+                self._put(output, b"".join([self._record(*entry) for entry in batch]))
                 return
-            self._put(output, data)
         except OSError as error:
-            self._bytes_unwritten += len(data)
             self._fail(error)
-            return
-        for channel, time_ns, _ in batch:
-            if channel:
-                self._tally.add(channel, time_ns)
-            else:
-                self._tally.metadata_count += 1
+        self._bytes_unwritten += sum(len(data) for channel, _, data in batch if channel != _NOTE)
+
+    def _record(self, channel: int, steady_ns: int, data: bytes) -> bytes:
+        if channel == _NOTE:
+            self._tally.metadata_count += 1
+            return data
+        time_ns = self._clock.unix_ns(steady_ns)
+        return message_record(channel, self._tally.add(channel, time_ns), time_ns, data)
 
     def _open(self) -> FileIO | None:
         now_ns = self._clock.now_ns()

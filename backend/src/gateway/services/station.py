@@ -57,7 +57,7 @@ class Station:
         self.telemetry = Telemetry(self.hub, self.clock, self._commanded_period_s)
         self.control = Control(loop, self._on_control)
         self.recorder = Recorder(self.recordings_dir, self.clock, f"epf-gcs {__version__}") if record else None
-        taps = (self.recorder.board_tap(), self.recorder.simulator_tap()) if self.recorder else (None, None)
+        taps = (self.recorder.board_tap, self.recorder.simulator_tap) if self.recorder else (None, None)
         self.board = Board(self.clock, self.hub, self.telemetry, self.errors)
         self.commands = Commands(self.board, self.telemetry, self.hub, self.clock, self.errors)
         self.parameters = Parameters(self.board, self.commands, self.hub)

@@ -14,21 +14,25 @@ _TASK_TOPICS: Final = frozenset(TASK_OF_TOPIC)
 
 
 class Telemetry:
-    """The one way in for samples. `commanded_period_s` tells the period of a task of the board."""
+    """The books on all topics. `commanded_period_s` tells the period of a task of the board."""
 
     def __init__(self, hub: Hub, clock: Clock, commanded_period_s: Callable[[str], float]) -> None:
-        self._hub = hub
+        self._state = hub.state
         self._clock = clock
         self._commanded_period_s = commanded_period_s
         self.health: dict[str, TopicHealth] = {}
 
-    def heard(self, topic: str, t_s: float, values: Values, implausible: Iterable[str] = ()) -> None:
-        """A sample came at `t_s`."""
+    def heard(self, topic: str, t_s: float, implausible: Iterable[str] = ()) -> None:
+        """A sample of this topic came at `t_s` and was put into the hub."""
         health = self.health.get(topic)
         if health is None:
             health = self.health[topic] = TopicHealth()
         health.heard(t_s, implausible)
-        self._hub.publish(topic, t_s, values)
+
+    def show(self, topic: str, t_s: float, values: Values, implausible: Iterable[str] = ()) -> None:
+        """Put a sample into the hub and keep the books on it."""
+        self._state.put(topic, t_s, values)
+        self.heard(topic, t_s, implausible)
 
     def rate_changed(self, rate_command: str) -> None:
         """A task of the board has another period now."""
@@ -38,7 +42,7 @@ class Telemetry:
 
     def newest(self, topic: str) -> Values | None:
         """The newest values of a topic, however old."""
-        sample = self._hub.state.samples().get(topic)
+        sample = self._state.samples().get(topic)
         return None if sample is None else sample.values
 
     def is_live(self, topic: str) -> bool:
@@ -68,7 +72,8 @@ class Telemetry:
                 "stale": self._is_stale(topic, self.health[topic], now_s),
                 "values": sample.values,
             }
-            for topic, sample in self._hub.state.samples().items()
+            for topic, sample in self._state.samples().items()
+            if topic in self.health
         }
 
     def summary(self) -> dict[str, dict[str, Any]]:

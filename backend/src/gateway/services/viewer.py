@@ -77,18 +77,26 @@ class Viewer:
 
     def flush(self) -> None:
         """Send what is owed, or note that it had to wait."""
-        if self.blocked:
+        if self._seq != self._acknowledged and self.blocked:
             self.waiting = True
             if self.rate_hz and self._version != self._state.version:
                 self._missed += 1
             return
         self.waiting = False
-        messages = list(self._events)
-        self._events.clear()
+        messages: list[bytes] = []
+        if self._events:
+            messages += self._events
+            self._events.clear()
         if self._status is not None:
             messages.append(self._status)
             self._status = None
-        body, missed = self._news()
+        body, missed = b"", 0
+        since, self._version = self._version, self._state.version
+        if since != self._version:
+            if self.rate_hz or since == 0:
+                body = self._state.changed_since(since)
+            else:
+                body, missed = self._state.every_since(since)
         # Events and status count as under way through the batch that follows them, an empty one if need be.
         if body or messages:
             self._seq += 1
@@ -99,11 +107,3 @@ class Viewer:
             self._missed = 0
             self._missed_events = 0
             self._outlet.send(messages)
-
-    def _news(self) -> tuple[bytes, int]:
-        since, self._version = self._version, self._state.version
-        if since == self._version:
-            return b"", 0
-        if self.rate_hz or since == 0:
-            return self._state.changed_since(since), 0
-        return self._state.every_since(since)

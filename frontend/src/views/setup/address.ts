@@ -42,7 +42,7 @@ export function choiceOf(url: string | null): BoardChoice {
   if (url === null) {
     return { port: null, baud: DEFAULT_BAUD, address: "" };
   }
-  const serial = /^serial:\/\/(?:\/(?=[a-z]))?([^?]+)(?:\?baud=(\d+))?$/i.exec(url);
+  const serial = /^serial:\/\/(?:\/(?=com\d))?([^?]+)(?:\?baud=(\d+))?$/i.exec(url);
   const device = serial?.[1];
   const baud = serial?.[2];
   return device === undefined
