@@ -12,7 +12,8 @@ from hypothesis import strategies as st
 from gateway.codec.encode import encode_telemetry
 from gateway.codec.frame import Frame, FrameDecoder
 from gateway.codec.messages_gen import TELEMETRY
-from gateway.codec.values import Meaning, meaning, shortest, single
+from gateway.codec.tables import Value
+from gateway.codec.values import Meaning, _step, meaning, shortest, single
 from tests.codec.vectors import load
 
 ACCEPTED = [vector for vector in load("telemetry.jsonl") if "message" in vector]
@@ -94,11 +95,11 @@ def test_text_ends_at_the_first_zero_and_unprintable_text_is_no_data() -> None:
 
 
 def test_a_limit_that_single_precision_rounds_is_still_inside() -> None:
-    values, implausible = _meaning(
-        encode_telemetry("autopilot_parameters", *[99.99] * 6, 700, *[99.99] * 10),
-    )
-    assert implausible == ()
-    assert values["k_pitch"] == single(99.99)
+    # Rounded, 99.99 is smaller and 0.1 is greater: as a lowest and as a highest value they must still be reached.
+    step = _step(Value("gain", "number", 0, "plain", "A gain.", minimum=99.99, maximum=200.1))
+    assert step.minimum <= single(99.99) < 99.99
+    step = _step(Value("gain", "number", 0, "plain", "A gain.", minimum=0.0, maximum=0.1))
+    assert step.maximum >= single(0.1) > 0.1
 
 
 @given(st.floats(width=32, allow_nan=False, allow_infinity=False))

@@ -59,6 +59,22 @@ def test_two_datagrams_a_frame_are_one_command(cut: int) -> None:
     assert all(_is_of_one_frame(info) for info in made)
 
 
+def test_one_datagram_whose_first_row_is_not_its_lowest_is_one_command_for_each_frame() -> None:
+    infos = _whole(Gatherer("xp10"), 5, (18, *[row for row in ORDER if row < 18], 20, 25)[::-1])
+    assert [info is not None for info in infos] == [True] * 5
+    infos = _whole(Gatherer("xp10"), 5, (20, 25, 18, 3, 4, 8, 16, 17))
+    assert [info is not None for info in infos] == [True] * 5
+
+
+def test_a_row_behind_a_complete_frame_does_not_send_it_again() -> None:
+    gatherer = Gatherer("xp10")
+    assert gatherer.take(_frame(1, (3, 4, 8, 16, 17, 20, 25)), 0.0) is not None
+    assert gatherer.take([Record(25, (0.5,) * 8)], 0.001) is None
+    gatherer = Gatherer("xp10")
+    assert gatherer.take(_frame(1, (20, 25, 3, 4, 8, 16, 17)), 0.0) is not None
+    assert gatherer.take(_frame(1, (18,)), 0.001) is None
+
+
 def test_the_first_datagrams_of_a_running_simulator_may_come_from_the_middle_of_a_frame() -> None:
     gatherer = Gatherer("xp10")
     stream = [record for number in range(10) for record in _frame(number)][6:]
@@ -81,8 +97,7 @@ def test_lost_datagrams_never_mix_two_frames(lost: set[int], seed: int) -> None:
         if info is not None:
             assert _is_of_one_frame(info)
             seen.add(number)
-    # The first frame is looked at only, when it is spread; a frame behind one without row 18 waits for nothing.
-    assert intact - {0} <= seen
+    assert intact <= seen
 
 
 def test_the_track_wins_wherever_its_row_comes() -> None:
@@ -103,10 +118,12 @@ def test_the_track_is_waited_for_when_its_datagram_comes_last() -> None:
         for records in ([Record(row, (0.1,) * 8) for row in rows], [Record(18, (0.0, 0.0, 200.0, *[0.0] * 5))]):
             info = gatherer.take(records, number * PERIOD_S)
             if info is not None:
-                yaws.append(info.yaw_deg)
+                yaws.append((number, info.yaw_deg))
     # The very first datagram looks complete; from the second frame on the track is known to come.
-    assert set(yaws[1:]) == {200.0}
-    assert len(yaws) > 20
+    assert {yaw for _, yaw in yaws[1:]} == {200.0}
+    numbers = [number for number, _ in yaws]
+    assert len(numbers) > 20
+    assert len(numbers) == len(set(numbers))
 
 
 def test_a_simulator_that_stops_sending_the_track_is_followed_by_its_heading() -> None:

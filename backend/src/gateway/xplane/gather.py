@@ -37,9 +37,7 @@ class Gatherer:
         self._started_s = 0.0
         self._last_row = -1
         self._sent = False
-        self._datagrams = 0
         self._track_expected = False
-        self._frames_begun = 0
         self._descents = 0
         self._leader = -1
         self._longest_pause_s = -1.0
@@ -53,7 +51,6 @@ class Gatherer:
         self._watch_pauses(relevant[0].row, now_s)
         if self._begins_frame(relevant, now_s):
             self._begin(now_s)
-        self._datagrams += 1
         for record in relevant:
             self._take_row(record)
         self._last_row = relevant[-1].row
@@ -94,17 +91,11 @@ class Gatherer:
         if self._rows:
             self._track_expected = TRACK_ROW in self._rows
             self.incomplete_frames += not self._sent
-        self._frames_begun += 1
         self._rows = {}
-        self._datagrams = 0
         self._sent = False
         self._started_s = now_s
 
     def _is_complete(self) -> bool:
         if not self._rows.keys() >= NEEDED_ROWS:
             return False
-        if TRACK_ROW in self._rows:
-            return True
-        # Nothing is known of this simulator in its first frame: spread over datagrams, the track may yet come.
-        still_learning = self._frames_begun == 1 and self._datagrams > 1
-        return not self._track_expected and not still_learning
+        return TRACK_ROW in self._rows or not self._track_expected
