@@ -1,0 +1,40 @@
+"""Hands datagrams to a pseudo-terminal and its bytes to datagrams, and does nothing else.
+
+`python -m bench.bare_relay PTY RECEIVE_PORT SEND_PORT`. What it writes has the size of the gateway's frames.
+"""
+
+from __future__ import annotations
+
+import os
+import select
+import socket
+import sys
+
+from gateway.codec.encode import encode_command
+
+_FRAME = encode_command("xplane_info", *([0.0] * 15))
+
+
+def main() -> None:
+    """Relay for ever."""
+    path, receive_port, send_port = sys.argv[1], int(sys.argv[2]), int(sys.argv[3])
+    fd = os.open(path, os.O_RDWR | os.O_NOCTTY)
+    simulator = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+    simulator.bind(("127.0.0.1", receive_port))
+    os.write(1, b"ready\n")
+    flying = False
+    while True:
+        for ready in select.select([fd, simulator.fileno()], [], [])[0]:
+            if ready == fd:
+                os.read(fd, 65536)
+                if flying:
+                    simulator.sendto(_FRAME, ("127.0.0.1", send_port))
+                    flying = False
+            else:
+                simulator.recv(65536)
+                os.write(fd, _FRAME)
+                flying = True
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,149 @@
+"""What the gateway adds to the HIL loop: a datagram until its frame is on the line, and a frame until its datagram.
+
+The board and the simulator are this process, at 50 Hz on an absolute schedule; the floor is a process that only
+hands the bytes on. The viewers get every topic at 60 Hz and acknowledge, from a process of their own.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import select
+import socket
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Final
+
+from bench.station import HEARTBEAT, Gateway, Line, percentile, station
+from bench.table import Row
+from gateway.codec.encode import encode_telemetry
+from gateway.codec.messages_gen import TO_BOARD_HEADER
+from gateway.xplane.datagram import Record, build
+
+PERIOD_S: Final = 0.02
+FRAMES: Final = 1500
+VIEWERS: Final = 50
+REACH_MS: Final = 0.5
+_FRAME_BYTES: Final = 76
+_SURFACES: Final = encode_telemetry("hil_surfaces", 0.25, -0.5, 0.125, 0.75)
+_BACKGROUND: Final = (
+    encode_telemetry("ahrs", 12.0, 3.0, -4.0)
+    + encode_telemetry("servos_in", *([0.25] * 12))
+    + encode_telemetry("fly_by_wire", 0.1, 0.5, 0.2, 0.0)
+)
+_ROWS: Final = build([Record(row, (0.1,) * 8) for row in (3, 4, 6, 8, 11, 16, 17, 18, 20, 25)])
+
+
+def run() -> list[Row]:
+    """Alone, and with fifty viewers on the stream."""
+    floor_in, floor_out = _floor()
+    rows: list[Row] = []
+    for viewers in (0, VIEWERS):
+        there, back = _gateway(viewers)
+        ways = (("datagram in to frame out", there, floor_in), ("frame in to datagram out", back, floor_out))
+        for way, times, floor in ways:
+            for name, share in (("p50", 0.5), ("p99", 0.99)):
+                ours, bare = percentile(times, share), percentile(floor, share)
+                reach = f"<= {REACH_MS} ms over it" if name == "p99" else ""
+                ok = ours - bare <= REACH_MS if name == "p99" else None
+                rows.append(Row(f"HIL, {viewers} viewers: {way}, {name}", ours, "ms", reach, ok, bare, "bare relay"))
+    return rows
+
+
+def _gateway(viewers: int) -> tuple[list[float], list[float]]:
+    simulator, port = _simulator()
+    with contextlib.closing(simulator), station() as (gateway, line):
+        receive_port = _free_port()
+        address = {"receive_port": receive_port, "send_host": "127.0.0.1", "send_port": port}
+        gateway.put("/links/simulator", address)
+        gateway.put("/hil", {"path": "assisted"})
+        with _crowd(gateway, viewers, line):
+            return _fly(simulator, receive_port, line)
+
+
+def _floor() -> tuple[list[float], list[float]]:
+    simulator, port = _simulator()
+    receive_port = _free_port()
+    with contextlib.closing(simulator), tempfile.TemporaryDirectory() as folder:
+        line = Line(Path(folder))
+        process = subprocess.Popen(
+            [sys.executable, "-m", "bench.bare_relay", line.path, str(receive_port), str(port)],
+            stdout=subprocess.PIPE,
+            bufsize=0,
+        )
+        try:
+            assert process.stdout is not None
+            process.stdout.readline()
+            return _fly(simulator, receive_port, line)
+        finally:
+            process.terminate()
+            process.wait()
+            if process.stdout is not None:
+                process.stdout.close()
+            line.close()
+
+
+def _fly(simulator: socket.socket, receive_port: int, line: Line) -> tuple[list[float], list[float]]:
+    """Milliseconds of each way, FRAMES times."""
+    there: list[float] = []
+    back: list[float] = []
+    next_s = time.perf_counter()
+    for count in range(FRAMES):
+        next_s += PERIOD_S
+        line.write(HEARTBEAT + _BACKGROUND if count % 5 == 0 else _BACKGROUND)
+        time.sleep(max(0.0, next_s - time.perf_counter()))
+        begun_s = time.perf_counter()
+        simulator.sendto(_ROWS, ("127.0.0.1", receive_port))
+        _until_frame(line)
+        arrived_s = time.perf_counter()
+        line.write(_SURFACES)
+        simulator.recv(2048)
+        back.append((time.perf_counter() - arrived_s) * 1000.0)
+        there.append((arrived_s - begun_s) * 1000.0)
+    return there, back
+
+
+def _until_frame(line: Line) -> None:
+    got = b""
+    while got.count(TO_BOARD_HEADER) == 0 or len(got) < _FRAME_BYTES:
+        select.select([line.master], [], [], 20.0)
+        got += line.read(20.0)
+
+
+@contextlib.contextmanager
+def _crowd(gateway: Gateway, viewers: int, line: Line) -> Iterator[None]:
+    if not viewers:
+        yield
+        return
+    process = subprocess.Popen(
+        [sys.executable, "-m", "bench.crowd", str(gateway.port), str(viewers)], stdout=subprocess.PIPE, bufsize=0
+    )
+    try:
+        assert process.stdout is not None
+        # The board lives on while they come in.
+        while not select.select([process.stdout], [], [], 0.05)[0]:
+            line.write(HEARTBEAT)
+            line.read(0.0)
+        process.stdout.readline()
+        yield
+    finally:
+        process.terminate()
+        process.wait()
+        if process.stdout is not None:
+            process.stdout.close()
+
+
+def _simulator() -> tuple[socket.socket, int]:
+    simulator = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+    simulator.bind(("127.0.0.1", 0))
+    simulator.settimeout(20.0)
+    return simulator, simulator.getsockname()[1]
+
+
+def _free_port() -> int:
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
+        probe.bind(("127.0.0.1", 0))
+        return int(probe.getsockname()[1])

@@ -1,0 +1,136 @@
+"""Board bytes on a pseudo-terminal until the message is in a client's hands, beside a bare read and foxglove-sdk."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Final
+
+from bench import foxglove_peer
+from bench.station import HEARTBEAT, Gateway, Line, WebSocket, percentile, station
+from bench.table import Row
+from gateway.codec.encode import encode_telemetry
+
+ROUNDS: Final = 8
+SAMPLES: Final = 250
+PERIOD_S: Final = 0.004
+ADDED_MS: Final = 0.2
+
+_FRAME: Final = encode_telemetry("ahrs", 123.0, 4.5, -6.75)
+
+
+def run() -> list[Row]:
+    """The three take turns, so that all meet the same machine."""
+    ours: list[float] = []
+    peer: list[float] = []
+    bare: list[float] = []
+    with station() as (gateway, line), _peer() as (peer_line, peer_client), _bare() as (bare_line, answers):
+        viewer = gateway.stream(0)
+        for _ in range(ROUNDS):
+            ours += _measure(line, lambda: _until_ahrs(viewer))
+            _keep_open(line, gateway)
+            peer += _measure(peer_line, lambda: _until_binary(peer_client))
+            _keep_open(line, gateway)
+            bare += _measure_bare(bare_line, answers)
+            _keep_open(line, gateway)
+        viewer.close()
+    rows = []
+    for name, share in (("p50", 0.5), ("p99", 0.99)):
+        our, their, floor = percentile(ours, share), percentile(peer, share), percentile(bare, share)
+        rows.append(
+            Row(
+                f"board bytes to WebSocket message, {name}",
+                our,
+                "ms",
+                "<= peer",
+                our <= their,
+                their,
+                foxglove_peer.NAME,
+            )
+        )
+        reach = f"<= {ADDED_MS} ms over it" if name == "p50" else ""
+        ok = our - floor <= ADDED_MS if name == "p50" else None
+        rows.append(Row(f"the same beside a bare read, {name}", our, "ms", reach, ok, floor, "bare PTY read"))
+    return rows
+
+
+def _measure(line: Line, received: Callable[[], None]) -> list[float]:
+    """Milliseconds of SAMPLES frames, one under way at a time."""
+    times = []
+    for _ in range(SAMPLES):
+        begun = time.perf_counter()
+        line.write(_FRAME)
+        received()
+        times.append((time.perf_counter() - begun) * 1000.0)
+        time.sleep(PERIOD_S)
+    return times
+
+
+def _until_ahrs(viewer: WebSocket) -> None:
+    while True:
+        message = viewer.receive()
+        viewer.acknowledge(message)
+        if b'"topic":"ahrs"' in message:
+            return
+
+
+def _until_binary(client: WebSocket) -> None:
+    while client.receive()[:1] != b"\x01":
+        pass
+
+
+def _keep_open(line: Line, gateway: Gateway) -> None:
+    """The board lives on while the others are measured."""
+    line.write(HEARTBEAT)
+    line.read(0.0)
+    if gateway.process.poll() is not None:
+        raise RuntimeError("the gateway ended")
+
+
+@contextlib.contextmanager
+def _peer() -> Iterator[tuple[Line, WebSocket]]:
+    with tempfile.TemporaryDirectory() as folder, _child("bench.foxglove_peer", folder) as (line, process):
+        assert process.stdout is not None
+        client = foxglove_peer.subscribe(int(process.stdout.readline()))
+        yield line, client
+        client.close()
+
+
+@contextlib.contextmanager
+def _bare() -> Iterator[tuple[Line, int]]:
+    """A process that does nothing but read the line and say when it did."""
+    with tempfile.TemporaryDirectory() as folder, _child("bench.bare_reader", folder) as (line, process):
+        assert process.stdout is not None
+        process.stdout.readline()
+        yield line, process.stdout.fileno()
+
+
+@contextlib.contextmanager
+def _child(module: str, folder: str) -> Iterator[tuple[Line, subprocess.Popen[bytes]]]:
+    line = Line(Path(folder))
+    process = subprocess.Popen([sys.executable, "-m", module, line.path], stdout=subprocess.PIPE, bufsize=0)
+    try:
+        yield line, process
+    finally:
+        process.terminate()
+        process.wait()
+        if process.stdout is not None:
+            process.stdout.close()
+        line.close()
+
+
+def _measure_bare(line: Line, answers: int) -> list[float]:
+    times = []
+    for _ in range(SAMPLES):
+        begun_ns = time.monotonic_ns()
+        line.write(_FRAME)
+        read_ns = int(os.read(answers, 64))
+        times.append((read_ns - begun_ns) * 1e-6)
+        time.sleep(PERIOD_S)
+    return times

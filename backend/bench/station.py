@@ -1,0 +1,192 @@
+"""A gateway of its own process, a pseudo-terminal in the board's place, and lean WebSocket clients."""
+
+from __future__ import annotations
+
+import base64
+import contextlib
+import json
+import os
+import pty
+import re
+import select
+import socket
+import struct
+import subprocess
+import sys
+import tempfile
+import time
+import tty
+import urllib.request
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import Any, Final
+
+from gateway.codec.encode import encode_telemetry
+from gateway.codec.messages_gen import OPEN_BINARY_MODE
+
+HEARTBEAT: Final = encode_telemetry("heartbeat", *([1] * 10), 3, 0)
+_DEADLINE_S: Final = 20.0
+TICKS_PER_S: Final = os.sysconf("SC_CLK_TCK")
+
+
+class Line:
+    """A pseudo-terminal: we are the board at its master."""
+
+    def __init__(self, folder: Path) -> None:
+        self.master, self.slave = pty.openpty()
+        tty.setraw(self.slave)
+        self.path = os.ttyname(self.slave)
+        os.set_blocking(self.master, False)
+        self.url = f"pty://{self.path}"
+        self.folder = folder
+
+    def write(self, data: bytes) -> None:
+        """Bytes of the board."""
+        os.write(self.master, data)
+
+    def read(self, timeout_s: float) -> bytes:
+        """Bytes for the board; empty when none came."""
+        ready, _, _ = select.select([self.master], [], [], timeout_s)
+        return os.read(self.master, 65536) if ready else b""
+
+    def close(self) -> None:
+        """Both ends."""
+        os.close(self.master)
+        os.close(self.slave)
+
+
+class WebSocket:
+    """As little as a client can do, so that what is measured is the other side. Texts and binaries are whole."""
+
+    def __init__(self, port: int, path: str, protocol: str = "") -> None:
+        self.socket = socket.create_connection(("127.0.0.1", port))
+        self.socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+        key = base64.b64encode(os.urandom(16)).decode()
+        wanted = f"Sec-WebSocket-Protocol: {protocol}\r\n" if protocol else ""
+        self.socket.sendall(
+            f"GET {path} HTTP/1.1\r\nHost: 127.0.0.1:{port}\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
+            f"Sec-WebSocket-Key: {key}\r\nSec-WebSocket-Version: 13\r\n{wanted}\r\n".encode()
+        )
+        self._buffer = b""
+        while b"\r\n\r\n" not in self._buffer:
+            self._buffer += self.socket.recv(65536)
+        head, self._buffer = self._buffer.split(b"\r\n\r\n", 1)
+        if not head.startswith(b"HTTP/1.1 101"):
+            raise ConnectionError(head.decode())
+
+    def receive(self) -> bytes:
+        """The next message."""
+        while True:
+            message = self._take()
+            if message is not None:
+                return message
+            data = self.socket.recv(65536)
+            if not data:
+                raise ConnectionError("the server closed the stream")
+            self._buffer += data
+
+    def send(self, text: str) -> None:
+        """A short text; masked with zeros, which masks nothing and is allowed."""
+        data = text.encode()
+        head = bytes((0x81, 0x80 | len(data))) if len(data) < 126 else struct.pack("!BBH", 0x81, 0xFE, len(data))
+        self.socket.sendall(head + b"\0\0\0\0" + data)
+
+    def acknowledge(self, message: bytes) -> None:
+        """Tell our gateway that a batch was shown."""
+        found = re.match(rb'\{"type":"batch","seq":(\d+)', message)
+        if found is not None:
+            self.send(f'{{"type":"ack","seq":{int(found[1])}}}')
+
+    def close(self) -> None:
+        """End."""
+        self.socket.close()
+
+    def _take(self) -> bytes | None:
+        buffer = self._buffer
+        if len(buffer) < 2:
+            return None
+        size, start = buffer[1] & 0x7F, 2
+        if size == 126:
+            size, start = int.from_bytes(buffer[2:4], "big"), 4
+        elif size == 127:
+            size, start = int.from_bytes(buffer[2:10], "big"), 10
+        if len(buffer) < start + size:
+            return None
+        self._buffer = buffer[start + size :]
+        return buffer[start : start + size]
+
+
+class Gateway:
+    """`epf-gcs` as a process, with our line open in binary mode."""
+
+    def __init__(self, process: subprocess.Popen[str], port: int) -> None:
+        self.process = process
+        self.port = port
+
+    def put(self, path: str, body: dict[str, Any]) -> None:
+        """A PUT of the interface."""
+        request = urllib.request.Request(
+            f"http://127.0.0.1:{self.port}/api/v1{path}",
+            json.dumps(body).encode(),
+            {"Content-Type": "application/json"},
+            method="PUT",
+        )
+        urllib.request.urlopen(request, timeout=_DEADLINE_S).close()
+
+    def open(self, line: Line) -> None:
+        """Open the line and play a deployed board's part of the dialogue."""
+        self.put("/links/board", {"url": line.url})
+        give_up_s = time.monotonic() + _DEADLINE_S
+        heard = b""
+        while OPEN_BINARY_MODE not in heard and time.monotonic() < give_up_s:
+            heard += line.read(0.1)
+        # Heartbeats until the question for extensions stays unanswered: then it is a legacy board, and open.
+        while self._state() != "open" and time.monotonic() < give_up_s:
+            line.write(HEARTBEAT)
+            line.read(0.05)
+
+    def stream(self, rate: int) -> WebSocket:
+        """A viewer."""
+        return WebSocket(self.port, f"/api/v1/stream?rate={rate}")
+
+    def _state(self) -> str:
+        with urllib.request.urlopen(f"http://127.0.0.1:{self.port}/api/v1/status", timeout=_DEADLINE_S) as answer:
+            return str(json.load(answer)["board"]["state"])
+
+
+@contextlib.contextmanager
+def station() -> Iterator[tuple[Gateway, Line]]:
+    """A gateway with a line that we hold the other end of."""
+    with tempfile.TemporaryDirectory() as folder:
+        line = Line(Path(folder))
+        process = subprocess.Popen(
+            [sys.executable, "-m", "gateway", "--port", "0", "--data-dir", folder],
+            stderr=subprocess.PIPE,
+            text=True,
+        )
+        try:
+            assert process.stderr is not None
+            found = None
+            while found is None:
+                found = re.search(r"url=http://[^:]+:(\d+)", process.stderr.readline())
+            gateway = Gateway(process, int(found[1]))
+            gateway.open(line)
+            yield gateway, line
+        finally:
+            process.terminate()
+            process.wait()
+            if process.stderr is not None:
+                process.stderr.close()
+            line.close()
+
+
+def cpu_s(pid: int) -> float:
+    """Processor time that a process has used, user and system."""
+    fields = Path(f"/proc/{pid}/stat").read_text().rsplit(")", 1)[1].split()
+    return (int(fields[11]) + int(fields[12])) / TICKS_PER_S
+
+
+def percentile(values: Sequence[float], share: float) -> float:
+    """The value below which this share of all lies."""
+    ordered = sorted(values)
+    return ordered[min(len(ordered) - 1, int(share * len(ordered)))]
