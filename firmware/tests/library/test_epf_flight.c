@@ -103,6 +103,21 @@ static void time_brings_the_status_and_streams_their_frames(void** state)
     epf_flight_free(flight);
 }
 
+static void a_greeting_makes_the_station_ask_anew(void** state)
+{
+    (void)state;
+    flight_t* const flight = epf_flight_new(0.02F);
+    static line_t line;
+    line_init(&line, &frame_from_board);
+    (void)send(flight, &line, COMMAND_CAPABILITIES_ID, NULL, 0);
+    static uint8_t out[out_bytes];
+    assert_int_equal(epf_flight_feed(flight, (const uint8_t*)PROTOCOL_OPEN_BINARY_MODE, 4, out, sizeof out), 0);
+    line_clear(&line);
+    (void)send(flight, &line, COMMAND_AHRS_ON_ID, NULL, 0);
+    assert_int_equal(line.count, 0);
+    epf_flight_free(flight);
+}
+
 static void the_same_bytes_in_give_the_same_bytes_out(void** state)
 {
     (void)state;
@@ -138,6 +153,7 @@ int main(void)
         cmocka_unit_test(what_does_not_fit_comes_with_the_next_call),
         cmocka_unit_test(bytes_that_nobody_takes_are_counted_and_never_overrun),
         cmocka_unit_test(time_brings_the_status_and_streams_their_frames),
+        cmocka_unit_test(a_greeting_makes_the_station_ask_anew),
         cmocka_unit_test(the_same_bytes_in_give_the_same_bytes_out),
     };
     return cmocka_run_group_tests_name("library.epf_flight", tests, NULL, NULL);

@@ -168,6 +168,18 @@ static void a_card_that_fails_is_said_to_have_failed(void** state)
     assert_int_equal(parameter_store_load(&card.storage, &parameters), storage_failed);
 }
 
+static void a_card_that_only_says_it_has_written_is_found_out(void** state)
+{
+    (void)state;
+    card_t card;
+    card_init(&card);
+    const parameters_t first = set_number(1.0F);
+    assert_int_equal(parameter_store_save(&card.storage, &first), storage_ok);
+    card.lies = true;
+    const parameters_t second = set_number(2.0F);
+    assert_int_equal(parameter_store_save(&card.storage, &second), storage_failed);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -180,6 +192,7 @@ int main(void)
         cmocka_unit_test(a_whole_record_with_a_value_out_of_range_is_refused),
         cmocka_unit_test(the_order_survives_the_counters_wrap),
         cmocka_unit_test(a_card_that_fails_is_said_to_have_failed),
+        cmocka_unit_test(a_card_that_only_says_it_has_written_is_found_out),
     };
     return cmocka_run_group_tests_name("params.parameter_store", tests, NULL, NULL);
 }

@@ -43,6 +43,10 @@ static storage_status_t replace_file(void* context, const char* name, const uint
     {
         return storage_failed;
     }
+    if (card->lies)
+    {
+        return storage_ok;
+    }
     card_file_t* file = card_find(card, name);
     if (file == NULL)
     {

@@ -27,6 +27,7 @@ typedef struct
     card_file_t files[card_files_max];
     size_t count;
     bool has_failed;      ///< every call fails
+    bool lies;            ///< a write is said to be done and nothing is written
     bool power_is_cut;    ///< every call fails from here on; set by the cut
     long bytes_until_cut; ///< bytes that can still be written; negative: power stays
     storage_t storage;    ///< to hand to the code under test
