@@ -59,14 +59,13 @@ def _waiting_to_leave(fd: int) -> int:
     return waiting[0]
 
 
-def _as_os_error(error: Exception) -> OSError:
-    """The system's own error inside what pyserial and termios raise, which differs from version to version."""
-    if isinstance(error, OSError) and error.errno is not None:
-        return OSError(error.errno, os.strerror(error.errno))
-    first = error.args[0] if error.args else None
-    if isinstance(first, int):
-        return OSError(first, os.strerror(first))
-    text = str(error)
-    if "exclusively lock" in text:
-        return OSError(errno.EBUSY, text)
-    return OSError(errno.EINVAL if isinstance(error, ValueError) else 0, text)
+def _as_os_error(error: BaseException) -> OSError:
+    """The system's own error inside what pyserial and termios raise, which keep it in different places."""
+    number = error.errno if isinstance(error, OSError) else error.args[0] if error.args else None
+    if isinstance(number, int):
+        return OSError(number, os.strerror(number))
+    if "exclusively lock" in str(error):
+        return OSError(errno.EBUSY, str(error))
+    if error.__context__ is not None:
+        return _as_os_error(error.__context__)
+    return OSError(errno.EINVAL if isinstance(error, ValueError) else 0, str(error))

@@ -1,0 +1,63 @@
+"""How old is too old, and how often something comes."""
+
+from __future__ import annotations
+
+import pytest
+
+from gateway.vehicle.health import TopicHealth
+
+
+def _heard_every(period_s: float, samples: int) -> TopicHealth:
+    health = TopicHealth()
+    for index in range(samples):
+        health.heard(100.0 + index * period_s, ())
+    return health
+
+
+def test_nothing_heard_has_no_rate_and_no_age() -> None:
+    health = TopicHealth()
+    assert (health.count, health.last_s, health.rate_hz(5.0), health.stale_after_s(None)) == (0, None, 0.0, None)
+
+
+def test_three_periods_of_the_measured_stream_are_too_old() -> None:
+    assert _heard_every(0.5, 10).stale_after_s(0.1) == pytest.approx(1.5)
+
+
+def test_the_commanded_period_counts_until_enough_was_measured() -> None:
+    assert _heard_every(0.1, 3).stale_after_s(2.0) == pytest.approx(6.0)
+
+
+def test_a_fast_stream_may_jitter() -> None:
+    assert _heard_every(0.02, 10).stale_after_s(0.02) == pytest.approx(0.2)
+
+
+def test_one_late_sample_changes_nothing() -> None:
+    health = _heard_every(0.1, 10)
+    health.heard(105.0, ())
+    assert health.stale_after_s(None) == pytest.approx(0.3)
+
+
+def test_a_changed_rate_is_followed() -> None:
+    health = _heard_every(0.1, 10)
+    for index in range(10):
+        health.heard(110.0 + index, ())
+    assert health.stale_after_s(None) == pytest.approx(3.0)
+
+
+def test_a_commanded_change_is_believed_at_once() -> None:
+    health = _heard_every(0.1, 10)
+    health.forget_rate()
+    assert health.stale_after_s(10.0) == pytest.approx(30.0)
+
+
+def test_a_stream_that_stopped_has_no_rate() -> None:
+    health = _heard_every(0.1, 10)
+    assert health.rate_hz(101.0) == pytest.approx(10.0)
+    assert health.rate_hz(103.0) == 0.0
+
+
+def test_implausible_values_are_counted_by_name() -> None:
+    health = TopicHealth()
+    health.heard(1.0, ("yaw_deg",))
+    health.heard(2.0, ("yaw_deg", "roll_deg"))
+    assert health.implausible == {"yaw_deg": 2, "roll_deg": 1}

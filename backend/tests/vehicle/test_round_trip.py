@@ -1,0 +1,70 @@
+"""The time of the loop, where nothing is numbered and some is lost."""
+
+from __future__ import annotations
+
+import pytest
+
+from gateway.vehicle.round_trip import RoundTrip
+
+
+def _fly(trip: RoundTrip, frames: int, delay_s: float, *, lost: frozenset[int] = frozenset()) -> None:
+    """50 Hz, each answered after the delay, but for the lost ones."""
+    events: list[tuple[float, bool]] = []
+    for index in range(frames):
+        events.append((index * 0.02, True))
+        if index not in lost:
+            events.append((index * 0.02 + delay_s, False))
+    for at_s, asked in sorted(events):
+        (trip.asked if asked else trip.answered)(at_s)
+
+
+@pytest.mark.parametrize("delay_s", [0.001, 0.035, 0.15])
+def test_the_delay_is_found_also_where_several_are_under_way(delay_s: float) -> None:
+    trip = RoundTrip()
+    _fly(trip, 200, delay_s)
+    summary = trip.summary()
+    assert summary.p50 == pytest.approx(delay_s * 1000)
+    assert summary.newest == pytest.approx(delay_s * 1000)
+
+
+def test_lost_frames_do_not_shift_the_others() -> None:
+    trip = RoundTrip()
+    _fly(trip, 400, 0.035, lost=frozenset({50, 51, 120, 260}))
+    assert trip.summary().p50 == pytest.approx(35.0)
+    assert trip.summary().newest == pytest.approx(35.0)
+
+
+def test_before_the_first_answer_there_is_nothing() -> None:
+    trip = RoundTrip()
+    trip.asked(1.0)
+    assert trip.summary().newest is None
+
+
+def test_an_answer_to_nothing_is_no_time() -> None:
+    trip = RoundTrip()
+    trip.answered(1.0)
+    assert trip.summary().newest is None
+
+
+def test_what_was_asked_long_ago_is_not_answered_any_more() -> None:
+    trip = RoundTrip()
+    trip.asked(1.0)
+    trip.asked(9.0)
+    trip.answered(9.01)
+    assert trip.summary().newest == pytest.approx(10.0)
+
+
+def test_a_new_loop_begins_with_nothing() -> None:
+    trip = RoundTrip()
+    _fly(trip, 50, 0.035)
+    trip.clear()
+    assert trip.summary().p50 is None
+
+
+def test_the_slowest_hundredth_is_seen() -> None:
+    trip = RoundTrip()
+    for index in range(100):
+        trip.asked(float(index))
+        trip.answered(index + (0.2 if index >= 98 else 0.01))
+    assert trip.summary().p50 == pytest.approx(10.0)
+    assert trip.summary().p99 == pytest.approx(200.0)

@@ -1,0 +1,46 @@
+"""What is asked for again when the board starts anew."""
+
+from __future__ import annotations
+
+from gateway.codec.messages_gen import COMMANDS
+from gateway.vehicle.wanted import RATE_COMMANDS, STREAM_FLAGS, Wanted
+
+ALL_OFF = {flag: False for flag in STREAM_FLAGS.values() if flag is not None} | {"source_joystick": False}
+
+
+def test_streams_follow_the_commands() -> None:
+    wanted = Wanted().after("ahrs_on", ()).after("servos_in_on", ()).after("fms_plan_on", ()).after("ahrs_off", ())
+    assert wanted.streams == {"servos_in", "fms_plan"}
+    assert wanted.after("start", ()).streams == set(STREAM_FLAGS)
+    assert wanted.after("stop", ()).streams == set()
+
+
+def test_every_stream_has_a_command_for_on_and_off() -> None:
+    for stream in STREAM_FLAGS:
+        assert f"{stream}_on" in COMMANDS
+        assert f"{stream}_off" in COMMANDS
+
+
+def test_only_what_is_missing_is_asked_for() -> None:
+    wanted = Wanted().after("ahrs_on", ()).after("gps_on", ())
+    assert wanted.missing({**ALL_OFF, "ahrs": True}) == [("gps_on", ())]
+    assert wanted.missing({**ALL_OFF, "ahrs": True, "gps": True}) == []
+
+
+def test_streams_without_a_flag_are_always_asked_for() -> None:
+    assert Wanted().after("fms_hil_plan_on", ()).missing(ALL_OFF) == [("fms_hil_plan_on", ())]
+
+
+def test_rates_and_source_come_back_before_the_streams() -> None:
+    wanted = Wanted().after("ahrs_on", ()).after("control_source", (1,)).after("set_servos_task_rate", (50,))
+    assert wanted.missing(ALL_OFF) == [("set_servos_task_rate", (50,)), ("control_source", (1,)), ("ahrs_on", ())]
+    assert wanted.missing({**ALL_OFF, "source_joystick": True, "ahrs": True}) == [("set_servos_task_rate", (50,))]
+
+
+def test_an_autopilot_is_never_switched_on_by_itself() -> None:
+    assert Wanted().after("autopilot_on", ()).after("autotrim_on", ()) == Wanted()
+
+
+def test_periods_are_the_boards_own_until_they_are_set() -> None:
+    assert Wanted().period_s(RATE_COMMANDS[2]) == 0.02
+    assert Wanted().after(RATE_COMMANDS[2], (500,)).period_s(RATE_COMMANDS[2]) == 0.5
