@@ -148,7 +148,7 @@ def _figures(name: str, options: SimulationOptions) -> Figures:
 
 def _beside(what: str, ours: float, unit: str, reference: float) -> Row:
     limit = reference * WITHIN
-    return Row(what, ours, unit, f"<= {limit:.3g}", ours <= limit, reference, "reference")
+    return Row(what, ours, unit, f"<= {limit:,.4g}", ours <= limit, reference, "reference")
 
 
 if __name__ == "__main__":

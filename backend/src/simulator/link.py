@@ -21,14 +21,13 @@ class LinkQuality:
 
 
 class Link(Generic[T]):
-    """One direction, of whatever is carried. Datagrams never overtake each other: on a real line they cannot."""
+    """One direction, of whatever is carried. Nothing overtakes: what was sent first leaves first, as on a line."""
 
     def __init__(self, quality: LinkQuality, seed: str) -> None:
         self._quality = quality
         # A text as seed gives each direction dice of its own from one number.
         self._dice = random.Random(seed)
         self._under_way: deque[tuple[float, T]] = deque()
-        self._last_due_s = 0.0
         self.lost = 0
 
     def send(self, datagram: T, now_s: float) -> None:
@@ -41,9 +40,7 @@ class Link(Generic[T]):
         if quality.jitter_ms > 0.0:
             delay_ms += self._dice.random() * quality.jitter_ms
         # Rounded, so that a delay of whole frames ends on a frame and not a rounding error after it.
-        due_s = max(round(now_s + delay_ms / 1000.0, 9), self._last_due_s)
-        self._last_due_s = due_s
-        self._under_way.append((due_s, datagram))
+        self._under_way.append((round(now_s + delay_ms / 1000.0, 9), datagram))
 
     @property
     def next_due_s(self) -> float | None:

@@ -6,7 +6,7 @@ import pytest
 
 from simulator.airframe import STEP_HZ, Airframe, AirframeError
 from simulator.models import AIRCRAFT, AircraftModel
-from simulator.situation import Situation, Start, Turbulence, Wind
+from simulator.situation import RUNWAY_HEADING_DEG, Situation, Start, Turbulence, Wind
 from simulator.state import Controls, FlightState
 from simulator.trim import trimmed
 
@@ -98,19 +98,20 @@ def test_the_atmosphere_is_the_standard_one() -> None:
 
 
 def test_wind_carries_the_aircraft_but_leaves_its_airspeed() -> None:
-    craft, _ = flying(Situation(heading_deg=0.0, wind=Wind(270.0, 20.0)))
+    craft, _ = flying(Situation(heading_deg=0.0, wind=Wind(225.0, 20.0)))
     craft.step(1)
     state = craft.state()
     assert state.airspeed_indicated_kt == pytest.approx(55.0, abs=0.2)
     assert abs(state.beta_deg) < 0.5
-    # West wind: the track is right of the nose, the ground speed the sum at right angles.
-    assert state.track_deg == pytest.approx(19.7, abs=0.5)
-    assert state.speed_ground_kt == pytest.approx(59.3, abs=0.5)
+    # Wind from the south-west: (55.8 + 14.1) kt to the north, 14.1 kt to the east.
+    assert state.track_deg == pytest.approx(11.4, abs=0.2)
+    assert state.speed_ground_kt == pytest.approx(71.3, abs=0.3)
 
 
 def test_a_parked_aircraft_has_no_angle_of_attack_and_its_heading_as_track() -> None:
-    craft, _ = flying(Situation(start=Start.RUNWAY))
-    craft.step(STEP_HZ)
+    breeze = Wind(RUNWAY_HEADING_DEG + 90.0, 4.0)
+    craft, _ = flying(Situation(start=Start.RUNWAY, wind=breeze))
+    craft.step(4)
     state = craft.state()
     assert (state.alpha_deg, state.beta_deg, state.path_deg) == (0.0, 0.0, 0.0)
     assert state.track_deg == state.heading_deg
