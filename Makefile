@@ -88,8 +88,10 @@ check: $(DONE)/venv-dev $(DONE)/frontend $(DONE)/e2e ## format, lint, types, imp
 	cd protocol && ../$(BIN)/python -m generator --check
 	$(BIN)/python -m gateway --print-openapi > $(DONE)/openapi.json
 	cd frontend && npm run --silent generate:check -- ../$(DONE)/openapi.json
-	$(BIN)/ruff format --check backend protocol .ci
-	$(BIN)/ruff check backend protocol .ci
+	$(BIN)/ruff format --check backend protocol
+	$(BIN)/ruff check backend protocol
+	$(BIN)/ruff format --check --config backend/pyproject.toml .ci
+	$(BIN)/ruff check --config backend/pyproject.toml .ci
 	cd backend && ../$(BIN)/mypy
 	cd backend && ../$(BIN)/lint-imports
 	$(MAKE) --no-print-directory -C firmware format-check layers-check CLANG_FORMAT=$(abspath $(BIN)/clang-format)
