@@ -31,16 +31,13 @@ class Supervisor:
         tap: Tap | None,
         report: Callable[[GatewayError], None],
         on_change: Callable[[], None],
-        *,
-        identify: Callable[[str], str | None] = find_identity,
-        locate: Callable[[str], str | None] = find_path,
     ) -> None:
         self._board = board
         self._tap = tap
         self._report = report
         self._on_change = on_change
-        self._identify = identify
-        self._locate = locate
+        self._identify: Callable[[str], str | None] = find_identity
+        self._locate: Callable[[str], str | None] = find_path
         self._link: DescriptorLink | None = None
         self._lock = asyncio.Lock()
         self._wake = asyncio.Event()
@@ -48,6 +45,11 @@ class Supervisor:
         self.identity: str | None = None
         self.failure: GatewayError | None = None
         self.reopened = 0
+
+    def find_devices_by(self, identify: Callable[[str], str | None], locate: Callable[[str], str | None]) -> None:
+        """Know devices in another way than by their USB serial number: path -> identity, identity -> path."""
+        self._identify = identify
+        self._locate = locate
 
     @property
     def state(self) -> State:
