@@ -14,6 +14,7 @@ import typer
 from launcher.demonstration import Demonstration, Stopped
 from launcher.errors import LaunchError
 from launcher.options import Options
+from launcher.ports import lan_address
 
 app = typer.Typer(
     add_completion=False, pretty_exceptions_enable=False, context_settings={"help_option_names": ["-h", "--help"]}
@@ -52,8 +53,14 @@ def run(
 ) -> None:
     """Start the board, the simulator and the gateway, and fly the Gando route.
 
-    The page's address is printed once everything flies. Ctrl-C stops it all. A gateway that dies is
-    started again and carries on. Logs: DATA/logs; those of the run before end in .1.log.
+    The page's address is printed once everything flies. Ctrl-C stops it all.
+    A program that dies is started again, and the flight goes on. The programs'
+    logs are in DATA/logs; those of the run before end in .1.log.
+
+    Examples:
+      epf-run
+      epf-run --port 8001 --lan
+      epf-run --board /dev/ttyUSB0 --xplane 192.168.1.20
     """
     options = Options(board=board, xplane=xplane, port=port, lan=lan, data=data.resolve())
     asked = _StopRequest()
@@ -63,6 +70,8 @@ def run(
             try:
                 demonstration.start()
                 print(options.url, flush=True)
+                if lan and (address := lan_address()) is not None:
+                    _say(f"Other computers of the network: http://{address}:{port}")
                 demonstration.watch()
             except Stopped:
                 pass

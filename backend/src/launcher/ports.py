@@ -34,6 +34,16 @@ def free_udp_port(wanted: int) -> int:
     raise LaunchError("This computer has no free UDP port on the loopback: close some programs and try again.")
 
 
+def lan_address() -> str | None:
+    """The address other computers of the network reach this one at; None without a network. Sends nothing."""
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe, contextlib.suppress(OSError):
+        # Of an address for documentation, which is in no network: the way to it is the way out of this one.
+        probe.connect(("192.0.2.1", 9))
+        address: str = probe.getsockname()[0]
+        return address
+    return None
+
+
 def listener_of(port: int) -> str | None:
     """Name and process number of the program that listens on a TCP port; None where it cannot be seen."""
     if sys.platform != "linux":
