@@ -36,5 +36,5 @@ export function Alarms() {
       },
     ];
   }
-  return <AlarmStrip label={t("alarm.label")} alarms={items} />;
+  return <AlarmStrip label={t("alarms.label")} alarms={items} />;
 }

@@ -1,9 +1,9 @@
 import "i18next";
-import type es from "./es.json";
+import type { CATALOGUES } from "./i18n";
 
 declare module "i18next" {
   interface CustomTypeOptions {
-    resources: { translation: typeof es };
+    resources: { translation: (typeof CATALOGUES)["es"] };
     returnNull: false;
   }
 }

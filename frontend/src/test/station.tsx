@@ -1,0 +1,145 @@
+import { act, render } from "@testing-library/react";
+import { I18nextProvider } from "react-i18next";
+import { App } from "../app/App";
+import { createPage, type World } from "../app/page";
+import { createI18n } from "../i18n/i18n";
+import type { Sample } from "../protocol/envelope";
+import type { Status } from "../protocol/status";
+import { FIELD_KINDS } from "../protocol/topics";
+import { PageContext } from "../store/hooks";
+import type { Shelf } from "../store/settings";
+import { HandFrames } from "./frames";
+import { aStatus } from "./status";
+import { HandTimers, HandWire } from "./wire";
+
+/** What the page asked over REST, and what it is told. */
+export interface Asked {
+  readonly method: string;
+  readonly path: string;
+  readonly body: unknown;
+  readonly answer: (value: unknown, status?: number) => Promise<void>;
+}
+
+const START_S = 1_700_000_000;
+
+class MemoryShelf implements Shelf {
+  readonly #kept = new Map<string, string>();
+  getItem = (key: string): string | null => this.#kept.get(key) ?? null;
+  setItem = (key: string, value: string): void => {
+    this.#kept.set(key, value);
+  };
+}
+
+/** The whole page in a document, with a gateway, a clock and displayed frames at the test's command. */
+export class Station {
+  readonly timers = new HandTimers();
+  readonly frames = new HandFrames();
+  readonly wires: HandWire[] = [];
+  readonly asked: Asked[] = [];
+  readonly clients: Array<string | null> = [];
+  #seq = 0;
+
+  constructor() {
+    const world: World = {
+      timers: this.timers,
+      wall_ms: () => START_S * 1000 + this.timers.now_ms(),
+      dial: (client, listener) => {
+        const wire = new HandWire(listener);
+        this.wires.push(wire);
+        this.clients.push(client);
+        return wire;
+      },
+      fetch: (path, init) => this.#ask(path, init),
+      requestFrame: this.frames.request,
+      cancelFrame: this.frames.cancel,
+      shelf: new MemoryShelf(),
+      tabShelf: new MemoryShelf(),
+    };
+    const { page, start } = createPage(world);
+    render(
+      <I18nextProvider i18n={createI18n("es")}>
+        <PageContext value={page}>
+          <App />
+        </PageContext>
+      </I18nextProvider>,
+    );
+    act(start);
+  }
+
+  /** The gateway accepts the page and tells how everything stands. */
+  greet(status: Status = aStatus()): void {
+    this.deliver({
+      type: "hello",
+      version: "0.1.0",
+      client: "c1",
+      role: "operator",
+      server_time_s: this.#now_s(),
+      topics: [],
+      status,
+    });
+  }
+
+  status(status: Status): void {
+    this.deliver({ type: "status", data: status });
+  }
+
+  /** Newest values of some topics, measured now; fields that are not named are no data. */
+  send(values: Readonly<Record<string, Readonly<Record<string, number | boolean | null>>>>): void {
+    const samples: Sample[] = Object.entries(values).map(([topic, known]) => ({
+      topic,
+      t_s: this.#now_s(),
+      values: Object.fromEntries(
+        (FIELD_KINDS.get(topic) ?? []).map(([field]) => [field, known[field] ?? null]),
+      ),
+    }));
+    this.#seq += 1;
+    this.deliver({ type: "batch", seq: this.#seq, t_s: this.#now_s(), samples });
+  }
+
+  deliver(message: unknown): void {
+    act(() => this.wires.at(-1)?.deliver(message));
+    this.show();
+  }
+
+  breakOff(): void {
+    act(() => this.wires.at(-1)?.breakOff());
+    this.show();
+  }
+
+  /** Let time pass, with a displayed frame at its end. */
+  pass(duration_ms: number): void {
+    act(() => this.timers.pass(duration_ms));
+    this.show();
+  }
+
+  /** Two frames, far enough apart for text to be due. */
+  show(): void {
+    act(() => {
+      this.frames.show(this.timers.now_ms());
+      this.timers.pass(100);
+      this.frames.show(this.timers.now_ms());
+    });
+  }
+
+  #now_s(): number {
+    return START_S + this.timers.now_ms() / 1000;
+  }
+
+  #ask(path: string, init: RequestInit): Promise<Response> {
+    return new Promise((resolve) => {
+      this.asked.push({
+        method: init.method ?? "GET",
+        path,
+        body: typeof init.body === "string" ? JSON.parse(init.body) : undefined,
+        answer: async (value, status = 200) => {
+          await act(async () => {
+            resolve(Response.json(value, { status }));
+            // The page reads the answer in steps; each needs a turn.
+            await new Promise((done) => setTimeout(done, 0));
+          });
+          this.show();
+        },
+      });
+    });
+  }
+}
