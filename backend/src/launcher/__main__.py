@@ -5,6 +5,7 @@ import signal
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
+from enum import StrEnum
 from pathlib import Path
 from types import FrameType
 from typing import Annotated
@@ -13,12 +14,19 @@ import typer
 
 from launcher.demonstration import Demonstration, Stopped
 from launcher.errors import LaunchError
-from launcher.options import Options
+from launcher.options import STATION_PORT, Options, XPlane
 from launcher.ports import lan_address
 
 app = typer.Typer(
     add_completion=False, pretty_exceptions_enable=False, context_settings={"help_option_names": ["-h", "--help"]}
 )
+
+
+class Profile(StrEnum):
+    """Generations of X-Plane that order the rows differently."""
+
+    XP10 = "xp10"
+    XP12 = "xp12"
 
 
 @app.command()
@@ -36,12 +44,18 @@ def run(
     xplane: Annotated[
         str | None,
         typer.Option(
-            metavar="HOST",
-            help="The computer X-Plane runs on, in the embedded simulator's place. X-Plane has to send its data "
-            "to this computer, UDP port 49003, and receives on 49000.",
+            metavar="HOST[:PORT]",
+            help="The computer X-Plane runs on, in the embedded simulator's place, and the UDP port it receives on "
+            "where that is not 49000. X-Plane has to send its data output to this computer.",
             show_default="the embedded simulator",
         ),
     ] = None,
+    receive_port: Annotated[
+        int, typer.Option(min=1, max=65535, help="UDP port X-Plane sends to. Only with --xplane.")
+    ] = STATION_PORT,
+    profile: Annotated[
+        Profile, typer.Option(help="xp10: X-Plane 10 and 11. xp12: X-Plane 12. Only with --xplane.")
+    ] = Profile.XP10,
     port: Annotated[int, typer.Option(min=1, max=65535, help="Port of the page and the interface.")] = 8000,
     lan: Annotated[
         bool,
@@ -62,10 +76,11 @@ def run(
       epf-run --port 8001 --lan
       epf-run --board /dev/ttyUSB0 --xplane 192.168.1.20
     """
-    options = Options(board=board, xplane=xplane, port=port, lan=lan, data=data.resolve())
     asked = _StopRequest()
-    demonstration = Demonstration(options, _say, lambda: asked.heard)
     try:
+        real = None if xplane is None else XPlane.at(xplane, receive_port, profile.value)
+        options = Options(board=board, xplane=real, port=port, lan=lan, data=data.resolve())
+        demonstration = Demonstration(options, _say, lambda: asked.heard)
         with _alone(options.data):
             try:
                 demonstration.start()

@@ -8,8 +8,8 @@ from typing import Final
 from launcher.child import Child
 from launcher.errors import LaunchError
 from launcher.gateway_client import GatewayClient, Status
-from launcher.options import PAGE, SIMULATOR_PORT, STATION_PORT, Options
-from launcher.ports import free_udp_port, require_tcp_port
+from launcher.options import PAGE, SIMULATOR_PORT, STATION_PORT, Options, XPlane
+from launcher.ports import LOOPBACK, free_udp_port, require_tcp_port
 
 _START_TIMEOUT_S: Final = 30.0
 _WATCH_S: Final = 0.1
@@ -39,17 +39,20 @@ class Demonstration:
         require_tcp_port(self._options.host, self._options.port)
         if not PAGE.exists():
             self._say(f"The page has not been built ({PAGE} is missing): `make run` builds it. The interface works.")
-        ports = self._udp_ports()
+        if self._options.xplane is not None:
+            self._start_with(self._options.xplane)
+            return
+        simulator = self._embedded()
         try:
-            self._start_on(*ports)
+            self._start_with(simulator)
         except LaunchError:
             self.stop()
             # Two that start at the same moment see the same ports free, and one of them comes too late.
-            if self._options.xplane is not None or all(free_udp_port(port) == port for port in ports):
+            if all(free_udp_port(port) == port for port in (simulator.port, simulator.receive_port)):
                 raise
-            self._start_on(*self._udp_ports())
+            self._start_with(self._embedded())
 
-    def _start_on(self, listen_port: int, receive_port: int) -> None:
+    def _start_with(self, simulator: XPlane) -> None:
         options = self._options
         logs = options.data / "logs"
         logs.mkdir(parents=True, exist_ok=True)
@@ -58,7 +61,7 @@ class Demonstration:
         if options.board is None:
             self._children.append(Child("board", options.board_command(), logs))
         if options.xplane is None:
-            self._children.append(Child("simulator", options.simulator_command(listen_port, receive_port), logs))
+            self._children.append(Child("simulator", options.simulator_command(simulator), logs))
         gateway = [options.gateway_command(first=first) for first in (True, False)]
         self._children.append(Child("gateway", gateway[0], logs, again=gateway[1]))
         self._say("Starting " + ", ".join(f"the {child.name}" for child in self._children) + " ...")
@@ -66,7 +69,7 @@ class Demonstration:
             child.start()
         self._wait("the gateway answers", lambda _: True)
         self._gateway.open_board(options.board_url())
-        self._gateway.open_simulator(receive_port, options.xplane or "127.0.0.1", listen_port, "xp10")
+        self._gateway.open_simulator(simulator)
         if options.board is None:
             self._close_loop()
         else:
@@ -87,15 +90,13 @@ class Demonstration:
                 self._say(f"The {child.name} did not stop within 5 s and was killed.")
         self._children.clear()
 
-    def _udp_ports(self) -> tuple[int, int]:
-        """Where the simulator listens, and where the gateway does."""
-        if self._options.xplane is not None:
-            return SIMULATOR_PORT, STATION_PORT
+    def _embedded(self) -> XPlane:
+        """The embedded simulator on the usual ports, or on others where those are taken: both ends are ours."""
         ports = free_udp_port(SIMULATOR_PORT), free_udp_port(STATION_PORT)
         for wanted, chosen in zip((SIMULATOR_PORT, STATION_PORT), ports, strict=True):
             if chosen != wanted:
                 self._say(f"UDP port {wanted} is taken (by X-Plane?): the demonstration uses {chosen} in its place.")
-        return ports
+        return XPlane(LOOPBACK, *ports)
 
     def _close_loop(self) -> None:
         """Streams on, Gando loaded, and the board's autopilot flies the simulator."""
@@ -107,7 +108,12 @@ class Demonstration:
         gateway.command("hil_load_gando")
         gateway.command("autotrim_on")
         gateway.command("autopilot_on")
-        self._wait("the board's surfaces reach the simulator", _loop_is_closed)
+        xplane = self._options.xplane
+        if xplane is None:
+            self._wait("the board's surfaces reach the simulator", _loop_is_closed)
+        else:
+            port = xplane.receive_port
+            self._say(f"The loop closes as soon as X-Plane on {xplane.host} sends its data to UDP port {port} here.")
 
     def _wait(self, what: str, condition: Callable[[Status], bool]) -> None:
         self._gateway.wait(what, condition, _START_TIMEOUT_S, self._check)
@@ -132,8 +138,12 @@ class Demonstration:
         self._say(f"The {child.name} ended {_how(status)}: starting it again.")
         child.start()
         if child.name == "board":
-            # A board that was off has no plan and no autopilot; the gateway reopens the line by itself.
-            self._close_loop()
+            # A board that was off has no plan and no autopilot; the gateway reopens the line by itself, unless
+            # somebody has closed it in the page: then there is nothing to command, and nothing to end a run for.
+            try:
+                self._close_loop()
+            except LaunchError as error:
+                self._say(str(error))
 
 
 def _has_heartbeat(status: Status) -> bool:

@@ -9,6 +9,7 @@ from collections.abc import Callable
 from typing import Any, Final
 
 from launcher.errors import LaunchError
+from launcher.options import XPlane
 
 _REQUEST_TIMEOUT_S: Final = 10.0
 _POLL_S: Final = 0.05
@@ -45,9 +46,14 @@ class GatewayClient:
         """Have the gateway open the board's link, and keep it open."""
         self._request("PUT", "/api/v1/links/board", {"url": url})
 
-    def open_simulator(self, receive_port: int, send_host: str, send_port: int, profile: str) -> None:
+    def open_simulator(self, simulator: XPlane) -> None:
         """Have the gateway listen for the simulator and send to it."""
-        body = {"receive_port": receive_port, "send_host": send_host, "send_port": send_port, "profile": profile}
+        body = {
+            "receive_port": simulator.receive_port,
+            "send_host": simulator.host,
+            "send_port": simulator.port,
+            "profile": simulator.profile,
+        }
         self._request("PUT", "/api/v1/links/simulator", body)
 
     def select_hil(self, source: str, path: str) -> None:

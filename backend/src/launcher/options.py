@@ -3,7 +3,7 @@
 import sys
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Final
+from typing import Final, Self
 
 from launcher.errors import LaunchError
 from launcher.ports import LOOPBACK
@@ -20,14 +20,32 @@ EVERY_INTERFACE: Final = "0.0.0.0"  # noqa: S104 (only with --lan, which asks fo
 
 
 @dataclass(frozen=True, slots=True)
+class XPlane:
+    """An X-Plane of somebody's: where it receives, where this computer does, and its generation."""
+
+    host: str
+    port: int = SIMULATOR_PORT
+    receive_port: int = STATION_PORT
+    profile: str = "xp10"
+
+    @classmethod
+    def at(cls, address: str, receive_port: int, profile: str) -> Self:
+        """From `HOST` or `HOST:PORT`; raises LaunchError for what is neither."""
+        host, colon, port = address.partition(":")
+        if not host or (colon and not (port.isdecimal() and 0 < int(port) < 65536)):
+            raise LaunchError(f"{address} is not the address of X-Plane: give HOST or HOST:PORT, as in 192.168.1.20.")
+        return cls(host, int(port) if colon else SIMULATOR_PORT, receive_port, profile)
+
+
+@dataclass(frozen=True, slots=True)
 class Options:
     """One run. `board` and `xplane` are the real ones that take a demonstration part's place."""
 
-    board: str | None
-    xplane: str | None
-    port: int
-    lan: bool
-    data: Path
+    board: str | None = None
+    xplane: XPlane | None = None
+    port: int = 8000
+    lan: bool = False
+    data: Path = Path("data")
 
     @property
     def host(self) -> str:
@@ -67,11 +85,11 @@ class Options:
             raise LaunchError(f"The board's program {BOARD_PROGRAM} is missing: build it with `make board`.")
         return [str(BOARD_PROGRAM), "--pty", str(self.board_line), "--card", str(self.data / "card")]
 
-    def simulator_command(self, listen_port: int, send_port: int) -> list[str]:
+    def simulator_command(self, simulator: XPlane) -> list[str]:
         """The embedded simulator, which listens where the gateway sends and the other way round."""
         return [
-            *(sys.executable, "-m", "simulator"),
-            *("--listen", f"{LOOPBACK}:{listen_port}", "--send-to", f"{LOOPBACK}:{send_port}"),
+            *(sys.executable, "-m", "simulator", "--profile", simulator.profile),
+            *("--listen", f"{LOOPBACK}:{simulator.port}", "--send-to", f"{LOOPBACK}:{simulator.receive_port}"),
         ]
 
     def gateway_command(self, *, first: bool) -> list[str]:

@@ -31,6 +31,13 @@ def free_tcp_port() -> int:
         return port
 
 
+def free_udp_port() -> int:
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sock:
+        sock.bind((LOOPBACK, 0))
+        port: int = sock.getsockname()[1]
+        return port
+
+
 class Run:
     """One `epf-run` in a folder of its own."""
 
@@ -238,6 +245,17 @@ def test_a_board_that_is_real_is_opened_and_left_as_it_is(tmp_path: Path) -> Non
     assert "left as they are" in run.said()
 
 
+def test_an_x_plane_takes_the_embedded_simulators_place_whenever_it_comes(tmp_path: Path) -> None:
+    listens_on, sends_to = free_udp_port(), free_udp_port()
+    with Run(tmp_path, "--xplane", f"{LOOPBACK}:{listens_on}", "--receive-port", str(sends_to)) as run:
+        assert run.first_line() == f"{run.url}\n", run.said()
+        assert set(run.children()) == {"board", "gateway"}
+        assert not flies(run.status())
+        with x_plane_of_somebody(listens_on, sends_to):
+            run.eventually(flies)
+    assert f"sends its data to UDP port {sends_to} here" in run.said()
+
+
 def test_a_board_that_cannot_be_opened_is_told(tmp_path: Path) -> None:
     with Run(tmp_path, "--board", str(tmp_path / "nothing")) as run:
         assert run.first_line() == ""
@@ -249,6 +267,16 @@ def test_a_board_that_cannot_be_opened_is_told(tmp_path: Path) -> None:
 
 def has_heartbeat(status: Status) -> bool:
     return status["board"]["heartbeat_age_s"] is not None
+
+
+@contextmanager
+def x_plane_of_somebody(listens_on: int, sends_to: int) -> Iterator[None]:
+    command = [sys.executable, "-m", "simulator", "--listen", str(listens_on), "--send-to", f"{LOOPBACK}:{sends_to}"]
+    with subprocess.Popen(command, stdout=subprocess.DEVNULL) as simulator:
+        try:
+            yield
+        finally:
+            simulator.terminate()
 
 
 @contextmanager

@@ -5,13 +5,9 @@ from pathlib import Path
 import pytest
 
 from launcher.errors import LaunchError
-from launcher.options import EVERY_INTERFACE, Options
+from launcher.options import EVERY_INTERFACE, Options, XPlane
 
-DEMONSTRATION = Options(board=None, xplane=None, port=8000, lan=False, data=Path("/somewhere/data"))
-
-
-def with_board(board: str) -> Options:
-    return Options(board=board, xplane=None, port=8000, lan=False, data=Path("/somewhere/data"))
+DEMONSTRATION = Options(data=Path("/somewhere/data"))
 
 
 def test_the_demonstrations_board_is_on_a_line_in_the_data_folder() -> None:
@@ -32,12 +28,12 @@ def test_the_demonstrations_board_is_on_a_line_in_the_data_folder() -> None:
     ],
 )
 def test_a_real_board_is_a_device_or_an_address(given: str, url: str) -> None:
-    assert with_board(given).board_url() == url
+    assert Options(board=given).board_url() == url
 
 
 def test_what_is_no_board_is_told_with_what_would_be() -> None:
     with pytest.raises(LaunchError, match=r"http://somewhere is not the address of a board.*/dev/ttyUSB0"):
-        with_board("http://somewhere").board_url()
+        Options(board="http://somewhere").board_url()
 
 
 def test_only_the_gateways_first_start_is_told_the_board() -> None:
@@ -52,11 +48,24 @@ def test_the_page_is_served_to_this_computer_only_unless_the_network_is_asked_fo
         return command[command.index("--host") + 1]
 
     assert host(DEMONSTRATION) == "127.0.0.1"
-    assert host(Options(board=None, xplane=None, port=8000, lan=True, data=Path("/somewhere/data"))) == EVERY_INTERFACE
+    assert host(Options(lan=True)) == EVERY_INTERFACE
     assert DEMONSTRATION.url == "http://127.0.0.1:8000"
 
 
 def test_the_simulator_and_the_gateway_are_wired_to_each_other() -> None:
-    command = DEMONSTRATION.simulator_command(listen_port=49000, send_port=49003)
+    command = DEMONSTRATION.simulator_command(XPlane("127.0.0.1", 49000, 49003))
     assert command[command.index("--listen") + 1] == "127.0.0.1:49000"
     assert command[command.index("--send-to") + 1] == "127.0.0.1:49003"
+
+
+@pytest.mark.parametrize(
+    ("address", "host", "port"), [("192.168.1.20", "192.168.1.20", 49000), ("flightbox:50000", "flightbox", 50000)]
+)
+def test_x_plane_is_a_computer_and_its_port_where_that_is_another(address: str, host: str, port: int) -> None:
+    assert XPlane.at(address, 49003, "xp12") == XPlane(host, port, 49003, "xp12")
+
+
+@pytest.mark.parametrize("address", ["", ":49000", "flightbox:", "flightbox:x", "flightbox:70000"])
+def test_what_is_no_address_of_x_plane_is_told_with_what_would_be(address: str) -> None:
+    with pytest.raises(LaunchError, match="give HOST or HOST:PORT"):
+        XPlane.at(address, 49003, "xp10")
