@@ -54,9 +54,15 @@ def _check_value(message: Message, value: Value) -> None:
         raise DefinitionError(f"{where}: range is empty")
     if value.minimum is not None and value.minimum < 0 and value.kind == "number" and value.sign == "none":
         raise DefinitionError(f"{where}: can be negative, so it must say what positive means")
+    if value.absent is not None and _is_in_range(value, value.absent):
+        raise DefinitionError(f"{where}: {value.absent} cannot mean no data, it is inside the range")
     for name, number in value.names.items():
-        if value.minimum is None or value.maximum is None or not value.minimum <= number <= value.maximum:
+        if not _is_in_range(value, number):
             raise DefinitionError(f"{where}: named value {name} is outside the range")
+
+
+def _is_in_range(value: Value, number: float) -> bool:
+    return value.minimum is not None and value.maximum is not None and value.minimum <= number <= value.maximum
 
 
 def _check_confirmations(definition: Definition) -> None:

@@ -244,6 +244,8 @@ def _constants(name: str, message: Message) -> Iterator[str]:
     for value in message.values:
         if value.bit is not None:
             yield f"#define {name.upper()}_BIT_{value.name.upper()} {1 << value.bit}"
+        if value.kind == "integer" and value.absent is not None:
+            yield f"#define {name.upper()}_{value.name.upper()}_ABSENT ({value.absent})"
 
 
 def _comment(message: Message, slot: Slot) -> str:

@@ -128,8 +128,8 @@ def _row(offset: int, slot: Slot, value: Value) -> str:
         doc = f"Bit {value.bit}: {doc}"
     if value.names:
         doc += " " + ", ".join(f"{number} {name}" for name, number in value.names.items()) + "."
-    if value.absent_nan:
-        doc += " NaN: not measured."
+    if value.absent is not None:
+        doc += f" {'NaN' if value.absent != value.absent else value.absent}: no data."
     return f"| {offset} | {slot.type} | {value.name} | {value.unit} | {span} | {value.sign} | {_cell(doc)} |"
 
 

@@ -14,6 +14,7 @@ IMPORTS = """\
 from __future__ import annotations
 
 from collections.abc import Mapping
+from math import nan
 from struct import Struct
 from types import MappingProxyType
 from typing import Final
@@ -129,7 +130,7 @@ def _value(value: Value) -> str:
         "maximum": value.maximum,
         "sign": value.sign if value.sign != "none" else None,
         "bit": value.bit,
-        "absent_nan": value.absent_nan or None,
+        "absent": value.absent,
         "default": value.default,
         "letters": value.letters,
     }

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import tomllib
 from collections.abc import Iterable, Mapping
 from pathlib import Path
@@ -214,7 +215,7 @@ def _values(table: Table, encoding: str, count: int, position: int, *, absent_na
             minimum=minimum,
             maximum=maximum,
             sign=table["sign"],
-            absent_nan=absent_nan and kind == "number",
+            absent=table.get("absent", math.nan if absent_nan and kind == "number" else None),
             default=table.get("default"),
             names=table.get("values", {}),
         )

@@ -53,7 +53,10 @@ class DefinitionError(Exception):
 
 @dataclass(frozen=True)
 class Value:
-    """One named quantity as people and JSON see it; several may share a slot (flag bits)."""
+    """One named quantity as people and JSON see it; several may share a slot (flag bits).
+
+    `absent`: what the wire holds where there is nothing to say, NaN in a float.
+    """
 
     name: str
     kind: str
@@ -65,7 +68,7 @@ class Value:
     maximum: float | None = None
     sign: str = "none"
     bit: int | None = None
-    absent_nan: bool = False
+    absent: float | None = None
     default: float | None = None
     letters: tuple[str, str] | None = None
     names: Mapping[str, int] = field(default_factory=dict)

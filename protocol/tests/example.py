@@ -32,7 +32,7 @@ fields = [
   { name = "armed", type = "i8", encoding = "flag", doc = "Is armed." },
   { name = "modes", type = "i8", encoding = "bits", range = [0, 3], doc = "Two.", bits = [
     { name = "auto", bit = 0, doc = "Flies itself." }, { name = "stick", bit = 1, doc = "By stick." } ] },
-  { name = "count", type = "i16", unit = "1", range = [0, 9], sign = "none", doc = "Counts." },
+  { name = "count", type = "i16", unit = "1", range = [0, 9], absent = -1, sign = "none", doc = "Counts." },
 ]
 [[message]]
 name = "attitude"

@@ -13,8 +13,9 @@ def test_the_first_line_names_the_generator() -> None:
 
 
 def test_fields_have_offset_unit_range_and_sign() -> None:
-    assert "| 0 | f32 | roll_deg | deg | -180..180 | right wing down | Bank. NaN: not measured. |" in LINES
-    assert "| 8 | f32 | servo_1 | 1 | -1..1 | up | Servo. NaN: not measured. |" in LINES
+    assert "| 0 | f32 | roll_deg | deg | -180..180 | right wing down | Bank. NaN: no data. |" in LINES
+    assert "| 8 | f32 | servo_1 | 1 | -1..1 | up | Servo. NaN: no data. |" in LINES
+    assert "| 2 | i16 | count | 1 | 0..9 | none | Counts. -1: no data. |" in LINES
     assert "| 1 | i8 | stick | 1 |  | none | Bit 1: By stick. |" in LINES
 
 

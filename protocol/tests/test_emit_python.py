@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import pytest
@@ -31,7 +32,9 @@ def test_messages_unpack_the_bytes_of_the_wire(module: dict[str, Any]) -> None:
 def test_values_carry_unit_range_sign_and_oddity(module: dict[str, Any]) -> None:
     roll, *_, digits = module["TELEMETRY"][1].values
     assert (roll.unit, roll.minimum, roll.maximum, roll.sign) == ("deg", -180.0, 180.0, "right wing down")
-    assert roll.absent_nan
+    assert math.isnan(roll.absent)
+    assert digits.absent is None
+    assert module["TELEMETRY"][0].values[3].absent == -1
     assert digits.encoding == "ascii_digits"
 
 

@@ -38,10 +38,14 @@ def test_flag_bits_are_values_of_one_slot() -> None:
     assert [(value.name, value.slot, value.bit) for value in heartbeat.values][1:3] == [("auto", 1, 0), ("stick", 1, 1)]
 
 
-def test_nan_is_absent_only_where_the_message_says_so() -> None:
+def test_nan_is_absent_in_the_floats_of_a_message_that_says_so() -> None:
     model = definition()
-    assert [value.absent_nan for value in _message(model, "attitude").values] == [True, True, True, False]
-    assert not any(value.absent_nan for value in _message(model, "place").values)
+    assert [str(value.absent) for value in _message(model, "attitude").values] == ["nan", "nan", "nan", "None"]
+    assert {value.absent for value in _message(model, "place").values} == {None}
+
+
+def test_a_field_may_say_which_number_is_absent() -> None:
+    assert [value.absent for value in _message(definition(), "heartbeat").values] == [None, None, None, -1]
 
 
 def test_each_parameter_has_a_command_of_its_own_and_a_place_in_the_message() -> None:
@@ -86,6 +90,7 @@ FAULTS = {
     "an empty range": ("telemetry", "[-180.0, 180.0]", "[180.0, -180.0]", "range is empty"),
     "no doc": ("commands", 'doc = "Stop."', "", "'doc'] missing"),
     "a flag that no heartbeat has": ("commands", "armed = false", "loaded = false", "heartbeat has no flag"),
+    "an absent value inside the range": ("telemetry", "absent = -1", "absent = 3", "3 cannot mean no data"),
     "a name outside the range": ("commands", "stick=1}", "stick=2}", "named value stick is outside"),
     "a frame that does not exist": ("commands", 'by = "none"', 'by = "frame", message = "ahrs"', "no message ahrs"),
     "a rule without its message": ("commands", 'by = "none"', 'by = "plan"', "a message goes with"),

@@ -39,12 +39,20 @@ def test_every_topic_of_the_deployed_board_is_in_the_captures() -> None:
     assert {vector["message"] for vector in ACCEPTED} == {m.name for m in TELEMETRY.values() if not m.extension}
 
 
-def test_not_measured_is_no_data_and_no_fault_in_analog_alone() -> None:
+def test_what_a_board_says_it_does_not_know_is_no_data_and_no_fault() -> None:
     nan = float("nan")
     values, implausible = _meaning(encode_telemetry("analog", *[nan] * 10))
     assert set(values.values()) == {None}
     assert implausible == ()
+    values, implausible = _meaning(encode_telemetry("fms_plan", nan, nan, nan, -1, -1))
+    assert set(values.values()) == {None}
+    assert implausible == ()
+
+
+def test_not_a_number_is_a_fault_where_there_is_always_a_value() -> None:
+    nan = float("nan")
     assert _meaning(encode_telemetry("ahrs", nan, 0.0, 0.0)).implausible == ("yaw_deg",)
+    assert _meaning(encode_telemetry("fms_plan", nan, nan, nan, -2, 100)).implausible == ("distance_m", "waypoint")
 
 
 @pytest.mark.parametrize(

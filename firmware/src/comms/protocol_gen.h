@@ -300,7 +300,9 @@ typedef struct
 void message_fly_by_wire_pack(const message_fly_by_wire_t* values, uint8_t* payload);
 void message_fly_by_wire_unpack(message_fly_by_wire_t* values, const uint8_t* payload);
 
-/// What the flight management system of the real aircraft asks for.
+#define MESSAGE_FMS_PLAN_DISTANCE_M_ABSENT (-1)
+#define MESSAGE_FMS_PLAN_WAYPOINT_ABSENT (-1)
+/// What the flight management system of the real aircraft asks for. Without a plan all of it is absent, without a position bearing and distance are.
 typedef struct
 {
     float bearing_deg; ///< Great-circle bearing to the waypoint. Shown as 0..360. [deg] + clockwise from north, seen from above.
@@ -313,6 +315,8 @@ typedef struct
 void message_fms_plan_pack(const message_fms_plan_t* values, uint8_t* payload);
 void message_fms_plan_unpack(message_fms_plan_t* values, const uint8_t* payload);
 
+#define MESSAGE_FMS_HIL_PLAN_DISTANCE_M_ABSENT (-1)
+#define MESSAGE_FMS_HIL_PLAN_WAYPOINT_ABSENT (-1)
 /// What the flight management system of the HIL aircraft asks for; fields as fms_plan.
 typedef struct
 {

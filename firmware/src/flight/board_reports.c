@@ -63,19 +63,36 @@ static void send_analog(board_t* board)
     send(board, MESSAGE_ANALOG_ID, payload, sizeof payload);
 }
 
+/// What a plan asks for. Zeros would read as a course to the north at sea level, so what is not known is absent: all
+/// of it without a plan, the way to the waypoint without a position.
+static message_fms_plan_t plan_values(const plan_t* plan, const control_loop_input_t* input)
+{
+    message_fms_plan_t values = {
+        .bearing_deg = NAN,
+        .altitude_ft = NAN,
+        .speed_kt = NAN,
+        .distance_m = MESSAGE_FMS_PLAN_DISTANCE_M_ABSENT,
+        .waypoint = MESSAGE_FMS_PLAN_WAYPOINT_ABSENT,
+    };
+    if (plan->count > 0)
+    {
+        values.altitude_ft = plan->waypoints[plan->current].altitude_ft;
+        values.speed_kt = plan->waypoints[plan->current].speed_kt;
+        values.waypoint = (int32_t)plan->current;
+    }
+    plan_guidance_t guidance;
+    if (plan_guidance(plan, &input->position, input->speed_kt, &guidance))
+    {
+        values.bearing_deg = guidance.bearing_deg;
+        values.distance_m = (int32_t)lroundf(guidance.distance_m);
+    }
+    return values;
+}
+
 static void send_plan(board_t* board, size_t plan, uint32_t type_id)
 {
     const control_loop_input_t input = plan == board_plan_hil ? board_hil_input(board) : board_flight_input(board);
-    plan_guidance_t guidance;
-    // an empty plan, or one without a position, is reported as all zero
-    (void)plan_guidance(&board->plans[plan], &input.position, input.speed_kt, &guidance);
-    const message_fms_plan_t values = {
-        .bearing_deg = guidance.bearing_deg,
-        .altitude_ft = guidance.altitude_ft,
-        .speed_kt = guidance.speed_kt,
-        .distance_m = (int32_t)lroundf(guidance.distance_m),
-        .waypoint = (int32_t)guidance.waypoint,
-    };
+    const message_fms_plan_t values = plan_values(&board->plans[plan], &input);
     uint8_t payload[MESSAGE_FMS_PLAN_SIZE];
     message_fms_plan_pack(&values, payload);
     send(board, type_id, payload, sizeof payload);

@@ -51,17 +51,32 @@ static void sensor_readings_come_through_unchanged(void** state)
     assert_close(analog.battery_v, 11.5, 0.0);
 }
 
-static void an_empty_plan_is_reported_as_nothing_asked(void** state)
+static void an_empty_plan_is_reported_as_no_data(void** state)
 {
     (void)state;
     rig_t* const rig = rig_start();
     const command_xplane_info_t info = rig_level_flight();
     (void)rig_fly(rig, &info);
     const message_fms_plan_t values = hil_plan_of(rig);
-    assert_close(values.bearing_deg, 0.0, 0.0);
-    assert_close(values.altitude_ft, 0.0, 0.0);
-    assert_int_equal(values.distance_m, 0);
-    assert_int_equal(values.waypoint, 0);
+    assert_true(isnan(values.bearing_deg));
+    assert_true(isnan(values.altitude_ft));
+    assert_true(isnan(values.speed_kt));
+    assert_int_equal(values.distance_m, -1);
+    assert_int_equal(values.waypoint, -1);
+}
+
+static void without_a_position_a_plan_is_reported_but_for_the_way_to_its_waypoint(void** state)
+{
+    (void)state;
+    rig_t* const rig = rig_start();
+    (void)rig_do(rig, COMMAND_HIL_LOAD_GANDO_ID);
+    (void)rig_do(rig, COMMAND_HIL_FMS_NEXT_WAYPOINT_ID);
+    const message_fms_plan_t values = hil_plan_of(rig); // the simulator has not said where yet
+    assert_true(isnan(values.bearing_deg));
+    assert_int_equal(values.distance_m, -1);
+    assert_close(values.altitude_ft, 1000.0, 0.0);
+    assert_close(values.speed_kt, 55.0, 0.0);
+    assert_int_equal(values.waypoint, 1);
 }
 
 static void a_plan_is_reported_from_where_the_aircraft_is(void** state)
@@ -69,7 +84,6 @@ static void a_plan_is_reported_from_where_the_aircraft_is(void** state)
     (void)state;
     rig_t* const rig = rig_start();
     (void)rig_do(rig, COMMAND_HIL_LOAD_GANDO_ID);
-    assert_int_equal(hil_plan_of(rig).distance_m, 0); // the simulator has not said where yet
     const command_xplane_info_t info = rig_level_flight();
     (void)rig_fly(rig, &info);
     const message_fms_plan_t values = hil_plan_of(rig);
@@ -130,7 +144,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(each_stream_is_sent_as_its_own_message),
         cmocka_unit_test(sensor_readings_come_through_unchanged),
-        cmocka_unit_test(an_empty_plan_is_reported_as_nothing_asked),
+        cmocka_unit_test(an_empty_plan_is_reported_as_no_data),
+        cmocka_unit_test(without_a_position_a_plan_is_reported_but_for_the_way_to_its_waypoint),
         cmocka_unit_test(a_plan_is_reported_from_where_the_aircraft_is),
         cmocka_unit_test(reporting_a_plan_does_not_move_it_on),
         cmocka_unit_test(the_parameters_frame_is_the_one_of_the_definition),

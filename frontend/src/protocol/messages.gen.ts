@@ -199,7 +199,7 @@ export interface FlyByWire {
   readonly rudder: number | null;
 }
 
-/** What the flight management system of the real aircraft asks for. */
+/** What the flight management system of the real aircraft asks for. Without a plan all of it is absent, without a position bearing and distance are. */
 export interface FmsPlan {
   /** Great-circle bearing to the waypoint. Shown as 0..360. [deg] + clockwise from north, seen from above. */
   readonly bearing_deg: number | null;

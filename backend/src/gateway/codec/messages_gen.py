@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from math import nan
 from struct import Struct
 from types import MappingProxyType
 from typing import Final
@@ -78,16 +79,16 @@ _MESSAGES: Final = (
         source='header, capture; chapter, figure 33', extension=False, topic=True,
         struct=Struct("<ffffffffff"),
         values=(
-            Value('baro_hpa', 'number', 0, 'plain', 'Static pressure.', unit='hPa', minimum=300.0, maximum=1100.0, absent_nan=True),
-            Value('altitude_m', 'number', 1, 'plain', 'Barometric altitude above mean sea level.', unit='m', minimum=-500.0, maximum=20000.0, sign='up', absent_nan=True),
-            Value('altitude_external_m', 'number', 2, 'plain', 'Altitude of the external sensor.', unit='m', minimum=-500.0, maximum=20000.0, sign='up', absent_nan=True),
-            Value('pitot_pa', 'number', 3, 'plain', 'Differential pressure of the Pitot tube; noise makes it slightly negative at rest.', unit='Pa', minimum=-2000.0, maximum=20000.0, sign='total above static', absent_nan=True),
-            Value('calibrated_airspeed_kt', 'number', 4, 'plain', 'Calibrated airspeed; sensor noise makes it slightly negative at rest.', unit='kt', minimum=-10.0, maximum=500.0, sign='forward', absent_nan=True),
-            Value('alpha_deg', 'number', 5, 'plain', 'Angle of attack.', unit='deg', minimum=-180.0, maximum=180.0, sign='air from below', absent_nan=True),
-            Value('beta_deg', 'number', 6, 'plain', 'Side-slip angle.', unit='deg', minimum=-180.0, maximum=180.0, sign='air from the right', absent_nan=True),
-            Value('temperature_degc', 'number', 7, 'plain', 'Temperature at the board.', unit='degC', minimum=-60.0, maximum=125.0, sign='above freezing', absent_nan=True),
-            Value('battery_v', 'number', 8, 'plain', 'Battery voltage.', unit='V', minimum=0.0, maximum=60.0, absent_nan=True),
-            Value('vvi_ft_min', 'number', 9, 'plain', 'Vertical speed.', unit='ft/min', minimum=-20000.0, maximum=20000.0, sign='climb', absent_nan=True),
+            Value('baro_hpa', 'number', 0, 'plain', 'Static pressure.', unit='hPa', minimum=300.0, maximum=1100.0, absent=nan),
+            Value('altitude_m', 'number', 1, 'plain', 'Barometric altitude above mean sea level.', unit='m', minimum=-500.0, maximum=20000.0, sign='up', absent=nan),
+            Value('altitude_external_m', 'number', 2, 'plain', 'Altitude of the external sensor.', unit='m', minimum=-500.0, maximum=20000.0, sign='up', absent=nan),
+            Value('pitot_pa', 'number', 3, 'plain', 'Differential pressure of the Pitot tube; noise makes it slightly negative at rest.', unit='Pa', minimum=-2000.0, maximum=20000.0, sign='total above static', absent=nan),
+            Value('calibrated_airspeed_kt', 'number', 4, 'plain', 'Calibrated airspeed; sensor noise makes it slightly negative at rest.', unit='kt', minimum=-10.0, maximum=500.0, sign='forward', absent=nan),
+            Value('alpha_deg', 'number', 5, 'plain', 'Angle of attack.', unit='deg', minimum=-180.0, maximum=180.0, sign='air from below', absent=nan),
+            Value('beta_deg', 'number', 6, 'plain', 'Side-slip angle.', unit='deg', minimum=-180.0, maximum=180.0, sign='air from the right', absent=nan),
+            Value('temperature_degc', 'number', 7, 'plain', 'Temperature at the board.', unit='degC', minimum=-60.0, maximum=125.0, sign='above freezing', absent=nan),
+            Value('battery_v', 'number', 8, 'plain', 'Battery voltage.', unit='V', minimum=0.0, maximum=60.0, absent=nan),
+            Value('vvi_ft_min', 'number', 9, 'plain', 'Vertical speed.', unit='ft/min', minimum=-20000.0, maximum=20000.0, sign='climb', absent=nan),
         ),
     ),
     Message(
@@ -121,15 +122,15 @@ _MESSAGES: Final = (
         ),
     ),
     Message(
-        id=6, name='fms_plan', doc='What the flight management system of the real aircraft asks for.',
+        id=6, name='fms_plan', doc='What the flight management system of the real aircraft asks for. Without a plan all of it is absent, without a position bearing and distance are.',
         source='header, capture; chapter, figure 36', extension=False, topic=True,
         struct=Struct("<fffii"),
         values=(
-            Value('bearing_deg', 'number', 0, 'plain', 'Great-circle bearing to the waypoint. Shown as 0..360.', unit='deg', minimum=-360.0, maximum=360.0, sign='clockwise from north, seen from above'),
-            Value('altitude_ft', 'number', 1, 'plain', 'Altitude asked for, above mean sea level.', unit='ft', minimum=-2000.0, maximum=60000.0, sign='up'),
-            Value('speed_kt', 'number', 2, 'plain', 'Indicated airspeed asked for.', unit='kt', minimum=0.0, maximum=500.0, sign='forward'),
-            Value('distance_m', 'integer', 3, 'plain', 'Great-circle distance to the waypoint; the limit is half way round the earth.', unit='m', minimum=0, maximum=20100000),
-            Value('waypoint', 'integer', 4, 'plain', 'Index of the waypoint, from 0.', minimum=0, maximum=99),
+            Value('bearing_deg', 'number', 0, 'plain', 'Great-circle bearing to the waypoint. Shown as 0..360.', unit='deg', minimum=-360.0, maximum=360.0, sign='clockwise from north, seen from above', absent=nan),
+            Value('altitude_ft', 'number', 1, 'plain', 'Altitude asked for, above mean sea level.', unit='ft', minimum=-2000.0, maximum=60000.0, sign='up', absent=nan),
+            Value('speed_kt', 'number', 2, 'plain', 'Indicated airspeed asked for.', unit='kt', minimum=0.0, maximum=500.0, sign='forward', absent=nan),
+            Value('distance_m', 'integer', 3, 'plain', 'Great-circle distance to the waypoint; the limit is half way round the earth.', unit='m', minimum=0, maximum=20100000, absent=-1),
+            Value('waypoint', 'integer', 4, 'plain', 'Index of the waypoint, from 0.', minimum=0, maximum=99, absent=-1),
         ),
     ),
     Message(
@@ -137,11 +138,11 @@ _MESSAGES: Final = (
         source='header, capture; chapter, figure 36', extension=False, topic=True,
         struct=Struct("<fffii"),
         values=(
-            Value('bearing_deg', 'number', 0, 'plain', 'Great-circle bearing to the waypoint. Shown as 0..360.', unit='deg', minimum=-360.0, maximum=360.0, sign='clockwise from north, seen from above'),
-            Value('altitude_ft', 'number', 1, 'plain', 'Altitude asked for, above mean sea level.', unit='ft', minimum=-2000.0, maximum=60000.0, sign='up'),
-            Value('speed_kt', 'number', 2, 'plain', 'Indicated airspeed asked for.', unit='kt', minimum=0.0, maximum=500.0, sign='forward'),
-            Value('distance_m', 'integer', 3, 'plain', 'Great-circle distance to the waypoint; the limit is half way round the earth.', unit='m', minimum=0, maximum=20100000),
-            Value('waypoint', 'integer', 4, 'plain', 'Index of the waypoint, from 0.', minimum=0, maximum=99),
+            Value('bearing_deg', 'number', 0, 'plain', 'Great-circle bearing to the waypoint. Shown as 0..360.', unit='deg', minimum=-360.0, maximum=360.0, sign='clockwise from north, seen from above', absent=nan),
+            Value('altitude_ft', 'number', 1, 'plain', 'Altitude asked for, above mean sea level.', unit='ft', minimum=-2000.0, maximum=60000.0, sign='up', absent=nan),
+            Value('speed_kt', 'number', 2, 'plain', 'Indicated airspeed asked for.', unit='kt', minimum=0.0, maximum=500.0, sign='forward', absent=nan),
+            Value('distance_m', 'integer', 3, 'plain', 'Great-circle distance to the waypoint; the limit is half way round the earth.', unit='m', minimum=0, maximum=20100000, absent=-1),
+            Value('waypoint', 'integer', 4, 'plain', 'Index of the waypoint, from 0.', minimum=0, maximum=99, absent=-1),
         ),
     ),
     Message(

@@ -22,7 +22,7 @@ class Value:
     """One named quantity of a payload, as JSON spells it (unit in the name).
 
     `slot` is its place in the unpacked tuple; `encoding` says how the wire holds it. Outside
-    `minimum`..`maximum` it is "no data". `absent_nan`: NaN means "not measured" and is no fault.
+    `minimum`..`maximum` it is "no data". `absent` (NaN or a number) says so on purpose and is no fault.
     `names` are the meanings of an integer's values.
     """
 
@@ -36,7 +36,7 @@ class Value:
     maximum: float | None = None
     sign: str = "none"
     bit: int | None = None
-    absent_nan: bool = False
+    absent: float | None = None
     default: float | None = None
     letters: tuple[str, str] | None = None
     names: Mapping[str, int] = field(default_factory=lambda: _NO_NAMES)

@@ -27,19 +27,19 @@ class Meaning(NamedTuple):
 def meaning(frame: Frame) -> Meaning:
     """What a frame says. A value that is not finite or outside its range becomes None and is named.
 
-    NaN in a field which may be "not measured" is None too, but is no fault and is not named.
+    What a field holds where the board has nothing to say is None too, but is no fault and is not named.
     """
     wire = frame.values
     values: dict[str, Json] = {}
     implausible: list[str] = []
-    for name, slot, minimum, maximum, absent_nan, read in _PLANS[frame.message]:
+    for name, slot, minimum, maximum, absent, read in _PLANS[frame.message]:
         raw = wire[slot]
         if read is None:
             if minimum <= raw <= maximum:
                 values[name] = raw
                 continue
             values[name] = None
-            if not (absent_nan and raw != raw):
+            if not _says_nothing(raw, absent):
                 implausible.append(name)
         else:
             values[name] = read(raw)
@@ -81,8 +81,13 @@ class _Step(NamedTuple):
     slot: int
     minimum: float
     maximum: float
-    absent_nan: bool
+    absent: float | None
     read: Callable[[Any], Json] | None
+
+
+def _says_nothing(raw: float, absent: float | None) -> bool:
+    """The field holds its "no data"; where that is NaN, any NaN is it."""
+    return raw == absent or (absent is not None and math.isnan(absent) and math.isnan(raw))
 
 
 def _flag(raw: int) -> bool | None:
@@ -140,7 +145,7 @@ def _step(value: Value) -> _Step:
     maximum = math.inf if value.maximum is None else value.maximum
     if value.kind == "number":  # a limit such as 99.99 is on the wire as the single-precision number next to it
         minimum, maximum = min(minimum, single(minimum)), max(maximum, single(maximum))
-    return _Step(value.name, value.slot, minimum, maximum, value.absent_nan, read)
+    return _Step(value.name, value.slot, minimum, maximum, value.absent, read)
 
 
 _PLANS: Final[Mapping[Message, tuple[_Step, ...]]] = {
