@@ -1,4 +1,3 @@
-// @vitest-environment node
 import { readFileSync } from "node:fs";
 import { describe, expect, test } from "vitest";
 import { THEMES, type ThemeName } from "./theme";
@@ -45,6 +44,7 @@ const pairs: [string, string, number][] = [
   ["--caution", "--caution-wash", TEXT],
   ["--warning", "--warning-wash", TEXT],
   ["--text", "--caution-wash", TEXT],
+  ["--text-muted", "--caution-wash", TEXT],
   ["--text", "--warning-wash", TEXT],
   ["--dial-mark", "--dial-face", TEXT],
   ["--dial-mark-minor", "--dial-face", TEXT],

@@ -1,4 +1,5 @@
 // @vitest-environment jsdom
+// @vitest-environment jsdom
 import { expect, test } from "vitest";
 import { attributeNumber, Pace, removeAttribute, setAttribute, setText } from "./paint";
 
