@@ -1,0 +1,84 @@
+"""Kill the gateway in flight and see how much of the line's bytes its recording lacks."""
+
+from __future__ import annotations
+
+import time
+from pathlib import Path
+from typing import Final
+
+from mcap.exceptions import McapError
+from mcap.records import Channel, Message
+from mcap.stream_reader import StreamReader
+
+from bench.station import HEARTBEAT, Line, station
+from bench.table import Row
+from tests.codec.streams import mixed_frames
+
+KILLS: Final = 5
+FLOWN_S: Final = 3.3  # no multiple of the recorder's flush, so the kills fall at different places of it
+LINE_BYTES_PER_S: Final = 11520
+REACH_S: Final = 1.0
+MARK: Final = b"\rthe flight begins\n"  # a text line, as boards send them; the opening dialogue has none
+
+
+def run() -> list[Row]:
+    """The worst of a few kills at the full line rate; `missing` counts back from the moment of the kill."""
+    worst = max(_missing_s() for _ in range(KILLS))
+    what = f"kill -9 at the full line: newest byte that the recording lacks, worst of {KILLS}"
+    return [Row(what, worst, "s before the kill", f"<= {REACH_S:g} s", worst <= REACH_S)]
+
+
+def _missing_s() -> float:
+    """How long before the kill the first byte came that is not in the file."""
+    with station() as (gateway, line):
+        # What the opening dialogue put on the line is in the file too, in front of what is sent here.
+        written = _feed(line)
+        killed_s = time.monotonic()
+        gateway.process.kill()
+        gateway.process.wait()
+        recorded = _board_bytes(next((line.folder / "recordings").glob("*.mcap")))
+    stream = b"".join(data for _, data in written)
+    start = recorded.find(MARK)
+    if start < 0 or not stream.startswith(recorded[start:]):
+        raise AssertionError("the recording holds other bytes than the line carried")
+    held = len(recorded) - start
+    for came_s, data in written:
+        held -= len(data)
+        if held < 0:
+            return killed_s - came_s
+    return 0.0
+
+
+def _feed(line: Line) -> list[tuple[float, bytes]]:
+    """Send a full line's worth of frames for a while; what was sent, with its time."""
+    frames = [MARK, *mixed_frames(4000, seed=7)]
+    written: list[tuple[float, bytes]] = []
+    begun_s = time.monotonic()
+    size = 0
+    for index, frame in enumerate(frames):
+        data = frame + HEARTBEAT if index and index % 10 == 0 else frame
+        while size > (time.monotonic() - begun_s) * LINE_BYTES_PER_S:
+            time.sleep(0.001)
+        if time.monotonic() - begun_s > FLOWN_S:
+            break
+        line.write(data)
+        line.read(0.0)
+        written.append((time.monotonic(), data))
+        size += len(data)
+    return written
+
+
+def _board_bytes(path: Path) -> bytes:
+    """All bytes of the board in a file that nobody closed."""
+    topics: dict[int, str] = {}
+    data = b""
+    with path.open("rb") as file:
+        try:
+            for record in StreamReader(file).records:
+                if isinstance(record, Channel):
+                    topics[record.id] = record.topic
+                elif isinstance(record, Message) and topics[record.channel_id] == "board/received":
+                    data += record.data
+        except McapError:
+            pass  # the cut
+    return data
