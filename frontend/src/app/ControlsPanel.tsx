@@ -7,7 +7,7 @@ import type { TelemetryStore } from "../store/telemetry";
 import { usePaint } from "../store/usePaint";
 import { Panel } from "../ui/Panel";
 import { Readout, ReadoutGrid, type ReadoutHandle } from "../ui/Readout";
-import { AXES, type Axis, axisNumber, axisTopic, readAutopilot, readAutotrim } from "./controls";
+import { AXES, type Axis, axisNumber, axisState, readAutopilot, readAutotrim } from "./controls";
 import { useSource } from "./useSource";
 
 /** "Controles": stick and throttle of the chosen source, and its autopilot and autotrim. */
@@ -39,7 +39,7 @@ function Cross() {
   const cross = useRef<ControlCrossHandle>(null);
   const paint = useCallback((telemetry: TelemetryStore, now_ms: number) => {
     const live = (axis: Axis): number | null =>
-      telemetry.state(axisTopic(telemetry), now_ms) === "live" ? axisNumber(telemetry, axis) : null;
+      axisState(telemetry, now_ms) === "live" ? axisNumber(telemetry, axis) : null;
     cross.current?.paint(
       {
         aileron: live("aileron"),
@@ -62,10 +62,7 @@ function AxisReadout({ axis, label }: { axis: Axis; label: string }) {
   const readout = useRef<ReadoutHandle>(null);
   const paint = useCallback(
     (telemetry: TelemetryStore, now_ms: number) =>
-      readout.current?.paint(
-        hundredths(axisNumber(telemetry, axis)),
-        telemetry.state(axisTopic(telemetry), now_ms),
-      ),
+      readout.current?.paint(hundredths(axisNumber(telemetry, axis)), axisState(telemetry, now_ms)),
     [axis],
   );
   usePaint("text", paint);

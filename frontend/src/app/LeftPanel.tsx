@@ -23,7 +23,7 @@ export function LeftPanel() {
         <Heading />
       </div>
       <div className="left-numbers">
-        <StreamPanel topic="ahrs" title={t("left.ahrs")} className="left-ahrs" plain>
+        <StreamPanel topic="ahrs" title={t("left.ahrs")} className="left-ahrs" narrow plain>
           <ReadoutGrid>
             <LiveReadout
               topic="ahrs"
@@ -32,7 +32,7 @@ export function LeftPanel() {
               label={t("attitude.heading")}
               unit={deg}
               size="large"
-              chars={6}
+              chars={5}
             />
             <LiveReadout
               topic="ahrs"
@@ -41,7 +41,7 @@ export function LeftPanel() {
               label={t("attitude.pitch")}
               unit={deg}
               size="large"
-              chars={6}
+              chars={5}
             />
             <LiveReadout
               topic="ahrs"
@@ -50,7 +50,7 @@ export function LeftPanel() {
               label={t("attitude.roll")}
               unit={deg}
               size="large"
-              chars={6}
+              chars={5}
             />
           </ReadoutGrid>
         </StreamPanel>

@@ -1,5 +1,5 @@
 import type { NumberField } from "../protocol/topics";
-import type { TelemetryStore } from "../store/telemetry";
+import type { DataState, TelemetryStore } from "../store/telemetry";
 
 export const AXES = ["elevator", "aileron", "rudder", "throttle"] as const;
 export type Axis = (typeof AXES)[number];
@@ -17,9 +17,13 @@ function isJoystick(telemetry: TelemetryStore): boolean {
   return telemetry.newestFlag("heartbeat", "source_joystick") === true;
 }
 
-/** Where the controls of the chosen source are heard: the stick in the simulator's information, the RC in its channels. */
-export function axisTopic(telemetry: TelemetryStore): "xplane_info" | "servos_in" {
-  return isJoystick(telemetry) ? "xplane_info" : "servos_in";
+/**
+ * State of the chosen source's controls: the stick is heard in the simulator's information, the RC in its channels.
+ * Without a live heartbeat nobody knows which of the two is the source, so neither counts as live.
+ */
+export function axisState(telemetry: TelemetryStore, now_ms: number): DataState {
+  const state = telemetry.state(isJoystick(telemetry) ? "xplane_info" : "servos_in", now_ms);
+  return state === "live" && telemetry.state("heartbeat", now_ms) !== "live" ? "stale" : state;
 }
 
 /** Newest position of an axis of the chosen source, -1..+1, throttle 0..1. */

@@ -26,6 +26,7 @@ export function FmsReadouts({ topic, columns }: { topic: keyof typeof PLANS; col
       <ReadoutGrid columns={columns}>
         <LiveReadout
           size="large"
+          chars={6}
           topic={topic}
           field="bearing_deg"
           format={heading}
@@ -34,6 +35,7 @@ export function FmsReadouts({ topic, columns }: { topic: keyof typeof PLANS; col
         />
         <LiveReadout
           size="large"
+          chars={6}
           topic={topic}
           field="altitude_ft"
           format={whole}
@@ -42,6 +44,7 @@ export function FmsReadouts({ topic, columns }: { topic: keyof typeof PLANS; col
         />
         <LiveReadout
           size="large"
+          chars={6}
           topic={topic}
           field="speed_kt"
           format={tenths}
@@ -50,13 +53,21 @@ export function FmsReadouts({ topic, columns }: { topic: keyof typeof PLANS; col
         />
         <LiveReadout
           size="large"
+          chars={6}
           topic={topic}
           field="distance_m"
           format={whole}
           label={t("fms.distance")}
           unit={t("unit.m")}
         />
-        <LiveReadout size="large" topic={topic} field="waypoint" format={whole} label={t("fms.waypoint")} />
+        <LiveReadout
+          size="large"
+          chars={6}
+          topic={topic}
+          field="waypoint"
+          format={whole}
+          label={t("fms.waypoint")}
+        />
       </ReadoutGrid>
       <div className="live-fms-steps">
         <CommandButton command={plan.previous} icon={<ChevronLeft aria-hidden="true" />}>

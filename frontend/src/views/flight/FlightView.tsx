@@ -39,6 +39,7 @@ function AhrsPanel() {
           label={t("attitude.heading")}
           unit={deg}
           size="large"
+          chars={6}
         />
         <LiveReadout
           topic="ahrs"
@@ -47,6 +48,7 @@ function AhrsPanel() {
           label={t("attitude.pitch")}
           unit={deg}
           size="large"
+          chars={6}
         />
         <LiveReadout
           topic="ahrs"
@@ -55,6 +57,7 @@ function AhrsPanel() {
           label={t("attitude.roll")}
           unit={deg}
           size="large"
+          chars={6}
         />
       </ReadoutGrid>
     </StreamPanel>
@@ -140,6 +143,7 @@ function AnalogPanel() {
       <ReadoutGrid columns={2}>
         <LiveReadout
           topic="analog"
+          chars={6}
           field="temperature_degc"
           format={tenths}
           label={t("analog.temperature")}
@@ -147,6 +151,7 @@ function AnalogPanel() {
         />
         <LiveReadout
           topic="analog"
+          chars={6}
           field="battery_v"
           format={hundredths}
           label={t("analog.battery")}
@@ -154,6 +159,7 @@ function AnalogPanel() {
         />
         <LiveReadout
           topic="analog"
+          chars={6}
           field="baro_hpa"
           format={tenths}
           label={t("analog.baro")}
@@ -161,6 +167,7 @@ function AnalogPanel() {
         />
         <LiveReadout
           topic="analog"
+          chars={6}
           field="altitude_m"
           format={tenths}
           label={t("analog.altitude")}
@@ -168,6 +175,7 @@ function AnalogPanel() {
         />
         <LiveReadout
           topic="analog"
+          chars={6}
           field="pitot_pa"
           format={tenths}
           label={t("analog.pitot")}
@@ -175,6 +183,7 @@ function AnalogPanel() {
         />
         <LiveReadout
           topic="analog"
+          chars={6}
           field="calibrated_airspeed_kt"
           format={tenths}
           label={t("analog.speed")}

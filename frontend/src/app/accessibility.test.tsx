@@ -1,0 +1,52 @@
+import { screen } from "@testing-library/react";
+import userEvent from "@testing-library/user-event";
+import axe from "axe-core";
+import { expect, test } from "vitest";
+import { Station } from "../test/station";
+import { aStatus } from "../test/status";
+
+/** The checker is slow in a document without a browser, the more so on a busy machine. */
+const LIMIT_MS = 120_000;
+
+async function violations(): Promise<string[]> {
+  const found = await axe.run(document, {
+    // Colours are computed by a browser; theme/contrast.test.ts holds them.
+    rules: { "color-contrast": { enabled: false } },
+    resultTypes: ["violations"],
+  });
+  return found.violations.map(
+    ({ id, nodes }) => `${id}: ${nodes.map(({ target }) => target.join(" ")).join(", ")}`,
+  );
+}
+
+test.each(["Datos de vuelo", "HIL", "Setup"])(
+  "the whole page with %s open has nothing that keeps people out",
+  async (tab) => {
+    document.documentElement.lang = "es";
+    document.title = "EPF GCS";
+    const station = new Station();
+    station.greet();
+    station.send({ heartbeat: { ahrs: true, analog: false, source_joystick: true } });
+    await userEvent.setup().click(screen.getByRole("tab", { name: tab }));
+    station.show();
+    expect(await violations()).toEqual([]);
+  },
+  LIMIT_MS,
+);
+
+test(
+  "nor has it in alarm, with a viewer who may do nothing",
+  async () => {
+    const station = new Station();
+    station.greet(
+      aStatus({
+        control: { client: "c2", name: "Ana" },
+        alarms: [
+          { id: "heartbeat_lost", level: "critical", since_s: 1, text: "Lost.", params: { target: "pty" } },
+        ],
+      }),
+    );
+    expect(await violations()).toEqual([]);
+  },
+  LIMIT_MS,
+);

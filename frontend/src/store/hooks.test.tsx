@@ -1,0 +1,108 @@
+import { act, render, screen } from "@testing-library/react";
+import { useCallback, useRef } from "react";
+import { describe, expect, test } from "vitest";
+import { HandFrames } from "../test/frames";
+import type { Actions } from "./actions";
+import { createCommands } from "./commands";
+import { createConnection } from "./connection";
+import { type Page, PageContext, useTelemetry } from "./hooks";
+import { createMessages } from "./messages";
+import { Pump } from "./pump";
+import { createSettings } from "./settings";
+import { TelemetryStore } from "./telemetry";
+import { usePaint } from "./usePaint";
+
+const frames = new HandFrames();
+const telemetry = new TelemetryStore();
+const page: Page = {
+  telemetry,
+  pump: new Pump({ request: frames.request, cancel: frames.cancel }, () => telemetry.revision, 0),
+  connection: createConnection(),
+  commands: createCommands(),
+  messages: createMessages(),
+  settings: createSettings(null),
+  actions: {} as Actions,
+};
+let now_ms = 0;
+
+/** A sample of ahrs arrives, and a tenth of a second later a frame is displayed. */
+function hear(roll_deg: number): void {
+  act(() => {
+    telemetry.apply(now_ms / 1000, [{ topic: "ahrs", t_s: now_ms / 1000, values: { roll_deg } }], now_ms);
+    now_ms += 100;
+    frames.show(now_ms);
+  });
+}
+
+describe("a component that paints", () => {
+  test("shows each value without being rendered again", () => {
+    let renders = 0;
+    function Painted() {
+      renders += 1;
+      const output = useRef<HTMLOutputElement>(null);
+      const paint = useCallback((store: TelemetryStore, at_ms: number) => {
+        if (output.current !== null) {
+          output.current.textContent = String(store.liveNumber("ahrs", "roll_deg", at_ms));
+        }
+      }, []);
+      usePaint("frame", paint);
+      return <output ref={output} />;
+    }
+    render(<Painted />, { wrapper: ({ children }) => <PageContext value={page}>{children}</PageContext> });
+    for (const roll_deg of [1, 2, 3]) {
+      hear(roll_deg);
+      expect(screen.getByRole("status").textContent).toBe(String(roll_deg));
+    }
+    expect(renders).toBe(1);
+  });
+
+  test("is painted no more once it is gone", () => {
+    let paints = 0;
+    function Counted() {
+      const paint = useCallback(() => {
+        paints += 1;
+      }, []);
+      usePaint("text", paint);
+      return null;
+    }
+    const { unmount } = render(<Counted />, {
+      wrapper: ({ children }) => <PageContext value={page}>{children}</PageContext>,
+    });
+    hear(1);
+    expect(paints).toBe(1);
+    unmount();
+    hear(2);
+    expect(paints).toBe(1);
+  });
+});
+
+test("a component that selects a word is rendered when the word changes and not when a number does", () => {
+  let renders = 0;
+  function Worded() {
+    renders += 1;
+    return (
+      <p>
+        {useTelemetry((store, at_ms) =>
+          (store.liveNumber("ahrs", "roll_deg", at_ms) ?? 0) > 10 ? "bank" : "level",
+        )}
+      </p>
+    );
+  }
+  render(<Worded />, { wrapper: ({ children }) => <PageContext value={page}>{children}</PageContext> });
+  hear(1);
+  const settled = renders;
+  hear(2);
+  hear(3);
+  expect(renders).toBe(settled);
+  hear(20);
+  expect(screen.getByText("bank")).toBeTruthy();
+  expect(renders).toBe(settled + 1);
+});
+
+test("a component outside of the page fails at once, not with empty values", () => {
+  function Lost() {
+    useTelemetry(() => null);
+    return null;
+  }
+  expect(() => render(<Lost />)).toThrow("PageContext");
+});
