@@ -11,7 +11,7 @@ from launcher.gateway_client import GatewayClient, Status
 from launcher.options import PAGE, SIMULATOR_PORT, STATION_PORT, Options, XPlane
 from launcher.ports import LOOPBACK, free_udp_port, require_tcp_port
 
-_START_TIMEOUT_S: Final = 30.0
+_START_TIMEOUT_S: Final = 60.0
 _WATCH_S: Final = 0.1
 _DEATHS_ALLOWED: Final = 5
 _DEATHS_WINDOW_S: Final = 60.0
