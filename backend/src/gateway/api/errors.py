@@ -72,10 +72,10 @@ def install_error_handlers(app: FastAPI, errors: ErrorLog) -> None:
     """Every failure becomes a problem document, and is counted by its code."""
 
     async def expected(_: Request, error: Exception) -> Response:
-        assert_type = error if isinstance(error, GatewayError) else GatewayError("internal", str(error))
-        errors.count(assert_type.code)
-        status = next(status for kind, status in _STATUS.items() if isinstance(assert_type, kind))
-        return problem_response(status, assert_type.code, assert_type.detail, assert_type.params)
+        known = error if isinstance(error, GatewayError) else GatewayError("internal", str(error))
+        errors.count(known.code)
+        status = next(status for kind, status in _STATUS.items() if isinstance(known, kind))
+        return problem_response(status, known.code, known.detail, known.params)
 
     async def invalid(_: Request, error: Exception) -> Response:
         first = error.errors()[0] if isinstance(error, RequestValidationError) else {"type": "", "msg": str(error)}
@@ -99,6 +99,12 @@ def install_error_handlers(app: FastAPI, errors: ErrorLog) -> None:
             detail = "The body is not JSON: send an object such as {}, with the content type application/json."
         return problem_response(status, code, detail, {}, headers)
 
+    async def unexpected(request: Request, error: Exception) -> Response:
+        errors.count("internal")
+        detail = f"{request.method} {request.url.path} failed inside the station ({type(error).__name__}): see its log."
+        return problem_response(HTTPStatus.INTERNAL_SERVER_ERROR, "internal", detail)
+
+    app.add_exception_handler(Exception, unexpected)
     app.add_exception_handler(GatewayError, expected)
     app.add_exception_handler(RequestValidationError, invalid)
     app.add_exception_handler(HTTPException, http_error)

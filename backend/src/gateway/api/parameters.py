@@ -41,7 +41,7 @@ async def load_parameters(station: StationDep, operator: OperatorDep) -> Paramet
 
 @router.patch("/parameters", tags=["parameters"], responses=problems(404, 409, 502))
 async def patch_parameters(
-    changes: Annotated[dict[str, float], Body(examples=[{"k_pitch": 2.5}], max_length=17)],
+    changes: Annotated[dict[str, float], Body(examples=[{"k_pitch": 2.5}], min_length=1, max_length=17)],
     station: StationDep,
     operator: OperatorDep,
 ) -> ParameterList:

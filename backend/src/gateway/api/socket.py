@@ -14,6 +14,7 @@ from urllib.parse import parse_qsl, urlsplit
 
 from uvicorn.config import Config
 from uvicorn.server import ServerState
+from websockets.datastructures import Headers
 from websockets.frames import Frame, Opcode
 from websockets.http11 import Request
 from websockets.protocol import State
@@ -166,8 +167,9 @@ class SocketConnection(asyncio.Protocol):
         peer = transport.get_extra_info("peername") or ("", 0)
         parts = urlsplit(request.path)
         try:
-            self._endpoint.check(request.headers.get("Host"), request.headers.get("Origin"))
-            conversation = self._endpoint.open(self, parts.path, dict(parse_qsl(parts.query)), f"{peer[0]}:{peer[1]}")
+            self._endpoint.check(_only(request.headers, "Host"), _only(request.headers, "Origin"))
+            query = dict(parse_qsl(parts.query, keep_blank_values=True))
+            conversation = self._endpoint.open(self, parts.path, query, f"{peer[0]}:{peer[1]}")
         except Refusal as refusal:
             self._protocol.send_response(self._protocol.reject(refusal.status, f"{refusal.text}\n"))
             return
@@ -203,6 +205,12 @@ class SocketConnection(asyncio.Protocol):
             self._protocol.send_ping(b"")
             self._write_protocol_output()
         self._keepalive = self._loop.call_later(_KEEPALIVE_S, self._check_alive)
+
+
+def _only(headers: Headers, name: str) -> str | None:
+    """The value of a header that may stand there once; of one that is repeated, something that is no value."""
+    values = headers.get_all(name)
+    return None if not values else ",".join(values)
 
 
 def text_header(size: int) -> bytes:

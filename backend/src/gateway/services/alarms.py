@@ -72,7 +72,7 @@ class Alarms:
         self._hub = hub
         self._steady_s = steady_s
         self._wanted_since_s: float | None = None
-        self._frames: deque[tuple[float, int, int]] = deque()
+        self._frames = deque([(steady_s(), 0, 0)])
         self._active: dict[str, Alarm] = {}
 
     @property
@@ -137,12 +137,12 @@ class Alarms:
         if self._simulator.address is None or hil.last_to_board_s is None or self._supervisor.address is None:
             return None
         if steady_s - hil.last_to_board_s > _HIL_LOST_S:
-            if self._simulator.state != "open":
-                text = "The HIL loop is open: the simulator sends nothing. Check that it runs and where it sends to."
-            elif hil.missing_rows:
+            if not self._board.is_open:
+                text = "The HIL loop is open: the board gets no simulator data. Check the board's link."
+            elif self._simulator.state == "open" and hil.missing_rows:
                 text = f"The HIL loop is open: rows {hil.missing_rows} are missing. Tick them in the data output."
             else:
-                text = "The HIL loop is open: the board gets no simulator data. Check the board's link."
+                text = "The HIL loop is open: the simulator sends nothing. Check that it runs and where it sends to."
             return Alarm("hil_lost", "critical", text)
         answered_s = hil.last_surfaces_s
         if answered_s is None or steady_s - answered_s > _HIL_LOST_S:

@@ -47,7 +47,9 @@ class Parameters:
             self._replace(gains.with_state(self.held, changes, "pending"))
             try:
                 for name, value in changes.items():
-                    await self._commands.run(COMMANDS_BY_ID[BY_NAME[name].set_id].name, (value,), client=client)
+                    parameter = BY_NAME[name]
+                    argument = int(value) if parameter.is_integer else value
+                    await self._commands.run(COMMANDS_BY_ID[parameter.set_id].name, (argument,), client=client)
                 values = await self._read(client)
             except BaseException:
                 self._replace({**self.held, **{name: UNKNOWN[name] for name in changes}})
@@ -80,10 +82,6 @@ class Parameters:
                 ) from None
 
     def _check(self, changes: Mapping[str, float]) -> None:
-        if not changes:
-            raise InvalidInputError(
-                "parameters_empty", 'No parameter was named: send at least one, like {"k_pitch": 2.5}.'
-            )
         for name, value in changes.items():
             if name not in BY_NAME:
                 raise NotFoundError(

@@ -1,0 +1,81 @@
+"""The documentation works without a network, and says what is true."""
+
+from __future__ import annotations
+
+import re
+from typing import Any
+
+import httpx
+import pytest
+
+from tests.support.gateway import Gateway
+
+
+def root(gateway: Gateway, path: str) -> httpx.Response:
+    return gateway.http.get(f"{gateway.base}{path}")
+
+
+def test_the_page_asks_nobody_else(gateway: Gateway) -> None:
+    page = root(gateway, "/api/docs").raise_for_status()
+    assert "unsafe-inline" not in page.headers["content-security-policy"].split("style-src")[0]
+    assets = re.findall(r'(?:src|href)="([^"]+)"', page.text)
+    assert "/api/docs/swagger-ui-bundle.js" in assets
+    for asset in assets:
+        if not asset.startswith("data:"):
+            assert asset.startswith("/api/docs/"), asset
+            assert root(gateway, asset).raise_for_status().content
+    assert "<script>" not in page.text
+    assert root(gateway, "/api/docs/other.js").status_code == 404
+
+
+def test_the_page_shows_this_interface(gateway: Gateway) -> None:
+    start = root(gateway, "/api/docs/start.js").raise_for_status().text
+    assert "/api/v1/openapi.json" in start
+    document = root(gateway, "/api/v1/openapi.json").raise_for_status().json()
+    assert document["info"]["title"] == "EPF GCS gateway"
+
+
+@pytest.mark.parametrize(
+    ("method", "path"),
+    [
+        ("get", "/status"),
+        ("get", "/telemetry"),
+        ("get", "/ports"),
+        ("put", "/links/board"),
+        ("delete", "/links/board"),
+        ("put", "/links/simulator"),
+        ("delete", "/links/simulator"),
+        ("get", "/commands"),
+        ("post", "/commands/{name}"),
+        ("get", "/parameters"),
+        ("post", "/parameters/load"),
+        ("patch", "/parameters"),
+        ("post", "/parameters/store"),
+        ("get", "/missions/{plan}"),
+        ("put", "/missions/{plan}"),
+        ("get", "/hil"),
+        ("put", "/hil"),
+        ("post", "/console"),
+        ("get", "/recordings"),
+        ("get", "/recordings/{recording_id}"),
+        ("get", "/recordings/{recording_id}/export"),
+        ("get", "/control"),
+        ("post", "/control"),
+    ],
+)
+def test_every_route_of_the_contract_is_described_with_its_problems(gateway: Gateway, method: str, path: str) -> None:
+    document = root(gateway, "/api/v1/openapi.json").json()
+    operation: dict[str, Any] = document["paths"][f"/api/v1{path}"][method]
+    assert operation["description"]
+    for status, response in operation["responses"].items():
+        if status.startswith("4"):
+            assert list(response["content"]) == ["application/problem+json"]
+    assert "HTTPValidationError" not in document["components"]["schemas"]
+
+
+def test_nothing_in_the_status_is_left_undescribed(gateway: Gateway) -> None:
+    schemas = root(gateway, "/api/v1/openapi.json").json()["components"]["schemas"]
+    for name in ("Status", "BoardStatus", "SimulatorStatus", "AlarmState", "TopicHealth"):
+        schema = schemas[name]
+        assert set(schema["required"]) == set(schema["properties"]), name
+        assert schema["additionalProperties"] is False

@@ -1,0 +1,60 @@
+"""Recordings over REST: list, size, download."""
+
+from __future__ import annotations
+
+from io import BytesIO
+from pathlib import Path
+
+import pytest
+from mcap.records import Message
+from mcap.stream_reader import StreamReader
+
+from tests.support.fake_board import FakeBoard
+from tests.support.gateway import Gateway
+from tests.support.waiting import eventually
+
+
+def test_a_flight_is_recorded_listed_and_downloaded(gateway: Gateway, board: FakeBoard) -> None:
+    assert gateway.http.get("/recordings").json() == {"recordings": []}
+    gateway.open_board(board.url)
+    eventually(lambda: gateway.status()["recording"]["active"], "it records")
+    (running,) = gateway.http.get("/recordings").json()["recordings"]
+    assert running["active"]
+    assert f"{running['id']}.mcap" == gateway.status()["recording"]["file"]
+    gateway.http.delete("/links/board")
+    eventually(lambda: not gateway.status()["recording"]["active"], "the session ends with the last link")
+    info = gateway.http.get(f"/recordings/{running['id']}").raise_for_status().json()
+    assert not info["active"]
+    answer = gateway.http.get(f"/recordings/{running['id']}/export?format=mcap").raise_for_status()
+    assert len(answer.content) == info["bytes"]
+    assert running["id"] in answer.headers["content-disposition"]
+    messages = [r for r in StreamReader(BytesIO(answer.content)).records if isinstance(r, Message)]
+    sent = b"".join(message.data for message in messages if message.channel_id == 2)
+    received = b"".join(message.data for message in messages if message.channel_id == 1)
+    assert sent == board.raw
+    assert len(received) == gateway.status()["board"]["bytes_in"]
+
+
+@pytest.mark.parametrize(
+    ("path", "status", "code"),
+    [
+        ("20260101T000000Z", 404, "recording_unknown"),
+        ("20260101T000000Z/export", 404, "recording_unknown"),
+        ("20260101T000000Z/export?format=gpx", 422, "invalid_request"),
+        ("state", 422, "invalid_request"),
+        ("..%2Fstate.json/export", 404, "no_such_address"),
+    ],
+)
+def test_what_is_no_recording_is_said_to_be_none(gateway: Gateway, path: str, status: int, code: str) -> None:
+    answer = gateway.http.get(f"/recordings/{path}")
+    assert (answer.status_code, answer.json()["code"]) == (status, code)
+
+
+def test_foreign_files_in_the_folder_are_not_listed(gateway: Gateway, tmp_path: Path) -> None:
+    folder = tmp_path / "data" / "recordings"
+    folder.mkdir(parents=True)
+    (folder / "holiday.mcap").write_text("")
+    (folder / "20260101T000000Z.mcap").write_text("abc")
+    (folder / "20260102T000000Z-2.mcap").write_text("abcd")
+    listed = gateway.http.get("/recordings").json()["recordings"]
+    assert [(one["id"], one["bytes"]) for one in listed] == [("20260102T000000Z-2", 4), ("20260101T000000Z", 3)]
