@@ -20,7 +20,10 @@ static const float filter_lag_s = 0.05F;
 static const float filter_noise_deg = 0.05F;
 static const float filter_drift_deg = 0.3F;
 static const float filter_drift_time_s = 20.0F;
-static const float acceleration_lag_s = 0.5F;
+
+static const float path_lag_s = 0.1F;
+static const float gust_lag_s = 0.5F;
+static const float jump_m_s2 = 50.0F; ///< more than that is no flight: the aircraft was put elsewhere, or paused
 
 // The earth's magnetic field at Gran Canaria: 4 deg west of north, 38 deg down.
 static const float declination_deg = -4.0F;
@@ -38,35 +41,61 @@ void sim_inertial_init(sim_inertial_t* model, uint32_t seed)
     }
 }
 
+/// A vector in axes that are level and turned with the nose (ahead, aside, down) as seen in body axes.
+static void tilt(const sim_truth_t* truth, const float level[3], float body[3])
+{
+    const float pitch_rad = angle_to_rad(truth->pitch_deg);
+    const float roll_rad = angle_to_rad(truth->roll_deg);
+    const float below = sinf(pitch_rad) * level[0] + cosf(pitch_rad) * level[2];
+    body[0] = cosf(pitch_rad) * level[0] - sinf(pitch_rad) * level[2];
+    body[1] = cosf(roll_rad) * level[1] + sinf(roll_rad) * below;
+    body[2] = -sinf(roll_rad) * level[1] + cosf(roll_rad) * below;
+}
+
 /// A vector in north, east, down as seen in body axes.
 static void to_body(const sim_truth_t* truth, const float ned[3], float body[3])
 {
     const float yaw_rad = angle_to_rad(truth->yaw_deg);
-    const float pitch_rad = angle_to_rad(truth->pitch_deg);
-    const float roll_rad = angle_to_rad(truth->roll_deg);
-    const float ahead = cosf(yaw_rad) * ned[0] + sinf(yaw_rad) * ned[1];
-    const float aside = -sinf(yaw_rad) * ned[0] + cosf(yaw_rad) * ned[1];
-    const float below = sinf(pitch_rad) * ahead + cosf(pitch_rad) * ned[2];
-    body[0] = cosf(pitch_rad) * ahead - sinf(pitch_rad) * ned[2];
-    body[1] = cosf(roll_rad) * aside + sinf(roll_rad) * below;
-    body[2] = -sinf(roll_rad) * aside + cosf(roll_rad) * below;
+    const float level[3] = {cosf(yaw_rad) * ned[0] + sinf(yaw_rad) * ned[1],
+                            -sinf(yaw_rad) * ned[0] + cosf(yaw_rad) * ned[1], ned[2]};
+    tilt(truth, level, body);
 }
 
-/// Specific force: what an accelerometer feels, that is acceleration without gravity. The air is taken to come from
-/// ahead, so turning and pitching bend the path as fast as the body turns.
+/// Acceleration of the path (ahead, aside, down) from its speed, direction and climb. Not from the body's rates: in
+/// gusts the nose swings and the path does not.
+static void follow_path(sim_inertial_t* model, const sim_truth_t* truth, float dt_s)
+{
+    const float turn_rad = angle_to_rad(angle_wrap_180(truth->yaw_deg - model->track_deg));
+    const float now_m_s2[3] = {
+        (truth->airspeed_m_s - model->airspeed_m_s) / dt_s,
+        truth->airspeed_m_s * turn_rad / dt_s,
+        (model->climb_m_s - truth->climb_m_s) / dt_s,
+    };
+    bool is_flown = model->has_path;
+    for (int axis = 0; axis < 3; axis++)
+    {
+        is_flown = is_flown && fabsf(now_m_s2[axis]) < jump_m_s2;
+    }
+    // what the airspeed says of a gust is not the aircraft's own acceleration
+    const float lag_s[3] = {gust_lag_s, path_lag_s, path_lag_s};
+    for (int axis = 0; axis < 3; axis++)
+    {
+        float* const held = &model->acceleration_m_s2[axis];
+        *held = sim_lag(*held, is_flown ? now_m_s2[axis] : 0.0F, lag_s[axis], dt_s);
+    }
+    model->airspeed_m_s = truth->airspeed_m_s;
+    model->climb_m_s = truth->climb_m_s;
+    model->track_deg = truth->yaw_deg;
+    model->has_path = true;
+}
+
+/// Specific force: what an accelerometer feels, that is acceleration without gravity.
 static void specific_force(sim_inertial_t* model, const sim_truth_t* truth, float dt_s, float force_m_s2[3])
 {
-    const float speed_m_s = truth->airspeed_m_s;
-    const float change_m_s2 = model->has_airspeed ? (speed_m_s - model->airspeed_m_s) / dt_s : 0.0F;
-    model->acceleration_m_s2 = sim_lag(model->acceleration_m_s2, change_m_s2, acceleration_lag_s, dt_s);
-    model->airspeed_m_s = speed_m_s;
-    model->has_airspeed = true;
-    const float down_m_s2[3] = {0.0F, 0.0F, gravity_m_s2};
-    float gravity[3];
-    to_body(truth, down_m_s2, gravity);
-    force_m_s2[0] = model->acceleration_m_s2 - gravity[0];
-    force_m_s2[1] = truth->r_rad_s * speed_m_s - gravity[1];
-    force_m_s2[2] = -truth->q_rad_s * speed_m_s - gravity[2];
+    follow_path(model, truth, dt_s);
+    const float level_m_s2[3] = {model->acceleration_m_s2[0], model->acceleration_m_s2[1],
+                                 model->acceleration_m_s2[2] - gravity_m_s2};
+    tilt(truth, level_m_s2, force_m_s2);
 }
 
 static float measure(sim_inertial_t* model, float value, float* bias, float bias_sigma, float noise_sigma, float dt_s)

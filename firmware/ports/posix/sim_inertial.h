@@ -14,11 +14,13 @@ typedef struct
     float gyro_bias_rad_s[3]; ///< of this board (its seed), wandering slowly
     float acc_bias_m_s2[3];
     float mag_bias[3];
-    float airspeed_m_s; ///< of the last step, for the acceleration along x
-    float acceleration_m_s2;
-    bool has_airspeed;
-    message_ahrs_t estimate; ///< the filter's attitude, behind the true one
-    float drift_deg[3];      ///< its yaw, pitch and roll error
+    float airspeed_m_s; ///< these three: of the last step, for the path's acceleration
+    float climb_m_s;
+    float track_deg;
+    bool has_path;
+    float acceleration_m_s2[3]; ///< of the path: ahead, aside, down
+    message_ahrs_t estimate;    ///< the filter's attitude, behind the true one
+    float drift_deg[3];         ///< its yaw, pitch and roll error
     bool has_estimate;
 } sim_inertial_t;
 
