@@ -175,3 +175,14 @@ test("a message that is not as agreed is said and changes nothing", () => {
   expect(screen.getByRole("status", { name: "Último mensaje" }).textContent).toContain("no entiende");
   expect(reading(left(), "Roll").text).toBe("30.0");
 });
+
+test("a line that is lost is told, and told again when it is back", () => {
+  const station = flying();
+  const said = () => screen.getByRole("status", { name: "Último mensaje" }).textContent;
+  station.status(aStatus({ board: { ...aStatus().board, state: "lost" } }));
+  expect(said()).toContain("Placa: perdido.");
+  station.status(aStatus({ board: { ...aStatus().board, state: "opening" } }));
+  expect(said()).toContain("Placa: perdido.");
+  station.status(aStatus());
+  expect(said()).toContain("Placa: conectado.");
+});

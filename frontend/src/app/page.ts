@@ -61,8 +61,20 @@ export function createPage(world: World): {
   const client = (): string | null => connection.getState().client;
   const tell = (message: Message): void => say(messages, message, world.wall_ms());
 
+  /** A line that came or went is told; on its way from the one to the other it is not. */
+  function tellLinks(before: Status | null, status: Status): void {
+    for (const end of ["board", "simulator"] as const) {
+      const { state } = status[end];
+      if (before !== null && before[end].state !== state && state !== "opening") {
+        const level = state === "lost" ? "warning" : "info";
+        tell({ level, key: "said.link", params: { what: `@end.${end}`, state: `@link.${state}` } });
+      }
+    }
+  }
+
   function takeStatus(status: Status, at_ms: number): void {
     telemetry.heard(at_ms);
+    tellLinks(connection.getState().status, status);
     telemetry.setStaleAfter(
       Object.entries(status.topics).map(([topic, { stale_after_s }]) => [topic, stale_after_s]),
     );
