@@ -97,6 +97,9 @@ describe("the gateway's silence", () => {
     const station = flying();
     station.breakOff();
     expect(screen.getByRole("alert").textContent).toContain("No hay conexión con la estación");
+    // At once: the samples themselves are still young.
+    expect(reading(left(), "Pitch").state).toBe("stale");
+    expect(screen.getByRole("img", { name: "Indicador de actitud" }).dataset["state"]).toBe("none");
     station.pass(300);
     expect(station.clients).toEqual([null, "c1"]);
     station.greet();
