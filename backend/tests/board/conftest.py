@@ -15,7 +15,9 @@ from tests.board.station import FIRMWARE, Board, Station
 
 @pytest.fixture(scope="session")
 def built() -> None:
-    environment = {name: value for name, value in os.environ.items() if not name.startswith("MAKE") and name != "MFLAGS"}
+    environment = {
+        name: value for name, value in os.environ.items() if not name.startswith("MAKE") and name != "MFLAGS"
+    }
     subprocess.run(["make", "-s", "-C", str(FIRMWARE), "board", "board-asan"], env=environment, check=True)
 
 

@@ -12,6 +12,7 @@ import time
 from collections.abc import Callable
 from contextlib import suppress
 from pathlib import Path
+from struct import Struct
 from typing import Any, Final, TypeVar
 
 from gateway.codec.encode import encode_command, frame_bytes
@@ -76,6 +77,7 @@ class Station:
         self.received = bytearray()
         self.frames: list[Frame] = []
         self.failed = 0
+        self.is_closed = False
         self._text = bytearray()
 
     @classmethod
@@ -107,13 +109,25 @@ class Station:
             else:
                 self.pump(0.0)
 
+    def write_without_reading(self, data: bytes) -> None:
+        """Everything, waiting for the line as long as it takes, and not taking in a byte."""
+        while data:
+            select.select([], [self._fd], [], DEADLINE_S)
+            data = data[os.write(self._fd, data) :]
+
     def pump(self, timeout_s: float) -> None:
         """Take in what there is, waiting for it at most so long."""
         readable, _, _ = select.select([self._fd], [], [], timeout_s)
         if not readable:
             return
-        with suppress(BlockingIOError):
-            self.take(os.read(self._fd, 65536))
+        try:
+            chunk = os.read(self._fd, 65536)
+        except BlockingIOError:
+            return
+        except ConnectionResetError:
+            chunk = b""
+        self.is_closed = chunk == b""
+        self.take(chunk)
 
     def take(self, chunk: bytes) -> None:
         self.received += chunk
@@ -135,9 +149,18 @@ class Station:
     # ---- binary mode
 
     def open_binary(self) -> None:
-        """Open binary mode and wait until it is open."""
-        self.send(OPEN_BINARY_MODE)
-        self.next("heartbeat")
+        """Open binary mode and wait until it is open; asked again now and then, as a board may still be starting."""
+        self.frames.clear()
+        asked_s = 0.0
+
+        def is_open() -> bool:
+            nonlocal asked_s
+            if time.monotonic() - asked_s > 1.0:
+                asked_s = time.monotonic()
+                self.send(OPEN_BINARY_MODE)
+            return self.count("heartbeat") > 0
+
+        self.wait(is_open)
 
     def command(self, name: str, *values: float) -> None:
         self.send(encode_command(name, *values))
@@ -146,6 +169,11 @@ class Station:
     def raw_command(name: str, payload: bytes) -> bytes:
         """The frame of a command with any payload, also one that a station would not send."""
         return frame_bytes(TO_BOARD, COMMANDS[name], payload)
+
+    @staticmethod
+    def command_struct(name: str) -> Struct:
+        """The payload's layout."""
+        return COMMANDS[name].struct
 
     def extend(self) -> Frame:
         """Ask for the capabilities; every command is acknowledged from then on."""

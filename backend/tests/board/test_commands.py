@@ -70,7 +70,7 @@ def test_do_nothing_and_simulator_information_are_never_acknowledged(extended: S
 
 
 def test_a_command_that_nobody_knows_is_answered_so(extended: Station) -> None:
-    unknown = bytes.fromhex("2351542c" "2c000000" "d4ffffff" "0d0a0d0a")  # 44, unused by deployed boards
+    unknown = bytes.fromhex("2351542c2c000000d4ffffff0d0a0d0a")  # 44, unused by deployed boards
     assert extended.ask_bytes(44, unknown) == UNKNOWN
 
 

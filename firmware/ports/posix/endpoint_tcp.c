@@ -20,8 +20,11 @@ static int wait_for_peer(endpoint_t* endpoint, int stop_fd)
     endpoint->peer_fd = accept4(endpoint->fd, NULL, NULL, SOCK_NONBLOCK | SOCK_CLOEXEC);
     if (endpoint->peer_fd >= 0)
     {
+        // Like a serial line, hold little: what a station reads after a pause should be new.
         const int yes = 1;
+        const int held_bytes = 16384;
         (void)setsockopt(endpoint->peer_fd, IPPROTO_TCP, TCP_NODELAY, &yes, sizeof yes);
+        (void)setsockopt(endpoint->peer_fd, SOL_SOCKET, SO_SNDBUF, &held_bytes, sizeof held_bytes);
     }
     return endpoint->peer_fd;
 }

@@ -1,6 +1,8 @@
 #include "app/application_state.h"
 
+#include "flight/gains.h"
 #include "hal/time.h"
+#include "params/parameter_store.h"
 
 /// Words of each task's stack; `firmware/README.md` says how it was measured.
 enum
@@ -30,30 +32,45 @@ static void send_frame(void* context, const uint8_t* frame, size_t size)
     (void)mailbox_put(&app->transmitted, frame, size);
 }
 
-static storage_status_t read_card(void* context, const char* name, uint8_t* data, size_t capacity, size_t* size)
+/// A card takes its time to write, and nobody else may have to wait for it: the board is locked only to copy the set.
+bool application_store(application_t* app)
 {
-    const storage_t* const card = ((application_t*)context)->hardware.storage;
-    return card->read(card->context, name, data, capacity, size);
+    (void)xSemaphoreTake(app->card_mutex, portMAX_DELAY);
+    application_lock(app);
+    const parameters_t parameters = app->board.parameters;
+    application_unlock(app);
+    const storage_t* const card = app->hardware.storage;
+    const bool done = card != NULL && parameter_store_save(card, &parameters) == storage_ok;
+    (void)xSemaphoreGive(app->card_mutex);
+    return done;
 }
 
-/// A card takes its time to write. The task that stores waits for it, but sensors, control and streams must not: they
-/// get the board meanwhile. Only ttyTask changes parameters, so what is being stored stays as it is.
-static storage_status_t replace_on_card(void* context, const char* name, const uint8_t* data, size_t size)
+bool application_load(application_t* app)
 {
-    application_t* const app = context;
+    parameters_t parameters;
+    (void)xSemaphoreTake(app->card_mutex, portMAX_DELAY);
     const storage_t* const card = app->hardware.storage;
-    application_unlock(app);
-    const storage_status_t status = card->replace(card->context, name, data, size);
-    application_lock(app);
-    return status;
+    const bool done = card != NULL && parameter_store_load(card, &parameters) == storage_ok;
+    (void)xSemaphoreGive(app->card_mutex);
+    if (done)
+    {
+        application_lock(app);
+        app->board.parameters = parameters;
+        app->board.gains = gains_of(&parameters);
+        application_unlock(app);
+    }
+    return done;
 }
 
 void application_reset(application_t* app)
 {
+    // The card first, then the board, as everywhere.
+    (void)xSemaphoreTake(app->card_mutex, portMAX_DELAY);
+    application_lock(app);
     const board_config_t config = {
         .legacy = app->hardware.legacy,
         .hil_period_s = (float)app->hardware.hil_period_ms / 1000.0F,
-        .storage = app->hardware.storage == NULL ? NULL : &app->storage,
+        .storage = app->hardware.storage,
         .send = send_frame,
         .send_context = app,
     };
@@ -66,6 +83,8 @@ void application_reset(application_t* app)
         .frames_dropped = &app->transmitted.refused,
     };
     tty_init(&app->tty, &app->shell, app->reply, sizeof app->reply);
+    application_unlock(app);
+    (void)xSemaphoreGive(app->card_mutex);
 }
 
 /// Bytes came in: UartRxTask fetches them.
@@ -85,8 +104,8 @@ _Noreturn void application_run(const application_hardware_t* hardware)
 
     application_t* const app = &application;
     app->hardware = *hardware;
-    app->storage = (storage_t){.context = app, .read = read_card, .replace = replace_on_card};
     app->board_mutex = xSemaphoreCreateMutexStatic(&app->board_mutex_memory);
+    app->card_mutex = xSemaphoreCreateMutexStatic(&app->card_mutex_memory);
     mailbox_init(&app->received);
     mailbox_init(&app->transmitted);
     application_reset(app);

@@ -15,10 +15,11 @@
 typedef struct
 {
     application_hardware_t hardware;
-    storage_t storage; ///< the card, with the mutex given back while it writes
     board_t board;
     SemaphoreHandle_t board_mutex;
     StaticSemaphore_t board_mutex_memory;
+    SemaphoreHandle_t card_mutex; ///< of the hardware's storage; never taken while `board_mutex` is held
+    StaticSemaphore_t card_mutex_memory;
     mailbox_t received;    ///< from UartRxTask to ttyTask
     mailbox_t transmitted; ///< from every task to UartTxTask
     shell_t shell;
@@ -38,7 +39,11 @@ void application_unlock(application_t* app);
 /// Milliseconds since the board started, at power-on or by a reset.
 uint32_t application_now_ms(const application_t* app);
 
-/// Begin anew, as after power-on: defaults, the card's parameters, text mode. With the mutex held.
+/// Begin anew, as after power-on: defaults, the card's parameters, text mode.
 void application_reset(application_t* app);
+
+/// Put the parameters on the card, or take them from there. The calling task waits for the card, the board does not.
+bool application_store(application_t* app);
+bool application_load(application_t* app);
 
 #endif

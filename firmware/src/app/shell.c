@@ -31,6 +31,16 @@ void shell_tell_result(text_t* reply, command_result_t result)
     shell_line(reply, sentences[result]);
 }
 
+void shell_tell_stored(text_t* reply, bool done)
+{
+    shell_tell_result(reply, done ? command_done : command_storage_failed);
+}
+
+void shell_tell_loaded(text_t* reply, bool done)
+{
+    shell_line(reply, done ? "ok" : "failed: the card is missing or holds no whole set; nothing was changed");
+}
+
 /// Cut the line at its blanks; how many words there are, at most `maximum` of them kept.
 static size_t split(char* line, const char* words[], size_t maximum)
 {

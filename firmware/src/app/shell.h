@@ -16,6 +16,16 @@ enum
     shell_reply_bytes = 6144 ///< the longest answer: a plan of 100 waypoints
 };
 
+/// What a line or a command asks of the application, because the card makes it wait or because all starts anew.
+typedef enum
+{
+    shell_asks_nothing,
+    shell_asks_reset,
+    shell_asks_load,              ///< parameters from the card; answered in the text mode
+    shell_asks_store,             ///< parameters to the card; answered in the text mode
+    shell_asks_store_acknowledged ///< the same by the station's command, acknowledged when they are there
+} shell_request_t;
+
 /// What the shell works on; the application keeps it up to date.
 typedef struct
 {
@@ -24,10 +34,14 @@ typedef struct
     const load_t* load;
     const uint32_t* frames_dropped; ///< frames that the line was too slow for
     uint32_t now_ms;                ///< since the board started
-    bool resets;                    ///< `reset` was asked for
+    shell_request_t request;        ///< the application takes it
 } shell_t;
 
-/// Do one line (which is taken apart) and add the answer to `reply`.
+/// Do one line (which is taken apart) and add the answer to `reply`; what is asked of the application is answered by
+/// `shell_tell_stored` and `shell_tell_loaded`.
 void shell_run(shell_t* shell, char* line, text_t* reply);
+
+void shell_tell_stored(text_t* reply, bool done);
+void shell_tell_loaded(text_t* reply, bool done);
 
 #endif

@@ -4,7 +4,6 @@
 
 #include "flight/gains.h"
 #include "navigation/routes_gen.h"
-#include "params/parameter_store.h"
 #include "params/parameters_gen.h"
 
 const char* const shell_stream_names[telemetry_stream_count] = {
@@ -136,22 +135,12 @@ static void run_parameter(const shell_call_t* call)
 
 static void load_parameters(const shell_call_t* call)
 {
-    board_t* const board = call->shell->board;
-    if (board->config.storage == NULL || parameter_store_load(board->config.storage, &board->parameters) != storage_ok)
-    {
-        shell_line(call->reply, "failed: the card is missing or holds no whole set; nothing was changed");
-        return;
-    }
-    board->gains = gains_of(&board->parameters);
-    shell_tell_result(call->reply, command_done);
+    call->shell->request = shell_asks_load;
 }
 
 static void store_parameters(const shell_call_t* call)
 {
-    const board_t* const board = call->shell->board;
-    const bool stored =
-        board->config.storage != NULL && parameter_store_save(board->config.storage, &board->parameters) == storage_ok;
-    shell_tell_result(call->reply, stored ? command_done : command_storage_failed);
+    call->shell->request = shell_asks_store;
 }
 
 static void load_route(const shell_call_t* call)
@@ -261,7 +250,7 @@ static void move_servo(const shell_call_t* call)
 
 static void reset_board(const shell_call_t* call)
 {
-    call->shell->resets = true;
+    call->shell->request = shell_asks_reset;
     shell_tell_result(call->reply, command_done);
 }
 

@@ -1,6 +1,7 @@
 #include <string.h>
 
 #include "app/application_state.h"
+#include "flight/board_reports.h"
 
 enum
 {
@@ -130,28 +131,73 @@ static void send_reply(application_t* app)
     reply->size = 0;
 }
 
-/// Received bytes through the interpreter, which runs the HIL laws too.
+/// What the interpreter asked for.
+static void fulfil(application_t* app, shell_request_t request)
+{
+    switch (request)
+    {
+    case shell_asks_nothing:
+        break;
+    case shell_asks_reset:
+        application_reset(app);
+        break;
+    case shell_asks_load:
+        shell_tell_loaded(&app->tty.reply, application_load(app));
+        break;
+    case shell_asks_store:
+        shell_tell_stored(&app->tty.reply, application_store(app));
+        break;
+    case shell_asks_store_acknowledged:
+        (void)xTaskNotifyGive(app->handles[task_card]);
+        break;
+    }
+    send_reply(app);
+}
+
+/// Tasks in the middle of a long period hear that it has changed.
+static void announce_periods(application_t* app)
+{
+    for (size_t i = task_servos; i <= task_param; i++)
+    {
+        (void)xTaskNotifyGive(app->handles[i]);
+    }
+}
+
+/// Received bytes through the interpreter, which runs the HIL laws too. What it asks for is done at once; then it goes
+/// on with what it still holds.
 static void interpret(application_t* app, const uint8_t* bytes, size_t size)
 {
-    for (size_t taken = 0; taken < size;)
+    size_t taken = 0;
+    shell_request_t request = shell_asks_nothing;
+    do
     {
-        bool resets = false;
         application_lock(app);
         const telemetry_schedule_t before = app->board.schedule;
-        taken += tty_receive(&app->tty, bytes + taken, size - taken, application_now_ms(app), &resets);
+        taken += tty_receive(&app->tty, bytes + taken, size - taken, application_now_ms(app));
         const bool is_repaced = memcmp(before.period_ms, app->board.schedule.period_ms, sizeof before.period_ms) != 0;
+        request = app->shell.request;
+        app->shell.request = shell_asks_nothing;
         application_unlock(app);
         send_reply(app);
-        if (resets)
+        fulfil(app, request);
+        if (is_repaced || request == shell_asks_reset)
         {
-            application_lock(app);
-            application_reset(app);
-            application_unlock(app);
+            announce_periods(app);
         }
-        for (size_t i = task_servos; (is_repaced || resets) && i <= task_param; i++)
-        {
-            (void)xTaskNotifyGive(app->handles[i]);
-        }
+    } while (taken < size || request != shell_asks_nothing);
+}
+
+/// What happens by the clock; a command found behind a false header too.
+static void tick(application_t* app)
+{
+    static const uint8_t nothing[1] = {0};
+    application_lock(app);
+    tty_tick(&app->tty, application_now_ms(app));
+    application_unlock(app);
+    send_reply(app);
+    if (app->shell.request != shell_asks_nothing)
+    {
+        interpret(app, nothing, 0);
     }
 }
 
@@ -163,26 +209,38 @@ static void run_tty(void* context)
     {
         uint8_t bytes[piece_bytes];
         const size_t size = byte_ring_take(&app->received.ring, bytes, sizeof bytes);
-        interpret(app, bytes, size);
+        if (size > 0)
+        {
+            interpret(app, bytes, size);
+        }
         const uint32_t wait_ms = tty_wait_ms(&app->tty);
         const uint32_t elapsed_ms = application_now_ms(app) - ticked_ms;
         if (wait_ms != UINT32_MAX && elapsed_ms >= wait_ms)
         {
-            bool resets = false;
             ticked_ms += elapsed_ms;
-            application_lock(app);
-            tty_tick(&app->tty, application_now_ms(app), &resets);
-            if (resets)
-            {
-                application_reset(app);
-            }
-            application_unlock(app);
-            send_reply(app);
+            tick(app);
         }
         else if (size == 0)
         {
             (void)ulTaskNotifyTake(pdTRUE, wait_ms == UINT32_MAX ? portMAX_DELAY : ticks_of(wait_ms - elapsed_ms));
         }
+    }
+}
+
+/// Stores the parameters for the station, which gets its answer when they are there; HIL goes on meanwhile.
+static void run_card(void* context)
+{
+    application_t* const app = context;
+    for (;;)
+    {
+        (void)ulTaskNotifyTake(pdFALSE, portMAX_DELAY);
+        const command_result_t result = application_store(app) ? command_done : command_storage_failed;
+        application_lock(app);
+        if (app->board.extended && app->tty.mode == tty_binary)
+        {
+            board_report_acknowledgement(&app->board, COMMAND_STORE_PARAMETERS_ID, result);
+        }
+        application_unlock(app);
     }
 }
 
@@ -277,5 +335,5 @@ static void run_param(void* context)
 void (*const task_bodies[task_count])(void* application) = {
     [task_sensors] = run_sensors, [task_control] = run_control, [task_uart_rx] = run_uart_rx,
     [task_uart_tx] = run_uart_tx, [task_tty] = run_tty,         [task_servos] = run_servos,
-    [task_fms] = run_fms,         [task_param] = run_param,
+    [task_fms] = run_fms,         [task_param] = run_param,     [task_card] = run_card,
 };

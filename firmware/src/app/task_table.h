@@ -17,6 +17,7 @@ typedef enum
     task_servos,
     task_fms,
     task_param,
+    task_card,
     task_count
 } task_id_t;
 

@@ -99,13 +99,12 @@ static bool take_character(tty_t* tty, uint8_t byte, uint32_t now_ms)
     return false;
 }
 
-static size_t receive_text(tty_t* tty, const uint8_t* bytes, size_t size, uint32_t now_ms, bool* resets)
+static size_t receive_text(tty_t* tty, const uint8_t* bytes, size_t size, uint32_t now_ms)
 {
     size_t taken = 0;
     while (taken < size && !take_character(tty, bytes[taken++], now_ms))
     {
     }
-    *resets = tty->shell->resets;
     return taken;
 }
 
@@ -134,32 +133,6 @@ static size_t receive_ahrs_test(tty_t* tty, const uint8_t* bytes, size_t size, u
     return taken;
 }
 
-/// Do what the decoder holds. False as soon as binary mode is over.
-static bool run_frames(tty_t* tty, uint32_t now_ms, bool* resets)
-{
-    board_t* const board = tty->shell->board;
-    frame_t frame;
-    for (frame_event_t event = frame_decoder_next(&tty->decoder, &frame); event != frame_event_none;
-         event = frame_decoder_next(&tty->decoder, &frame))
-    {
-        board_note_frames(board, tty->decoder.received, frame_decoder_rejected(&tty->decoder));
-        if (event == frame_event_greeting)
-        {
-            board_open(board, now_ms);
-            continue;
-        }
-        const board_action_t action =
-            board_handle_command(board, frame.type_id, frame.payload, frame.payload_size, now_ms);
-        *resets = *resets || action == board_resets;
-        if (action != board_goes_on)
-        {
-            return false;
-        }
-    }
-    board_note_frames(board, tty->decoder.received, frame_decoder_rejected(&tty->decoder));
-    return true;
-}
-
 /// Back to text mode; how many bytes the decoder held.
 static size_t leave_binary(tty_t* tty)
 {
@@ -169,37 +142,87 @@ static size_t leave_binary(tty_t* tty)
     return held;
 }
 
-static size_t receive_binary(tty_t* tty, const uint8_t* bytes, size_t size, uint32_t now_ms, bool* resets)
+/// One command. The card would keep the board waiting, so what needs it is asked of the application.
+static void run_command(tty_t* tty, const frame_t* frame, uint32_t now_ms)
 {
-    size_t taken = 0;
-    bool goes_on = true;
-    while (goes_on && taken < size)
+    board_t* const board = tty->shell->board;
+    const bool has_card = !board->config.legacy && board->config.storage != NULL;
+    if (has_card && frame->type_id == COMMAND_STORE_PARAMETERS_ID && frame->payload_size == 0)
     {
-        taken += frame_decoder_feed(&tty->decoder, bytes + taken, size - taken);
-        goes_on = run_frames(tty, now_ms, resets);
+        tty->shell->request = shell_asks_store_acknowledged;
+        return;
     }
-    if (!goes_on)
+    switch (board_handle_command(board, frame->type_id, frame->payload, frame->payload_size, now_ms))
     {
-        // What came behind the last command is text already.
-        const size_t behind = leave_binary(tty);
-        return behind < taken ? taken - behind : taken;
+    case board_goes_on:
+        break;
+    case board_leaves_binary_mode:
+        tty->mode = tty_text;
+        break;
+    case board_resets:
+        tty->mode = tty_text;
+        tty->shell->request = shell_asks_reset;
+        break;
     }
-    return taken;
 }
 
-size_t tty_receive(tty_t* tty, const uint8_t* bytes, size_t size, uint32_t now_ms, bool* resets)
+/// Do what the decoder holds, up to the end of binary mode or a request; true when more may be held.
+static bool run_frame(tty_t* tty, uint32_t now_ms)
 {
-    tty->heard_ms = now_ms;
+    frame_t frame;
+    const frame_event_t event = frame_decoder_next(&tty->decoder, &frame);
+    board_note_frames(tty->shell->board, tty->decoder.received, frame_decoder_rejected(&tty->decoder));
+    switch (event)
+    {
+    case frame_event_frame:
+        run_command(tty, &frame, now_ms);
+        break;
+    case frame_event_greeting:
+        board_open(tty->shell->board, now_ms);
+        break;
+    case frame_event_none:
+        break;
+    }
+    return event != frame_event_none && tty->mode == tty_binary && tty->shell->request == shell_asks_nothing;
+}
+
+static size_t receive_binary(tty_t* tty, const uint8_t* bytes, size_t size, uint32_t now_ms)
+{
+    size_t taken = 0;
+    do
+    {
+        // What a request left in the decoder comes first.
+        while (run_frame(tty, now_ms))
+        {
+        }
+        if (tty->mode != tty_binary || tty->shell->request != shell_asks_nothing || taken == size)
+        {
+            break;
+        }
+        taken += frame_decoder_feed(&tty->decoder, bytes + taken, size - taken);
+    } while (true);
+    if (tty->mode == tty_binary)
+    {
+        return taken;
+    }
+    // What came behind the last command is text already.
+    const size_t behind = leave_binary(tty);
+    return behind < taken ? taken - behind : taken;
+}
+
+size_t tty_receive(tty_t* tty, const uint8_t* bytes, size_t size, uint32_t now_ms)
+{
+    tty->heard_ms = size > 0 ? now_ms : tty->heard_ms;
     switch (tty->mode)
     {
     case tty_binary:
-        return receive_binary(tty, bytes, size, now_ms, resets);
+        return receive_binary(tty, bytes, size, now_ms);
     case tty_ahrs_test:
         return receive_ahrs_test(tty, bytes, size, now_ms);
     case tty_text:
         break;
     }
-    return receive_text(tty, bytes, size, now_ms, resets);
+    return receive_text(tty, bytes, size, now_ms);
 }
 
 static void add_record(tty_t* tty)
@@ -217,21 +240,20 @@ static void add_record(tty_t* tty)
     }
 }
 
-void tty_tick(tty_t* tty, uint32_t now_ms, bool* resets)
+void tty_tick(tty_t* tty, uint32_t now_ms)
 {
     if (tty->mode == tty_binary)
     {
         if (frame_decoder_is_waiting(&tty->decoder) && now_ms - tty->heard_ms >= tty_silence_ms)
         {
-            // A false header may have held a good command back.
+            // A false header may have held good commands back.
             frame_decoder_expire(&tty->decoder);
-            if (!run_frames(tty, now_ms, resets))
-            {
-                (void)leave_binary(tty);
-                return;
-            }
+            (void)receive_binary(tty, tty->decoder.buffer, 0, now_ms);
         }
-        (void)board_tick(tty->shell->board, now_ms);
+        if (tty->mode == tty_binary)
+        {
+            (void)board_tick(tty->shell->board, now_ms);
+        }
     }
     else if (tty->mode == tty_ahrs_test && now_ms - tty->record_ms >= tty_ahrs_period_ms)
     {

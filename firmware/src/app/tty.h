@@ -23,7 +23,7 @@ enum
     tty_line_bytes = 96,
     tty_ahrs_period_ms = 20,
     tty_binary_period_ms = board_tick_period_ms,
-    tty_silence_ms = 100 ///< a frame whose bytes stop for so long is no frame
+    tty_silence_ms = 250 ///< a frame whose bytes stop for so long is no frame
 };
 
 typedef struct
@@ -44,12 +44,12 @@ typedef struct
 /// Text mode, with an empty line. `reply` gets its room from the caller.
 void tty_init(tty_t* tty, shell_t* shell, char* reply, size_t reply_bytes);
 
-/// Take received bytes up to the end of a line or the end of binary mode and return how many were taken: what is in
-/// `reply` must go out before the rest is given again. `*resets` is set when the board shall start anew.
-size_t tty_receive(tty_t* tty, const uint8_t* bytes, size_t size, uint32_t now_ms, bool* resets);
+/// Take received bytes up to the end of a line, the end of binary mode or a request (`shell->request`) and return how
+/// many were taken: what is in `reply` must go out, and what is asked be done, before the rest is given again.
+size_t tty_receive(tty_t* tty, const uint8_t* bytes, size_t size, uint32_t now_ms);
 
 /// What happens by the clock: time-outs, the board's own reports, an AHRS record into `reply`.
-void tty_tick(tty_t* tty, uint32_t now_ms, bool* resets);
+void tty_tick(tty_t* tty, uint32_t now_ms);
 
 /// How long the caller may wait before the next `tty_tick`, in ms; UINT32_MAX: until bytes come in.
 uint32_t tty_wait_ms(const tty_t* tty);
