@@ -10,6 +10,7 @@ from typing import Annotated, Any
 import orjson
 import structlog
 import typer
+from pydantic import ValidationError
 
 from gateway.app import create_app
 from gateway.errors import GatewayError
@@ -51,7 +52,10 @@ def run(
         "page_dir": page_dir,
         "recording": recording,
     }
-    settings = Settings(**{name: value for name, value in given.items() if value is not None})
+    try:
+        settings = Settings(**{name: value for name, value in given.items() if value is not None})
+    except ValueError as error:
+        raise typer.BadParameter(_first_fault(error)) from error
     if print_openapi:
         _print_openapi(settings)
         return
@@ -61,12 +65,23 @@ def run(
         except GatewayError as error:
             raise typer.BadParameter(error.detail, param_hint="--board") from error
     _set_up_logging(verbose=verbose)
-    Server(settings).run()
+    try:
+        Server(settings).fly()
+    except GatewayError as error:
+        print(f"epf-gcs: {error.detail}", file=sys.stderr)
+        raise typer.Exit(1) from error
 
 
 def main() -> None:
     """Entry point of `epf-gcs`."""
     app()
+
+
+def _first_fault(error: ValueError) -> str:
+    if not isinstance(error, ValidationError):
+        return str(error)
+    fault = error.errors()[0]
+    return f"{'.'.join(map(str, fault['loc']))}: {fault['msg']}"
 
 
 def _print_openapi(settings: Settings) -> None:

@@ -13,12 +13,12 @@ class Settings(BaseSettings):
 
     model_config = SettingsConfigDict(env_prefix="GCS_", frozen=True)
 
-    host: str = Field(default="127.0.0.1", description="Address to listen on. Beyond the loopback anyone there can fly.")
+    host: str = Field(default="127.0.0.1", description="Address to listen on; beyond 127.0.0.1 anyone can fly.")
     port: int = Field(default=8000, ge=0, le=65535, description="TCP port to listen on; 0 takes any free one.")
     data_dir: Path = Field(default=Path("data"), description="Where recordings and the remembered links live.")
-    page_dir: Path | None = Field(default=None, description="The built page; by default frontend/dist of this tree, if there.")
+    page_dir: Path | None = Field(default=None, description="The built page; by default this tree's frontend/dist.")
     board: str | None = Field(default=None, description="Board link to open at start, in place of the remembered one.")
     recording: bool = Field(default=True, description="Record every byte of the lines while a link is open.")
-    allowed_hosts: tuple[str, ...] = Field(default=(), description="More names under which browsers may ask for this server.")
-    allowed_origins: tuple[str, ...] = Field(default=(), description="More web origins which may command, for development.")
+    allowed_hosts: tuple[str, ...] = Field(default=(), description="More names under which browsers may ask.")
+    allowed_origins: tuple[str, ...] = Field(default=(), description="More web origins which may command.")
     max_body_bytes: int = Field(default=65536, ge=1024, description="Largest request body.")

@@ -94,7 +94,7 @@ class Stream:
 def running_gateway(data_dir: Path, **settings: Any) -> Iterator[Gateway]:
     """A gateway that is up, and that ends as on SIGTERM."""
     server = Server(Settings(data_dir=data_dir, port=0, **settings))
-    thread = threading.Thread(target=server.run, name="gateway", daemon=True)
+    thread = threading.Thread(target=server.fly, name="gateway", daemon=True)
     thread.start()
     eventually(lambda: server.started or not thread.is_alive(), "the gateway starts")
     gateway = Gateway(server)

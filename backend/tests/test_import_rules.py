@@ -1,0 +1,67 @@
+"""The import rules hold, and they bite: a forbidden import in a copy of the tree breaks them."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+BACKEND = Path(__file__).parents[1]
+
+
+def lint(folder: Path) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        [str(Path(sys.executable).with_name("lint-imports")), "--no-cache"],
+        cwd=folder,
+        env={"PYTHONPATH": str(folder / "src"), "PATH": "/usr/bin:/bin"},
+        capture_output=True,
+        text=True,
+        timeout=120,
+        check=False,
+    )
+
+
+@pytest.fixture
+def copy(tmp_path: Path) -> Path:
+    shutil.copytree(BACKEND / "src", tmp_path / "src", ignore=shutil.ignore_patterns("__pycache__", "*.egg-info"))
+    shutil.copy(BACKEND / "pyproject.toml", tmp_path)
+    return tmp_path
+
+
+def test_the_tree_keeps_its_rules() -> None:
+    answer = lint(BACKEND)
+    assert answer.returncode == 0, answer.stdout
+    assert "0 broken" in answer.stdout
+
+
+@pytest.mark.parametrize(
+    ("file", "line"),
+    [
+        ("gateway/codec/checksum.py", "import asyncio"),
+        ("gateway/codec/checksum.py", "import time"),
+        ("gateway/xplane/datagram.py", "import socket"),
+        ("gateway/vehicle/health.py", "from gateway.services import clock"),
+        ("gateway/vehicle/health.py", "from gateway.links import address"),
+        ("gateway/links/tcp.py", "from gateway.services import clock"),
+        ("gateway/services/clock.py", "from gateway.api import schemas"),
+        ("gateway/services/clock.py", "import fastapi"),
+        ("gateway/services/clock.py", "import simulator"),
+        ("simulator/__init__.py", "from gateway.services import clock"),
+        ("launcher/__init__.py", "import gateway"),
+    ],
+)
+def test_a_forbidden_import_breaks_them(copy: Path, file: str, line: str) -> None:
+    path = copy / "src" / file
+    path.write_text(f"{path.read_text()}\n{line}\n")
+    answer = lint(copy)
+    assert answer.returncode != 0, answer.stdout
+    assert "BROKEN" in answer.stdout
+
+
+def test_a_folder_without_a_place_in_the_layers_breaks_them(copy: Path) -> None:
+    (copy / "src" / "gateway" / "misc").mkdir()
+    (copy / "src" / "gateway" / "misc" / "__init__.py").write_text("")
+    assert lint(copy).returncode != 0
