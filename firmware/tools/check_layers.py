@@ -19,6 +19,7 @@ RULES: dict[str, tuple[str, ...]] = {
     "common": (),
     "comms": ("common/",),
     "control": ("common/",),
+    "estimation": ("common/",),
     "navigation": ("common/",),
     "params": ("common/", "hal/storage.h"),
     "flight": ("common/", "comms/", "control/", "navigation/", "params/"),

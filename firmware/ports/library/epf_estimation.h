@@ -1,0 +1,18 @@
+/// The board's state estimation in the shared library, for tests in other languages. No clock: each call is one step.
+#ifndef EPF_ESTIMATION_H
+#define EPF_ESTIMATION_H
+
+#include "estimation/estimator.h"
+
+/// An estimator that has measured nothing yet; NULL without memory.
+estimator_t* epf_estimation_new(float declination_deg);
+
+void epf_estimation_free(estimator_t* estimator);
+
+/// One step of `dt_s` (> 0).
+void epf_estimation_step(estimator_t* estimator, const estimator_samples_t* samples, float dt_s, estimate_t* estimate);
+
+/// Samples of one sensor (an `estimator_sensor_t`) that were refused.
+uint32_t epf_estimation_refused(const estimator_t* estimator, uint32_t sensor);
+
+#endif
