@@ -246,6 +246,11 @@ def _constants(name: str, message: Message) -> Iterator[str]:
             yield f"#define {name.upper()}_BIT_{value.name.upper()} {1 << value.bit}"
         if value.kind == "integer" and value.absent is not None:
             yield f"#define {name.upper()}_{value.name.upper()}_ABSENT ({value.absent})"
+        if message.confirm is not None and value.kind == "integer" and not value.names and not message.parameter:
+            limits = {"MINIMUM": value.minimum, "MAXIMUM": value.maximum, "DEFAULT": value.default}
+            for label, limit in limits.items():
+                if limit is not None:
+                    yield f"#define {name.upper()}_{value.name.upper()}_{label} {limit}"
 
 
 def _comment(message: Message, slot: Slot) -> str:

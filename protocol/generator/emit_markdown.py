@@ -61,7 +61,7 @@ def _parameters(definition: Definition) -> Iterator[str]:
     yield "| parameter | group | set by | type | default | minimum | maximum | step | meaning |"
     yield "|---|---|---|---|---|---|---|---|---|"
     for p in definition.parameters:
-        numbers = " | ".join(f"{number:g}" for number in (p.default, p.minimum, p.maximum, p.step))
+        numbers = " | ".join(_number(number) for number in (p.default, p.minimum, p.maximum, p.step))
         yield f"| {p.name} | {p.group} | {p.set_id} | {p.type} | {numbers} | {_cell(p.doc)} |"
 
 
@@ -77,7 +77,7 @@ def _rows(definition: Definition) -> Iterator[str]:
         for row in definition.rows:
             title = f"{row.id} {row.name}" + (" (also sent)" if row.sent else "")
             for value in row.profiles[profile]:
-                span = f"{value.minimum:g}..{value.maximum:g}"
+                span = f"{_number(value.minimum)}..{_number(value.maximum)}"
                 yield (
                     f"| {title} | {value.index} | {value.name} | {value.unit} | {span} | {value.sign} | "
                     f"{_cell(value.doc)} |"
@@ -122,7 +122,9 @@ def _message(message: Message) -> Iterator[str]:
 
 
 def _row(offset: int, slot: Slot, value: Value) -> str:
-    span = "" if value.minimum is None or value.kind == "boolean" else f"{value.minimum:g}..{value.maximum:g}"
+    span = ""
+    if value.minimum is not None and value.maximum is not None and value.kind != "boolean":
+        span = f"{_number(value.minimum)}..{_number(value.maximum)}"
     doc = value.doc
     if value.bit is not None:
         doc = f"Bit {value.bit}: {doc}"
@@ -146,6 +148,11 @@ def _proof(confirm: Confirm) -> str:
 
 def _id(message: Message) -> str:
     return f"0x{message.id:X}" if message.extension else str(message.id)
+
+
+def _number(number: float) -> str:
+    """Every digit of a 32-bit word, and no zeros behind the point."""
+    return f"{number:.10g}"
 
 
 def _cell(text: str) -> str:

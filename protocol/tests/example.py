@@ -83,6 +83,13 @@ fields = [
   {name="mode", type="i32", unit="1", range=[0, 1], sign="none", doc="Mode.", values={auto=0, stick=1}},
 ]
 [[command]]
+name = "pace"
+id = 4
+size = 4
+doc = "Set the pace."
+confirm = { by = "none" }
+fields = [ { name="period", type="i32", unit="ms", range=[20, 900], default=50, sign="none", doc="Pace." } ]
+[[command]]
 name = "hil_load_home"
 id = 3
 doc = "Load the route."

@@ -62,6 +62,8 @@ int main(void)
     printf("%s %zu %g %d\n", routes[ROUTE_HOME].title, routes[ROUTE_HOME].count,
            routes[ROUTE_HOME].waypoints[1].latitude_deg, routes[ROUTE_HOME].loop);
     printf("%d %x\n", COMMAND_MODE_MODE_STICK, PROTOCOL_TO_PC_HEADER);
+    printf("%d %d %d %d\n", MESSAGE_HEARTBEAT_COUNT_ABSENT, COMMAND_PACE_PERIOD_MS_MINIMUM,
+           COMMAND_PACE_PERIOD_MS_MAXIMUM, COMMAND_PACE_PERIOD_MS_DEFAULT);
     return 0;
 }
 """
@@ -105,4 +107,4 @@ def test_sizes_are_known_by_type_and_unknown_types_have_none(output: list[str]) 
 
 
 def test_parameters_routes_and_constants_are_in_their_tables(output: list[str]) -> None:
-    assert output[7:] == ["k_time 61 1 700", "Home 2 27.95 1", "1 2c54510d"]
+    assert output[7:] == ["k_time 61 1 700", "Home 2 27.95 1", "1 2c54510d", "-1 20 900 50"]

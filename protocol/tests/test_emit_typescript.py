@@ -24,7 +24,7 @@ def test_what_is_no_topic_has_no_interface() -> None:
 
 
 def test_tables_hold_commands_parameters_routes_and_rows() -> None:
-    assert 'export type CommandName = "stop" | "mode" | "hil_load_home" | "set_k_roll" | "set_k_time";' in TEXT
+    assert 'export type CommandName = "stop" | "mode" | "hil_load_home" | "pace" | "set_k_roll" | "set_k_time";' in TEXT
     assert '"names": {"auto": 0, "stick": 1}' in TEXT
     assert 'name: "k_time", group: "speed", setId: 61, isInteger: true, default: 700' in TEXT
     assert '"latitude_deg": 27.95' in TEXT

@@ -478,6 +478,9 @@ typedef struct
 void message_mission_count_pack(const message_mission_count_t* values, uint8_t* payload);
 void message_mission_count_unpack(message_mission_count_t* values, const uint8_t* payload);
 
+#define COMMAND_SET_PARAMETER_TASK_RATE_PERIOD_MS_MINIMUM 20
+#define COMMAND_SET_PARAMETER_TASK_RATE_PERIOD_MS_MAXIMUM 10000
+#define COMMAND_SET_PARAMETER_TASK_RATE_PERIOD_MS_DEFAULT 100
 /// Period of the task that sends heartbeat, ahrs, inertial and analog.
 typedef struct
 {
@@ -487,6 +490,9 @@ typedef struct
 void command_set_parameter_task_rate_pack(const command_set_parameter_task_rate_t* values, uint8_t* payload);
 void command_set_parameter_task_rate_unpack(command_set_parameter_task_rate_t* values, const uint8_t* payload);
 
+#define COMMAND_SET_FMS_TASK_RATE_PERIOD_MS_MINIMUM 50
+#define COMMAND_SET_FMS_TASK_RATE_PERIOD_MS_MAXIMUM 10000
+#define COMMAND_SET_FMS_TASK_RATE_PERIOD_MS_DEFAULT 100
 /// Period of the task that sends fms_plan, fms_hil_plan, statistics and gps.
 typedef struct
 {
@@ -496,6 +502,9 @@ typedef struct
 void command_set_fms_task_rate_pack(const command_set_fms_task_rate_t* values, uint8_t* payload);
 void command_set_fms_task_rate_unpack(command_set_fms_task_rate_t* values, const uint8_t* payload);
 
+#define COMMAND_SET_SERVOS_TASK_RATE_PERIOD_MS_MINIMUM 20
+#define COMMAND_SET_SERVOS_TASK_RATE_PERIOD_MS_MAXIMUM 10000
+#define COMMAND_SET_SERVOS_TASK_RATE_PERIOD_MS_DEFAULT 20
 /// Period of the task that sends servos_in and fly_by_wire.
 typedef struct
 {
@@ -539,6 +548,8 @@ typedef struct
 void command_control_source_pack(const command_control_source_t* values, uint8_t* payload);
 void command_control_source_unpack(command_control_source_t* values, const uint8_t* payload);
 
+#define COMMAND_SERVO_OUT_SERVO_MINIMUM 0
+#define COMMAND_SERVO_OUT_SERVO_MAXIMUM 19
 /// Move one servo output.
 typedef struct
 {
@@ -573,6 +584,8 @@ void command_select_altitude_source_unpack(command_select_altitude_source_t* val
 
 #define COMMAND_MISSION_BEGIN_PLAN_FLIGHT 0
 #define COMMAND_MISSION_BEGIN_PLAN_HIL 1
+#define COMMAND_MISSION_BEGIN_COUNT_MINIMUM 1
+#define COMMAND_MISSION_BEGIN_COUNT_MAXIMUM 100
 /// Start to write a plan; the plan in use stays until mission_commit.
 typedef struct
 {
@@ -585,6 +598,8 @@ void command_mission_begin_unpack(command_mission_begin_t* values, const uint8_t
 
 #define COMMAND_MISSION_ITEM_PLAN_FLIGHT 0
 #define COMMAND_MISSION_ITEM_PLAN_HIL 1
+#define COMMAND_MISSION_ITEM_INDEX_MINIMUM 0
+#define COMMAND_MISSION_ITEM_INDEX_MAXIMUM 99
 /// One waypoint of the plan being written.
 typedef struct
 {
@@ -623,6 +638,8 @@ void command_mission_read_unpack(command_mission_read_t* values, const uint8_t* 
 
 #define COMMAND_GO_TO_WAYPOINT_PLAN_FLIGHT 0
 #define COMMAND_GO_TO_WAYPOINT_PLAN_HIL 1
+#define COMMAND_GO_TO_WAYPOINT_INDEX_MINIMUM 0
+#define COMMAND_GO_TO_WAYPOINT_INDEX_MAXIMUM 99
 /// The plan goes to this waypoint.
 typedef struct
 {

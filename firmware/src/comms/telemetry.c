@@ -3,6 +3,13 @@
 #include <stddef.h>
 #include <string.h>
 
+#include "comms/protocol_gen.h"
+
+/// A task's period as its own command has it in the definition.
+#define PERIOD_OF(command)                                                                                             \
+    {COMMAND_##command##_PERIOD_MS_DEFAULT, COMMAND_##command##_PERIOD_MS_MINIMUM,                                     \
+     COMMAND_##command##_PERIOD_MS_MAXIMUM}
+
 typedef struct
 {
     uint32_t default_ms;
@@ -11,9 +18,9 @@ typedef struct
 } task_period_t;
 
 static const task_period_t periods[telemetry_task_count] = {
-    [telemetry_task_param] = {100, 20, 10000},
-    [telemetry_task_fms] = {100, 50, 10000},
-    [telemetry_task_servos] = {20, 20, 10000},
+    [telemetry_task_param] = PERIOD_OF(SET_PARAMETER_TASK_RATE),
+    [telemetry_task_fms] = PERIOD_OF(SET_FMS_TASK_RATE),
+    [telemetry_task_servos] = PERIOD_OF(SET_SERVOS_TASK_RATE),
 };
 
 static const telemetry_task_t tasks[telemetry_stream_count] = {

@@ -1,7 +1,7 @@
 /// Altitude, heading and speed held in place of the pilot: gives the fly-by-wire its command.
 ///
-/// Source: flight.md of the specification, "Autopilot". Altitudes ft, climb ft/min up, angles deg (pitch up, roll
-/// right, track clockwise from true north), speeds kt indicated.
+/// Source: the specification of the control laws, "Autopilot". Altitudes ft, climb ft/min up, angles deg (pitch up,
+/// roll right, track clockwise from true north), speeds kt indicated.
 #ifndef CONTROL_AUTOPILOT_H
 #define CONTROL_AUTOPILOT_H
 

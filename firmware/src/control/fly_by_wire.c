@@ -2,7 +2,7 @@
 
 #include "common/limit.h"
 
-// sensitivity of the stick, flight.md "manual (assisted) stick"
+// sensitivity of the stick in assisted flight
 static const float elevator_per_stick = 2.0F;
 static const float aileron_per_stick = 3.0F;
 

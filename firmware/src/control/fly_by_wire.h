@@ -1,7 +1,7 @@
 /// The law between stick or autopilot and the surfaces: rate damping that fades with speed, and elevator trim.
 ///
 /// Signs: elevator + nose up, aileron + right wing down, rudder + nose right; P, Q, R body rates in rad/s with the
-/// same signs; throttle 0..1. Source: flight.md of the specification, "Fly-by-wire".
+/// same signs; throttle 0..1. Source: the specification of the control laws, "Fly-by-wire".
 #ifndef CONTROL_FLY_BY_WIRE_H
 #define CONTROL_FLY_BY_WIRE_H
 

@@ -2,10 +2,7 @@
 
 #include "flight/board_reports.h"
 
-static board_t* board_of(void* context)
-{
-    return ((board_command_context_t*)context)->board;
-}
+_Static_assert(COMMAND_MISSION_BEGIN_COUNT_MAXIMUM == plan_waypoints_max, "the longest mission fits a plan");
 
 static bool is_plan(int32_t plan)
 {

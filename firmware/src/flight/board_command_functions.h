@@ -4,6 +4,12 @@
 
 #include "flight/board_commands.h"
 
+/// The board that a row of the table works on.
+static inline board_t* board_of(void* context)
+{
+    return ((board_command_context_t*)context)->board;
+}
+
 // Commands of deployed boards. Argument: on or off, the stream, the plan, the task, the route, the servos' mode, the
 // parameter's place in the table.
 command_result_t run_do_nothing(void* context, int32_t argument, const uint8_t* payload);

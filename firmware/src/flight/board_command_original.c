@@ -7,10 +7,7 @@
 #include "flight/gains.h"
 #include "navigation/routes_gen.h"
 
-static board_t* board_of(void* context)
-{
-    return ((board_command_context_t*)context)->board;
-}
+_Static_assert(COMMAND_SERVO_OUT_SERVO_MAXIMUM == board_servo_count - 1, "every output can be commanded");
 
 static command_result_t done_or(bool done, command_result_t otherwise)
 {
