@@ -2,7 +2,60 @@
 
 from __future__ import annotations
 
+from typing import Literal
+
 Params = dict[str, str | int | float | bool | None]
+
+# Every code there is. The interface describes them, so that the page cannot forget to translate one.
+ErrorCode = Literal[
+    "bad_json",
+    "board_line_full",
+    "board_not_open",
+    "body_too_large",
+    "client_unknown",
+    "command_unknown",
+    "control_held",
+    "datagram_malformed",
+    "datagram_stranger",
+    "foreign_host",
+    "foreign_origin",
+    "http_error",
+    "internal",
+    "invalid_request",
+    "line_garbage",
+    "link_address_invalid",
+    "link_busy",
+    "link_failed",
+    "link_lost",
+    "link_no_device",
+    "link_not_serial",
+    "link_permission",
+    "link_refused",
+    "link_timeout",
+    "link_unknown_host",
+    "link_unreachable",
+    "listen_failed",
+    "listen_unknown_host",
+    "memory_not_written",
+    "memory_unreadable",
+    "method_not_allowed",
+    "mission_differs",
+    "mission_invalid",
+    "mission_not_read",
+    "mission_refused",
+    "no_such_address",
+    "not_supported",
+    "parameter_out_of_range",
+    "parameter_unknown",
+    "parameters_not_read",
+    "port_taken",
+    "rate_invalid",
+    "recording_unknown",
+    "simulator_unknown_host",
+    "source_not_taken",
+    "stream_message_invalid",
+    "value_not_allowed",
+]
 
 
 class GatewayError(Exception):
@@ -12,9 +65,9 @@ class GatewayError(Exception):
     thing failed, why, and what to do; `params` are the values in that sentence.
     """
 
-    def __init__(self, code: str, detail: str, **params: str | float | bool | None) -> None:
+    def __init__(self, code: ErrorCode, detail: str, **params: str | float | bool | None) -> None:
         super().__init__(detail)
-        self.code = code
+        self.code: ErrorCode = code
         self.detail = detail
         self.params: Params = params
 

@@ -13,11 +13,25 @@ from fastapi.responses import Response
 from starlette.exceptions import HTTPException
 
 from gateway.api.schemas import Problem
-from gateway.errors import BoardError, ConflictError, GatewayError, InvalidInputError, LinkError, NotFoundError, Params
+from gateway.errors import (
+    BoardError,
+    ConflictError,
+    ErrorCode,
+    GatewayError,
+    InvalidInputError,
+    LinkError,
+    NotFoundError,
+    Params,
+)
 from gateway.services.error_log import ErrorLog
 
 MEDIA_TYPE: Final = "application/problem+json"
 
+_HTTP_CODES: Final[dict[int, ErrorCode]] = {
+    404: "no_such_address",
+    405: "method_not_allowed",
+    400: "bad_json",
+}
 # Where a request was wrong, these parts of the place are the validator's own words.
 _NO_FIELD: Final = re.compile(r"body|query|path|header|float|str|int|list\[.*|dict\[.*")
 
@@ -54,7 +68,7 @@ def reading_problems(*statuses: int) -> dict[int | str, dict[str, Any]]:
 
 
 def problem_response(
-    status: int, code: str, detail: str, params: Params | None = None, headers: dict[str, str] | None = None
+    status: int, code: ErrorCode, detail: str, params: Params | None = None, headers: dict[str, str] | None = None
 ) -> Response:
     """A problem document."""
     body = {
@@ -92,7 +106,7 @@ def install_error_handlers(app: FastAPI, errors: ErrorLog) -> None:
     async def http_error(request: Request, error: Exception) -> Response:
         status = error.status_code if isinstance(error, HTTPException) else 500
         headers = dict(error.headers or {}) if isinstance(error, HTTPException) else {}
-        code = {404: "no_such_address", 405: "method_not_allowed", 400: "bad_json"}.get(status, "http_error")
+        code = _HTTP_CODES.get(status, "http_error")
         errors.count(code)
         detail = f"{request.method} {request.url.path} is no address of this interface: /api/docs lists all of them."
         if status == HTTPStatus.BAD_REQUEST:

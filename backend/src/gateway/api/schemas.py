@@ -7,6 +7,8 @@ from typing import Annotated, Literal
 from pydantic import BaseModel, ConfigDict, Field
 
 from gateway.codec.messages_gen import RECEIVE_PORT, SEND_PORT
+from gateway.errors import ErrorCode
+from gateway.services.alarms import AlarmId
 
 LinkState = Literal["closed", "opening", "open", "lost"]
 ParamValue = str | float | bool | None
@@ -33,14 +35,14 @@ class Problem(BaseModel):
     title: str
     status: int
     detail: str
-    code: str
+    code: ErrorCode
     params: dict[str, ParamValue]
 
 
 class Failure(Output):
     """Why a link is not open."""
 
-    code: str
+    code: ErrorCode
     detail: str
     params: dict[str, ParamValue]
 
@@ -139,7 +141,7 @@ class RecordingState(Output):
 class AlarmState(Output):
     """Something that is wrong now."""
 
-    id: str
+    id: AlarmId
     level: Literal["warning", "critical"]
     since_s: float
     text: str
@@ -260,7 +262,7 @@ class CommandOutcome(Output):
     state: Literal["confirmed", "rejected", "timed_out", "sent"]
     by: Literal["acknowledgement", "heartbeat", "read_back", "none"]
     ms: float
-    reason: str | None
+    reason: Literal["bad_value", "bad_state", "unknown", "storage_failed", "not_taken"] | None
 
 
 class ParameterState(Output):

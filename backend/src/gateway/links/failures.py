@@ -5,9 +5,9 @@ from __future__ import annotations
 import errno
 from typing import Final
 
-from gateway.errors import LinkError
+from gateway.errors import ErrorCode, LinkError
 
-_SENTENCES: Final[dict[int, tuple[str, str]]] = {
+_SENTENCES: Final[dict[int, tuple[ErrorCode, str]]] = {
     errno.ENOENT: ("link_no_device", "{name} does not exist: plug the board in, or choose another port."),
     errno.ENXIO: ("link_no_device", "{name} has no device behind it: plug the board in, or choose another port."),
     errno.ENODEV: ("link_no_device", "{name} has no device behind it: plug the board in, or choose another port."),

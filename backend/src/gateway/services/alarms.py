@@ -16,6 +16,7 @@ from gateway.services.simulator import Simulator
 from gateway.services.supervisor import Supervisor
 from gateway.services.telemetry import Telemetry
 
+AlarmId = Literal["heartbeat_lost", "no_heartbeat", "hil_lost", "frames_damaged", "recorder_failed"]
 Level = Literal["warning", "critical"]
 
 _SHORTEST_HEARTBEAT_LOSS_S: Final = 1.0
@@ -31,7 +32,7 @@ _DAMAGE_LEAST: Final = 5
 class Alarm:
     """One thing that is wrong now. `since_s` is Unix time."""
 
-    id: str
+    id: AlarmId
     level: Level
     text: str
     since_s: float = 0.0
@@ -73,7 +74,7 @@ class Alarms:
         self._steady_s = steady_s
         self._wanted_since_s: float | None = None
         self._frames = deque([(steady_s(), 0, 0)])
-        self._active: dict[str, Alarm] = {}
+        self._active: dict[AlarmId, Alarm] = {}
 
     @property
     def active(self) -> list[Alarm]:
