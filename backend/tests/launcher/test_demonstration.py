@@ -150,10 +150,13 @@ def demonstration(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Run]:
 
 
 def test_it_prints_its_address_when_gando_is_flown(demonstration: Run) -> None:
-    status = demonstration.eventually(lambda status: flies(status) and demonstration.autopilot_is_on())
+    # The status and the heartbeat that it is made of are asked for one after the other: wait for both.
+    in_automatic_flight = {"source": "joystick", "path": "assisted"}
+    status = demonstration.eventually(
+        lambda status: flies(status) and status["hil"] == in_automatic_flight and demonstration.autopilot_is_on()
+    )
     assert status["board"]["state"] == "open"
     assert status["simulator"]["state"] == "open"
-    assert status["hil"] == {"source": "joystick", "path": "assisted"}
     assert demonstration.telemetry()["fms_hil_plan"]["values"]["waypoint"] in range(GANDO_WAYPOINTS)
 
 
