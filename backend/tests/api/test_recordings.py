@@ -35,6 +35,17 @@ def test_a_flight_is_recorded_listed_and_downloaded(gateway: Gateway, board: Fak
     assert len(received) == gateway.status()["board"]["bytes_in"]
 
 
+def test_the_viewers_hear_when_a_file_begins_and_ends(gateway: Gateway, board: FakeBoard) -> None:
+    with gateway.stream() as stream:
+        operator = {"X-Client": stream.hello["client"]}
+        gateway.http.put("/links/board", json={"url": board.url}, headers=operator).raise_for_status()
+        begun = stream.event("recording")
+        assert begun["active"]
+        gateway.http.delete("/links/board", headers=operator)
+        assert stream.event("recording") == {"active": False, "file": None}
+    assert begun["file"] == f"{gateway.http.get('/recordings').json()['recordings'][0]['id']}.mcap"
+
+
 @pytest.mark.parametrize(
     ("path", "status", "code"),
     [

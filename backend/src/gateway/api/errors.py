@@ -113,12 +113,6 @@ def install_error_handlers(app: FastAPI, errors: ErrorLog) -> None:
             detail = "The body is not JSON: send an object such as {}, with the content type application/json."
         return problem_response(status, code, detail, {}, headers)
 
-    async def unexpected(request: Request, error: Exception) -> Response:
-        errors.count("internal")
-        detail = f"{request.method} {request.url.path} failed inside the station ({type(error).__name__}): see its log."
-        return problem_response(HTTPStatus.INTERNAL_SERVER_ERROR, "internal", detail)
-
-    app.add_exception_handler(Exception, unexpected)
     app.add_exception_handler(GatewayError, expected)
     app.add_exception_handler(RequestValidationError, invalid)
     app.add_exception_handler(HTTPException, http_error)

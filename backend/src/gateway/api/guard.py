@@ -8,6 +8,7 @@ from http import HTTPStatus
 from typing import Any, Final
 from urllib.parse import urlsplit
 
+import structlog
 from starlette.datastructures import Headers, MutableHeaders
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
@@ -23,6 +24,8 @@ _CONTENT_POLICY: Final = (
 # Swagger UI writes style attributes into its markup.
 _DOCS_CONTENT_POLICY: Final = _CONTENT_POLICY.replace("style-src 'self'", "style-src 'self' 'unsafe-inline'")
 _DOCS_PATH: Final = "/api/docs"
+
+log = structlog.get_logger("gateway")
 
 
 class Access:
@@ -76,12 +79,28 @@ class Guard:
             await self._app(scope, receive, send)
             return
         path: str = scope["path"]
+        started = False
 
         async def send_guarded(message: Message) -> None:
+            nonlocal started
             if message["type"] == "http.response.start":
+                started = True
                 _add_headers(message, path)
             await send(message)
 
+        try:
+            await self._check_and_hand_on(scope, receive, send_guarded)
+        except Exception as error:
+            log.exception("a request failed", method=scope["method"], path=path)
+            if started:
+                raise
+            fault = GatewayError(
+                "internal",
+                f"{scope['method']} {path} failed inside the station ({type(error).__name__}): see its log.",
+            )
+            await self._refuse(HTTPStatus.INTERNAL_SERVER_ERROR, fault, scope, receive, send_guarded)
+
+    async def _check_and_hand_on(self, scope: Scope, receive: Receive, send: Send) -> None:
         headers = Headers(scope=scope)
         reading = scope["method"] in _READING
         try:
@@ -89,10 +108,10 @@ class Guard:
             if not reading:
                 self._access.check_origin(headers.get("origin"), headers.get("host"))
         except GatewayError as error:
-            await self._refuse(HTTPStatus.FORBIDDEN, error, scope, receive, send_guarded)
+            await self._refuse(HTTPStatus.FORBIDDEN, error, scope, receive, send)
             return
         if reading:
-            await self._app(scope, receive, send_guarded)
+            await self._app(scope, receive, send)
             return
         body = await self._read_body(receive)
         if body is None:
@@ -101,9 +120,9 @@ class Guard:
                 f"The body is longer than {self._max_body_bytes} bytes: send less.",
                 limit=self._max_body_bytes,
             )
-            await self._refuse(HTTPStatus.REQUEST_ENTITY_TOO_LARGE, too_large, scope, receive, send_guarded)
+            await self._refuse(HTTPStatus.REQUEST_ENTITY_TOO_LARGE, too_large, scope, receive, send)
             return
-        await self._app(scope, _replay(body, receive), send_guarded)
+        await self._app(scope, _replay(body, receive), send)
 
     async def _refuse(
         self, status: HTTPStatus, error: GatewayError, scope: Scope, receive: Receive, send: Send

@@ -46,6 +46,7 @@ class Station:
         self._loop = loop
         self._board_url = board_url
         self._status_due = False
+        self._recording: Path | None = None
         # Set by the composition: makes the status text that all viewers get.
         self.status_text: Callable[[], bytes] = lambda: b"{}"
         self.recordings_dir = data_dir / "recordings"
@@ -196,6 +197,15 @@ class Station:
                 self.changed()
             if self.alarms.look(self.clock.now_s()):
                 self.changed()
+            self._watch_recording()
+
+    def _watch_recording(self) -> None:
+        """Tell the viewers when a file begins or ends; the thread that writes it cannot."""
+        file = self.recorder.file if self.recorder is not None else None
+        if file != self._recording:
+            self._recording = file
+            self.hub.event("recording", {"active": file is not None, "file": None if file is None else file.name})
+            self.changed()
 
     def _send_status(self) -> None:
         self._status_due = False
