@@ -86,8 +86,11 @@ class Station:
 
     @classmethod
     def on_tcp(cls, port: int) -> Station:
-        link = socket.create_connection(("127.0.0.1", port))
+        link = socket.socket()
+        # What a station does not read shall not fill a large buffer first.
+        link.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 16384)
         link.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+        link.connect(("127.0.0.1", port))
         return cls(link)
 
     def close(self) -> None:

@@ -128,7 +128,7 @@ def test_a_station_that_does_not_read_does_not_stop_the_board(boards: Boards, st
         station.write_without_reading(frame)
     station.command("stop")
     station.command("exit_binary_mode")
-    station.wait(lambda: int(station.table("status")["frames dropped"]) > 100)
+    station.wait(lambda: int(station.table("status").get("frames dropped", "0")) > 100)
     assert station.failed <= 1  # only whole frames are dropped
     # A busy computer may cut a command with a pause, which the board has to take for its end.
     assert int(station.table("status")["frames received"]) >= 2990

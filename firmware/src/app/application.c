@@ -20,6 +20,11 @@ void application_unlock(application_t* app)
     (void)xSemaphoreGive(app->board_mutex);
 }
 
+TickType_t application_ticks(uint32_t time_ms)
+{
+    return pdMS_TO_TICKS((TickType_t)time_ms);
+}
+
 uint32_t application_now_ms(const application_t* app)
 {
     return time_ms() - app->started_ms;

@@ -36,6 +36,8 @@ extern void (*const task_bodies[task_count])(void* application);
 void application_lock(application_t* app);
 void application_unlock(application_t* app);
 
+TickType_t application_ticks(uint32_t time_ms);
+
 /// Milliseconds since the board started, at power-on or by a reset.
 uint32_t application_now_ms(const application_t* app);
 

@@ -1,0 +1,186 @@
+#include "app/task_line.h"
+
+#include <string.h>
+
+#include "app/application_state.h"
+#include "flight/board_reports.h"
+
+enum
+{
+    piece_bytes = 64, ///< moved at a time; a receiver's FIFO threshold of 8 fits several times
+    reply_piece_bytes = 512
+};
+
+/// Woken by the line's interrupt; moves what it holds into the receive mailbox. When that is full the bytes stay where
+/// they are until ttyTask has caught up.
+void run_uart_rx(void* context)
+{
+    application_t* const app = context;
+    const uart_t* const uart = &app->hardware.uart;
+    for (;;)
+    {
+        uint8_t bytes[piece_bytes];
+        size_t size = 0;
+        while (byte_ring_room(&app->received.ring) >= sizeof bytes &&
+               (size = uart->read(uart->context, bytes, sizeof bytes)) > 0)
+        {
+            (void)mailbox_put(&app->received, bytes, size);
+        }
+        const bool is_full = byte_ring_room(&app->received.ring) < sizeof bytes;
+        (void)ulTaskNotifyTake(pdTRUE, is_full ? 1 : portMAX_DELAY);
+    }
+}
+
+/// Hands the transmit mailbox to the line, at the line's own pace.
+void run_uart_tx(void* context)
+{
+    application_t* const app = context;
+    const uart_t* const uart = &app->hardware.uart;
+    for (;;)
+    {
+        const uint8_t* bytes = NULL;
+        const size_t size = byte_ring_peek(&app->transmitted.ring, &bytes);
+        const size_t sent = size > 0 ? uart->write(uart->context, bytes, size) : 0;
+        byte_ring_skip(&app->transmitted.ring, sent);
+        if (size == 0)
+        {
+            (void)ulTaskNotifyTake(pdTRUE, portMAX_DELAY);
+        }
+        else if (sent < size)
+        {
+            vTaskDelay(1); // the line is full
+        }
+    }
+}
+
+/// Send what the shell or the AHRS test answered, waiting for room a little: a person's terminal that does not read
+/// must not stop the board.
+static void send_reply(application_t* app)
+{
+    text_t* const reply = &app->tty.reply;
+    for (size_t at = 0; at < reply->size; at += reply_piece_bytes)
+    {
+        const size_t rest = reply->size - at;
+        const size_t size = rest < reply_piece_bytes ? rest : (size_t)reply_piece_bytes;
+        for (int waited_ms = 0; byte_ring_room(&app->transmitted.ring) < size && waited_ms < 100; waited_ms++)
+        {
+            vTaskDelay(application_ticks(1));
+        }
+        (void)mailbox_put(&app->transmitted, (const uint8_t*)reply->bytes + at, size);
+    }
+    reply->size = 0;
+}
+
+/// What the interpreter asked for.
+static void fulfil(application_t* app, shell_request_t request)
+{
+    switch (request)
+    {
+    case shell_asks_nothing:
+        break;
+    case shell_asks_reset:
+        application_reset(app);
+        break;
+    case shell_asks_load:
+        shell_tell_loaded(&app->tty.reply, application_load(app));
+        break;
+    case shell_asks_store:
+        shell_tell_stored(&app->tty.reply, application_store(app));
+        break;
+    case shell_asks_store_acknowledged:
+        (void)xTaskNotifyGive(app->handles[task_card]);
+        break;
+    }
+    send_reply(app);
+}
+
+/// Tasks in the middle of a long period hear that it has changed.
+static void announce_periods(application_t* app)
+{
+    for (size_t i = task_servos; i <= task_param; i++)
+    {
+        (void)xTaskNotifyGive(app->handles[i]);
+    }
+}
+
+/// Received bytes through the interpreter, which runs the HIL laws too. What it asks for is done at once; then it goes
+/// on with what it still holds.
+static void interpret(application_t* app, const uint8_t* bytes, size_t size)
+{
+    size_t taken = 0;
+    shell_request_t request = shell_asks_nothing;
+    do
+    {
+        application_lock(app);
+        const telemetry_schedule_t before = app->board.schedule;
+        taken += tty_receive(&app->tty, bytes + taken, size - taken, application_now_ms(app));
+        const bool is_repaced = memcmp(before.period_ms, app->board.schedule.period_ms, sizeof before.period_ms) != 0;
+        request = app->shell.request;
+        app->shell.request = shell_asks_nothing;
+        application_unlock(app);
+        send_reply(app);
+        fulfil(app, request);
+        if (is_repaced || request == shell_asks_reset)
+        {
+            announce_periods(app);
+        }
+    } while (taken < size || request != shell_asks_nothing);
+}
+
+/// What happens by the clock; a command found behind a false header too.
+static void tick(application_t* app)
+{
+    static const uint8_t nothing[1] = {0};
+    application_lock(app);
+    tty_tick(&app->tty, application_now_ms(app));
+    application_unlock(app);
+    send_reply(app);
+    if (app->shell.request != shell_asks_nothing)
+    {
+        interpret(app, nothing, 0);
+    }
+}
+
+void run_tty(void* context)
+{
+    application_t* const app = context;
+    uint32_t ticked_ms = application_now_ms(app);
+    for (;;)
+    {
+        uint8_t bytes[piece_bytes];
+        const size_t size = byte_ring_take(&app->received.ring, bytes, sizeof bytes);
+        if (size > 0)
+        {
+            interpret(app, bytes, size);
+        }
+        const uint32_t wait_ms = tty_wait_ms(&app->tty);
+        const uint32_t elapsed_ms = application_now_ms(app) - ticked_ms;
+        if (wait_ms != UINT32_MAX && elapsed_ms >= wait_ms)
+        {
+            ticked_ms += elapsed_ms;
+            tick(app);
+        }
+        else if (size == 0)
+        {
+            (void)ulTaskNotifyTake(pdTRUE,
+                                   wait_ms == UINT32_MAX ? portMAX_DELAY : application_ticks(wait_ms - elapsed_ms));
+        }
+    }
+}
+
+/// Stores the parameters for the station, which gets its answer when they are there; HIL goes on meanwhile.
+void run_card(void* context)
+{
+    application_t* const app = context;
+    for (;;)
+    {
+        (void)ulTaskNotifyTake(pdFALSE, portMAX_DELAY);
+        const command_result_t result = application_store(app) ? command_done : command_storage_failed;
+        application_lock(app);
+        if (app->board.extended && app->tty.mode == tty_binary)
+        {
+            board_report_acknowledgement(&app->board, COMMAND_STORE_PARAMETERS_ID, result);
+        }
+        application_unlock(app);
+    }
+}
