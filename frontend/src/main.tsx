@@ -7,12 +7,15 @@ import { browserWorld } from "./app/browser";
 import { createPage } from "./app/page";
 import { createI18n } from "./i18n/i18n";
 import { PageContext } from "./store/hooks";
+import { applyTheme } from "./theme/theme";
 
 const root = document.getElementById("root");
 if (root === null) {
   throw new Error("index.html has no element #root");
 }
 const { page, start } = createPage(browserWorld(window));
+// Before the first paint, so that the page does not flash in another look.
+applyTheme(document.documentElement, page.settings.getState().theme);
 createRoot(root).render(
   <StrictMode>
     <I18nextProvider i18n={createI18n(page.settings.getState().language)}>
