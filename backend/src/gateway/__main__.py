@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
-import logging
 import sys
 from pathlib import Path
 from typing import Annotated, Any
 
 import orjson
-import structlog
 import typer
 from pydantic import ValidationError
 
 from gateway.app import create_app
 from gateway.errors import GatewayError
 from gateway.links.address import parse_address
+from gateway.logs import set_up_logging
 from gateway.server import Server
 from gateway.settings import Settings
 
@@ -64,7 +63,7 @@ def run(
             parse_address(settings.board)
         except GatewayError as error:
             raise typer.BadParameter(error.detail, param_hint="--board") from error
-    _set_up_logging(verbose=verbose)
+    set_up_logging(verbose=verbose)
     try:
         Server(settings).fly()
     except GatewayError as error:
@@ -87,24 +86,6 @@ def _first_fault(error: ValueError) -> str:
 def _print_openapi(settings: Settings) -> None:
     document = create_app(settings).openapi()
     sys.stdout.buffer.write(orjson.dumps(document, option=orjson.OPT_INDENT_2 | orjson.OPT_SORT_KEYS) + b"\n")
-
-
-def _set_up_logging(*, verbose: bool) -> None:
-    """Everything to stderr, one line each; uvicorn's own log only where something is wrong."""
-    level = logging.DEBUG if verbose else logging.INFO
-    logging.basicConfig(
-        level=level if verbose else logging.WARNING, stream=sys.stderr, format="%(levelname)s %(message)s"
-    )
-    structlog.configure(
-        wrapper_class=structlog.make_filtering_bound_logger(level),
-        processors=[
-            structlog.processors.add_log_level,
-            structlog.processors.TimeStamper(fmt="iso", utc=True),
-            structlog.processors.format_exc_info,
-            structlog.processors.LogfmtRenderer(key_order=["timestamp", "level", "event"]),
-        ],
-        logger_factory=structlog.PrintLoggerFactory(sys.stderr),
-    )
 
 
 if __name__ == "__main__":

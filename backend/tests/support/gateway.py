@@ -12,6 +12,7 @@ import httpx
 import orjson
 from websockets.sync.client import ClientConnection, connect
 
+from gateway.logs import set_up_logging
 from gateway.server import Server
 from gateway.services.station import Station
 from gateway.settings import Settings
@@ -93,6 +94,7 @@ class Stream:
 @contextmanager
 def running_gateway(data_dir: Path, **settings: Any) -> Iterator[Gateway]:
     """A gateway that is up, and that ends as on SIGTERM."""
+    set_up_logging(verbose=False)
     server = Server(Settings(data_dir=data_dir, port=0, **settings))
     thread = threading.Thread(target=server.fly, name="gateway", daemon=True)
     thread.start()
