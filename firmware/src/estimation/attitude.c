@@ -23,7 +23,7 @@ typedef struct
 static const gain_t tilt_gain = {0.15F, 2.0F, 0.004F, 0.1F};
 static const gain_t heading_gain = {0.15F, 2.0F, 0.004F, 0.1F};
 
-static const float new_for_s = 5.0F;
+static const float new_for_s = 8.0F;
 static const float urgent_for_s = 2.0F;  ///< after a silent gyro is heard again
 static const float longest_gap_s = 0.1F; ///< a gap so short is bridged with the last rate
 static const float largest_bias_rad_s = 0.2F;
@@ -61,8 +61,10 @@ static void note_airspeed(attitude_filter_t* filter, const attitude_input_t* inp
     {
         return; // the last one is nearer to the truth than none
     }
-    if (!filter->has_airspeed)
+    const float change_m_s = input->airspeed_m_s - filter->slow_airspeed_m_s;
+    if (!filter->has_airspeed || fabsf(change_m_s) > largest_acceleration_m_s2 * airspeed_time_s)
     {
+        // the first one, a gust, or an aircraft that was put elsewhere: nothing that accelerates it
         filter->slow_airspeed_m_s = input->airspeed_m_s;
         filter->has_airspeed = true;
     }
@@ -78,7 +80,7 @@ static gravity_t felt(const attitude_filter_t* filter, const attitude_input_t* i
         .force_m_s2 = input->force_m_s2,
         .rate_rad_s = filter->rate_rad_s,
         .airspeed_m_s = filter->airspeed_m_s,
-        .acceleration_m_s2 = limit_to(change_m_s2, -largest_acceleration_m_s2, largest_acceleration_m_s2),
+        .acceleration_m_s2 = change_m_s2,
     };
     return gravity_felt(&gravity);
 }
@@ -134,10 +136,9 @@ static void correct(attitude_filter_t* filter, const gain_t* gain, vector_t erro
 {
     const float per_s = gain->slow_per_s + (gain->fast_per_s - gain->slow_per_s) * filter->urgency;
     filter->body = rotation_turned(filter->body, vector_scaled(error_rad, limit_to(trust * per_s * dt_s, 0.0F, 1.0F)));
-    // After a gap the error is the gap's, not the bias's.
+    // After a gap the error is the gap's, not the bias's; so it is where the aircraft was put elsewhere.
     const float newness = expf(-filter->age_s / new_for_s);
-    const float learning =
-        fmaxf(1.0F - filter->urgency, newness) * (gain->bias_per_s2 + gain->new_bias_per_s2 * newness);
+    const float learning = (1.0F - filter->urgency) * (gain->bias_per_s2 + gain->new_bias_per_s2 * newness);
     if (attitude_has_rate(filter))
     {
         const vector_t step = vector_scaled(error_rad, trust * learning * dt_s);
@@ -204,9 +205,15 @@ static void note_turn(attitude_filter_t* filter, float heading_before_deg, bool 
 static void judge(attitude_filter_t* filter, float error_rad, float dt_s)
 {
     filter->disagreed_s = error_rad > far_rad ? filter->disagreed_s + dt_s : 0.0F;
-    if (!attitude_has_rate(filter) || filter->disagreed_s >= far_for_s)
+    if (!attitude_has_rate(filter))
     {
         filter->urgency = 1.0F;
+        return;
+    }
+    if (filter->disagreed_s >= far_for_s)
+    {
+        filter->urgency = 1.0F;
+        filter->age_s = 0.0F; // the bias may be as wrong as the attitude: learn it anew
         return;
     }
     filter->urgency *= expf(-dt_s / urgent_for_s);

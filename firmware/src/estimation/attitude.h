@@ -37,7 +37,7 @@ typedef struct
     float compass_turn_rad_s; ///< rate of turn by the compass, in place of a silent gyro's
     float urgency;            ///< 0: trust the gyro; 1: it cannot be trusted, follow gravity and compass
     float disagreed_s;        ///< how long gravity or compass has been far from the estimate
-    float age_s;              ///< since the tilt is known
+    float age_s;              ///< since the attitude is known, or was found again
     vector_t down_sum;        ///< of the samples of the alignment
     int down_count;
 } attitude_filter_t;

@@ -253,6 +253,18 @@ static void an_aircraft_that_was_put_somewhere_else_is_found_again_within_second
     assert_attitude(&filter, elsewhere, 2.0F);
 }
 
+static void an_aircraft_put_into_flight_from_a_standstill_is_not_taken_for_a_catapulted_one(void** state)
+{
+    (void)state;
+    attitude_filter_t filter;
+    attitude_init(&filter);
+    (void)fly(&filter, (euler_t){28.0F, 0.0F, 0.0F}, 0.0F, 1.0F, NULL);
+    const euler_t flying = {28.0F, 3.0F, 0.0F};
+    (void)fly(&filter, flying, 28.0F, 1.5F, NULL);
+    assert_attitude(&filter, flying, 1.0F);
+    assert_close(vector_length(filter.bias_rad_s), 0.0, 0.005);
+}
+
 static void the_declination_is_added_east_positive(void** state)
 {
     (void)state;
@@ -282,6 +294,7 @@ int main(void)
         cmocka_unit_test(forces_far_from_gravity_are_not_taken_for_it),
         cmocka_unit_test(without_a_compass_the_horizon_is_known_and_the_heading_is_not),
         cmocka_unit_test(an_aircraft_that_was_put_somewhere_else_is_found_again_within_seconds),
+        cmocka_unit_test(an_aircraft_put_into_flight_from_a_standstill_is_not_taken_for_a_catapulted_one),
         cmocka_unit_test(the_declination_is_added_east_positive),
     };
     return cmocka_run_group_tests_name("estimation.attitude", tests, NULL, NULL);
