@@ -19,8 +19,6 @@ from gateway.services.telemetry import Telemetry
 
 _URGENT: Final = frozenset({"hil_surfaces", "servos_in"})
 _HANDSHAKE: Final = frozenset({"heartbeat", "capabilities"})
-# Text waits for its line end this long; the board's prompt has none.
-_SILENCE_S: Final = 0.05
 
 Listener = Callable[[Frame, Meaning], None]
 
@@ -37,7 +35,7 @@ class Board:
         self._decoder = FrameDecoder()
         self._link: Link | None = None
         self._listeners: list[Listener] = []
-        self._last_byte_s = 0.0
+        self._bytes_at_tick = 0
         self._was_open = False
         self.session = Session()
         self.frames_received = 0
@@ -112,16 +110,18 @@ class Board:
     def on_bytes(self, data: bytes) -> None:
         """Bytes of the line."""
         self.bytes_in += len(data)
-        self._last_byte_s = self._clock.steady_s()
-        self._take(self._decoder.feed(data))
+        found = self._decoder.feed(data)
+        if found:
+            self._take(found)
 
     def tick(self) -> None:
         """Do what is due; called some times a second."""
-        now_s = self._clock.steady_s()
-        if now_s - self._last_byte_s > _SILENCE_S:
+        if self.bytes_in == self._bytes_at_tick:
+            # Silent since the last look: text waits for its line end no longer, the board's prompt has none.
             self._take(self._decoder.flush())
+        self._bytes_at_tick = self.bytes_in
         if self._link is not None:
-            answer = self.session.tick(now_s)
+            answer = self.session.tick(self._clock.steady_s())
             if answer:
                 self.write(answer)
             self._notice_opening()
