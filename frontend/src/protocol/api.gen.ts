@@ -373,8 +373,11 @@ export interface components {
          * @description Something that is wrong now.
          */
         AlarmState: {
-            /** Id */
-            id: string;
+            /**
+             * Id
+             * @enum {string}
+             */
+            id: "heartbeat_lost" | "no_heartbeat" | "hil_lost" | "frames_damaged" | "recorder_failed";
             /**
              * Level
              * @enum {string}
@@ -498,7 +501,7 @@ export interface components {
             /** Ms */
             ms: number;
             /** Reason */
-            reason: string | null;
+            reason: ("bad_value" | "bad_state" | "unknown" | "storage_failed" | "not_taken") | null;
             /**
              * State
              * @enum {string}
@@ -551,8 +554,11 @@ export interface components {
          * @description Why a link is not open.
          */
         Failure: {
-            /** Code */
-            code: string;
+            /**
+             * Code
+             * @enum {string}
+             */
+            code: "bad_json" | "board_line_full" | "board_not_open" | "body_too_large" | "client_unknown" | "command_unknown" | "control_held" | "datagram_malformed" | "datagram_stranger" | "foreign_host" | "foreign_origin" | "http_error" | "internal" | "invalid_request" | "line_garbage" | "link_address_invalid" | "link_busy" | "link_failed" | "link_lost" | "link_no_device" | "link_not_serial" | "link_permission" | "link_refused" | "link_timeout" | "link_unknown_host" | "link_unreachable" | "listen_failed" | "listen_unknown_host" | "memory_not_written" | "memory_unreadable" | "method_not_allowed" | "mission_differs" | "mission_invalid" | "mission_not_read" | "mission_refused" | "no_such_address" | "not_supported" | "parameter_out_of_range" | "parameter_unknown" | "parameters_not_read" | "port_taken" | "rate_invalid" | "recording_unknown" | "simulator_unknown_host" | "source_not_taken" | "stream_message_invalid" | "value_not_allowed";
             /** Detail */
             detail: string;
             /** Params */
@@ -707,8 +713,11 @@ export interface components {
          * @description RFC 9457. `code` is stable and translated by the page; `detail` says which, why and what to do.
          */
         Problem: {
-            /** Code */
-            code: string;
+            /**
+             * Code
+             * @enum {string}
+             */
+            code: "bad_json" | "board_line_full" | "board_not_open" | "body_too_large" | "client_unknown" | "command_unknown" | "control_held" | "datagram_malformed" | "datagram_stranger" | "foreign_host" | "foreign_origin" | "http_error" | "internal" | "invalid_request" | "line_garbage" | "link_address_invalid" | "link_busy" | "link_failed" | "link_lost" | "link_no_device" | "link_not_serial" | "link_permission" | "link_refused" | "link_timeout" | "link_unknown_host" | "link_unreachable" | "listen_failed" | "listen_unknown_host" | "memory_not_written" | "memory_unreadable" | "method_not_allowed" | "mission_differs" | "mission_invalid" | "mission_not_read" | "mission_refused" | "no_such_address" | "not_supported" | "parameter_out_of_range" | "parameter_unknown" | "parameters_not_read" | "port_taken" | "rate_invalid" | "recording_unknown" | "simulator_unknown_host" | "source_not_taken" | "stream_message_invalid" | "value_not_allowed";
             /** Detail */
             detail: string;
             /** Params */
