@@ -1,4 +1,5 @@
 import { Plug, RefreshCw, Unplug } from "lucide-react";
+import { useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useSentence } from "../../i18n/useSentence";
 import { useAsked } from "../../live/useAsked";
@@ -33,6 +34,8 @@ function BoardForm() {
   const sentence = useSentence();
   const list = usePorts();
   const choice = useBoardChoice(list.ports);
+  // While an address is being typed it already decides whether there is something to open.
+  const [typed, setTyped] = useState<string | null>(null);
   return (
     <div className="setup-form">
       <div className="setup-row">
@@ -62,14 +65,18 @@ function BoardForm() {
         <TextField
           label={t("setup.address")}
           value={choice.address}
-          onCommit={(address) => choose(settings, "board.address", address)}
+          onCommit={(address) => {
+            choose(settings, "board.address", address);
+            setTyped(null);
+          }}
+          onEdit={(text) => setTyped(text === choice.address ? null : text)}
           placeholder={t("setup.addressExample")}
           hint={t("setup.addressHint")}
           monospace
         />
       )}
       {list.problem !== null && <Notice level="error">{sentence(list.problem)}</Notice>}
-      <BoardButtons url={boardUrl(choice)} />
+      <BoardButtons url={boardUrl({ ...choice, address: typed ?? choice.address })} />
     </div>
   );
 }
