@@ -69,9 +69,8 @@ export class Station {
 
   async openBoard(): Promise<void> {
     await this.request("PUT", "links/board", { url: this.boardUrl });
-    await until("the board's heartbeat", async () =>
-      (await this.status()).board.heartbeat_age_s === null ? undefined : true,
-    );
+    // Open means that the board has spoken and that it is known what it can do: commands are taken from then on.
+    await until("the board", async () => ((await this.status()).board.state === "open" ? true : undefined));
   }
 
   async command(name: string): Promise<void> {
