@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import fcntl
 import os
 import re
 import select
 import signal
 import socket
 import subprocess
+import sys
+import termios
 import time
 from collections.abc import Callable
 from contextlib import suppress
@@ -46,6 +49,17 @@ class Board:
     def tcp_port(self) -> int:
         """The port that it listens on."""
         return int(self.greeting.split()[3].rstrip(",").rpartition(":")[2])
+
+    def null_devices(self) -> int:
+        """How many of its descriptors lead to the null device: one more while nobody is at the line's other end."""
+        return sum(os.path.realpath(descriptor) == os.devnull for descriptor in Path(f"/proc/{self.pid}/fd").iterdir())
+
+    def wait(self, condition: Callable[[], bool]) -> None:
+        """Until `condition` holds; fails when it does not by the deadline."""
+        deadline_s = time.monotonic() + DEADLINE_S
+        while not condition():
+            assert time.monotonic() < deadline_s, "waited in vain"
+            time.sleep(0.005)
 
     @property
     def has_ended(self) -> bool:
@@ -87,8 +101,9 @@ class Station:
     @classmethod
     def on_tcp(cls, port: int) -> Station:
         link = socket.socket()
-        # What a station does not read shall not fill a large buffer first.
-        link.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 16384)
+        # What one end does not read shall not fill a large buffer first.
+        for size in (socket.SO_RCVBUF, socket.SO_SNDBUF):
+            link.setsockopt(socket.SOL_SOCKET, size, 16384)
         link.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         link.connect(("127.0.0.1", port))
         return cls(link)
@@ -117,6 +132,10 @@ class Station:
         while data:
             select.select([], [self._fd], [], DEADLINE_S)
             data = data[os.write(self._fd, data) :]
+
+    def unread(self) -> int:
+        """Bytes that wait to be read."""
+        return int.from_bytes(fcntl.ioctl(self._fd, termios.FIONREAD, bytes(4)), sys.byteorder)
 
     def pump(self, timeout_s: float) -> None:
         """Take in what there is, waiting for it at most so long."""

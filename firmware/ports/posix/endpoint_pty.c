@@ -53,6 +53,8 @@ static void drop_peer(endpoint_t* endpoint)
     const int terminal = open(endpoint->target, O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
     if (terminal >= 0)
     {
+        // First what is on its way, which would come after, then what has arrived.
+        (void)tcflush(endpoint->fd, TCOFLUSH);
         (void)tcflush(terminal, TCIFLUSH);
         (void)close(terminal);
     }

@@ -20,11 +20,8 @@ static int wait_for_peer(endpoint_t* endpoint, int stop_fd)
     endpoint->peer_fd = accept4(endpoint->fd, NULL, NULL, SOCK_NONBLOCK | SOCK_CLOEXEC);
     if (endpoint->peer_fd >= 0)
     {
-        // Like a serial line, hold little: what a station reads after a pause should be new.
         const int yes = 1;
-        const int held_bytes = 16384;
         (void)setsockopt(endpoint->peer_fd, IPPROTO_TCP, TCP_NODELAY, &yes, sizeof yes);
-        (void)setsockopt(endpoint->peer_fd, SOL_SOCKET, SO_SNDBUF, &held_bytes, sizeof held_bytes);
     }
     return endpoint->peer_fd;
 }
@@ -55,7 +52,12 @@ bool endpoint_open_tcp(endpoint_t* endpoint, unsigned int port, char error[endpo
     address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
     socklen_t address_size = sizeof address;
     const int yes = 1;
-    if (endpoint->fd < 0 || setsockopt(endpoint->fd, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes) != 0 ||
+    // Like a serial line, hold little either way: what a station reads after a pause should be new. Connections inherit
+    // it.
+    const int held_bytes = 16384;
+    if (endpoint->fd < 0 || setsockopt(endpoint->fd, SOL_SOCKET, SO_SNDBUF, &held_bytes, sizeof held_bytes) != 0 ||
+        setsockopt(endpoint->fd, SOL_SOCKET, SO_RCVBUF, &held_bytes, sizeof held_bytes) != 0 ||
+        setsockopt(endpoint->fd, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes) != 0 ||
         bind(endpoint->fd, (const struct sockaddr*)&address, sizeof address) != 0 || listen(endpoint->fd, 4) != 0 ||
         getsockname(endpoint->fd, (struct sockaddr*)&address, &address_size) != 0)
     {
