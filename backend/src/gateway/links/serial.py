@@ -47,7 +47,8 @@ def open_pty(address: LinkAddress) -> Device:
     except (OSError, termios.error) as error:
         os.close(fd)
         raise link_error(address.target, _as_os_error(error)) from error
-    return Device(address.target, fd, address.baud, lambda: os.close(fd), lambda: _waiting_to_leave(fd))
+    # What is written to a pseudo-terminal is at the other side at once.
+    return Device(address.target, fd, address.baud, lambda: os.close(fd), lambda: 0)
 
 
 def _waiting_to_leave(fd: int) -> int:

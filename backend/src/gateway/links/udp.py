@@ -13,7 +13,10 @@ from gateway.errors import LinkError
 from gateway.links.base import Tap
 from gateway.links.failures import link_error
 
-_MAX_DATAGRAM_BYTES: Final = 65536
+# All rows that a simulator has are 5 kB.
+_MAX_DATAGRAM_BYTES: Final = 16384
+# A datagram longer than this holds a whole frame of the simulator: nothing else is waiting behind it.
+_LONG_BYTES: Final = 128
 # Datagrams taken in one go; a flood must not keep the loop from everything else.
 _BURST: Final = 16
 
@@ -117,5 +120,5 @@ class UdpLink:
                 self._callbacks.on_datagram(datagram)
             else:
                 self._callbacks.on_stranger(str(sender[0]))
-            if self._closed:
+            if self._closed or len(datagram) > _LONG_BYTES:
                 return

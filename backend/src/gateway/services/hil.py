@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import asyncio
 from collections import Counter
+from collections.abc import Iterable
 from typing import Any, Final, Literal, cast
 
 from gateway.codec.encode import frame_bytes
@@ -19,9 +20,10 @@ from gateway.services.clock import Clock
 from gateway.services.hub import Hub
 from gateway.services.telemetry import Telemetry
 from gateway.vehicle.round_trip import RoundTrip
-from gateway.xplane.datagram import Eight, Surfaces, parse, surfaces_datagram
+from gateway.xplane.datagram import Eight, Record, Surfaces, parse, surfaces_datagram
 from gateway.xplane.gather import Gatherer
 from gateway.xplane.mapping import NEEDED_ROWS, XplaneInfo, row_meaning, surfaces_from_servos_in
+from gateway.xplane.whole import WholeFrames
 
 Path = Literal["manual", "assisted"]
 Source = Literal["joystick", "rc"]
@@ -45,9 +47,11 @@ class Hil:
         self._hub = hub
         self._clock = clock
         self._gatherer = Gatherer("xp10")
+        self._whole_frames = WholeFrames("xp10")
         self._profile = "xp10"
         self._rows: dict[int, tuple[float, Eight]] = {}
         self._info: XplaneInfo | None = None
+        self._unparsed: tuple[float, bytes] | None = None
         self._show_due = False
         self._shown_s = 0.0
         self._raw_shown_s = 0.0
@@ -83,6 +87,7 @@ class Hil:
         self.link = link
         self._profile = profile
         self._gatherer = Gatherer(profile)
+        self._whole_frames = WholeFrames(profile)
         self._rows.clear()
         self.round_trip.clear()
         self.last_to_board_s = self.last_surfaces_s = None
@@ -93,18 +98,21 @@ class Hil:
 
     def on_datagram(self, datagram: bytes) -> bool:
         """A datagram of the simulator. False where it is none."""
-        records = parse(datagram)
-        if records is None:
-            return False
         now_s = self._clock.steady_s()
-        info = self._gatherer.take(records, now_s)
+        info = self._whole_frames.read(datagram)
         if info is not None:
-            self._to_board(info, now_s)
+            self._act_on(info, now_s)
+            self._unparsed = (now_s, datagram)
+        else:
+            records = parse(datagram)
+            if records is None:
+                return False
+            info = self._gatherer.take(records, now_s)
+            if info is not None:
+                self._act_on(info, now_s)
+            self._keep_rows(records, now_s)
+        if info is not None:
             self._info = info
-            if self.path == "manual" and self.source == "joystick":
-                self._move(info.stick)
-        for row, values in records:
-            self._rows[row] = (now_s, values)
         if not self._show_due and (info is not None or now_s - self._shown_s >= _SHOW_EVERY_S):
             self._show_due = True
             self._loop.call_soon(self._show)
@@ -121,7 +129,14 @@ class Hil:
         elif self.path == "manual" and self.source == "rc":
             self._move(surfaces_from_servos_in(frame.values))
 
-    def _to_board(self, info: XplaneInfo, now_s: float) -> None:
+    def _keep_rows(self, records: Iterable[Record], now_s: float) -> None:
+        for row, values in records:
+            self._rows[row] = (now_s, values)
+
+    def _act_on(self, info: XplaneInfo, now_s: float) -> None:
+        """A whole frame of the simulator is known: everything that waits for it, and nothing else."""
+        if self.path == "manual" and self.source == "joystick":
+            self._move(info.stick)
         link = self._board.link
         if link is None or not self._board.is_open:
             self.skipped["board_not_open"] += 1
@@ -146,6 +161,9 @@ class Hil:
     def _show(self) -> None:
         """Tell the viewers; after the frame is on its way."""
         self._show_due = False
+        unparsed, self._unparsed = self._unparsed, None
+        if unparsed is not None:
+            self._keep_rows(parse(unparsed[1]) or (), unparsed[0])
         t_s = self._clock.now_s()
         self._shown_s = self._clock.steady_s()
         oldest_s = self._shown_s - _ROW_AGE_S

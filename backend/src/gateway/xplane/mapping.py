@@ -80,7 +80,7 @@ def row_meaning(row: int, eight: Eight, profile: str) -> RowMeaning:
     values: dict[str, float | None] = {}
     implausible: list[str] = []
     for wanted in definition.values if definition else ():
-        name, scale = _in_our_unit(wanted)
+        name, scale = in_our_unit(wanted)
         raw = eight[wanted.index]
         if raw == NO_VALUE:
             values[name] = None
@@ -111,7 +111,7 @@ def surfaces_from_servos_in(channels: Sequence[float]) -> Surfaces:
     return Surfaces(elevator, aileron, rudder, throttle)
 
 
-def _in_our_unit(wanted: RowValue) -> tuple[str, float]:
+def in_our_unit(wanted: RowValue) -> tuple[str, float]:
     """Our name of a row's value, and what one of its units is in ours."""
     if wanted.unit == "deg/s":
         return wanted.name.removesuffix("_deg_s") + "_rad_s", _RAD_PER_DEG
