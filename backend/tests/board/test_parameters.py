@@ -173,5 +173,23 @@ def test_streams_and_hil_answers_go_on_while_the_card_is_written(restart: Callab
     assert {frame.values for frame in station.frames if frame.message.name == "acknowledgement"} == {(0x101, DONE)}
 
 
+def test_a_station_that_did_not_ask_for_extensions_can_store_and_hears_nothing_of_it(plug: Plug, card: Path) -> None:
+    station = plug("--card", str(card))
+    station.open_binary()
+    station.command("set_parameter_task_rate", 20)
+    station.command("set_k_pitch", 2.5)
+    station.command("store_parameters")
+    wanted = struct.pack("<f", 2.5)
+
+    def is_stored() -> bool:
+        station.heartbeats(3)
+        return any(wanted in path.read_bytes() for path in card.iterdir() if path.suffix != ".new")
+
+    station.wait(is_stored)
+    station.heartbeats(5)
+    assert b"\rQT,\x01\x01\0\x80" not in station.received  # no acknowledgement
+    assert station.names() == {"heartbeat"}
+
+
 def test_capabilities_tell_whether_there_is_a_card(restart: Callable[[], Station]) -> None:
     assert restart().extend().values[1] & 2 == 2

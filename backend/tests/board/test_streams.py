@@ -87,6 +87,10 @@ def test_a_new_rate_does_not_wait_for_the_end_of_a_long_period(binary: Station) 
     binary.command("servos_in_on")
     binary.next("servos_in")
     binary.frames.clear()
+    binary.wait(lambda: binary.count("servos_in") >= 3)
+    binary.frames.clear()
+    binary.wait(lambda: binary.count("servos_in") >= 3)
+    assert binary.count("heartbeat") == 0  # its long period has begun
     binary.command("set_parameter_task_rate", 20)
     # With the old period ten seconds would pass: a hundred of the frames that come every 100 ms.
     binary.wait(lambda: binary.count("heartbeat") >= 2)
