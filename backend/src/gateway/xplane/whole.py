@@ -1,8 +1,9 @@
 """The short way from a datagram that holds a whole frame to the values of command 50.
 
-Nearly every datagram of a simulator is of this kind, and the loop waits for it. What is the least unusual (a row missing
-or there twice, a value absent or out of its range, a stick beyond its end) is left to `parse` and `Gatherer`, which know
-what to do about it. Where this gives an answer, it is theirs.
+Nearly every datagram of a simulator is of this kind, and the loop waits for it. What is the least
+unusual (a row missing or there twice, a value absent or out of its range, a stick beyond its end)
+is left to `parse` and `Gatherer`, which know what to do about it. Where this gives an answer, it
+is theirs.
 """
 
 from __future__ import annotations
