@@ -1,17 +1,13 @@
 import { useEffect, useMemo } from "react";
 import { useTranslation } from "react-i18next";
-import { usePage, useSettings } from "../store/hooks";
-import { choose } from "../store/settings";
+import { useSettings } from "../store/hooks";
 import { applyTheme } from "../theme/theme";
-import { Tabs } from "../ui/Tabs";
 import { WordsProvider } from "../ui/words";
-import { FlightView } from "../views/flight/FlightView";
-import { HilView } from "../views/hil/HilView";
-import { SetupView } from "../views/setup/SetupView";
 import { Alarms } from "./Alarms";
 import "./app.css";
 import { Header } from "./Header";
 import { LeftPanel } from "./LeftPanel";
+import { MainTabs } from "./MainTabs";
 import { StatusBar } from "./StatusBar";
 import { Toolbars } from "./Toolbars";
 
@@ -67,29 +63,5 @@ export function App() {
         <StatusBar />
       </div>
     </WordsProvider>
-  );
-}
-
-const TABS = ["flight", "hil", "setup"] as const;
-type TabName = (typeof TABS)[number];
-const CONTENTS: Readonly<Record<TabName, () => React.ReactNode>> = {
-  flight: () => <FlightView />,
-  hil: () => <HilView />,
-  setup: () => <SetupView />,
-};
-
-function MainTabs() {
-  const { t } = useTranslation();
-  const { settings } = usePage();
-  const chosen = useSettings(({ choices }) => TABS.find((tab) => tab === choices["tab"]) ?? "flight");
-  return (
-    <Tabs
-      label={t("app.tabs")}
-      size="main"
-      className="app-tabs"
-      value={chosen}
-      onValueChange={(tab) => choose(settings, "tab", tab)}
-      tabs={TABS.map((tab) => ({ value: tab, label: t(`tab.${tab}`), content: CONTENTS[tab]() }))}
-    />
   );
 }

@@ -49,11 +49,13 @@ export function createActions(parts: ActionParts): Actions {
   }
 
   return {
-    command: (name, asker) =>
-      run(asker, rest.ask("POST", `/api/v1/commands/${name}`, isCommandResult, {}), (result) => ({
+    command: (name, asker, value) => {
+      const body = value === undefined ? {} : { value };
+      return run(asker, rest.ask("POST", `/api/v1/commands/${name}`, isCommandResult, body), (result) => ({
         state: result.state,
         message: resultMessage(`@command.${name}`, result),
-      })),
+      }));
+    },
 
     setHil: (change, asker) => {
       const what =

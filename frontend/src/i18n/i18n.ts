@@ -2,12 +2,49 @@ import i18next, { type i18n as I18n } from "i18next";
 import { initReactI18next } from "react-i18next";
 import type { Language } from "../store/settings";
 import en from "./en.json";
+import enAlarms from "./en-alarms.json";
+import enFrame from "./en-frame.json";
+import enHelp from "./en-help.json";
+import enMessages from "./en-messages.json";
+import enParams from "./en-params.json";
+import enPlans from "./en-plans.json";
 import enSaid from "./en-said.json";
+import enSix from "./en-six.json";
 import es from "./es.json";
+import esAlarms from "./es-alarms.json";
+import esFrame from "./es-frame.json";
+import esHelp from "./es-help.json";
+import esMessages from "./es-messages.json";
+import esParams from "./es-params.json";
+import esPlans from "./es-plans.json";
 import esSaid from "./es-said.json";
+import esSix from "./es-six.json";
 
-/** The fixed words of the page, and what it says: alarms, outcomes, problems. */
-export const CATALOGUES = { es: { ...es, ...esSaid }, en: { ...en, ...enSaid } } as const;
+/** The fixed words of the page, and what it says: alarms, outcomes, problems. One file for each part of the page. */
+export const CATALOGUES = {
+  es: {
+    ...es,
+    ...esSaid,
+    ...esFrame,
+    ...esSix,
+    ...esParams,
+    ...esPlans,
+    ...esMessages,
+    ...esAlarms,
+    ...esHelp,
+  },
+  en: {
+    ...en,
+    ...enSaid,
+    ...enFrame,
+    ...enSix,
+    ...enParams,
+    ...enPlans,
+    ...enMessages,
+    ...enAlarms,
+    ...enHelp,
+  },
+} as const;
 
 /** The page's catalogues, both bundled: a change of language asks nobody for anything. */
 export function createI18n(language: Language): I18n {

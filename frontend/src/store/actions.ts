@@ -20,12 +20,15 @@ export interface Asker {
   readonly asked?: string;
 }
 
+/** Arguments of a command: one number, or several by name. */
+export type CommandValue = number | Readonly<Record<string, number>>;
+
 /**
  * What a person can ask of the gateway. Each writes its progress into the command store under the asker's name and
  * its outcome into the messages; none throws, and the promise only says that it is over.
  */
 export interface Actions {
-  readonly command: (name: CommandName, asker: Asker) => Promise<void>;
+  readonly command: (name: CommandName, asker: Asker, value?: CommandValue) => Promise<void>;
   readonly setHil: (
     change: { readonly source: "joystick" | "rc" } | { readonly path: "manual" | "assisted" },
     asker: Asker,
