@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { degreesFromRadians, feetFromMetres } from "./units";
+import { convertUnit, degreesFromRadians, feetFromMetres, type UnitName } from "./units";
 
 test("a half turn is 180 degrees", () => {
   expect(degreesFromRadians(Math.PI)).toBeCloseTo(180, 12);
@@ -7,4 +7,24 @@ test("a half turn is 180 degrees", () => {
 
 test("a foot is 0.3048 metres exactly", () => {
   expect(feetFromMetres(304.8)).toBeCloseTo(1000, 9);
+});
+
+test.each<[number, UnitName, number, UnitName]>([
+  [1000, "ft", 304.8, "m"],
+  [1, "nm", 1852, "m"],
+  [18_520, "m", 10, "nm"],
+  [1500, "m", 1.5, "km"],
+  [100, "kt", 185.2, "kmPerH"],
+  [36, "kmPerH", 10, "mPerS"],
+  [-500, "ftPerMin", -2.54, "mPerS"],
+  [0, "degC", 32, "degF"],
+  [-40, "degF", -40, "degC"],
+  [100, "degC", 212, "degF"],
+])("%d %s are %d %s, and back", (value, from, expected, to) => {
+  expect(convertUnit(value, from, to)).toBeCloseTo(expected, 9);
+  expect(convertUnit(expected, to, from)).toBeCloseTo(value, 9);
+});
+
+test("a value in its own unit is not touched by any rounding", () => {
+  expect(convertUnit(0.1, "kt", "kt")).toBe(0.1);
 });

@@ -4,7 +4,7 @@ import { useTranslation } from "react-i18next";
 import type { CommandName } from "../protocol/messages.gen";
 import { ReadoutGrid } from "../ui/Readout";
 import { CommandButton } from "./CommandButton";
-import { heading, tenths, whole } from "./formats";
+import { heading, whole } from "./formats";
 import { LiveReadout } from "./LiveReadout";
 
 interface Plan {
@@ -38,27 +38,24 @@ export function FmsReadouts({ topic, columns }: { topic: keyof typeof PLANS; col
           chars={6}
           topic={topic}
           field="altitude_ft"
-          format={whole}
+          quantity="altitude"
           label={t("fms.altitude")}
-          unit={t("unit.ft")}
         />
         <LiveReadout
           size="large"
           chars={6}
           topic={topic}
           field="speed_kt"
-          format={tenths}
+          quantity="speed"
           label={t("fms.speed")}
-          unit={t("unit.kt")}
         />
         <LiveReadout
           size="large"
           chars={6}
           topic={topic}
           field="distance_m"
-          format={whole}
+          quantity="distance"
           label={t("fms.distance")}
-          unit={t("unit.m")}
         />
         <LiveReadout
           size="large"

@@ -6,7 +6,7 @@ import { createI18n } from "../i18n/i18n";
 import type { Sample } from "../protocol/envelope";
 import type { Status } from "../protocol/status";
 import { FIELD_KINDS } from "../protocol/topics";
-import { PageContext } from "../store/hooks";
+import { type Page, PageContext } from "../store/hooks";
 import type { Shelf } from "../store/settings";
 import { HandFrames } from "./frames";
 import { aStatus } from "./status";
@@ -37,6 +37,7 @@ export class Station {
   readonly wires: HandWire[] = [];
   readonly asked: Asked[] = [];
   readonly clients: Array<string | null> = [];
+  readonly page: Page;
   #seq = 0;
 
   constructor() {
@@ -56,6 +57,7 @@ export class Station {
       tabShelf: new MemoryShelf(),
     };
     const { page, start } = createPage(world);
+    this.page = page;
     render(
       <I18nextProvider i18n={createI18n("es")}>
         <PageContext value={page}>

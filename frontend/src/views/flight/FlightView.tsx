@@ -145,9 +145,8 @@ function AnalogPanel() {
           topic="analog"
           chars={6}
           field="temperature_degc"
-          format={tenths}
+          quantity="temperature"
           label={t("analog.temperature")}
-          unit={t("unit.degC")}
         />
         <LiveReadout
           topic="analog"
@@ -169,9 +168,8 @@ function AnalogPanel() {
           topic="analog"
           chars={6}
           field="altitude_m"
-          format={tenths}
+          quantity="altitude"
           label={t("analog.altitude")}
-          unit={t("unit.m")}
         />
         <LiveReadout
           topic="analog"
@@ -185,9 +183,8 @@ function AnalogPanel() {
           topic="analog"
           chars={6}
           field="calibrated_airspeed_kt"
-          format={tenths}
+          quantity="speed"
           label={t("analog.speed")}
-          unit={t("unit.kt")}
         />
       </ReadoutGrid>
     </StreamPanel>

@@ -1,5 +1,5 @@
 import { useTranslation } from "react-i18next";
-import { coordinate, heading, tenths, whole } from "../../live/formats";
+import { coordinate, heading, whole } from "../../live/formats";
 import { LiveFlag, type ReadFlag } from "../../live/LiveFlag";
 import { LiveReadout } from "../../live/LiveReadout";
 import { StreamHead } from "../../live/StreamPanel";
@@ -59,14 +59,8 @@ export function GpsReadouts({ columns = 1 }: { columns?: number }) {
         unit={t("unit.deg")}
         chars={11}
       />
-      <LiveReadout
-        topic="gps"
-        field="altitude_m"
-        format={tenths}
-        label={t("gps.altitude")}
-        unit={t("unit.m")}
-      />
-      <LiveReadout topic="gps" field="speed_kt" format={tenths} label={t("gps.speed")} unit={t("unit.kt")} />
+      <LiveReadout topic="gps" field="altitude_m" quantity="altitude" label={t("gps.altitude")} />
+      <LiveReadout topic="gps" field="speed_kt" quantity="speed" label={t("gps.speed")} />
       <LiveReadout
         topic="gps"
         field="heading_deg"

@@ -1,20 +1,10 @@
 import type { ReactNode } from "react";
 import { useTranslation } from "react-i18next";
 import { FmsReadouts } from "../../live/FmsReadouts";
-import {
-  coordinate,
-  degreesPerSecond,
-  type Format,
-  heading,
-  hundredths,
-  tenths,
-  thousandths,
-  whole,
-} from "../../live/formats";
-import { LiveReadout } from "../../live/LiveReadout";
+import { coordinate, degreesPerSecond, heading, hundredths, tenths, thousandths } from "../../live/formats";
+import { type FieldProps, LiveReadout } from "../../live/LiveReadout";
 import { LiveServoBar } from "../../live/LiveServoBar";
 import { StreamPanel } from "../../live/StreamPanel";
-import type { SimulatorValues } from "../../protocol/topics";
 import { ReadoutGrid } from "../../ui/Readout";
 import "./hil.css";
 
@@ -79,23 +69,17 @@ function SimulatorGroups() {
       <Group title={t("hil.ads")} className="hil-ads">
         <Value
           field="indicated_airspeed_kt"
-          format={tenths}
+          quantity="speed"
           label={t("hil.airspeed")}
           unit={t("unit.kias")}
           size="large"
         />
-        <Value
-          field="altitude_indicated_ft"
-          format={whole}
-          label={t("hil.altitude")}
-          unit={t("unit.ft")}
-          size="large"
-        />
+        <Value field="altitude_indicated_ft" quantity="altitude" label={t("hil.altitude")} size="large" />
       </Group>
       <Group title={t("hil.gps")} className="hil-gps">
         <Value field="latitude_deg" format={coordinate} label={t("gps.latitude")} unit={deg} chars={10} />
         <Value field="longitude_deg" format={coordinate} label={t("gps.longitude")} unit={deg} chars={10} />
-        <Value field="altitude_msl_ft" format={whole} label={t("gps.altitude")} unit={t("unit.ft")} />
+        <Value field="altitude_msl_ft" quantity="altitude" label={t("gps.altitude")} />
       </Group>
       <Group title={t("hil.gyros")} className="hil-gyros">
         <Value field="q_rad_s" format={degreesPerSecond} label={t("axis.q")} unit={rate} />
@@ -110,7 +94,7 @@ function SimulatorGroups() {
       </Group>
       <Group title={t("hil.loads")} className="hil-loads">
         <Value field="mach" format={thousandths} label={t("hil.mach")} />
-        <Value field="vvi_ft_min" format={whole} label={t("hil.vvi")} unit={t("unit.ftPerMin")} />
+        <Value field="vvi_ft_min" quantity="verticalSpeed" label={t("hil.vvi")} />
         <Value field="g_normal" format={hundredths} label={t("hil.gNormal")} unit={t("unit.g")} />
         <Value field="g_axial" format={hundredths} label={t("hil.gAxial")} unit={t("unit.g")} />
         <Value field="g_side" format={hundredths} label={t("hil.gSide")} unit={t("unit.g")} />
@@ -127,15 +111,6 @@ function Group({ title, className, children }: { title: string; className: strin
   );
 }
 
-interface ValueProps {
-  field: keyof SimulatorValues;
-  format: Format;
-  label: string;
-  unit?: string;
-  chars?: number;
-  size?: "normal" | "large";
-}
-
-function Value(props: ValueProps) {
+function Value(props: FieldProps<"simulator">) {
   return <LiveReadout topic="simulator" {...props} />;
 }

@@ -1,0 +1,76 @@
+import type { UnitName } from "../lib/units";
+import { choose, type Settings, type SettingsStore } from "./settings";
+
+/** The quantities whose unit a person chooses, each by itself. */
+export const QUANTITIES = ["altitude", "speed", "verticalSpeed", "distance", "temperature"] as const;
+export type Quantity = (typeof QUANTITIES)[number];
+
+/** The units of each quantity with the decimals that they are shown with; the first is the usual one. */
+const UNITS: Readonly<Record<Quantity, ReadonlyArray<readonly [UnitName, number]>>> = {
+  altitude: [
+    ["ft", 0],
+    ["m", 1],
+  ],
+  speed: [
+    ["kt", 1],
+    ["kmPerH", 1],
+    ["mPerS", 1],
+  ],
+  verticalSpeed: [
+    ["ftPerMin", 0],
+    ["mPerS", 1],
+  ],
+  distance: [
+    ["m", 0],
+    ["km", 2],
+    ["nm", 2],
+  ],
+  temperature: [
+    ["degC", 1],
+    ["degF", 1],
+  ],
+};
+
+/** Nothing chosen: each number stays in the unit in which it was sent. */
+export const AS_SENT = "sent";
+export type UnitChoice = UnitName | typeof AS_SENT;
+
+export function unitsOf(quantity: Quantity): readonly UnitName[] {
+  return UNITS[quantity].map(([unit]) => unit);
+}
+
+/** The unit in which most numbers of the quantity come: what `useUnit` takes when it is not told another. */
+export function usualUnit(quantity: Quantity): UnitName {
+  return UNITS[quantity][0]?.[0] ?? fail(quantity);
+}
+
+/** Decimals that tell more than the sensors know are left out. */
+export function unitDigits(quantity: Quantity, unit: UnitName): number {
+  return UNITS[quantity].find(([name]) => name === unit)?.[1] ?? 0;
+}
+
+export function unitChoice({ choices }: Settings, quantity: Quantity): UnitChoice {
+  return unitsOf(quantity).find((unit) => unit === choices[`unit.${quantity}`]) ?? AS_SENT;
+}
+
+export function chooseUnit(store: SettingsStore, quantity: Quantity, unit: UnitChoice): void {
+  choose(store, `unit.${quantity}`, unit);
+}
+
+/** How names of the wire end in their units; the longer ending comes first. */
+const ENDINGS: ReadonlyArray<readonly [string, UnitName]> = [
+  ["_ft_min", "ftPerMin"],
+  ["_ft", "ft"],
+  ["_kt", "kt"],
+  ["_m", "m"],
+  ["_degc", "degC"],
+];
+
+/** The unit in which a field comes, as its name says. A name that says none is a mistake of ours and fails at once. */
+export function unitOfField(field: string): UnitName {
+  return ENDINGS.find(([ending]) => field.endsWith(ending))?.[1] ?? fail(field);
+}
+
+function fail(what: string): never {
+  throw new Error(`${what} has no unit that can be chosen`);
+}
