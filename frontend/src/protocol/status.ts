@@ -26,6 +26,7 @@ export const isStatus = shape({
     state: oneOf("closed", "opening", "open", "lost"),
     url: nullable(isText),
     mode: nullable(oneOf("legacy", "extended")),
+    features: shape({ acknowledgements: isFlag, store: isFlag, sources: isFlag, missions: isFlag }),
     heartbeat_age_s: nullable(isNumber),
     failure: isFailure,
     reopened: isNumber,

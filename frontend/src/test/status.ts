@@ -9,6 +9,7 @@ export function aStatus(parts: Partial<Status> = {}): Status {
       state: "open",
       url: "pty:///tmp/board",
       mode: "extended",
+      features: { acknowledgements: true, store: true, sources: true, missions: true },
       failure: null,
       reopened: 0,
       firmware: { name: "epf", version: "1.0" },

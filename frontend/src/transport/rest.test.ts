@@ -80,3 +80,32 @@ test.each(['{"name":7}', "not JSON", ""])(
     });
   },
 );
+
+test("an answer that breaks off is a gateway that is not there", async () => {
+  const { rest } = restThat(
+    () =>
+      new Response(
+        new ReadableStream({
+          start: (controller) => controller.error(new TypeError("network error")),
+        }),
+      ),
+  );
+  expect(await rest.ask("GET", "/x", isNamed)).toMatchObject({ problem: { code: "gateway_unreachable" } });
+  expect(await rest.file("/x", {})).toMatchObject({ problem: { code: "gateway_unreachable" } });
+});
+
+test("a file goes to the gateway byte for byte, not as JSON", async () => {
+  const { rest, sent } = restThat(() => Response.json({ name: "x" }));
+  const content = new Blob([new Uint8Array([0xff, 0xfe, 0x3c, 0x00])]);
+  await rest.ask("POST", "/api/v1/missions/import?name=a.kml", isNamed, content);
+  expect(sent[0]?.init.headers).toMatchObject({ "content-type": "application/octet-stream" });
+  expect(sent[0]?.init.body).toBe(content);
+});
+
+test("a file comes from the gateway as it is, and a refusal as a problem", async () => {
+  const { rest } = restThat(() => new Response("<kml/>"));
+  const answer = await rest.file("/x", { waypoints: [] });
+  expect(answer.ok && (await answer.value.text())).toBe("<kml/>");
+  const refusing = restThat(() => Response.json({ code: "no", detail: "No." }, { status: 422 })).rest;
+  expect(await refusing.file("/x", {})).toMatchObject({ ok: false, problem: { code: "no" } });
+});

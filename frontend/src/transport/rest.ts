@@ -22,7 +22,7 @@ export interface RestOptions {
 /** Longer than any command takes with its repetition on the slowest line. */
 const PATIENCE_MS = 15_000;
 
-type Method = "GET" | "POST" | "PUT" | "DELETE";
+type Method = "GET" | "POST" | "PUT" | "PATCH" | "DELETE";
 
 /** Asks the gateway and never throws: an answer is what was asked for, or a problem. */
 export class Rest {
@@ -32,36 +32,92 @@ export class Rest {
     this.#options = options;
   }
 
-  async ask<T>(method: Method, path: string, check: Check<T>, body?: object): Promise<Answer<T>> {
-    const client = this.#options.client();
-    let response: Response;
-    let value: unknown;
-    try {
-      response = await this.#options.fetch(path, {
-        method,
-        signal: AbortSignal.timeout(PATIENCE_MS),
-        headers: {
-          accept: "application/json",
-          ...(body === undefined ? {} : { "content-type": "application/json" }),
-          ...(client === null ? {} : { "x-client": client }),
-        },
-        ...(body === undefined ? {} : { body: JSON.stringify(body) }),
-      });
-      const text = await response.text();
-      value = text === "" ? null : parse(text);
-    } catch {
-      return failed(
-        "gateway_unreachable",
-        "The gateway does not answer: check that it runs, then try again.",
-      );
+  /** A question and its checked answer. A `Blob` goes as it is; any other body as JSON. */
+  async ask<T>(
+    method: Method,
+    path: string,
+    check: Check<T>,
+    body?: object,
+    patience_ms = PATIENCE_MS,
+  ): Promise<Answer<T>> {
+    const answer = await this.#send(method, path, "application/json", body, patience_ms);
+    if (!answer.ok) {
+      return answer;
     }
-    if (!response.ok) {
-      return { ok: false, problem: problemOf(value, response.status) };
+    const value = await jsonOf(answer.value);
+    if (value === UNREACHABLE) {
+      return unreachable();
     }
     return check(value)
       ? { ok: true, value }
       : failed("answer_unreadable", "The gateway's answer is not as agreed: load the page again.");
   }
+
+  /** A question whose answer is a file. */
+  async file(path: string, body: object): Promise<Answer<Blob>> {
+    const answer = await this.#send("POST", path, "*/*", body, PATIENCE_MS);
+    if (!answer.ok) {
+      return answer;
+    }
+    try {
+      return { ok: true, value: await answer.value.blob() };
+    } catch {
+      return unreachable();
+    }
+  }
+
+  async #send(
+    method: Method,
+    path: string,
+    accept: string,
+    body: object | undefined,
+    patience_ms: number,
+  ): Promise<Answer<Response>> {
+    const client = this.#options.client();
+    const isRaw = body instanceof Blob;
+    let response: Response;
+    try {
+      response = await this.#options.fetch(path, {
+        method,
+        signal: AbortSignal.timeout(patience_ms),
+        headers: {
+          accept,
+          ...(body === undefined
+            ? {}
+            : { "content-type": isRaw ? "application/octet-stream" : "application/json" }),
+          ...(client === null ? {} : { "x-client": client }),
+        },
+        ...(body === undefined ? {} : { body: isRaw ? body : JSON.stringify(body) }),
+      });
+    } catch {
+      return unreachable();
+    }
+    if (response.ok) {
+      return { ok: true, value: response };
+    }
+    const problem = await jsonOf(response);
+    return problem === UNREACHABLE
+      ? unreachable()
+      : { ok: false, problem: problemOf(problem, response.status) };
+  }
+}
+
+/** What stands for the text of an answer that broke off. */
+const UNREACHABLE = Symbol("unreachable");
+
+/** The JSON of an answer: null where it is empty, undefined where it is none. */
+async function jsonOf(response: Response): Promise<unknown> {
+  let text: string;
+  try {
+    text = await response.text();
+  } catch {
+    return UNREACHABLE;
+  }
+  return text === "" ? null : parse(text);
+}
+
+function unreachable(): { readonly ok: false; readonly problem: Problem } {
+  return failed("gateway_unreachable", "The gateway does not answer: check that it runs, then try again.");
 }
 
 function failed(code: string, detail: string): { readonly ok: false; readonly problem: Problem } {
