@@ -1,52 +1,17 @@
-import type { Check } from "../lib/check";
-import { isCommandResult, isDone, isPorts } from "../protocol/answers";
-import type { Actions, Asker } from "../store/actions";
-import { begin, type CommandStore, finish, type Outcome } from "../store/commands";
-import { failureMessage, type Message, type MessageStore, say } from "../store/messages";
-import type { Answer, Rest } from "../transport/rest";
+import { isCommandResult, isPorts } from "../protocol/answers";
+import type { Actions } from "../store/actions";
+import type { Outcome } from "../store/commands";
+import { failureMessage, type Message } from "../store/messages";
+import { type AskingParts, createAsking, info } from "./asking";
 
-export interface ActionParts {
-  readonly rest: Rest;
-  readonly commands: CommandStore;
-  readonly messages: MessageStore;
+export interface ActionParts extends AskingParts {
   readonly client: () => string | null;
-  /** Milliseconds of the page's clock, and of the calendar. */
-  readonly now_ms: () => number;
-  readonly wall_ms: () => number;
-}
-
-interface Ended {
-  readonly state: Outcome;
-  readonly message: Message;
-}
-
-function info(key: string, params: Message["params"] = {}): Message {
-  return { level: "info", key, params };
 }
 
 /** What a person can ask, as questions to the gateway with their progress in the stores. */
 export function createActions(parts: ActionParts): Actions {
-  const { rest, commands, messages } = parts;
-
-  async function run<T>(asker: Asker, ask: Promise<Answer<T>>, end: (value: T) => Ended): Promise<void> {
-    const entry = begin(commands, asker.control, asker.asked ?? null);
-    const answer = await ask;
-    const ended: Ended = answer.ok
-      ? end(answer.value)
-      : { state: "rejected", message: failureMessage(answer.problem) };
-    finish(commands, asker.control, entry, ended, parts.now_ms());
-    say(messages, ended.message, parts.wall_ms());
-  }
-
-  /** A question whose answer has nothing to say beyond that it was done. */
-  function simply(
-    asker: Asker,
-    [method, path, body]: readonly ["PUT" | "DELETE" | "POST", string, object?],
-    message: Message,
-    check: Check<object | null> = isDone,
-  ): Promise<void> {
-    return run(asker, rest.ask(method, path, check, body), () => ({ state: "confirmed", message }));
-  }
+  const { rest } = parts;
+  const { run, simply } = createAsking(parts);
 
   return {
     command: (name, asker, value) => {
