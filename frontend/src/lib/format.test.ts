@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import { formatAge, formatBytes, formatFixed, formatHeading } from "./format";
+import { formatAge, formatBytes, formatFixed, formatHeading, formatMeasured } from "./format";
 
 describe("a number", () => {
   test.each([
@@ -20,6 +20,25 @@ describe("a number", () => {
       expect(formatHeading(value, 1)).toBeNull();
     },
   );
+});
+
+describe("any measured number", () => {
+  test.each([
+    [0, "0.0000"],
+    [-0.00001, "0.0000"],
+    [0.123456, "0.1235"],
+    [-9.81, "-9.8100"],
+    [101.325, "101.33"],
+    [-1234.56, "-1234.6"],
+    [654321.7, "654322"],
+  ])("%d keeps five figures and all its digits before the point: %s", (value, text) => {
+    expect(formatMeasured(value)).toBe(text);
+  });
+
+  test("that is none has no text", () => {
+    expect(formatMeasured(Number.NaN)).toBeNull();
+    expect(formatMeasured(null)).toBeNull();
+  });
 });
 
 describe("a heading", () => {

@@ -13,6 +13,15 @@ export function formatFixed(value: number | null | undefined, digits: number): s
   return Number(text) === 0 ? (0).toFixed(digits) : text;
 }
 
+/** Any measured number to five figures and at most four decimals; a large one keeps all its digits before the point. */
+export function formatMeasured(value: number | null | undefined): string | null {
+  if (value === null || value === undefined || !Number.isFinite(value)) {
+    return null;
+  }
+  const before = Math.max(1, Math.floor(Math.log10(Math.abs(value))) + 1);
+  return formatFixed(value, Math.min(4, Math.max(0, 5 - before)));
+}
+
 /** A heading, bearing or track: 0..360 and never "360.0", because the rounding comes before the wrap. */
 export function formatHeading(angle_deg: number | null | undefined, digits: number): string | null {
   if (angle_deg === null || angle_deg === undefined || !Number.isFinite(angle_deg)) {

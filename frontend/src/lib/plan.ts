@@ -1,0 +1,136 @@
+import { bearing_deg, destination, distance_m, type Position } from "./geodesy";
+import { convertUnit, DEGREES_PER_RADIAN } from "./units";
+
+/** One point of a flight plan: altitude above mean sea level, and the indicated airspeed on the way to it. */
+export interface Waypoint extends Position {
+  readonly altitude_ft: number;
+  readonly speed_kt: number;
+}
+
+export const WAYPOINT_FIELDS = ["latitude_deg", "longitude_deg", "altitude_ft", "speed_kt"] as const;
+export type WaypointField = (typeof WAYPOINT_FIELDS)[number];
+
+/** The way from a waypoint to the next. */
+export interface Leg {
+  readonly distance_m: number;
+  /** Null where both are one place. */
+  readonly bearing_deg: number | null;
+  /** Up is positive. */
+  readonly climb_ft: number;
+  /** Angle of the straight line, up is positive; ±90 where both are one place. */
+  readonly climb_deg: number;
+}
+
+/** The legs of a plan: one less than it has waypoints. */
+export function legsOf(waypoints: readonly Waypoint[]): readonly Leg[] {
+  return waypoints.slice(1).map((to, index) => legBetween(waypoints[index] ?? to, to));
+}
+
+function legBetween(from: Waypoint, to: Waypoint): Leg {
+  const distance = distance_m(from, to);
+  const climb_ft = to.altitude_ft - from.altitude_ft;
+  return {
+    distance_m: distance,
+    bearing_deg: bearing_deg(from, to),
+    climb_ft,
+    climb_deg: Math.atan2(convertUnit(climb_ft, "ft", "m"), distance) * DEGREES_PER_RADIAN,
+  };
+}
+
+/** Standard gravity, m/s². */
+const GRAVITY_M_S2 = 9.80665;
+const CAPTURE_MINIMUM_M = 200;
+const CAPTURE_MINIMUM_TO_KT = 55;
+const STEEPEST_BANK_DEG = 30;
+
+/**
+ * Metres within which the board counts a waypoint as reached: 200 up to 55 kt, above that one and a half radii of its
+ * steepest turn.
+ */
+export function captureRadius_m(speed_kt: number): number {
+  if (!(speed_kt > CAPTURE_MINIMUM_TO_KT)) {
+    return CAPTURE_MINIMUM_M;
+  }
+  const speed_m_s = convertUnit(speed_kt, "kt", "mPerS");
+  const turn_m = speed_m_s ** 2 / (GRAVITY_M_S2 * Math.tan(STEEPEST_BANK_DEG / DEGREES_PER_RADIAN));
+  return Math.max(CAPTURE_MINIMUM_M, 1.5 * turn_m);
+}
+
+/** Both plans are the same for the board, which keeps positions in double and the rest in single precision. */
+export function samePlan(one: readonly Waypoint[], other: readonly Waypoint[]): boolean {
+  return (
+    one.length === other.length &&
+    one.every((waypoint, index) => {
+      const twin = other[index];
+      return (
+        twin !== undefined &&
+        waypoint.latitude_deg === twin.latitude_deg &&
+        waypoint.longitude_deg === twin.longitude_deg &&
+        Math.fround(waypoint.altitude_ft) === Math.fround(twin.altitude_ft) &&
+        Math.fround(waypoint.speed_kt) === Math.fround(twin.speed_kt)
+      );
+    })
+  );
+}
+
+/** Altitude of the start, speed of the usual aircraft: for a plan that has no point to take them from. */
+const FIRST: Waypoint = { latitude_deg: 27.9319, longitude_deg: -15.3866, altitude_ft: 1000, speed_kt: 55 };
+/** How far a new last point lies ahead of the one before, metres. */
+const AHEAD_M = 1000;
+
+/** The plan with one more point behind `index` (-1: before the first): half way to the next, or straight on. */
+export function inserted(waypoints: readonly Waypoint[], index: number): readonly Waypoint[] {
+  const before = waypoints[index];
+  const after = waypoints[index + 1];
+  let added: Waypoint;
+  if (before !== undefined && after !== undefined) {
+    const leg = legBetween(before, after);
+    added = {
+      ...destination(before, leg.bearing_deg ?? 0, leg.distance_m / 2),
+      altitude_ft: (before.altitude_ft + after.altitude_ft) / 2,
+      speed_kt: after.speed_kt,
+    };
+  } else if (before !== undefined) {
+    const earlier = waypoints[index - 1];
+    const bearing = earlier === undefined ? null : bearing_deg(earlier, before);
+    added = { ...before, ...destination(before, bearing ?? 0, AHEAD_M) };
+  } else {
+    added = after === undefined ? FIRST : { ...after, ...destination(after, 180, AHEAD_M) };
+  }
+  return waypoints.toSpliced(index + 1, 0, rounded(added));
+}
+
+export function removed(waypoints: readonly Waypoint[], index: number): readonly Waypoint[] {
+  return waypoints.filter((_, other) => other !== index);
+}
+
+/** The plan with one point a place earlier or later; the same plan where there is no such place. */
+export function moved(waypoints: readonly Waypoint[], index: number, by: -1 | 1): readonly Waypoint[] {
+  const one = waypoints[index];
+  const other = waypoints[index + by];
+  return one === undefined || other === undefined
+    ? waypoints
+    : waypoints.with(index, other).with(index + by, one);
+}
+
+export function changed(
+  waypoints: readonly Waypoint[],
+  index: number,
+  field: WaypointField,
+  value: number,
+): readonly Waypoint[] {
+  const waypoint = waypoints[index];
+  return waypoint === undefined || waypoint[field] === value
+    ? waypoints
+    : waypoints.with(index, { ...waypoint, [field]: value });
+}
+
+/** To the figures that people write: 0.1 m, whole feet. */
+function rounded({ latitude_deg, longitude_deg, altitude_ft, speed_kt }: Waypoint): Waypoint {
+  return {
+    latitude_deg: Number(latitude_deg.toFixed(6)),
+    longitude_deg: Number(longitude_deg.toFixed(6)),
+    altitude_ft: Math.round(altitude_ft),
+    speed_kt,
+  };
+}
