@@ -1,34 +1,51 @@
+import type { ReactNode } from "react";
 import { useTranslation } from "react-i18next";
 import { usePage, useSettings } from "../store/hooks";
 import { choose } from "../store/settings";
+import { Button } from "../ui/Button";
+import { Notice } from "../ui/Notice";
 import { Tabs } from "../ui/Tabs";
-import { FlightView } from "../views/flight/FlightView";
-import { HilView } from "../views/hil/HilView";
-import { SetupView } from "../views/setup/SetupView";
+import { TABS, type TabName, VIEWS } from "./views";
 
-/** The main tabs in the order in which they stand. */
-export const TABS = ["flight", "hil", "setup"] as const;
-export type TabName = (typeof TABS)[number];
-
-const CONTENTS: Readonly<Record<TabName, () => React.ReactNode>> = {
-  flight: () => <FlightView />,
-  hil: () => <HilView />,
-  setup: () => <SetupView />,
-};
+/** The tab that is open: the one last chosen. */
+export function useOpenTab(): TabName {
+  return useSettings(({ choices }) => TABS.find((tab) => tab === choices["tab"]) ?? "flight");
+}
 
 /** The main tabs; the one last open is remembered. */
 export function MainTabs() {
   const { t } = useTranslation();
   const { settings } = usePage();
-  const chosen = useSettings(({ choices }) => TABS.find((tab) => tab === choices["tab"]) ?? "flight");
   return (
     <Tabs
       label={t("app.tabs")}
       size="main"
       className="app-tabs"
-      value={chosen}
+      value={useOpenTab()}
       onValueChange={(tab) => choose(settings, "tab", tab)}
-      tabs={TABS.map((tab) => ({ value: tab, label: t(`tab.${tab}`), content: CONTENTS[tab]() }))}
+      tabs={TABS.map((tab) => ({ value: tab, label: t(`tab.${tab}`), content: <View tab={tab} /> }))}
     />
+  );
+}
+
+function View({ tab }: { tab: TabName }) {
+  const { t } = useTranslation();
+  const { Part } = VIEWS[tab];
+  return <Part waiting={<p className="app-waiting">{t("frame.loading")}</p>} failed={NotLoaded} />;
+}
+
+function NotLoaded(retry: () => void): ReactNode {
+  return <LoadFailure onRetry={retry} />;
+}
+
+function LoadFailure({ onRetry }: { onRetry: () => void }) {
+  const { t } = useTranslation();
+  return (
+    <div className="app-waiting">
+      <Notice level="error">
+        <p>{t("frame.notLoaded")}</p>
+        <Button onPress={onRetry}>{t("frame.tryAgain")}</Button>
+      </Notice>
+    </div>
   );
 }

@@ -1,4 +1,7 @@
 import { cleanup } from "@testing-library/react";
-import { afterEach } from "vitest";
+import { afterEach, beforeAll } from "vitest";
+import { loadViews } from "../app/views";
 
+// Tests look at what is shown, not at how it was fetched.
+beforeAll(loadViews);
 afterEach(cleanup);

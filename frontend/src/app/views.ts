@@ -1,0 +1,19 @@
+import { type LazyPart, lazyPart } from "../ui/lazyPart";
+
+/** The main tabs in the order in which they stand. */
+export const TABS = ["flight", "hil", "setup"] as const;
+export type TabName = (typeof TABS)[number];
+
+/** Each tab is a file of its own, so that the first look at the page does not wait for all of them. */
+export const VIEWS: Readonly<Record<TabName, LazyPart>> = {
+  flight: lazyPart(async () => (await import("../views/flight/FlightView")).FlightView),
+  hil: lazyPart(async () => (await import("../views/hil/HilView")).HilView),
+  setup: lazyPart(async () => (await import("../views/setup/SetupView")).SetupView),
+};
+
+/** Load what is not loaded yet: a station whose line is cut must still be able to open every tab. */
+export async function loadViews(): Promise<void> {
+  for (const { load } of Object.values(VIEWS)) {
+    await load();
+  }
+}

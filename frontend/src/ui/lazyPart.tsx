@@ -1,0 +1,73 @@
+import { Component, type ComponentType, type ReactNode, Suspense, use } from "react";
+
+/** A part of the page that is loaded when it is first needed, or before. */
+export interface LazyPart {
+  readonly Part: ComponentType<{ waiting: ReactNode; failed: (retry: () => void) => ReactNode }>;
+  /** Load it now; a failure is left to the part itself, which asks again when it is shown. */
+  readonly load: () => Promise<void>;
+}
+
+/** Once loaded it is drawn at once and never waits again. */
+export function lazyPart(load: () => Promise<ComponentType>): LazyPart {
+  let content: ComponentType | null = null;
+  let loading: Promise<ComponentType> | null = null;
+
+  function start(): Promise<ComponentType> {
+    loading ??= load().then((loaded) => {
+      content = loaded;
+      return loaded;
+    });
+    return loading;
+  }
+
+  function Content(): ReactNode {
+    const Loaded = content ?? use(start());
+    return <Loaded />;
+  }
+
+  return {
+    Part: ({ waiting, failed }) => (
+      <Boundary
+        failed={failed}
+        onRetry={() => {
+          loading = null;
+        }}
+      >
+        <Suspense fallback={waiting}>
+          <Content />
+        </Suspense>
+      </Boundary>
+    ),
+    load: async () => {
+      try {
+        await start();
+      } catch {
+        loading = null;
+      }
+    },
+  };
+}
+
+interface BoundaryProps {
+  failed: (retry: () => void) => ReactNode;
+  onRetry: () => void;
+  children: ReactNode;
+}
+
+/** Stands in for a part that could not be loaded, or that broke: the rest of the page goes on. */
+class Boundary extends Component<BoundaryProps, { hasFailed: boolean }> {
+  override state = { hasFailed: false };
+
+  static getDerivedStateFromError(): { hasFailed: boolean } {
+    return { hasFailed: true };
+  }
+
+  readonly #retry = (): void => {
+    this.props.onRetry();
+    this.setState({ hasFailed: false });
+  };
+
+  override render(): ReactNode {
+    return this.state.hasFailed ? this.props.failed(this.#retry) : this.props.children;
+  }
+}
