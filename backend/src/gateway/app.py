@@ -11,7 +11,7 @@ from typing import Any, Final
 from fastapi import FastAPI
 
 from gateway import __version__
-from gateway.api import commands, docs, links, parameters, recordings, state
+from gateway.api import about, alarms, commands, docs, links, parameters, recordings, state
 from gateway.api.errors import install_error_handlers
 from gateway.api.guard import Access, Guard
 from gateway.api.page import install_page
@@ -50,8 +50,8 @@ def create_app(settings: Settings) -> FastAPI:
         redoc_url=None,
     )
     app.openapi = lambda: docs.describe(app)  # type: ignore[method-assign]
-    for router in (state.router, links.router, commands.router, parameters.router, recordings.router):
-        app.include_router(router, prefix=_PREFIX)
+    for part in (state, links, commands, parameters, mission_files, alarms, recordings, about):
+        app.include_router(part.router, prefix=_PREFIX)
     app.include_router(docs.router)
     install_error_handlers(app, errors)
     install_page(app, settings.page_dir or _PAGE_IN_TREE)

@@ -20,7 +20,7 @@ pytestmark = pytest.mark.anyio
 
 
 def ids(station: Station) -> set[str]:
-    return {alarm.id for alarm in station.alarms.active}
+    return {alarm.finding.id for alarm in station.alarms.active}
 
 
 async def open_board(station: Station, board: FakeBoard) -> None:
@@ -36,7 +36,7 @@ async def test_a_pulled_cable_is_an_alarm_until_it_is_back(tmp_path: Path, board
         board.unplug()
         await eventually_async(lambda: ids(station) == {"heartbeat_lost"}, "the alarm comes")
         (alarm,) = station.alarms.active
-        assert alarm.level == "critical"
+        assert alarm.finding.level == "critical"
         assert abs(alarm.since_s - station.clock.now_s()) < 20
         board.plug_in()
         await eventually_async(lambda: ids(station) == set(), "the alarm goes")
@@ -58,7 +58,7 @@ async def test_a_port_where_no_board_speaks_is_a_warning(tmp_path: Path, board: 
     async with station.running():
         await station.open_board(parse_address(board.url))
         await eventually_async(lambda: ids(station) == {"no_heartbeat"}, "the warning comes")
-        assert station.alarms.active[0].level == "warning"
+        assert station.alarms.active[0].finding.level == "warning"
 
 
 async def test_a_board_that_was_closed_is_no_alarm(tmp_path: Path, board: FakeBoard) -> None:
@@ -101,12 +101,12 @@ async def test_an_open_loop_is_an_alarm(tmp_path: Path, board: FakeBoard) -> Non
 
             await eventually_async(fly, "the loop is closed")
             await eventually_async(lambda: ids(station) == {"hil_lost"}, "the simulator's silence is an alarm")
-            assert "the simulator sends nothing" in station.alarms.active[0].text
+            assert "the simulator sends nothing" in station.alarms.active[0].finding.text
             board.ignore["xplane_info"] = 10_000
 
             def fly_unanswered() -> bool:
                 simulator.sendto(whole, ("127.0.0.1", port))
-                return any("does not answer" in alarm.text for alarm in station.alarms.active)
+                return any("does not answer" in alarm.finding.text for alarm in station.alarms.active)
 
             await eventually_async(fly_unanswered, "the board's silence is an alarm")
 

@@ -62,7 +62,10 @@ async def post_command(
         arguments = read_arguments(command, body.value if body is not None else None)
     except ArgumentFault as fault:
         raise InvalidInputError("value_not_allowed", fault.sentence, command=name, field=fault.field) from fault
-    result = await station.commands.run(name, arguments, client=operator)
+    if command.parameter:
+        result = await station.parameters.set_by_command(command, arguments[0], operator)
+    else:
+        result = await station.commands.run(name, arguments, client=operator)
     return CommandOutcome.model_validate(asdict(result))
 
 

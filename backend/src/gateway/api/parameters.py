@@ -9,18 +9,12 @@ from fastapi import APIRouter, Body
 
 from gateway.api.deps import OperatorDep, StationDep
 from gateway.api.errors import problems, reading_problems
-from gateway.api.schemas import (
-    CommandOutcome,
-    Mission,
-    MissionInput,
-    ParameterList,
-    ParameterState,
-    PlanName,
-    WaypointModel,
-)
+from gateway.api.parameter_schemas import ParameterJournal, ParameterList, ParameterState
+from gateway.api.schemas import CommandOutcome, Mission, MissionInput, PlanName, WaypointModel
 from gateway.codec.messages_gen import PARAMETERS
 from gateway.codec.tables import Waypoint
 from gateway.services.station import Station
+from gateway.vehicle.journal import moves_as_dicts
 from gateway.vehicle.parameters import shown
 
 router = APIRouter()
@@ -45,9 +39,36 @@ async def patch_parameters(
     station: StationDep,
     operator: OperatorDep,
 ) -> ParameterList:
-    """Set some gains; answers after they were read back, each `confirmed` or `rejected`."""
+    """Set some gains: one step of the journal. Answers after they were read back, `confirmed` or `rejected`."""
     await station.parameters.set(changes, operator)
     return _parameters(station)
+
+
+@router.post("/parameters/undo", tags=["parameters"], responses=problems(409, 502))
+async def undo_parameters(station: StationDep, operator: OperatorDep) -> ParameterList:
+    """Take the newest step back; a write with read-back like any other."""
+    await station.parameters.undo(operator)
+    return _parameters(station)
+
+
+@router.post("/parameters/redo", tags=["parameters"], responses=problems(409, 502))
+async def redo_parameters(station: StationDep, operator: OperatorDep) -> ParameterList:
+    """Do again what was undone last."""
+    await station.parameters.redo(operator)
+    return _parameters(station)
+
+
+@router.get("/parameters/journal", tags=["parameters"], responses=reading_problems())
+async def get_journal(station: StationDep) -> ParameterJournal:
+    """Who wrote what when, newest first, over restarts; and what undo and redo would write now."""
+    journal = station.parameters.journal
+    return ParameterJournal.model_validate(
+        {
+            "entries": [entry.as_dict() for entry in journal.entries],
+            "undo": moves_as_dicts(journal.steps.undo),
+            "redo": moves_as_dicts(journal.steps.redo),
+        }
+    )
 
 
 @router.post("/parameters/store", tags=["parameters"], responses=problems(409))
@@ -77,7 +98,8 @@ def _parameters(station: Station) -> ParameterList:
             ParameterState(
                 name=parameter.name,
                 group=parameter.group,
-                value=None if (value := held[parameter.name].value) is None else shown(parameter.name, value),
+                value=_shown(parameter.name, held[parameter.name].value),
+                loaded=_shown(parameter.name, held[parameter.name].loaded),
                 state=held[parameter.name].state,
                 unit="1",
                 minimum=parameter.minimum,
@@ -90,6 +112,10 @@ def _parameters(station: Station) -> ParameterList:
             for parameter in PARAMETERS
         ]
     )
+
+
+def _shown(name: str, value: float | None) -> float | None:
+    return None if value is None else shown(name, value)
 
 
 def _mission(plan: PlanName, waypoints: list[Waypoint]) -> Mission:

@@ -8,7 +8,7 @@ from pydantic import BaseModel, ConfigDict, Field
 
 from gateway.codec.messages_gen import RECEIVE_PORT, SEND_PORT
 from gateway.errors import ErrorCode
-from gateway.services.alarms import AlarmId
+from gateway.vehicle.alarms import AlarmId
 
 LinkState = Literal["closed", "opening", "open", "lost"]
 ParamValue = str | float | bool | None
@@ -63,6 +63,21 @@ class Firmware(Output):
     version: str | None
 
 
+class TaskPeriod(Output):
+    """Period of a task of the board: as this station commanded it, else the board's own."""
+
+    ms: int
+    chosen: bool
+
+
+class TaskPeriods(Output):
+    """The three tasks whose period can be commanded."""
+
+    parameters: TaskPeriod
+    fms: TaskPeriod
+    servos: TaskPeriod
+
+
 class BoardStatus(Output):
     """The board's link. `open`: commands work. Percentages are of baud / 10 bytes a second."""
 
@@ -73,6 +88,7 @@ class BoardStatus(Output):
     mode: Literal["legacy", "extended"] | None
     features: Features
     firmware: Firmware | None
+    periods_ms: TaskPeriods
     heartbeat_age_s: float | None
     frames_received: int
     frames_damaged: int
@@ -139,13 +155,14 @@ class RecordingState(Output):
 
 
 class AlarmState(Output):
-    """Something that is wrong now."""
+    """Something that is wrong now; an acknowledged one is shown quietly until its cause goes."""
 
     id: AlarmId
     level: Literal["warning", "critical"]
     since_s: float
     text: str
     params: dict[str, ParamValue]
+    acknowledged: bool
 
 
 class TopicHealth(Output):
@@ -263,28 +280,6 @@ class CommandOutcome(Output):
     by: Literal["acknowledgement", "heartbeat", "read_back", "none"]
     ms: float
     reason: Literal["bad_value", "bad_state", "unknown", "storage_failed", "not_taken"] | None
-
-
-class ParameterState(Output):
-    """One gain; `value` is the board's, null until it was read."""
-
-    name: str
-    group: str
-    value: float | None
-    state: Literal["unknown", "loaded", "pending", "confirmed", "rejected"]
-    unit: str
-    minimum: float
-    maximum: float
-    step: float
-    default: float
-    is_integer: bool
-    doc: str
-
-
-class ParameterList(Output):
-    """The 17 gains."""
-
-    parameters: list[ParameterState]
 
 
 class WaypointModel(Input):

@@ -1,172 +1,142 @@
-"""What the operator must know at once, on whatever tab."""
+"""What the operator must know at once, on whatever tab: found, acknowledged, and kept in a history."""
 
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Callable
-from dataclasses import dataclass, field
-from typing import Any, Final, Literal
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, replace
+from typing import Any, Final
 
-from gateway.errors import Params
-from gateway.services.board import Board
-from gateway.services.hil import Hil
+from gateway.errors import InvalidInputError, NotFoundError
 from gateway.services.hub import Hub
-from gateway.services.recorder import Recorder
-from gateway.services.simulator import Simulator
-from gateway.services.supervisor import Supervisor
-from gateway.services.telemetry import Telemetry
+from gateway.vehicle.alarms import AlarmId, Finding
+from gateway.vehicle.thresholds import BY_NAME, chosen, threshold_fault
 
-AlarmId = Literal["heartbeat_lost", "no_heartbeat", "hil_lost", "frames_damaged", "recorder_failed"]
-Level = Literal["warning", "critical"]
-
-_SHORTEST_HEARTBEAT_LOSS_S: Final = 1.0
-_NEVER_HEARD_S: Final = 5.0
-_HIL_LOST_S: Final = 0.5
-_DAMAGE_WINDOW_S: Final = 10.0
-_DAMAGE_LIMIT: Final = 0.01
-# One bad frame of ten in a quiet window is no bad line yet.
-_DAMAGE_LEAST: Final = 5
+_KEPT: Final = 200
 
 
 @dataclass(frozen=True, slots=True)
 class Alarm:
-    """One thing that is wrong now. `since_s` is Unix time."""
+    """One thing that is or was wrong. Unix times; `until_s` is None while it lasts."""
 
-    id: AlarmId
-    level: Level
-    text: str
-    since_s: float = 0.0
-    params: Params = field(default_factory=dict)
+    finding: Finding
+    since_s: float
+    acknowledged: bool = False
+    until_s: float | None = None
 
     def as_dict(self) -> dict[str, Any]:
-        """Plain values."""
+        """Plain values of one that is active."""
         return {
-            "id": self.id,
-            "level": self.level,
+            "id": self.finding.id,
+            "level": self.finding.level,
             "since_s": self.since_s,
-            "text": self.text,
-            "params": self.params,
+            "text": self.finding.text,
+            "params": self.finding.params,
+            "acknowledged": self.acknowledged,
         }
 
 
 class Alarms:
-    """Looks some times a second; tells the viewers of each alarm that comes or goes."""
+    """Asks `watch` some times a second; tells the viewers of each alarm that comes, goes or is acknowledged.
+
+    `thresholds` are those that were chosen; `on_thresholds` keeps new ones.
+    """
 
     def __init__(
         self,
-        *,
-        supervisor: Supervisor,
-        board: Board,
-        telemetry: Telemetry,
-        simulator: Simulator,
-        hil: Hil,
-        recorder: Recorder | None,
+        watch: Callable[[Mapping[str, float]], Iterable[Finding]],
         hub: Hub,
-        steady_s: Callable[[], float],
+        thresholds: Mapping[str, Any],
+        on_thresholds: Callable[[dict[str, float]], None],
     ) -> None:
-        self._supervisor = supervisor
-        self._board = board
-        self._telemetry = telemetry
-        self._simulator = simulator
-        self._hil = hil
-        self._recorder = recorder
+        self._watch = watch
         self._hub = hub
-        self._steady_s = steady_s
-        self._wanted_since_s: float | None = None
-        self._frames = deque([(steady_s(), 0, 0)])
+        self._on_thresholds = on_thresholds
         self._active: dict[AlarmId, Alarm] = {}
+        self._past: deque[Alarm] = deque(maxlen=_KEPT)
+        self.thresholds = chosen(thresholds)
+        # Set by the composition: hears which alarm was acknowledged.
+        self.on_acknowledged: Callable[[AlarmId], None] | None = None
 
     @property
     def active(self) -> list[Alarm]:
         """All that is wrong now, oldest first."""
-        return list(self._active.values())
+        return sorted(self._active.values(), key=lambda alarm: alarm.since_s)
+
+    @property
+    def past(self) -> list[Alarm]:
+        """What was wrong, the one that ended last first."""
+        return list(reversed(self._past))
 
     def look(self, t_s: float) -> bool:
-        """See what is wrong at Unix time `t_s`. True where an alarm came or went."""
-        steady_s = self._steady_s()
-        found = [
-            alarm
-            for alarm in (
-                self._heartbeat(steady_s),
-                self._hil_loop(steady_s),
-                self._damage(steady_s),
-                self._recording(),
-            )
-            if alarm is not None
-        ]
-        current = {
-            alarm.id: Alarm(
-                alarm.id,
-                alarm.level,
-                alarm.text,
-                self._active[alarm.id].since_s if alarm.id in self._active else t_s,
-                alarm.params,
-            )
-            for alarm in found
+        """See what is wrong at Unix time `t_s`. True where an alarm came or went, or where one became worse."""
+        before = self._active
+        self._active = {
+            finding.id: _follow(before.get(finding.id), finding, t_s) for finding in self._watch(self.thresholds)
         }
-        gone = [alarm for alarm in self._active.values() if alarm.id not in current]
-        come = [alarm for alarm in current.values() if alarm.id not in self._active]
-        self._active = current
-        for alarm in come:
-            self._hub.event("alarm", {**alarm.as_dict(), "active": True})
+        gone = [replace(alarm, until_s=t_s) for alarm in before.values() if alarm.finding.id not in self._active]
+        news = [alarm for alarm in self._active.values() if _is_news(before.get(alarm.finding.id), alarm)]
+        self._past.extend(gone)
+        for alarm in news:
+            self._tell(alarm, active=True)
         for alarm in gone:
-            self._hub.event("alarm", {**alarm.as_dict(), "active": False})
-        return bool(come or gone)
+            self._tell(alarm, active=False)
+        return bool(news or gone)
 
-    def _heartbeat(self, steady_s: float) -> Alarm | None:
-        if self._supervisor.address is None:
-            self._wanted_since_s = None
-            return None
-        if self._wanted_since_s is None:
-            self._wanted_since_s = steady_s
-        target = self._supervisor.address.target
-        age_s = self._telemetry.age_s("heartbeat")
-        heard = self._board.session.heartbeat_s is not None
-        if self._supervisor.failure is not None and (heard or self._supervisor.state == "lost"):
-            return Alarm("heartbeat_lost", "critical", self._supervisor.failure.detail, params={"target": target})
-        limit_s = max(self._telemetry.stale_after_s("heartbeat") or 0.0, _SHORTEST_HEARTBEAT_LOSS_S)
-        if heard and age_s is not None and age_s > limit_s:
-            text = f"The board on {target} is silent: check its power and the line."
-            return Alarm("heartbeat_lost", "critical", text, params={"target": target})
-        if not heard and steady_s - self._wanted_since_s > _NEVER_HEARD_S:
-            text = f"Nothing that a board sends came from {target}: check that it is on, the port and the baud rate."
-            return Alarm("no_heartbeat", "warning", text, params={"target": target})
-        return None
-
-    def _hil_loop(self, steady_s: float) -> Alarm | None:
-        hil = self._hil
-        if self._simulator.address is None or hil.last_to_board_s is None or self._supervisor.address is None:
-            return None
-        if steady_s - hil.last_to_board_s > _HIL_LOST_S:
-            if not self._board.is_open:
-                text = "The HIL loop is open: the board gets no simulator data. Check the board's link."
-            elif self._simulator.state == "open" and hil.missing_rows:
-                text = f"The HIL loop is open: rows {hil.missing_rows} are missing. Tick them in the data output."
-            else:
-                text = "The HIL loop is open: the simulator sends nothing. Check that it runs and where it sends to."
-            return Alarm("hil_lost", "critical", text)
-        answered_s = hil.last_surfaces_s
-        if answered_s is None or steady_s - answered_s > _HIL_LOST_S:
-            return Alarm(
-                "hil_lost", "critical", "The HIL loop is open: the board does not answer the simulator's data."
+    def acknowledge(self, name: str) -> Alarm:
+        """The operator knows: it is shown quietly until it goes. Raises NotFoundError where it is not active."""
+        alarm = next((alarm for alarm in self._active.values() if alarm.finding.id == name), None)
+        if alarm is None:
+            raise NotFoundError(
+                "alarm_not_active",
+                f"There is no active alarm '{name}': it went, or there is none of this name. "
+                "GET /api/v1/alarms lists them.",
+                alarm=name,
             )
-        return None
+        known = self._active[alarm.finding.id] = replace(alarm, acknowledged=True)
+        if not alarm.acknowledged:
+            self._tell(known, active=True)
+            if self.on_acknowledged is not None:
+                self.on_acknowledged(alarm.finding.id)
+        return known
 
-    def _damage(self, steady_s: float) -> Alarm | None:
-        self._frames.append((steady_s, self._board.frames_received, self._board.frames_damaged))
-        while self._frames[0][0] < steady_s - _DAMAGE_WINDOW_S:
-            self._frames.popleft()
-        good = self._board.frames_received - self._frames[0][1]
-        damaged = self._board.frames_damaged - self._frames[0][2]
-        if damaged < _DAMAGE_LEAST or damaged <= _DAMAGE_LIMIT * (good + damaged):
-            return None
-        percent = round(100.0 * damaged / (good + damaged), 1)
-        text = f"{percent:g} % of the board's frames are damaged: check baud rate, cable and radio."
-        return Alarm("frames_damaged", "warning", text, params={"percent": percent})
+    def choose(self, thresholds: Mapping[str, float]) -> None:
+        """Other limits from now on. Raises NotFoundError or InvalidInputError, and then none is changed."""
+        for name, value in thresholds.items():
+            if name not in BY_NAME:
+                raise NotFoundError(
+                    "threshold_unknown",
+                    f"There is no alarm threshold '{name}': GET /api/v1/alarms/thresholds lists them.",
+                    field=name,
+                )
+            threshold = BY_NAME[name]
+            fault = threshold_fault(threshold, value)
+            if fault is not None:
+                raise InvalidInputError(
+                    "threshold_out_of_range",
+                    fault,
+                    field=name,
+                    value=value,
+                    minimum=threshold.minimum,
+                    maximum=threshold.maximum,
+                )
+        self.thresholds = {**self.thresholds, **thresholds}
+        self._on_thresholds(self.thresholds)
 
-    def _recording(self) -> Alarm | None:
-        if self._recorder is None or self._recorder.failure is None:
-            return None
-        reason = self._recorder.failure
-        text = f"The flight is not being recorded ({reason}): free the disk or correct the folder's permissions."
-        return Alarm("recorder_failed", "critical", text, params={"reason": reason})
+    def _tell(self, alarm: Alarm, *, active: bool) -> None:
+        self._hub.event("alarm", {**alarm.as_dict(), "active": active})
+
+
+def _follow(before: Alarm | None, finding: Finding, t_s: float) -> Alarm:
+    """The alarm of a finding; one that became worse is new to whoever acknowledged the milder one."""
+    if before is None:
+        return Alarm(finding, t_s)
+    return replace(before, finding=finding, acknowledged=before.acknowledged and not _is_worse(before, finding))
+
+
+def _is_worse(before: Alarm, finding: Finding) -> bool:
+    return (before.finding.level, finding.level) == ("warning", "critical")
+
+
+def _is_news(before: Alarm | None, now: Alarm) -> bool:
+    return before is None or _is_worse(before, now.finding)

@@ -38,6 +38,11 @@ class Control:
         """A live connection has this id."""
         return client_id in self._connected
 
+    def name_of(self, client_id: str) -> str | None:
+        """What others are shown of this browser; None where none has this id."""
+        client = self._connected.get(client_id)
+        return None if client is None else client.name
+
     def connect(self, client: Client) -> None:
         """A browser came: it gets control where nobody has it, or where it was its own a moment ago."""
         self._connected[client.id] = client

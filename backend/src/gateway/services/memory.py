@@ -1,4 +1,4 @@
-"""What the gateway remembers from one start to the next: links, path of control, streams."""
+"""What the gateway remembers from one start to the next: links, path of control, streams, alarm thresholds."""
 
 from __future__ import annotations
 
@@ -22,6 +22,7 @@ class Remembered:
     simulator: dict[str, Any] | None = None
     hil_path: str = "manual"
     wanted: Wanted = field(default_factory=Wanted)
+    thresholds: dict[str, Any] = field(default_factory=dict)
 
 
 class Memory:
@@ -80,6 +81,7 @@ def _encode(values: Remembered) -> bytes:
             "streams": sorted(values.wanted.streams),
             "periods_ms": dict(values.wanted.periods_ms),
             "source": values.wanted.source,
+            "thresholds": values.thresholds,
         },
         option=orjson.OPT_INDENT_2,
     )
@@ -97,6 +99,8 @@ def _decode(values: dict[str, Any]) -> Remembered:
             {str(name): int(period) for name, period in values["periods_ms"].items()},
             None if source is None else int(source),
         ),
+        # Not in the files of versions without alarm thresholds.
+        thresholds=dict(values.get("thresholds", {})),
     )
 
 

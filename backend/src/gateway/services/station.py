@@ -21,6 +21,7 @@ from gateway.services.control import Client, Control
 from gateway.services.error_log import ErrorLog
 from gateway.services.hil import Hil
 from gateway.services.hub import Hub
+from gateway.services.journal import Journal
 from gateway.services.line_rates import LineRates
 from gateway.services.memory import Memory
 from gateway.services.missions import Missions
@@ -29,6 +30,8 @@ from gateway.services.recorder import Recorder
 from gateway.services.simulator import Simulator, SimulatorAddress
 from gateway.services.supervisor import Supervisor
 from gateway.services.telemetry import Telemetry
+from gateway.services.watch import Watch
+from gateway.vehicle.alarms import AlarmId
 from gateway.vehicle.wanted import RATE_COMMANDS, Wanted
 
 _TICK_S: Final = 0.1
@@ -61,22 +64,34 @@ class Station:
         taps = (self.recorder.board_tap, self.recorder.simulator_tap) if self.recorder else (None, None)
         self.board = Board(self.clock, self.hub, self.telemetry, self.errors)
         self.commands = Commands(self.board, self.telemetry, self.hub, self.clock, self.errors)
-        self.parameters = Parameters(self.board, self.commands, self.hub)
+        journal = Journal(
+            data_dir / "parameter-journal.jsonl",
+            clock=self.clock,
+            hub=self.hub,
+            report=self._report,
+            name_of=self.control.name_of,
+        )
+        self.parameters = Parameters(self.board, self.commands, self.hub, journal)
         self.missions = Missions(self.board, self.commands, self.hub)
         self.hil = Hil(self.board, self.telemetry, self.hub, self.clock)
         self.supervisor = Supervisor(self.board, taps[0], self._report, self._on_link)
         self.simulator = Simulator(self.hil, self.clock, taps[1], self._report, self._on_link)
         self.rates = LineRates()
-        self.alarms = Alarms(
+        self.watch = Watch(
             supervisor=self.supervisor,
             board=self.board,
             telemetry=self.telemetry,
+            parameters=self.parameters,
             simulator=self.simulator,
             hil=self.hil,
             recorder=self.recorder,
-            hub=self.hub,
             steady_s=self.clock.steady_s,
+            wants=lambda stream: stream in self.memory.now.wanted.streams,
         )
+        self.alarms = Alarms(
+            self.watch, self.hub, self.memory.now.thresholds, lambda chosen: self.memory.update(thresholds=chosen)
+        )
+        self.alarms.on_acknowledged = self._on_acknowledged
         self._board_opened = asyncio.Event()
         self.board.on_urgent = self.hil.on_urgent
         self.board.on_opened = self._board_opened.set
@@ -109,6 +124,7 @@ class Station:
         finally:
             if self.recorder is not None:
                 await asyncio.to_thread(self.recorder.stop)
+            await asyncio.to_thread(self.parameters.journal.close)
 
     def changed(self) -> None:
         """Something in the status changed that should be seen now and not in half a second."""
@@ -227,7 +243,14 @@ class Station:
         self.hub.event("control", data)
         self.changed()
 
+    def _on_acknowledged(self, alarm: AlarmId) -> None:
+        if alarm == "parameter_not_confirmed":
+            self.parameters.accept_unconfirmed()
+        self.changed()
+
     def _on_link(self) -> None:
+        if not self.board.is_open:
+            self.parameters.forget()
         self.hub.event("link", {"board": self.supervisor.state, "simulator": self.simulator.state})
         self.changed()
 

@@ -9,6 +9,7 @@ from gateway import __version__
 from gateway.errors import GatewayError
 from gateway.services.simulator import CHANNEL_BYTES_PER_S
 from gateway.services.station import Station
+from gateway.vehicle.wanted import RATE_COMMANDS, Wanted
 
 
 def build_status(station: Station) -> dict[str, Any]:
@@ -46,6 +47,7 @@ def _board(station: Station) -> dict[str, Any]:
         "firmware": None
         if not capabilities
         else {"name": capabilities["firmware_name"], "version": capabilities["firmware_version"]},
+        "periods_ms": _periods(station.memory.now.wanted),
         "heartbeat_age_s": station.telemetry.age_s("heartbeat"),
         "frames_received": board.frames_received,
         "frames_damaged": board.frames_damaged,
@@ -54,6 +56,13 @@ def _board(station: Station) -> dict[str, Any]:
         "bytes_out": board.bytes_out,
         "rx_percent": _percent(station.rates.board_in.per_s(), bytes_per_s),
         "tx_percent": _percent(station.rates.board_out.per_s(), bytes_per_s),
+    }
+
+
+def _periods(wanted: Wanted) -> dict[str, Any]:
+    return {
+        task: {"ms": round(1000.0 * wanted.period_s(command)), "chosen": command in wanted.periods_ms}
+        for task, command in zip(("parameters", "fms", "servos"), RATE_COMMANDS, strict=True)
     }
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from typing import Final, Literal
 
@@ -18,10 +18,14 @@ BY_NAME: Final[Mapping[str, Parameter]] = {parameter.name: parameter for paramet
 
 @dataclass(frozen=True, slots=True)
 class Held:
-    """One gain as far as it is known. `value` is the board's, None until it was read."""
+    """One gain as far as it is known. `value` is the board's, None until it was read.
+
+    `loaded` is what the board had when it was read first, or when the operator asked for all of them.
+    """
 
     value: float | None = None
     state: State = "unknown"
+    loaded: float | None = None
 
 
 Held17 = Mapping[str, Held]
@@ -33,6 +37,17 @@ def after_read(held: Held17, values: Mapping[str, Json]) -> Held17:
     return {name: _after_read(held[name], values.get(name)) for name in BY_NAME}
 
 
+def loaded_now(held: Held17) -> Held17:
+    """The operator asked for all: from here on it counts what was changed."""
+    return {name: replace(one, loaded=one.value) for name, one in held.items()}
+
+
+def forgotten(held: Held17, names: Iterable[str]) -> Held17:
+    """The same, but what the board has for these is not known any more."""
+    gone = frozenset(names)
+    return {name: replace(one, value=None, state="unknown") if name in gone else one for name, one in held.items()}
+
+
 def with_state(held: Held17, names: Mapping[str, object], state: State) -> Held17:
     """The same values with another state for some."""
     return {name: replace(one, state=state) if name in names else one for name, one in held.items()}
@@ -41,6 +56,11 @@ def with_state(held: Held17, names: Mapping[str, object], state: State) -> Held1
 def differing(wanted: Mapping[str, float], values: Mapping[str, Json]) -> list[str]:
     """Names whose value on the board is not the one asked for, as far as single precision can tell."""
     return [name for name, value in wanted.items() if not _same(BY_NAME[name], value, values.get(name))]
+
+
+def as_held(name: str, value: float) -> float:
+    """The value as a person writes what the board holds once it took `value`."""
+    return value if BY_NAME[name].is_integer else shortest(single(value))
 
 
 def shown(name: str, value: float) -> float:
@@ -63,12 +83,13 @@ def fault(name: str, value: float) -> str | None:
 
 def _after_read(held: Held, value: Json) -> Held:
     if value is None or isinstance(value, str):
-        return Held()
+        return Held(loaded=held.loaded)
+    loaded = float(value) if held.loaded is None else held.loaded
     if held.state == "pending":
-        return replace(held, value=float(value))
+        return replace(held, value=float(value), loaded=loaded)
     # A confirmed value stays so while the board still has it; a refused one stays refused until it is set again.
     keeps = held.state == "confirmed" and held.value == float(value)
-    return Held(float(value), "confirmed" if keeps else "loaded")
+    return Held(float(value), "confirmed" if keeps else "loaded", loaded)
 
 
 def _same(parameter: Parameter, wanted: float, found: Json) -> bool:

@@ -1,0 +1,75 @@
+"""What this program is made of: the packages that it runs with, and their licences."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from functools import lru_cache
+from importlib.metadata import Distribution, PackageNotFoundError, distribution
+from typing import Final
+
+_OURS: Final = "epf-gcs"
+# name, extras in brackets, anything up to the marker, and the extra for which the marker asks
+_REQUIREMENT: Final = re.compile(r"^\s*(?P<name>[\w.-]+)\s*(\[(?P<extras>[^]]*)\])?[^;]*(;(?P<marker>.*))?$")
+_EXTRA: Final = re.compile(r"extra\s*==\s*[\"']([^\"']+)[\"']")
+_LICENCE_CLASSIFIER: Final = "License :: "
+# What is longer than this in the field of the licence is its whole text.
+_LONGEST_NAME: Final = 80
+
+
+@dataclass(frozen=True, slots=True)
+class Package:
+    """A package as it is installed; `licence` is None where it does not say."""
+
+    name: str
+    version: str
+    licence: str | None
+
+
+@lru_cache(maxsize=1)
+def packages() -> tuple[Package, ...]:
+    """All packages that are needed at run time, by name. Reads many small files the first time."""
+    found: dict[str, Package] = {}
+    todo: list[tuple[str, frozenset[str]]] = [(_OURS, frozenset())]
+    seen: set[tuple[str, frozenset[str]]] = set()
+    while todo:
+        wanted = todo.pop()
+        if wanted in seen:
+            continue
+        seen.add(wanted)
+        name, extras = wanted
+        try:
+            package = distribution(name)
+        except PackageNotFoundError:
+            continue  # for another system or Python than this
+        todo += [needed for line in package.requires or () if (needed := needed_by(line, extras)) is not None]
+        key = name.lower().replace("_", "-")
+        if key != _OURS:
+            found[key] = Package(package.metadata["Name"], package.version, licence_of(package))
+    return tuple(found[key] for key in sorted(found))
+
+
+def needed_by(requirement: str, extras: frozenset[str]) -> tuple[str, frozenset[str]] | None:
+    """Name and extras of a requirement; None where it is only for an extra that nobody wants."""
+    match = _REQUIREMENT.match(requirement)
+    if match is None:
+        return None
+    asked = set(_EXTRA.findall(match["marker"] or ""))
+    if asked and not asked & extras:
+        return None
+    wanted = frozenset(extra.strip() for extra in (match["extras"] or "").split(",") if extra.strip())
+    return match["name"], wanted
+
+
+def licence_of(package: Distribution) -> str | None:
+    """The licence as the package names it: the expression, else a short name, else what it is filed under."""
+    metadata = package.metadata
+    for name in (*(metadata.get_all("License-Expression") or ()), *(metadata.get_all("License") or ())):
+        if name.strip() and "\n" not in name and len(name) <= _LONGEST_NAME:
+            return str(name.strip())
+    filed = [
+        line.rsplit(" :: ", 1)[-1]
+        for line in metadata.get_all("Classifier") or []
+        if line.startswith(_LICENCE_CLASSIFIER) and line.count(" :: ") > 1
+    ]
+    return ", ".join(filed) or None

@@ -1,0 +1,225 @@
+"""What is wrong, judged from what is known: no state but what a judgement itself needs, and no clock."""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any, Final, Literal
+
+AlarmId = Literal[
+    "heartbeat_lost",
+    "no_heartbeat",
+    "hil_lost",
+    "gps_lost",
+    "battery_low",
+    "cpu_high",
+    "frames_damaged",
+    "parameter_not_confirmed",
+    "recorder_failed",
+]
+Level = Literal["warning", "critical"]
+Values = Mapping[str, Any]
+Params = dict[str, str | int | float | bool | None]
+
+LASTS_S: Final = 3.0
+_NEVER_HEARD_S: Final = 5.0
+_GPS_LASTS_S: Final = 1.0
+_DAMAGE_WINDOW_S: Final = 10.0
+# One bad frame of ten in a quiet window is no bad line yet.
+_DAMAGE_LEAST: Final = 5
+
+
+@dataclass(frozen=True, slots=True)
+class Finding:
+    """One thing that is wrong now: a sentence with what to do, and the values in it."""
+
+    id: AlarmId
+    level: Level
+    text: str
+    params: Params = field(default_factory=dict)
+
+
+class Lasting:
+    """Follows a condition once it has lasted: what flickers is neither announced nor taken back."""
+
+    def __init__(self, lasts_s: float) -> None:
+        self._lasts_s = lasts_s
+        self._since_s: float | None = None
+        self.holds = False
+
+    def look(self, now_s: float, *, condition: bool | None) -> bool:
+        """Whether it holds at `now_s`. None is "nobody knows": then it does not, at once."""
+        if condition is None:
+            self.holds = False
+            self._since_s = None
+        elif condition == self.holds:
+            self._since_s = None
+        else:
+            if self._since_s is None:
+                self._since_s = now_s
+            if now_s - self._since_s >= self._lasts_s:
+                self.holds = condition
+                self._since_s = None
+        return self.holds
+
+
+class BatteryJudge:
+    """The battery of the board; not measured and not live are no alarm."""
+
+    def __init__(self) -> None:
+        self._low = Lasting(LASTS_S)
+        self._said_v = 0.0
+
+    def look(self, now_s: float, live: Values | None, low_v: float) -> Finding | None:
+        """`live` is the newest sample of analog, None while it is not live."""
+        battery_v = None if live is None else live.get("battery_v")
+        is_low = None if battery_v is None else battery_v < low_v
+        if battery_v is not None and is_low:
+            self._said_v = round(battery_v, 1)
+        if not self._low.look(now_s, condition=is_low):
+            return None
+        text = f"The battery is low: {self._said_v:.1f} V. Land, or charge it."
+        return Finding("battery_low", "critical", text, {"battery_v": self._said_v})
+
+
+class CpuJudge:
+    """The load of the board's two processors."""
+
+    def __init__(self) -> None:
+        self._high = Lasting(LASTS_S)
+        self._said_percent = 0
+
+    def look(self, now_s: float, live: Values | None, high_percent: float) -> Finding | None:
+        """`live` is the newest sample of statistics, None while it is not live."""
+        loads = [] if live is None else [load for load in live.values() if load is not None]
+        is_high = max(loads) > high_percent if loads else None
+        if is_high:
+            self._said_percent = max(loads)
+        if not self._high.look(now_s, condition=is_high):
+            return None
+        text = f"A processor of the board is {self._said_percent} % busy: lower the rates of its streams."
+        return Finding("cpu_high", "warning", text, {"percent": self._said_percent})
+
+
+class GpsJudge:
+    """The position: no fix, no validity, or no sample although the stream is wanted."""
+
+    def __init__(self) -> None:
+        self._lost = Lasting(_GPS_LASTS_S)
+        self._was_valid = False
+
+    def forget(self) -> None:
+        """There is no board to have a position."""
+        self._was_valid = False
+        self._lost.look(0.0, condition=None)
+
+    def look(self, now_s: float, live: Values | None, *, is_wanted: bool) -> Finding | None:
+        """`live` is the newest sample of gps, None while it is not live."""
+        is_valid = live is not None and bool(live.get("fix")) and live.get("valid") is True
+        self._was_valid = self._was_valid or is_valid
+        is_lost = not is_valid if live is not None else True if self._was_valid and is_wanted else None
+        if not self._lost.look(now_s, condition=is_lost):
+            return None
+        if live is None:
+            text = "The GPS is lost: its stream stopped. Check the receiver and the line."
+            return Finding("gps_lost", "critical", text, {"reason": "silent"})
+        text = "The GPS has no valid position: check its antenna and its view of the sky."
+        return Finding("gps_lost", "critical" if self._was_valid else "warning", text, {"reason": "no_fix"})
+
+
+class DamageJudge:
+    """The share of damaged frames of the last ten seconds."""
+
+    def __init__(self, now_s: float) -> None:
+        self._counts = deque([(now_s, 0, 0)])
+        self.percent = 0.0
+
+    def look(self, now_s: float, good: int, damaged: int, limit_percent: float) -> Finding | None:
+        """`good` and `damaged` are counters that only grow."""
+        self._counts.append((now_s, good, damaged))
+        while self._counts[0][0] < now_s - _DAMAGE_WINDOW_S:
+            self._counts.popleft()
+        good -= self._counts[0][1]
+        damaged -= self._counts[0][2]
+        self.percent = 100.0 * damaged / (good + damaged) if damaged >= _DAMAGE_LEAST else 0.0
+        if self.percent <= limit_percent:
+            return None
+        percent = round(self.percent, 1)
+        text = f"{percent:g} % of the board's frames are damaged: check baud rate, cable and radio."
+        return Finding("frames_damaged", "warning", text, {"percent": percent})
+
+
+@dataclass(frozen=True, slots=True)
+class Line:
+    """What is known of the board's line. Ages and times in seconds; `failure` is why the link is not open."""
+
+    target: str
+    wanted_for_s: float
+    is_lost: bool
+    was_heard: bool
+    heartbeat_age_s: float | None
+    stale_after_s: float | None
+    failure: str | None
+
+
+def judge_heartbeat(line: Line | None, lost_s: float) -> Finding | None:
+    """`line` is None while nobody wants a board."""
+    if line is None:
+        return None
+    params: Params = {"target": line.target}
+    if line.failure is not None and (line.was_heard or line.is_lost):
+        return Finding("heartbeat_lost", "critical", line.failure, params)
+    limit_s = max(line.stale_after_s or 0.0, lost_s)
+    if line.was_heard and line.heartbeat_age_s is not None and line.heartbeat_age_s > limit_s:
+        text = f"The board on {line.target} is silent: check its power and the line."
+        return Finding("heartbeat_lost", "critical", text, params)
+    if not line.was_heard and line.wanted_for_s > _NEVER_HEARD_S:
+        text = f"Nothing that a board sends came from {line.target}: check that it is on, the port and the baud rate."
+        return Finding("no_heartbeat", "warning", text, params)
+    return None
+
+
+@dataclass(frozen=True, slots=True)
+class Loop:
+    """What is known of the HIL loop once it was closed. Ages in seconds; None: not yet."""
+
+    to_board_age_s: float
+    surfaces_age_s: float | None
+    is_board_open: bool
+    is_simulator_open: bool
+    missing_rows: Sequence[int]
+
+
+def judge_hil(loop: Loop | None, lost_s: float) -> Finding | None:
+    """`loop` is None while nobody flies with a simulator."""
+    if loop is None:
+        return None
+    if loop.to_board_age_s > lost_s:
+        if not loop.is_board_open:
+            text = "The HIL loop is open: the board gets no simulator data. Check the board's link."
+        elif loop.is_simulator_open and loop.missing_rows:
+            text = f"The HIL loop is open: rows {list(loop.missing_rows)} are missing. Tick them in the data output."
+        else:
+            text = "The HIL loop is open: the simulator sends nothing. Check that it runs and where it sends to."
+        return Finding("hil_lost", "critical", text)
+    if loop.surfaces_age_s is None or loop.surfaces_age_s > lost_s:
+        return Finding("hil_lost", "critical", "The HIL loop is open: the board does not answer the simulator's data.")
+    return None
+
+
+def judge_parameters(unconfirmed: Sequence[str]) -> Finding | None:
+    """`unconfirmed` are the gains whose last write was refused or not answered."""
+    if not unconfirmed:
+        return None
+    names = ", ".join(unconfirmed)
+    text = f"The board did not confirm {names}: load the parameters and see what it has."
+    return Finding("parameter_not_confirmed", "warning", text, {"names": names})
+
+
+def judge_recording(failure: str | None) -> Finding | None:
+    """`failure` is why the flight is not being recorded."""
+    if failure is None:
+        return None
+    text = f"The flight is not being recorded ({failure}): free the disk or correct the folder's permissions."
+    return Finding("recorder_failed", "critical", text, {"reason": failure})
