@@ -106,6 +106,9 @@ export function createPage(world: World): {
     switch (message.type) {
       case "batch":
         telemetry.apply(message.t_s, message.samples, at_ms);
+        if (message.rows !== null) {
+          telemetry.applyRows(message.rows);
+        }
         return;
       case "status":
         takeStatus(message.data, at_ms);

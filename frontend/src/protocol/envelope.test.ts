@@ -37,6 +37,25 @@ describe("a message as agreed", () => {
     expect(parse({ type: "event", event: "command", t_s: 1, data: { name: "ahrs_on" } })?.type).toBe("event");
   });
 
+  test("the simulator's rows come apart from the samples, a value that is not there as no data", () => {
+    const rows = {
+      topic: "xplane_rows",
+      t_s: 1700000000.5,
+      values: { rows: { 3: [55, -999, null], 17: [1.5] } },
+    };
+    expect(parse({ ...batch, samples: [rows, ahrs] })).toMatchObject({
+      samples: [ahrs],
+      rows: {
+        t_s: 1700000000.5,
+        rows: [
+          [3, [55, null, null]],
+          [17, [1.5]],
+        ],
+      },
+    });
+    expect(parse(batch)).toMatchObject({ rows: null });
+  });
+
   test("a topic that this page does not know may hold anything", () => {
     const sample = { topic: "added_later", t_s: 1, values: { rows: { 3: [1, 2] } } };
     expect(parse({ ...batch, samples: [sample] })?.type).toBe("batch");
@@ -68,6 +87,17 @@ describe("refused as a whole is", () => {
     [
       "a flag that is a number",
       JSON.stringify({ ...batch, samples: [{ topic: "heartbeat", t_s: 1, values: { ahrs: 1 } }] }),
+    ],
+    [
+      "a row of the simulator that is no list",
+      JSON.stringify({ ...batch, samples: [{ topic: "xplane_rows", t_s: 1, values: { rows: { 3: 55 } } }] }),
+    ],
+    [
+      "a row of the simulator without a number",
+      JSON.stringify({
+        ...batch,
+        samples: [{ topic: "xplane_rows", t_s: 1, values: { rows: { one: [] } } }],
+      }),
     ],
     ["a hello with an unknown role", JSON.stringify({ ...hello, role: "captain" })],
     [

@@ -1,4 +1,4 @@
-import { isNumber, isObject, isText, oneOf } from "../lib/check";
+import { dictionary, isNumber, isObject, isText, list, nullable, oneOf } from "../lib/check";
 import { isStatus, type Status } from "./status";
 import { FIELD_KINDS } from "./topics";
 
@@ -7,6 +7,12 @@ export interface Sample {
   readonly topic: string;
   readonly t_s: number;
   readonly values: Readonly<Record<string, number | boolean | null>>;
+}
+
+/** All rows of the simulator that are not old, by number: eight values each, null where a row has none. */
+export interface SimulatorRows {
+  readonly t_s: number;
+  readonly rows: ReadonlyArray<readonly [row: number, values: ReadonlyArray<number | null>]>;
 }
 
 export interface Hello {
@@ -24,6 +30,8 @@ export interface Batch {
   readonly seq: number;
   readonly t_s: number;
   readonly samples: readonly Sample[];
+  /** The newest of them, where the batch brings any. */
+  readonly rows: SimulatorRows | null;
 }
 
 export interface StatusMessage {
@@ -81,11 +89,41 @@ function event(value: Json): StreamEvent | null {
   return isText(name) && isNumber(t_s) && isObject(data) ? { type: "event", event: name, t_s, data } : null;
 }
 
+const ROWS_TOPIC = "xplane_rows";
+/** X-Plane's "this value is not here". */
+const ABSENT = -999;
+const isRows = dictionary(list(nullable(isNumber)));
+
 function batch(value: Json): Batch | null {
   const { seq, t_s, samples } = value;
-  return isNumber(seq) && isNumber(t_s) && Array.isArray(samples) && samples.every(isSample)
-    ? { type: "batch", seq, t_s, samples }
-    : null;
+  if (!(isNumber(seq) && isNumber(t_s) && Array.isArray(samples))) {
+    return null;
+  }
+  const known: Sample[] = [];
+  let rows: SimulatorRows | null = null;
+  for (const sample of samples) {
+    if (isObject(sample) && sample["topic"] === ROWS_TOPIC) {
+      rows = simulatorRows(sample);
+      if (rows === null) {
+        return null;
+      }
+    } else if (isSample(sample)) {
+      known.push(sample);
+    } else {
+      return null;
+    }
+  }
+  return { type: "batch", seq, t_s, samples: known, rows };
+}
+
+function simulatorRows({ t_s, values }: Json): SimulatorRows | null {
+  if (!(isNumber(t_s) && isObject(values) && isRows(values["rows"]))) {
+    return null;
+  }
+  const rows = Object.entries(values["rows"]).map(
+    ([row, eight]) => [Number(row), eight.map((entry) => (entry === ABSENT ? null : entry))] as const,
+  );
+  return rows.every(([row]) => Number.isInteger(row)) ? { t_s, rows } : null;
 }
 
 function isSample(value: unknown): value is Sample {

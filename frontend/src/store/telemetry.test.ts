@@ -92,3 +92,35 @@ test("the revision moves with every arrival, so that painters know", () => {
   batch(10);
   expect(telemetry.revision).not.toBe(before);
 });
+
+describe("a row of the simulator", () => {
+  const heard = (now_ms: number): void =>
+    telemetry.applyRows({ t_s: START_S + now_ms / 1000, rows: [[17, [1.5, null]]] });
+
+  test("is live while the gateway tells it, and then stale and without a value", () => {
+    expect(telemetry.rowState(17, 0)).toBe("none");
+    heard(0);
+    expect(telemetry.liveRowValue(17, 0, 900)).toBe(1.5);
+    expect(telemetry.liveRowValue(17, 1, 900)).toBeNull();
+    telemetry.heard(1900);
+    expect(telemetry.rowState(17, 1900)).toBe("stale");
+    expect(telemetry.rowAge_s(17, 1900)).toBeCloseTo(1.9, 6);
+    expect(telemetry.liveRowValue(17, 0, 1900)).toBeNull();
+  });
+
+  test("that others follow without it grows old by itself", () => {
+    heard(0);
+    telemetry.heard(1500);
+    telemetry.applyRows({ t_s: START_S + 1.5, rows: [[3, [55]]] });
+    expect(telemetry.rowState(17, 1500)).toBe("stale");
+    expect(telemetry.rowState(3, 1500)).toBe("live");
+  });
+});
+
+test("a field known only by its name is read like any other", () => {
+  batch(1000);
+  expect(telemetry.liveNumberOf("ahrs", "roll_deg", 1100)).toBe(30);
+  expect(telemetry.liveNumberOf("ahrs", "no_such_field", 1100)).toBeNull();
+  telemetry.heard(2000);
+  expect(telemetry.liveNumberOf("ahrs", "roll_deg", 2000)).toBeNull();
+});

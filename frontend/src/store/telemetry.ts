@@ -1,4 +1,4 @@
-import type { Sample } from "../protocol/envelope";
+import type { Sample, SimulatorRows } from "../protocol/envelope";
 import type { FieldName, FlagField, NumberField, TopicName } from "../protocol/topics";
 import { ServerClock } from "./clock";
 
@@ -14,11 +14,20 @@ const DEFAULT_STALE_AFTER_S = 1;
  * gateway's three periods can be as short as 60 ms.
  */
 const WAY_S = 0.15;
+/** The gateway tells a row of the simulator five times a second, for as long as it is not older than a second. */
+const ROW_STALE_AFTER_S = 1;
+
+/** A row of the simulator: its eight values, null where it has none, and when the gateway told it last. */
+export interface HeardRow {
+  readonly t_s: number;
+  readonly values: ReadonlyArray<number | null>;
+}
 
 /** The newest sample of every topic, changed in place: the pump's painters read it, nothing is told of a change. */
 export class TelemetryStore {
   readonly #newest = new Map<string, Sample>();
   readonly #staleAfter_s = new Map<string, number>();
+  readonly #rows = new Map<number, HeardRow>();
   readonly #clock = new ServerClock();
   #heard_ms = Number.NEGATIVE_INFINITY;
   #revision = 0;
@@ -53,6 +62,13 @@ export class TelemetryStore {
     this.heard(now_ms);
     for (const sample of samples) {
       this.#newest.set(sample.topic, sample);
+    }
+  }
+
+  /** The simulator's rows as the gateway has them; one that is missing has not been heard for a second. */
+  applyRows({ t_s, rows }: SimulatorRows): void {
+    for (const [row, values] of rows) {
+      this.#rows.set(row, { t_s, values });
     }
   }
 
@@ -93,6 +109,37 @@ export class TelemetryStore {
   /** A number of a topic if it is live, else null: nothing old can be drawn by mistake. */
   liveNumber<T extends TopicName>(topic: T, field: NumberField<T>, now_ms: number): number | null {
     return this.state(topic, now_ms) === "live" ? this.newestNumber(topic, field) : null;
+  }
+
+  /** The same for a field whose name is only known at run time; of a field that is not there, null. */
+  liveNumberOf(topic: TopicName, field: string, now_ms: number): number | null {
+    const value = this.state(topic, now_ms) === "live" ? this.#newest.get(topic)?.values[field] : null;
+    return typeof value === "number" ? value : null;
+  }
+
+  /** Every row of the simulator that was ever heard, by number: ask `rowState` before showing it. */
+  get rows(): ReadonlyMap<number, HeardRow> {
+    return this.#rows;
+  }
+
+  /** Seconds since the gateway last told this row; null where it never did. */
+  rowAge_s(row: number, now_ms: number): number | null {
+    const heard = this.#rows.get(row);
+    const server_s = this.#clock.now_s(now_ms / 1000);
+    return heard === undefined || server_s === null ? null : Math.max(0, server_s - heard.t_s);
+  }
+
+  rowState(row: number, now_ms: number): DataState {
+    const age_s = this.rowAge_s(row, now_ms);
+    if (age_s === null) {
+      return "none";
+    }
+    return this.isConnected(now_ms) && age_s <= ROW_STALE_AFTER_S + WAY_S ? "live" : "stale";
+  }
+
+  /** One of a row's eight values if the row is live and has it, else null. */
+  liveRowValue(row: number, index: number, now_ms: number): number | null {
+    return this.rowState(row, now_ms) === "live" ? (this.#rows.get(row)?.values[index] ?? null) : null;
   }
 
   /** A flag of a topic's newest sample, however old. */

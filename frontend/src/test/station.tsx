@@ -1,4 +1,5 @@
 import { act, render } from "@testing-library/react";
+import type { ReactElement } from "react";
 import { I18nextProvider } from "react-i18next";
 import { App } from "../app/App";
 import { createPage, type World } from "../app/page";
@@ -8,6 +9,7 @@ import type { Status } from "../protocol/status";
 import { FIELD_KINDS } from "../protocol/topics";
 import { type Page, PageContext } from "../store/hooks";
 import type { Shelf } from "../store/settings";
+import { installCanvas } from "./canvas";
 import { HandFrames } from "./frames";
 import { aStatus } from "./status";
 import { HandTimers, HandWire } from "./wire";
@@ -40,7 +42,9 @@ export class Station {
   readonly page: Page;
   #seq = 0;
 
-  constructor() {
+  /** Shows the whole page, or the part of it that a test is about. */
+  constructor(shown: ReactElement = <App />) {
+    installCanvas();
     const world: World = {
       timers: this.timers,
       wall_ms: () => START_S * 1000 + this.timers.now_ms(),
@@ -60,9 +64,7 @@ export class Station {
     this.page = page;
     render(
       <I18nextProvider i18n={createI18n("es")}>
-        <PageContext value={page}>
-          <App />
-        </PageContext>
+        <PageContext value={page}>{shown}</PageContext>
       </I18nextProvider>,
     );
     act(start);
@@ -95,6 +97,13 @@ export class Station {
       ),
     }));
     this.#seq += 1;
+    this.deliver({ type: "batch", seq: this.#seq, t_s: this.#now_s(), samples });
+  }
+
+  /** Rows of the simulator as they came, eight values each. */
+  rows(rows: Readonly<Record<number, ReadonlyArray<number | null>>>): void {
+    this.#seq += 1;
+    const samples = [{ topic: "xplane_rows", t_s: this.#now_s(), values: { rows } }];
     this.deliver({ type: "batch", seq: this.#seq, t_s: this.#now_s(), samples });
   }
 

@@ -34,6 +34,11 @@ const inks = ["--text", "--text-muted", "--accent", "--engaged", "--guidance", "
 const pairs: [string, string, number][] = [
   ...surfaces.flatMap((surface) => inks.map((ink): [string, string, number] => [ink, surface, TEXT])),
   ...surfaces.map((surface): [string, string, number] => ["--line-control", surface, GRAPHIC]),
+  ...[1, 2, 3, 4, 5, 6].map((line): [string, string, number] => [
+    `--plot-${line}`,
+    "--surface-well",
+    GRAPHIC,
+  ]),
   ["--accent-ink", "--accent", TEXT],
   ["--dial-caution-ink", "--dial-caution", TEXT],
   ["--dial-caution", "--dial-face", GRAPHIC],

@@ -1,0 +1,190 @@
+import "./plot.css";
+import { Pause, Play } from "lucide-react";
+import { useCallback, useEffect, useMemo, useRef, useState } from "react";
+import { useTranslation } from "react-i18next";
+import { formatMeasured } from "../lib/format";
+import { extent, type HistoryWindow, SignalHistory } from "../lib/signalHistory";
+import type { TelemetryStore } from "../store/telemetry";
+import { usePaint } from "../store/usePaint";
+import { Button } from "../ui/Button";
+import { Notice } from "../ui/Notice";
+import type { PlotData, PlotHandle } from "../ui/Plot";
+import { PlotKey, type PlotKeyHandle } from "./PlotKey";
+import { liveSignal, type Signal, signalKey } from "./signals";
+import { useLazyPlot } from "./useLazyPlot";
+
+interface Props {
+  signals: readonly Signal[];
+  /** How far back the picture reaches. */
+  window_s?: number;
+  /** A CSS length; without it the plot fills what it stands in. */
+  height?: string;
+  /** Accessible name. */
+  label: string;
+}
+
+/** Rows closer than this are not kept: a little under a frame of 60 Hz. */
+const ROW_MS = 15;
+/** A value that does not change is written down this often, so that the line before a step is flat. */
+const HELD_MS = 95;
+/** After a longer pause of the page nobody knows what was between: a gap. */
+const LAPSE_MS = 1000;
+const SUMMARY_MS = 1000;
+
+/**
+ * Signals over the last seconds, with gaps where they were not live: kept at every displayed frame, drawn ten times a
+ * second, all without a render. Pausing stops the picture, not the keeping. What it shows is also told in words.
+ */
+export function LivePlot({ signals, window_s = 30, height, label }: Props) {
+  const { t } = useTranslation();
+  const plot = useRef<PlotHandle>(null);
+  const key = useRef<PlotKeyHandle>(null);
+  const summary = useRef<HTMLParagraphElement>(null);
+  const [isPaused, setPaused] = useState(false);
+  const shown = useStable(signals);
+  const recording = useRecording(shown, window_s);
+  const point = useRef<number | null>(null);
+  const frozen = useRef<HistoryWindow | null>(null);
+  const drawn = useRef<readonly Signal[] | null>(null);
+  const { Plot, failed } = useLazyPlot();
+
+  const say = useCallback(
+    (window: HistoryWindow): string =>
+      shown
+        .map((signal) => {
+          const values = window.values.get(signalKey(signal)) ?? [];
+          const newest = formatMeasured(values.at(-1) ?? null);
+          const range = extent(values);
+          return newest === null || range === null
+            ? t("plot.signalNone", { name: signal.label })
+            : t("plot.signal", {
+                name: signal.label,
+                value: newest,
+                unit: signal.unit ?? "",
+                minimum: formatMeasured(range.min) ?? "",
+                maximum: formatMeasured(range.max) ?? "",
+              });
+        })
+        .join(" "),
+    [shown, t],
+  );
+
+  const paint = useCallback(
+    (_: TelemetryStore, now_ms: number) => {
+      const window = (isPaused ? frozen.current : null) ?? recording.window(now_ms);
+      frozen.current = window;
+      // A picture that is held is drawn again only when it shows other signals.
+      if (plot.current !== null && !(isPaused && drawn.current === shown)) {
+        plot.current.draw(dataOf(window, shown));
+        drawn.current = shown;
+      }
+      key.current?.paint(shown.map((signal) => valueAt(window, signal, point.current)));
+      if (summary.current !== null && recording.summaryIsDue(now_ms)) {
+        summary.current.textContent = say(window);
+      }
+    },
+    [isPaused, recording, shown, say],
+  );
+  usePaint("text", paint);
+
+  const series = useMemo(
+    () => shown.map((signal) => ({ key: signalKey(signal), unit: signal.unit ?? "" })),
+    [shown],
+  );
+  const onPoint = useCallback((index: number | null) => {
+    point.current = index;
+  }, []);
+  return (
+    <figure className="live-plot" aria-label={label} style={height === undefined ? undefined : { height }}>
+      <figcaption className="live-plot-head">
+        <PlotKey ref={key} signals={shown} />
+        <Button
+          onPress={() => setPaused(!isPaused)}
+          pressed={isPaused}
+          icon={isPaused ? <Play aria-hidden="true" size={14} /> : <Pause aria-hidden="true" size={14} />}
+        >
+          {t("plot.pause")}
+        </Button>
+      </figcaption>
+      <div className="live-plot-picture">
+        {Plot !== null && (
+          <Plot ref={plot} series={series} window_s={window_s} secondsUnit={t("unit.s")} onPoint={onPoint} />
+        )}
+        {failed && <Notice level="error">{t("plot.failed")}</Notice>}
+      </div>
+      <p ref={summary} className="visually-hidden" />
+    </figure>
+  );
+}
+
+/** The same array for as long as the signals are the same, whatever array they come in. */
+function useStable(signals: readonly Signal[]): readonly Signal[] {
+  const [kept, setKept] = useState(signals);
+  if (kept !== signals && identity(kept) !== identity(signals)) {
+    setKept(signals);
+    return signals;
+  }
+  return kept;
+}
+
+function identity(signals: readonly Signal[]): string {
+  return signals.map((signal) => `${signalKey(signal)} ${signal.label}`).join("\n");
+}
+
+interface Recording {
+  readonly window: (now_ms: number) => HistoryWindow;
+  /** True at most once a second: words for screen readers. */
+  readonly summaryIsDue: (now_ms: number) => boolean;
+}
+
+/** Keeps the signals' values at each displayed frame. Signals that stay keep their past when others come or go. */
+function useRecording(signals: readonly Signal[], window_s: number): Recording {
+  const history = useRef<SignalHistory | null>(null);
+  const keys = useMemo(() => signals.map(signalKey), [signals]);
+  const capacity = Math.ceil((window_s * 1000) / ROW_MS) + 1;
+  useEffect(() => {
+    history.current = history.current?.withKeys(keys, capacity) ?? new SignalHistory(keys, capacity);
+  }, [keys, capacity]);
+
+  const last = useRef({ at_ms: Number.NEGATIVE_INFINITY, values: "" });
+  const keep = useCallback(
+    (telemetry: TelemetryStore, now_ms: number) => {
+      const values = new Map(
+        signals.map((signal) => [signalKey(signal), liveSignal(telemetry, signal, now_ms)]),
+      );
+      const text = [...values.values()].join();
+      const since_ms = now_ms - last.current.at_ms;
+      if (since_ms >= HELD_MS || (text !== last.current.values && since_ms >= ROW_MS)) {
+        if (since_ms > LAPSE_MS) {
+          history.current?.append(now_ms / 1000, () => null);
+        }
+        last.current = { at_ms: now_ms, values: text };
+        history.current?.append(now_ms / 1000, (name) => values.get(name) ?? null);
+      }
+    },
+    [signals],
+  );
+  usePaint("frame", keep);
+
+  return useMemo(() => {
+    let said_ms = Number.NEGATIVE_INFINITY;
+    return {
+      window: (now_ms) =>
+        history.current?.window(now_ms / 1000, window_s) ?? { before_s: [], values: new Map() },
+      summaryIsDue: (now_ms) => {
+        const isDue = now_ms - said_ms >= SUMMARY_MS;
+        said_ms = isDue ? now_ms : said_ms;
+        return isDue;
+      },
+    };
+  }, [window_s]);
+}
+
+function dataOf({ before_s, values }: HistoryWindow, signals: readonly Signal[]): PlotData {
+  return [before_s, ...signals.map((signal) => values.get(signalKey(signal)) ?? before_s.map(() => null))];
+}
+
+/** The value under the pointer; without one, the newest. */
+function valueAt({ values }: HistoryWindow, signal: Signal, index: number | null): number | null {
+  return values.get(signalKey(signal))?.at(index ?? -1) ?? null;
+}

@@ -1,0 +1,213 @@
+import { type Ref, useEffect, useImperativeHandle, useRef } from "react";
+import uPlot from "uplot";
+import "uplot/dist/uPlot.min.css";
+import "./Plot.css";
+import { PLOT_DASHES, plotColour } from "./plotColours";
+
+/** Seconds before now (zero or less), and for each series its values; null is a gap. */
+export type PlotData = readonly [readonly number[], ...ReadonlyArray<ReadonlyArray<number | null>>];
+
+export interface PlotHandle {
+  /** Draw these; the picture always reaches from `window_s` before now to now. */
+  draw(data: PlotData): void;
+}
+
+export interface PlotSeries {
+  readonly key: string;
+  /** Series of one unit share an axis. */
+  readonly unit: string;
+}
+
+interface Props {
+  ref?: Ref<PlotHandle> | undefined;
+  series: readonly PlotSeries[];
+  window_s: number;
+  /** Written at the axis of time. */
+  secondsUnit: string;
+  /** Told which row lies under the pointer; null when it has left. */
+  onPoint?: ((index: number | null) => void) | undefined;
+}
+
+/** Advance of a figure of the number font. */
+const EM_PER_FIGURE = 0.65;
+/** As many units have an axis of their own; the picture has no room for more. */
+const MOST_AXES = 4;
+
+/**
+ * A drawing of series over the last seconds, by uPlot; painted by its handle, without a render. The canvas says nothing
+ * to a screen reader: whoever shows it says in words what it shows.
+ */
+export function Plot({ ref, series, window_s, secondsUnit, onPoint }: Props) {
+  const box = useRef<HTMLDivElement>(null);
+  const plot = useRef<uPlot | null>(null);
+  const newest = useRef<PlotData | null>(null);
+  const point = useRef(onPoint);
+  useEffect(() => {
+    point.current = onPoint;
+  }, [onPoint]);
+
+  useEffect(() => {
+    const element = box.current;
+    if (element === null) {
+      return;
+    }
+    let look = lookOf(element);
+    const made = new uPlot(
+      options({
+        series,
+        window_s,
+        secondsUnit,
+        size: sizeOf(element),
+        colour: (name) => look.colour(name),
+        fontSize_px: look.fontSize_px,
+        fontFamily: look.fontFamily,
+        onPoint: (index) => point.current?.(index),
+      }),
+      aligned(fitting(newest.current, series.length)),
+      element,
+    );
+    plot.current = made;
+    const resized = new ResizeObserver(() => made.setSize(sizeOf(element)));
+    resized.observe(element);
+    const dressed = new MutationObserver(() => {
+      look = lookOf(element);
+      made.redraw(false, true);
+    });
+    dressed.observe(document.documentElement, { attributeFilter: ["data-theme"] });
+    return () => {
+      resized.disconnect();
+      dressed.disconnect();
+      made.destroy();
+      plot.current = null;
+    };
+  }, [series, window_s, secondsUnit]);
+
+  useImperativeHandle(
+    ref,
+    () => ({
+      draw(data) {
+        newest.current = data;
+        plot.current?.setData(aligned(data));
+      },
+    }),
+    [],
+  );
+  return <div ref={box} className="ui-plot" aria-hidden="true" />;
+}
+
+function sizeOf(element: HTMLElement): { width: number; height: number } {
+  return { width: Math.max(1, element.clientWidth), height: Math.max(1, element.clientHeight) };
+}
+
+/** What was drawn last, as long as it has as many series as are drawn now. */
+function fitting(data: PlotData | null, count: number): PlotData {
+  return data !== null && data.length === count + 1
+    ? data
+    : [[], ...Array.from({ length: count }, (): number[] => [])];
+}
+
+/** uPlot's own type asks for arrays that it may change; it changes none. */
+function aligned(data: PlotData): uPlot.AlignedData {
+  return data as unknown as uPlot.AlignedData;
+}
+
+interface Look {
+  readonly colour: (token: string) => string;
+  readonly fontSize_px: number;
+  readonly fontFamily: string;
+}
+
+/** What the theme says, asked once and not for each drawing: every question makes the browser work out styles. */
+function lookOf(element: HTMLElement): Look {
+  const style = getComputedStyle(element);
+  const known = new Map<string, string>();
+  return {
+    colour: (token) => {
+      const colour = known.get(token) ?? style.getPropertyValue(token).trim();
+      known.set(token, colour);
+      return colour;
+    },
+    fontSize_px: Number.parseFloat(style.fontSize) || 12,
+    fontFamily: style.getPropertyValue("--font-number").trim() || "monospace",
+  };
+}
+
+interface Wanted extends Look {
+  readonly series: readonly PlotSeries[];
+  readonly window_s: number;
+  readonly secondsUnit: string;
+  readonly size: { readonly width: number; readonly height: number };
+  readonly onPoint: (index: number | null) => void;
+}
+
+function options(wanted: Wanted): uPlot.Options {
+  const { series, window_s, secondsUnit, size, colour, fontSize_px, fontFamily, onPoint } = wanted;
+  const units = [...new Set(series.map(({ unit }) => unit))];
+  const font = `${fontSize_px}px ${fontFamily}`;
+  const look = {
+    stroke: () => colour("--text-muted"),
+    font,
+    labelFont: font,
+    grid: { stroke: () => colour("--line"), width: 1 },
+    ticks: { stroke: () => colour("--line-control"), width: 1, size: 4 },
+  } as const;
+  return {
+    ...size,
+    legend: { show: false },
+    cursor: { drag: { x: false, y: false }, points: { size: 6 }, y: false },
+    scales: {
+      x: { time: false, range: [-window_s, 0] },
+      ...Object.fromEntries(units.map((unit) => [scaleOf(unit), { range: roomy }])),
+    },
+    axes: [
+      {
+        ...look,
+        size: 2 * fontSize_px,
+        values: (_, splits) => splits.map((split) => `${split} ${secondsUnit}`),
+      },
+      ...units.slice(0, MOST_AXES).map(
+        (unit, index): uPlot.Axis => ({
+          ...look,
+          scale: scaleOf(unit),
+          side: index % 2 === 0 ? 3 : 1,
+          size: (_, values) => axisWidth(values, fontSize_px),
+          ...(index === 0 ? {} : { grid: { show: false } }),
+          ...(unit === "" ? {} : { label: unit, labelSize: 1.5 * fontSize_px, labelGap: 0 }),
+        }),
+      ),
+    ],
+    series: [
+      {},
+      ...series.map(
+        ({ unit }, index): uPlot.Series => ({
+          scale: scaleOf(unit),
+          stroke: () => colour(plotColour(index)),
+          width: 1.5,
+          dash: [...(PLOT_DASHES[index % PLOT_DASHES.length] ?? [])],
+          points: { show: false },
+        }),
+      ),
+    ],
+    hooks: { setCursor: [({ cursor }) => onPoint(cursor.idx ?? null)] },
+  };
+}
+
+function scaleOf(unit: string): string {
+  return `y ${unit}`;
+}
+
+/** Room above and below; a signal that stands still is a line in the middle, and not at an end. */
+function roomy(_: uPlot, min: number | null, max: number | null): uPlot.Range.MinMax {
+  if (min === null || max === null) {
+    return [-1, 1];
+  }
+  const least = Math.max(1e-3, Math.abs(max) * 1e-3);
+  const pad = max - min < least ? least : (max - min) * 0.08;
+  return [min - pad, max + pad];
+}
+
+/** The numbers stand whole, however long they are; at least room for five, so that the picture does not jump about. */
+function axisWidth(values: readonly string[] | null, fontSize_px: number): number {
+  const longest = Math.max(5, ...(values ?? []).map((text) => text.length));
+  return Math.ceil(longest * EM_PER_FIGURE * fontSize_px) + 10;
+}
