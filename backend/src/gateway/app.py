@@ -11,7 +11,7 @@ from typing import Any, Final
 from fastapi import FastAPI
 
 from gateway import __version__
-from gateway.api import about, alarms, commands, docs, links, parameters, recordings, state
+from gateway.api import about, alarms, commands, docs, links, mission_files, parameters, recordings, state
 from gateway.api.errors import install_error_handlers
 from gateway.api.guard import Access, Guard
 from gateway.api.page import install_page
@@ -55,5 +55,11 @@ def create_app(settings: Settings) -> FastAPI:
     app.include_router(docs.router)
     install_error_handlers(app, errors)
     install_page(app, settings.page_dir or _PAGE_IN_TREE)
-    app.add_middleware(Guard, access=access, errors=errors, max_body_bytes=settings.max_body_bytes)
+    app.add_middleware(
+        Guard,
+        access=access,
+        errors=errors,
+        max_body_bytes=settings.max_body_bytes,
+        longer_bodies={_PREFIX + mission_files.IMPORT_PATH: mission_files.MAX_FILE_BYTES},
+    )
     return app

@@ -18,6 +18,7 @@ ErrorCode = Literal[
     "control_held",
     "datagram_malformed",
     "datagram_stranger",
+    "emulation_running",
     "foreign_host",
     "foreign_origin",
     "http_error",
@@ -73,6 +74,7 @@ ErrorCode = Literal[
     "stream_message_invalid",
     "threshold_out_of_range",
     "threshold_unknown",
+    "track_not_kept",
     "value_not_allowed",
 ]
 

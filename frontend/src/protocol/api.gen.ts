@@ -240,6 +240,46 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/missions/export": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Export Mission
+         * @description A plan as a file.
+         */
+        post: operations["export_mission_api_v1_missions_export_post"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/missions/import": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Import Mission
+         * @description Read a KML, KMZ, GPX, CSV or .plan file, whole or not at all; what it is, its content says.
+         */
+        post: operations["import_mission_api_v1_missions_import_post"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/missions/{plan}": {
         parameters: {
             query?: never;
@@ -757,7 +797,7 @@ export interface components {
              * Code
              * @enum {string}
              */
-            code: "alarm_not_active" | "bad_json" | "board_line_full" | "board_not_open" | "body_too_large" | "client_unknown" | "command_unknown" | "control_held" | "datagram_malformed" | "datagram_stranger" | "foreign_host" | "foreign_origin" | "http_error" | "internal" | "invalid_request" | "journal_not_written" | "journal_unreadable" | "line_garbage" | "link_address_invalid" | "link_busy" | "link_failed" | "link_lost" | "link_no_device" | "link_not_serial" | "link_permission" | "link_refused" | "link_timeout" | "link_unknown_host" | "link_unreachable" | "listen_failed" | "listen_unknown_host" | "memory_not_written" | "memory_unreadable" | "method_not_allowed" | "mission_differs" | "mission_file_archive" | "mission_file_damaged" | "mission_file_empty" | "mission_file_forbidden" | "mission_file_frame" | "mission_file_header" | "mission_file_no_home" | "mission_file_no_waypoints" | "mission_file_out_of_range" | "mission_file_too_long" | "mission_file_unknown" | "mission_file_unreadable" | "mission_invalid" | "mission_not_read" | "mission_refused" | "no_such_address" | "not_supported" | "nothing_to_redo" | "nothing_to_undo" | "parameter_out_of_range" | "parameter_unknown" | "parameters_not_read" | "port_taken" | "rate_invalid" | "recording_unknown" | "simulator_unknown_host" | "source_not_taken" | "stream_message_invalid" | "threshold_out_of_range" | "threshold_unknown" | "value_not_allowed";
+            code: "alarm_not_active" | "bad_json" | "board_line_full" | "board_not_open" | "body_too_large" | "client_unknown" | "command_unknown" | "control_held" | "datagram_malformed" | "datagram_stranger" | "emulation_running" | "foreign_host" | "foreign_origin" | "http_error" | "internal" | "invalid_request" | "journal_not_written" | "journal_unreadable" | "line_garbage" | "link_address_invalid" | "link_busy" | "link_failed" | "link_lost" | "link_no_device" | "link_not_serial" | "link_permission" | "link_refused" | "link_timeout" | "link_unknown_host" | "link_unreachable" | "listen_failed" | "listen_unknown_host" | "memory_not_written" | "memory_unreadable" | "method_not_allowed" | "mission_differs" | "mission_file_archive" | "mission_file_damaged" | "mission_file_empty" | "mission_file_forbidden" | "mission_file_frame" | "mission_file_header" | "mission_file_no_home" | "mission_file_no_waypoints" | "mission_file_out_of_range" | "mission_file_too_long" | "mission_file_unknown" | "mission_file_unreadable" | "mission_invalid" | "mission_not_read" | "mission_refused" | "no_such_address" | "not_supported" | "nothing_to_redo" | "nothing_to_undo" | "parameter_out_of_range" | "parameter_unknown" | "parameters_not_read" | "port_taken" | "rate_invalid" | "recording_unknown" | "simulator_unknown_host" | "source_not_taken" | "stream_message_invalid" | "threshold_out_of_range" | "threshold_unknown" | "track_not_kept" | "value_not_allowed";
             /** Detail */
             detail: string;
             /** Params */
@@ -865,12 +905,61 @@ export interface components {
             waypoints: components["schemas"]["WaypointModel"][];
         };
         /**
+         * MissionExport
+         * @description A plan that becomes a file; `name` is its title and the file's name.
+         */
+        MissionExport: {
+            /**
+             * Name
+             * @default plan
+             */
+            name: string;
+            /** Waypoints */
+            waypoints: components["schemas"]["WaypointModel"][];
+        };
+        /**
+         * MissionImport
+         * @description What was in the file. Nothing was sent to the board.
+         */
+        MissionImport: {
+            /**
+             * Format
+             * @enum {string}
+             */
+            format: "kml" | "gpx" | "csv" | "plan";
+            /** Notes */
+            notes: components["schemas"]["MissionNote"][];
+            /** Waypoints */
+            waypoints: components["schemas"]["WaypointModel"][];
+        };
+        /**
          * MissionInput
          * @description A whole plan.
          */
         MissionInput: {
             /** Waypoints */
             waypoints: components["schemas"]["WaypointModel"][];
+        };
+        /**
+         * MissionNote
+         * @description Something about the file that a person should know before flying it, with the values for the sentence.
+         *
+         *     altitude_missing {count, altitude_ft} and speed_missing {count, speed_kt}: filled in with this.
+         *     altitude_above_ground {count}: heights above the terrain, taken as above mean sea level: they must be corrected.
+         *     altitude_clamped {count}: the file puts them on the ground, yet gives altitudes, which were taken.
+         *     altitude_from_home {count, home_ft}: the planned home's altitude was added.
+         *     items_skipped {count, kinds}, shapes_skipped {count}, columns_skipped {names}: what is no waypoint was left out.
+         */
+        MissionNote: {
+            /**
+             * Code
+             * @enum {string}
+             */
+            code: "altitude_above_ground" | "altitude_clamped" | "altitude_from_home" | "altitude_missing" | "columns_skipped" | "items_skipped" | "shapes_skipped" | "speed_missing";
+            /** Params */
+            params: {
+                [key: string]: string | number | boolean | null;
+            };
         };
         /**
          * ParameterChange
@@ -1015,7 +1104,7 @@ export interface components {
              * Code
              * @enum {string}
              */
-            code: "alarm_not_active" | "bad_json" | "board_line_full" | "board_not_open" | "body_too_large" | "client_unknown" | "command_unknown" | "control_held" | "datagram_malformed" | "datagram_stranger" | "foreign_host" | "foreign_origin" | "http_error" | "internal" | "invalid_request" | "journal_not_written" | "journal_unreadable" | "line_garbage" | "link_address_invalid" | "link_busy" | "link_failed" | "link_lost" | "link_no_device" | "link_not_serial" | "link_permission" | "link_refused" | "link_timeout" | "link_unknown_host" | "link_unreachable" | "listen_failed" | "listen_unknown_host" | "memory_not_written" | "memory_unreadable" | "method_not_allowed" | "mission_differs" | "mission_file_archive" | "mission_file_damaged" | "mission_file_empty" | "mission_file_forbidden" | "mission_file_frame" | "mission_file_header" | "mission_file_no_home" | "mission_file_no_waypoints" | "mission_file_out_of_range" | "mission_file_too_long" | "mission_file_unknown" | "mission_file_unreadable" | "mission_invalid" | "mission_not_read" | "mission_refused" | "no_such_address" | "not_supported" | "nothing_to_redo" | "nothing_to_undo" | "parameter_out_of_range" | "parameter_unknown" | "parameters_not_read" | "port_taken" | "rate_invalid" | "recording_unknown" | "simulator_unknown_host" | "source_not_taken" | "stream_message_invalid" | "threshold_out_of_range" | "threshold_unknown" | "value_not_allowed";
+            code: "alarm_not_active" | "bad_json" | "board_line_full" | "board_not_open" | "body_too_large" | "client_unknown" | "command_unknown" | "control_held" | "datagram_malformed" | "datagram_stranger" | "emulation_running" | "foreign_host" | "foreign_origin" | "http_error" | "internal" | "invalid_request" | "journal_not_written" | "journal_unreadable" | "line_garbage" | "link_address_invalid" | "link_busy" | "link_failed" | "link_lost" | "link_no_device" | "link_not_serial" | "link_permission" | "link_refused" | "link_timeout" | "link_unknown_host" | "link_unreachable" | "listen_failed" | "listen_unknown_host" | "memory_not_written" | "memory_unreadable" | "method_not_allowed" | "mission_differs" | "mission_file_archive" | "mission_file_damaged" | "mission_file_empty" | "mission_file_forbidden" | "mission_file_frame" | "mission_file_header" | "mission_file_no_home" | "mission_file_no_waypoints" | "mission_file_out_of_range" | "mission_file_too_long" | "mission_file_unknown" | "mission_file_unreadable" | "mission_invalid" | "mission_not_read" | "mission_refused" | "no_such_address" | "not_supported" | "nothing_to_redo" | "nothing_to_undo" | "parameter_out_of_range" | "parameter_unknown" | "parameters_not_read" | "port_taken" | "rate_invalid" | "recording_unknown" | "simulator_unknown_host" | "source_not_taken" | "stream_message_invalid" | "threshold_out_of_range" | "threshold_unknown" | "track_not_kept" | "value_not_allowed";
             /** Detail */
             detail: string;
             /** Params */
@@ -2237,6 +2326,134 @@ export interface operations {
             };
             /** @description It cannot be done now: another has control, no link, not supported, or the device cannot be opened. */
             409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The body is too large. */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description A value is missing, misspelt or out of range. */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    export_mission_api_v1_missions_export_post: {
+        parameters: {
+            query: {
+                format: "kml" | "gpx" | "csv" | "plan";
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["MissionExport"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/gpx+xml": string;
+                    "application/octet-stream": string;
+                    "application/vnd.google-earth.kml+xml": string;
+                    "text/csv": string;
+                };
+            };
+            /** @description The body is not JSON. */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The request came from a page or under a name that may not command. */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The body is too large. */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description A value is missing, misspelt or out of range. */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    import_mission_api_v1_missions_import_post: {
+        parameters: {
+            query: {
+                /** @description The file's name, for the sentences. */
+                name: string;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/octet-stream": string;
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["MissionImport"];
+                };
+            };
+            /** @description The body is not JSON. */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The request came from a page or under a name that may not command. */
+            403: {
                 headers: {
                     [name: string]: unknown;
                 };

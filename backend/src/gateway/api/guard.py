@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import ipaddress
-from collections.abc import Iterable, MutableMapping
+from collections.abc import Iterable, Mapping, MutableMapping
 from http import HTTPStatus
+from types import MappingProxyType
 from typing import Any, Final
 from urllib.parse import urlsplit
 
@@ -67,11 +68,20 @@ class Access:
 class Guard:
     """ASGI middleware around everything that is HTTP."""
 
-    def __init__(self, app: ASGIApp, access: Access, errors: ErrorLog, max_body_bytes: int) -> None:
+    def __init__(
+        self,
+        app: ASGIApp,
+        access: Access,
+        errors: ErrorLog,
+        max_body_bytes: int,
+        longer_bodies: Mapping[str, int] = MappingProxyType({}),
+    ) -> None:
+        """`longer_bodies`: path -> bytes, for the addresses that take files."""
         self._app = app
         self._access = access
         self._errors = errors
         self._max_body_bytes = max_body_bytes
+        self._longer_bodies = longer_bodies
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Check, then hand on."""
@@ -113,12 +123,11 @@ class Guard:
         if reading:
             await self._app(scope, receive, send)
             return
-        body = await self._read_body(receive)
+        most_bytes = self._longer_bodies.get(scope["path"], self._max_body_bytes)
+        body = await _read_body(receive, most_bytes)
         if body is None:
             too_large = GatewayError(
-                "body_too_large",
-                f"The body is longer than {self._max_body_bytes} bytes: send less.",
-                limit=self._max_body_bytes,
+                "body_too_large", f"The body is longer than {most_bytes} bytes: send less.", limit=most_bytes
             )
             await self._refuse(HTTPStatus.REQUEST_ENTITY_TOO_LARGE, too_large, scope, receive, send)
             return
@@ -130,16 +139,17 @@ class Guard:
         self._errors.count(error.code)
         await problem_response(status, error.code, error.detail, error.params)(scope, receive, send)
 
-    async def _read_body(self, receive: Receive) -> bytes | None:
-        """The whole body; None where it is too long. Bodies here are small, so they are read before anything else."""
-        body = bytearray()
-        while True:
-            message = await receive()
-            body += message.get("body", b"")
-            if len(body) > self._max_body_bytes:
-                return None
-            if message["type"] != "http.request" or not message.get("more_body", False):
-                return bytes(body)
+
+async def _read_body(receive: Receive, most_bytes: int) -> bytes | None:
+    """The whole body; None where it is too long. Bodies here are small, so they are read before anything else."""
+    body = bytearray()
+    while True:
+        message = await receive()
+        body += message.get("body", b"")
+        if len(body) > most_bytes:
+            return None
+        if message["type"] != "http.request" or not message.get("more_body", False):
+            return bytes(body)
 
 
 def _replay(body: bytes, receive: Receive) -> Receive:
