@@ -16,6 +16,7 @@ const isParams = dictionary(
   (value): value is string | number | boolean | null => typeof value !== "object" || value === null,
 );
 const isFailure = nullable(shape({ code: isText, detail: isText, params: isParams }));
+const isPeriod = shape({ ms: isNumber, chosen: isFlag });
 const isRoundTrip = shape({ newest: nullable(isNumber), p50: nullable(isNumber), p99: nullable(isNumber) });
 
 /** The gateway's status, as much of it as the page shows. It comes twice a second and at every change. */
@@ -27,6 +28,7 @@ export const isStatus = shape({
     url: nullable(isText),
     mode: nullable(oneOf("legacy", "extended")),
     features: shape({ acknowledgements: isFlag, store: isFlag, sources: isFlag, missions: isFlag }),
+    periods_ms: shape({ parameters: isPeriod, fms: isPeriod, servos: isPeriod }),
     heartbeat_age_s: nullable(isNumber),
     failure: isFailure,
     reopened: isNumber,
@@ -61,6 +63,7 @@ export const isStatus = shape({
       since_s: isNumber,
       text: isText,
       params: isParams,
+      acknowledged: isFlag,
     }),
   ),
 });

@@ -13,6 +13,11 @@ export function aStatus(parts: Partial<Status> = {}): Status {
       failure: null,
       reopened: 0,
       firmware: { name: "epf", version: "1.0" },
+      periods_ms: {
+        parameters: { ms: 100, chosen: false },
+        fms: { ms: 100, chosen: false },
+        servos: { ms: 20, chosen: false },
+      },
       heartbeat_age_s: 0.05,
       frames_received: 1000,
       frames_damaged: 0,
