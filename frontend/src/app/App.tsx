@@ -37,6 +37,7 @@ export function App() {
       increase: t("words.increase"),
       decrease: t("words.decrease"),
       dismiss: t("words.dismiss"),
+      close: t("words.close"),
       warning: t("words.warning"),
       critical: t("words.critical"),
       notANumber: t("words.notANumber"),

@@ -17,6 +17,7 @@ export interface Words {
   increase: string;
   decrease: string;
   dismiss: string;
+  close: string;
   warning: string;
   critical: string;
   /** A number field's complaint about text that is no number. */

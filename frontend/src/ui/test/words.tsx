@@ -18,6 +18,7 @@ export const WORDS: Words = {
   increase: "w-increase",
   decrease: "w-decrease",
   dismiss: "w-dismiss",
+  close: "w-close",
   warning: "w-warning",
   critical: "w-critical",
   notANumber: "w-not-a-number",
