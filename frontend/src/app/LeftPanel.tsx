@@ -1,12 +1,9 @@
-import { useCallback, useMemo, useRef } from "react";
 import { useTranslation } from "react-i18next";
-import { type AttitudeHandle, AttitudeIndicator } from "../instruments/attitude/AttitudeIndicator";
-import { type HeadingHandle, HeadingIndicator } from "../instruments/heading/HeadingIndicator";
 import { heading, tenths } from "../live/formats";
+import { LiveAttitude } from "../live/LiveAttitude";
+import { boardBearing_deg, boardHeading_deg, LiveHeading } from "../live/LiveHeading";
 import { LiveReadout } from "../live/LiveReadout";
 import { StreamPanel } from "../live/StreamPanel";
-import type { TelemetryStore } from "../store/telemetry";
-import { usePaint } from "../store/usePaint";
 import { ReadoutGrid } from "../ui/Readout";
 import { ControlsPanel } from "./ControlsPanel";
 import { LiveControlPath } from "./LiveControlPath";
@@ -19,8 +16,8 @@ export function LeftPanel() {
   return (
     <aside className="left" aria-label={t("left.label")}>
       <div className="left-dials">
-        <Attitude />
-        <Heading />
+        <LiveAttitude topic="ahrs" />
+        <LiveHeading heading_deg={boardHeading_deg} bearing_deg={boardBearing_deg} />
       </div>
       <div className="left-numbers">
         <StreamPanel topic="ahrs" title={t("left.ahrs")} className="left-ahrs" narrow plain>
@@ -58,76 +55,5 @@ export function LeftPanel() {
       </div>
       <LiveControlPath />
     </aside>
-  );
-}
-
-function Attitude() {
-  const { t } = useTranslation();
-  const instrument = useRef<AttitudeHandle>(null);
-  const paint = useCallback((telemetry: TelemetryStore, now_ms: number) => {
-    instrument.current?.paint(
-      {
-        pitch_deg: telemetry.liveNumber("ahrs", "pitch_deg", now_ms),
-        roll_deg: telemetry.liveNumber("ahrs", "roll_deg", now_ms),
-      },
-      now_ms,
-    );
-  }, []);
-  usePaint("frame", paint);
-  const describe = useCallback(
-    (pitch_deg: number, roll_deg: number) =>
-      t("attitude.sentence", { pitch: pitch_deg.toFixed(0), roll: roll_deg.toFixed(0) }),
-    [t],
-  );
-  return (
-    <AttitudeIndicator
-      ref={instrument}
-      label={t("attitude.indicator")}
-      noDataText={t("words.noData")}
-      describe={describe}
-    />
-  );
-}
-
-/**
- * The bearing which the bug shows: of the plan that is being flown, which with a simulator in the loop is the HIL one.
- */
-function bearing_deg(telemetry: TelemetryStore, now_ms: number): number | null {
-  const isHil = telemetry.state("xplane_info", now_ms) === "live";
-  return telemetry.liveNumber(isHil ? "fms_hil_plan" : "fms_plan", "bearing_deg", now_ms);
-}
-
-function Heading() {
-  const { t } = useTranslation();
-  const instrument = useRef<HeadingHandle>(null);
-  const paint = useCallback((telemetry: TelemetryStore, now_ms: number) => {
-    const heading_deg = telemetry.liveNumber("ahrs", "yaw_deg", now_ms);
-    instrument.current?.paint(heading_deg, bearing_deg(telemetry, now_ms), now_ms);
-  }, []);
-  usePaint("frame", paint);
-  const describe = useCallback(
-    (heading_deg: number, bug_deg: number | null) =>
-      bug_deg === null
-        ? t("heading.sentence", { heading: heading_deg.toFixed(0) })
-        : t("heading.sentenceWithBearing", { heading: heading_deg.toFixed(0), bearing: bug_deg.toFixed(0) }),
-    [t],
-  );
-  const cardinals = useMemo(
-    () => ({
-      north: t("heading.north"),
-      east: t("heading.east"),
-      south: t("heading.south"),
-      west: t("heading.west"),
-    }),
-    [t],
-  );
-  return (
-    <HeadingIndicator
-      ref={instrument}
-      label={t("heading.indicator")}
-      noDataText={t("words.noData")}
-      cardinals={cardinals}
-      describe={describe}
-    />
   );
 }

@@ -1,7 +1,9 @@
 import { PointerDial, type PointerDialProps } from "../dial/PointerDial";
-import { AIRSPEED_GEOMETRY } from "./geometry";
+import { AIRSPEED_GEOMETRY, type AirspeedUnit } from "./geometry";
 
-/** Airspeed in knots, painted as `airspeed_kt`; which airspeed it is, the caption says. */
-export function AirspeedIndicator(props: PointerDialProps) {
-  return <PointerDial {...props} geometry={AIRSPEED_GEOMETRY} attribute="data-airspeed-kt" decimals={1} />;
+/** Airspeed, painted in knots as `airspeed_kt` whatever its face is engraved in; which airspeed, the caption says. */
+export function AirspeedIndicator({ face = "kt", ...props }: PointerDialProps & { face?: AirspeedUnit }) {
+  return (
+    <PointerDial {...props} geometry={AIRSPEED_GEOMETRY[face]} attribute="data-airspeed-kt" decimals={1} />
+  );
 }

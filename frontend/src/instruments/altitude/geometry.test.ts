@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 import { ALTITUDE_GEOMETRY, ALTITUDE_MAXIMUM_FT, ALTITUDE_MINIMUM_FT } from "./geometry";
 
-const { pointerAngle_deg, reach, numerals } = ALTITUDE_GEOMETRY;
+const { pointerAngle_deg, reach, numerals } = ALTITUDE_GEOMETRY.ft;
 
 test("a thousand feet are one turn", () => {
   expect(pointerAngle_deg(0)).toBe(0);
@@ -31,4 +31,9 @@ test("it stops at both ends of what the window can hold", () => {
 
 test("the hundreds are numbered 0 to 9 round the dial", () => {
   expect(numerals.map(({ text }) => text).join("")).toBe("0123456789");
+});
+
+test("on a face in metres a thousand metres are one turn, painted in feet", () => {
+  expect(ALTITUDE_GEOMETRY.m.pointerAngle_deg(1000 / 0.3048)).toBeCloseTo(360, 9);
+  expect(ALTITUDE_GEOMETRY.m.reach(ALTITUDE_MAXIMUM_FT + 1)).toBe("above");
 });

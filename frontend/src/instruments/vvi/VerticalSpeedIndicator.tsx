@@ -1,12 +1,18 @@
 import { PointerDial, type PointerDialProps } from "../dial/PointerDial";
-import { VERTICAL_SPEED_GEOMETRY } from "./geometry";
+import { VERTICAL_SPEED_GEOMETRY, type VerticalSpeedUnit } from "./geometry";
 
-/** Vertical speed in feet per minute, climb positive, painted as `vertical_speed_ft_min`. */
-export function VerticalSpeedIndicator(props: PointerDialProps) {
+/**
+ * Vertical speed, climb positive, painted in feet per minute as `vertical_speed_ft_min` whatever its face is engraved
+ * in.
+ */
+export function VerticalSpeedIndicator({
+  face = "ftPerMin",
+  ...props
+}: PointerDialProps & { face?: VerticalSpeedUnit }) {
   return (
     <PointerDial
       {...props}
-      geometry={VERTICAL_SPEED_GEOMETRY}
+      geometry={VERTICAL_SPEED_GEOMETRY[face]}
       attribute="data-vertical-speed-ft-min"
       decimals={0}
     />

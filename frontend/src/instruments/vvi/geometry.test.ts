@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 import { VERTICAL_SPEED_GEOMETRY } from "./geometry";
 
-const { pointerAngle_deg, reach, numerals } = VERTICAL_SPEED_GEOMETRY;
+const { pointerAngle_deg, reach, numerals } = VERTICAL_SPEED_GEOMETRY.ftPerMin;
 
 /** Height of the pointer's tip over the middle, for a pointer of length 1. */
 function tipHeight(vertical_speed_ft_min: number): number {
@@ -32,4 +32,12 @@ test("it stops at 2000 either way and says so, and the two ends are apart", () =
 
 test("both halves are numbered in hundreds of feet per minute", () => {
   expect(numerals.map(({ text }) => text)).toEqual(["20", "15", "10", "5", "0", "5", "10", "15", "20"]);
+});
+
+test("a face in metres per second ends at ten, painted in feet per minute", () => {
+  const metric = VERTICAL_SPEED_GEOMETRY.mPerS;
+  expect(metric.pointerAngle_deg(0)).toBe(-90);
+  expect(metric.pointerAngle_deg(10 / 0.00508)).toBeCloseTo(75, 6);
+  expect([metric.reach(1960), metric.reach(1980)]).toEqual(["within", "above"]);
+  expect(metric.numerals.map(({ text }) => text).join()).toBe("10,8,6,4,2,0,2,4,6,8,10");
 });

@@ -1,27 +1,46 @@
+import { convertUnit } from "../../lib/units";
 import type { PointerGeometry } from "../dial/PointerDial";
 import { polar, reach, type Scale, scaleAngle_deg, series, tickPath } from "../dial/scale";
 
-/** Zero at nine o'clock, climb over the top, descent under it; the ends keep a gap between +2000 and -2000. */
-export const VERTICAL_SPEED_SCALE: Scale = { minimum: -2000, maximum: 2000, start_deg: -255, sweep_deg: 330 };
+/** Units in which a vertical speed indicator is engraved. */
+export type VerticalSpeedUnit = "ftPerMin" | "mPerS";
 
-const { minimum, maximum } = VERTICAL_SPEED_SCALE;
+/** What is engraved: its end either way, the steps of its marks, and what a numeral counts. */
+interface Engraving {
+  readonly end: number;
+  readonly major: number;
+  readonly middle: number;
+  readonly minor: number;
+  readonly numeral: number;
+}
 
-const angle_deg = (vertical_speed_ft_min: number): number =>
-  scaleAngle_deg(VERTICAL_SPEED_SCALE, vertical_speed_ft_min);
+/**
+ * Zero at nine o'clock, climb over the top, descent under it; the ends keep a gap between them. Whatever the face is
+ * engraved in, it is painted in feet per minute.
+ */
+function face(unit: VerticalSpeedUnit, { end, major, middle, minor, numeral }: Engraving): PointerGeometry {
+  const scale: Scale = { minimum: -end, maximum: end, start_deg: -255, sweep_deg: 330 };
+  const angle_deg = (engraved: number): number => scaleAngle_deg(scale, engraved);
+  const shown = (vertical_speed_ft_min: number): number =>
+    convertUnit(vertical_speed_ft_min, "ftPerMin", unit);
+  return {
+    ticksMinor: tickPath(series(-end, end, minor).map(angle_deg), 83, 88),
+    ticksMiddle: tickPath(series(-end, end, middle).map(angle_deg), 80, 88),
+    ticksMajor: tickPath(series(-end, end, major).map(angle_deg), 76, 88),
+    numerals: series(-end, end, major).map((engraved) => ({
+      text: String(Math.abs(engraved) / numeral),
+      ...polar(63, angle_deg(engraved)),
+    })),
+    // Arrows above and under the zero: which half of the dial is climb, and which descent.
+    signs: "M-60 -24L-55.5 -16H-64.5ZM-60 24L-55.5 16H-64.5Z",
+    window: { y: 28, width: 68 },
+    captionY: -28,
+    pointerAngle_deg: (vertical_speed_ft_min) => angle_deg(shown(vertical_speed_ft_min)),
+    reach: (vertical_speed_ft_min) => reach(-end, end, shown(vertical_speed_ft_min)),
+  };
+}
 
-const MAJOR = series(minimum, maximum, 500);
-const MIDDLE = series(minimum, maximum, 100).filter((rate) => rate % 500 !== 0);
-const MINOR = series(-950, 950, 50).filter((rate) => rate % 100 !== 0);
-
-export const VERTICAL_SPEED_GEOMETRY: PointerGeometry = {
-  ticksMinor: tickPath(MINOR.map(angle_deg), 83, 88),
-  ticksMiddle: tickPath(MIDDLE.map(angle_deg), 80, 88),
-  ticksMajor: tickPath(MAJOR.map(angle_deg), 76, 88),
-  numerals: MAJOR.map((rate) => ({ text: String(Math.abs(rate) / 100), ...polar(63, angle_deg(rate)) })),
-  // Arrows above and under the zero: which half of the dial is climb, and which descent.
-  signs: "M-60 -24L-55.5 -16H-64.5ZM-60 24L-55.5 16H-64.5Z",
-  window: { y: 28, width: 68 },
-  captionY: -28,
-  pointerAngle_deg: angle_deg,
-  reach: (vertical_speed_ft_min) => reach(minimum, maximum, vertical_speed_ft_min),
+export const VERTICAL_SPEED_GEOMETRY: Readonly<Record<VerticalSpeedUnit, PointerGeometry>> = {
+  ftPerMin: face("ftPerMin", { end: 2000, major: 500, middle: 100, minor: 50, numeral: 100 }),
+  mPerS: face("mPerS", { end: 10, major: 2, middle: 1, minor: 0.5, numeral: 1 }),
 };
