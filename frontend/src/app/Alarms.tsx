@@ -1,40 +1,68 @@
+import { BellOff, CheckCheck, Volume2 } from "lucide-react";
 import { useTranslation } from "react-i18next";
-import { useSentence } from "../i18n/useSentence";
-import { useConnection } from "../store/hooks";
-import { wordsOf } from "../store/messages";
-import { type AlarmItem, AlarmStrip } from "../ui/AlarmStrip";
+import { formatClock } from "../lib/moment";
+import { useActiveAlarms, useMutedFor_s } from "../live/useAlarms";
+import { usePage } from "../store/hooks";
+import { choose } from "../store/settings";
+import { AlarmStrip, LINES } from "../ui/AlarmStrip";
+import { Button } from "../ui/Button";
 
-/** What is wrong now, on every tab. Without the gateway nothing that it said counts: that alone is shown. */
+/** What is wrong now, on every tab, with what can be done about it. */
 export function Alarms() {
   const { t } = useTranslation();
-  const sentence = useSentence();
-  const phase = useConnection((connection) => connection.phase);
-  const alarms = useConnection(({ status }) => status?.alarms);
-  const missing = useConnection(({ status }) => status?.simulator.missing_rows.join(", ") ?? "");
-  const isSimulatorHeard = useConnection(({ status }) => status?.simulator.state === "open");
-  // The gateway has one alarm for the loop; where it is open can be seen from the state of its two ends.
-  const hilReason = !isSimulatorHeard ? "hil_lost_simulator" : missing !== "" ? "hil_lost_rows" : "hil_lost";
-  const known = useConnection(({ status }) => status !== null);
-  let items: readonly AlarmItem[] = [];
-  if (phase === "open") {
-    items = (alarms ?? []).map(({ id, level, text, params }) => ({
-      id,
-      level,
-      text: sentence({
-        level: "warning",
-        key: `alarm.${id === "hil_lost" ? hilReason : id}`,
-        params: { ...wordsOf(params), rows: missing },
-        fallback: text,
-      }),
-    }));
-  } else if (known || phase === "waiting") {
-    items = [
-      {
-        id: "gateway_lost",
-        level: "critical",
-        text: t(phase === "silent" ? "alarm.gateway_silent" : "alarm.gateway_lost"),
-      },
-    ];
-  }
-  return <AlarmStrip label={t("alarms.label")} alarms={items} />;
+  const { alarmBook, settings } = usePage();
+  const alarms = useActiveAlarms();
+  const open = alarms.filter(({ acknowledged }) => !acknowledged);
+  const hidden = alarms.length - LINES;
+  return (
+    <AlarmStrip
+      label={t("alarms.label")}
+      alarms={alarms.map(({ id, level, text, acknowledged, since_s }) => ({
+        id,
+        level,
+        text,
+        acknowledged,
+        detail: formatClock(since_s),
+      }))}
+      acknowledge={{
+        text: t("alarmBook.acknowledge"),
+        label: (text) => t("alarmBook.acknowledgeOne", { text }),
+        onPress: (id) => void alarmBook.acknowledge(id, { control: `acknowledge.${id}` }),
+      }}
+    >
+      {hidden > 0 && (
+        <Button
+          onPress={() => choose(settings, "tab", "alarms")}
+          label={t("alarmBook.more", { count: hidden })}
+        >
+          {t("alarmBook.moreShort", { count: hidden })}
+        </Button>
+      )}
+      {open.length > 1 && (
+        <Button
+          onPress={() => void alarmBook.acknowledgeAll()}
+          icon={<CheckCheck size={14} aria-hidden="true" />}
+        >
+          {t("alarmBook.acknowledgeAll")}
+        </Button>
+      )}
+      {open.length > 0 && <MuteButton />}
+    </AlarmStrip>
+  );
+}
+
+/** Two minutes of silence; while they last, how many seconds are left, and sound again at a press. */
+function MuteButton() {
+  const { t } = useTranslation();
+  const { alarmBook } = usePage();
+  const muted_s = useMutedFor_s();
+  return muted_s === null ? (
+    <Button onPress={alarmBook.mute} icon={<BellOff size={14} aria-hidden="true" />}>
+      {t("alarmBook.mute")}
+    </Button>
+  ) : (
+    <Button onPress={alarmBook.unmute} icon={<Volume2 size={14} aria-hidden="true" />}>
+      {t("alarmBook.muted", { seconds: muted_s })}
+    </Button>
+  );
 }

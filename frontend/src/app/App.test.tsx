@@ -110,7 +110,7 @@ describe("the gateway's silence", () => {
 });
 
 describe("the gateway's alarms", () => {
-  const since = { since_s: 1, params: { target: "/dev/ttyUSB0" } };
+  const since = { since_s: 1, acknowledged: false, params: { target: "/dev/ttyUSB0" } };
 
   test("are said in the page's language, with what they are about", () => {
     const station = flying();
@@ -141,7 +141,7 @@ describe("the tabs", () => {
       within(main)
         .getAllByRole("tab")
         .map((tab) => tab.textContent),
-    ).toEqual(["Datos de vuelo", "HIL", "Setup"]);
+    ).toEqual(["Datos de vuelo", "HIL", "Alarmas", "Setup"]);
   });
 
   test("send nothing by being opened", async () => {

@@ -19,7 +19,7 @@ async function violations(): Promise<string[]> {
   );
 }
 
-test.each(["Datos de vuelo", "HIL", "Setup"])(
+test.each(["Datos de vuelo", "HIL", "Alarmas", "Setup"])(
   "the whole page with %s open has nothing that keeps people out",
   async (tab) => {
     document.documentElement.lang = "es";
@@ -42,7 +42,14 @@ test(
       aStatus({
         control: { client: "c2", name: "Ana" },
         alarms: [
-          { id: "heartbeat_lost", level: "critical", since_s: 1, text: "Lost.", params: { target: "pty" } },
+          {
+            id: "heartbeat_lost",
+            level: "critical",
+            since_s: 1,
+            acknowledged: false,
+            text: "Lost.",
+            params: { target: "pty" },
+          },
         ],
       }),
     );

@@ -1,4 +1,5 @@
 import type { Shelf } from "../store/settings";
+import { browserSounder, browserSpeaker } from "./browserAlarms";
 import type { World } from "./page";
 
 /** How often the page is painted at most, in hertz. */
@@ -32,6 +33,8 @@ export function browserWorld(window: Window & typeof globalThis): World {
     cancelFrame: (handle) => window.cancelAnimationFrame(handle),
     shelf: shelfOf(() => window.localStorage),
     tabShelf: shelfOf(() => window.sessionStorage),
+    sounder: browserSounder(window),
+    speaker: browserSpeaker(window),
   };
 }
 

@@ -1,6 +1,7 @@
 import { isNumber, isObject, isText, nullable, oneOf, shape } from "../lib/check";
 import type { StreamEvent, StreamMessage } from "../protocol/envelope";
 import type { Status } from "../protocol/status";
+import type { Sounder, Speaker } from "../store/alarmBook";
 import { createCommands } from "../store/commands";
 import { createConnection } from "../store/connection";
 import { DamageRate } from "../store/damage";
@@ -13,6 +14,7 @@ import { TelemetryStore } from "../store/telemetry";
 import { Rest } from "../transport/rest";
 import { StreamSocket, type Timers, type Wire, type WireListener } from "../transport/socket";
 import { createActions, resultMessage } from "./actions";
+import { createAlarmBook } from "./alarmBook";
 
 /** What the page needs of the world around it: a browser's window, or a test. */
 export interface World {
@@ -25,6 +27,8 @@ export interface World {
   /** Remembered for ever, and for as long as this browser tab lives. */
   readonly shelf: Shelf | null;
   readonly tabShelf: Shelf | null;
+  readonly sounder: Sounder;
+  readonly speaker: Speaker;
 }
 
 const CLIENT_KEY = "epf-gcs.client";
@@ -89,7 +93,9 @@ export function createPage(world: World): {
   }
 
   function takeEvent({ event, data }: StreamEvent): void {
-    if (event === "error" && isErrorEvent(data)) {
+    if (event === "alarm") {
+      alarmBook.store.setState(({ reported }) => ({ reported: reported + 1 }));
+    } else if (event === "error" && isErrorEvent(data)) {
       tell(failureMessage(data, "warning"));
     } else if (
       event === "command" &&
@@ -141,9 +147,19 @@ export function createPage(world: World): {
     },
   });
   const rest = new Rest({ fetch: world.fetch, client });
-  const actions = createActions({ rest, commands, messages, client, now_ms, wall_ms: world.wall_ms });
+  const asking = { rest, commands, messages, now_ms, wall_ms: world.wall_ms };
+  const actions = createActions({ ...asking, client });
+  const alarmBook = createAlarmBook({
+    ...asking,
+    connection,
+    telemetry,
+    settings,
+    timers: world.timers,
+    sounder: world.sounder,
+    speaker: world.speaker,
+  });
   return {
-    page: { telemetry, pump, connection, commands, messages, settings, actions },
+    page: { telemetry, pump, connection, commands, messages, settings, actions, alarmBook },
     start: () => socket.start(),
     stop: () => socket.stop(),
   };

@@ -2,7 +2,6 @@ import { act, render, screen } from "@testing-library/react";
 import { useCallback, useRef } from "react";
 import { describe, expect, test } from "vitest";
 import { HandFrames } from "../test/frames";
-import type { Actions } from "./actions";
 import { createCommands } from "./commands";
 import { createConnection } from "./connection";
 import { type Page, PageContext, useTelemetry } from "./hooks";
@@ -14,15 +13,15 @@ import { usePaint } from "./usePaint";
 
 const frames = new HandFrames();
 const telemetry = new TelemetryStore();
-const page: Page = {
+// What these hooks touch of a page.
+const page = {
   telemetry,
   pump: new Pump({ request: frames.request, cancel: frames.cancel }, () => telemetry.revision, 0),
   connection: createConnection(),
   commands: createCommands(),
   messages: createMessages(),
   settings: createSettings(null),
-  actions: {} as Actions,
-};
+} as Partial<Page> as Page;
 let now_ms = 0;
 
 /** A sample of ahrs arrives, and a tenth of a second later a frame is displayed. */

@@ -1,6 +1,7 @@
 import { createContext, useContext, useSyncExternalStore } from "react";
 import { type StoreApi, useStore } from "zustand";
 import type { Actions } from "./actions";
+import type { AlarmBook } from "./alarmBook";
 import { type CommandEntry, type CommandStore, shown } from "./commands";
 import type { Connection, ConnectionStore } from "./connection";
 import type { MessageStore } from "./messages";
@@ -17,6 +18,7 @@ export interface Page {
   readonly messages: MessageStore;
   readonly settings: SettingsStore;
   readonly actions: Actions;
+  readonly alarmBook: AlarmBook;
 }
 
 export const PageContext = createContext<Page | null>(null);

@@ -11,6 +11,7 @@ import { type Page, PageContext } from "../store/hooks";
 import type { Shelf } from "../store/settings";
 import { installCanvas } from "./canvas";
 import { HandFrames } from "./frames";
+import { HandSounder, HandSpeaker } from "./sound";
 import { aStatus } from "./status";
 import { HandTimers, HandWire } from "./wire";
 
@@ -36,6 +37,8 @@ class MemoryShelf implements Shelf {
 export class Station {
   readonly timers = new HandTimers();
   readonly frames = new HandFrames();
+  readonly sounder = new HandSounder();
+  readonly speaker = new HandSpeaker();
   readonly wires: HandWire[] = [];
   readonly asked: Asked[] = [];
   readonly clients: Array<string | null> = [];
@@ -59,6 +62,8 @@ export class Station {
       cancelFrame: this.frames.cancel,
       shelf: new MemoryShelf(),
       tabShelf: new MemoryShelf(),
+      sounder: this.sounder,
+      speaker: this.speaker,
     };
     const { page, start } = createPage(world);
     this.page = page;

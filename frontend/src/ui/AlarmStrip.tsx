@@ -1,4 +1,5 @@
-import { OctagonAlert, TriangleAlert } from "lucide-react";
+import { Check, OctagonAlert, TriangleAlert } from "lucide-react";
+import type { ReactNode } from "react";
 import "./AlarmStrip.css";
 import { useWords } from "./words";
 
@@ -6,50 +7,92 @@ export interface AlarmItem {
   id: string;
   level: "warning" | "critical";
   text: string;
-  /** What changes while the alarm lasts, its age for one; not read out again. */
+  /** Somebody knows of it: it stands there quietly. */
+  acknowledged: boolean;
+  /** What is not read out again while the alarm lasts: since when it does. */
   detail?: string | undefined;
 }
 
+interface Props {
+  label: string;
+  /** The most urgent first. */
+  alarms: readonly AlarmItem[];
+  /** Accessible name and text of the button that acknowledges one alarm. */
+  acknowledge: { label: (text: string) => string; text: string; onPress: (id: string) => void };
+  /** What can be done about all of them. */
+  children?: ReactNode;
+}
+
+/** So many alarms have a line; the others are heard by screen readers and are counted. */
+export const LINES = 2;
+
 /**
- * The alarms in force, critical ones first. The two live regions are always in the document: a region that
- * appears together with its text is not read out by every screen reader.
+ * The alarms in force, never higher than two lines: the page under it must stay where the eye knows it. The two live
+ * regions are always in the document: a region that appears together with its text is not read out by every reader.
  */
-export function AlarmStrip({ label, alarms }: { label: string; alarms: readonly AlarmItem[] }) {
+export function AlarmStrip({ label, alarms, acknowledge, children }: Props) {
+  const seen = alarms.slice(0, LINES);
+  const lines = (wanted: AlarmItem["level"]): ReactNode =>
+    alarms
+      .filter(({ level }) => level === wanted)
+      .map((alarm) => (
+        <AlarmLine key={alarm.id} alarm={alarm} isSeen={seen.includes(alarm)} acknowledge={acknowledge} />
+      ));
   return (
-    <section className="ui-alarms" aria-label={label}>
-      <div role="alert" aria-atomic="false" aria-relevant="additions">
-        {alarms.filter(isCritical).map((alarm) => (
-          <AlarmLine key={alarm.id} alarm={alarm} />
-        ))}
+    <section className="ui-alarms" aria-label={label} data-lines={seen.length}>
+      <div className="ui-alarms-lines">
+        <div role="alert" aria-atomic="false" aria-relevant="additions">
+          {lines("critical")}
+        </div>
+        <div role="status" aria-atomic="false" aria-relevant="additions">
+          {lines("warning")}
+        </div>
       </div>
-      <div role="status" aria-atomic="false" aria-relevant="additions">
-        {alarms
-          .filter((alarm) => !isCritical(alarm))
-          .map((alarm) => (
-            <AlarmLine key={alarm.id} alarm={alarm} />
-          ))}
-      </div>
+      {alarms.length > 0 && <div className="ui-alarms-actions">{children}</div>}
     </section>
   );
 }
 
-function isCritical(alarm: AlarmItem): boolean {
-  return alarm.level === "critical";
+interface LineProps {
+  alarm: AlarmItem;
+  isSeen: boolean;
+  acknowledge: Props["acknowledge"];
 }
 
-function AlarmLine({ alarm }: { alarm: AlarmItem }) {
+function AlarmLine({ alarm, isSeen, acknowledge }: LineProps) {
   const words = useWords();
-  const critical = isCritical(alarm);
+  const isCritical = alarm.level === "critical";
+  const level = isCritical ? words.critical : words.warning;
+  if (!isSeen) {
+    return (
+      <p className="visually-hidden">
+        <span>{level}</span> <span>{alarm.text}</span>
+      </p>
+    );
+  }
   return (
-    <div className="ui-alarm" data-level={alarm.level}>
-      {critical ? (
+    <div className="ui-alarm" data-level={alarm.level} data-acknowledged={alarm.acknowledged}>
+      {isCritical ? (
         <OctagonAlert size={16} aria-hidden="true" />
       ) : (
         <TriangleAlert size={16} aria-hidden="true" />
       )}
-      <span className="ui-alarm-level">{critical ? words.critical : words.warning}</span>
-      <span className="ui-alarm-text">{alarm.text}</span>
+      <span className="ui-alarm-level">{level}</span>
+      <span className="ui-alarm-text" title={alarm.text}>
+        {alarm.text}
+      </span>
       {alarm.detail !== undefined && <span className="ui-alarm-detail">{alarm.detail}</span>}
+      {!alarm.acknowledged && (
+        <button
+          type="button"
+          className="ui-alarm-button"
+          aria-label={acknowledge.label(alarm.text)}
+          onClick={() => acknowledge.onPress(alarm.id)}
+        >
+          <Check size={14} aria-hidden="true" />
+          {acknowledge.text}
+        </button>
+      )}
     </div>
   );
 }

@@ -29,7 +29,14 @@ function Everything() {
   return (
     <main>
       <h1>Controls</h1>
-      <AlarmStrip label="Alarms" alarms={[{ id: "a", level: "critical", text: "lost", detail: "4 s" }]} />
+      <AlarmStrip
+        label="Alarms"
+        alarms={[
+          { id: "a", level: "critical", text: "lost", detail: "4 s", acknowledged: false },
+          { id: "b", level: "warning", text: "low", acknowledged: true },
+        ]}
+        acknowledge={{ label: (text) => `know ${text}`, text: "know", onPress: nothing }}
+      />
       <Toolbar label="Bar">
         <ToolbarGroup label="Autopilot">
           <Button onPress={nothing} pressed state="pending">

@@ -1,0 +1,35 @@
+import { useMemo } from "react";
+import { useStore } from "zustand";
+import { useSentence } from "../i18n/useSentence";
+import type { AlarmBookState } from "../store/alarmBook";
+import { type ActiveAlarm, activeAlarms } from "../store/alarms";
+import { useConnection, usePage, useTelemetry } from "../store/hooks";
+
+export interface ShownAlarm extends ActiveAlarm {
+  readonly text: string;
+}
+
+/** One thing of the alarm book; the component renders again when it changes. */
+export function useAlarmBook<T>(select: (state: AlarmBookState) => T): T {
+  return useStore(usePage().alarmBook.store, select);
+}
+
+/** What is wrong now, in the page's language, the most urgent first. */
+export function useActiveAlarms(): readonly ShownAlarm[] {
+  const sentence = useSentence();
+  const phase = useConnection((connection) => connection.phase);
+  const status = useConnection((connection) => connection.status);
+  const own = useAlarmBook((state) => state.own);
+  return useMemo(
+    () => activeAlarms({ phase, status }, own).map((alarm) => ({ ...alarm, text: sentence(alarm.message) })),
+    [phase, status, own, sentence],
+  );
+}
+
+/** Whole seconds for which the alarms stay mute; null while they are not. */
+export function useMutedFor_s(): number | null {
+  const until_ms = useAlarmBook((state) => state.mutedUntil_ms);
+  return useTelemetry((_telemetry, now_ms) =>
+    until_ms === null ? null : Math.max(0, Math.ceil((until_ms - now_ms) / 1000)),
+  );
+}

@@ -1,0 +1,53 @@
+import type { Sounder, SounderState, Speaker, SpeakerState } from "../store/alarmBook";
+import type { AlarmLevel } from "../store/alarms";
+import type { Language } from "../store/settings";
+
+/** Tones that are written down. */
+export class HandSounder implements Sounder {
+  readonly played: Array<AlarmLevel | "hush"> = [];
+  #state: SounderState = "ready";
+  readonly #listeners: Array<() => void> = [];
+
+  readonly state = (): SounderState => this.#state;
+  readonly play = (level: AlarmLevel): void => {
+    this.played.push(level);
+  };
+  readonly hush = (): void => {
+    this.played.push("hush");
+  };
+  readonly onState = (changed: () => void): void => {
+    this.#listeners.push(changed);
+  };
+
+  become(state: SounderState): void {
+    this.#state = state;
+    for (const changed of this.#listeners) {
+      changed();
+    }
+  }
+}
+
+/** Sentences that are written down. */
+export class HandSpeaker implements Speaker {
+  readonly said: string[] = [];
+  #state: SpeakerState = "ready";
+  readonly #listeners: Array<() => void> = [];
+
+  readonly state = (): SpeakerState => this.#state;
+  readonly say = (text: string, language: Language): void => {
+    this.said.push(`${language}: ${text}`);
+  };
+  readonly hush = (): void => {
+    this.said.push("hush");
+  };
+  readonly onState = (changed: () => void): void => {
+    this.#listeners.push(changed);
+  };
+
+  become(state: SpeakerState): void {
+    this.#state = state;
+    for (const changed of this.#listeners) {
+      changed();
+    }
+  }
+}

@@ -1,0 +1,21 @@
+import { ActiveAlarms } from "./ActiveAlarms";
+import "./alarms.css";
+import { Heard } from "./Heard";
+import { PastAlarms } from "./PastAlarms";
+import { Thresholds } from "./Thresholds";
+
+/** "Alarmas": what is wrong, what was, from when on something is, and what is heard of it. */
+export function AlarmsView() {
+  return (
+    <div className="alarms">
+      <div className="alarms-lists">
+        <ActiveAlarms />
+        <PastAlarms />
+      </div>
+      <div className="alarms-settings">
+        <Heard />
+        <Thresholds />
+      </div>
+    </div>
+  );
+}
