@@ -192,6 +192,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/inspector": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Inspector
+         * @description Every type of frame and row with rate, jitter, count and last values; the load of the lines; and advice.
+         */
+        get: operations["get_inspector_api_v1_inspector_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/links/board": {
         parameters: {
             query?: never;
@@ -595,6 +615,28 @@ export interface components {
             version: string;
         };
         /**
+         * AdviceState
+         * @description Something to do about what does not go well.
+         */
+        AdviceState: {
+            /**
+             * Code
+             * @enum {string}
+             */
+            code: "baud_wrong" | "foreign_datagrams" | "frames_damaged" | "line_full" | "no_heartbeat" | "round_trip_long" | "row_missing" | "servo_rate_high" | "simulator_silent" | "stream_slow";
+            /**
+             * Level
+             * @enum {string}
+             */
+            level: "info" | "warning";
+            /** Params */
+            params: {
+                [key: string]: string | number | boolean | null;
+            };
+            /** Text */
+            text: string;
+        };
+        /**
          * AlarmBook
          * @description What is wrong now, oldest first, and the 200 that went last, newest first.
          */
@@ -851,6 +893,94 @@ export interface components {
             path: "manual" | "assisted";
             /** Source */
             source: ("joystick" | "rc") | null;
+        };
+        /**
+         * InspectedFrame
+         * @description One type of frame from the board, heard or not. `jitter_ms` is the standard deviation of the intervals.
+         *
+         *     A type that this gateway does not know is named `unknown_0x…` and has no values.
+         */
+        InspectedFrame: {
+            /** Age S */
+            age_s: number | null;
+            /** Count */
+            count: number;
+            /** Damaged */
+            damaged: number;
+            /** Id */
+            id: number;
+            /** Jitter Ms */
+            jitter_ms: number | null;
+            /** Name */
+            name: string;
+            /** Rate Hz */
+            rate_hz: number;
+            /** Stale After S */
+            stale_after_s: number | null;
+            /** Values */
+            values: {
+                [key: string]: number | boolean | string | null;
+            } | null;
+        };
+        /**
+         * InspectedLink
+         * @description What the lines carry against what they can; null while no board's link is open, and 73,000 for the simulator.
+         */
+        InspectedLink: {
+            /** Capacity Bytes Per S */
+            capacity_bytes_per_s: number | null;
+            round_trip_ms: components["schemas"]["RoundTripMs"];
+            /** Round Trips */
+            round_trips: number;
+            /** Rx Bytes Per S */
+            rx_bytes_per_s: number;
+            /** Rx Percent */
+            rx_percent: number | null;
+            /** Simulator Bytes Per S */
+            simulator_bytes_per_s: number;
+            /** Simulator Percent */
+            simulator_percent: number;
+            /** Tx Bytes Per S */
+            tx_bytes_per_s: number;
+            /** Tx Percent */
+            tx_percent: number | null;
+        };
+        /**
+         * InspectedRow
+         * @description One row of the simulator; `expected` ones are what the HIL loop needs. A row that we do not know is `row_n`.
+         */
+        InspectedRow: {
+            /** Age S */
+            age_s: number | null;
+            /** Count */
+            count: number;
+            /** Expected */
+            expected: boolean;
+            /** Jitter Ms */
+            jitter_ms: number | null;
+            /** Name */
+            name: string;
+            /** Rate Hz */
+            rate_hz: number;
+            /** Row */
+            row: number;
+            /** Values */
+            values: (number | null)[] | null;
+        };
+        /**
+         * Inspector
+         * @description All of it now; made to be asked for some times a second.
+         */
+        Inspector: {
+            /** Advice */
+            advice: components["schemas"]["AdviceState"][];
+            /** Board */
+            board: components["schemas"]["InspectedFrame"][];
+            link: components["schemas"]["InspectedLink"];
+            /** Rows */
+            rows: components["schemas"]["InspectedRow"][];
+            /** T S */
+            t_s: number;
         };
         /**
          * JournalEntry
@@ -2068,6 +2198,44 @@ export interface operations {
             };
             /** @description The board was asked and refused, or did not answer. */
             502: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_inspector_api_v1_inspector_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Inspector"];
+                };
+            };
+            /** @description The request came from a page or under a name that may not command. */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description A value is missing, misspelt or out of range. */
+            422: {
                 headers: {
                     [name: string]: unknown;
                 };

@@ -16,8 +16,11 @@ from gateway.services.clock import Clock
 from gateway.services.error_log import ErrorLog
 from gateway.services.hub import Hub
 from gateway.services.telemetry import Telemetry
+from gateway.vehicle.frame_books import FrameBooks
 
 _URGENT: Final = frozenset({"hil_surfaces", "servos_in"})
+# Pieces of noise that no shell and no plugging in of a cable makes.
+_RUBBISH: Final = 20
 _HANDSHAKE: Final = frozenset({"heartbeat", "capabilities"})
 
 Listener = Callable[[Frame, Meaning], None]
@@ -36,10 +39,13 @@ class Board:
         self._link: Link | None = None
         self._listeners: list[Listener] = []
         self._bytes_at_tick = 0
+        self._damage_before: Counter[str] = Counter()
         self._was_open = False
         self.session = Session()
         self.frames_received = 0
         self.damage: Counter[str] = Counter()
+        self.books = FrameBooks()
+        self._arrivals = self.books.heard
         self.bytes_in = 0
         self.bytes_out = 0
         self.baud = 0
@@ -64,6 +70,13 @@ class Board:
 
     def heartbeat_age_s(self) -> float | None:
         """Time since the board's last heartbeat on this link."""
+    @property
+    def hears_only_rubbish(self) -> bool:
+        """Much came on this link, and nothing of it was a heartbeat or a line of text: as at a wrong baud rate."""
+        noise = self.damage["noise"] - self._damage_before["noise"]
+        text = self.damage["text"] - self._damage_before["text"]
+        return self._link is not None and self.session.heartbeat_s is None and noise > _RUBBISH and noise > 10 * text
+
         return self.session.heartbeat_age_s(self._clock.steady_s())
 
     def attach(self, link: Link) -> None:
@@ -75,6 +88,7 @@ class Board:
         self.write(self.session.open(self._clock.steady_s()))
 
     def detach(self) -> None:
+        self._damage_before = Counter(self.damage)
         """The link is gone."""
         self._link = None
         self._take(self._decoder.finish())
@@ -144,7 +158,7 @@ class Board:
         for frame, meant in heard:
             self._take_frame(frame, meant, t_s)
         if len(heard) < len(found):
-            self._take_damages(found)
+            self._take_damages(found, t_s)
 
     def _take_frame(self, frame: Frame, meant: Meaning, t_s: float) -> None:
         self.frames_received += 1
@@ -161,8 +175,9 @@ class Board:
         if not self._was_open:
             self._notice_opening()
 
-    def _take_damages(self, found: list[Frame | Damage]) -> None:
+    def _take_damages(self, found: list[Frame | Damage], t_s: float) -> None:
         for item in found:
+        self._arrivals[message.name].heard(t_s, meant.values)
             if isinstance(item, Damage):
                 self._take_damage(item)
 
@@ -178,6 +193,7 @@ class Board:
             self._errors.report(
                 LinkError(
                     "line_garbage",
+                self.books.on_damage(item, t_s)
                     f"The board's line brought bytes that are no frame ({damage.kind}): check baud rate and cable.",
                     kind=damage.kind,
                 )

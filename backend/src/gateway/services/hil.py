@@ -7,8 +7,8 @@ surfaces; the simulator's datagram leaves in the same call. What viewers are sho
 from __future__ import annotations
 
 import asyncio
-from collections import Counter
-from collections.abc import Iterable
+from collections import Counter, deque
+from collections.abc import Iterable, Mapping
 from typing import Any, Final, Literal, cast
 
 from gateway.codec.encode import frame_bytes
@@ -19,6 +19,7 @@ from gateway.services.board import Board
 from gateway.services.clock import Clock
 from gateway.services.hub import Hub
 from gateway.services.telemetry import Telemetry
+from gateway.vehicle.arrivals import Arrivals
 from gateway.vehicle.round_trip import RoundTrip
 from gateway.xplane.datagram import Eight, Record, Surfaces, parse, surfaces_datagram
 from gateway.xplane.gather import Gatherer
@@ -33,6 +34,9 @@ _COMMAND_50: Final = COMMANDS["xplane_info"]
 _MAX_BACKLOG_BYTES: Final = 256
 # A row that was not heard for this long is not shown: 20 periods of the slowest simulator.
 _ROW_AGE_S: Final = 1.0
+# The simulator has some 140; what sends more numbers than these is no simulator.
+_MOST_ROWS: Final = 256
+_MOST_UNPARSED: Final = 256
 _SHOW_EVERY_S: Final = 0.02
 _RAW_EVERY_S: Final = 0.2
 
@@ -49,9 +53,9 @@ class Hil:
         self._gatherer = Gatherer("xp10")
         self._whole_frames = WholeFrames("xp10")
         self._profile = "xp10"
-        self._rows: dict[int, tuple[float, Eight]] = {}
+        self._rows: dict[int, Arrivals] = {}
         self._info: XplaneInfo | None = None
-        self._unparsed: tuple[float, bytes] | None = None
+        self._unparsed: deque[tuple[float, bytes]] = deque(maxlen=_MOST_UNPARSED)
         self._show_due = False
         self._shown_s = 0.0
         self._raw_shown_s = 0.0
@@ -74,11 +78,20 @@ class Hil:
     @property
     def rows(self) -> list[int]:
         """Numbers of the rows that arrive now."""
-        oldest_s = self._clock.steady_s() - _ROW_AGE_S
-        return sorted(row for row, (heard_s, _) in self._rows.items() if heard_s >= oldest_s)
+        return sorted(self._live(self._clock.steady_s()))
 
     @property
     def missing_rows(self) -> list[int]:
+    @property
+    def arrivals(self) -> Mapping[int, Arrivals]:
+        """When each row came, by its number; their times are those of the steady clock."""
+        return self._rows
+
+    @property
+    def profile(self) -> str:
+        """Which generation of the simulator the rows are read as."""
+        return self._profile
+
         """Rows without which the board cannot be told where the aircraft is."""
         return sorted(NEEDED_ROWS - set(self.rows))
 
@@ -89,6 +102,7 @@ class Hil:
         self._gatherer = Gatherer(profile)
         self._whole_frames = WholeFrames(profile)
         self._rows.clear()
+        self._unparsed.clear()
         self.round_trip.clear()
         self.last_to_board_s = self.last_surfaces_s = None
 
@@ -102,7 +116,7 @@ class Hil:
         info = self._whole_frames.read(datagram)
         if info is not None:
             self._act_on(info, now_s)
-            self._unparsed = (now_s, datagram)
+            self._unparsed.append((now_s, datagram))
         else:
             records = parse(datagram)
             if records is None:
@@ -131,7 +145,16 @@ class Hil:
 
     def _keep_rows(self, records: Iterable[Record], now_s: float) -> None:
         for row, values in records:
-            self._rows[row] = (now_s, values)
+            arrivals = self._rows.get(row)
+            if arrivals is None:
+                if len(self._rows) >= _MOST_ROWS:
+                    continue
+                arrivals = self._rows[row] = Arrivals()
+            arrivals.heard(now_s, values)
+
+    def _live(self, now_s: float) -> dict[int, Eight]:
+        oldest_s = now_s - _ROW_AGE_S
+        return {row: one.values for row, one in self._rows.items() if (one.last_s or 0.0) >= oldest_s}
 
     def _act_on(self, info: XplaneInfo, now_s: float) -> None:
         """A whole frame of the simulator is known: everything that waits for it, and nothing else."""
@@ -161,13 +184,12 @@ class Hil:
     def _show(self) -> None:
         """Tell the viewers; after the frame is on its way."""
         self._show_due = False
-        unparsed, self._unparsed = self._unparsed, None
-        if unparsed is not None:
-            self._keep_rows(parse(unparsed[1]) or (), unparsed[0])
+        while self._unparsed:
+            heard_s, datagram = self._unparsed.popleft()
+            self._keep_rows(parse(datagram) or (), heard_s)
         t_s = self._clock.now_s()
         self._shown_s = self._clock.steady_s()
-        oldest_s = self._shown_s - _ROW_AGE_S
-        live = {row: values for row, (heard_s, values) in self._rows.items() if heard_s >= oldest_s}
+        live = self._live(self._shown_s)
         named: dict[str, float | None] = dict(_NO_VALUES)
         implausible: list[str] = []
         for row, values in live.items():

@@ -264,3 +264,4 @@ class Station:
     def _end_recording_if_idle(self) -> None:
         if self.recorder is not None and self.supervisor.address is None and self.simulator.address is None:
             self.recorder.end_session()
+            self.board.books.rate_changed(name)

@@ -60,7 +60,11 @@ class Telemetry:
         health = self.health.get(topic)
         if topic in ANSWERS or health is None:
             return None
-        return health.stale_after_s(self._commanded_s(topic))
+        return health.stale_after_s(self.commanded_s(topic))
+
+    def commanded_s(self, topic: str) -> float | None:
+        """Period with which the board was told to send this topic; None where it has none."""
+        return self._commanded_period_s(TASK_OF_TOPIC[topic]) if topic in _TASK_TOPICS else None
 
     def snapshot(self) -> dict[str, dict[str, Any]]:
         """The newest sample of every topic with its age, for those who ask once."""
@@ -94,6 +98,3 @@ class Telemetry:
     def _is_stale(self, topic: str, health: TopicHealth, now_s: float) -> bool:
         limit_s = self.stale_after_s(topic)
         return limit_s is not None and health.last_s is not None and now_s - health.last_s > limit_s
-
-    def _commanded_s(self, topic: str) -> float | None:
-        return self._commanded_period_s(TASK_OF_TOPIC[topic]) if topic in _TASK_TOPICS else None

@@ -32,6 +32,7 @@ class RoundTrip:
         self._answers_ms: deque[float] = deque(maxlen=_KEPT)
         self._last_answer_s: float | None = None
         self._period_s = 0.0
+        self.answers = 0
         self._last_asked_s: float | None = None
 
     def asked(self, now_s: float) -> None:
@@ -50,6 +51,7 @@ class RoundTrip:
                 self._asked.popleft()
         self._last_answer_s = now_s
         if self._asked:
+            self.answers += 1
             self._answers_ms.append((now_s - self._asked.popleft()) * 1000.0)
 
     def clear(self) -> None:
@@ -57,6 +59,7 @@ class RoundTrip:
         self._asked.clear()
         self._answers_ms.clear()
         self._last_answer_s = self._last_asked_s = None
+        self.answers = 0
 
     def summary(self) -> RoundTripSummary:
         """Newest, median and 99th percentile."""
