@@ -68,8 +68,6 @@ class Board:
         """Candidates that did not hold; bytes that never looked like a frame are counted as noise alone."""
         return sum(count for kind, count in self.damage.items() if kind not in ("noise", "remains", "text"))
 
-    def heartbeat_age_s(self) -> float | None:
-        """Time since the board's last heartbeat on this link."""
     @property
     def hears_only_rubbish(self) -> bool:
         """Much came on this link, and nothing of it was a heartbeat or a line of text: as at a wrong baud rate."""
@@ -77,6 +75,8 @@ class Board:
         text = self.damage["text"] - self._damage_before["text"]
         return self._link is not None and self.session.heartbeat_s is None and noise > _RUBBISH and noise > 10 * text
 
+    def heartbeat_age_s(self) -> float | None:
+        """Time since the board's last heartbeat on this link."""
         return self.session.heartbeat_age_s(self._clock.steady_s())
 
     def attach(self, link: Link) -> None:
@@ -85,10 +85,10 @@ class Board:
         self.baud = link.baud
         self._decoder = FrameDecoder()
         self._was_open = False
+        self._damage_before = Counter(self.damage)
         self.write(self.session.open(self._clock.steady_s()))
 
     def detach(self) -> None:
-        self._damage_before = Counter(self.damage)
         """The link is gone."""
         self._link = None
         self._take(self._decoder.finish())
@@ -163,6 +163,7 @@ class Board:
     def _take_frame(self, frame: Frame, meant: Meaning, t_s: float) -> None:
         self.frames_received += 1
         message = frame.message
+        self._arrivals[message.name].heard(t_s, meant.values)
         if message.name in _HANDSHAKE:
             answer = self.session.on_frame(frame, self._clock.steady_s())
             if answer:
@@ -177,8 +178,8 @@ class Board:
 
     def _take_damages(self, found: list[Frame | Damage], t_s: float) -> None:
         for item in found:
-        self._arrivals[message.name].heard(t_s, meant.values)
             if isinstance(item, Damage):
+                self.books.on_damage(item, t_s)
                 self._take_damage(item)
 
     def _take_damage(self, damage: Damage) -> None:
@@ -193,7 +194,6 @@ class Board:
             self._errors.report(
                 LinkError(
                     "line_garbage",
-                self.books.on_damage(item, t_s)
                     f"The board's line brought bytes that are no frame ({damage.kind}): check baud rate and cable.",
                     kind=damage.kind,
                 )

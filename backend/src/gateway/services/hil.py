@@ -82,6 +82,9 @@ class Hil:
 
     @property
     def missing_rows(self) -> list[int]:
+        """Rows without which the board cannot be told where the aircraft is."""
+        return sorted(NEEDED_ROWS - set(self.rows))
+
     @property
     def arrivals(self) -> Mapping[int, Arrivals]:
         """When each row came, by its number; their times are those of the steady clock."""
@@ -91,9 +94,6 @@ class Hil:
     def profile(self) -> str:
         """Which generation of the simulator the rows are read as."""
         return self._profile
-
-        """Rows without which the board cannot be told where the aircraft is."""
-        return sorted(NEEDED_ROWS - set(self.rows))
 
     def begin(self, link: UdpLink, profile: str) -> None:
         """The simulator's socket is open: nothing of an earlier one counts."""

@@ -232,6 +232,7 @@ class Station:
         self.memory.update(wanted=self.memory.now.wanted.after(name, arguments))
         if name in RATE_COMMANDS:
             self.telemetry.rate_changed(name)
+            self.board.books.rate_changed(name)
             if name == RATE_COMMANDS[0]:
                 self.board.session.expect_heartbeat_every(arguments[0] / 1000.0)
 
@@ -264,4 +265,3 @@ class Station:
     def _end_recording_if_idle(self) -> None:
         if self.recorder is not None and self.supervisor.address is None and self.simulator.address is None:
             self.recorder.end_session()
-            self.board.books.rate_changed(name)
