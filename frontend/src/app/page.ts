@@ -7,6 +7,7 @@ import { createConnection } from "../store/connection";
 import { DamageRate } from "../store/damage";
 import type { Page } from "../store/hooks";
 import { createMessages, failureMessage, type Message, say } from "../store/messages";
+import { createParameters, forget } from "../store/parameters";
 import { Pump } from "../store/pump";
 import { StreamRates } from "../store/rates";
 import { createSettings, type Shelf } from "../store/settings";
@@ -15,6 +16,8 @@ import { Rest } from "../transport/rest";
 import { StreamSocket, type Timers, type Wire, type WireListener } from "../transport/socket";
 import { createActions, resultMessage } from "./actions";
 import { createAlarmBook } from "./alarmBook";
+import { createFrameActions } from "./frameActions";
+import { createParameterActions, takeParameterEvent } from "./parameterActions";
 
 /** What the page needs of the world around it: a browser's window, or a test. */
 export interface World {
@@ -29,6 +32,8 @@ export interface World {
   readonly tabShelf: Shelf | null;
   readonly sounder: Sounder;
   readonly speaker: Speaker;
+  /** Gives the person a file to keep. */
+  readonly saveFile: (name: string, content: Blob) => void;
 }
 
 const CLIENT_KEY = "epf-gcs.client";
@@ -54,6 +59,7 @@ export function createPage(world: World): {
   const commands = createCommands();
   const messages = createMessages();
   const settings = createSettings(world.shelf);
+  const book = createParameters();
   const damage = new DamageRate();
   const rates = new StreamRates();
   const now_ms = world.timers.now_ms;
@@ -92,7 +98,9 @@ export function createPage(world: World): {
     });
   }
 
-  function takeEvent({ event, data }: StreamEvent): void {
+  function takeEvent(message: StreamEvent): void {
+    const { event, data } = message;
+    takeParameterEvent(book, message, world.wall_ms());
     if (event === "alarm") {
       alarmBook.store.setState(({ reported }) => ({ reported: reported + 1 }));
     } else if (event === "error" && isErrorEvent(data)) {
@@ -138,6 +146,7 @@ export function createPage(world: World): {
     onState: ({ kind }) => {
       if (kind !== "open") {
         telemetry.silence();
+        forget(book);
       }
       connection.setState({ phase: kind });
     },
@@ -149,6 +158,7 @@ export function createPage(world: World): {
   const rest = new Rest({ fetch: world.fetch, client });
   const asking = { rest, commands, messages, now_ms, wall_ms: world.wall_ms };
   const actions = createActions({ ...asking, client });
+  const frame = createFrameActions(asking);
   const alarmBook = createAlarmBook({
     ...asking,
     connection,
@@ -159,7 +169,7 @@ export function createPage(world: World): {
     speaker: world.speaker,
   });
   return {
-    page: { telemetry, pump, connection, commands, messages, settings, actions, alarmBook },
+    page: { telemetry, pump, connection, commands, messages, settings, actions, frame, alarmBook },
     start: () => socket.start(),
     stop: () => socket.stop(),
   };

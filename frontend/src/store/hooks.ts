@@ -4,7 +4,9 @@ import type { Actions } from "./actions";
 import type { AlarmBook } from "./alarmBook";
 import { type CommandEntry, type CommandStore, shown } from "./commands";
 import type { Connection, ConnectionStore } from "./connection";
+import type { FrameActions } from "./frame";
 import type { MessageStore } from "./messages";
+import type { ParameterActions, ParameterBook } from "./parameters";
 import type { Pump } from "./pump";
 import type { Settings, SettingsStore } from "./settings";
 import type { TelemetryStore } from "./telemetry";
@@ -18,7 +20,11 @@ export interface Page {
   readonly messages: MessageStore;
   readonly settings: SettingsStore;
   readonly actions: Actions;
+  readonly frame: FrameActions;
   readonly alarmBook: AlarmBook;
+  readonly parameters: ParameterActions;
+  /** Gives the person a file to keep. */
+  readonly saveFile: (name: string, content: Blob) => void;
 }
 
 export const PageContext = createContext<Page | null>(null);
@@ -42,6 +48,10 @@ export function useConnection<T>(select: (connection: Connection) => T): T {
 
 export function useSettings<T>(select: (settings: Settings) => T): T {
   return useSelected(usePage().settings, select);
+}
+
+export function useParameters<T>(select: (book: ParameterBook) => T): T {
+  return useSelected(usePage().parameters.book, select);
 }
 
 /**
