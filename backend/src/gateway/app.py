@@ -16,6 +16,7 @@ from gateway.api.errors import install_error_handlers
 from gateway.api.guard import Access, Guard
 from gateway.api.page import install_page
 from gateway.api.stream import StreamEndpoint
+from gateway.formats.recognise import MAX_FILE_BYTES
 from gateway.services.error_log import ErrorLog
 from gateway.services.station import Station
 from gateway.settings import Settings
@@ -60,6 +61,6 @@ def create_app(settings: Settings) -> FastAPI:
         access=access,
         errors=errors,
         max_body_bytes=settings.max_body_bytes,
-        longer_bodies={_PREFIX + mission_files.IMPORT_PATH: mission_files.MAX_FILE_BYTES},
+        longer_bodies={_PREFIX + mission_files.IMPORT_PATH: MAX_FILE_BYTES},
     )
     return app

@@ -707,8 +707,12 @@ export interface components {
         /**
          * BoardStatus
          * @description The board's link. `open`: commands work. Percentages are of baud / 10 bytes a second.
+         *
+         *     `emulated`: these are example values and no board; the link `before_emulation_url` comes back when it is closed.
          */
         BoardStatus: {
+            /** Before Emulation Url */
+            before_emulation_url: string | null;
             /** Bytes In */
             bytes_in: number;
             /** Bytes Out */
@@ -717,6 +721,8 @@ export interface components {
             damage: {
                 [key: string]: number;
             };
+            /** Emulated */
+            emulated: boolean;
             failure: components["schemas"]["Failure"] | null;
             features: components["schemas"]["Features"];
             firmware: components["schemas"]["Firmware"] | null;

@@ -79,7 +79,10 @@ class TaskPeriods(Output):
 
 
 class BoardStatus(Output):
-    """The board's link. `open`: commands work. Percentages are of baud / 10 bytes a second."""
+    """The board's link. `open`: commands work. Percentages are of baud / 10 bytes a second.
+
+    `emulated`: these are example values and no board; the link `before_emulation_url` comes back when it is closed.
+    """
 
     state: LinkState
     url: str | None
@@ -88,6 +91,8 @@ class BoardStatus(Output):
     mode: Literal["legacy", "extended"] | None
     features: Features
     firmware: Firmware | None
+    emulated: bool
+    before_emulation_url: str | None
     periods_ms: TaskPeriods
     heartbeat_age_s: float | None
     frames_received: int

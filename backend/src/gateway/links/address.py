@@ -12,12 +12,12 @@ BAUD_RATES: Final = (9600, 57600, 115200, 230400, 460800, 921600)
 DEFAULT_BAUD: Final = 115200
 _EXAMPLES: Final = "serial:///dev/ttyUSB0?baud=115200, tcp://192.168.1.5:4000 or pty:///run/board"
 
-Scheme = Literal["serial", "tcp", "pty"]
+Scheme = Literal["serial", "tcp", "pty", "emulation"]
 
 
 @dataclass(frozen=True, slots=True)
 class LinkAddress:
-    """Where the board is. `target` is a path or COM name, or the host of a TCP address.
+    """Where the board is. `target` is a path or COM name, the host of a TCP address, or empty: there is none.
 
     `baud` is the speed of a serial line; on the other kinds it only scales the use of the line in percent.
     """
@@ -30,6 +30,8 @@ class LinkAddress:
     @property
     def url(self) -> str:
         """The one spelling of this address."""
+        if self.scheme == "emulation":
+            return f"{self.scheme}:"
         if self.scheme == "tcp":
             host = f"[{self.target}]" if ":" in self.target else self.target
             base = f"tcp://{host}:{self.port}"
@@ -42,6 +44,10 @@ class LinkAddress:
     def same_device(self, other: LinkAddress) -> bool:
         """Whether opening one needs the other closed."""
         return (self.scheme, self.target, self.port) == (other.scheme, other.target, other.port)
+
+
+EMULATION: Final = LinkAddress("emulation", "")
+"""No board: example values, for a look."""
 
 
 def parse_address(text: str) -> LinkAddress:
@@ -65,6 +71,8 @@ def parse_address(text: str) -> LinkAddress:
             if not parts.hostname or not port:
                 raise _bad(text, "a TCP address needs a host and a port from 1 to 65535")
             return LinkAddress("tcp", parts.hostname, port, baud)
+        case "emulation" if text == "emulation:":
+            return EMULATION
         case "serial" | "pty" as scheme:
             if parts.netloc not in ("", ".", "..") or len(parts.path) < 2:
                 raise _bad(text, f"after {scheme}: come three slashes and the device")

@@ -10,7 +10,7 @@ from typing import Final
 from gateway.codec.frame import Damage, Frame, FrameDecoder
 from gateway.codec.session import Session, SessionState
 from gateway.codec.values import Json, Meaning, meaning
-from gateway.errors import LinkError
+from gateway.errors import ConflictError, LinkError
 from gateway.links.base import Link
 from gateway.services.clock import Clock
 from gateway.services.error_log import ErrorLog
@@ -49,6 +49,8 @@ class Board:
         self.bytes_in = 0
         self.bytes_out = 0
         self.baud = 0
+        # The link brings example values: nothing of it may reach a simulator, and nobody can command it.
+        self.is_emulated = False
         # Set by the composition: the bridge that must hear first, and who re-arms an opened board.
         self.on_urgent: Callable[[Frame], None] | None = None
         self.on_opened: Callable[[], None] | None = None
@@ -79,9 +81,10 @@ class Board:
         """Time since the board's last heartbeat on this link."""
         return self.session.heartbeat_age_s(self._clock.steady_s())
 
-    def attach(self, link: Link) -> None:
+    def attach(self, link: Link, *, is_emulated: bool = False) -> None:
         """A link is open: begin the dialogue."""
         self._link = link
+        self.is_emulated = is_emulated
         self.baud = link.baud
         self._decoder = FrameDecoder()
         self._was_open = False
@@ -94,12 +97,23 @@ class Board:
         self._take(self._decoder.finish())
         self._was_open = False
         self.session.close()
+        if self.is_emulated:
+            self.is_emulated = False
+            self._telemetry.blank()
+            self._hub.flush()
 
     def say_goodbye(self) -> None:
         """Leave the board quiet and in text mode, as long as the link still is there."""
         farewell = self.session.close()
         if farewell:
             self.write(farewell)
+
+    def check_not_emulated(self) -> None:
+        """Raise ConflictError where there is no board that could do anything."""
+        if self.is_emulated:
+            raise ConflictError(
+                "emulation_running", "Nothing was sent because this is the emulation, not a board: stop it first."
+            )
 
     def write(self, data: bytes) -> bool:
         """Send bytes as they are. False where they could not even be queued."""

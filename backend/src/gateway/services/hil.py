@@ -95,8 +95,8 @@ class Hil:
         """Which generation of the simulator the rows are read as."""
         return self._profile
 
-    def begin(self, link: UdpLink, profile: str) -> None:
-        """The simulator's socket is open: nothing of an earlier one counts."""
+    def begin(self, link: UdpLink | None, profile: str) -> None:
+        """The simulator's socket is open, or examples come without one: nothing of an earlier one counts."""
         self.link = link
         self._profile = profile
         self._gatherer = Gatherer(profile)
@@ -133,7 +133,9 @@ class Hil:
         return True
 
     def on_urgent(self, frame: Frame) -> None:
-        """Surfaces or RC channels, straight from the decoder."""
+        """Surfaces or RC channels, straight from the decoder. Examples move nobody's simulator."""
+        if self._board.is_emulated:
+            return
         if frame.message.name == "hil_surfaces":
             now_s = self._clock.steady_s()
             self.last_surfaces_s = now_s
@@ -158,6 +160,9 @@ class Hil:
 
     def _act_on(self, info: XplaneInfo, now_s: float) -> None:
         """A whole frame of the simulator is known: everything that waits for it, and nothing else."""
+        if self._board.is_emulated:
+            self.skipped["emulation"] += 1
+            return
         if self.path == "manual" and self.source == "joystick":
             self._move(info.stick)
         link = self._board.link

@@ -12,12 +12,15 @@ import structlog
 
 from gateway import __version__
 from gateway.errors import GatewayError
-from gateway.links.address import LinkAddress, parse_address
+from gateway.links.address import EMULATION, LinkAddress, parse_address
+from gateway.links.base import Link
+from gateway.links.open import open_link
 from gateway.services.alarms import Alarms
 from gateway.services.board import Board
 from gateway.services.clock import Clock
 from gateway.services.commands import Commands
 from gateway.services.control import Client, Control
+from gateway.services.emulation import PROFILE, EmulationLink
 from gateway.services.error_log import ErrorLog
 from gateway.services.hil import Hil
 from gateway.services.hub import Hub
@@ -52,6 +55,7 @@ class Station:
         self._recording: Path | None = None
         # Set by the composition: makes the status text that all viewers get.
         self.status_text: Callable[[], bytes] = lambda: b"{}"
+        self.before_emulation: LinkAddress | None = None
         self.recordings_dir = data_dir / "recordings"
         self.clock = Clock()
         self.hub = Hub(loop, self.clock.now_s)
@@ -74,7 +78,7 @@ class Station:
         self.parameters = Parameters(self.board, self.commands, self.hub, journal)
         self.missions = Missions(self.board, self.commands, self.hub)
         self.hil = Hil(self.board, self.telemetry, self.hub, self.clock)
-        self.supervisor = Supervisor(self.board, taps[0], self._report, self._on_link)
+        self.supervisor = Supervisor(self.board, taps[0], self._report, self._on_link, self._open_link)
         self.simulator = Simulator(self.hil, self.clock, taps[1], self._report, self._on_link)
         self.rates = LineRates()
         self.watch = Watch(
@@ -133,15 +137,33 @@ class Station:
             self._loop.call_soon(self._send_status)
 
     async def close_board(self) -> None:
-        """The operator ends the session with this board: nothing of it is asked for again."""
+        """The operator ends the session with this board: nothing of it is asked for again.
+
+        Ending the emulation gives back what was open before it.
+        """
+        if self.board.is_emulated:
+            before, identity = self.before_emulation, self.memory.now.board_identity
+            await self.supervisor.close()
+            self._end_emulation()
+            if before is not None:
+                self.supervisor.want(before, identity if before.url == self.memory.now.board_url else None)
+            self.changed()
+            return
         await self.supervisor.close()
         self.parameters.forget()
         self.memory.update(board_url=None, board_identity=None, wanted=Wanted())
         self._end_recording_if_idle()
 
     async def open_board(self, address: LinkAddress) -> None:
-        """Open a board link and remember it."""
+        """Open a board link and remember it; the emulation alone is forgotten with the gateway."""
+        was_emulated, before = self.board.is_emulated, self.supervisor.address
         await self.supervisor.open(address)
+        if address == EMULATION:
+            self.before_emulation = self.before_emulation if was_emulated else before
+            self.changed()
+            return
+        if was_emulated:
+            self._end_emulation()
         self.memory.update(board_url=address.url, board_identity=self.supervisor.identity)
         self._note("board_link", {"url": address.url})
 
@@ -162,6 +184,22 @@ class Station:
         self.hil.path = "assisted" if path == "assisted" else "manual"
         self.memory.update(hil_path=self.hil.path)
         self.changed()
+
+    async def _open_link(self, address: LinkAddress) -> Link:
+        if address != EMULATION:
+            return await open_link(address)
+        if self.simulator.address is None:
+            self.hil.begin(None, PROFILE)
+        return EmulationLink(self._take_example)
+
+    def _take_example(self, datagram: bytes) -> None:
+        """What a simulator would have sent, where none is connected."""
+        if self.simulator.address is None:
+            self.hil.on_datagram(datagram)
+
+    def _end_emulation(self) -> None:
+        self.before_emulation = None
+        self.parameters.forget()
 
     def _remember_links(self) -> None:
         remembered = self.memory.now
@@ -193,6 +231,8 @@ class Station:
             self._board_opened.clear()
             self.changed()
             self.parameters.forget()
+            if self.board.is_emulated:
+                continue
             wanted = self.memory.now.wanted
             self.board.session.expect_heartbeat_every(wanted.period_s(RATE_COMMANDS[0]))
             for name, arguments in wanted.missing(self.telemetry.newest("heartbeat") or {}):

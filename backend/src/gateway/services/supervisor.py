@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Callable
+from collections.abc import Awaitable, Callable
 from typing import Final, Literal
 
 from gateway.codec.session import SessionState
 from gateway.errors import GatewayError, LinkError
-from gateway.links.address import LinkAddress
-from gateway.links.base import LinkCallbacks, Tap
-from gateway.links.descriptor import DescriptorLink
+from gateway.links.address import EMULATION, LinkAddress
+from gateway.links.base import Link, LinkCallbacks, Tap
 from gateway.links.open import open_link
 from gateway.links.ports import find_identity, find_path
 from gateway.services.board import Board
@@ -31,14 +30,16 @@ class Supervisor:
         tap: Tap | None,
         report: Callable[[GatewayError], None],
         on_change: Callable[[], None],
+        open_link: Callable[[LinkAddress], Awaitable[Link]] = open_link,
     ) -> None:
         self._board = board
+        self._open_link = open_link
         self._tap = tap
         self._report = report
         self._on_change = on_change
         self._identify: Callable[[str], str | None] = find_identity
         self._locate: Callable[[str], str | None] = find_path
-        self._link: DescriptorLink | None = None
+        self._link: Link | None = None
         self._lock = asyncio.Lock()
         self._wake = asyncio.Event()
         self.address: LinkAddress | None = None
@@ -70,12 +71,12 @@ class Supervisor:
             if previous is not None and self._link is not None and previous.same_device(address):
                 self._shut()
                 try:
-                    link = await open_link(address)
+                    link = await self._open_link(address)
                 except LinkError:
                     self._wake.set()
                     raise
             else:
-                link = await open_link(address)
+                link = await self._open_link(address)
                 self._shut()
             self.identity = None
             self._adopt(address, link)
@@ -119,7 +120,7 @@ class Supervisor:
                 return True
             try:
                 address = await self._present_address(wanted)
-                link = await open_link(address)
+                link = await self._open_link(address)
             except LinkError as error:
                 first = self.failure is None
                 self.failure = error
@@ -145,12 +146,14 @@ class Supervisor:
             self.identity = await asyncio.to_thread(self._identify, address.target)
             self._on_change()
 
-    def _adopt(self, address: LinkAddress, link: DescriptorLink) -> None:
+    def _adopt(self, address: LinkAddress, link: Link) -> None:
         self.address = address
         self.failure = None
         self._link = link
-        link.start(LinkCallbacks(self._board.on_bytes, self._on_lost, self._tap))
-        self._board.attach(link)
+        is_emulated = address == EMULATION
+        # A recording is what happened; an example did not.
+        link.start(LinkCallbacks(self._board.on_bytes, self._on_lost, None if is_emulated else self._tap))
+        self._board.attach(link, is_emulated=is_emulated)
         self._on_change()
 
     def _shut(self) -> None:

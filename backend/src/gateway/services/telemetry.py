@@ -40,6 +40,14 @@ class Telemetry:
             if command == rate_command and topic in self.health:
                 self.health[topic].forget_rate()
 
+    def blank(self) -> None:
+        """What was heard was an example and is over: every topic has no data until it is heard again."""
+        now_s = self._clock.now_s()
+        for topic, sample in list(self._state.samples().items()):
+            values: Values = {name: {} if isinstance(value, dict) else None for name, value in sample.values.items()}
+            self._state.put(topic, now_s, values)
+        self.health.clear()
+
     def newest(self, topic: str) -> Values | None:
         """The newest values of a topic, however old."""
         sample = self._state.samples().get(topic)

@@ -1,0 +1,72 @@
+"""The example aircraft: all its numbers are of one flight."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from gateway.vehicle.example_flight import RADIUS_M, SPEED_KT, TURN_RATE_RAD_S, moment
+
+TIMES = st.floats(0, 86400, allow_nan=False)
+M_PER_DEG = math.pi * 6371000.0 / 180.0
+
+
+def moved_m(first_s: float, second_s: float) -> tuple[float, float]:
+    """North and east."""
+    first, second = moment(first_s), moment(second_s)
+    scale = math.cos(math.radians(first.latitude_deg))
+    return (
+        (second.latitude_deg - first.latitude_deg) * M_PER_DEG,
+        (second.longitude_deg - first.longitude_deg) * M_PER_DEG * scale,
+    )
+
+
+@given(TIMES)
+def test_it_moves_where_its_nose_points_at_its_speed(t_s: float) -> None:
+    north_m, east_m = moved_m(t_s, t_s + 0.1)
+    track_deg = math.degrees(math.atan2(east_m, north_m))
+    turn_deg = (track_deg - moment(t_s + 0.05).heading_deg + 180.0) % 360.0 - 180.0
+    assert abs(turn_deg) < 0.2
+    assert math.hypot(north_m, east_m) / 0.1 == pytest.approx(SPEED_KT * 1852 / 3600, rel=1e-3)
+
+
+@given(TIMES)
+def test_height_climb_and_pressure_agree(t_s: float) -> None:
+    climbed_ft_s = (moment(t_s + 0.05).altitude_ft - moment(t_s - 0.05).altitude_ft) / 0.1
+    now = moment(t_s)
+    assert now.vvi_ft_min / 60 == pytest.approx(climbed_ft_s, abs=0.01)
+    assert 44330 * (1 - (now.pressure_hpa / 1013.25) ** (1 / 5.25588)) == pytest.approx(now.altitude_m, abs=0.5)
+
+
+@given(TIMES)
+def test_bank_turn_rate_and_forces_are_of_one_coordinated_turn(t_s: float) -> None:
+    now = moment(t_s)
+    bank = math.radians(now.roll_deg)
+    speed_m_s = SPEED_KT * 1852 / 3600
+    assert math.tan(bank) == pytest.approx(speed_m_s**2 / (RADIUS_M * 9.80665))
+    p, q, r = now.rates_rad_s
+    assert math.sqrt(p * p + q * q + r * r) == pytest.approx(TURN_RATE_RAD_S)
+    assert now.forces_m_s2[2] == pytest.approx(-9.80665 / math.cos(bank))
+    assert math.hypot(*now.field) == pytest.approx(1.0)
+
+
+def test_the_magnetic_field_points_north_and_down() -> None:
+    east = moment(0.0)
+    ahead, right, down = east.field
+    assert east.heading_deg == pytest.approx(90.0)
+    assert right < -0.5, "north is to the left of an aircraft that heads east"
+    assert down > 0.5
+    assert abs(ahead) < 0.1
+
+
+@given(TIMES)
+def test_the_next_waypoint_is_ahead_and_less_than_a_quarter_away(t_s: float) -> None:
+    bearing_deg, distance_m, index = moment(t_s).to_waypoint()
+    off_deg = (bearing_deg - moment(t_s).heading_deg + 180.0) % 360.0 - 180.0
+    assert -0.01 <= off_deg <= 45.01
+    assert distance_m <= RADIUS_M * math.sqrt(2) + 0.01
+    assert 0 <= index < 4
+    assert moment(t_s).to_waypoint(1)[2] == (index + 1) % 4
