@@ -16,8 +16,11 @@ import { Rest } from "../transport/rest";
 import { StreamSocket, type Timers, type Wire, type WireListener } from "../transport/socket";
 import { createActions, resultMessage } from "./actions";
 import { createAlarmBook } from "./alarmBook";
+import { createBoardConsole } from "./boardConsole";
 import { createFrameActions } from "./frameActions";
+import { createInspector } from "./inspector";
 import { createParameterActions, takeParameterEvent } from "./parameterActions";
+import { createServoDesk } from "./servoDesk";
 
 /** What the page needs of the world around it: a browser's window, or a test. */
 export interface World {
@@ -84,6 +87,7 @@ export function createPage(world: World): {
 
   function takeStatus(status: Status, at_ms: number): void {
     telemetry.heard(at_ms);
+    servos.takeStatus(status);
     tellLinks(connection.getState().status, status);
     telemetry.setStaleAfter(
       Object.entries(status.topics).map(([topic, { stale_after_s }]) => [topic, stale_after_s]),
@@ -100,6 +104,8 @@ export function createPage(world: World): {
 
   function takeEvent(message: StreamEvent): void {
     const { event, data } = message;
+    servos.takeEvent(message);
+    takeConsole(message);
     takeParameterEvent(book, message, world.wall_ms());
     if (event === "alarm") {
       alarmBook.store.setState(({ reported }) => ({ reported: reported + 1 }));
@@ -109,7 +115,8 @@ export function createPage(world: World): {
       event === "command" &&
       isCommandEvent(data) &&
       data.client !== client() &&
-      data.state !== "pending"
+      data.state !== "pending" &&
+      !(data.name === "servo_out" && data.state !== "rejected" && data.state !== "timed_out")
     ) {
       const { name, state, by, ms, reason } = data;
       tell(resultMessage(`@command.${name}`, { state, by, ms: ms ?? 0, reason }));
@@ -157,6 +164,8 @@ export function createPage(world: World): {
   });
   const rest = new Rest({ fetch: world.fetch, client });
   const asking = { rest, commands, messages, now_ms, wall_ms: world.wall_ms };
+  const servos = createServoDesk({ rest, timers: world.timers, client, tell });
+  const { boardConsole, takeEvent: takeConsole } = createBoardConsole({ rest, wall_ms: world.wall_ms });
   const actions = createActions({ ...asking, client });
   const frame = createFrameActions(asking);
   const alarmBook = createAlarmBook({
@@ -168,8 +177,20 @@ export function createPage(world: World): {
     sounder: world.sounder,
     speaker: world.speaker,
   });
+  const parameters = createParameterActions(book, asking);
+  const stores = { telemetry, pump, connection, commands, messages, settings };
   return {
-    page: { telemetry, pump, connection, commands, messages, settings, actions, frame, alarmBook },
+    page: {
+      ...stores,
+      actions,
+      frame,
+      alarmBook,
+      parameters,
+      servos: servos.desk,
+      boardConsole,
+      inspector: createInspector(rest),
+      saveFile: world.saveFile,
+    },
     start: () => socket.start(),
     stop: () => socket.stop(),
   };

@@ -4,10 +4,14 @@ import type { Actions } from "./actions";
 import type { AlarmBook } from "./alarmBook";
 import { type CommandEntry, type CommandStore, shown } from "./commands";
 import type { Connection, ConnectionStore } from "./connection";
+import type { BoardConsole, ConsoleLog } from "./console";
 import type { FrameActions } from "./frame";
+import type { Inspector } from "./inspector";
 import type { MessageStore } from "./messages";
 import type { ParameterActions, ParameterBook } from "./parameters";
 import type { Pump } from "./pump";
+import type { Servo, ServoDesk } from "./servos";
+import { UNMOVED } from "./servos";
 import type { Settings, SettingsStore } from "./settings";
 import type { TelemetryStore } from "./telemetry";
 
@@ -22,6 +26,9 @@ export interface Page {
   readonly actions: Actions;
   readonly frame: FrameActions;
   readonly alarmBook: AlarmBook;
+  readonly servos: ServoDesk;
+  readonly boardConsole: BoardConsole;
+  readonly inspector: Inspector;
   readonly parameters: ParameterActions;
   /** Gives the person a file to keep. */
   readonly saveFile: (name: string, content: Blob) => void;
@@ -63,6 +70,17 @@ export function useTelemetry<T extends string | number | boolean | null>(
 ): T {
   const { telemetry, pump } = usePage();
   return useSyncExternalStore(pump.onTick, () => select(telemetry, pump.now_ms));
+}
+
+/** One servo output's slider; it renders again only when it changes. */
+export function useServo(index: number): Servo {
+  return useSelected(usePage().servos.store, ({ servos }) => servos[index] ?? UNMOVED);
+}
+
+/** The raw line's log, looked at ten times a second: a board that talks fast must not render for each line. */
+export function useConsole(): ConsoleLog {
+  const { boardConsole, pump } = usePage();
+  return useSyncExternalStore(pump.onTick, () => boardConsole.store.getState());
 }
 
 /** What a control's newest command is up to, or null when there is nothing to show. */
