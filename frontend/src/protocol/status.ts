@@ -26,6 +26,8 @@ export const isStatus = shape({
   board: shape({
     state: oneOf("closed", "opening", "open", "lost"),
     url: nullable(isText),
+    emulated: isFlag,
+    before_emulation_url: nullable(isText),
     mode: nullable(oneOf("legacy", "extended")),
     features: shape({ acknowledgements: isFlag, store: isFlag, sources: isFlag, missions: isFlag }),
     periods_ms: shape({ parameters: isPeriod, fms: isPeriod, servos: isPeriod }),

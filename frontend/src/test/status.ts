@@ -8,6 +8,8 @@ export function aStatus(parts: Partial<Status> = {}): Status {
     board: {
       state: "open",
       url: "pty:///tmp/board",
+      emulated: false,
+      before_emulation_url: null,
       mode: "extended",
       features: { acknowledgements: true, store: true, sources: true, missions: true },
       failure: null,
