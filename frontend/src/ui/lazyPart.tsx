@@ -9,19 +9,23 @@ export interface LazyPart {
 
 /** Once loaded it is drawn at once and never waits again. */
 export function lazyPart(load: () => Promise<ComponentType>): LazyPart {
-  let content: ComponentType | null = null;
   let loading: Promise<ComponentType> | null = null;
 
   function start(): Promise<ComponentType> {
-    loading ??= load().then((loaded) => {
-      content = loaded;
-      return loaded;
-    });
+    if (loading === null) {
+      const started = load();
+      loading = started;
+      // React reads these two, and does not wait for a promise that has them.
+      started.then(
+        (value) => Object.assign(started, { status: "fulfilled", value }),
+        () => undefined,
+      );
+    }
     return loading;
   }
 
   function Content(): ReactNode {
-    const Loaded = content ?? use(start());
+    const Loaded = use(start());
     return <Loaded />;
   }
 

@@ -25,32 +25,34 @@ interface FrameProps extends DialProps {
 export function Dial({ ref, descriptionRef, label, noDataText, className, children }: FrameProps) {
   const bezel = useId();
   return (
-    <svg
-      ref={ref}
-      className={className === undefined ? "inst-dial" : `inst-dial ${className}`}
-      viewBox="-100 -100 200 200"
-      role="img"
-      aria-label={label}
-      data-state="none"
-    >
-      <desc ref={descriptionRef} />
-      <defs>
-        <linearGradient id={bezel} x1="0.2" y1="0" x2="0.8" y2="1">
-          <stop offset="0" className="inst-bezel-light" />
-          <stop offset="0.45" className="inst-bezel-middle" />
-          <stop offset="1" className="inst-bezel-dark" />
-        </linearGradient>
-      </defs>
-      <circle r="99.5" className="inst-bezel-edge" />
-      <circle r="98.5" fill={`url(#${bezel})`} />
-      <circle r="93" className="inst-bezel-well" />
-      <circle r="91.5" className="inst-face" />
-      <g className="inst-live">{children}</g>
-      <g className="inst-cross">
-        <path d="M-60 -60L60 60M60 -60L-60 60" />
-        <rect x="-58" y="-12" width="116" height="24" rx="2" />
-        <text y="4.6">{noDataText}</text>
-      </g>
-    </svg>
+    <div className="inst-frame">
+      <svg
+        ref={ref}
+        className={className === undefined ? "inst-dial" : `inst-dial ${className}`}
+        viewBox="-100 -100 200 200"
+        role="img"
+        aria-label={label}
+        data-state="none"
+      >
+        <desc ref={descriptionRef} />
+        <defs>
+          <linearGradient id={bezel} x1="0.2" y1="0" x2="0.8" y2="1">
+            <stop offset="0" className="inst-bezel-light" />
+            <stop offset="0.45" className="inst-bezel-middle" />
+            <stop offset="1" className="inst-bezel-dark" />
+          </linearGradient>
+        </defs>
+        <circle r="99.5" className="inst-bezel-edge" />
+        <circle r="98.5" fill={`url(#${bezel})`} />
+        <circle r="93" className="inst-bezel-well" />
+        <circle r="91.5" className="inst-face" />
+        <g className="inst-live">{children}</g>
+        <g className="inst-cross">
+          <path d="M-60 -60L60 60M60 -60L-60 60" />
+          <rect x="-58" y="-12" width="116" height="24" rx="2" />
+          <text y="4.6">{noDataText}</text>
+        </g>
+      </svg>
+    </div>
   );
 }

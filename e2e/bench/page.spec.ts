@@ -1,0 +1,108 @@
+import { readdirSync, readFileSync } from "node:fs";
+import { writeFile } from "node:fs/promises";
+import { type CDPSession, expect, type Page, test } from "@playwright/test";
+
+/** The gateway's address, where the figures go, and the share of the list of tabs (all of them by default). */
+const URL = process.env.BENCH_URL ?? "";
+const RESULTS = process.env.BENCH_RESULTS ?? "";
+const SECONDS = Number(process.env.BENCH_SECONDS ?? "12");
+
+/** Tabs that have a redraw budget of their own. */
+const GLOBE = /^(Mapa 3D|AHRS 3D)$/;
+const CLOCK_TICKS_PER_S = 100;
+
+type Figures = {
+  tab: string;
+  frames_per_s: number;
+  script_percent: number;
+  cpu_percent: number;
+  longest_task_ms: number;
+  heap_mb: number;
+};
+
+test("the page with twelve topics at 50 Hz, tab by tab", async ({ page }) => {
+  if (URL === "") throw new Error("`make bench` starts this and says where the gateway is");
+  await page.goto(URL, { waitUntil: "domcontentloaded" });
+  const devtools = await page.context().newCDPSession(page);
+  await devtools.send("Performance.enable");
+  await devtools.send("HeapProfiler.enable");
+  const tabs = page.getByRole("tablist", { name: "Pestañas principales" }).getByRole("tab");
+  await expect(tabs.first()).toBeVisible();
+  const names = (await tabs.allTextContents()).filter((name) => !GLOBE.test(name));
+  const figures: Figures[] = [];
+  for (const name of names) {
+    await tabs.filter({ hasText: new RegExp(`^${name}$`) }).click();
+    // A tab's own part is loaded and laid out once; what counts is how it goes on.
+    await page.waitForTimeout(3000);
+    figures.push({ tab: name, ...(await measure(page, devtools)) });
+  }
+  await writeFile(RESULTS, JSON.stringify(figures));
+});
+
+async function measure(page: Page, devtools: CDPSession): Promise<Omit<Figures, "tab">> {
+  const [script, cpu] = [await scriptSeconds(devtools), browserSeconds()];
+  const { frames, seconds, longest_ms } = await page.evaluate(
+    (duration_ms) =>
+      new Promise<{ frames: number; seconds: number; longest_ms: number }>((resolve) => {
+        let longest_ms = 0;
+        const observer = new PerformanceObserver((list) => {
+          for (const entry of list.getEntries()) longest_ms = Math.max(longest_ms, entry.duration);
+        });
+        observer.observe({ type: "longtask" });
+        let frames = 0;
+        const started = performance.now();
+        const count = (now: number) => {
+          frames += 1;
+          if (now - started < duration_ms) {
+            requestAnimationFrame(count);
+          } else {
+            observer.disconnect();
+            resolve({ frames, seconds: (now - started) / 1000, longest_ms });
+          }
+        };
+        requestAnimationFrame(count);
+      }),
+    SECONDS * 1000,
+  );
+  const [scriptAfter, cpuAfter] = [await scriptSeconds(devtools), browserSeconds()];
+  await devtools.send("HeapProfiler.collectGarbage");
+  const { usedSize } = await devtools.send("Runtime.getHeapUsage");
+  return {
+    frames_per_s: frames / seconds,
+    script_percent: (100 * (scriptAfter - script)) / seconds,
+    cpu_percent: (100 * (cpuAfter - cpu)) / seconds,
+    longest_task_ms: longest_ms,
+    heap_mb: usedSize / 1e6,
+  };
+}
+
+async function scriptSeconds(devtools: CDPSession): Promise<number> {
+  const { metrics } = await devtools.send("Performance.getMetrics");
+  return metrics.find(({ name }) => name === "ScriptDuration")?.value ?? Number.NaN;
+}
+
+/** Processor time of the whole browser: every process below this one but the tools that drive it. */
+function browserSeconds(): number {
+  const parents = new Map<number, number>();
+  const seconds = new Map<number, number>();
+  for (const name of readdirSync("/proc")) {
+    if (!/^\d+$/.test(name)) continue;
+    try {
+      const [head = "", rest = ""] = readFileSync(`/proc/${name}/stat`, "utf8").split(/\) (?=\w )/);
+      const fields = rest.split(" ");
+      parents.set(Number(name), Number(fields[1]));
+      if (/chrom|headless/i.test(head)) {
+        seconds.set(Number(name), (Number(fields[11]) + Number(fields[12])) / CLOCK_TICKS_PER_S);
+      }
+    } catch {
+      // a process that has just ended
+    }
+  }
+  const isOurs = (pid: number): boolean => {
+    for (let at: number | undefined = pid; at !== undefined && at > 1; at = parents.get(at)) {
+      if (at === process.pid) return true;
+    }
+    return false;
+  };
+  return [...seconds].reduce((sum, [pid, used]) => (isOurs(pid) ? sum + used : sum), 0);
+}
