@@ -1,14 +1,13 @@
 import { screen } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { expect, test, vi } from "vitest";
-import { Dialog } from "./Dialog";
+import { ConfirmDialog, Dialog } from "./Dialog";
 import { renderWithWords } from "./test/words";
 
-function draw(open = true) {
+function draw() {
   const onClose = vi.fn();
   renderWithWords(
     <Dialog
-      open={open}
       onClose={onClose}
       title="Reset all"
       description="17 lines"
@@ -36,7 +35,33 @@ test("Escape and the cross ask to close it", async () => {
   expect(onClose).toHaveBeenCalledTimes(2);
 });
 
-test("closed, it is not there", () => {
-  draw(false);
-  expect(screen.queryByRole("dialog")).toBeNull();
+function ask() {
+  const [onConfirm, onCancel] = [vi.fn(), vi.fn()];
+  renderWithWords(
+    <ConfirmDialog
+      title="Reset"
+      text="The board starts anew."
+      confirmLabel="Yes"
+      cancelLabel="No"
+      onConfirm={onConfirm}
+      onCancel={onCancel}
+    />,
+  );
+  return { onConfirm, onCancel };
+}
+
+test("a question is answered with its one button", async () => {
+  const { onConfirm, onCancel } = ask();
+  expect(screen.getByRole("dialog", { description: "The board starts anew." })).toBeDefined();
+  await userEvent.click(screen.getByRole("button", { name: "Yes" }));
+  expect(onConfirm).toHaveBeenCalledTimes(1);
+  expect(onCancel).not.toHaveBeenCalled();
+});
+
+test("and declined with the other, and with Escape", async () => {
+  const { onConfirm, onCancel } = ask();
+  await userEvent.click(screen.getByRole("button", { name: "No" }));
+  await userEvent.keyboard("{Escape}");
+  expect(onCancel).toHaveBeenCalledTimes(2);
+  expect(onConfirm).not.toHaveBeenCalled();
 });

@@ -1,24 +1,32 @@
 import { Dialog as Base } from "@base-ui/react/dialog";
 import { X } from "lucide-react";
 import type { ReactNode } from "react";
+import { Button } from "./Button";
 import { useWords } from "./words";
 import "./Dialog.css";
 
 interface Props {
-  open: boolean;
+  /** Without it the window is open for as long as it is drawn. */
+  open?: boolean | undefined;
+  title: string;
   /** Escape, the cross, or a press beside it. */
   onClose: () => void;
-  title: string;
+  /** What the cross is called, where "close" would not say it. */
+  closeLabel?: string | undefined;
   /** Said after the title: what it is about. */
   description?: string | undefined;
-  children: ReactNode;
+  children?: ReactNode;
   /** The buttons that end it. */
   actions?: ReactNode;
   size?: "normal" | "wide" | undefined;
 }
 
-/** A window over the page, which waits for an answer; the focus stays in it and goes back when it closes. */
-export function Dialog({ open, onClose, title, description, children, actions, size = "normal" }: Props) {
+/**
+ * A window over the page which waits for an answer. The focus stays in it, and goes back to where it was when it
+ * closes.
+ */
+export function Dialog(props: Props) {
+  const { open = true, title, onClose, closeLabel, description, children, actions, size = "normal" } = props;
   const words = useWords();
   return (
     <Base.Root open={open} onOpenChange={(next) => !next && onClose()}>
@@ -27,17 +35,48 @@ export function Dialog({ open, onClose, title, description, children, actions, s
         <Base.Popup className="ui-dialog" data-size={size}>
           <header className="ui-dialog-head">
             <Base.Title className="ui-dialog-title">{title}</Base.Title>
-            <Base.Close className="ui-dialog-close" aria-label={words.close}>
+            <Base.Close className="ui-dialog-close" aria-label={closeLabel ?? words.close}>
               <X size={16} aria-hidden="true" />
             </Base.Close>
           </header>
           {description !== undefined && (
             <Base.Description className="ui-dialog-description">{description}</Base.Description>
           )}
-          <div className="ui-dialog-body">{children}</div>
+          {children !== undefined && <div className="ui-dialog-body">{children}</div>}
           {actions !== undefined && <footer className="ui-dialog-actions">{actions}</footer>}
         </Base.Popup>
       </Base.Portal>
     </Base.Root>
+  );
+}
+
+interface ConfirmProps {
+  title: string;
+  text: string;
+  confirmLabel: string;
+  cancelLabel: string;
+  /** What it does cannot be taken back, or moves the aircraft. */
+  danger?: boolean | undefined;
+  onConfirm: () => void;
+  onCancel: () => void;
+}
+
+/** A question with yes and no; whatever closes it otherwise means no. */
+export function ConfirmDialog(props: ConfirmProps) {
+  const { title, text, confirmLabel, cancelLabel, danger = false, onConfirm, onCancel } = props;
+  return (
+    <Dialog
+      title={title}
+      description={text}
+      onClose={onCancel}
+      actions={
+        <>
+          <Button onPress={onCancel}>{cancelLabel}</Button>
+          <Button variant={danger ? "danger" : "primary"} onPress={onConfirm}>
+            {confirmLabel}
+          </Button>
+        </>
+      }
+    />
   );
 }
