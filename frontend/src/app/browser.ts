@@ -31,6 +31,15 @@ export function browserWorld(window: Window & typeof globalThis): World {
     fetch: (path, init) => window.fetch(path, init),
     requestFrame: (callback) => window.requestAnimationFrame(callback),
     cancelFrame: (handle) => window.cancelAnimationFrame(handle),
+    saveFile: (name, content) => {
+      const address = URL.createObjectURL(content);
+      const link = window.document.createElement("a");
+      link.href = address;
+      link.download = name;
+      link.click();
+      // Only once the browser has begun to read it.
+      window.setTimeout(() => URL.revokeObjectURL(address), 10_000);
+    },
     shelf: shelfOf(() => window.localStorage),
     tabShelf: shelfOf(() => window.sessionStorage),
     sounder: browserSounder(window),

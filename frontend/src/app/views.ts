@@ -1,13 +1,14 @@
 import { type LazyPart, lazyPart } from "../ui/lazyPart";
 
 /** The main tabs in the order in which they stand. */
-export const TABS = ["flight", "six", "hil", "hilSix", "alarms", "setup"] as const;
+export const TABS = ["flight", "six", "params", "hil", "hilSix", "alarms", "setup"] as const;
 export type TabName = (typeof TABS)[number];
 
 /** Each tab is a file of its own, so that the first look at the page does not wait for all of them. */
 export const VIEWS: Readonly<Record<TabName, LazyPart>> = {
   flight: lazyPart(async () => (await import("../views/flight/FlightView")).FlightView),
   six: lazyPart(async () => (await import("../views/six/BoardSixView")).BoardSixView),
+  params: lazyPart(async () => (await import("../views/params/ParamsView")).ParamsView),
   hil: lazyPart(async () => (await import("../views/hil/HilView")).HilView),
   hilSix: lazyPart(async () => (await import("../views/six/HilSixView")).HilSixView),
   alarms: lazyPart(async () => (await import("../views/alarms/AlarmsView")).AlarmsView),

@@ -42,6 +42,8 @@ export class Station {
   readonly wires: HandWire[] = [];
   readonly asked: Asked[] = [];
   readonly clients: Array<string | null> = [];
+  /** The files that the page gave the person to keep. */
+  readonly saved: Array<{ readonly name: string; readonly content: Blob }> = [];
   readonly page: Page;
   #seq = 0;
 
@@ -64,6 +66,7 @@ export class Station {
       tabShelf: new MemoryShelf(),
       sounder: this.sounder,
       speaker: this.speaker,
+      saveFile: (name, content) => this.saved.push({ name, content }),
     };
     const { page, start } = createPage(world);
     this.page = page;

@@ -116,6 +116,26 @@ test("a value nobody knows is empty, not zero, and the first number typed is sen
   expect(onCommit.mock.calls).toEqual([[0]]);
 });
 
+test("a value nobody knows cannot be stepped from: that would jump to the end of its range", async () => {
+  const { onCommit, input } = draw({ value: null });
+  await userEvent.click(screen.getByRole("button", { name: "w-increase k_pitch" }));
+  await userEvent.type(input, "{ArrowDown}");
+  expect(onCommit).not.toHaveBeenCalled();
+  await userEvent.type(input, "7{ArrowUp}");
+  expect(onCommit.mock.calls).toEqual([[7.1]]);
+});
+
+test("a number in its range that will not do is refused in words", async () => {
+  const { onCommit, input } = draw({ refuse: (value) => (Number.isInteger(value) ? null : "w-whole") });
+  await userEvent.clear(input);
+  await userEvent.type(input, "7.5{Enter}");
+  expect(screen.getByRole("status").textContent).toBe("w-whole");
+  expect(onCommit).not.toHaveBeenCalled();
+  await userEvent.clear(input);
+  await userEvent.type(input, "7{Enter}");
+  expect(onCommit.mock.calls).toEqual([[7]]);
+});
+
 test("disabled, it tells why and takes neither text nor steps", async () => {
   const { onCommit, input } = draw({ disabledReason: "no board link" });
   await userEvent.type(input, "5{Enter}{ArrowUp}");

@@ -7,6 +7,9 @@ import { Tooltip } from "./Tooltip";
 import { commandWord, useWords } from "./words";
 import "./Field.css";
 
+/** Stands where no number is known: nobody can take it for one. */
+const DASHES = "\u2013\u2009\u2013\u2009\u2013";
+
 interface Props {
   label: string;
   /** The value as the board has it; `null` is not known. */
@@ -19,6 +22,8 @@ interface Props {
   /** Numbers in the reader's notation. */
   format?: ((value: number) => string) | undefined;
   unit?: string | undefined;
+  /** More that a number must satisfy than its range: the complaint about one that does not. */
+  refuse?: ((value: number) => string | null) | undefined;
   state?: CommandState | undefined;
   stateText?: string | undefined;
   disabledReason?: string | undefined;
@@ -30,7 +35,7 @@ interface Props {
  */
 export function NumberField(props: Props) {
   const { label, value, onCommit, minimum, maximum, step, format = String, unit } = props;
-  const { state = "idle", stateText, disabledReason } = props;
+  const { state = "idle", stateText, disabledReason, refuse } = props;
   const words = useWords();
   const inputId = useId();
   const noteId = useId();
@@ -67,14 +72,18 @@ export function NumberField(props: Props) {
     } else if (typed < minimum || typed > maximum) {
       setComplaint(words.outOfRange(format(minimum), format(maximum)));
     } else {
-      send(typed);
+      const refusal = refuse?.(typed) ?? null;
+      if (refusal === null) send(typed);
+      else setComplaint(refusal);
     }
   }
 
+  // A step needs a number to go from: from one that nobody knows it would be a jump to the end of the range.
+  const from = (draft === null ? null : parseNumber(draft)) ?? held;
+  const canStep = !disabled && from !== null;
+
   function move(direction: 1 | -1): void {
-    if (disabled) return;
-    const typed = draft === null ? null : parseNumber(draft);
-    send(stepped(typed ?? held ?? minimum, step, direction, minimum, maximum));
+    if (canStep) send(stepped(from, step, direction, minimum, maximum));
   }
 
   function onKeyDown(event: KeyboardEvent): void {
@@ -92,7 +101,7 @@ export function NumberField(props: Props) {
         {label}
       </label>
       <span className="ui-field-frame" data-invalid={complaint !== ""} data-disabled={disabled}>
-        <StepButton label={`${words.decrease} ${label}`} down disabled={disabled} onPress={() => move(-1)} />
+        <StepButton label={`${words.decrease} ${label}`} down disabled={!canStep} onPress={() => move(-1)} />
         <Tooltip text={note}>
           <input
             id={inputId}
@@ -102,6 +111,7 @@ export function NumberField(props: Props) {
             autoComplete="off"
             spellCheck={false}
             value={shown}
+            placeholder={value === null ? DASHES : undefined}
             readOnly={disabled}
             aria-disabled={disabled || undefined}
             aria-invalid={complaint !== "" || undefined}
@@ -116,7 +126,7 @@ export function NumberField(props: Props) {
         </Tooltip>
         {unit !== undefined && <span className="ui-field-unit">{unit}</span>}
         <StateMark state={state} />
-        <StepButton label={`${words.increase} ${label}`} disabled={disabled} onPress={() => move(1)} />
+        <StepButton label={`${words.increase} ${label}`} disabled={!canStep} onPress={() => move(1)} />
       </span>
       <span id={noteId} className={complaint === "" ? "visually-hidden" : "ui-field-complaint"} role="status">
         {note}
