@@ -7,7 +7,7 @@ import type { Connection, ConnectionStore } from "./connection";
 import type { BoardConsole, ConsoleLog } from "./console";
 import type { FrameActions } from "./frame";
 import type { Inspector } from "./inspector";
-import type { MessageStore } from "./messages";
+import type { Message, MessageStore } from "./messages";
 import type { ParameterActions, ParameterBook } from "./parameters";
 import type { Pump } from "./pump";
 import type { Servo, ServoDesk } from "./servos";
@@ -75,6 +75,14 @@ export function useTelemetry<T extends string | number | boolean | null>(
 /** One servo output's slider; it renders again only when it changes. */
 export function useServo(index: number): Servo {
   return useSelected(usePage().servos.store, ({ servos }) => servos[index] ?? UNMOVED);
+}
+
+/** Why a servo output was not moved, while a slider shows it. */
+export function useServoFailure(): Message | null {
+  return useSelected(
+    usePage().servos.store,
+    ({ servos }) => servos.find(({ message }) => message !== null)?.message ?? null,
+  );
 }
 
 /** The raw line's log, looked at ten times a second: a board that talks fast must not render for each line. */

@@ -8,39 +8,47 @@ import { usePage, useSettings } from "../../store/hooks";
 import { choose } from "../../store/settings";
 import { Tabs } from "../../ui/Tabs";
 import { GpsReadouts, GpsState } from "./GpsTabs";
+import { Refresh } from "./Refresh";
+import { ServosOut } from "./ServosOut";
 
+/** The sub tabs with the stream that each shows; two of them show none. */
 const TOPICS = {
   fms: "fms_plan",
   gps: "gps",
   servosIn: "servos_in",
+  servosOut: null,
   flyByWire: "fly_by_wire",
-} as const satisfies Readonly<Record<string, TopicName>>;
+  refresh: null,
+} as const satisfies Readonly<Record<string, TopicName | null>>;
 type TabName = keyof typeof TOPICS;
 
 function isTab(name: string | undefined): name is TabName {
   return name !== undefined && name in TOPICS;
 }
 
-/** The lower sub tabs: the flight plan, the whole GPS, the RC channels, the fly-by-wire's controls. */
+/** The lower sub tabs: the flight plan, the whole GPS, the servos, the fly-by-wire's controls, the tasks' periods. */
 export function BoardTabs() {
   const { t } = useTranslation();
   const { settings } = usePage();
   const tab = useSettings(({ choices }) =>
     isTab(choices["flight.board"]) ? choices["flight.board"] : "fms",
   );
+  const topic = TOPICS[tab];
   return (
     <Tabs
       label={t("flight.boardTabs")}
       size="sub"
       className="live-card"
-      trailing={<StreamHead topic={TOPICS[tab]} />}
+      trailing={topic === null ? null : <StreamHead topic={topic} />}
       value={tab}
       onValueChange={(value) => choose(settings, "flight.board", value)}
       tabs={[
         { value: "fms", label: t("flight.fms"), content: <Fms /> },
         { value: "gps", label: t("flight.gps"), content: <Gps /> },
         { value: "servosIn", label: t("flight.servosIn"), content: <ServosIn /> },
+        { value: "servosOut", label: t("flight.servosOut"), content: <ServosOut /> },
         { value: "flyByWire", label: t("flight.flyByWire"), content: <FlyByWire /> },
+        { value: "refresh", label: t("flight.refresh"), content: <Refresh /> },
       ]}
     />
   );

@@ -134,12 +134,12 @@ describe("the sub tabs", () => {
     expect(tab.querySelector(".inst-servo")?.getAttribute("data-state")).toBe("none");
   });
 
-  test("that only show are there; those that edit are not built yet and absent", () => {
+  test("stand in their order", () => {
     const row = screen.getByRole("tablist", { name: "Navegación y servos" });
     expect(
       within(row)
         .getAllByRole("tab")
         .map((tab) => tab.textContent),
-    ).toEqual(["FMS", "GPS", "ServosIn", "Fly-by-wire"]);
+    ).toEqual(["FMS", "GPS", "ServosIn", "ServosOut", "Fly-by-wire", "Refresco"]);
   });
 });

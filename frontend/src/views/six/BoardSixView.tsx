@@ -28,7 +28,7 @@ export function BoardSixView() {
           topic="ahrs"
           field="pitch_deg"
           format={tenths}
-          label={source("flight.ahrs", "attitude.pitch")}
+          label={source("hil.ahrs", "attitude.pitch")}
           unit={deg}
           chars={5}
         />
@@ -82,7 +82,7 @@ export function BoardSixView() {
           topic="ahrs"
           field="yaw_deg"
           format={heading}
-          label={source("flight.ahrs", "attitude.heading")}
+          label={source("hil.ahrs", "attitude.heading")}
           unit={deg}
           chars={5}
         />
