@@ -67,6 +67,13 @@ describe("sound", () => {
     expect(look([{ ...LOW, level: "critical" }]).sound).toBe("critical");
   });
 
+  test("a warning that was out of sight while the gateway was not heard is no news when it is back", () => {
+    const own = alarm("gateway_lost", "critical", { since_s: 7 });
+    look([LOW]);
+    expect(look([own]).sound).toBe("critical");
+    expect(look([LOW]).sound).toBeNull();
+  });
+
   test("the more urgent of two is what sounds, and the other does not follow it", () => {
     expect(look([LOST, LOW]).sound).toBe("critical");
     expect(look([LOST, LOW]).sound).toBeNull();

@@ -4,6 +4,9 @@ import type { ActiveAlarm, AlarmLevel } from "./alarms";
 /** A critical alarm that nobody has acknowledged sounds again after this time. */
 export const REPEAT_MS = 4000;
 
+/** More than any flight has; a bound, so that a page that stays open for weeks does not grow. */
+const MET_MOST = 1000;
+
 /** What is to be said: of the newest state alone, with how many other alarms there are. */
 export interface Speech {
   readonly kind: "raised" | "recovered";
@@ -40,6 +43,8 @@ export interface Look {
 export class Annunciator {
   /** Alarms in force at the last look, by occurrence. */
   #known = new Map<string, ActiveAlarm>();
+  /** Occurrences that came once: while the gateway is not heard its alarms are not seen, and they are no news after it. */
+  readonly #met = new Set<string>();
   /** Occurrences that have not been heard yet. */
   #unsounded = new Set<string>();
   #unsaid: string | null = null;
@@ -47,7 +52,8 @@ export class Annunciator {
 
   look({ alarms, isRecovered, settings, isMuted, canSound, canSpeak, now_ms }: Look): Announcement {
     const current = new Map(alarms.map((alarm) => [occurrence(alarm), alarm]));
-    const came = [...current.keys()].filter((key) => !this.#known.has(key));
+    const came = [...current.keys()].filter((key) => !this.#met.has(key));
+    this.#meet(came);
     const ids = new Set(alarms.map(({ id }) => id));
     const gone = [...this.#known.values()].filter(({ id }) => !ids.has(id));
     const wasAcknowledged = [...current].some(
@@ -63,6 +69,18 @@ export class Annunciator {
       speech: speech ?? recovery(gone, alarms, { isRecovered, settings, isMuted, canSpeak, wasAcknowledged }),
       again_ms: repeats ? Math.max(this.#repeat_ms, now_ms + 1) : null,
     };
+  }
+
+  #meet(came: readonly string[]): void {
+    for (const key of came) {
+      this.#met.add(key);
+    }
+    for (const oldest of this.#met) {
+      if (this.#met.size <= MET_MOST) {
+        break;
+      }
+      this.#met.delete(oldest);
+    }
   }
 
   /** The level to sound now: the most urgent of what has not been heard, or a critical alarm's repetition. */

@@ -65,7 +65,7 @@ function Row({ alarm }: { alarm: PastAlarm }) {
   return (
     <tr>
       <td>
-        <LevelMark level={alarm.level} />
+        <LevelMark level={alarm.level} isBrief />
       </td>
       <td className="alarms-table-text">{sentence(alarmMessage(alarm, null))}</td>
       <td className="alarms-number">{formatMoment(alarm.since_s, now_s)}</td>
