@@ -58,15 +58,17 @@ export function ParameterRow({ name, onReset }: Props) {
           {null}
         </Button>
       </div>
-      <span className="params-doc">{t(`paramDoc.${name}`)}</span>
-      <span className="params-facts">
-        {t("params.facts", {
-          default: info.default,
-          minimum: info.minimum,
-          maximum: info.maximum,
-          step: info.step,
-        })}
-      </span>
+      <p className="params-doc">
+        <span>{t(`paramDoc.${name}`)}</span>
+        <span className="params-facts">
+          {t("params.facts", {
+            default: info.default,
+            minimum: info.minimum,
+            maximum: info.maximum,
+            step: info.step,
+          })}
+        </span>
+      </p>
     </div>
   );
 }
