@@ -1,11 +1,17 @@
 import react from "@vitejs/plugin-react";
 import { defineConfig } from "vitest/config";
+import { pagePackages, pageVersion } from "./scripts/packages";
 
 /** Where `npm run dev` finds the gateway. */
 const gateway = process.env["GCS_DEV_GATEWAY"] ?? "http://127.0.0.1:8000";
 
 export default defineConfig({
   plugins: [react()],
+  // Read when the page is built, so that the about window needs no network and cannot be out of date.
+  define: {
+    PAGE_VERSION: JSON.stringify(pageVersion(import.meta.dirname)),
+    PAGE_PACKAGES: JSON.stringify(pagePackages(import.meta.dirname)),
+  },
   build: {
     outDir: "dist",
     target: "es2023",

@@ -1,15 +1,23 @@
-import { useEffect, useMemo } from "react";
+import { useEffect, useMemo, useRef } from "react";
 import { useTranslation } from "react-i18next";
 import { useSettings } from "../store/hooks";
 import { applyTheme } from "../theme/theme";
 import { WordsProvider } from "../ui/words";
 import { Alarms } from "./Alarms";
 import "./app.css";
+import { DialogsProvider } from "./dialogs/dialogs";
+import { EmulationBanner } from "./emulation";
 import { Header } from "./Header";
 import { LeftPanel } from "./LeftPanel";
 import { MainTabs } from "./MainTabs";
+import { motionOf } from "./motion";
 import { StatusBar } from "./StatusBar";
-import { Toolbars } from "./Toolbars";
+import { Shortcuts } from "./shortcuts/Shortcuts";
+import { Tuning } from "./Tuning";
+import { Dock } from "./toolbars/Dock";
+import { MovedContext } from "./toolbars/MovableToolbar";
+import { useLeaveWarning } from "./useLeaveWarning";
+import { useTitle } from "./useTitle";
 
 /** The window's frame: header, toolbars, alarms, left panel and main tabs, status bar. */
 export function App() {
@@ -21,6 +29,13 @@ export function App() {
     document.documentElement.lang = language;
   }, [i18n, language]);
   useEffect(() => applyTheme(document.documentElement, theme), [theme]);
+  const motion = useSettings(motionOf);
+  useEffect(() => {
+    document.documentElement.dataset["motion"] = motion;
+  }, [motion]);
+  useTitle();
+  useLeaveWarning();
+  const moved = useRef<string | null>(null);
   const words = useMemo(
     () => ({
       live: t("words.live"),
@@ -47,22 +62,35 @@ export function App() {
   );
   return (
     <WordsProvider words={words}>
-      <div className="app">
-        <header>
-          <Header />
-          <div className="app-toolbars">
-            <Toolbars />
+      <DialogsProvider>
+        <MovedContext value={moved}>
+          <div className="app">
+            <header className="app-top">
+              <Header />
+            </header>
+            <Dock edge="top" />
+            <div className="app-warnings">
+              <EmulationBanner />
+              <Alarms />
+            </div>
+            <div className="app-middle">
+              <Dock edge="left" />
+              <div className="app-body">
+                <LeftPanel />
+                <main className="app-main">
+                  <MainTabs />
+                  <Tuning />
+                </main>
+              </div>
+              <Dock edge="right" />
+            </div>
+            <Dock edge="bottom" />
+            <StatusBar />
+            <Dock edge="floating" />
           </div>
-        </header>
-        <Alarms />
-        <div className="app-body">
-          <LeftPanel />
-          <main className="app-main">
-            <MainTabs />
-          </main>
-        </div>
-        <StatusBar />
-      </div>
+          <Shortcuts />
+        </MovedContext>
+      </DialogsProvider>
     </WordsProvider>
   );
 }

@@ -6,16 +6,18 @@ import { THEMES } from "../theme/theme";
 import { Button } from "../ui/Button";
 import { SegmentedSwitch } from "../ui/SegmentedSwitch";
 import { Select } from "../ui/Select";
+import { Menus } from "./menu/Menus";
 
-/** Top row: what this is, who has control, language and look. */
+/** Top row: what this is, the menus, who has control, language and look. */
 export function Header() {
   const { t } = useTranslation();
   return (
     <div className="app-header">
       <h1 className="app-brand">
         <span className="app-brand-mark" aria-hidden="true" />
-        {t("app.name")}
+        <span className="app-brand-name">{t("app.name")}</span>
       </h1>
+      <Menus />
       <div className="app-header-right">
         <ControlHolder />
         <LanguageSwitch />

@@ -2,9 +2,8 @@ import type { ReactNode } from "react";
 import { useTranslation } from "react-i18next";
 import { usePage, useSettings } from "../store/hooks";
 import { choose } from "../store/settings";
-import { Button } from "../ui/Button";
-import { Notice } from "../ui/Notice";
 import { Tabs } from "../ui/Tabs";
+import { LoadFailure } from "./dialogs/dialogs";
 import { TABS, type TabName, VIEWS } from "./views";
 
 /** The tab that is open: the one last chosen. */
@@ -36,16 +35,4 @@ function View({ tab }: { tab: TabName }) {
 
 function NotLoaded(retry: () => void): ReactNode {
   return <LoadFailure onRetry={retry} />;
-}
-
-function LoadFailure({ onRetry }: { onRetry: () => void }) {
-  const { t } = useTranslation();
-  return (
-    <div className="app-waiting">
-      <Notice level="error">
-        <p>{t("frame.notLoaded")}</p>
-        <Button onPress={onRetry}>{t("frame.tryAgain")}</Button>
-      </Notice>
-    </div>
-  );
 }

@@ -6,23 +6,25 @@ import type { CommandName } from "../protocol/messages.gen";
 import { useConnection, usePage, useTelemetry } from "../store/hooks";
 import type { TelemetryStore } from "../store/telemetry";
 import { SegmentedSwitch } from "../ui/SegmentedSwitch";
-import { Toolbar } from "../ui/Toolbar";
 import { readAutopilot, readAutotrim } from "./controls";
 import { useSource } from "./useSource";
 
-/** Autopilot and autotrim; then where the control signal comes from and which way it takes. */
-export function Toolbars() {
-  const { t } = useTranslation();
+/** Autopilot and autotrim. */
+export function AutomaticControls() {
   return (
     <>
-      <Toolbar label={t("toolbar.automatic")}>
-        <OnOffSwitch name="autopilot" on="autopilot_on" off="autopilot_off" read={readAutopilot} />
-        <OnOffSwitch name="autotrim" on="autotrim_on" off="autotrim_off" read={readAutotrim} />
-      </Toolbar>
-      <Toolbar label={t("toolbar.signal")}>
-        <PathSwitch />
-        <SourceSwitch />
-      </Toolbar>
+      <OnOffSwitch name="autopilot" on="autopilot_on" off="autopilot_off" read={readAutopilot} />
+      <OnOffSwitch name="autotrim" on="autotrim_on" off="autotrim_off" read={readAutotrim} />
+    </>
+  );
+}
+
+/** Which way the control signal takes, and where it comes from. */
+export function SignalControls() {
+  return (
+    <>
+      <PathSwitch />
+      <SourceSwitch />
     </>
   );
 }

@@ -54,7 +54,7 @@ describe("the source", () => {
   /** Attributes that a person reads or hears. */
   const spoken =
     /\b(label|title|placeholder|hint|description|unit|alt|aria-[a-z]+)=(["'])(?=[^"']*[A-Za-z]{2})([^"']*)\2/g;
-  const machine = /^(true|false|polite|assertive|additions|off)$/;
+  const machine = /^(true|false|polite|assertive|additions|off|menu|vertical|horizontal)$/;
 
   test("was found", () => {
     expect(files.length).toBeGreaterThan(30);

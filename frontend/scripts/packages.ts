@@ -1,0 +1,41 @@
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+
+/** A package that the page brings to the browser. */
+export interface PagePackage {
+  readonly name: string;
+  readonly version: string;
+  readonly licence: string | null;
+}
+
+interface Locked {
+  readonly version?: string;
+  readonly license?: string;
+  readonly dev?: boolean;
+  readonly devOptional?: boolean;
+}
+
+/** Everything in the lock file that is no tool of the developers, with the licence that each package names itself. */
+export function pagePackages(folder: string): PagePackage[] {
+  const lock = read<{ packages: Readonly<Record<string, Locked>> }>(join(folder, "package-lock.json"));
+  return Object.entries(lock.packages)
+    .filter(([path, { dev, devOptional }]) => path !== "" && dev !== true && devOptional !== true)
+    .map(([path, { version = "", license }]) => ({
+      name: path.slice(path.lastIndexOf("node_modules/") + "node_modules/".length),
+      version,
+      licence: license ?? licenceOf(join(folder, path, "package.json")),
+    }))
+    .sort((first, second) => first.name.localeCompare(second.name, "en"));
+}
+
+export function pageVersion(folder: string): string {
+  return read<{ version: string }>(join(folder, "package.json")).version;
+}
+
+function licenceOf(path: string): string | null {
+  return read<{ license?: string }>(path).license ?? null;
+}
+
+function read<T>(path: string): T {
+  return JSON.parse(readFileSync(path, "utf8")) as T;
+}

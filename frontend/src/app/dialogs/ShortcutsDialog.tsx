@@ -1,0 +1,48 @@
+import { useTranslation } from "react-i18next";
+import { useSentence } from "../../i18n/useSentence";
+import { useSettings } from "../../store/hooks";
+import { Notice } from "../../ui/Notice";
+import { areKeysOn } from "../shortcuts/choice";
+import { GROUPS, SHORTCUTS, type Shortcut } from "../shortcuts/table";
+import "./dialogs.css";
+
+/** The help sheet of the keys, written from the table that binds them. */
+export function ShortcutsContent() {
+  const { t } = useTranslation();
+  const isOn = useSettings(areKeysOn);
+  return (
+    <div className="keys">
+      {!isOn && <Notice level="warning">{t("shortcut.off")}</Notice>}
+      <p>{t("shortcut.hint")}</p>
+      <div className="keys-groups">
+        {GROUPS.map((group) => (
+          <section key={group} aria-label={t(`shortcutGroup.${group}`)}>
+            <h3>{t(`shortcutGroup.${group}`)}</h3>
+            <dl className="keys-list">
+              {SHORTCUTS.filter((shortcut) => shortcut.group === group).map((shortcut) => (
+                <Key key={shortcut.key} shortcut={shortcut} />
+              ))}
+            </dl>
+          </section>
+        ))}
+      </div>
+    </div>
+  );
+}
+
+function Key({ shortcut }: { shortcut: Shortcut }) {
+  const { t } = useTranslation();
+  const sentence = useSentence();
+  const { key, isArmed, words, params = {} } = shortcut;
+  const isCapital = /^[A-Z]$/.test(key);
+  return (
+    <div className="keys-row">
+      <dt>
+        {isCapital && <kbd>{t("shortcut.shift")}</kbd>}
+        <kbd>{key.toUpperCase()}</kbd>
+        {isArmed && <kbd>{t("shortcut.enter")}</kbd>}
+      </dt>
+      <dd>{sentence({ level: "info", key: words, params })}</dd>
+    </div>
+  );
+}

@@ -1,0 +1,97 @@
+import { createContext, type ReactNode, useContext, useMemo, useState } from "react";
+import { useTranslation } from "react-i18next";
+import { Button } from "../../ui/Button";
+import { ConfirmDialog } from "../../ui/ConfirmDialog";
+import { Dialog } from "../../ui/Dialog";
+import { type LazyPart, lazyPart } from "../../ui/lazyPart";
+import { Notice } from "../../ui/Notice";
+
+/** The windows that a menu or a key opens; each is loaded when it is first wanted. */
+export const DIALOGS = {
+  about: lazyPart(async () => (await import("./AboutDialog")).AboutContent),
+  settings: lazyPart(async () => (await import("./SettingsDialog")).SettingsContent),
+  shortcuts: lazyPart(async () => (await import("./ShortcutsDialog")).ShortcutsContent),
+} as const satisfies Readonly<Record<string, LazyPart>>;
+
+export type DialogName = keyof typeof DIALOGS;
+
+export interface Question {
+  readonly title: string;
+  readonly text: string;
+  readonly confirm: string;
+  readonly danger: boolean;
+  readonly onConfirm: () => void;
+}
+
+interface Dialogs {
+  readonly open: (name: DialogName) => void;
+  /** Ask before something that does not come back by itself. */
+  readonly ask: (question: Question) => void;
+}
+
+const DialogsContext = createContext<Dialogs | null>(null);
+
+export function useDialogs(): Dialogs {
+  const dialogs = useContext(DialogsContext);
+  if (dialogs === null) {
+    throw new Error("DialogsProvider is missing above a part that opens windows");
+  }
+  return dialogs;
+}
+
+/** Keeps the one window that may be open over the page. */
+export function DialogsProvider({ children }: { children: ReactNode }) {
+  const [name, setName] = useState<DialogName | null>(null);
+  const [question, setQuestion] = useState<Question | null>(null);
+  const dialogs = useMemo(() => ({ open: setName, ask: setQuestion }), []);
+  return (
+    <DialogsContext value={dialogs}>
+      {children}
+      {name !== null && <Window name={name} onClose={() => setName(null)} />}
+      {question !== null && <Asked question={question} onClose={() => setQuestion(null)} />}
+    </DialogsContext>
+  );
+}
+
+function Window({ name, onClose }: { name: DialogName; onClose: () => void }) {
+  const { t } = useTranslation();
+  const { Part } = DIALOGS[name];
+  return (
+    <Dialog title={t(`dialog.${name}`)} open onClose={onClose} size={name === "settings" ? "normal" : "wide"}>
+      <Part waiting={t("frame.loading")} failed={NotLoaded} />
+    </Dialog>
+  );
+}
+
+function NotLoaded(retry: () => void): ReactNode {
+  return <LoadFailure onRetry={retry} />;
+}
+
+/** Stands where a part of the page should be that could not be fetched. */
+export function LoadFailure({ onRetry }: { onRetry: () => void }) {
+  const { t } = useTranslation();
+  return (
+    <Notice level="error">
+      <p>{t("frame.notLoaded")}</p>
+      <Button onPress={onRetry}>{t("frame.tryAgain")}</Button>
+    </Notice>
+  );
+}
+
+function Asked({ question, onClose }: { question: Question; onClose: () => void }) {
+  const { t } = useTranslation();
+  return (
+    <ConfirmDialog
+      title={question.title}
+      text={question.text}
+      confirmLabel={question.confirm}
+      cancelLabel={t("dialog.cancel")}
+      danger={question.danger}
+      onConfirm={() => {
+        onClose();
+        question.onConfirm();
+      }}
+      onCancel={onClose}
+    />
+  );
+}

@@ -1,0 +1,64 @@
+import { useTranslation } from "react-i18next";
+import { useBoardBlocked } from "../../live/useBlocked";
+import { usePage, useTelemetry } from "../../store/hooks";
+import { Menu, MenuAction, MenuGroup, MenuRule } from "../../ui/MenuBar";
+import { type Source, useSource } from "../useSource";
+import { CommandItem, useOutcome } from "./items";
+
+/** Numbers of `servos_control_mode` on the wire. */
+const FLY_BY_WIRE = 0;
+const HIL = 1;
+
+export function AircraftMenu() {
+  const { t } = useTranslation();
+  return (
+    <Menu label={t("menu.aircraft")}>
+      <SourceItem source="rc" label={t("menu.planeRc")} />
+      <SourceItem source="joystick" label={t("menu.planeJoystick")} />
+      <MenuRule />
+      <MenuGroup label={t("menu.servosOut")}>
+        <ServosMode />
+      </MenuGroup>
+    </Menu>
+  );
+}
+
+function SourceItem({ source, label }: { source: Source; label: string }) {
+  const { actions } = usePage();
+  const current = useSource();
+  return (
+    <MenuAction
+      label={label}
+      isCurrent={current === source}
+      disabledReason={useBoardBlocked()}
+      onChoose={() => void actions.setHil({ source }, { control: "source", asked: source })}
+      {...useOutcome("source", source)}
+    />
+  );
+}
+
+/** What drives the servo outputs; only an extended board tells which of the two it is. */
+function ServosMode() {
+  const { t } = useTranslation();
+  const mode = useTelemetry((telemetry, now_ms) =>
+    telemetry.liveNumber("board_status", "servos_control_mode", now_ms),
+  );
+  return (
+    <>
+      <CommandItem
+        command="servos_control_mode_fly_by_wire"
+        label={t("menu.flyByWire")}
+        control="servosMode"
+        asked="flyByWire"
+        isCurrent={mode === FLY_BY_WIRE}
+      />
+      <CommandItem
+        command="servos_control_mode_hil"
+        label={t("menu.hil")}
+        control="servosMode"
+        asked="hil"
+        isCurrent={mode === HIL}
+      />
+    </>
+  );
+}

@@ -1,0 +1,55 @@
+import { useTranslation } from "react-i18next";
+import { useGatewayBlocked } from "../../live/useBlocked";
+import { usePage } from "../../store/hooks";
+import { Menu, MenuAction, MenuLink, MenuRule } from "../../ui/MenuBar";
+import { useDialogs } from "../dialogs/dialogs";
+import { useOutcome } from "./items";
+
+export function EarthMenu() {
+  const { t } = useTranslation();
+  return (
+    <Menu label={t("menu.earth")}>
+      <TrackReset />
+      <TrackRestore />
+      <MenuRule />
+      <MenuLink label={t("menu.openEarth")} href="/api/v1/earth.kml" download="epf-gcs.kml" />
+      <MenuLink label={t("menu.exportKml")} href="/api/v1/track.kml" download="epf-gcs-track.kml" />
+    </Menu>
+  );
+}
+
+function TrackReset() {
+  const { t } = useTranslation();
+  const { frame } = usePage();
+  const { ask } = useDialogs();
+  return (
+    <MenuAction
+      label={t("menu.reset")}
+      danger
+      disabledReason={useGatewayBlocked()}
+      onChoose={() =>
+        ask({
+          title: t("menu.trackResetTitle"),
+          text: t("menu.trackResetText"),
+          confirm: t("menu.trackResetConfirm"),
+          danger: true,
+          onConfirm: () => void frame.resetTrack({ control: "track.reset" }),
+        })
+      }
+      {...useOutcome("track.reset")}
+    />
+  );
+}
+
+function TrackRestore() {
+  const { t } = useTranslation();
+  const { frame } = usePage();
+  return (
+    <MenuAction
+      label={t("menu.trackRestore")}
+      disabledReason={useGatewayBlocked()}
+      onChoose={() => void frame.restoreTrack({ control: "track.restore" })}
+      {...useOutcome("track.restore")}
+    />
+  );
+}

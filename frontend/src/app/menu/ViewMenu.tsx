@@ -1,0 +1,70 @@
+import { useTranslation } from "react-i18next";
+import { usePage, useSettings } from "../../store/hooks";
+import { choose, LANGUAGES } from "../../store/settings";
+import { THEMES } from "../../theme/theme";
+import { Menu, MenuAction, MenuChoice, MenuRule } from "../../ui/MenuBar";
+import { useDialogs } from "../dialogs/dialogs";
+import { BARS } from "../toolbars/Dock";
+import { placeKey } from "../toolbars/MovableToolbar";
+import { placeText } from "../toolbars/places";
+
+export function ViewMenu() {
+  const { t } = useTranslation();
+  return (
+    <Menu label={t("menu.view")}>
+      <Theme />
+      <MenuRule />
+      <Language />
+      <MenuRule />
+      <ToolbarsBack />
+      <SettingsItem />
+    </Menu>
+  );
+}
+
+function Theme() {
+  const { t } = useTranslation();
+  const { settings } = usePage();
+  return (
+    <MenuChoice
+      label={t("app.theme")}
+      options={THEMES.map((value) => ({ value, label: t(`theme.${value}`) }))}
+      value={useSettings(({ theme }) => theme)}
+      onChange={(theme) => settings.setState({ theme })}
+    />
+  );
+}
+
+function Language() {
+  const { t } = useTranslation();
+  const { settings } = usePage();
+  return (
+    <MenuChoice
+      label={t("app.language")}
+      options={LANGUAGES.map((value) => ({ value, label: t(`language.${value}`) }))}
+      value={useSettings(({ language }) => language)}
+      onChange={(language) => settings.setState({ language })}
+    />
+  );
+}
+
+function ToolbarsBack() {
+  const { t } = useTranslation();
+  const { settings } = usePage();
+  return (
+    <MenuAction
+      label={t("menu.toolbarsBack")}
+      onChoose={() => {
+        for (const name of BARS) {
+          choose(settings, placeKey(name), placeText({ edge: "top" }));
+        }
+      }}
+    />
+  );
+}
+
+function SettingsItem() {
+  const { t } = useTranslation();
+  const { open } = useDialogs();
+  return <MenuAction label={t("menu.settings")} aside="," onChoose={() => open("settings")} />;
+}

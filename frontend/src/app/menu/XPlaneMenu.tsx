@@ -1,0 +1,49 @@
+import { useTranslation } from "react-i18next";
+import { useGatewayBlocked } from "../../live/useBlocked";
+import { useConnection, usePage, useTelemetry } from "../../store/hooks";
+import { Menu, MenuAction, MenuRule } from "../../ui/MenuBar";
+import { CommandItem, useOutcome } from "./items";
+
+/** The routes which the board carries, by the number that it gives them. */
+const ROUTES = ["hil_load_gando", "hil_load_ruta_isla", "hil_load_alternativa", "hil_load_vuelo"] as const;
+
+export function XPlaneMenu() {
+  const { t } = useTranslation();
+  return (
+    <Menu label={t("menu.xplane")}>
+      <Routes />
+      <MenuRule />
+      <CommandItem command="hil_fms_next_waypoint" />
+      <CommandItem command="hil_fms_previous_waypoint" />
+      <MenuRule />
+      <PathItem path="manual" label={t("menu.pathManual")} aside={t("path.manual")} />
+      <PathItem path="assisted" label={t("menu.pathAssisted")} aside={t("path.assisted")} />
+    </Menu>
+  );
+}
+
+function Routes() {
+  const loaded = useTelemetry((telemetry, now_ms) =>
+    telemetry.liveNumber("board_status", "hil_plan_name", now_ms),
+  );
+  return ROUTES.map((command, route) => (
+    <CommandItem key={command} command={command} isCurrent={loaded === route} />
+  ));
+}
+
+function PathItem({ path, label, aside }: { path: "manual" | "assisted"; label: string; aside: string }) {
+  const { actions } = usePage();
+  const current = useConnection(({ status, phase }) =>
+    phase === "open" ? (status?.hil.path ?? null) : null,
+  );
+  return (
+    <MenuAction
+      label={label}
+      aside={aside}
+      isCurrent={current === path}
+      disabledReason={useGatewayBlocked()}
+      onChoose={() => void actions.setHil({ path }, { control: "path", asked: path })}
+      {...useOutcome("path", path)}
+    />
+  );
+}

@@ -1,0 +1,102 @@
+import type { ReactNode } from "react";
+import { useTranslation } from "react-i18next";
+import { useSentence } from "../../i18n/useSentence";
+import { useBoardBlocked } from "../../live/useBlocked";
+import type { CommandName } from "../../protocol/messages.gen";
+import type { CommandValue } from "../../store/actions";
+import type { CommandState } from "../../store/commands";
+import { useCommandEntry, usePage, useTelemetry } from "../../store/hooks";
+import type { TelemetryStore } from "../../store/telemetry";
+import { MenuAction, MenuSwitch } from "../../ui/MenuBar";
+
+interface Outcome {
+  readonly state: CommandState;
+  readonly stateText: string | undefined;
+}
+
+const IDLE: Outcome = { state: "idle", stateText: undefined };
+
+/** What became of a control's newest question, if it asked for this: two entries can share a control. */
+export function useOutcome(control: string, asked?: string): Outcome {
+  const sentence = useSentence();
+  const entry = useCommandEntry(control);
+  if (entry === null || (asked !== undefined && entry.asked !== asked)) {
+    return IDLE;
+  }
+  return { state: entry.state, stateText: entry.message === null ? undefined : sentence(entry.message) };
+}
+
+interface CommandProps {
+  command: CommandName;
+  label?: string;
+  value?: CommandValue;
+  /** Entries of one switch share a control; each names the position that it asks for. */
+  control?: string;
+  asked?: string;
+  isCurrent?: boolean;
+  disabledReason?: string | undefined;
+  danger?: boolean;
+  /** Ask the person first; `send` goes on. */
+  confirm?: (send: () => void) => void;
+}
+
+/** An entry that sends one command and shows what becomes of it. */
+export function CommandItem(props: CommandProps): ReactNode {
+  const {
+    command,
+    label,
+    value,
+    control = command,
+    asked,
+    isCurrent,
+    disabledReason,
+    danger,
+    confirm,
+  } = props;
+  const { t } = useTranslation();
+  const { actions } = usePage();
+  const blocked = useBoardBlocked();
+  const outcome = useOutcome(control, asked);
+  const send = (): void =>
+    void actions.command(command, asked === undefined ? { control } : { control, asked }, value);
+  return (
+    <MenuAction
+      label={label ?? t(`command.${command}`)}
+      onChoose={() => (confirm === undefined ? send() : confirm(send))}
+      isCurrent={isCurrent}
+      danger={danger}
+      disabledReason={blocked ?? disabledReason}
+      {...outcome}
+    />
+  );
+}
+
+interface SwitchProps {
+  label: string;
+  control: string;
+  on: CommandName;
+  off: CommandName;
+  read: (telemetry: TelemetryStore) => boolean | null;
+}
+
+/** A switch that stands where the heartbeat's flag says. Without a live heartbeat nobody knows where it stands. */
+export function FlagSwitch({ label, control, on, off, read }: SwitchProps): ReactNode {
+  const { t } = useTranslation();
+  const { actions } = usePage();
+  const blocked = useBoardBlocked();
+  const outcome = useOutcome(control);
+  const flag = useTelemetry((telemetry, now_ms) =>
+    telemetry.state("heartbeat", now_ms) === "live" ? read(telemetry) : null,
+  );
+  return (
+    <MenuSwitch
+      label={label}
+      checked={flag === true}
+      onChange={(checked) =>
+        void actions.command(checked ? on : off, { control, asked: checked ? "on" : "off" })
+      }
+      disabledReason={blocked ?? (flag === null ? t("menu.noHeartbeat") : undefined)}
+      {...outcome}
+    />
+  );
+}

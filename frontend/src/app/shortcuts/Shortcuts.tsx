@@ -1,0 +1,60 @@
+import { useEffect, useState } from "react";
+import { useTranslation } from "react-i18next";
+import { useSentence } from "../../i18n/useSentence";
+import { usePage, useSettings } from "../../store/hooks";
+import { useDialogs } from "../dialogs/dialogs";
+import { areKeysOn } from "./choice";
+import { nextStep } from "./keys";
+import type { Shortcut } from "./table";
+import "./shortcuts.css";
+
+/** An armed key that is not confirmed within this time is forgotten. */
+const ARMED_MS = 5000;
+
+/** Listens to the page's keys, and asks for the second one where a slip must not switch anything. */
+export function Shortcuts() {
+  const { t } = useTranslation();
+  const page = usePage();
+  const { open } = useDialogs();
+  const sentence = useSentence();
+  const isOn = useSettings(areKeysOn);
+  const [armed, setArmed] = useState<Shortcut | null>(null);
+
+  useEffect(() => {
+    if (!isOn) {
+      setArmed(null);
+      return;
+    }
+    function press(event: KeyboardEvent): void {
+      const step = nextStep(event, armed);
+      if (step !== null) {
+        setArmed(step.armed);
+        step.run?.run({ page, open });
+        // Enter must not press the button that happens to have the focus as well.
+        event.preventDefault();
+        event.stopPropagation();
+      }
+    }
+    window.addEventListener("keydown", press, { capture: true });
+    return () => window.removeEventListener("keydown", press, { capture: true });
+  }, [armed, isOn, open, page]);
+
+  useEffect(() => {
+    if (armed === null) {
+      return;
+    }
+    const timer = window.setTimeout(() => setArmed(null), ARMED_MS);
+    return () => window.clearTimeout(timer);
+  }, [armed]);
+
+  return (
+    <div className="app-armed" role="status">
+      {armed !== null && (
+        <p>
+          <strong>{sentence({ level: "info", key: armed.words, params: armed.params ?? {} })}</strong>
+          <span>{t("shortcut.confirm")}</span>
+        </p>
+      )}
+    </div>
+  );
+}

@@ -1,0 +1,108 @@
+import type { CommandName } from "../../protocol/messages.gen";
+import type { Page } from "../../store/hooks";
+import type { MessageParams } from "../../store/messages";
+import { choose } from "../../store/settings";
+import type { DialogName } from "../dialogs/dialogs";
+import { TABS } from "../views";
+
+/** What a shortcut may act upon. */
+export interface Reach {
+  readonly page: Page;
+  readonly open: (dialog: DialogName) => void;
+}
+
+export const GROUPS = ["tabs", "flight", "window"] as const;
+
+/** One key. What it does is named by a key of the catalogue. */
+export interface Shortcut {
+  /** As the browser names it in a keyboard event: capital letters are pressed with Shift. */
+  readonly key: string;
+  readonly group: (typeof GROUPS)[number];
+  readonly words: string;
+  readonly params?: MessageParams;
+  /** Takes a second key, Enter, so that a slip of the hand switches nothing in flight. */
+  readonly isArmed: boolean;
+  readonly run: (reach: Reach) => void;
+}
+
+function command(key: string, name: CommandName, control: string, asked?: string): Shortcut {
+  return {
+    key,
+    group: "flight",
+    words: `command.${name}`,
+    isArmed: true,
+    run: ({ page }) =>
+      void page.actions.command(name, asked === undefined ? { control } : { control, asked }),
+  };
+}
+
+/** The one list of the page's keys: it binds them, and the help sheet is written from it. */
+export const SHORTCUTS: readonly Shortcut[] = [
+  ...TABS.map(
+    (tab, index): Shortcut => ({
+      key: String(index + 1),
+      group: "tabs",
+      words: "shortcut.tab",
+      params: { tab: `@tab.${tab}` },
+      isArmed: false,
+      run: ({ page }) => choose(page.settings, "tab", tab),
+    }),
+  ),
+  command("a", "autopilot_on", "autopilot", "on"),
+  command("A", "autopilot_off", "autopilot", "off"),
+  command("t", "autotrim_on", "autotrim", "on"),
+  command("T", "autotrim_off", "autotrim", "off"),
+  ...(["joystick", "rc"] as const).map(
+    (source): Shortcut => ({
+      key: { joystick: "j", rc: "r" }[source],
+      group: "flight",
+      words: `command.hil_source_${source}`,
+      isArmed: true,
+      run: ({ page }) => void page.actions.setHil({ source }, { control: "source", asked: source }),
+    }),
+  ),
+  ...(["manual", "assisted"] as const).map(
+    (path): Shortcut => ({
+      key: { manual: "m", assisted: "o" }[path],
+      group: "flight",
+      words: `command.hil_path_${path}`,
+      isArmed: true,
+      run: ({ page }) => void page.actions.setHil({ path }, { control: "path", asked: path }),
+    }),
+  ),
+  {
+    key: "l",
+    group: "flight",
+    words: "command.read_all",
+    isArmed: false,
+    run: ({ page }) => void page.actions.command("read_all", { control: "read_all" }),
+  },
+  {
+    key: "c",
+    group: "flight",
+    words: "control.take",
+    isArmed: false,
+    run: ({ page }) => void page.actions.takeControl({ control: "control" }),
+  },
+  {
+    key: "s",
+    group: "window",
+    words: "alarmBook.mute",
+    isArmed: false,
+    run: ({ page }) => page.alarmBook.mute(),
+  },
+  {
+    key: ",",
+    group: "window",
+    words: "menu.settings",
+    isArmed: false,
+    run: ({ open }) => open("settings"),
+  },
+  {
+    key: "?",
+    group: "window",
+    words: "menu.shortcuts",
+    isArmed: false,
+    run: ({ open }) => open("shortcuts"),
+  },
+];

@@ -1,0 +1,43 @@
+import { AlertDialog } from "@base-ui/react/alert-dialog";
+import { useRef } from "react";
+import { Button } from "./Button";
+import "./Dialog.css";
+
+interface Props {
+  title: string;
+  /** What happens, and what does not come back. */
+  text: string;
+  confirmLabel: string;
+  cancelLabel: string;
+  danger?: boolean | undefined;
+  onConfirm: () => void;
+  onCancel: () => void;
+}
+
+/** A question before something that is not undone by itself. The safe answer has the focus. */
+export function ConfirmDialog(props: Props) {
+  const { title, text, confirmLabel, cancelLabel, danger = false, onConfirm, onCancel } = props;
+  const foot = useRef<HTMLElement>(null);
+  return (
+    <AlertDialog.Root open onOpenChange={(open) => open || onCancel()}>
+      <AlertDialog.Portal>
+        <AlertDialog.Backdrop className="ui-dialog-backdrop" />
+        <AlertDialog.Popup
+          className="ui-dialog"
+          initialFocus={() => foot.current?.querySelector("button") ?? true}
+        >
+          <header className="ui-dialog-head">
+            <AlertDialog.Title className="ui-dialog-title">{title}</AlertDialog.Title>
+          </header>
+          <AlertDialog.Description className="ui-dialog-body">{text}</AlertDialog.Description>
+          <footer ref={foot} className="ui-dialog-actions">
+            <Button onPress={onCancel}>{cancelLabel}</Button>
+            <Button variant={danger ? "danger" : "primary"} onPress={onConfirm}>
+              {confirmLabel}
+            </Button>
+          </footer>
+        </AlertDialog.Popup>
+      </AlertDialog.Portal>
+    </AlertDialog.Root>
+  );
+}

@@ -1,0 +1,251 @@
+import { Menu as Base } from "@base-ui/react/menu";
+import { Menubar } from "@base-ui/react/menubar";
+import { Check, ChevronRight } from "lucide-react";
+import { type ReactNode, type RefObject, useId } from "react";
+import { StateMark } from "./StateMark";
+import type { CommandState } from "./states";
+import { commandWord, useWords } from "./words";
+import "./MenuBar.css";
+
+/** The row of menus on top of the window. The page behind an open menu goes on. */
+export function MenuBar({ label, children }: { label: string; children: ReactNode }) {
+  return (
+    <Menubar className="ui-menubar" aria-label={label} modal={false}>
+      {children}
+    </Menubar>
+  );
+}
+
+interface MenuProps {
+  label: string;
+  /** Drawn, and its stores read, only while the menu is open. */
+  children: ReactNode;
+}
+
+export function Menu({ label, children }: MenuProps) {
+  return (
+    <Base.Root>
+      <Base.Trigger className="ui-menu-title">{label}</Base.Trigger>
+      <Popup>{children}</Popup>
+    </Base.Root>
+  );
+}
+
+export function MenuSubmenu({ label, children }: MenuProps) {
+  return (
+    <Base.SubmenuRoot>
+      <Base.SubmenuTrigger className="ui-menu-item">
+        <span className="ui-menu-mark" />
+        <span className="ui-menu-label">{label}</span>
+        <ChevronRight size={14} aria-hidden="true" />
+      </Base.SubmenuTrigger>
+      <Popup>{children}</Popup>
+    </Base.SubmenuRoot>
+  );
+}
+
+interface AnchoredProps {
+  /** What the menu hangs on, and what has the focus again when it closes. */
+  anchor: RefObject<HTMLElement | null>;
+  onClose: () => void;
+  children: ReactNode;
+}
+
+/** A menu that something else than a menu title has opened. */
+export function AnchoredMenu({ anchor, onClose, children }: AnchoredProps) {
+  return (
+    <Base.Root open modal={false} onOpenChange={(open) => open || onClose()}>
+      <Popup anchor={anchor}>{children}</Popup>
+    </Base.Root>
+  );
+}
+
+function Popup({
+  anchor,
+  children,
+}: {
+  anchor?: RefObject<HTMLElement | null> | undefined;
+  children: ReactNode;
+}) {
+  return (
+    <Base.Portal>
+      <Base.Positioner className="ui-menu-place" sideOffset={2} collisionPadding={4} anchor={anchor}>
+        <Base.Popup className="ui-menu" {...(anchor === undefined ? {} : { finalFocus: anchor })}>
+          {children}
+        </Base.Popup>
+      </Base.Positioner>
+    </Base.Portal>
+  );
+}
+
+/** Entries under a name of their own. */
+export function MenuGroup({ label, children }: MenuProps) {
+  return (
+    <Base.Group className="ui-menu-group">
+      <Base.GroupLabel className="ui-menu-heading">{label}</Base.GroupLabel>
+      {children}
+    </Base.Group>
+  );
+}
+
+export function MenuRule() {
+  return <Base.Separator className="ui-menu-rule" />;
+}
+
+/** What every entry can say of itself. */
+interface EntryProps {
+  label: string;
+  /** Why it cannot be chosen now: stands in the entry, which stays in reach of the keyboard. */
+  disabledReason?: string | undefined;
+  state?: CommandState | undefined;
+  stateText?: string | undefined;
+  /** What is the case now, or which keys do the same. */
+  aside?: string | undefined;
+}
+
+/** Name and note of an entry by their ids: the note is a description and not part of the name. */
+function useEntry({ disabledReason, state = "idle", stateText }: Omit<EntryProps, "label">) {
+  const words = useWords();
+  const labelId = useId();
+  const noteId = useId();
+  const note = disabledReason ?? stateText ?? commandWord(words, state);
+  return {
+    note,
+    labelId,
+    noteId,
+    shared: {
+      className: "ui-menu-item",
+      disabled: disabledReason !== undefined,
+      "aria-labelledby": labelId,
+      "aria-describedby": note === "" ? undefined : noteId,
+    },
+  };
+}
+
+interface BodyProps extends EntryProps {
+  labelId: string;
+  noteId: string;
+  note: string;
+}
+
+function Body({ label, aside, state = "idle", note, labelId, noteId }: BodyProps) {
+  return (
+    <>
+      <span className="ui-menu-text">
+        <span id={labelId} className="ui-menu-label">
+          {label}
+        </span>
+        {note !== "" && (
+          <span id={noteId} className="ui-menu-note" data-state={state}>
+            {note}
+          </span>
+        )}
+      </span>
+      {aside !== undefined && <span className="ui-menu-aside">{aside}</span>}
+      <StateMark state={state} />
+    </>
+  );
+}
+
+interface ActionProps extends EntryProps {
+  onChoose: () => void;
+  /** This is how it stands now. */
+  isCurrent?: boolean | undefined;
+  danger?: boolean | undefined;
+}
+
+export function MenuAction({ onChoose, isCurrent = false, danger = false, ...entry }: ActionProps) {
+  const { shared, ...ids } = useEntry(entry);
+  return (
+    <Base.Item
+      {...shared}
+      label={entry.label}
+      data-danger={danger}
+      aria-current={isCurrent ? "true" : undefined}
+      onClick={onChoose}
+    >
+      <span className="ui-menu-mark">{isCurrent && <Check size={14} aria-hidden="true" />}</span>
+      <Body {...entry} {...ids} />
+    </Base.Item>
+  );
+}
+
+interface SwitchProps extends EntryProps {
+  /** As reported; the menu stays open, so that the report can be seen to follow. */
+  checked: boolean;
+  onChange: (checked: boolean) => void;
+}
+
+export function MenuSwitch({ checked, onChange, ...entry }: SwitchProps) {
+  const { shared, ...ids } = useEntry(entry);
+  return (
+    <Base.CheckboxItem {...shared} label={entry.label} checked={checked} onCheckedChange={onChange}>
+      <span className="ui-menu-mark ui-menu-box" data-checked={checked}>
+        {checked && <Check size={12} strokeWidth={3} aria-hidden="true" />}
+      </span>
+      <Body {...entry} {...ids} />
+    </Base.CheckboxItem>
+  );
+}
+
+interface ChoiceProps<V extends string> extends EntryProps {
+  options: readonly { readonly value: V; readonly label: string; readonly aside?: string }[];
+  /** `null` while nothing tells. */
+  value: V | null;
+  onChange: (value: V) => void;
+}
+
+/** One of a few, under a name: the mark stands where the report says. */
+export function MenuChoice<V extends string>({ options, value, onChange, ...group }: ChoiceProps<V>) {
+  const { shared, note, noteId } = useEntry(group);
+  return (
+    <Base.RadioGroup
+      className="ui-menu-group"
+      value={value ?? ""}
+      onValueChange={(next: V) => onChange(next)}
+      aria-describedby={note === "" ? undefined : noteId}
+    >
+      <div className="ui-menu-heading">
+        <Base.GroupLabel render={<span />}>{group.label}</Base.GroupLabel>
+        <StateMark state={group.state ?? "idle"} />
+      </div>
+      {options.map((option) => (
+        <Base.RadioItem
+          key={option.value}
+          className="ui-menu-item"
+          value={option.value}
+          disabled={shared.disabled}
+          aria-describedby={note === "" ? undefined : noteId}
+        >
+          <span className="ui-menu-mark ui-menu-dot" data-checked={value === option.value} />
+          <span className="ui-menu-label">{option.label}</span>
+          {option.aside !== undefined && <span className="ui-menu-aside">{option.aside}</span>}
+        </Base.RadioItem>
+      ))}
+      {note !== "" && (
+        <p id={noteId} className="ui-menu-note ui-menu-foot" data-state={group.state ?? "idle"}>
+          {note}
+        </p>
+      )}
+    </Base.RadioGroup>
+  );
+}
+
+interface LinkProps {
+  label: string;
+  href: string;
+  /** Name under which the browser keeps the file; without it the address is opened beside this page. */
+  download?: string | undefined;
+  aside?: string | undefined;
+}
+
+export function MenuLink({ label, href, download, aside }: LinkProps) {
+  const target = download === undefined ? { target: "_blank", rel: "noreferrer" } : { download };
+  return (
+    <Base.LinkItem className="ui-menu-item" href={href} {...target} closeOnClick label={label}>
+      <span className="ui-menu-mark" />
+      <span className="ui-menu-label">{label}</span>
+      {aside !== undefined && <span className="ui-menu-aside">{aside}</span>}
+    </Base.LinkItem>
+  );
+}
