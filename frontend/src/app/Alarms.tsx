@@ -17,12 +17,13 @@ export function Alarms() {
   return (
     <AlarmStrip
       label={t("alarms.label")}
-      alarms={alarms.map(({ id, level, text, acknowledged, since_s }) => ({
+      alarms={alarms.map(({ id, level, text, acknowledged, since_s, blocked }) => ({
         id,
         level,
         text,
         acknowledged,
         detail: formatClock(since_s),
+        blocked,
       }))}
       acknowledge={{
         text: t("alarmBook.acknowledge"),
@@ -41,6 +42,7 @@ export function Alarms() {
       {open.length > 1 && (
         <Button
           onPress={() => void alarmBook.acknowledgeAll()}
+          disabledReason={open[0]?.blocked}
           icon={<CheckCheck size={14} aria-hidden="true" />}
         >
           {t("alarmBook.acknowledgeAll")}

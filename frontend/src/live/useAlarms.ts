@@ -2,11 +2,14 @@ import { useMemo } from "react";
 import { useStore } from "zustand";
 import { useSentence } from "../i18n/useSentence";
 import type { AlarmBookState } from "../store/alarmBook";
-import { type ActiveAlarm, activeAlarms } from "../store/alarms";
+import { type ActiveAlarm, activeAlarms, GATEWAY_LOST } from "../store/alarms";
 import { useConnection, usePage, useTelemetry } from "../store/hooks";
+import { useGatewayBlocked } from "./useBlocked";
 
 export interface ShownAlarm extends ActiveAlarm {
   readonly text: string;
+  /** Why this page may not acknowledge it; undefined where it may. */
+  readonly blocked: string | undefined;
 }
 
 /** One thing of the alarm book; the component renders again when it changes. */
@@ -20,9 +23,16 @@ export function useActiveAlarms(): readonly ShownAlarm[] {
   const phase = useConnection((connection) => connection.phase);
   const status = useConnection((connection) => connection.status);
   const own = useAlarmBook((state) => state.own);
+  const blocked = useGatewayBlocked();
   return useMemo(
-    () => activeAlarms({ phase, status }, own).map((alarm) => ({ ...alarm, text: sentence(alarm.message) })),
-    [phase, status, own, sentence],
+    () =>
+      activeAlarms({ phase, status }, own).map((alarm) => ({
+        ...alarm,
+        text: sentence(alarm.message),
+        // The page's own alarm asks nobody; the gateway's are acknowledged for everybody, by whoever has control.
+        blocked: alarm.id === GATEWAY_LOST ? undefined : blocked,
+      })),
+    [phase, status, own, sentence, blocked],
   );
 }
 

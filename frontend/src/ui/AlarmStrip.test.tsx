@@ -1,6 +1,6 @@
 import { screen, within } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
-import { expect, test, vi } from "vitest";
+import { afterEach, expect, test, vi } from "vitest";
 import { type AlarmItem, AlarmStrip } from "./AlarmStrip";
 import { renderWithWords } from "./test/words";
 
@@ -15,6 +15,8 @@ const HIL: AlarmItem = { id: "hil_lost", level: "warning", text: "Simulator sile
 const GPS: AlarmItem = { id: "gps_lost", level: "critical", text: "GPS lost", acknowledged: false };
 
 const onPress = vi.fn();
+afterEach(() => onPress.mockClear());
+
 const acknowledge = { label: (text: string) => `know ${text}`, text: "know", onPress };
 
 function strip(alarms: readonly AlarmItem[]) {
@@ -62,6 +64,14 @@ test("each line acknowledges its own alarm; one that is known has nothing left t
   await userEvent.setup().click(screen.getByRole("button", { name: "know Heartbeat lost" }));
   expect(onPress.mock.calls).toEqual([["heartbeat_lost"]]);
   expect(screen.queryByRole("button", { name: "know Simulator silent" })).toBeNull();
+});
+
+test("an alarm that may not be acknowledged here says why, and does nothing", async () => {
+  renderWithWords(strip([{ ...LOST, blocked: "viewer" }]));
+  const button = screen.getByRole("button", { name: "know Heartbeat lost" });
+  await userEvent.setup().click(button);
+  expect(onPress).not.toHaveBeenCalled();
+  expect(document.getElementById(button.getAttribute("aria-describedby") ?? "")?.textContent).toBe("viewer");
 });
 
 test("what can be done about all of them is there while there is any", () => {

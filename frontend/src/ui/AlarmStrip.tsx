@@ -1,6 +1,7 @@
 import { Check, OctagonAlert, TriangleAlert } from "lucide-react";
-import type { ReactNode } from "react";
+import { type ReactNode, useId } from "react";
 import "./AlarmStrip.css";
+import { Tooltip } from "./Tooltip";
 import { useWords } from "./words";
 
 export interface AlarmItem {
@@ -11,6 +12,8 @@ export interface AlarmItem {
   acknowledged: boolean;
   /** What is not read out again while the alarm lasts: since when it does. */
   detail?: string | undefined;
+  /** Why it cannot be acknowledged here. */
+  blocked?: string | undefined;
 }
 
 interface Props {
@@ -82,17 +85,35 @@ function AlarmLine({ alarm, isSeen, acknowledge }: LineProps) {
         {alarm.text}
       </span>
       {alarm.detail !== undefined && <span className="ui-alarm-detail">{alarm.detail}</span>}
-      {!alarm.acknowledged && (
+      {!alarm.acknowledged && <AcknowledgeButton alarm={alarm} acknowledge={acknowledge} />}
+    </div>
+  );
+}
+
+function AcknowledgeButton({ alarm, acknowledge }: Pick<LineProps, "alarm" | "acknowledge">) {
+  const noteId = useId();
+  const { blocked } = alarm;
+  return (
+    <>
+      <Tooltip text={blocked ?? ""}>
         <button
           type="button"
           className="ui-alarm-button"
           aria-label={acknowledge.label(alarm.text)}
-          onClick={() => acknowledge.onPress(alarm.id)}
+          aria-disabled={blocked !== undefined || undefined}
+          aria-describedby={blocked === undefined ? undefined : noteId}
+          onClick={() => {
+            if (blocked === undefined) acknowledge.onPress(alarm.id);
+          }}
         >
           <Check size={14} aria-hidden="true" />
           {acknowledge.text}
         </button>
-      )}
-    </div>
+      </Tooltip>
+      {/* Hidden from the live region around it: it must not be read out with the alarm. */}
+      <span id={noteId} className="visually-hidden" aria-hidden="true">
+        {blocked}
+      </span>
+    </>
   );
 }

@@ -23,7 +23,7 @@ export function ActiveAlarms() {
       actions={
         <Button
           onPress={() => void alarmBook.acknowledgeAll()}
-          disabledReason={open.length === 0 ? t("alarmBook.nothingOpen") : undefined}
+          disabledReason={open.length === 0 ? t("alarmBook.nothingOpen") : open[0]?.blocked}
           icon={<CheckCheck size={14} aria-hidden="true" />}
         >
           {t("alarmBook.acknowledgeAll")}
@@ -76,6 +76,7 @@ function Active({ alarm }: { alarm: ShownAlarm }) {
           onPress={() => void alarmBook.acknowledge(alarm.id, { control })}
           state={state}
           stateText={stateText}
+          disabledReason={alarm.blocked}
           label={t("alarmBook.acknowledgeOne", { text: alarm.text })}
         >
           {t("alarmBook.acknowledge")}

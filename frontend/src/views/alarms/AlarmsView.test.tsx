@@ -69,6 +69,14 @@ describe("what is wrong", () => {
   });
 });
 
+test("a viewer cannot acknowledge, nor move a threshold, and is told why", async () => {
+  station.status(aStatus({ alarms: [LOST], control: { client: "c2", name: "Ana" } }));
+  await user.click(within(panel("Activas")).getByRole("button", { name: /^Reconocer: Se ha/ }));
+  await user.click(within(panel("Umbrales")).getByRole("button", { name: /^Valor de fábrica: Batería/ }));
+  expect(station.asked.filter(({ method }) => method !== "GET")).toEqual([]);
+  expect(panel("Activas").textContent).toContain("Espectador: el control lo tiene Ana.");
+});
+
 describe("what is over", () => {
   test("is listed with its times, and read again when the gateway reports an alarm", async () => {
     const row = within(panel("Pasadas")).getAllByRole("row")[1];
