@@ -11,7 +11,19 @@ from typing import Any, Final
 from fastapi import FastAPI
 
 from gateway import __version__
-from gateway.api import about, alarms, commands, docs, inspector, links, mission_files, parameters, recordings, state
+from gateway.api import (
+    about,
+    alarms,
+    commands,
+    docs,
+    earth,
+    inspector,
+    links,
+    mission_files,
+    parameters,
+    recordings,
+    state,
+)
 from gateway.api.errors import install_error_handlers
 from gateway.api.guard import Access, Guard
 from gateway.api.page import install_page
@@ -51,7 +63,7 @@ def create_app(settings: Settings) -> FastAPI:
         redoc_url=None,
     )
     app.openapi = lambda: docs.describe(app)  # type: ignore[method-assign]
-    for part in (state, links, commands, parameters, mission_files, alarms, recordings, about, inspector):
+    for part in (state, links, commands, parameters, mission_files, earth, alarms, recordings, about, inspector):
         app.include_router(part.router, prefix=_PREFIX)
     app.include_router(docs.router)
     install_error_handlers(app, errors)

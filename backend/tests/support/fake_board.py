@@ -113,6 +113,11 @@ class FakeBoard:
         with self._lock:
             self._write(data)
 
+    def send_gps(self, latitude_deg: float, longitude_deg: float, altitude_m: float, *, valid: bool = True) -> None:
+        """One position, as the receiver gives it."""
+        fix, status = (ord("3"), ord("A")) if valid else (ord("0"), ord("V"))
+        self.send(encode_telemetry("gps", latitude_deg, longitude_deg, altitude_m, 55.0, 90.0, ord("8"), fix, status))
+
     def count(self, name: str) -> int:
         """How often this command came."""
         return self.received.count(name)

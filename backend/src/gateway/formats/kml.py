@@ -49,19 +49,6 @@ def add_styles(content: Element) -> None:
     _line_style(add(content, "Style", id="plan"), _PLAN_COLOUR, 2)
 
 
-def add_track(parent: Element, name: str, positions: Sequence[Position]) -> None:
-    """A flown track as a line with a curtain to the ground. Nothing where there is no line yet."""
-    if len(positions) < 2:
-        return
-    placemark = add(parent, "Placemark")
-    add(placemark, "name", plain(name))
-    add(placemark, "styleUrl", "#track")
-    line = add(placemark, "LineString")
-    add(line, "extrude", "1")
-    add(line, "altitudeMode", "absolute")
-    add(line, "coordinates", coordinates(positions))
-
-
 def add_plan(parent: Element, name: str, waypoints: Sequence[Waypoint]) -> None:
     """A folder with a placemark for each waypoint, which keeps its speed, and the line that joins them."""
     folder = add(parent, "Folder")

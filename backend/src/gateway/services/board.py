@@ -85,6 +85,8 @@ class Board:
         """A link is open: begin the dialogue."""
         self._link = link
         self.is_emulated = is_emulated
+        if is_emulated:
+            self.books.clear()
         self.baud = link.baud
         self._decoder = FrameDecoder()
         self._was_open = False
@@ -99,6 +101,7 @@ class Board:
         self.session.close()
         if self.is_emulated:
             self.is_emulated = False
+            self.books.clear()
             self._telemetry.blank()
             self._hub.flush()
 
@@ -183,7 +186,7 @@ class Board:
             if answer:
                 self.write(answer)
         if message.topic:
-            self._telemetry.heard(message.name, t_s, meant.implausible)
+            self._telemetry.heard(message.name, t_s, meant.values, meant.implausible)
         if self._listeners:
             for listener in tuple(self._listeners):
                 listener(frame, meant)

@@ -33,6 +33,7 @@ from gateway.services.recorder import Recorder
 from gateway.services.simulator import Simulator, SimulatorAddress
 from gateway.services.supervisor import Supervisor
 from gateway.services.telemetry import Telemetry
+from gateway.services.tracks import Tracks
 from gateway.services.watch import Watch
 from gateway.vehicle.alarms import AlarmId
 from gateway.vehicle.wanted import RATE_COMMANDS, Wanted
@@ -81,6 +82,7 @@ class Station:
         self.supervisor = Supervisor(self.board, taps[0], self._report, self._on_link, self._open_link)
         self.simulator = Simulator(self.hil, self.clock, taps[1], self._report, self._on_link)
         self.rates = LineRates()
+        self.tracks = Tracks(self.telemetry, self.hub, lambda: self.board.is_emulated)
         self.watch = Watch(
             supervisor=self.supervisor,
             board=self.board,
@@ -200,6 +202,9 @@ class Station:
     def _end_emulation(self) -> None:
         self.before_emulation = None
         self.parameters.forget()
+        self.tracks.forget_examples()
+        if self.simulator.address is None:
+            self.hil.begin(None, PROFILE)
 
     def _remember_links(self) -> None:
         remembered = self.memory.now

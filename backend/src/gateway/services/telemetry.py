@@ -20,19 +20,27 @@ class Telemetry:
         self._state = hub.state
         self._clock = clock
         self._commanded_period_s = commanded_period_s
+        self._listeners: dict[str, Callable[[float, Values], None]] = {}
         self.health: dict[str, TopicHealth] = {}
 
-    def heard(self, topic: str, t_s: float, implausible: Iterable[str] = ()) -> None:
+    def listen(self, topic: str, listener: Callable[[float, Values], None]) -> None:
+        """From now on each sample of this topic is handed to `listener` too, with its Unix time."""
+        self._listeners[topic] = listener
+
+    def heard(self, topic: str, t_s: float, values: Values, implausible: Iterable[str] = ()) -> None:
         """A sample of this topic came at `t_s` and was put into the hub."""
         health = self.health.get(topic)
         if health is None:
             health = self.health[topic] = TopicHealth()
         health.heard(t_s, implausible)
+        listener = self._listeners.get(topic)
+        if listener is not None:
+            listener(t_s, values)
 
     def show(self, topic: str, t_s: float, values: Values, implausible: Iterable[str] = ()) -> None:
         """Put a sample into the hub and keep the books on it."""
         self._state.put(topic, t_s, values)
-        self.heard(topic, t_s, implausible)
+        self.heard(topic, t_s, values, implausible)
 
     def rate_changed(self, rate_command: str) -> None:
         """A task of the board has another period now."""

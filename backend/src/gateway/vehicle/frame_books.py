@@ -29,6 +29,15 @@ class FrameBooks:
         self.unknown_damaged: Counter[int] = Counter()
         self._after_failure = False
 
+    def clear(self) -> None:
+        """What was heard were examples, or is about to be: it does not belong together with a board's."""
+        for name in self.heard:
+            self.heard[name] = Arrivals()
+        self.damaged.clear()
+        self.unknown.clear()
+        self.unknown_damaged.clear()
+        self._after_failure = False
+
     def rate_changed(self, rate_command: str) -> None:
         """A task of the board has another period now."""
         for topic, command in TASK_OF_TOPIC.items():

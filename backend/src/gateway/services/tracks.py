@@ -1,0 +1,99 @@
+"""The flown tracks: of the aircraft by its GPS, and of the simulator's. Drawn, cleared, and brought back."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Any
+
+from gateway.errors import ConflictError
+from gateway.formats.units import m_from_ft
+from gateway.services.hub import Hub
+from gateway.services.hub_state import Values
+from gateway.services.telemetry import Telemetry
+from gateway.vehicle.track import Position, Track
+
+
+@dataclass(frozen=True, slots=True)
+class Pair:
+    """Both tracks; each only grows."""
+
+    real: Track = field(default_factory=Track)
+    hil: Track = field(default_factory=Track)
+
+
+class Tracks:
+    """Listens to the topics with a position. `is_emulated`: what comes now are examples, with tracks of their own."""
+
+    def __init__(self, telemetry: Telemetry, hub: Hub, is_emulated: Callable[[], bool]) -> None:
+        self._hub = hub
+        self._is_emulated = is_emulated
+        self._flown = Pair()
+        self._examples = Pair()
+        self._cleared: Pair | None = None
+        telemetry.listen("gps", self._on_gps)
+        telemetry.listen("simulator", self._on_simulator)
+
+    @property
+    def now(self) -> Pair:
+        """What is drawn."""
+        return self._examples if self._is_emulated() else self._flown
+
+    @property
+    def can_restore(self) -> bool:
+        """There is a cleared track to bring back."""
+        return self._cleared is not None and not self._is_emulated()
+
+    def reset(self) -> None:
+        """Draw anew from now on. The last track that was cleared is kept; recordings are another matter."""
+        if self._is_emulated():
+            self._examples = Pair()
+        else:
+            if len(self._flown.real) or len(self._flown.hil):
+                self._cleared = self._flown
+            self._flown = Pair()
+        self._tell()
+
+    def restore(self) -> None:
+        """The track that was cleared last, and what was flown since. Raises ConflictError where there is none."""
+        if self._cleared is None or self._is_emulated():
+            raise ConflictError(
+                "track_not_kept",
+                "There is no cleared track to bring back: only the last one is kept, until it is back.",
+            )
+        cleared, self._cleared = self._cleared, None
+        cleared.real.append(self._flown.real)
+        cleared.hil.append(self._flown.hil)
+        self._flown = cleared
+        self._tell()
+
+    def forget_examples(self) -> None:
+        """The emulation is over."""
+        self._examples = Pair()
+        self._tell()
+
+    def as_dict(self) -> dict[str, Any]:
+        """Plain values."""
+        return {"real_points": len(self.now.real), "hil_points": len(self.now.hil), "can_restore": self.can_restore}
+
+    def _on_gps(self, t_s: float, values: Values) -> None:
+        """A receiver without a fix sends its last position, or the Gulf of Guinea."""
+        if values["valid"] is True and values["fix"]:
+            _add(self.now.real, t_s, values["latitude_deg"], values["longitude_deg"], values["altitude_m"])
+
+    def _on_simulator(self, t_s: float, values: Values) -> None:
+        altitude_ft = values["altitude_msl_ft"]
+        altitude_m = None if altitude_ft is None else m_from_ft(altitude_ft)
+        _add(self.now.hil, t_s, values["latitude_deg"], values["longitude_deg"], altitude_m)
+
+    def _tell(self) -> None:
+        self._hub.event("track", self.as_dict())
+
+
+def _add(
+    track: Track, t_s: float, latitude_deg: float | None, longitude_deg: float | None, altitude_m: float | None
+) -> None:
+    if latitude_deg is None or longitude_deg is None or altitude_m is None:
+        return
+    position: Position = (latitude_deg, longitude_deg, altitude_m)
+    track.add(t_s, position)
