@@ -81,3 +81,15 @@ def test_only_the_operator_commands(gateway: Gateway, board: FakeBoard) -> None:
         assert gateway.http.post("/commands/start", headers=operator).json()["state"] == "confirmed"
         for path in ("/status", "/telemetry", "/parameters", "/commands", "/recordings", "/hil", "/ports"):
             assert gateway.http.get(path).status_code == 200
+
+
+def test_the_periods_of_the_tasks_are_the_boards_own_until_one_is_chosen(gateway: Gateway, board: FakeBoard) -> None:
+    gateway.open_board(board.url)
+    assert gateway.status()["board"]["periods_ms"] == {
+        "parameters": {"ms": 100, "chosen": False},
+        "fms": {"ms": 100, "chosen": False},
+        "servos": {"ms": 20, "chosen": False},
+    }
+    gateway.http.post("/commands/set_servos_task_rate", json={"value": 40}).raise_for_status()
+    assert gateway.status()["board"]["periods_ms"]["servos"] == {"ms": 40, "chosen": True}
+    assert gateway.status()["board"]["periods_ms"]["fms"]["chosen"] is False

@@ -1,122 +1,167 @@
-"""What the operator must see at once."""
+"""Alarms from coming to going: told, acknowledged, kept."""
 
 from __future__ import annotations
 
-import socket
-from pathlib import Path
+import asyncio
+from collections.abc import Mapping
+from typing import Any
 
 import pytest
 
-from gateway.codec.encode import encode_telemetry
-from gateway.links.address import parse_address
-from gateway.services.error_log import ErrorLog
-from gateway.services.simulator import SimulatorAddress
-from gateway.services.station import Station
-from gateway.xplane.datagram import Record, build
-from tests.support.fake_board import FakeBoard
-from tests.support.waiting import eventually_async
+from gateway.errors import InvalidInputError, NotFoundError
+from gateway.services.alarms import Alarms
+from gateway.services.hub import Hub
+from gateway.vehicle.alarms import AlarmId, Finding, Level
+from gateway.vehicle.thresholds import THRESHOLDS
 
 pytestmark = pytest.mark.anyio
 
 
-def ids(station: Station) -> set[str]:
-    return {alarm.finding.id for alarm in station.alarms.active}
+class Told(Hub):
+    """A hub that remembers its events."""
+
+    def __init__(self) -> None:
+        super().__init__(asyncio.get_running_loop(), lambda: 0.0)
+        self.events: list[tuple[str, bool, bool]] = []
+
+    def event(self, kind: str, data: dict[str, Any]) -> None:
+        assert kind == "alarm"
+        self.events.append((data["id"], data["active"], data["acknowledged"]))
 
 
-async def open_board(station: Station, board: FakeBoard) -> None:
-    await station.open_board(parse_address(board.url))
-    await eventually_async(lambda: station.supervisor.state == "open", "the board opens")
+class World:
+    """What is wrong, as the test says."""
+
+    def __init__(self, kept: Mapping[str, Any] | None = None) -> None:
+        self.wrong: list[Finding] = []
+        self.limits: list[Mapping[str, float]] = []
+        self.chosen: list[dict[str, float]] = []
+        self.hub = Told()
+        self.alarms = Alarms(self._watch, self.hub, kept or {}, self.chosen.append)
+
+    def _watch(self, limits: Mapping[str, float]) -> list[Finding]:
+        self.limits.append(limits)
+        return self.wrong
+
+    def goes_wrong(self, *names: AlarmId, level: Level = "warning") -> None:
+        self.wrong = [Finding(name, level, f"{name}.") for name in names]
 
 
-async def test_a_pulled_cable_is_an_alarm_until_it_is_back(tmp_path: Path, board: FakeBoard) -> None:
-    station = Station(tmp_path / "data", ErrorLog(), record=False)
-    async with station.running():
-        await open_board(station, board)
-        assert ids(station) == set()
-        board.unplug()
-        await eventually_async(lambda: ids(station) == {"heartbeat_lost"}, "the alarm comes")
-        (alarm,) = station.alarms.active
-        assert alarm.finding.level == "critical"
-        assert abs(alarm.since_s - station.clock.now_s()) < 20
-        board.plug_in()
-        await eventually_async(lambda: ids(station) == set(), "the alarm goes")
+async def test_an_alarm_is_told_once_when_it_comes_and_once_when_it_goes() -> None:
+    world = World()
+    assert not world.alarms.look(1.0)
+    world.goes_wrong("battery_low")
+    assert [world.alarms.look(t_s) for t_s in (2.0, 3.0)] == [True, False]
+    assert [alarm.since_s for alarm in world.alarms.active] == [2.0]
+    world.goes_wrong()
+    assert [world.alarms.look(t_s) for t_s in (4.0, 5.0)] == [True, False]
+    assert world.alarms.active == []
+    (past,) = world.alarms.past
+    assert (past.finding.id, past.since_s, past.until_s, past.acknowledged) == ("battery_low", 2.0, 4.0, False)
+    assert world.hub.events == [("battery_low", True, False), ("battery_low", False, False)]
 
 
-async def test_a_silent_board_is_an_alarm_although_the_line_is_there(tmp_path: Path, board: FakeBoard) -> None:
-    station = Station(tmp_path / "data", ErrorLog(), record=False)
-    async with station.running():
-        await open_board(station, board)
-        board.silent = True
-        await eventually_async(lambda: ids(station) == {"heartbeat_lost"}, "the alarm comes")
-        board.silent = False
-        await eventually_async(lambda: ids(station) == set(), "the alarm goes")
+async def test_an_alarm_keeps_its_beginning_and_shows_its_newest_words() -> None:
+    world = World()
+    world.wrong = [Finding("cpu_high", "warning", "91 %.", {"percent": 91})]
+    world.alarms.look(1.0)
+    world.wrong = [Finding("cpu_high", "warning", "95 %.", {"percent": 95})]
+    assert not world.alarms.look(2.0)
+    (alarm,) = world.alarms.active
+    assert (alarm.since_s, alarm.finding.text) == (1.0, "95 %.")
 
 
-async def test_a_port_where_no_board_speaks_is_a_warning(tmp_path: Path, board: FakeBoard) -> None:
-    station = Station(tmp_path / "data", ErrorLog(), record=False)
-    board.silent = True
-    async with station.running():
-        await station.open_board(parse_address(board.url))
-        await eventually_async(lambda: ids(station) == {"no_heartbeat"}, "the warning comes")
-        assert station.alarms.active[0].finding.level == "warning"
+async def test_the_oldest_is_first_and_of_the_past_the_newest() -> None:
+    world = World()
+    world.goes_wrong("hil_lost")
+    world.alarms.look(1.0)
+    world.goes_wrong("heartbeat_lost", "hil_lost")
+    world.alarms.look(2.0)
+    assert [alarm.finding.id for alarm in world.alarms.active] == ["hil_lost", "heartbeat_lost"]
+    world.goes_wrong("heartbeat_lost")
+    world.alarms.look(3.0)
+    world.goes_wrong()
+    world.alarms.look(4.0)
+    assert [alarm.finding.id for alarm in world.alarms.past] == ["heartbeat_lost", "hil_lost"]
 
 
-async def test_a_board_that_was_closed_is_no_alarm(tmp_path: Path, board: FakeBoard) -> None:
-    station = Station(tmp_path / "data", ErrorLog(), record=False)
-    async with station.running():
-        await open_board(station, board)
-        board.unplug()
-        await eventually_async(lambda: ids(station) == {"heartbeat_lost"}, "the alarm comes")
-        await station.close_board()
-        await eventually_async(lambda: ids(station) == set(), "the alarm goes")
+async def test_an_acknowledged_alarm_stays_until_it_goes_and_is_new_when_it_comes_again() -> None:
+    world = World()
+    heard: list[str] = []
+    world.alarms.on_acknowledged = heard.append
+    world.goes_wrong("battery_low")
+    world.alarms.look(1.0)
+    assert world.alarms.acknowledge("battery_low").acknowledged
+    world.alarms.acknowledge("battery_low")
+    assert heard == ["battery_low"], "told once"
+    assert not world.alarms.look(2.0)
+    assert [alarm.acknowledged for alarm in world.alarms.active] == [True]
+    world.goes_wrong()
+    world.alarms.look(3.0)
+    world.goes_wrong("battery_low")
+    world.alarms.look(4.0)
+    assert [alarm.acknowledged for alarm in world.alarms.active] == [False]
+    assert [alarm.acknowledged for alarm in world.alarms.past] == [True]
+    assert world.hub.events == [
+        ("battery_low", True, False),
+        ("battery_low", True, True),
+        ("battery_low", False, True),
+        ("battery_low", True, False),
+    ]
 
 
-async def test_a_line_with_more_than_one_bad_frame_in_a_hundred_is_a_warning(tmp_path: Path, board: FakeBoard) -> None:
-    station = Station(tmp_path / "data", ErrorLog(), record=False)
-    async with station.running():
-        await open_board(station, board)
-        bad = bytearray(encode_telemetry("ahrs", 1.0, 2.0, 3.0))
-        bad[-5] ^= 0x40
-        for _ in range(20):
-            board.send(bytes(bad))
-        await eventually_async(lambda: ids(station) == {"frames_damaged"}, "the warning comes")
+async def test_an_alarm_that_becomes_worse_is_new_to_whoever_knew_the_milder_one() -> None:
+    world = World()
+    world.goes_wrong("gps_lost")
+    world.alarms.look(1.0)
+    world.alarms.acknowledge("gps_lost")
+    world.goes_wrong("gps_lost", level="critical")
+    assert world.alarms.look(2.0)
+    assert [alarm.acknowledged for alarm in world.alarms.active] == [False]
+    world.alarms.acknowledge("gps_lost")
+    world.goes_wrong("gps_lost", level="warning")
+    assert not world.alarms.look(3.0)
+    assert [alarm.acknowledged for alarm in world.alarms.active] == [True], "milder is nothing new"
 
 
-async def test_an_open_loop_is_an_alarm(tmp_path: Path, board: FakeBoard) -> None:
-    station = Station(tmp_path / "data", ErrorLog(), record=False)
-    whole = build(Record(row, (0.0,) * 8) for row in (3, 4, 8, 16, 17, 20, 25))
-    async with station.running():
-        await open_board(station, board)
-        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as simulator:
-            simulator.bind(("127.0.0.1", 0))
-            with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
-                probe.bind(("127.0.0.1", 0))
-                port = probe.getsockname()[1]
-            await station.open_simulator(SimulatorAddress(port, "127.0.0.1", simulator.getsockname()[1], "xp10"))
-            assert ids(station) == set(), "a loop that never was closed is not lost"
-
-            def fly() -> bool:
-                simulator.sendto(whole, ("127.0.0.1", port))
-                return station.hil.last_surfaces_s is not None
-
-            await eventually_async(fly, "the loop is closed")
-            await eventually_async(lambda: ids(station) == {"hil_lost"}, "the simulator's silence is an alarm")
-            assert "the simulator sends nothing" in station.alarms.active[0].finding.text
-            board.ignore["xplane_info"] = 10_000
-
-            def fly_unanswered() -> bool:
-                simulator.sendto(whole, ("127.0.0.1", port))
-                return any("does not answer" in alarm.finding.text for alarm in station.alarms.active)
-
-            await eventually_async(fly_unanswered, "the board's silence is an alarm")
+@pytest.mark.parametrize("name", ["battery_low", "no_such_alarm", ""])
+async def test_what_is_not_active_cannot_be_acknowledged(name: str) -> None:
+    with pytest.raises(NotFoundError) as refused:
+        World().alarms.acknowledge(name)
+    assert refused.value.code == "alarm_not_active"
 
 
-async def test_a_recorder_that_failed_is_an_alarm_and_the_flight_goes_on(tmp_path: Path, board: FakeBoard) -> None:
-    (tmp_path / "data").mkdir()
-    (tmp_path / "data" / "recordings").write_text("a file where the folder should be")
-    station = Station(tmp_path / "data", ErrorLog(), record=True)
-    async with station.running():
-        await open_board(station, board)
-        await eventually_async(lambda: ids(station) == {"recorder_failed"}, "the alarm comes")
-        assert (await station.commands.run("ahrs_on")).state == "confirmed"
-        await eventually_async(lambda: station.telemetry.newest("ahrs") is not None, "telemetry goes on")
+async def test_only_the_newest_two_hundred_are_kept() -> None:
+    world = World()
+    for t_s in range(500):
+        world.goes_wrong(*(("battery_low",) if t_s % 2 == 0 else ()))
+        world.alarms.look(float(t_s))
+    assert [alarm.since_s for alarm in world.alarms.past] == [float(t_s) for t_s in range(498, 98, -2)]
+
+
+async def test_chosen_limits_are_used_and_kept() -> None:
+    world = World({"battery_low_v": 11.1, "hil_lost_s": 1000})
+    world.alarms.look(1.0)
+    assert world.limits[-1]["battery_low_v"] == 11.1
+    assert world.limits[-1]["hil_lost_s"] == 0.5, "one that is not allowed is the default"
+    world.alarms.choose({"cpu_high_percent": 80})
+    world.alarms.look(2.0)
+    assert world.limits[-1] == world.chosen[-1] == world.alarms.thresholds
+    assert (world.limits[-1]["cpu_high_percent"], world.limits[-1]["battery_low_v"]) == (80, 11.1)
+
+
+@pytest.mark.parametrize(
+    ("wrong", "kind", "code"),
+    [
+        ({"battery_low_v": 61.0}, InvalidInputError, "threshold_out_of_range"),
+        ({"battery_low_v": float("nan")}, InvalidInputError, "threshold_out_of_range"),
+        ({"battery_high_v": 1.0}, NotFoundError, "threshold_unknown"),
+    ],
+)
+async def test_one_wrong_limit_and_none_is_changed(wrong: dict[str, float], kind: type[Exception], code: str) -> None:
+    world = World()
+    with pytest.raises(kind) as refused:
+        world.alarms.choose({"cpu_high_percent": 80, **wrong})
+    assert getattr(refused.value, "code", None) == code
+    assert world.alarms.thresholds == {threshold.name: threshold.default for threshold in THRESHOLDS}
+    assert world.chosen == []

@@ -30,6 +30,7 @@ async def test_the_first_browser_gets_control_and_the_second_watches(desk: Desk)
     desk.control.connect(ANA)
     desk.control.connect(BEA)
     assert desk.control.holder == ANA
+    assert [desk.control.name_of(client) for client in ("a", "b", "x")] == ["Ana", "Bea", None]
     desk.control.check("a")
     with pytest.raises(ConflictError, match="Ana has control") as caught:
         desk.control.check("b")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import orjson
 import pytest
 
 from gateway.errors import GatewayError
@@ -22,6 +23,7 @@ def test_everything_is_there_after_a_restart(tmp_path: Path) -> None:
     assert memory.now == Remembered()
     wanted = Wanted().after("ahrs_on", ()).after("set_fms_task_rate", (200,)).after("control_source", (1,))
     memory.update(board_url="tcp://h:1", board_identity="0403:6001:A", hil_path="assisted", wanted=wanted)
+    memory.update(thresholds={"battery_low_v": 11.1})
     memory.update(simulator={"receive_port": 1, "send_host": "127.0.0.1", "send_port": 2, "profile": "xp12"})
     again, _ = a_memory(path)
     assert again.now == memory.now
@@ -54,3 +56,15 @@ def test_nothing_is_written_where_nothing_changed(tmp_path: Path) -> None:
     memory, _ = a_memory(path)
     memory.update(board_url=None)
     assert not path.exists()
+
+
+def test_a_file_of_a_version_without_alarm_thresholds_is_read(tmp_path: Path) -> None:
+    path = tmp_path / "state.json"
+    memory, _ = a_memory(path)
+    memory.update(board_url="tcp://h:1")
+    values = orjson.loads(path.read_bytes())
+    del values["thresholds"]
+    path.write_bytes(orjson.dumps(values))
+    again, reported = a_memory(path)
+    assert again.now == memory.now
+    assert reported == []

@@ -8,7 +8,18 @@ import pytest
 
 from gateway.codec.messages_gen import PARAMETERS
 from gateway.codec.values import single
-from gateway.vehicle.parameters import BY_NAME, UNKNOWN, after_read, differing, fault, shown, with_state
+from gateway.vehicle.parameters import (
+    BY_NAME,
+    UNKNOWN,
+    after_read,
+    as_held,
+    differing,
+    fault,
+    forgotten,
+    loaded_now,
+    shown,
+    with_state,
+)
 
 VALUES = {parameter.name: parameter.default for parameter in PARAMETERS}
 READ = {name: single(value) for name, value in VALUES.items()}
@@ -61,3 +72,26 @@ def test_the_limits_are_allowed_and_nothing_beyond(name: str) -> None:
 
 def test_the_integer_must_be_whole() -> None:
     assert fault("k_div_velocidad", 700.5) == "k_div_velocidad must be a whole number, not 700.5."
+
+
+def test_the_first_read_and_a_load_set_the_mark_and_no_other_read_does() -> None:
+    held = after_read(UNKNOWN, READ)
+    assert held["k_pitch"].loaded == 2.0
+    held = after_read(held, {**READ, "k_pitch": 3.0})
+    assert (held["k_pitch"].value, held["k_pitch"].loaded) == (3.0, 2.0)
+    assert loaded_now(held)["k_pitch"].loaded == 3.0
+    pending = with_state(after_read(UNKNOWN, READ), {"k_pitch": None}, "pending")
+    assert after_read(pending, {**READ, "k_pitch": 3.0})["k_pitch"].loaded == 2.0
+
+
+def test_what_is_forgotten_keeps_its_mark() -> None:
+    held = forgotten(after_read(UNKNOWN, READ), ["k_pitch"])
+    assert (held["k_pitch"].value, held["k_pitch"].state, held["k_pitch"].loaded) == (None, "unknown", 2.0)
+    assert held["k_roll"] == after_read(UNKNOWN, READ)["k_roll"]
+    assert after_read(held, {**READ, "k_pitch": None})["k_pitch"].loaded == 2.0
+
+
+def test_a_value_is_written_down_as_the_board_holds_it() -> None:
+    assert as_held("k_int_pitch", 0.6) == 0.6
+    assert as_held("k_int_pitch", 0.60000000001) == 0.6
+    assert as_held("k_div_velocidad", 700) == 700

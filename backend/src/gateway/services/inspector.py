@@ -20,6 +20,7 @@ _SERVO_STREAMS: Final = ("servos_in", "fly_by_wire")
 _FRAME_BYTES: Final = 16  # header, type, checksum and end
 _LOOP_ALIVE_S: Final = 1.0
 _SILENT_S: Final = 3.0
+_STRANGERS_S: Final = 10.0
 
 
 def build_inspector(station: Station) -> dict[str, Any]:
@@ -116,7 +117,7 @@ def _advice(station: Station, board: list[dict[str, Any]], link: dict[str, Any])
             streams=_streams(station, rate_hz) if is_open else (),
             silent_port=_silent_port(station),
             missing_rows=_missing_rows(station) if station.simulator.state == "open" else (),
-            strangers=station.simulator.dropped["stranger"],
+            strangers=_strangers(station),
             round_trip_p99_ms=hil.round_trip.summary().p99 if alive else None,
         )
     )
@@ -147,6 +148,13 @@ def _silent_port(station: Station) -> int | None:
 def _missing_rows(station: Station) -> list[MissingRow]:
     definitions = XPLANE_ROWS[station.hil.profile]
     return [MissingRow(row, definitions[row].name) for row in sorted(_EXPECTED_ROWS - set(station.hil.rows))]
+
+
+def _strangers(station: Station) -> int:
+    """How many datagrams of others came so far, as long as they keep coming."""
+    last_s = station.simulator.last_stranger_s
+    is_recent = last_s is not None and station.clock.steady_s() - last_s < _STRANGERS_S
+    return station.simulator.dropped["stranger"] if is_recent else 0
 
 
 def _streams(station: Station, rate_hz: dict[str, float]) -> list[Stream]:

@@ -68,6 +68,7 @@ class Simulator:
         self.datagrams = 0
         self.bytes_in = 0
         self.dropped: Counter[str] = Counter()
+        self.last_stranger_s: float | None = None
 
     @property
     def state(self) -> State:
@@ -173,6 +174,7 @@ class Simulator:
 
     def _on_stranger(self, host: str) -> None:
         self.dropped["stranger"] += 1
+        self.last_stranger_s = self._clock.steady_s()
         configured = "" if self.address is None else self.address.send_host
         self._report(
             LinkError(

@@ -1,0 +1,101 @@
+"""How often and how evenly messages come."""
+
+from __future__ import annotations
+
+from statistics import pstdev
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from gateway.vehicle.arrivals import Arrivals
+
+
+def heard(*times_s: float) -> Arrivals:
+    arrivals = Arrivals()
+    for t_s in times_s:
+        arrivals.heard(t_s, {"at": t_s})
+    return arrivals
+
+
+def evenly(count: int, period_s: float, start_s: float = 100.0) -> list[float]:
+    return [start_s + place * period_s for place in range(count)]
+
+
+def test_before_the_first_nothing_is_known() -> None:
+    summary = Arrivals().summary(5.0)
+    assert (summary.count, summary.rate_hz, summary.jitter_ms, summary.age_s) == (0, 0.0, None, None)
+    assert Arrivals().last_s is None
+
+
+def test_one_message_has_an_age_and_no_rate() -> None:
+    arrivals = heard(4.0)
+    summary = arrivals.summary(5.0)
+    assert (summary.count, summary.rate_hz, summary.jitter_ms, summary.age_s) == (1, 0.0, None, 1.0)
+    assert (arrivals.last_s, arrivals.values) == (4.0, {"at": 4.0})
+
+
+@pytest.mark.parametrize("period_s", [0.02, 0.1, 1.0, 10.0])
+def test_an_even_stream_has_its_rate_and_no_jitter(period_s: float) -> None:
+    times_s = evenly(20, period_s)
+    summary = heard(*times_s).summary(times_s[-1])
+    assert summary.rate_hz == pytest.approx(1 / period_s)
+    assert summary.jitter_ms == pytest.approx(0.0, abs=1e-6)
+
+
+@given(st.lists(st.floats(0.015, 0.025), min_size=2, max_size=400))
+def test_jitter_is_the_deviation_of_the_newest_256_intervals(intervals: list[float]) -> None:
+    arrivals, t_s = heard(50.0), 50.0
+    for interval in intervals:
+        t_s += interval
+        arrivals.heard(t_s, None)
+    summary = arrivals.summary(t_s)
+    assert summary.count == len(intervals) + 1
+    assert summary.jitter_ms == pytest.approx(1000 * pstdev(intervals[-256:]), abs=1e-6)
+
+
+def test_the_rate_is_of_the_last_seconds_and_not_of_the_whole_flight() -> None:
+    slow = evenly(100, 0.1)
+    fast = evenly(250, 0.02, slow[-1] + 0.02)
+    assert heard(*slow, *fast).summary(fast[-1]).rate_hz == pytest.approx(50.0, rel=0.01)
+
+
+def test_a_stream_that_stopped_has_no_rate_but_keeps_count_and_age() -> None:
+    times_s = evenly(50, 0.02)
+    summary = heard(*times_s).summary(times_s[-1] + 0.51)
+    assert (summary.count, summary.rate_hz) == (50, 0.0)
+    assert summary.age_s == pytest.approx(0.51)
+
+
+def test_a_slow_stream_has_not_stopped_before_three_of_its_periods() -> None:
+    times_s = evenly(5, 10.0)
+    assert heard(*times_s).summary(times_s[-1] + 29).rate_hz == pytest.approx(0.1)
+    assert heard(*times_s).summary(times_s[-1] + 31).rate_hz == 0.0
+
+
+def test_a_pause_is_no_jitter() -> None:
+    before = evenly(50, 0.02)
+    after = evenly(20, 0.02, before[-1] + 600)
+    summary = heard(*before, *after).summary(after[-1])
+    assert summary.rate_hz == pytest.approx(50.0)
+    assert summary.jitter_ms == pytest.approx(0.0, abs=1e-6)
+
+
+def test_after_another_rate_was_commanded_the_old_one_does_not_count() -> None:
+    arrivals = heard(*evenly(50, 0.02))
+    last_s = arrivals.last_s
+    assert last_s is not None
+    arrivals.forget_rate()
+    assert arrivals.last_s == last_s
+    assert arrivals.summary(last_s).rate_hz == 0.0
+    for t_s in evenly(10, 0.1, last_s + 0.1):
+        arrivals.heard(t_s, None)
+    assert arrivals.summary(last_s + 1.0).rate_hz == pytest.approx(10.0)
+
+
+@given(st.lists(st.floats(0, 1e6), max_size=300), st.floats(0, 1e6))
+def test_no_times_make_it_raise_or_say_what_cannot_be(times_s: list[float], now_s: float) -> None:
+    summary = heard(*sorted(times_s)).summary(now_s)
+    assert summary.rate_hz >= 0
+    assert summary.jitter_ms is None or summary.jitter_ms >= 0
+    assert summary.age_s is None or summary.age_s >= 0
