@@ -8,6 +8,7 @@ import { DamageRate } from "../store/damage";
 import type { Page } from "../store/hooks";
 import { createMessages, failureMessage, type Message, say } from "../store/messages";
 import { createParameters, forget } from "../store/parameters";
+import { createPlans } from "../store/plans";
 import { Pump } from "../store/pump";
 import { StreamRates } from "../store/rates";
 import { createSettings, type Shelf } from "../store/settings";
@@ -20,6 +21,7 @@ import { createBoardConsole } from "./boardConsole";
 import { createFrameActions } from "./frameActions";
 import { createInspector } from "./inspector";
 import { createParameterActions, takeParameterEvent } from "./parameterActions";
+import { createPlanActions, takePlanEvent, takePlanStatus } from "./planActions";
 import { createServoDesk } from "./servoDesk";
 
 /** What the page needs of the world around it: a browser's window, or a test. */
@@ -63,6 +65,7 @@ export function createPage(world: World): {
   const messages = createMessages();
   const settings = createSettings(world.shelf);
   const book = createParameters();
+  const plans = createPlans(world.shelf);
   const damage = new DamageRate();
   const rates = new StreamRates();
   const now_ms = world.timers.now_ms;
@@ -89,6 +92,7 @@ export function createPage(world: World): {
     telemetry.heard(at_ms);
     servos.takeStatus(status);
     tellLinks(connection.getState().status, status);
+    takePlanStatus(plans, connection.getState().status?.board ?? null, status.board);
     telemetry.setStaleAfter(
       Object.entries(status.topics).map(([topic, { stale_after_s }]) => [topic, stale_after_s]),
     );
@@ -107,6 +111,7 @@ export function createPage(world: World): {
     servos.takeEvent(message);
     takeConsole(message);
     takeParameterEvent(book, message, world.wall_ms());
+    takePlanEvent(plans, message, client());
     if (event === "alarm") {
       alarmBook.store.setState(({ reported }) => ({ reported: reported + 1 }));
     } else if (event === "error" && isErrorEvent(data)) {
@@ -178,6 +183,7 @@ export function createPage(world: World): {
     speaker: world.speaker,
   });
   const parameters = createParameterActions(book, asking);
+  const missions = createPlanActions(plans, world.saveFile, asking);
   const stores = { telemetry, pump, connection, commands, messages, settings };
   return {
     page: {
@@ -186,6 +192,7 @@ export function createPage(world: World): {
       frame,
       alarmBook,
       parameters,
+      missions,
       servos: servos.desk,
       boardConsole,
       inspector: createInspector(rest),

@@ -9,6 +9,7 @@ import type { FrameActions } from "./frame";
 import type { Inspector } from "./inspector";
 import type { Message, MessageStore } from "./messages";
 import type { ParameterActions, ParameterBook } from "./parameters";
+import type { PlanActions, Plans } from "./plans";
 import type { Pump } from "./pump";
 import type { Servo, ServoDesk } from "./servos";
 import { UNMOVED } from "./servos";
@@ -30,6 +31,7 @@ export interface Page {
   readonly boardConsole: BoardConsole;
   readonly inspector: Inspector;
   readonly parameters: ParameterActions;
+  readonly missions: PlanActions;
   /** Gives the person a file to keep. */
   readonly saveFile: (name: string, content: Blob) => void;
 }
@@ -55,6 +57,10 @@ export function useConnection<T>(select: (connection: Connection) => T): T {
 
 export function useSettings<T>(select: (settings: Settings) => T): T {
   return useSelected(usePage().settings, select);
+}
+
+export function usePlans<T>(select: (plans: Plans) => T): T {
+  return useSelected(usePage().missions.plans, select);
 }
 
 export function useParameters<T>(select: (book: ParameterBook) => T): T {
