@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import { formatAge, formatBytes, formatFixed, formatHeading, formatMeasured } from "./format";
+import { formatAge, formatBytes, formatFixed, formatHeading, formatMeasured, WIRE_FIGURES } from "./format";
 
 describe("a number", () => {
   test.each([
@@ -33,6 +33,10 @@ describe("any measured number", () => {
     [654321.7, "654322"],
   ])("%d keeps five figures and all its digits before the point: %s", (value, text) => {
     expect(formatMeasured(value)).toBe(text);
+  });
+
+  test("with all figures of the wire tells a position to a metre", () => {
+    expect(formatMeasured(-15.374123, WIRE_FIGURES)).toBe("-15.37412");
   });
 
   test("that is none has no text", () => {

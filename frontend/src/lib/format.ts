@@ -13,13 +13,16 @@ export function formatFixed(value: number | null | undefined, digits: number): s
   return Number(text) === 0 ? (0).toFixed(digits) : text;
 }
 
-/** Any measured number to five figures and at most four decimals; a large one keeps all its digits before the point. */
-export function formatMeasured(value: number | null | undefined): string | null {
+/** A float of the wire has seven figures. */
+export const WIRE_FIGURES = 7;
+
+/** Any measured number to so many figures; a large one keeps all its digits before the point. */
+export function formatMeasured(value: number | null | undefined, figures = 5): string | null {
   if (value === null || value === undefined || !Number.isFinite(value)) {
     return null;
   }
   const before = Math.max(1, Math.floor(Math.log10(Math.abs(value))) + 1);
-  return formatFixed(value, Math.min(4, Math.max(0, 5 - before)));
+  return formatFixed(value, Math.max(0, figures - before));
 }
 
 /** A heading, bearing or track: 0..360 and never "360.0", because the rounding comes before the wrap. */

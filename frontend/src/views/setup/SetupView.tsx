@@ -1,13 +1,17 @@
 import { BoardLink } from "./BoardLink";
+import { RawLine } from "./RawLine";
+import { RowTable } from "./RowTable";
 import "./setup.css";
 import { SimulatorLink } from "./SimulatorLink";
 
-/** "Setup": the two lines of the station, to the board and to the simulator. */
+/** "Setup": the two lines of the station, to the board and to the simulator, and what goes over them as it is. */
 export function SetupView() {
   return (
     <div className="setup">
       <BoardLink />
       <SimulatorLink />
+      <RawLine />
+      <RowTable />
     </div>
   );
 }

@@ -156,7 +156,10 @@ function SimulatorFacts() {
     <Facts
       facts={[
         [t("setup.state"), t(`link.${simulator.state}`)],
-        [t("setup.rows"), simulator.rows.length === 0 ? dash : simulator.rows.join(", ")],
+        [
+          t("setup.rows", { number: simulator.rows.length }),
+          simulator.rows.length === 0 ? dash : simulator.rows.join(", "),
+        ],
         [t("setup.datagramsReceived"), String(simulator.datagrams_received)],
         [t("setup.datagramsDropped"), String(simulator.datagrams_dropped)],
         [
