@@ -46,6 +46,23 @@ test("every command of the board has a name for people", () => {
   expect(nameless).toEqual([]);
 });
 
+/** All codes that the gateway's description lists for a field: they are in the types alone, so the file is read. */
+function described(schema: string, field: string): string[] {
+  const types = readFileSync(join(import.meta.dirname, "../protocol/api.gen.ts"), "utf8");
+  const from = types.slice(types.indexOf(`        ${schema}: {`));
+  const line = from.match(new RegExp(`\\n {12}${field}: (.*);`))?.[1] ?? "";
+  return [...line.matchAll(/"(\w+)"/g)].map((match) => match[1] ?? "");
+}
+
+test.each([
+  ["Problem", "code", es.problem],
+  ["AlarmState", "id", es.alarm],
+])("each %s of the gateway has a sentence", (schema, field, sentences) => {
+  const codes = described(schema, field);
+  expect(codes.length).toBeGreaterThan(5);
+  expect(codes.filter((code) => !(code in sentences))).toEqual([]);
+});
+
 describe("the source", () => {
   const root = join(import.meta.dirname, "..");
   const files = readdirSync(root, { recursive: true, encoding: "utf8" }).filter(
