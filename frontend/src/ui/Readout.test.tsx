@@ -1,8 +1,9 @@
-import { screen } from "@testing-library/react";
+import { render, screen } from "@testing-library/react";
 import { createRef } from "react";
 import { expect, test } from "vitest";
 import { Readout, ReadoutGrid, type ReadoutHandle } from "./Readout";
-import { renderWithWords } from "./test/words";
+import { renderWithWords, WORDS } from "./test/words";
+import { WordsProvider } from "./words";
 
 function draw() {
   const ref = createRef<ReadoutHandle>();
@@ -67,4 +68,21 @@ test("a render of the page leaves what was painted as it is", () => {
   expect(screen.getByRole("term").textContent).toBe("Alabeo");
   expect(value().textContent).toBe("5.0degw-stale");
   expect(state()).toBe("stale");
+});
+
+test("in another language it says the same state at once", () => {
+  const ref = createRef<ReadoutHandle>();
+  const inWords = (stale: string) => (
+    <WordsProvider words={{ ...WORDS, stale }}>
+      <ReadoutGrid>
+        <Readout ref={ref} label="Roll" />
+      </ReadoutGrid>
+    </WordsProvider>
+  );
+  const { rerender } = render(inWords("viejo"));
+  ref.current?.paint("-12.3", "stale");
+  rerender(inWords("old"));
+  const value = screen.getByRole("definition");
+  expect(value.textContent).toBe("-12.3old");
+  expect(value.parentElement?.dataset["state"]).toBe("stale");
 });

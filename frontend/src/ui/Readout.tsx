@@ -49,18 +49,18 @@ export function Readout({ ref, label, unit, chars = 7, size = "normal" }: Props)
   const root = useRef<HTMLDivElement>(null);
   const number = useRef<HTMLSpanElement>(null);
   const word = useRef<HTMLSpanElement>(null);
+  const told = useRef<DataState>("none");
 
   useImperativeHandle(ref, () => {
-    let told: DataState | null = null;
-
     function tell(state: DataState): void {
-      if (told === state || root.current === null || word.current === null) return;
-      told = state;
+      if (root.current === null || word.current === null) return;
+      told.current = state;
       root.current.dataset["state"] = state;
       word.current.textContent = { live: "", stale: words.stale, none: words.noData }[state];
     }
 
-    tell("none");
+    // Again in another language: the words change at once, the state does not.
+    tell(told.current);
     return {
       paint(text, state) {
         const shown = text === null ? "none" : state;
@@ -68,7 +68,9 @@ export function Readout({ ref, label, unit, chars = 7, size = "normal" }: Props)
         if (number.current !== null && number.current.textContent !== digits) {
           number.current.textContent = digits;
         }
-        tell(shown);
+        if (shown !== told.current) {
+          tell(shown);
+        }
       },
     };
   }, [words]);

@@ -20,21 +20,23 @@ export function StreamBadge({ ref, label }: Props) {
   const root = useRef<HTMLSpanElement>(null);
   const word = useRef<HTMLSpanElement>(null);
   const age = useRef<HTMLSpanElement>(null);
+  const told = useRef<DataState>("none");
 
   useImperativeHandle(ref, () => {
-    let told: DataState | null = null;
-
     function tell(state: DataState): void {
-      if (told === state || root.current === null || word.current === null) return;
-      told = state;
+      if (root.current === null || word.current === null) return;
+      told.current = state;
       root.current.dataset["state"] = state;
       word.current.textContent = dataWord(words, state);
     }
 
-    tell("none");
+    // Again in another language: the word changes at once, the state does not.
+    tell(told.current);
     return {
       paint(state, ageText) {
-        tell(state);
+        if (state !== told.current) {
+          tell(state);
+        }
         if (age.current !== null && age.current.textContent !== ageText) {
           age.current.textContent = ageText;
         }
