@@ -1,0 +1,77 @@
+import { EARTH_RADIUS_M, type Position } from "../../lib/geodesy";
+
+/** A picture of so many units, with a rim in which nothing lies. */
+export interface Frame {
+  readonly width: number;
+  readonly height: number;
+  readonly rim: number;
+}
+
+/** Puts places onto the picture: north up, east right. */
+export interface Projection {
+  readonly centre: Position;
+  readonly units_per_m: number;
+  readonly frame: Frame;
+}
+
+/** Less than this is not drawn larger, metres: a single point has a neighbourhood too. */
+const LEAST_SPAN_M = 600;
+
+/**
+ * The projection in which all these places lie within the frame; null where there are none. Metres are counted along
+ * the meridian and the parallel of the middle, which is true to scale for as far as a plan of these aircraft reaches.
+ */
+export function frameAround(places: readonly Position[], frame: Frame): Projection | null {
+  const [first] = places;
+  if (first === undefined) {
+    return null;
+  }
+  const latitudes = places.map(({ latitude_deg }) => latitude_deg);
+  // Counted from the first, so that a plan across the date line lies together.
+  const longitudes = places.map((place) => eastOf(first, place));
+  const [south, north] = [Math.min(...latitudes), Math.max(...latitudes)];
+  const [west, east] = [Math.min(...longitudes), Math.max(...longitudes)];
+  const centre = {
+    latitude_deg: (south + north) / 2,
+    longitude_deg: first.longitude_deg + (west + east) / 2,
+  };
+  const tall_m = Math.max(LEAST_SPAN_M, metres(north - south));
+  const wide_m = Math.max(LEAST_SPAN_M, metres(east - west) * cosine(centre.latitude_deg));
+  const units_per_m = Math.min(
+    (frame.width - 2 * frame.rim) / wide_m,
+    (frame.height - 2 * frame.rim) / tall_m,
+  );
+  return { centre, units_per_m, frame };
+}
+
+/** Where a place lies on the picture: x to the right, y downwards. */
+export function project(
+  { centre, units_per_m, frame }: Projection,
+  place: Position,
+): { x: number; y: number } {
+  const east_m = metres(eastOf(centre, place)) * cosine(centre.latitude_deg);
+  const north_m = metres(place.latitude_deg - centre.latitude_deg);
+  return { x: frame.width / 2 + east_m * units_per_m, y: frame.height / 2 - north_m * units_per_m };
+}
+
+/** The longest of 1, 2, 5, 10... metres whose bar is no longer than this part of the picture. */
+export function scaleBar({ units_per_m, frame }: Projection): { length_m: number; units: number } {
+  const most_m = (frame.width * 0.3) / units_per_m;
+  const power = 10 ** Math.floor(Math.log10(most_m));
+  const length_m = power * ([5, 2].find((step) => step * power <= most_m) ?? 1);
+  return { length_m, units: length_m * units_per_m };
+}
+
+/** Degrees of longitude from one place to another, -180..180: the short way. */
+function eastOf(from: Position, to: Position): number {
+  const east = to.longitude_deg - from.longitude_deg;
+  return east > 180 ? east - 360 : east < -180 ? east + 360 : east;
+}
+
+function metres(angle_deg: number): number {
+  return (angle_deg / 180) * Math.PI * EARTH_RADIUS_M;
+}
+
+function cosine(angle_deg: number): number {
+  return Math.cos((angle_deg / 180) * Math.PI);
+}
