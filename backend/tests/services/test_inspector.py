@@ -14,7 +14,7 @@ from gateway.codec.encode import encode_telemetry
 from gateway.codec.messages_gen import END, TELEMETRY, TO_PC_HEADER
 from gateway.links.address import parse_address
 from gateway.services.error_log import ErrorLog
-from gateway.services.inspector import build_inspector
+from gateway.services.inspector import build_inspector, take_snapshot
 from gateway.services.simulator import SimulatorAddress
 from gateway.services.station import Station
 from gateway.xplane.datagram import Record, build
@@ -64,20 +64,24 @@ async def open_board(station: Station, board: FakeBoard) -> None:
     await eventually_async(lambda: station.supervisor.state == "open", "the board opens")
 
 
+def inspect(station: Station) -> dict[str, Any]:
+    return build_inspector(take_snapshot(station))
+
+
 def frames(station: Station) -> dict[str, dict[str, Any]]:
-    return {frame["name"]: frame for frame in build_inspector(station)["board"]}
+    return {frame["name"]: frame for frame in inspect(station)["board"]}
 
 
 def rows(station: Station) -> dict[int, dict[str, Any]]:
-    return {row["row"]: row for row in build_inspector(station)["rows"]}
+    return {row["row"]: row for row in inspect(station)["rows"]}
 
 
 def advised(station: Station) -> dict[str, dict[str, Any]]:
-    return {one["code"]: one["params"] for one in build_inspector(station)["advice"]}
+    return {one["code"]: one["params"] for one in inspect(station)["advice"]}
 
 
 async def test_every_frame_type_is_listed_before_it_is_heard(station: Station) -> None:
-    found = build_inspector(station)
+    found = inspect(station)
     assert [(frame["id"], frame["name"]) for frame in found["board"]] == [
         (message.id, message.name) for message in TELEMETRY.values()
     ]
@@ -155,12 +159,12 @@ async def test_the_link_is_measured_against_its_baud_rate(station: Station, boar
     await station.open_board(parse_address(f"{board.url}?baud=57600"))
 
     def measured() -> bool:
-        link = build_inspector(station)["link"]
+        link = inspect(station)["link"]
         share = 100 * link["rx_bytes_per_s"] / 5760
         return bool(link["rx_bytes_per_s"] > 0 and link["rx_percent"] == pytest.approx(share, abs=0.1))
 
     await eventually_async(measured, "it is measured")
-    assert build_inspector(station)["link"]["capacity_bytes_per_s"] == 5760.0
+    assert inspect(station)["link"]["capacity_bytes_per_s"] == 5760.0
 
 
 async def test_the_loop_is_measured(station: Station, board: FakeBoard, simulator: Simulator) -> None:
@@ -169,10 +173,10 @@ async def test_the_loop_is_measured(station: Station, board: FakeBoard, simulato
 
     def fly() -> bool:
         simulator.send(*ROWS)
-        return bool(build_inspector(station)["link"]["round_trips"] >= 10)
+        return bool(inspect(station)["link"]["round_trips"] >= 10)
 
     await eventually_async(fly, "the loop is closed")
-    round_trip_ms = build_inspector(station)["link"]["round_trip_ms"]
+    round_trip_ms = inspect(station)["link"]["round_trip_ms"]
     assert 0 < round_trip_ms["p50"] <= round_trip_ms["p99"]
 
 
@@ -224,7 +228,7 @@ async def test_a_stream_that_is_on_and_does_not_come_is_advised(station: Station
     await station.commands.run("gps_on")
 
     def told() -> bool:
-        found = [one["params"] for one in build_inspector(station)["advice"] if one["code"] == "stream_slow"]
+        found = [one["params"] for one in inspect(station)["advice"] if one["code"] == "stream_slow"]
         return {"topic": "gps", "rate_hz": 0.0, "expected_hz": 10.0} in found
 
     await eventually_async(told, "it is told")

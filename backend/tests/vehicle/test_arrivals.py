@@ -93,6 +93,16 @@ def test_after_another_rate_was_commanded_the_old_one_does_not_count() -> None:
     assert arrivals.summary(last_s + 1.0).rate_hz == pytest.approx(10.0)
 
 
+def test_a_copy_stays_as_it_was() -> None:
+    arrivals = heard(*evenly(10, 0.1))
+    before = arrivals.summary(102.0)
+    same = arrivals.copy()
+    arrivals.heard(101.5, {"at": 101.5})
+    assert same.summary(102.0) == before
+    assert same.last_s == pytest.approx(100.9)
+    assert same.values == {"at": same.last_s}
+
+
 @given(st.lists(st.floats(0, 1e6), max_size=300), st.floats(0, 1e6))
 def test_no_times_make_it_raise_or_say_what_cannot_be(times_s: list[float], now_s: float) -> None:
     summary = heard(*sorted(times_s)).summary(now_s)

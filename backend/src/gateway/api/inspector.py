@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 from typing import Literal
 
 import orjson
@@ -10,7 +11,7 @@ from fastapi import APIRouter, Response
 from gateway.api.deps import StationDep
 from gateway.api.errors import reading_problems
 from gateway.api.schemas import Output, ParamValue, RoundTripMs
-from gateway.services.inspector import build_inspector
+from gateway.services.inspector import build_inspector, take_snapshot
 from gateway.vehicle.advice import Code
 
 router = APIRouter(tags=["inspector"])
@@ -82,4 +83,6 @@ class Inspector(Output):
 @router.get("/inspector", response_model=Inspector, responses=reading_problems())
 async def get_inspector(station: StationDep) -> Response:
     """Every type of frame and row with rate, jitter, count and last values; the load of the lines; and advice."""
-    return Response(orjson.dumps(build_inspector(station)), media_type="application/json")
+    snapshot = take_snapshot(station)
+    body = await asyncio.to_thread(lambda: orjson.dumps(build_inspector(snapshot)))
+    return Response(body, media_type="application/json")

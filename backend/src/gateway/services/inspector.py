@@ -1,14 +1,19 @@
-"""What goes over the lines, counted and measured: made when somebody asks, from counters kept on the way."""
+"""What goes over the lines, counted and measured: made when somebody asks, from counters kept on the way.
+
+In two steps: `take_snapshot` only copies, on the event loop, where the HIL loop waits its turn; `build_inspector`
+calculates, and may do so in a thread.
+"""
 
 from __future__ import annotations
 
-from dataclasses import asdict
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass, replace
 from typing import Any, Final
 
 from gateway.codec.messages_gen import TELEMETRY, TELEMETRY_BY_NAME, XPLANE_ROWS
 from gateway.services.simulator import CHANNEL_BYTES_PER_S
 from gateway.services.station import Station
-from gateway.vehicle.advice import Advice, MissingRow, Observed, Stream, advice
+from gateway.vehicle.advice import MissingRow, Observed, Stream, advice
 from gateway.vehicle.arrivals import Arrivals
 from gateway.vehicle.health import TASK_OF_TOPIC
 from gateway.vehicle.wanted import RATE_COMMANDS, STREAM_FLAGS
@@ -23,58 +28,106 @@ _SILENT_S: Final = 3.0
 _STRANGERS_S: Final = 10.0
 
 
-def build_inspector(station: Station) -> dict[str, Any]:
-    """Plain values, ready for JSON; its shape is `gateway.api.inspector_schemas.Inspector`."""
-    board = _board(station)
+@dataclass(frozen=True, slots=True)
+class _Frame:
+    """The books on one type of frame, as they were."""
+
+    id: int
+    name: str
+    damaged: int
+    stale_after_s: float | None
+    arrivals: Arrivals
+
+
+@dataclass(frozen=True, slots=True)
+class Snapshot:
+    """All that an answer is made from. `expected_hz` is what each stream that is on should reach.
+
+    `now_s` is the Unix time of the board's frames, `steady_s` the time of the simulator's rows.
+    """
+
+    now_s: float
+    steady_s: float
+    frames: Sequence[_Frame]
+    rows: Mapping[int, Arrivals]
+    profile: str
+    link: Mapping[str, Any]
+    observed: Observed
+    expected_hz: Mapping[str, float]
+
+
+def take_snapshot(station: Station) -> Snapshot:
+    """Copy what is known now."""
     link = _link(station)
+    return Snapshot(
+        now_s=station.clock.now_s(),
+        steady_s=station.clock.steady_s(),
+        frames=_frames(station),
+        rows={row: arrivals.copy() for row, arrivals in station.hil.arrivals.items()},
+        profile=station.hil.profile,
+        link=link,
+        observed=_observed(station, link),
+        expected_hz=_expected_hz(station) if station.board.is_open else {},
+    )
+
+
+def build_inspector(snapshot: Snapshot) -> dict[str, Any]:
+    """Plain values, ready for JSON; its shape is `gateway.api.inspector.Inspector`."""
+    board = [
+        {
+            "id": frame.id,
+            "name": frame.name,
+            "damaged": frame.damaged,
+            "stale_after_s": frame.stale_after_s,
+            "values": frame.arrivals.values,
+            **_measured(frame.arrivals, snapshot.now_s),
+        }
+        for frame in snapshot.frames
+    ]
+    rate_hz: dict[str, float] = {frame["name"]: frame["rate_hz"] for frame in board}
+    observed = replace(
+        snapshot.observed,
+        streams=[Stream(topic, rate_hz[topic], hz) for topic, hz in snapshot.expected_hz.items()],
+        servos_percent=_percent(_servo_bytes_per_s(rate_hz), snapshot.link["capacity_bytes_per_s"]),
+    )
     return {
-        "t_s": station.clock.now_s(),
+        "t_s": snapshot.now_s,
         "board": board,
-        "rows": _rows(station),
-        "link": link,
-        "advice": [asdict(one) for one in _advice(station, board, link)],
+        "rows": _rows(snapshot),
+        "link": snapshot.link,
+        "advice": [asdict(one) for one in advice(observed)],
     }
 
 
-def _board(station: Station) -> list[dict[str, Any]]:
-    now_s = station.clock.now_s()
-    books = station.board.books
+def _frames(station: Station) -> list[_Frame]:
+    books, telemetry = station.board.books, station.telemetry
     known = [
-        {
-            "id": type_id,
-            "name": message.name,
-            "damaged": books.damaged[message.name],
-            "stale_after_s": station.telemetry.stale_after_s(message.name) if message.topic else None,
-            "values": books.heard[message.name].values,
-            **_measured(books.heard[message.name], now_s),
-        }
+        _Frame(
+            type_id,
+            message.name,
+            books.damaged[message.name],
+            telemetry.stale_after_s(message.name) if message.topic else None,
+            books.heard[message.name].copy(),
+        )
         for type_id, message in TELEMETRY.items()
     ]
     unknown = [
-        {
-            "id": type_id,
-            "name": f"unknown_0x{type_id:x}",
-            "damaged": books.unknown_damaged[type_id],
-            "stale_after_s": None,
-            "values": None,
-            **_measured(arrivals, now_s),
-        }
+        _Frame(type_id, f"unknown_0x{type_id:x}", books.unknown_damaged[type_id], None, arrivals.copy())
         for type_id, arrivals in sorted(books.unknown.items())
     ]
     return known + unknown
 
 
-def _rows(station: Station) -> list[dict[str, Any]]:
-    now_s = station.clock.steady_s()
-    definitions = XPLANE_ROWS[station.hil.profile]
-    heard = station.hil.arrivals
+def _rows(snapshot: Snapshot) -> list[dict[str, Any]]:
+    definitions = XPLANE_ROWS[snapshot.profile]
+    heard = snapshot.rows
     return [
         {
             "row": row,
             "name": definitions[row].name if row in definitions else f"row_{row}",
             "expected": row in _EXPECTED_ROWS,
             "values": _finite(heard[row].values) if row in heard else None,
-            **_measured(heard[row] if row in heard else Arrivals(), now_s),
+            **_measured(heard[row] if row in heard else Arrivals(), snapshot.steady_s),
         }
         for row in sorted({*definitions, *heard})
     ]
@@ -97,29 +150,22 @@ def _link(station: Station) -> dict[str, Any]:
     }
 
 
-def _advice(station: Station, board: list[dict[str, Any]], link: dict[str, Any]) -> list[Advice]:
-    rate_hz: dict[str, float] = {frame["name"]: frame["rate_hz"] for frame in board}
-    hil = station.hil
-    wanted = station.memory.now.wanted
-    is_open = station.board.is_open
-    surfaces_s = hil.last_surfaces_s
-    alive = surfaces_s is not None and station.clock.steady_s() - surfaces_s < _LOOP_ALIVE_S
-    return advice(
-        Observed(
-            silent_target=_silent_target(station),
-            rubbish_at_baud=_rubbish_at_baud(station),
-            rx_percent=link["rx_percent"],
-            tx_percent=link["tx_percent"],
-            servos_percent=_percent(_servo_bytes_per_s(rate_hz), link["capacity_bytes_per_s"]),
-            servos_ms=round(1000.0 * wanted.period_s(RATE_COMMANDS[2])),
-            damaged_percent=station.watch.damaged_percent,
-            damaged_limit_percent=station.alarms.thresholds["frames_damaged_percent"],
-            streams=_streams(station, rate_hz) if is_open else (),
-            silent_port=_silent_port(station),
-            missing_rows=_missing_rows(station) if station.simulator.state == "open" else (),
-            strangers=_strangers(station),
-            round_trip_p99_ms=hil.round_trip.summary().p99 if alive else None,
-        )
+def _observed(station: Station, link: Mapping[str, Any]) -> Observed:
+    """What can be told without calculating any rate."""
+    surfaces_s = station.hil.last_surfaces_s
+    is_alive = surfaces_s is not None and station.clock.steady_s() - surfaces_s < _LOOP_ALIVE_S
+    return Observed(
+        silent_target=_silent_target(station),
+        rubbish_at_baud=_rubbish_at_baud(station),
+        rx_percent=link["rx_percent"],
+        tx_percent=link["tx_percent"],
+        servos_ms=round(1000.0 * station.memory.now.wanted.period_s(RATE_COMMANDS[2])),
+        damaged_percent=station.watch.damaged_percent,
+        damaged_limit_percent=station.alarms.thresholds["frames_damaged_percent"],
+        silent_port=_silent_port(station),
+        missing_rows=_missing_rows(station) if station.simulator.state == "open" else (),
+        strangers=_strangers(station),
+        round_trip_p99_ms=link["round_trip_ms"]["p99"] if is_alive else None,
     )
 
 
@@ -128,9 +174,9 @@ def _silent_target(station: Station) -> str | None:
     if address is None:
         return None
     age_s = station.board.heartbeat_age_s()
-    is_heard = station.board.link is not None and age_s is not None
     limit_s = max(_SILENT_S, station.telemetry.stale_after_s("heartbeat") or 0.0)
-    return None if is_heard and age_s is not None and age_s <= limit_s else address.target
+    is_heard = station.board.link is not None and age_s is not None and age_s <= limit_s
+    return None if is_heard else address.target
 
 
 def _rubbish_at_baud(station: Station) -> int | None:
@@ -157,21 +203,21 @@ def _strangers(station: Station) -> int:
     return station.simulator.dropped["stranger"] if is_recent else 0
 
 
-def _streams(station: Station, rate_hz: dict[str, float]) -> list[Stream]:
-    """The streams that the board says, or we asked, to be on, and what they should reach."""
+def _expected_hz(station: Station) -> dict[str, float]:
+    """The streams that the board says, or that we asked, to be on, and what they should reach."""
     heartbeat = station.telemetry.newest("heartbeat") or {}
     wanted = station.memory.now.wanted.streams
-    found: list[Stream] = []
+    expected: dict[str, float] = {}
     for topic in TASK_OF_TOPIC:
         flag = STREAM_FLAGS.get(topic)
         is_on = topic == "heartbeat" or (topic in wanted if flag is None else heartbeat.get(flag) is True)
         period_s = station.telemetry.commanded_s(topic)
         if is_on and period_s:
-            found.append(Stream(topic, rate_hz[topic], 1.0 / period_s))
-    return found
+            expected[topic] = 1.0 / period_s
+    return expected
 
 
-def _servo_bytes_per_s(rate_hz: dict[str, float]) -> float:
+def _servo_bytes_per_s(rate_hz: Mapping[str, float]) -> float:
     return sum(rate_hz[name] * (TELEMETRY_BY_NAME[name].size + _FRAME_BYTES) for name in _SERVO_STREAMS)
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import deque
 from dataclasses import dataclass
-from itertools import pairwise
+from itertools import pairwise, takewhile
 from math import sqrt
 from statistics import median
 from typing import Any, Final
@@ -51,6 +51,14 @@ class Arrivals:
         """When the newest came; None before the first."""
         return self._times_s[-1] if self._times_s else None
 
+    def copy(self) -> Arrivals:
+        """The same as it is now, for somebody who takes longer to look at it."""
+        same = Arrivals()
+        same.count = self.count
+        same.values = self.values
+        same._times_s = self._times_s.copy()
+        return same
+
     def forget_rate(self) -> None:
         """The rate was changed: what was measured before says nothing, but for when the newest came."""
         newest = list(self._times_s)[-1:]
@@ -78,10 +86,9 @@ class Arrivals:
         if not intervals:
             return []
         pause_s = max(_SHORTEST_PAUSE_S, _PAUSE_PERIODS * median(intervals[:_RECENT]))
-        for place, interval in enumerate(intervals):
-            if interval > pause_s:
-                return intervals[:place]
-        return intervals
+        if max(intervals) <= pause_s:
+            return intervals
+        return list(takewhile(lambda interval: interval <= pause_s, intervals))
 
 
 def _rate_hz(intervals: list[float], age_s: float) -> float:
