@@ -19,6 +19,20 @@ export default defineConfig({
     // module preload helper would be an inline script.
     assetsInlineLimit: 0,
     modulePreload: { polyfill: false },
+    rolldownOptions: {
+      output: {
+        // What changes least is kept longest by the browser: the framework, then the words.
+        codeSplitting: {
+          groups: [
+            {
+              name: "framework",
+              test: /node_modules[\\/](react|react-dom|scheduler|i18next|react-i18next|zustand)[\\/]/,
+            },
+            { name: "words", test: /src[\\/]i18n[\\/].*\.json$/ },
+          ],
+        },
+      },
+    },
   },
   server: {
     host: "127.0.0.1",

@@ -5,7 +5,7 @@ import { I18nextProvider } from "react-i18next";
 import { App } from "./app/App";
 import { browserWorld } from "./app/browser";
 import { createPage } from "./app/page";
-import { loadViews } from "./app/views";
+import { loadParts } from "./app/parts";
 import { createI18n } from "./i18n/i18n";
 import { PageContext } from "./store/hooks";
 import { applyTheme } from "./theme/theme";
@@ -28,4 +28,4 @@ createRoot(root).render(
 );
 start();
 // Once the page stands.
-setTimeout(() => void loadViews(), 1000);
+setTimeout(() => void loadParts(), 1000);

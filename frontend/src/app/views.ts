@@ -18,7 +18,6 @@ export const VIEWS: Readonly<Record<TabName, LazyPart>> = {
 /** The tuning view, which stays open under any tab. */
 export const TUNING = lazyPart(async () => (await import("../views/params/TuningDock")).TuningDock);
 
-/** Load what is not loaded yet: a station whose line is cut must still be able to open every tab. */
 export async function loadViews(): Promise<void> {
   for (const { load } of [...Object.values(VIEWS), TUNING]) {
     await load();

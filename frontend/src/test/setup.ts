@@ -1,7 +1,4 @@
 import { cleanup } from "@testing-library/react";
-import { afterEach, beforeAll } from "vitest";
-import { loadViews } from "../app/views";
+import { afterEach } from "vitest";
 
-// Tests look at what is shown, not at how it was fetched.
-beforeAll(loadViews);
 afterEach(cleanup);

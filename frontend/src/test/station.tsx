@@ -3,6 +3,7 @@ import type { ReactElement } from "react";
 import { I18nextProvider } from "react-i18next";
 import { App } from "../app/App";
 import { createPage, type World } from "../app/page";
+import { loadParts } from "../app/parts";
 import { createI18n } from "../i18n/i18n";
 import type { Sample } from "../protocol/envelope";
 import type { Status } from "../protocol/status";
@@ -22,6 +23,9 @@ export interface Asked {
   readonly body: unknown;
   readonly answer: (value: unknown, status?: number) => Promise<void>;
 }
+
+// Tests look at what is shown, not at how it was fetched.
+await loadParts();
 
 const START_S = 1_700_000_000;
 
