@@ -31,6 +31,7 @@ export function browserWorld(window: Window & typeof globalThis): World {
     fetch: (path, init) => window.fetch(path, init),
     requestFrame: (callback) => window.requestAnimationFrame(callback),
     cancelFrame: (handle) => window.cancelAnimationFrame(handle),
+    measureFrame: frameMeter(window),
     saveFile: (name, content) => {
       const address = URL.createObjectURL(content);
       const link = window.document.createElement("a");
@@ -44,6 +45,22 @@ export function browserWorld(window: Window & typeof globalThis): World {
     tabShelf: shelfOf(() => window.sessionStorage),
     sounder: browserSounder(window),
     speaker: browserSpeaker(window),
+  };
+}
+
+/** Time from inside a frame until the page is free again: a message to oneself comes after layout and paint. */
+function frameMeter(window: Window & typeof globalThis): (spent: (cost_ms: number) => void) => void {
+  const { port1, port2 } = new window.MessageChannel();
+  let begun_ms = 0;
+  let tell: ((cost_ms: number) => void) | null = null;
+  port1.onmessage = () => {
+    tell?.(window.performance.now() - begun_ms);
+    tell = null;
+  };
+  return (spent) => {
+    begun_ms = window.performance.now();
+    tell = spent;
+    port2.postMessage(null);
   };
 }
 

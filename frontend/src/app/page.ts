@@ -9,7 +9,7 @@ import type { Page } from "../store/hooks";
 import { createMessages, failureMessage, type Message, say } from "../store/messages";
 import { createParameters, forget } from "../store/parameters";
 import { createPlans } from "../store/plans";
-import { Pump } from "../store/pump";
+import { type FrameSource, Pump } from "../store/pump";
 import { StreamRates } from "../store/rates";
 import { createSettings, type Shelf } from "../store/settings";
 import { TelemetryStore } from "../store/telemetry";
@@ -32,6 +32,7 @@ export interface World {
   readonly fetch: (path: string, init: RequestInit) => Promise<Response>;
   readonly requestFrame: (callback: (now_ms: number) => void) => number;
   readonly cancelFrame: (handle: number) => void;
+  readonly measureFrame?: FrameSource["measure"];
   /** Remembered for ever, and for as long as this browser tab lives. */
   readonly shelf: Shelf | null;
   readonly tabShelf: Shelf | null;
@@ -70,7 +71,11 @@ export function createPage(world: World): {
   const rates = new StreamRates();
   const now_ms = world.timers.now_ms;
   const pump = new Pump(
-    { request: world.requestFrame, cancel: world.cancelFrame },
+    {
+      request: world.requestFrame,
+      cancel: world.cancelFrame,
+      ...(world.measureFrame && { measure: world.measureFrame }),
+    },
     () => telemetry.revision,
     now_ms(),
   );

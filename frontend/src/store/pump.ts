@@ -1,10 +1,14 @@
+import { RedrawBudget } from "./budget";
+
 /** Where displayed frames come from: the browser's, or a test's. */
 export interface FrameSource {
   readonly request: (callback: (now_ms: number) => void) => number;
   readonly cancel: (handle: number) => void;
+  /** Called inside a frame: tells once what the page has spent on it, in milliseconds. */
+  readonly measure?: (spent: (cost_ms: number) => void) => void;
 }
 
-/** `frame`: before each displayed frame, for what moves. `text`: ten times a second, as fast as anybody reads. */
+/** `frame`: before each displayed frame that the budget allows, for what moves. `text`: ten times a second, as fast as anybody reads. */
 export type PaintRate = "frame" | "text";
 export type Paint = (now_ms: number) => void;
 
@@ -13,14 +17,17 @@ const TEXT_PERIOD_MS = 95;
 
 /**
  * The one animation-frame loop of the page. Painters of a rate run together, so layout happens once; frames in which
- * nothing new arrived paint nothing but the tenth-of-a-second texts, which also find what has become stale.
+ * nothing new arrived paint nothing but the tenth-of-a-second texts, which also find what has become stale. Where
+ * frames are dear, instruments move in every second one.
  */
 export class Pump {
   readonly #frames: FrameSource;
   readonly #revision: () => number;
   readonly #painters: Readonly<Record<PaintRate, Set<Paint>>> = { frame: new Set(), text: new Set() };
   #handle: number | null = null;
+  readonly #budget = new RedrawBudget();
   #painted = -1;
+  #frame_ms = Number.NEGATIVE_INFINITY;
   #text_ms = Number.NEGATIVE_INFINITY;
   #now_ms: number;
 
@@ -60,8 +67,11 @@ export class Pump {
     this.#handle = this.#frames.request(this.#frame);
     const textIsDue = now_ms - this.#text_ms >= TEXT_PERIOD_MS;
     const revision = this.#revision();
-    if (textIsDue || revision !== this.#painted) {
+    const frameIsDue = now_ms - this.#frame_ms >= this.#budget.period_ms;
+    if (textIsDue || (frameIsDue && revision !== this.#painted)) {
+      this.#frames.measure?.((cost_ms) => this.#budget.observe(cost_ms));
       this.#painted = revision;
+      this.#frame_ms = now_ms;
       for (const paint of this.#painters.frame) {
         paint(now_ms);
       }
