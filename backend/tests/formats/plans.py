@@ -1,0 +1,44 @@
+"""Plans to write, and the reading of what somebody else wrote."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+from hypothesis import strategies as st
+
+from gateway.codec.tables import Waypoint
+from gateway.errors import InvalidInputError
+from gateway.formats.mission_file import MissionFile
+from gateway.formats.recognise import read_mission_file
+
+WAYPOINTS = st.builds(
+    Waypoint,
+    st.floats(-90, 90),
+    st.floats(-180, 180),
+    st.floats(-2000, 60000),
+    st.floats(0, 500),
+)
+PLANS = st.lists(WAYPOINTS, min_size=1, max_size=100)
+TWO = (Waypoint(27.93, -15.38, 1000.0, 60.0), Waypoint(27.95, -15.36, 1200.0, 55.0))
+
+
+def read(text: str | bytes, name: str = "file") -> MissionFile:
+    return read_mission_file(name, text.encode() if isinstance(text, str) else text)
+
+
+def notes(found: MissionFile) -> dict[str, Any]:
+    """The notes by their code."""
+    assert len({note.code for note in found.notes}) == len(found.notes)
+    return {note.code: note.params for note in found.notes}
+
+
+def refusal(text: str | bytes, name: str = "file") -> InvalidInputError:
+    """Why it is not taken; always one sentence that names the file."""
+    with pytest.raises(InvalidInputError) as caught:
+        read(text, name)
+    error = caught.value
+    assert error.detail.startswith(f"'{name}' cannot be read as a flight plan because ")
+    assert error.detail.endswith(".")
+    assert error.params["name"] == name
+    return error

@@ -1,0 +1,71 @@
+"""Tables of text, also as spreadsheets write them."""
+
+from __future__ import annotations
+
+import pytest
+
+from gateway.codec.tables import Waypoint
+from gateway.formats.csv_plan import write_csv
+from tests.formats.plans import TWO, notes, read, refusal
+
+HEADER = "latitude_deg,longitude_deg,altitude_ft,speed_kt"
+
+
+def test_ours_is_a_plain_table() -> None:
+    assert write_csv(TWO).decode() == f"{HEADER}\r\n27.93,-15.38,1000.0,60.0\r\n27.95,-15.36,1200.0,55.0\r\n"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "latitude_deg;longitude_deg;altitude_ft;speed_kt\r\n27,93;-15,38;1000;60\r\n27,95;-15,36;1200;55\r\n",
+        "sep=;\r\nlatitude_deg;longitude_deg;altitude_ft;speed_kt\r\n27,93;-15,38;1000,0;60\r\n27.95;-15.36;1200;55",
+        "latitude_deg\tlongitude_deg\taltitude_ft\tspeed_kt\n27,93\t-15,38\t1000\t60\n\n27,95\t-15,36\t1200\t55\n",
+        f'{HEADER}\n"27,93","-15,38",1000,60\n27.95,-15.36,1200,55\n,,,\n',
+        " Speed_kt , ALTITUDE_FT,longitude_deg,latitude_deg\n60,1000,-15.38,27.93\n55,1200,-15.36,27.95",
+        "latitude_deg,longitude_deg,altitude_m,speed_m_s\n27.93,-15.38,304.8,30.866667\n27.95,-15.36,365.76,28.294444\n",
+    ],
+)
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "utf-16"])
+def test_the_ways_of_spreadsheets_are_understood(text: str, encoding: str) -> None:
+    found = read(text.encode(encoding))
+    assert [(at.latitude_deg, at.longitude_deg, at.altitude_ft) for at in found.waypoints] == [
+        (at.latitude_deg, at.longitude_deg, at.altitude_ft) for at in TWO
+    ]
+    assert [at.speed_kt for at in found.waypoints] == pytest.approx([60.0, 55.0], abs=0.01)
+    assert notes(found) == {}
+
+
+def test_other_columns_are_left_out_and_named() -> None:
+    text = "nombre;latitude_deg;longitude_deg;año\nPeña;27,93;-15,38;2013\n"
+    found = read(text.encode("cp1252"))
+    assert found.waypoints == (Waypoint(27.93, -15.38, 1000.0, 55.0),)
+    assert notes(found) == {
+        "columns_skipped": {"names": "nombre, año"},
+        "altitude_missing": {"count": 1, "altitude_ft": 1000.0},
+        "speed_missing": {"count": 1, "speed_kt": 55.0},
+    }
+
+
+@pytest.mark.parametrize(
+    ("text", "code", "words"),
+    [
+        ("lat,lon\n1,2\n", "mission_file_header", "line 1 does not name the columns latitude_deg, longitude_deg"),
+        ("27.93,-15.38,1000,60\n", "mission_file_header", "does not name the columns latitude_deg"),
+        (f"{HEADER}\n1,2,3,4\n1,,3,4\n", "mission_file_unreadable", "longitude_deg of line 3 is missing"),
+        (f"{HEADER}\n\n\n1,x,3,4\n", "mission_file_unreadable", "longitude_deg of line 4 is no number ('x')"),
+        (f"{HEADER}\n1,nan,3,4\n", "mission_file_unreadable", "longitude_deg of line 2 is no number ('nan')"),
+        (f"{HEADER}\n1,1.000.5,3,4\n", "mission_file_unreadable", "longitude_deg of line 2 is no number"),
+        (
+            f"{HEADER}\n1,2,3,4\n91,2,3,4\n",
+            "mission_file_out_of_range",
+            "in line 3 latitude_deg must be in -90..90, not 91",
+        ),
+        (f"{HEADER}\n1,2,3,-4\n", "mission_file_out_of_range", "in line 2 speed_kt must be in 0..500, not -4"),
+        (f'{HEADER}\n1,2,3,"{"4" * 140_000}\n', "mission_file_damaged", "line 2 is no row of a table"),
+    ],
+)
+def test_a_line_that_is_none_is_named(text: str, code: str, words: str) -> None:
+    error = refusal(text)
+    assert error.code == code
+    assert words in error.detail
