@@ -9,6 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from gateway.vehicle.alarms import (
+    HICCUP_S,
     BatteryJudge,
     CpuJudge,
     DamageJudge,
@@ -35,15 +36,29 @@ def test_a_condition_counts_only_once_it_has_lasted(looks: list[tuple[float, boo
         now_s += after_s
         if condition != previous:
             same_since_s, previous = now_s, condition
+        lasted_s = now_s - same_since_s
         holds = lasting.look(now_s, condition=condition)
         if condition is None:
-            assert not holds
+            assert holds == (held and lasted_s < HICCUP_S)
         elif holds != held:
             assert holds == condition
-            assert now_s - same_since_s >= 3.0 - 1e-9
-        elif now_s - same_since_s >= 3.0:
+            assert lasted_s >= 3.0
+        elif lasted_s >= 3.0:
             assert holds == condition
         held = holds
+
+
+def test_what_nobody_knows_for_a_moment_changes_nothing_and_for_longer_does_not_hold() -> None:
+    lasting = Lasting(3.0)
+    lasting.look(0.0, condition=True)
+    assert lasting.look(3.0, condition=True)
+    assert lasting.look(3.5, condition=None)
+    assert lasting.look(4.4, condition=None)
+    assert lasting.look(4.5, condition=True)
+    assert lasting.look(5.0, condition=None)
+    assert not lasting.look(6.0, condition=None)
+    lasting.look(6.1, condition=True)
+    assert not lasting.look(9.0, condition=True)
 
 
 def battery(judge: BatteryJudge, *samples: tuple[float, float | None]) -> list[bool]:
@@ -62,7 +77,7 @@ def test_a_battery_that_sags_for_a_moment_is_no_alarm_and_a_spike_is_no_rescue()
 
 def test_a_battery_that_nobody_measures_is_no_alarm() -> None:
     judge = BatteryJudge()
-    assert battery(judge, (0, 9.0), (4, 9.0), (5, None), (6, 9.0)) == [False, True, False, False]
+    assert battery(judge, (0, 9.0), (4, 9.0), (5, None), (6, None), (7, 9.0)) == [False, True, True, False, False]
     assert judge.look(60, None, 10.5) is None
 
 
@@ -83,7 +98,8 @@ def test_either_processor_can_be_too_busy(busy: str) -> None:
     found = judge.look(3, load, 90)
     assert found is not None
     assert (found.id, found.level, found.params) == ("cpu_high", "warning", {"percent": 91})
-    assert judge.look(4, None, 90) is None, "a load that is not live is none"
+    judge.look(4, None, 90)
+    assert judge.look(5, None, 90) is None, "a load that is not live is none"
 
 
 def test_a_processor_at_its_limit_or_without_a_value_is_not_busy() -> None:
@@ -123,6 +139,22 @@ def test_a_gps_whose_stream_stopped_is_lost_only_where_it_is_wanted_and_was_ther
     judge.forget()
     assert judge.look(8, None, is_wanted=True) is None
     assert judge.look(20, None, is_wanted=True) is None
+
+
+def test_a_gps_that_nobody_wants_any_more_is_no_alarm_at_once() -> None:
+    judge = GpsJudge()
+    judge.look(0, NO_FIX, is_wanted=True)
+    assert judge.look(1, NO_FIX, is_wanted=True) is not None
+    assert judge.look(1.1, None, is_wanted=False) is None
+
+
+def test_a_hiccup_of_the_stream_makes_a_missing_position_neither_worse_nor_better() -> None:
+    judge = GpsJudge()
+    judge.look(0, NO_FIX, is_wanted=True)
+    before = judge.look(1, NO_FIX, is_wanted=True)
+    assert before is not None
+    assert judge.look(1.5, None, is_wanted=True) == before
+    assert judge.look(1.6, NO_FIX, is_wanted=True) == before
 
 
 def test_more_damaged_frames_than_allowed_are_an_alarm_until_the_window_is_past_them() -> None:

@@ -23,6 +23,7 @@ Values = Mapping[str, Any]
 Params = dict[str, str | int | float | bool | None]
 
 LASTS_S: Final = 3.0
+HICCUP_S: Final = 1.0
 _NEVER_HEARD_S: Final = 5.0
 _GPS_LASTS_S: Final = 1.0
 _DAMAGE_WINDOW_S: Final = 10.0
@@ -41,27 +42,40 @@ class Finding:
 
 
 class Lasting:
-    """Follows a condition once it has lasted: what flickers is neither announced nor taken back."""
+    """Follows a condition once it has lasted: what flickers is neither announced nor taken back.
+
+    Where nobody knows the condition it does not hold; a hiccup of the line alone changes nothing.
+    """
 
     def __init__(self, lasts_s: float) -> None:
         self._lasts_s = lasts_s
-        self._since_s: float | None = None
+        self._other_since_s: float | None = None
+        self._unknown_since_s: float | None = None
         self.holds = False
 
     def look(self, now_s: float, *, condition: bool | None) -> bool:
-        """Whether it holds at `now_s`. None is "nobody knows": then it does not, at once."""
+        """Whether it holds at `now_s`. None is "nobody knows"."""
         if condition is None:
-            self.holds = False
-            self._since_s = None
-        elif condition == self.holds:
-            self._since_s = None
-        else:
-            if self._since_s is None:
-                self._since_s = now_s
-            if now_s - self._since_s >= self._lasts_s:
-                self.holds = condition
-                self._since_s = None
+            self._other_since_s = None
+            if self._unknown_since_s is None:
+                self._unknown_since_s = now_s
+            if now_s - self._unknown_since_s >= HICCUP_S:
+                self.holds = False
+            return self.holds
+        self._unknown_since_s = None
+        if condition == self.holds:
+            self._other_since_s = None
+        elif self._other_since_s is None:
+            self._other_since_s = now_s
+        if self._other_since_s is not None and now_s - self._other_since_s >= self._lasts_s:
+            self.holds = condition
+            self._other_since_s = None
         return self.holds
+
+    def reset(self) -> None:
+        """It does not hold, at once."""
+        self.holds = False
+        self._other_since_s = self._unknown_since_s = None
 
 
 class BatteryJudge:
@@ -107,25 +121,36 @@ class GpsJudge:
 
     def __init__(self) -> None:
         self._lost = Lasting(_GPS_LASTS_S)
+        self._said: Finding | None = None
         self._was_valid = False
 
     def forget(self) -> None:
         """There is no board to have a position."""
         self._was_valid = False
-        self._lost.look(0.0, condition=None)
+        self._lost.reset()
 
     def look(self, now_s: float, live: Values | None, *, is_wanted: bool) -> Finding | None:
         """`live` is the newest sample of gps, None while it is not live."""
+        if live is None and not is_wanted:
+            self._lost.reset()
+            return None
         is_valid = live is not None and bool(live.get("fix")) and live.get("valid") is True
         self._was_valid = self._was_valid or is_valid
-        is_lost = not is_valid if live is not None else True if self._was_valid and is_wanted else None
-        if not self._lost.look(now_s, condition=is_lost):
-            return None
-        if live is None:
-            text = "The GPS is lost: its stream stopped. Check the receiver and the line."
-            return Finding("gps_lost", "critical", text, {"reason": "silent"})
-        text = "The GPS has no valid position: check its antenna and its view of the sky."
-        return Finding("gps_lost", "critical" if self._was_valid else "warning", text, {"reason": "no_fix"})
+        # A receiver that never had a position may not even be there: its silence is no loss.
+        is_lost = not is_valid if live is not None or self._was_valid else None
+        if is_lost:
+            self._said = _gps_silent() if live is None else _gps_without_fix(critical=self._was_valid)
+        return self._said if self._lost.look(now_s, condition=is_lost) else None
+
+
+def _gps_silent() -> Finding:
+    text = "The GPS is lost: its stream stopped. Check the receiver and the line."
+    return Finding("gps_lost", "critical", text, {"reason": "silent"})
+
+
+def _gps_without_fix(*, critical: bool) -> Finding:
+    text = "The GPS has no valid position: check its antenna and its view of the sky."
+    return Finding("gps_lost", "critical" if critical else "warning", text, {"reason": "no_fix"})
 
 
 class DamageJudge:
