@@ -38,6 +38,10 @@ The gateway of EPF GCS. Errors are problem documents (RFC 9457) whose `code` is 
 Answer each batch with `{"type": "ack", "seq": n}`: at most four are under way, and a viewer which stalled gets the
 newest state at once. `rate=0` sends every sample; `{"type": "rate", "rate": n}` changes it. Commands go over REST with
 the header `X-Client: <client of the hello>`.
+
+**Events**: `alarm` (an alarm that came, went or was acknowledged), `command` (pending, and what became of it),
+`console`, `control`, `error`, `journal` (a new entry, and what undo and redo would write now), `link`, `mission`,
+`parameter` (the gains that changed, each with value, state and loaded value), `recording` and `track`.
 """
 
 router = APIRouter(include_in_schema=False)
