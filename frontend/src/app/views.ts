@@ -1,7 +1,17 @@
 import { type LazyPart, lazyPart } from "../ui/lazyPart";
 
 /** The main tabs in the order in which they stand. */
-export const TABS = ["flight", "six", "params", "hil", "hilSix", "alarms", "setup"] as const;
+export const TABS = [
+  "flight",
+  "six",
+  "params",
+  "hil",
+  "hilSix",
+  "plans",
+  "messages",
+  "alarms",
+  "setup",
+] as const;
 export type TabName = (typeof TABS)[number];
 
 /** Each tab is a file of its own, so that the first look at the page does not wait for all of them. */
@@ -11,6 +21,8 @@ export const VIEWS: Readonly<Record<TabName, LazyPart>> = {
   params: lazyPart(async () => (await import("../views/params/ParamsView")).ParamsView),
   hil: lazyPart(async () => (await import("../views/hil/HilView")).HilView),
   hilSix: lazyPart(async () => (await import("../views/six/HilSixView")).HilSixView),
+  plans: lazyPart(async () => (await import("../views/plans/PlansView")).PlansView),
+  messages: lazyPart(async () => (await import("../views/messages/MessagesView")).MessagesView),
   alarms: lazyPart(async () => (await import("../views/alarms/AlarmsView")).AlarmsView),
   setup: lazyPart(async () => (await import("../views/setup/SetupView")).SetupView),
 };

@@ -1,0 +1,74 @@
+import { type KeyboardEvent, useState } from "react";
+import { useTranslation } from "react-i18next";
+import { parseNumber } from "../../ui/number";
+
+interface Props {
+  label: string;
+  /** The number as it is shown, in the reader's unit. */
+  text: string;
+  row: number;
+  field: string;
+  /** Why this number will not do. */
+  fault: string | null;
+  /** A finished edit, in the reader's unit; not called for one that changes nothing. */
+  onCommit: (shown: number) => void;
+  /** The next or previous cell of the column is wanted. */
+  onMove: (by: -1 | 1) => void;
+  onFocus: () => void;
+}
+
+const MOVES: Readonly<Record<string, -1 | 1>> = { ArrowUp: -1, ArrowDown: 1, Enter: 1 };
+
+/** A number in the plan's table. Enter and leaving it finish an edit, Escape takes it back. */
+export function PlanCell({ label, text, row, field, fault, onCommit, onMove, onFocus }: Props) {
+  const { t } = useTranslation();
+  const [draft, setDraft] = useState<string | null>(null);
+  const typed = draft === null ? null : parseNumber(draft);
+  const isNoNumber = draft !== null && draft.trim() !== "" && typed === null;
+
+  function finish(): void {
+    setDraft(null);
+    if (typed !== null && draft !== text && typed !== Number(text)) {
+      onCommit(typed);
+    }
+  }
+
+  function onKeyDown(event: KeyboardEvent): void {
+    const by = MOVES[event.key];
+    if (event.altKey || event.ctrlKey || event.metaKey) {
+      // The table's own keys: what was typed belongs to the row before it moves.
+      if (event.altKey && !isNoNumber) finish();
+    } else if (event.key === "Escape") {
+      setDraft(null);
+      event.preventDefault();
+    } else if (by !== undefined) {
+      event.preventDefault();
+      if (!isNoNumber) {
+        finish();
+        onMove(by);
+      }
+    }
+  }
+
+  const complaint = isNoNumber ? t("plans.notANumber") : fault;
+  return (
+    <input
+      className="plans-input"
+      type="text"
+      inputMode="decimal"
+      autoComplete="off"
+      spellCheck={false}
+      aria-label={label}
+      aria-invalid={complaint !== null || undefined}
+      title={complaint ?? undefined}
+      data-row={row}
+      data-field={field}
+      data-edited={draft !== null}
+      value={draft ?? text}
+      onChange={(event) => setDraft(event.currentTarget.value)}
+      onFocus={onFocus}
+      onBlur={finish}
+      onKeyDown={onKeyDown}
+    />
+  );
+}

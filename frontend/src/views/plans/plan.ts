@@ -1,0 +1,39 @@
+import type { WaypointField } from "../../lib/plan";
+import type { CommandName } from "../../protocol/messages.gen";
+import type { PlanName } from "../../protocol/missions";
+
+interface PlanFacts {
+  /** Where the board tells to which waypoint it flies. */
+  readonly topic: "fms_plan" | "fms_hil_plan";
+  /** Its number on the wire. */
+  readonly number: 0 | 1;
+  readonly previous: CommandName;
+  readonly next: CommandName;
+  /** What its files are called. */
+  readonly file: string;
+}
+
+export const PLAN: Readonly<Record<PlanName, PlanFacts>> = {
+  flight: {
+    topic: "fms_plan",
+    number: 0,
+    previous: "fms_previous_waypoint",
+    next: "fms_next_waypoint",
+    file: "epf-flight-plan",
+  },
+  hil: {
+    topic: "fms_hil_plan",
+    number: 1,
+    previous: "hil_fms_previous_waypoint",
+    next: "hil_fms_next_waypoint",
+    file: "epf-hil-plan",
+  },
+};
+
+/** The columns that are edited, by the catalogue's names of them. */
+export const COLUMN = {
+  latitude_deg: "latitude",
+  longitude_deg: "longitude",
+  altitude_ft: "altitude",
+  speed_kt: "speed",
+} as const satisfies Readonly<Record<WaypointField, string>>;
