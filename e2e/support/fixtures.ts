@@ -4,6 +4,8 @@ import { Station } from "./station.js";
 type Fixtures = {
   /** A station that is up, with both links closed. */
   station: Station;
+  /** How the station's board is started: `--legacy` makes it one without extensions, as deployed boards are. */
+  boardOptions: readonly string[];
   /** A station whose aircraft flies the Gando route. */
   flying: Station;
 };
@@ -15,9 +17,10 @@ const GATEWAY_AWAY = /ERR_CONNECTION_REFUSED|ERR_CONNECTION_RESET|ERR_EMPTY_RESP
  * The journeys' test: any console error, any exception in the page and any request that leaves the gateway fails it.
  */
 export const test = base.extend<Fixtures>({
-  // biome-ignore lint/correctness/noEmptyPattern: Playwright wants a destructuring pattern
-  station: async ({}, use) => {
-    const station = await Station.start();
+  boardOptions: [[], { option: true }],
+
+  station: async ({ boardOptions }, use) => {
+    const station = await Station.start(boardOptions);
     await use(station);
     await station.stop();
   },

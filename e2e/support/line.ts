@@ -25,6 +25,14 @@ export class Line {
     return Buffer.concat(this.sent);
   }
 
+  /** The command frames among them, one by one, in hexadecimal; what is no frame is text and stands as it came. */
+  get sentFrames(): string[] {
+    return this.sentBytes
+      .toString("hex")
+      .split(/(?=2351542c)/)
+      .filter((frame) => frame !== "");
+  }
+
   forget(): void {
     this.sent = [];
   }
