@@ -45,6 +45,7 @@ export function LivePlot({ signals, window_s = 30, height, label }: Props) {
   const recording = useRecording(shown, window_s);
   const point = useRef<number | null>(null);
   const frozen = useRef<HistoryWindow | null>(null);
+  const said = useRef<{ say: unknown; at_ms: number }>({ say: null, at_ms: Number.NEGATIVE_INFINITY });
   const drawn = useRef<readonly Signal[] | null>(null);
   const { Plot, failed } = useLazyPlot();
 
@@ -71,7 +72,7 @@ export function LivePlot({ signals, window_s = 30, height, label }: Props) {
 
   const paint = useCallback(
     (_: TelemetryStore, now_ms: number) => {
-      const window = (isPaused ? frozen.current : null) ?? recording.window(now_ms);
+      const window = (isPaused ? frozen.current : null) ?? recording(now_ms);
       frozen.current = window;
       // A picture that is held is drawn again only when it shows other signals.
       if (plot.current !== null && !(isPaused && drawn.current === shown)) {
@@ -79,7 +80,11 @@ export function LivePlot({ signals, window_s = 30, height, label }: Props) {
         drawn.current = shown;
       }
       key.current?.paint(shown.map((signal) => valueAt(window, signal, point.current)));
-      if (summary.current !== null && recording.summaryIsDue(now_ms)) {
+      if (
+        summary.current !== null &&
+        (said.current.say !== say || now_ms - said.current.at_ms >= SUMMARY_MS)
+      ) {
+        said.current = { say, at_ms: now_ms };
         summary.current.textContent = say(window);
       }
     },
@@ -131,11 +136,8 @@ function identity(signals: readonly Signal[]): string {
   return signals.map((signal) => `${signalKey(signal)} ${signal.label}`).join("\n");
 }
 
-interface Recording {
-  readonly window: (now_ms: number) => HistoryWindow;
-  /** True at most once a second: words for screen readers. */
-  readonly summaryIsDue: (now_ms: number) => boolean;
-}
+/** What the signals were over the window that ends now. */
+type Recording = (now_ms: number) => HistoryWindow;
 
 /** Keeps the signals' values at each displayed frame. Signals that stay keep their past when others come or go. */
 function useRecording(signals: readonly Signal[], window_s: number): Recording {
@@ -166,18 +168,10 @@ function useRecording(signals: readonly Signal[], window_s: number): Recording {
   );
   usePaint("frame", keep);
 
-  return useMemo(() => {
-    let said_ms = Number.NEGATIVE_INFINITY;
-    return {
-      window: (now_ms) =>
-        history.current?.window(now_ms / 1000, window_s) ?? { before_s: [], values: new Map() },
-      summaryIsDue: (now_ms) => {
-        const isDue = now_ms - said_ms >= SUMMARY_MS;
-        said_ms = isDue ? now_ms : said_ms;
-        return isDue;
-      },
-    };
-  }, [window_s]);
+  return useCallback(
+    (now_ms) => history.current?.window(now_ms / 1000, window_s) ?? { before_s: [], values: new Map() },
+    [window_s],
+  );
 }
 
 function dataOf({ before_s, values }: HistoryWindow, signals: readonly Signal[]): PlotData {

@@ -1,0 +1,47 @@
+import { useTranslation } from "react-i18next";
+import { useSentence } from "../../i18n/useSentence";
+import type { Advice } from "../../protocol/inspector";
+import { type Message, wordsOf } from "../../store/messages";
+import { Notice } from "../../ui/Notice";
+
+/** More of one kind are told in one sentence: ten slow streams have one cause. */
+const TOGETHER = 3;
+
+/** What to do about what does not go well, in words; and that all goes well, when it does. */
+export function AdviceList({ advice }: { advice: readonly Advice[] }) {
+  const { t } = useTranslation();
+  const sentence = useSentence();
+  const slow = advice.filter(({ code }) => code === "stream_slow");
+  const shown = slow.length < TOGETHER ? advice : advice.filter(({ code }) => code !== "stream_slow");
+  const list = slow
+    .map(({ params }) => `${params["topic"]} ${params["rate_hz"]}/${params["expected_hz"]} Hz`)
+    .join(", ");
+  return (
+    <section className="messages-advice" aria-label={t("messages.advice")}>
+      {advice.length === 0 && <p className="messages-well">{t("messages.allWell")}</p>}
+      {shown.map((one) => (
+        <Notice key={sentence(adviceMessage(one))} level={one.level}>
+          {sentence(adviceMessage(one))}
+        </Notice>
+      ))}
+      {slow.length >= TOGETHER && (
+        <Notice level="info">{t("messages.slowTogether", { number: slow.length, list })}</Notice>
+      )}
+    </section>
+  );
+}
+
+/** In the page's language by its code; a code that the catalogue does not have, as the gateway says it. */
+function adviceMessage({ code, level, text, params }: Advice): Message {
+  const words = wordsOf(params);
+  return {
+    level,
+    key: `advice.${code}`,
+    params: {
+      ...words,
+      ...("name" in words ? { name: `@simulatorRow.${words["name"]}` } : {}),
+      ...("direction" in words ? { direction: `@direction.${words["direction"]}` } : {}),
+    },
+    fallback: text,
+  };
+}

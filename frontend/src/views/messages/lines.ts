@@ -1,0 +1,85 @@
+import { formatMeasured, WIRE_FIGURES } from "../../lib/format";
+import type { InspectedFrame, InspectedRow } from "../../protocol/inspector";
+import type { XplaneProfile } from "../../protocol/messages.gen";
+import type { DataState } from "../../store/telemetry";
+import { fieldKey, fieldUnit, type PlotKeyText, rowKey, rowValue } from "./plotted";
+
+/** One of a message's last values. */
+export interface LineValue {
+  readonly name: string;
+  /** A number already written; a flag, for which the page has words; null is no data. */
+  readonly value: string | boolean | null;
+  readonly unit: string;
+  /** Under which it is drawn; null where it cannot be. */
+  readonly plotKey: PlotKeyText | null;
+}
+
+/** One message type or row, as the table shows it. */
+export interface Line {
+  readonly key: string;
+  readonly id: string;
+  /** Its name on the wire, which is that of its topic and of the recordings. */
+  readonly name: string;
+  readonly count: number;
+  readonly rate_hz: number;
+  readonly jitter_ms: number | null;
+  readonly damaged: number;
+  readonly age_s: number | null;
+  readonly state: DataState;
+  /** The HIL loop needs it. */
+  readonly isNeeded: boolean;
+  readonly values: readonly LineValue[];
+}
+
+/** A row of the simulator that is older is not shown as live; the gateway forgets it then too. */
+const ROW_STALE_AFTER_S = 1;
+/** X-Plane's "this value is not here". */
+const ABSENT = -999;
+
+function stateOf(age_s: number | null, stale_after_s: number | null): DataState {
+  if (age_s === null) {
+    return "none";
+  }
+  return stale_after_s !== null && age_s > stale_after_s ? "stale" : "live";
+}
+
+export function frameLine(frame: InspectedFrame): Line {
+  return {
+    ...frame,
+    key: `frame.${frame.id}`,
+    id: frame.id >= 0x100 ? `0x${frame.id.toString(16)}` : String(frame.id),
+    state: stateOf(frame.age_s, frame.stale_after_s),
+    isNeeded: false,
+    values: Object.entries(frame.values ?? {}).map(([name, value]) => ({
+      name,
+      value: typeof value === "number" ? written(value) : value,
+      unit: fieldUnit(frame.name, name),
+      plotKey: fieldKey(frame.name, name),
+    })),
+  };
+}
+
+export function rowLine(row: InspectedRow, profile: XplaneProfile): Line {
+  return {
+    ...row,
+    key: `row.${row.row}`,
+    id: String(row.row),
+    damaged: 0,
+    state: stateOf(row.age_s, ROW_STALE_AFTER_S),
+    isNeeded: row.expected,
+    values: (row.values ?? []).map((value, index) => {
+      const known = rowValue(profile, row.row, index);
+      return {
+        name: known === null ? String(index) : `${index} ${known.name}`,
+        value: value === null || value === ABSENT ? null : written(value),
+        unit: known?.unit ?? "",
+        plotKey: rowKey(row.row, index),
+      };
+    }),
+  };
+}
+
+/** A count stays whole; anything else has the figures of the wire. */
+function written(value: number): string | null {
+  return Number.isInteger(value) ? String(value) : formatMeasured(value, WIRE_FIGURES);
+}
