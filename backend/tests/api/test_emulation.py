@@ -40,6 +40,7 @@ def test_every_topic_is_live_and_marked_as_emulated(gateway: Gateway) -> None:
     assert status["board"]["frames_damaged"] == 0
     assert all(not topic["implausible"] for topic in status["topics"].values())
     assert status["simulator"]["state"] == "closed"
+    assert status["alarms"] == []
     heartbeat = gateway.http.get("/telemetry").json()["heartbeat"]["values"]
     assert all(value in (True, False) for value in heartbeat.values())
     assert heartbeat["ahrs"] is True

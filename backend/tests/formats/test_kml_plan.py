@@ -142,3 +142,9 @@ def test_a_position_that_is_none_is_named(coordinates: str, words: str) -> None:
 def test_a_speed_of_ours_that_is_no_number_is_named() -> None:
     data = write_kml("x", TWO).replace(b"<value>55</value>", b"<value>fast</value>")
     assert "speed_kt of Placemark 3 is no number ('fast')" in refusal(data).detail
+
+
+def test_a_broken_pin_beside_the_line_is_nobodys_fault() -> None:
+    pin = "<Placemark><Point><coordinates>here</coordinates></Point></Placemark>"
+    assert len(read(path(more=pin)).waypoints) == 3
+    assert "Placemark 1 is not longitude,latitude,altitude ('here')" in refusal(f"<kml>{pin}</kml>").detail

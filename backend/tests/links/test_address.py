@@ -29,7 +29,15 @@ def test_an_address_is_read(text: str, address: LinkAddress) -> None:
 
 @pytest.mark.parametrize(
     "text",
-    ["serial:///dev/ttyUSB0?baud=57600", "tcp://[::1]:4000", "tcp://h:1", "pty:///run/board", "pty://./board", "COM3"],
+    [
+        "serial:///dev/ttyUSB0?baud=57600",
+        "tcp://[::1]:4000",
+        "tcp://h:1",
+        "pty:///run/board",
+        "pty://./board",
+        "COM3",
+        "emulation:",
+    ],
 )
 def test_an_address_written_back_is_the_same_address(text: str) -> None:
     address = parse_address(text)

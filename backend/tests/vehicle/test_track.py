@@ -115,9 +115,11 @@ def test_two_tracks_together_are_bounded_too(first: int, second: int) -> None:
     assert len(track) <= 100
 
 
-def test_a_copy_goes_its_own_way() -> None:
-    track = flown(3)
-    other = track.copy()
-    track.add(3.0, place(3))
-    assert (len(track), len(other)) == (4, 3)
-    assert lines(other) == [[place(0), place(1), place(2)]]
+def test_what_is_being_read_stays_as_it_was() -> None:
+    """A file of a long track is written while the aircraft flies on, and while the track is thinned."""
+    track = flown(10, 10)
+    (piece,) = track.pieces()
+    reading = track.points(piece)
+    for step in range(10, 25):
+        track.add(float(step), place(step))
+    assert list(reading) == [place(step) for step in range(10)]

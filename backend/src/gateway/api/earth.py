@@ -52,8 +52,8 @@ async def get_track_kml(station: StationDep, points: MostPoints = None, lang: La
     words = WORDS[lang]
     pair = station.tracks.now
     tracks = [
-        NamedTrack(words.track, _lines(pair.real.copy(), points)),
-        NamedTrack(words.hil_track, _lines(pair.hil.copy(), points)),
+        NamedTrack(words.track, _lines(pair.real, points)),
+        NamedTrack(words.hil_track, _lines(pair.hil, points)),
     ]
     headers = {"Content-Disposition": attachment(words.track, "kml")}
     return _streamed(track_document(f"{words.station}: {words.track}", tracks), headers)

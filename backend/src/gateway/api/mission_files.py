@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 from typing import Annotated, Any, Final
 from urllib.parse import quote
 
@@ -66,7 +67,8 @@ async def export_mission(body: MissionExport, format: Format) -> Response:  # no
 )
 async def import_mission(request: Request, name: FileName) -> MissionImport:
     """Read a KML, KMZ, GPX, CSV or .plan file, whole or not at all; what it is, its content says."""
-    found = read_mission_file(plain(name), await request.body())
+    # The largest file is a second of work: the board and the simulator do not wait for it.
+    found = await asyncio.to_thread(read_mission_file, plain(name), await request.body())
     return MissionImport(
         format=found.format,
         waypoints=[

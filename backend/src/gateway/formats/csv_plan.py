@@ -6,10 +6,11 @@ import codecs
 import csv
 import io
 from collections.abc import Iterator, Mapping, Sequence
+from itertools import islice
 from typing import Final
 
 from gateway.codec.tables import Waypoint
-from gateway.formats.mission_file import FileFault, MissionFile, Note, Place, Point, number, settle
+from gateway.formats.mission_file import MAX_WAYPOINTS, FileFault, MissionFile, Note, Place, Point, number, settle
 from gateway.formats.units import ft_from_m, kt_from_m_s
 
 _COLUMNS: Final = ("latitude_deg", "longitude_deg", "altitude_ft", "speed_kt")
@@ -46,11 +47,10 @@ def read_csv(data: bytes) -> MissionFile:
         )
     unknown = [name for name in names if name and name not in (*_COLUMNS, *_METRIC)]
     notes = [Note("columns_skipped", {"names": ", ".join(unknown)[:200]})] if unknown else []
-    points = [
-        _point(dict(zip(names, cells, strict=False)), Place("line", line))
-        for line, cells in rows
-        if any(cell.strip() for cell in cells)
-    ]
+    filled = ((line, cells) for line, cells in rows if any(cell.strip() for cell in cells))
+    # One more than a plan takes is enough to know that there are too many.
+    taken = islice(filled, MAX_WAYPOINTS + 1)
+    points = [_point(dict(zip(names, cells, strict=False)), Place("line", line)) for line, cells in taken]
     return settle("csv", points, notes)
 
 

@@ -9,9 +9,19 @@ from xml.etree.ElementTree import Element
 
 from gateway.codec.tables import Waypoint
 from gateway.formats.kml import SPEED_DATA, add_plan, add_styles, document, kml_bytes
-from gateway.formats.mission_file import FileFault, MissionFile, Note, Place, Point, number, place_params, settle
+from gateway.formats.mission_file import (
+    MAX_WAYPOINTS,
+    FileFault,
+    MissionFile,
+    Note,
+    Place,
+    Point,
+    number,
+    place_params,
+    settle,
+)
 from gateway.formats.units import ft_from_m
-from gateway.formats.xml_tree import child, child_text, every, local
+from gateway.formats.xml_tree import child, child_text, every
 
 _COMMA: Final = re.compile(r"\s*,\s*")  # "lon, lat, alt" is wrong, and common
 
@@ -23,6 +33,14 @@ class _Shape(NamedTuple):
 
     mode: _Mode
     points: list[Point]
+
+
+class _Pin(NamedTuple):
+    """A placemark that is a point; `speed` is the text of ours, None where it is not ours."""
+
+    place: Place
+    point: Element
+    speed: str | None
 
 
 def write_kml(name: str, waypoints: Sequence[Waypoint]) -> bytes:
@@ -38,15 +56,13 @@ def read_kml(root: Element) -> MissionFile:
 
     Altitudes are metres. Raises FileFault.
     """
-    if local(root) != "kml":
-        raise FileFault("mission_file_unknown", f"its first element is <{local(root)[:30]}> and not <kml> or <gpx>")
-    points = list(_point_shapes(root))
-    lines = [_shape(line, Place("LineString", index)) for index, line in enumerate(every(root, "LineString"), 1)]
-    ours = any(point.speed_kt is not None for shape in points for point in shape.points)
-    if ours or not lines:
-        chosen, skipped = points, 0 if ours else len(lines)
+    pins = list(_pins(root))
+    lines = list(every(root, "LineString"))
+    if lines and all(pin.speed is None for pin in pins):
+        chosen, skipped = [_shape(lines[0], Place("LineString", 1))], len(lines) - 1 + len(pins)
     else:
-        chosen, skipped = lines[:1], len(lines) - 1 + len(points)
+        # One more than a plan takes is enough to know that there are too many.
+        chosen, skipped = [_pin_shape(pin) for pin in pins[: MAX_WAYPOINTS + 1]], 0
     notes = [Note("shapes_skipped", {"count": skipped})] if skipped else []
     return settle("kml", *_as_flown(chosen, notes))
 
@@ -69,22 +85,24 @@ def _as_flown(shapes: list[_Shape], notes: list[Note]) -> tuple[list[Point], lis
     return points, notes
 
 
-def _point_shapes(root: Element) -> Iterator[_Shape]:
-    for index, placemark in enumerate(every(root, "Placemark"), 1):
+def _pins(root: Element) -> Iterator[_Pin]:
+    for nth, placemark in enumerate(every(root, "Placemark"), 1):
         point = child(placemark, "Point")
-        if point is None:
-            continue
-        place = Place("Placemark", index)
-        shape = _shape(point, place)
-        speed = _speed_kt(placemark, place)
-        yield shape._replace(points=[found._replace(place=place, speed_kt=speed) for found in shape.points[:1]])
+        if point is not None:
+            yield _Pin(Place("Placemark", nth), point, _speed_text(placemark))
 
 
-def _speed_kt(placemark: Element, place: Place) -> float | None:
+def _pin_shape(pin: _Pin) -> _Shape:
+    shape = _shape(pin.point, pin.place)
+    speed_kt = None if pin.speed is None else number(pin.speed, SPEED_DATA, pin.place)
+    return shape._replace(points=[found._replace(place=pin.place, speed_kt=speed_kt) for found in shape.points[:1]])
+
+
+def _speed_text(placemark: Element) -> str | None:
     extended = child(placemark, "ExtendedData")
     for data in () if extended is None else every(extended, "Data"):
         if data.get("name") == SPEED_DATA:
-            return number(child_text(data, "value"), SPEED_DATA, place)
+            return child_text(data, "value") or ""
     return None
 
 

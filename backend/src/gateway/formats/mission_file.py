@@ -32,7 +32,7 @@ DEFAULT_ALTITUDE_FT: Final = 1000.0
 
 _ITEM: Final = {value.name: value for value in COMMANDS["mission_item"].values}
 _FIELDS: Final = ("latitude_deg", "longitude_deg", "altitude_ft", "speed_kt")
-_MAX_WAYPOINTS: Final = int({value.name: value for value in COMMANDS["mission_begin"].values}["count"].maximum or 0)
+MAX_WAYPOINTS: Final = int({value.name: value for value in COMMANDS["mission_begin"].values}["count"].maximum or 0)
 # 0.03 mm and 0.2 mm/s: takes away what a conversion and back leaves of 1000 ft (1000.0000000000001), and nothing else.
 _DECIMALS: Final = 4
 # float() takes more: "1_000", "infinity", "nan", digits of other scripts.
@@ -112,12 +112,11 @@ def settle(format_name: Format, points: Sequence[Point], notes: Sequence[Note] =
     """
     if not points:
         raise FileFault("mission_file_no_waypoints", "there are no waypoints in it", format=format_name)
-    if len(points) > _MAX_WAYPOINTS:
+    if len(points) > MAX_WAYPOINTS:
         raise FileFault(
             "mission_file_too_long",
-            f"it has {len(points)} waypoints and a plan takes at most {_MAX_WAYPOINTS}",
-            count=len(points),
-            maximum=_MAX_WAYPOINTS,
+            f"it has more than {MAX_WAYPOINTS} waypoints, which is what a plan takes",
+            maximum=MAX_WAYPOINTS,
         )
     found = list(notes)
     without_altitude = sum(point.altitude_ft is None for point in points)

@@ -79,7 +79,7 @@ def parse_address(text: str) -> LinkAddress:
             device = parts.path[1:] if parts.path[1:].upper().startswith("COM") else parts.netloc + parts.path
             return LinkAddress(scheme, device, baud=baud)
         case _:
-            raise _bad(text, "its kind is none of serial, tcp and pty")
+            raise _bad(text, "its kind is none of serial, tcp, pty and emulation")
 
 
 def _baud(text: str, query: str) -> int:

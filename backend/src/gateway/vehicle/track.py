@@ -6,7 +6,7 @@ import math
 from array import array
 from collections.abc import Iterator
 from itertools import pairwise
-from typing import Final, Self
+from typing import Final
 
 MAX_POINTS: Final = 200_000
 """An hour of a simulator's 50 Hz. Beyond it the older half keeps every second point, again and again."""
@@ -54,12 +54,6 @@ class Track:
         """A position by its index."""
         return self._latitude_deg[index], self._longitude_deg[index], self._altitude_m[index]
 
-    def copy(self) -> Self:
-        """The same points, and its own from now on."""
-        other = type(self)(self._max_points)
-        other.append(self)
-        return other
-
     def append(self, later: Track) -> None:
         """What was flown after all of this, as a piece of its own."""
         before = len(self)
@@ -84,8 +78,9 @@ class Track:
         return [_spread(start, end, step) for start, end in lines]
 
     def points(self, piece: range) -> Iterator[Position]:
-        """The positions of a piece."""
-        return (self.at(index) for index in piece)
+        """The positions of a piece as they are now, whatever becomes of the track while they are read."""
+        chosen = slice(piece.start, piece.stop, piece.step)
+        return zip(self._latitude_deg[chosen], self._longitude_deg[chosen], self._altitude_m[chosen], strict=True)
 
     def _first_since(self, since_s: float) -> int:
         low, high = 0, len(self)
