@@ -12,7 +12,7 @@ import pytest
 from gateway.codec.checksum import checksum
 from gateway.codec.encode import encode_telemetry
 from gateway.codec.messages_gen import END, TELEMETRY, TO_PC_HEADER
-from gateway.links.address import parse_address
+from gateway.links.address import EMULATION, parse_address
 from gateway.services.error_log import ErrorLog
 from gateway.services.inspector import build_inspector, take_snapshot
 from gateway.services.simulator import SimulatorAddress
@@ -242,3 +242,16 @@ async def test_another_rate_counts_from_the_moment_it_was_commanded(station: Sta
     await station.commands.run("set_parameter_task_rate", (20,))
     rate_hz = station.board.books.heard["heartbeat"].summary(station.clock.now_s()).rate_hz
     assert rate_hz == 0.0, "what was measured before says nothing"
+
+
+async def test_examples_leave_no_trace_in_the_books_of_a_board(station: Station, board: FakeBoard) -> None:
+    await open_board(station, board)
+    await eventually_async(lambda: frames(station)["heartbeat"]["count"] > 20, "a board speaks")
+    await station.open_board(EMULATION)
+    assert frames(station)["heartbeat"]["count"] < 20
+    await eventually_async(lambda: frames(station)["gps"]["count"] > 0, "examples are played")
+    await eventually_async(lambda: rows(station)[20]["count"] > 0, "also of a simulator")
+    await station.close_board()
+    await eventually_async(lambda: station.supervisor.state == "open", "the board is back")
+    assert (frames(station)["gps"]["count"], frames(station)["gps"]["values"]) == (0, None)
+    assert (rows(station)[20]["count"], rows(station)[20]["values"]) == (0, None)

@@ -217,8 +217,16 @@ async def test_with_the_board_gone_the_gps_is_not_an_alarm_of_its_own(tmp_path: 
 
         await eventually_async(live, "it has a position")
         board.silent = True
-        await eventually_async(lambda: "heartbeat_lost" in ids(station), "the board is silent")
-        await eventually_async(lambda: ids(station) == {"heartbeat_lost"}, "that is the one alarm")
+        await eventually_async(lambda: (station.telemetry.age_s("heartbeat") or 0) > 3, "the board is silent")
+        assert ids(station) == {"heartbeat_lost"}
+        board.silent = False
+
+        def alive() -> bool:
+            board.send(gps("3", "A"))
+            return ids(station) == set()
+
+        await eventually_async(alive, "it is back")
+        assert {alarm.finding.id for alarm in station.alarms.past} == {"heartbeat_lost"}
 
 
 async def test_a_gain_that_was_not_confirmed_is_an_alarm_until_it_is_or_somebody_knows(

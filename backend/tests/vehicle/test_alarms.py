@@ -141,6 +141,17 @@ def test_a_gps_whose_stream_stopped_is_lost_only_where_it_is_wanted_and_was_ther
     assert judge.look(20, None, is_wanted=True) is None
 
 
+def test_after_a_silence_of_the_whole_board_the_gps_has_its_time_again() -> None:
+    judge = GpsJudge()
+    judge.look(0, VALID, is_wanted=True)
+    assert judge.look(1, None, is_wanted=True) is None
+    judge.wait()
+    assert judge.look(9, None, is_wanted=True) is None
+    found = judge.look(10, None, is_wanted=True)
+    assert found is not None
+    assert found.level == "critical"
+
+
 def test_a_gps_that_nobody_wants_any_more_is_no_alarm_at_once() -> None:
     judge = GpsJudge()
     judge.look(0, NO_FIX, is_wanted=True)

@@ -120,6 +120,7 @@ class Watch:
             return None
         heartbeat = self._live("heartbeat")
         if heartbeat is None:
+            self._gps.wait()
             return None
         is_wanted = self._wants("gps") or heartbeat.get("gps") is True
         return self._gps.look(now_s, self._live("gps"), is_wanted=is_wanted)

@@ -127,6 +127,10 @@ class GpsJudge:
     def forget(self) -> None:
         """There is no board to have a position."""
         self._was_valid = False
+        self.wait()
+
+    def wait(self) -> None:
+        """The board is silent as a whole: that is no fault of the receiver."""
         self._lost.reset()
 
     def look(self, now_s: float, live: Values | None, *, is_wanted: bool) -> Finding | None:
