@@ -1,6 +1,6 @@
 import react from "@vitejs/plugin-react";
 import { defineConfig } from "vitest/config";
-import { pagePackages, pageVersion } from "./scripts/packages";
+import { pagePackages, pageVersion } from "./scripts/packages.ts";
 
 /** Where `npm run dev` finds the gateway. */
 const gateway = process.env["GCS_DEV_GATEWAY"] ?? "http://127.0.0.1:8000";

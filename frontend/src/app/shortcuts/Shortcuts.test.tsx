@@ -1,0 +1,104 @@
+import { act, fireEvent, screen } from "@testing-library/react";
+import { describe, expect, test } from "vitest";
+import { Station } from "../../test/station";
+import { chooseKeys } from "./choice";
+import { SHORTCUTS } from "./table";
+
+function flying(): Station {
+  const station = new Station();
+  station.greet();
+  station.send({ heartbeat: { autopilot_hil: false, source_joystick: true } });
+  return station;
+}
+
+function press(key: string, target: Element = document.body): void {
+  fireEvent.keyDown(target, { key });
+}
+
+function asked(station: Station): string[] {
+  return station.asked.filter(({ method }) => method !== "GET").map(({ path }) => path);
+}
+
+describe("a key that commands the aircraft", () => {
+  test("does nothing before Enter confirms it, and says what it waits for", () => {
+    const station = flying();
+    press("a");
+    expect(asked(station)).toEqual([]);
+    expect(screen.getByText("Autopilot On").parentElement?.textContent).toContain("Intro: confirmar");
+    press("Enter");
+    expect(asked(station)).toEqual(["/api/v1/commands/autopilot_on"]);
+    press("Enter");
+    expect(asked(station)).toHaveLength(1);
+  });
+
+  test("is taken back by Escape and by any other of the page's keys", () => {
+    const station = flying();
+    press("A");
+    press("Escape");
+    press("Enter");
+    press("m");
+    press("o");
+    press("Enter");
+    expect(station.asked.filter(({ method }) => method !== "GET").map(({ body }) => body)).toEqual([
+      { path: "assisted" },
+    ]);
+  });
+
+  test("does not press the focused button with its Enter", () => {
+    const station = flying();
+    const button = screen.getByText("Soltar").closest("button");
+    button?.focus();
+    press("t");
+    expect(fireEvent.keyDown(button ?? document.body, { key: "Enter" })).toBe(false);
+    expect(asked(station)).toEqual(["/api/v1/commands/autotrim_on"]);
+  });
+});
+
+describe("no key does anything", () => {
+  test("while somebody types, or with Ctrl, Alt or the system's key, or when it is held", () => {
+    const station = flying();
+    const field = document.createElement("input");
+    document.body.append(field);
+    press("l", field);
+    field.remove();
+    for (const held of [{ ctrlKey: true }, { altKey: true }, { metaKey: true }, { repeat: true }]) {
+      fireEvent.keyDown(document.body, { key: "l", ...held });
+    }
+    expect(asked(station)).toEqual([]);
+    press("l");
+    expect(asked(station)).toEqual(["/api/v1/commands/read_all"]);
+  });
+
+  test("when the keys are switched off", () => {
+    const station = flying();
+    act(() => chooseKeys(station.page.settings, false));
+    press("l");
+    expect(asked(station)).toEqual([]);
+  });
+});
+
+test("a digit opens its tab", () => {
+  const station = flying();
+  press("2");
+  expect(station.page.settings.getState().choices["tab"]).toBe("six");
+});
+
+test("no two shortcuts share a key", () => {
+  const keys = SHORTCUTS.map(({ key }) => key);
+  expect(new Set(keys).size).toBe(keys.length);
+});
+
+test("the help sheet, opened by a question mark, names every key", () => {
+  flying();
+  press("?");
+  const sheet = screen.getByRole("dialog", { name: "Atajos de teclado" });
+  const shown = [...sheet.querySelectorAll("dt")].map((term) =>
+    [...term.querySelectorAll("kbd")].map(({ textContent }) => textContent).join(" "),
+  );
+  expect(shown).toHaveLength(SHORTCUTS.length);
+  expect(shown).toContain("Mayús A Intro");
+  expect(shown).toContain("?");
+  // The sheet keeps the keys to itself.
+  press("1", sheet);
+  expect(sheet.isConnected).toBe(true);
+});
