@@ -57,6 +57,7 @@ function described(schema: string, field: string): string[] {
 test.each([
   ["Problem", "code", es.problem],
   ["AlarmState", "id", es.alarm],
+  ["AdviceState", "code", es.advice],
 ])("each %s of the gateway has a sentence", (schema, field, sentences) => {
   const codes = described(schema, field);
   expect(codes.length).toBeGreaterThan(5);
