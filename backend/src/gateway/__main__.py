@@ -29,7 +29,10 @@ def run(
     port: Annotated[int | None, typer.Option(help="TCP port of page and interface; 0 takes any free one.")] = None,
     board: Annotated[
         str | None,
-        typer.Option(help="Board to connect to: serial:///dev/ttyUSB0?baud=115200, tcp://host:port or pty:///path."),
+        typer.Option(
+            help="Board to connect to: serial:///dev/ttyUSB0?baud=115200, tcp://host:port or pty:///path; "
+            "emulation: plays example values without one."
+        ),
     ] = None,
     data_dir: Annotated[Path | None, typer.Option(help="Folder of the recordings and the remembered links.")] = None,
     page_dir: Annotated[Path | None, typer.Option(help="Folder of the built page.")] = None,

@@ -156,3 +156,19 @@ def test_it_never_moves_a_simulator(gateway: Gateway) -> None:
             simulator.recv(1000)
         assert gateway.status()["simulator"]["frames_to_simulator"] == 0
         assert "simulator" not in gateway.http.get("/telemetry").json(), "a connected simulator speaks for itself"
+
+
+def test_a_station_can_be_started_with_it(tmp_path: Path) -> None:
+    with running_gateway(tmp_path / "data", board="emulation:") as gateway:
+        eventually(lambda: live_topics(gateway) == TOPICS, "all topics are live")
+        gateway.http.delete("/links/board").raise_for_status()
+        assert gateway.status()["board"]["state"] == "closed"
+
+
+def test_a_rate_that_was_chosen_for_the_board_changes_nothing_here(gateway: Gateway, board: FakeBoard) -> None:
+    gateway.open_board(board.url)
+    gateway.http.post("/commands/set_parameter_task_rate", json={"value": 10000}).raise_for_status()
+    emulate(gateway)
+    eventually(lambda: gateway.status()["topics"].get("ahrs", {}).get("count", 0) > 5, "frames come")
+    gateway.open_board(board.url)
+    assert gateway.status()["board"]["periods_ms"]["parameters"] == {"ms": 10000, "chosen": True}
