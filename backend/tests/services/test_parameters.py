@@ -161,9 +161,8 @@ async def test_a_board_that_is_lost_during_a_write_leaves_an_entry_and_nothing_t
 async def test_a_board_that_started_anew_has_nothing_to_undo(tmp_path: Path, board: FakeBoard) -> None:
     async with a_station(tmp_path, board) as station:
         await station.parameters.set({"k_pitch": 2.5}, None)
-        before = station.board.session.state
         board.restart()
-        await eventually_async(lambda: station.board.session.state != before, "the silence is noticed")
+        await eventually_async(lambda: board.count("capabilities") == 2, "the silence is noticed")
         await eventually_async(lambda: station.supervisor.state == "open", "it is opened anew")
         await eventually_async(lambda: station.parameters.journal.steps.undo is None, "nothing can be undone")
         assert station.parameters.held["k_pitch"].value is None

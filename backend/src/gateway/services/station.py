@@ -100,7 +100,7 @@ class Station:
         self.alarms.on_acknowledged = self._on_acknowledged
         self._board_opened = asyncio.Event()
         self.board.on_urgent = self.hil.on_urgent
-        self.board.on_opened = self._board_opened.set
+        self.board.on_opened = self._on_opened
         self.commands.on_done = self._on_command_done
 
     @contextlib.asynccontextmanager
@@ -235,7 +235,6 @@ class Station:
             await self._board_opened.wait()
             self._board_opened.clear()
             self.changed()
-            self.parameters.forget()
             if self.board.is_emulated:
                 continue
             wanted = self.memory.now.wanted
@@ -288,6 +287,11 @@ class Station:
         data: dict[str, Any] = {"client": holder.id if holder else None, "name": holder.name if holder else None}
         self.hub.event("control", data)
         self.changed()
+
+    def _on_opened(self) -> None:
+        # At once and not with the re-arming, which may be busy: whoever loads now must not lose what was read.
+        self.parameters.forget()
+        self._board_opened.set()
 
     def _on_acknowledged(self, alarm: AlarmId) -> None:
         if alarm == "parameter_not_confirmed":
