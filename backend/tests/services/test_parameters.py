@@ -169,6 +169,23 @@ async def test_a_board_that_started_anew_has_nothing_to_undo(tmp_path: Path, boa
         assert len(story(station)) == 1
 
 
+async def test_what_is_loaded_from_a_board_that_just_opened_stays_while_it_is_still_being_re_armed(
+    tmp_path: Path, board: FakeBoard
+) -> None:
+    async with a_station(tmp_path, board) as station:
+        await station.commands.run("ahrs_on")
+        board.ignore["ahrs_on"] = 1000
+        for _ in range(2):
+            board.unplug()
+            await eventually_async(lambda: station.supervisor.state == "lost", "the cable is out")
+            board.plug_in()
+            await eventually_async(lambda: station.supervisor.state == "open", "the board is back")
+        await station.parameters.load(None)
+        asked = board.count("ahrs_on")
+        await eventually_async(lambda: board.count("ahrs_on") > asked + 1, "it is asked for its stream")
+        assert station.parameters.held["k_pitch"].state == "loaded"
+
+
 async def test_two_writers_follow_each_other_and_each_sees_what_the_other_left(
     tmp_path: Path, board: FakeBoard
 ) -> None:
