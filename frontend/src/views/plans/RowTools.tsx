@@ -53,15 +53,17 @@ export function RowTools({ plan, selected, count, edit }: Props) {
         onPress={() => undoPlan(missions.plans, plan)}
         icon={<Undo2 {...icon} />}
         disabledReason={canUndo ? undefined : t("plans.noUndo")}
+        label={t("plans.undo")}
       >
-        {t("plans.undo")}
+        {null}
       </Button>
       <Button
         onPress={() => redoPlan(missions.plans, plan)}
         icon={<Redo2 {...icon} />}
         disabledReason={canRedo ? undefined : t("plans.noRedo")}
+        label={t("plans.redo")}
       >
-        {t("plans.redo")}
+        {null}
       </Button>
     </div>
   );

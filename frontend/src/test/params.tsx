@@ -1,0 +1,84 @@
+import { screen, within } from "@testing-library/react";
+import userEvent from "@testing-library/user-event";
+import { PARAMETERS, type ParameterName } from "../protocol/messages.gen";
+import type { HeldParameter } from "../protocol/parameters";
+import { WORDS } from "../ui/test/words";
+import { WordsProvider } from "../ui/words";
+import { ParamsView } from "../views/params/ParamsView";
+import { type Asked, Station } from "./station";
+import { aStatus } from "./status";
+
+export const user = userEvent.setup();
+export let station: Station;
+
+export type Known = Partial<Record<ParameterName, Partial<HeldParameter>>>;
+
+/** What the gateway lists when the board has its defaults but for these. */
+export function listed(known: Known = {}) {
+  return {
+    parameters: PARAMETERS.map((info) => ({
+      name: info.name,
+      value: info.default,
+      loaded: info.default,
+      state: "loaded",
+      ...known[info.name],
+    })),
+  };
+}
+
+export const unknown = Object.fromEntries(
+  PARAMETERS.map(({ name }) => [name, { value: null, loaded: null, state: "unknown" }]),
+) as Known;
+
+export function newest(method: string, path: RegExp): Asked {
+  const asked = station.asked
+    .filter((question) => question.method === method && path.test(question.path))
+    .at(-1);
+  if (asked === undefined) {
+    throw new Error(`the page asked nothing with ${method} ${path}`);
+  }
+  return asked;
+}
+
+export function writes(): unknown[] {
+  return station.asked.filter(({ method }) => method !== "GET").map(({ path, body }) => body ?? path);
+}
+
+/** The view alone, with a gateway that knows this. */
+export async function open(known: Known = {}, status = aStatus()): Promise<void> {
+  station = new Station(
+    <WordsProvider words={WORDS}>
+      <ParamsView />
+    </WordsProvider>,
+  );
+  station.greet(status);
+  await answer(known);
+}
+
+/** The whole page with this tab open. */
+export async function openPage(): Promise<void> {
+  station = new Station();
+  station.greet();
+  await user.click(screen.getByRole("tab", { name: "Autopilot Param" }));
+  await answer({});
+}
+
+async function answer(known: Known): Promise<void> {
+  await newest("GET", /parameters$/).answer(listed(known));
+  await newest("GET", /journal$/).answer({ entries: [], undo: null, redo: null });
+}
+
+export function field(name: ParameterName): HTMLInputElement {
+  return within(row(name)).getByRole("textbox", { name });
+}
+
+export function row(name: ParameterName): HTMLElement {
+  const found = document.querySelector<HTMLElement>(`[data-parameter="${name}"]`);
+  if (found === null) throw new Error(`there is no row for ${name}`);
+  return found;
+}
+
+export async function type(name: ParameterName, text: string): Promise<void> {
+  await user.clear(field(name));
+  await user.type(field(name), text);
+}
