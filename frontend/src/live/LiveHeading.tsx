@@ -10,14 +10,14 @@ export type ReadLive = (telemetry: TelemetryStore, now_ms: number) => number | n
 export const boardHeading_deg: ReadLive = (telemetry, now_ms) =>
   telemetry.liveNumber("ahrs", "yaw_deg", now_ms);
 
-/**
- * The bearing which the board's bug shows: of the plan that is being flown, which with a simulator in the loop is the
- * HIL one.
- */
-export const boardBearing_deg: ReadLive = (telemetry, now_ms) => {
-  const isHil = telemetry.state("xplane_info", now_ms) === "live";
-  return telemetry.liveNumber(isHil ? "fms_hil_plan" : "fms_plan", "bearing_deg", now_ms);
-};
+/** The plan that is being flown: with a simulator in the loop it is the HIL one. */
+export function flownPlan(telemetry: TelemetryStore, now_ms: number): "fms_plan" | "fms_hil_plan" {
+  return telemetry.state("xplane_info", now_ms) === "live" ? "fms_hil_plan" : "fms_plan";
+}
+
+/** The bearing which the board's bug shows: of the plan that is being flown. */
+export const boardBearing_deg: ReadLive = (telemetry, now_ms) =>
+  telemetry.liveNumber(flownPlan(telemetry, now_ms), "bearing_deg", now_ms);
 
 /** The heading indicator with the flight plan's bearing as its bug. */
 export function LiveHeading({ heading_deg, bearing_deg }: { heading_deg: ReadLive; bearing_deg: ReadLive }) {

@@ -148,7 +148,7 @@ function options(wanted: Wanted): uPlot.Options {
     stroke: () => colour("--text-muted"),
     font,
     labelFont: font,
-    grid: { stroke: () => colour("--line"), width: 1 },
+    grid: { stroke: () => colour("--surface-3"), width: 1 },
     ticks: { stroke: () => colour("--line-control"), width: 1, size: 4 },
   } as const;
   return {

@@ -1,7 +1,7 @@
 import { useTranslation } from "react-i18next";
 import { heading, tenths } from "../../live/formats";
 import { LiveAttitude } from "../../live/LiveAttitude";
-import { boardBearing_deg, boardHeading_deg, LiveHeading } from "../../live/LiveHeading";
+import { boardBearing_deg, boardHeading_deg, flownPlan, LiveHeading } from "../../live/LiveHeading";
 import { LiveReadout } from "../../live/LiveReadout";
 import { useTelemetry } from "../../store/hooks";
 import { LiveAirspeed, LiveAltimeter, LiveVerticalSpeed } from "./LiveDial";
@@ -86,14 +86,7 @@ export function BoardSixView() {
           unit={deg}
           chars={5}
         />
-        <LiveReadout
-          topic="fms_plan"
-          field="bearing_deg"
-          format={heading}
-          label={source("flight.fms", "fms.bearing")}
-          unit={deg}
-          chars={5}
-        />
+        <Bug />
       </SixCell>
       <SixCell
         topic="analog"
@@ -114,6 +107,23 @@ export function BoardSixView() {
         />
       </SixCell>
     </SixGrid>
+  );
+}
+
+/** What the bug shows, named by the plan from which it comes. */
+function Bug() {
+  const { t } = useTranslation();
+  const source = useSource();
+  const plan = useTelemetry(flownPlan);
+  return (
+    <LiveReadout
+      topic={plan}
+      field="bearing_deg"
+      format={heading}
+      label={source(plan === "fms_plan" ? "flight.fms" : "six.fmsHil", "fms.bearing")}
+      unit={t("unit.deg")}
+      chars={5}
+    />
   );
 }
 

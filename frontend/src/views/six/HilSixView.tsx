@@ -111,7 +111,7 @@ export function HilSixView() {
           topic="fms_hil_plan"
           field="bearing_deg"
           format={heading}
-          label={source("flight.fms", "fms.bearing")}
+          label={source("six.fmsHil", "fms.bearing")}
           unit={deg}
           chars={5}
         />

@@ -98,6 +98,15 @@ describe("Standard Six", () => {
     expect(dial("Altímetro GPS").dataset["state"]).toBe("none");
   });
 
+  test("names the plan from which the bug comes", () => {
+    station.send(board);
+    expect(source("Rumbo")).toContain("FMS · Rumbo42.0°");
+    station.send({ ...board, xplane_info: { pitch_deg: 0 }, fms_hil_plan: { bearing_deg: 77 } });
+    station.send({ ...board, xplane_info: { pitch_deg: 0 }, fms_hil_plan: { bearing_deg: 77 } });
+    expect(dial("Indicador de rumbo").dataset["bearingDeg"]).toBe("77.0");
+    expect(source("Rumbo")).toContain("FMS HIL · Rumbo77.0°");
+  });
+
   test("is engraved in the unit that is chosen, and still told in the wire's", () => {
     station.send(board);
     expect(dial("Altímetro barométrico").textContent).toContain("1000");
