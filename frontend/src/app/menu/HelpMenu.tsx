@@ -7,6 +7,7 @@ export function HelpMenu() {
   const { open } = useDialogs();
   return (
     <Menu label={t("menu.help")}>
+      <MenuAction label={t("menu.guide")} onChoose={() => open("guide")} />
       <MenuAction label={t("menu.shortcuts")} aside="?" onChoose={() => open("shortcuts")} />
       <MenuAction label={t("menu.about")} onChoose={() => open("about")} />
     </Menu>
