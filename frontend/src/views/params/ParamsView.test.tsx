@@ -84,8 +84,8 @@ describe("an edit", () => {
     await newest("PATCH", /parameters$/).answer(listed({ k_roll: { state: "rejected" } }));
     expect(field("k_roll").value).toBe("2");
     // The refusal of the question is shown for ten seconds; that of the gain, for as long as it is refused.
-    for (let second = 0; second < 12; second += 1) {
-      station.pass(800);
+    for (let round = 0; round < 40; round += 1) {
+      station.pass(300);
       station.status(aStatus());
     }
     expect(row("k_roll").textContent).toContain("la relectura da 2");
