@@ -1,3 +1,4 @@
+import { FoldVertical } from "lucide-react";
 import { memo, useId } from "react";
 import { useTranslation } from "react-i18next";
 import { useSentence } from "../../i18n/useSentence";
@@ -86,8 +87,9 @@ const ServoSlider = memo(function ServoSlider({ index, blocked, reasonId }: Slid
         onPress={() => servos.move(index, CENTRE)}
         label={t("servosOut.centre", { number })}
         disabledReason={blocked}
+        icon={<FoldVertical aria-hidden="true" size={14} />}
       >
-        {CENTRE}
+        {null}
       </Button>
     </VerticalSlider>
   );
