@@ -3,9 +3,9 @@ import { useState } from "react";
 import { useTranslation } from "react-i18next";
 import { CommandButton } from "../../live/CommandButton";
 import { useAsked } from "../../live/useAsked";
-import { useBoardBlocked, useGatewayBlocked } from "../../live/useBlocked";
+import { useBoardBlocked } from "../../live/useBlocked";
 import { PLAN_FORMATS, type PlanFormat, type PlanName } from "../../protocol/missions";
-import { usePage } from "../../store/hooks";
+import { useConnection, usePage } from "../../store/hooks";
 import { Button } from "../../ui/Button";
 import { FileButton } from "../../ui/FileButton";
 import { Select } from "../../ui/Select";
@@ -109,7 +109,9 @@ function FileTools({ plan, count, onReplace }: Pick<Props, "plan" | "onReplace">
   const { missions } = usePage();
   const [format, setFormat] = useState<PlanFormat>("kml");
   const exporting = useAsked(`plan.export.${plan}`);
-  const blocked = useGatewayBlocked();
+  // Files go through the gateway and not to the board: a viewer may have them too.
+  const isOpen = useConnection(({ phase }) => phase === "open");
+  const blocked = isOpen ? undefined : t("blocked.gateway");
   return (
     <>
       <FileButton
