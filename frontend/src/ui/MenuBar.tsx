@@ -1,18 +1,25 @@
 import { Menu as Base } from "@base-ui/react/menu";
 import { Menubar } from "@base-ui/react/menubar";
 import { Check, ChevronRight } from "lucide-react";
-import { type ReactNode, type RefObject, useId } from "react";
+import { createContext, type ReactNode, type RefObject, useContext, useId, useState } from "react";
 import { StateMark } from "./StateMark";
 import type { CommandState } from "./states";
 import { commandWord, useWords } from "./words";
 import "./MenuBar.css";
 
+/** Where open menus stand in the document: beside their bar, in its landmark, and not at the end of the page. */
+const HomeContext = createContext<HTMLElement | null>(null);
+
 /** The row of menus on top of the window. The page behind an open menu goes on. */
 export function MenuBar({ label, children }: { label: string; children: ReactNode }) {
+  const [home, setHome] = useState<HTMLElement | null>(null);
   return (
-    <Menubar className="ui-menubar" aria-label={label} modal={false}>
-      {children}
-    </Menubar>
+    <HomeContext value={home}>
+      <Menubar className="ui-menubar" aria-label={label} modal={false}>
+        {children}
+      </Menubar>
+      <div ref={setHome} className="ui-menu-home" />
+    </HomeContext>
   );
 }
 
@@ -47,29 +54,34 @@ export function MenuSubmenu({ label, children }: MenuProps) {
 interface AnchoredProps {
   /** What the menu hangs on, and what has the focus again when it closes. */
   anchor: RefObject<HTMLElement | null>;
+  /** Where it stands in the document. */
+  home: RefObject<HTMLElement | null>;
   onClose: () => void;
   children: ReactNode;
 }
 
 /** A menu that something else than a menu title has opened. */
-export function AnchoredMenu({ anchor, onClose, children }: AnchoredProps) {
+export function AnchoredMenu({ anchor, home, onClose, children }: AnchoredProps) {
   return (
     <Base.Root open modal={false} onOpenChange={(open) => open || onClose()}>
-      <Popup anchor={anchor}>{children}</Popup>
+      <Popup anchor={anchor} home={home}>
+        {children}
+      </Popup>
     </Base.Root>
   );
 }
 
-function Popup({
-  anchor,
-  children,
-}: {
-  anchor?: RefObject<HTMLElement | null> | undefined;
-  children: ReactNode;
-}) {
+function Popup({ anchor, home, children }: Partial<AnchoredProps>) {
+  const barHome = useContext(HomeContext);
   return (
-    <Base.Portal>
-      <Base.Positioner className="ui-menu-place" sideOffset={2} collisionPadding={4} anchor={anchor}>
+    <Base.Portal container={home ?? barHome}>
+      <Base.Positioner
+        className="ui-menu-place"
+        positionMethod="fixed"
+        sideOffset={2}
+        collisionPadding={4}
+        anchor={anchor}
+      >
         <Base.Popup className="ui-menu" {...(anchor === undefined ? {} : { finalFocus: anchor })}>
           {children}
         </Base.Popup>
@@ -99,11 +111,11 @@ interface EntryProps {
   disabledReason?: string | undefined;
   state?: CommandState | undefined;
   stateText?: string | undefined;
-  /** What is the case now, or which keys do the same. */
+  /** The key that does the same. */
   aside?: string | undefined;
 }
 
-/** Name and note of an entry by their ids: the note is a description and not part of the name. */
+/** Name and note of an entry by their ids: what is read is what is seen, and the key beside it is not part of it. */
 function useEntry({ disabledReason, state = "idle", stateText }: Omit<EntryProps, "label">) {
   const words = useWords();
   const labelId = useId();
@@ -116,8 +128,7 @@ function useEntry({ disabledReason, state = "idle", stateText }: Omit<EntryProps
     shared: {
       className: "ui-menu-item",
       disabled: disabledReason !== undefined,
-      "aria-labelledby": labelId,
-      "aria-describedby": note === "" ? undefined : noteId,
+      "aria-labelledby": note === "" ? labelId : `${labelId} ${noteId}`,
     },
   };
 }
@@ -141,7 +152,11 @@ function Body({ label, aside, state = "idle", note, labelId, noteId }: BodyProps
           </span>
         )}
       </span>
-      {aside !== undefined && <span className="ui-menu-aside">{aside}</span>}
+      {aside !== undefined && (
+        <span className="ui-menu-aside" aria-hidden="true">
+          {aside}
+        </span>
+      )}
       <StateMark state={state} />
     </>
   );

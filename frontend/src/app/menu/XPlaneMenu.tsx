@@ -16,8 +16,8 @@ export function XPlaneMenu() {
       <CommandItem command="hil_fms_next_waypoint" />
       <CommandItem command="hil_fms_previous_waypoint" />
       <MenuRule />
-      <PathItem path="manual" label={t("menu.pathManual")} aside={t("path.manual")} />
-      <PathItem path="assisted" label={t("menu.pathAssisted")} aside={t("path.assisted")} />
+      <PathItem path="manual" label={t("menu.pathManual")} />
+      <PathItem path="assisted" label={t("menu.pathAssisted")} />
     </Menu>
   );
 }
@@ -31,7 +31,7 @@ function Routes() {
   ));
 }
 
-function PathItem({ path, label, aside }: { path: "manual" | "assisted"; label: string; aside: string }) {
+function PathItem({ path, label }: { path: "manual" | "assisted"; label: string }) {
   const { actions } = usePage();
   const current = useConnection(({ status, phase }) =>
     phase === "open" ? (status?.hil.path ?? null) : null,
@@ -39,7 +39,6 @@ function PathItem({ path, label, aside }: { path: "manual" | "assisted"; label: 
   return (
     <MenuAction
       label={label}
-      aside={aside}
       isCurrent={current === path}
       disabledReason={useGatewayBlocked()}
       onChoose={() => void actions.setHil({ path }, { control: "path", asked: path })}

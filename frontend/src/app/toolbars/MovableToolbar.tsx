@@ -165,7 +165,7 @@ export function MovableToolbar({ name, label, children }: Props) {
       </button>
       <Toolbar label={label}>{children}</Toolbar>
       {isMenuOpen && (
-        <AnchoredMenu anchor={handle} onClose={() => setMenuOpen(false)}>
+        <AnchoredMenu anchor={handle} home={bar} onClose={() => setMenuOpen(false)}>
           <MenuChoice
             label={label}
             options={[...EDGES, "floating" as const].map((value) => ({ value, label: t(`place.${value}`) }))}
