@@ -110,6 +110,7 @@ export const MENUS: readonly Menu[] = [
   {
     name: "Ayuda",
     entries: [
+      { role: "menuitem", name: "Guía" },
       { role: "menuitem", name: "Atajos de teclado" },
       { role: "menuitem", name: "Acerca de" },
     ],

@@ -42,6 +42,12 @@ export const FRAME: readonly Part[] = [
 
 const FLIGHT = "Datos de vuelo";
 
+/** The six round instruments, by what a screen reader calls each. */
+const SIX: readonly Part[] = [
+  ...["Velocidad", "Indicador de actitud", "Altímetro barométrico"],
+  ...["Altímetro GPS", "Indicador de rumbo", "Velocidad vertical"],
+].map((name) => ({ role: "img", name }));
+
 export const SCREENS: readonly Screen[] = [
   {
     tab: FLIGHT,
@@ -98,9 +104,7 @@ export const SCREENS: readonly Screen[] = [
   },
   {
     tab: "Standard Six",
-    parts: ["Velocidad", "Actitud", "Altímetro barométrico", "Altímetro GPS", "Rumbo", "Velocidad vertical"].map(
-      (name): Part => ({ role: "img", name: new RegExp(`^${name}`) }),
-    ),
+    parts: SIX,
   },
   {
     tab: "Autopilot Param",
@@ -129,10 +133,31 @@ export const SCREENS: readonly Screen[] = [
   },
   {
     tab: "HIL Standard Six",
-    parts: ["Velocidad", "Actitud", "Altímetro barométrico", "Altímetro GPS", "Rumbo", "Velocidad vertical"].map(
-      (name): Part => ({ role: "img", name: new RegExp(`^${name}`) }),
-    ),
+    parts: SIX,
   },
+  ...["Plan de vuelo (FMS)", "Plan HIL"].map(
+    (sub): Screen => ({
+      tab: "Planes de vuelo",
+      sub,
+      parts: [
+        ...["Descargar de la placa", "Enviar a la placa", "Previous", "Next", "Ir al waypoint", "Importar", "Exportar"],
+        ...["Insertar", "Quitar", "Subir", "Bajar", "Deshacer", "Rehacer"],
+      ].map((name): Part => ({ role: "button", name })),
+    }),
+  ),
+  {
+    tab: "Mensajes",
+    sub: "Placa",
+    parts: [
+      { role: "region", name: "Consejos" },
+      { role: "region", name: "Mensajes de la placa" },
+      ...["heartbeat", "ahrs", "inertial", "analog", "servos_in", "fly_by_wire", "gps", "hil_surfaces"].map(
+        (name): Part => ({ role: "button", name }),
+      ),
+    ],
+  },
+  { tab: "Mensajes", sub: "X-Plane", parts: [{ role: "tabpanel", name: "X-Plane" }] },
+  { tab: "Mensajes", sub: "Enlace", parts: [{ role: "tabpanel", name: "Enlace", reads: ["RX", "TX", "p50", "p99"] }] },
   {
     tab: "Alarmas",
     parts: [
@@ -149,12 +174,16 @@ export const SCREENS: readonly Screen[] = [
       { role: "combobox", name: "Puerto" },
       { role: "combobox", name: "Velocidad" },
       { role: "button", name: "Actualizar" },
-      { role: "region", name: "XPlane", reads: ["#n Tramas", "IP XPlane"] },
+      { role: "region", name: "XPlane", reads: [/#\d+ Tramas/, "IP XPlane"] },
       { role: "textbox", name: "IP XPlane" },
       { role: "textbox", name: "Puerto Tx" },
       { role: "textbox", name: "Puerto Rx" },
       { role: "button", name: "Open", count: 2 },
       { role: "button", name: "Close", count: 2 },
+      { role: "region", name: "Envío y recepción de mensajes por el puerto serie" },
+      { role: "textbox", name: "Línea para la placa" },
+      { role: "button", name: "Enviar" },
+      { role: "region", name: "Tramas de X-Plane en vivo" },
     ],
   },
 ];
