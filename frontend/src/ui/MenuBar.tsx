@@ -115,7 +115,10 @@ interface EntryProps {
   aside?: string | undefined;
 }
 
-/** Name and note of an entry by their ids: what is read is what is seen, and the key beside it is not part of it. */
+/**
+ * Name and note of an entry by their ids. Why it cannot be chosen is read with its name; what became of the last press
+ * is a description, so that the name stays what it is while the answer comes.
+ */
 function useEntry({ disabledReason, state = "idle", stateText }: Omit<EntryProps, "label">) {
   const words = useWords();
   const labelId = useId();
@@ -128,7 +131,8 @@ function useEntry({ disabledReason, state = "idle", stateText }: Omit<EntryProps
     shared: {
       className: "ui-menu-item",
       disabled: disabledReason !== undefined,
-      "aria-labelledby": note === "" ? labelId : `${labelId} ${noteId}`,
+      "aria-labelledby": disabledReason === undefined ? labelId : `${labelId} ${noteId}`,
+      "aria-describedby": disabledReason === undefined && note !== "" ? noteId : undefined,
     },
   };
 }
