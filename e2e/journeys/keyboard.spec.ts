@@ -1,0 +1,123 @@
+import type { Page } from "@playwright/test";
+import { expect, open, test } from "../support/fixtures.js";
+
+/** More stops than any tab has: a walk that does not end in so many is caught somewhere. */
+const STOPS_MOST = 250;
+
+interface Stop {
+  readonly what: string;
+  readonly isSeen: boolean;
+  readonly isInPanel: boolean;
+}
+
+/** Where the focus is: what is hidden for eyes (a radio button) counts by the label around it. */
+async function stop(page: Page): Promise<Stop | null> {
+  return await page.evaluate(() => {
+    const focused = document.activeElement;
+    if (focused === null || focused === document.body) return null;
+    const shown = focused.closest("label") ?? focused;
+    const { width, height } = shown.getBoundingClientRect();
+    const name = focused.getAttribute("aria-label") ?? shown.textContent ?? "";
+    return {
+      what: `${focused.tagName} ${focused.id} ${name.trim().slice(0, 40)}`,
+      isSeen: width > 1 && height > 1 && shown.checkVisibility({ visibilityProperty: true, opacityProperty: true }),
+      isInPanel: focused.closest("[role=tabpanel]") !== null,
+    };
+  });
+}
+
+/** Go once round the page with the Tab key. */
+async function walk(page: Page, tab: string): Promise<void> {
+  await page.evaluate(() => (document.activeElement as HTMLElement | null)?.blur());
+  const stops: Stop[] = [];
+  for (let press = 0; press < STOPS_MOST; press += 1) {
+    await page.keyboard.press("Tab");
+    const at = await stop(page);
+    // Behind the last stop the focus leaves the page, and the next press begins again.
+    if (at === null || (stops.length > 3 && at.what === stops[0]?.what)) break;
+    stops.push(at);
+  }
+  expect(stops.length, `${tab}: the walk ends`).toBeLessThan(STOPS_MOST);
+  expect(
+    stops.filter(({ isSeen }) => !isSeen).map(({ what }) => what),
+    `${tab}: each stop can be seen`,
+  ).toEqual([]);
+  expect(
+    stops.some(({ isInPanel }) => isInPanel),
+    `${tab}: its contents are in reach`,
+  ).toBe(true);
+}
+
+test("a pilot without a mouse reaches every tab, switches the autopilot, writes a gain and knows of an alarm", async ({
+  page,
+  flying,
+}) => {
+  await open(page, flying);
+  await expect(page.getByText("Tienes el control", { exact: true })).toBeVisible();
+  const said = page.getByRole("status", { name: "Último mensaje" });
+
+  const tabs = await page.getByRole("tablist", { name: "Pestañas principales" }).getByRole("tab").allTextContents();
+  for (const [index, tab] of tabs.entries()) {
+    await page.evaluate(() => (document.activeElement as HTMLElement | null)?.blur());
+    await page.keyboard.press(`${index + 1}`);
+    await expect(page.getByRole("tab", { name: tab, exact: true })).toHaveAttribute("aria-selected", "true");
+    await walk(page, tab);
+  }
+
+  await test.step("menu", async () => {
+    await page.getByRole("menubar").getByRole("menuitem", { name: "Autopilot", exact: true }).focus();
+    await page.keyboard.press("ArrowRight");
+    await page.keyboard.press("Enter");
+    const entry = page.getByRole("menuitemcheckbox", { name: "Sensores Inerciales", exact: true });
+    await expect(entry).toBeChecked();
+    await page.keyboard.press("Escape");
+    await expect(page.getByRole("menu")).toHaveCount(0);
+    await expect(page.getByRole("menubar").getByRole("menuitem", { name: "Parámetros", exact: true })).toBeFocused();
+  });
+
+  await test.step("a command needs its second key", async () => {
+    await page.evaluate(() => (document.activeElement as HTMLElement | null)?.blur());
+    await page.keyboard.press("Shift+A");
+    await page.keyboard.press("Enter");
+    await expect(said).toContainText("Autopilot Off: confirmado");
+    await page.keyboard.press("a");
+    await page.keyboard.press("Enter");
+    await expect(said).toContainText("Autopilot On: confirmado");
+  });
+
+  await test.step("a gain", async () => {
+    await page.keyboard.press("3");
+    await page.getByRole("button", { name: "Load", exact: true }).press("Enter");
+    const gain = page.getByRole("textbox", { name: "k_elev", exact: true });
+    await expect(gain).not.toHaveValue("");
+    const before = Number(await gain.inputValue());
+    await gain.press("ArrowUp");
+    await expect(said).toContainText("confirmado por relectura");
+    expect(Number(await gain.inputValue())).toBeGreaterThan(before);
+    await page.getByRole("button", { name: /^Deshacer/ }).press("Enter");
+    await expect(gain).toHaveValue(`${before}`);
+  });
+
+  await test.step("an alarm", async () => {
+    await page.evaluate(() => (document.activeElement as HTMLElement | null)?.blur());
+    await page.keyboard.press("8");
+    const limit = page.getByRole("region", { name: "Umbrales" }).getByRole("textbox", { name: /^Batería baja/ });
+    await limit.fill("60");
+    await limit.press("Enter");
+    await expect(page.getByRole("alert")).toContainText("Batería baja");
+    await page
+      .getByRole("region", { name: "Alarmas" })
+      .getByRole("button", { name: /^Reconocer: Batería/ })
+      .press("Enter");
+    await expect.poll(async () => (await flying.status()).alarms[0].acknowledged).toBe(true);
+    await expect(page.getByRole("region", { name: "Activas" })).toContainText("reconocida");
+  });
+
+  await test.step("windows", async () => {
+    await page.evaluate(() => (document.activeElement as HTMLElement | null)?.blur());
+    await page.keyboard.press("?");
+    await expect(page.getByRole("dialog")).toBeVisible();
+    await page.keyboard.press("Escape");
+    await expect(page.getByRole("dialog")).toHaveCount(0);
+  });
+});
