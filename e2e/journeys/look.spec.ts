@@ -1,19 +1,4 @@
-import AxeBuilder from "@axe-core/playwright";
 import { expect, open, test } from "../support/fixtures.js";
-
-const TABS = ["Datos de vuelo", "HIL", "Setup"];
-
-for (const theme of ["Oscuro", "Claro"]) {
-  test(`every tab is accessible, theme ${theme}`, async ({ page, flying }) => {
-    await open(page, flying);
-    await page.getByRole("combobox", { name: "Aspecto" }).selectOption(theme);
-    for (const name of TABS) {
-      await page.getByRole("tab", { name, exact: true }).click();
-      const { violations } = await new AxeBuilder({ page }).analyze();
-      expect(violations.map((violation) => `${name}: ${violation.id} ${violation.nodes[0]?.html}`)).toEqual([]);
-    }
-  });
-}
 
 test("language and theme are one click away and remembered", async ({ page, flying }) => {
   await open(page, flying);

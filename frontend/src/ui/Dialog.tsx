@@ -42,7 +42,12 @@ export function Dialog(props: Props) {
           {description !== undefined && (
             <Base.Description className="ui-dialog-description">{description}</Base.Description>
           )}
-          {children !== undefined && <div className="ui-dialog-body">{children}</div>}
+          {children !== undefined && (
+            // biome-ignore lint/a11y/noNoninteractiveTabindex: what scrolls must be in reach of the keyboard
+            <div className="ui-dialog-body" tabIndex={0}>
+              {children}
+            </div>
+          )}
           {actions !== undefined && <footer className="ui-dialog-actions">{actions}</footer>}
         </Base.Popup>
       </Base.Portal>

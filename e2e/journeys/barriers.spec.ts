@@ -1,0 +1,45 @@
+import AxeBuilder from "@axe-core/playwright";
+import type { Page } from "@playwright/test";
+import { expect, open, test } from "../support/fixtures.js";
+import { openMenu } from "../support/menu.js";
+
+/** What the page breaks of the rules of accessibility, as it stands. `rules`: only these. */
+async function barriers(page: Page, what: string, rules: readonly string[] = []): Promise<string[]> {
+  // All of the page is of one origin: no second browser page is needed to look into it.
+  // A menu's focus guards are meant to be hidden and in the tab order: they hand the focus on where it belongs.
+  const axe = new AxeBuilder({ page }).setLegacyMode().exclude("[data-base-ui-focus-guard]");
+  const { violations } = await (rules.length === 0 ? axe : axe.withRules([...rules])).analyze();
+  return violations.map(({ id, nodes }) => `${what}: ${id} ${nodes[0]?.html}`);
+}
+
+test("nothing keeps people out: every tab and window, in every look", async ({ page, flying }) => {
+  test.setTimeout(400_000);
+  await open(page, flying);
+  const found: string[] = [];
+  const tabs = await page.getByRole("tablist", { name: "Pestañas principales" }).getByRole("tab").all();
+  expect(tabs.length).toBe(9);
+  for (const look of ["Oscuro", "Claro", "Sol"]) {
+    await page.getByRole("combobox", { name: "Aspecto" }).selectOption(look);
+    for (const tab of tabs) {
+      await tab.click();
+      // Names and roles are the same in every look; colours are not.
+      const rules = look === "Oscuro" ? [] : ["color-contrast"];
+      found.push(...(await barriers(page, `${look}, ${await tab.textContent()}`, rules)));
+    }
+  }
+  for (const [menu, window] of [
+    ["Ver", "Ajustes"],
+    ["Ayuda", "Guía"],
+    ["Ayuda", "Atajos de teclado"],
+    ["Ayuda", "Acerca de"],
+  ] as const) {
+    await openMenu(page, menu);
+    found.push(...(await barriers(page, `menu ${menu}`)));
+    await page.getByRole("menu").getByRole("menuitem", { name: window, exact: true }).click();
+    await expect(page.getByRole("dialog")).toBeVisible();
+    found.push(...(await barriers(page, window)));
+    await page.keyboard.press("Escape");
+    await expect(page.getByRole("dialog")).toHaveCount(0);
+  }
+  expect(found).toEqual([]);
+});
