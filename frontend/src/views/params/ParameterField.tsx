@@ -19,11 +19,13 @@ export function ParameterField({ name }: { name: ParameterName }) {
   const asked = useAsked(`parameter.${name}`);
   const blocked = useBoardBlocked();
   const info = INFO[name];
+  const unit = t(`paramUnit.${name}`);
   const state = asked.state === "idle" ? keptState(held) : asked.state;
   return (
     <NumberField
       label={name}
-      unit={t(`paramUnit.${name}`)}
+      // A "1" beside the number would be read as one of its digits.
+      unit={unit === "1" ? undefined : unit}
       value={held.value}
       minimum={info.minimum}
       maximum={info.maximum}
