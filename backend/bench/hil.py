@@ -22,6 +22,7 @@ from bench.table import Row
 from gateway.codec.encode import encode_telemetry
 from gateway.codec.messages_gen import TO_BOARD_HEADER
 from gateway.xplane.datagram import Record, build
+from tests.support.ports import free_udp_port
 
 PERIOD_S: Final = 0.02
 FRAMES: Final = 1500
@@ -56,7 +57,7 @@ def run() -> list[Row]:
 def _gateway(viewers: int) -> tuple[list[float], list[float]]:
     simulator, port = _simulator()
     with contextlib.closing(simulator), station() as (gateway, line):
-        receive_port = _free_port()
+        receive_port = free_udp_port()
         address = {"receive_port": receive_port, "send_host": "127.0.0.1", "send_port": port}
         gateway.put("/links/simulator", address)
         gateway.put("/hil", {"path": "assisted"})
@@ -66,7 +67,7 @@ def _gateway(viewers: int) -> tuple[list[float], list[float]]:
 
 def _floor() -> tuple[list[float], list[float]]:
     simulator, port = _simulator()
-    receive_port = _free_port()
+    receive_port = free_udp_port()
     with contextlib.closing(simulator), tempfile.TemporaryDirectory() as folder:
         line = Line(Path(folder))
         process = subprocess.Popen(
@@ -141,9 +142,3 @@ def _simulator() -> tuple[socket.socket, int]:
     simulator.bind(("127.0.0.1", 0))
     simulator.settimeout(20.0)
     return simulator, simulator.getsockname()[1]
-
-
-def _free_port() -> int:
-    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
-        probe.bind(("127.0.0.1", 0))
-        return int(probe.getsockname()[1])

@@ -20,6 +20,7 @@ from bench.station import HEARTBEAT, Line, station
 from bench.table import Row
 from gateway.codec.encode import encode_telemetry
 from gateway.xplane.datagram import Record, build
+from tests.support.ports import free_udp_port
 
 PERIOD_S: Final = 0.02
 FRAMES_REACH: Final = 55.0
@@ -34,8 +35,8 @@ def run() -> list[Row]:
     """One row for each figure and tab."""
     with tempfile.TemporaryDirectory() as folder, station() as (gateway, line):
         results = Path(folder) / "page.json"
-        port = _free_port()
-        gateway.put("/links/simulator", {"receive_port": port, "send_host": "127.0.0.1", "send_port": _free_port()})
+        port = free_udp_port()
+        gateway.put("/links/simulator", {"receive_port": port, "send_host": "127.0.0.1", "send_port": free_udp_port()})
         stop = threading.Event()
         feeder = threading.Thread(target=_feed, args=(line, port, stop), daemon=True)
         feeder.start()
@@ -115,9 +116,3 @@ def _datagram(t_s: float) -> bytes:
         25: (0.5 + 0.4 * slow,) * 8,
     }
     return build([Record(row, tuple(map(float, values.get(row, (0.5 * wave,) * 8)))) for row in _ROWS])
-
-
-def _free_port() -> int:
-    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
-        probe.bind(("127.0.0.1", 0))
-        return int(probe.getsockname()[1])

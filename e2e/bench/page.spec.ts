@@ -2,7 +2,7 @@ import { readdirSync, readFileSync } from "node:fs";
 import { writeFile } from "node:fs/promises";
 import { type CDPSession, expect, type Page, test } from "@playwright/test";
 
-/** The gateway's address, where the figures go, and the share of the list of tabs (all of them by default). */
+/** The gateway's address, where the figures go, and how long each tab is measured. */
 const URL = process.env.BENCH_URL ?? "";
 const RESULTS = process.env.BENCH_RESULTS ?? "";
 const SECONDS = Number(process.env.BENCH_SECONDS ?? "12");

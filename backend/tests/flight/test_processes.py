@@ -15,6 +15,7 @@ import pytest
 
 from simulator.simulation import SimulationOptions
 from tests.flight.closed_loop import LIBRARY, ClosedLoop
+from tests.support.ports import free_port
 
 BOARD = LIBRARY.with_name("epf-board")
 LOOPBACK = "127.0.0.1"
@@ -55,13 +56,6 @@ def udp_socket() -> socket.socket:
     sock = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
     sock.bind((LOOPBACK, 0))
     return sock
-
-
-def free_port(kind: socket.SocketKind) -> int:
-    with socket.socket(socket.AF_INET, kind) as sock:
-        sock.bind((LOOPBACK, 0))
-        port: int = sock.getsockname()[1]
-        return port
 
 
 @contextmanager

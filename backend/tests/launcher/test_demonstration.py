@@ -17,6 +17,7 @@ import pytest
 from websockets.sync.client import connect
 
 from launcher.options import BOARD_PROGRAM
+from tests.support.ports import free_udp_port
 
 LOOPBACK = "127.0.0.1"
 DEADLINE_S = 60.0
@@ -28,13 +29,6 @@ Status = dict[str, Any]
 def free_tcp_port() -> int:
     with closing(socket.create_server((LOOPBACK, 0))) as server:
         port: int = server.getsockname()[1]
-        return port
-
-
-def free_udp_port() -> int:
-    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sock:
-        sock.bind((LOOPBACK, 0))
-        port: int = sock.getsockname()[1]
         return port
 
 

@@ -9,6 +9,7 @@ import pytest
 
 from gateway.errors import LinkError
 from gateway.links.udp import UdpAddress, UdpCallbacks, open_udp
+from tests.support.ports import free_udp_port
 from tests.support.waiting import eventually_async
 
 pytestmark = pytest.mark.anyio
@@ -20,12 +21,6 @@ def simulator() -> Iterator[socket.socket]:
         sock.bind(("127.0.0.1", 0))
         sock.settimeout(20.0)
         yield sock
-
-
-def free_port() -> int:
-    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
-        probe.bind(("127.0.0.1", 0))
-        return int(probe.getsockname()[1])
 
 
 class Heard:
@@ -40,7 +35,7 @@ class Heard:
 
 async def test_datagrams_come_in_whole_and_answers_go_to_the_configured_port(simulator: socket.socket) -> None:
     heard = Heard()
-    link = await open_udp(UdpAddress(free_port(), "127.0.0.1", simulator.getsockname()[1]), heard.callbacks)
+    link = await open_udp(UdpAddress(free_udp_port(), "127.0.0.1", simulator.getsockname()[1]), heard.callbacks)
     for index in range(40):
         simulator.sendto(b"row %d" % index, ("127.0.0.1", link.receive_port))
     await eventually_async(lambda: len(heard.datagrams) == 40, "all datagrams arrive")
@@ -52,7 +47,7 @@ async def test_datagrams_come_in_whole_and_answers_go_to_the_configured_port(sim
 
 async def test_a_stranger_is_not_heard(simulator: socket.socket) -> None:
     heard = Heard()
-    link = await open_udp(UdpAddress(free_port(), "127.0.0.1", simulator.getsockname()[1]), heard.callbacks)
+    link = await open_udp(UdpAddress(free_udp_port(), "127.0.0.1", simulator.getsockname()[1]), heard.callbacks)
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as stranger:
         stranger.bind(("127.0.0.2", 0))
         stranger.sendto(b"DATA", ("127.0.0.1", link.receive_port))
@@ -72,19 +67,19 @@ async def test_a_taken_port_is_named() -> None:
 
 async def test_an_unknown_host_is_named() -> None:
     with pytest.raises(LinkError, match=r"no\.such\.host\.invalid") as caught:
-        await open_udp(UdpAddress(free_port(), "no.such.host.invalid", 49000), Heard().callbacks)
+        await open_udp(UdpAddress(free_udp_port(), "no.such.host.invalid", 49000), Heard().callbacks)
     assert caught.value.code == "simulator_unknown_host"
 
 
 async def test_a_simulator_on_this_machine_opens_no_port_to_others() -> None:
-    link = await open_udp(UdpAddress(free_port(), "127.0.0.1", 49000), Heard().callbacks)
+    link = await open_udp(UdpAddress(free_udp_port(), "127.0.0.1", 49000), Heard().callbacks)
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as other:
         other.bind(("127.0.0.3", link.receive_port))  # would be taken, had it been bound to every address
     link.close()
 
 
 async def test_a_datagram_too_large_to_send_is_counted_and_not_kept(simulator: socket.socket) -> None:
-    link = await open_udp(UdpAddress(free_port(), "127.0.0.1", simulator.getsockname()[1]), Heard().callbacks)
+    link = await open_udp(UdpAddress(free_udp_port(), "127.0.0.1", simulator.getsockname()[1]), Heard().callbacks)
     assert not link.send(b"x" * 70000)
     assert link.send_failures == 1
     link.close()

@@ -17,6 +17,7 @@ from gateway.services.simulator import SimulatorAddress
 from gateway.services.station import Station
 from gateway.xplane.datagram import Record, Surfaces, build, release_datagram, surfaces_datagram
 from tests.support.fake_board import FakeBoard
+from tests.support.ports import free_udp_port
 from tests.support.waiting import eventually_async
 
 pytestmark = pytest.mark.anyio
@@ -208,12 +209,6 @@ async def test_the_end_of_the_gateway_hands_the_controls_back(tmp_path: Path, si
     station = Station(tmp_path / "data", ErrorLog(), record=False)
     async with station.running():
         await station.open_simulator(
-            SimulatorAddress(_free_port(), "127.0.0.1", simulator.socket.getsockname()[1], "xp10")
+            SimulatorAddress(free_udp_port(), "127.0.0.1", simulator.socket.getsockname()[1], "xp10")
         )
     await eventually_async(lambda: simulator.heard(release_datagram()), "the release arrives")
-
-
-def _free_port() -> int:
-    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
-        probe.bind(("127.0.0.1", 0))
-        return int(probe.getsockname()[1])

@@ -188,17 +188,22 @@ async def test_a_gps_that_loses_its_position_is_an_alarm_until_it_is_back(tmp_pa
         await eventually_async(lambda: says("3", "A", set()), "it is back")
 
 
+async def gets_a_position(station: Station, board: FakeBoard) -> None:
+    """The receiver has a fix, and the station has heard of it."""
+
+    def live() -> bool:
+        board.send(gps("3", "A"))
+        return station.telemetry.is_live("gps")
+
+    await eventually_async(live, "it has a position")
+
+
 async def test_a_gps_stream_that_dies_is_an_alarm_only_where_it_is_wanted(tmp_path: Path, board: FakeBoard) -> None:
     station = Station(tmp_path / "data", ErrorLog(), record=False)
     async with station.running():
         await open_board(station, board)
         await station.commands.run("gps_on")
-
-        def live() -> bool:
-            board.send(gps("3", "A"))
-            return station.telemetry.is_live("gps")
-
-        await eventually_async(live, "it has a position")
+        await gets_a_position(station, board)
         await eventually_async(lambda: ids(station) == {"gps_lost"}, "the stream died")
         assert station.alarms.active[0].finding.params == {"reason": "silent"}
         await station.commands.run("gps_off")
@@ -210,12 +215,7 @@ async def test_with_the_board_gone_the_gps_is_not_an_alarm_of_its_own(tmp_path: 
     async with station.running():
         await open_board(station, board)
         await station.commands.run("gps_on")
-
-        def live() -> bool:
-            board.send(gps("3", "A"))
-            return station.telemetry.is_live("gps")
-
-        await eventually_async(live, "it has a position")
+        await gets_a_position(station, board)
         board.silent = True
         await eventually_async(lambda: (station.telemetry.age_s("heartbeat") or 0) > 3, "the board is silent")
         assert ids(station) == {"heartbeat_lost"}

@@ -10,6 +10,7 @@ from typing import Final, Literal
 from gateway.codec.messages_gen import PARAMETERS
 from gateway.codec.tables import Parameter
 from gateway.codec.values import Json, shortest, single
+from gateway.vehicle.limits import limit_fault
 
 State = Literal["unknown", "loaded", "pending", "confirmed", "rejected"]
 
@@ -71,14 +72,10 @@ def shown(name: str, value: float) -> float:
 def fault(name: str, value: float) -> str | None:
     """Why this value is not allowed, in a clear sentence; None where it is."""
     parameter = BY_NAME[name]
-    if not math.isfinite(value):
-        return f"{name} must be a number."
-    if parameter.is_integer and value != int(value):
+    if parameter.is_integer and math.isfinite(value) and value != int(value):
         return f"{name} must be a whole number, not {value:g}."
     # The limit is compared as the wire will carry it: 99.99 is allowed although its nearest single is above it.
-    if not parameter.minimum <= value <= parameter.maximum:
-        return f"{name} must be in {parameter.minimum:g}..{parameter.maximum:g}, not {value:g}."
-    return None
+    return limit_fault(name, value, parameter.minimum, parameter.maximum)
 
 
 def _after_read(held: Held, value: Json) -> Held:

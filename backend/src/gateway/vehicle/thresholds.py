@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, Final
+
+from gateway.vehicle.limits import limit_fault
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,11 +32,7 @@ BY_NAME: Final[Mapping[str, Threshold]] = {threshold.name: threshold for thresho
 
 def threshold_fault(threshold: Threshold, value: float) -> str | None:
     """Why this value is not allowed, in a clear sentence; None where it is."""
-    if not math.isfinite(value):
-        return f"{threshold.name} must be a number."
-    if not threshold.minimum <= value <= threshold.maximum:
-        return f"{threshold.name} must be in {threshold.minimum:g}..{threshold.maximum:g}, not {value:g}."
-    return None
+    return limit_fault(threshold.name, value, threshold.minimum, threshold.maximum)
 
 
 def chosen(kept: Mapping[str, Any]) -> dict[str, float]:
