@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { begun, edited, redone, undone } from "./history";
+import { amended, begun, edited, redone, undone } from "./history";
 
 test("edits are taken back one by one and put in again", () => {
   const third = edited(edited(begun("a"), "b"), "c");
@@ -34,4 +34,12 @@ test("goes back two hundred edits and no further", () => {
     history = undone(history);
   }
   expect(history.present).toBe(100);
+});
+
+test("an edit that is taken further is undone in one step, and gives up what was undone", () => {
+  const further = amended(amended(edited(begun("a"), "b"), "c"), "d");
+  expect(further.present).toBe("d");
+  expect(undone(further).present).toBe("a");
+  expect(redone(amended(undone(further), "e")).present).toBe("e");
+  expect(amended(further, "d")).toBe(further);
 });

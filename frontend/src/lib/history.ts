@@ -19,6 +19,11 @@ export function edited<T>(history: History<T>, present: T): History<T> {
     : { past: [...history.past, history.present].slice(-DEPTH), present, future: [] };
 }
 
+/** The newest edit taken further: no step of its own. For a key that is held down, which is one edit to its undo. */
+export function amended<T>(history: History<T>, present: T): History<T> {
+  return present === history.present ? history : { ...history, present, future: [] };
+}
+
 /** One edit back, or the same history where there is none. */
 export function undone<T>(history: History<T>): History<T> {
   const before = history.past.at(-1);

@@ -1,6 +1,17 @@
 import { describe, expect, test } from "vitest";
 import { bearing_deg, distance_m } from "./geodesy";
-import { captureRadius_m, changed, inserted, legsOf, moved, removed, samePlan, type Waypoint } from "./plan";
+import {
+  captureRadius_m,
+  changed,
+  inserted,
+  legsOf,
+  moved,
+  placed,
+  pushed,
+  removed,
+  samePlan,
+  type Waypoint,
+} from "./plan";
 
 function waypoint(latitude_deg: number, longitude_deg: number, altitude_ft = 1000, speed_kt = 55): Waypoint {
   return { latitude_deg, longitude_deg, altitude_ft, speed_kt };
@@ -105,6 +116,37 @@ describe("an edit", () => {
     expect(changed(plan, 9, "altitude_ft", 1)).toBe(plan);
     expect(changed(plan, 1, "altitude_ft", 900)[1]).toEqual({ ...second, altitude_ft: 900 });
   });
+});
+
+describe("a push", () => {
+  test.each([
+    ["north", { north_m: 100 }, 0],
+    ["east", { east_m: 100 }, 90],
+    ["south-west", { north_m: -100, east_m: -100 }, 225],
+  ])("to the %s goes that way on the ground and keeps the height", (_, push, bearing) => {
+    const after = pushed(plan, 1, push)[1] ?? first;
+    const away_m = Math.hypot(...Object.values(push));
+    // Positions are put down to 0.1 m.
+    expect(distance_m(second, after)).toBeCloseTo(away_m, 0);
+    expect(Math.abs((bearing_deg(second, after) ?? 0) - bearing)).toBeLessThan(0.1);
+    expect(after.altitude_ft).toBe(second.altitude_ft);
+  });
+
+  test("upwards leaves the place as it was given, to its last figure", () => {
+    const exact = [waypoint(27.95151234567, -15.3741, 700.25)];
+    expect(pushed(exact, 0, { up_ft: 10 })).toEqual([{ ...exact[0], altitude_ft: 710 }]);
+    expect(pushed(exact, 0, { north_m: 5 })[0]?.altitude_ft).toBe(700.25);
+  });
+
+  test("of no point is none", () => {
+    expect(pushed(plan, 3, { up_ft: 10 })).toBe(plan);
+    expect(placed(plan, -1, third)).toBe(plan);
+  });
+});
+
+test("a point that is put somewhere keeps its speed, the others stay", () => {
+  const to = { latitude_deg: 27.93456789, longitude_deg: -15.4, altitude_ft: 1234.4 };
+  expect(placed(plan, 2, to)).toEqual([first, second, waypoint(27.934568, -15.4, 1234, 60)]);
 });
 
 describe("two plans are the same", () => {

@@ -125,6 +125,51 @@ export function changed(
     : waypoints.with(index, { ...waypoint, [field]: value });
 }
 
+/** How far a waypoint is pushed, and in which direction: metres to the north and east, feet upwards. */
+export interface Push {
+  readonly north_m?: number;
+  readonly east_m?: number;
+  readonly up_ft?: number;
+}
+
+/** The plan with one point pushed along the ground and upwards; the same plan where there is no such point. */
+export function pushed(
+  waypoints: readonly Waypoint[],
+  index: number,
+  { north_m = 0, east_m = 0, up_ft = 0 }: Push,
+): readonly Waypoint[] {
+  const waypoint = waypoints[index];
+  if (waypoint === undefined) {
+    return waypoints;
+  }
+  const away_m = Math.hypot(north_m, east_m);
+  const place =
+    away_m === 0 ? waypoint : destination(waypoint, Math.atan2(east_m, north_m) * DEGREES_PER_RADIAN, away_m);
+  const { latitude_deg, longitude_deg } = place;
+  return placed(waypoints, index, {
+    latitude_deg,
+    longitude_deg,
+    altitude_ft: waypoint.altitude_ft + up_ft,
+  });
+}
+
+/** The plan with one point somewhere else; what moved is put down to the figures that people write. */
+export function placed(
+  waypoints: readonly Waypoint[],
+  index: number,
+  to: Position & { readonly altitude_ft: number },
+): readonly Waypoint[] {
+  const waypoint = waypoints[index];
+  if (waypoint === undefined) {
+    return waypoints;
+  }
+  const put = rounded({ ...waypoint, ...to });
+  const isMoved = to.latitude_deg !== waypoint.latitude_deg || to.longitude_deg !== waypoint.longitude_deg;
+  const { latitude_deg, longitude_deg } = isMoved ? put : waypoint;
+  const { altitude_ft } = to.altitude_ft === waypoint.altitude_ft ? waypoint : put;
+  return waypoints.with(index, { ...waypoint, latitude_deg, longitude_deg, altitude_ft });
+}
+
 /** To the figures that people write: 0.1 m, whole feet. */
 function rounded({ latitude_deg, longitude_deg, altitude_ft, speed_kt }: Waypoint): Waypoint {
   return {

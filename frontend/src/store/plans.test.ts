@@ -1,6 +1,15 @@
 import { describe, expect, test } from "vitest";
 import type { Waypoint } from "../lib/plan";
-import { boardHas, createPlans, editPlan, forgetBoardPlan, planState, redoPlan, undoPlan } from "./plans";
+import {
+  amendPlan,
+  boardHas,
+  createPlans,
+  editPlan,
+  forgetBoardPlan,
+  planState,
+  redoPlan,
+  undoPlan,
+} from "./plans";
 import type { Shelf } from "./settings";
 
 const first: Waypoint = { latitude_deg: 27.9, longitude_deg: -15.4, altitude_ft: 1000.1, speed_kt: 55 };
@@ -66,6 +75,17 @@ describe("a plan", () => {
     expect(state()).toBe("differs");
     forgetBoardPlan(store, "flight");
     expect(state()).toBe("unknown");
+  });
+
+  test("takes an edit further without a second step of its undo", () => {
+    const store = createPlans(null);
+    editPlan(store, "hil", [first]);
+    editPlan(store, "hil", [second]);
+    amendPlan(store, "hil", [{ ...second, altitude_ft: 1100 }]);
+    amendPlan(store, "hil", [{ ...second, altitude_ft: 1200 }]);
+    expect(store.getState().hil.draft.present[0]?.altitude_ft).toBe(1200);
+    undoPlan(store, "hil");
+    expect(store.getState().hil.draft.present).toEqual([first]);
   });
 
   test("leaves the other alone", () => {

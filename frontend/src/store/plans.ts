@@ -1,6 +1,6 @@
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { isNumber, isObject, list, shape } from "../lib/check";
-import { begun, edited, type History, redone, undone } from "../lib/history";
+import { amended, begun, edited, type History, redone, undone } from "../lib/history";
 import { samePlan, type Waypoint } from "../lib/plan";
 import type { CommandName } from "../protocol/messages.gen";
 import { PLANS, type PlanFormat, type PlanName } from "../protocol/missions";
@@ -59,6 +59,11 @@ export function createPlans(shelf: Shelf | null): PlanStore {
 /** An edit of the draft; one step of its undo. */
 export function editPlan(store: PlanStore, plan: PlanName, waypoints: readonly Waypoint[]): void {
   change(store, plan, ({ draft }) => ({ draft: edited(draft, waypoints) }));
+}
+
+/** The newest edit taken further; its undo takes back both. */
+export function amendPlan(store: PlanStore, plan: PlanName, waypoints: readonly Waypoint[]): void {
+  change(store, plan, ({ draft }) => ({ draft: amended(draft, waypoints) }));
 }
 
 export function undoPlan(store: PlanStore, plan: PlanName): void {

@@ -2,6 +2,7 @@ import { useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useSentence } from "../../i18n/useSentence";
 import { useAsked } from "../../live/useAsked";
+import { usePlan } from "../../live/usePlan";
 import type { PlanName } from "../../protocol/missions";
 import { usePage, usePlans } from "../../store/hooks";
 import { notePlan } from "../../store/plans";
@@ -14,7 +15,6 @@ import { PlanTable } from "./PlanTable";
 import { PlanTools } from "./PlanTools";
 import { RowTools } from "./RowTools";
 import { useEditing } from "./useEditing";
-import { usePlan } from "./usePlan";
 
 /** One of the two plans: its table, its sketch, what is wrong with it, and the ways to and from board and files. */
 export function PlanEditor({ plan }: { plan: PlanName }) {

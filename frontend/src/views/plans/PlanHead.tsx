@@ -1,7 +1,7 @@
 import { useTranslation } from "react-i18next";
 import { legsOf } from "../../lib/plan";
+import type { ShownPlan } from "../../live/usePlan";
 import { useUnit } from "../../live/useUnit";
-import type { ShownPlan } from "./usePlan";
 
 /** One line on the plan: whether the board has it, where the board flies, how long it is. */
 export function PlanHead({ shown }: { shown: ShownPlan }) {

@@ -1,7 +1,7 @@
 import { useTranslation } from "react-i18next";
 import type { WaypointField } from "../../lib/plan";
 import type { PlanIssue } from "../../lib/planCheck";
-import { useIssueText } from "./useIssueText";
+import { useIssueText } from "../../live/useIssueText";
 
 interface Props {
   issues: readonly PlanIssue[];

@@ -3,10 +3,10 @@ import { useTranslation } from "react-i18next";
 import { formatFixed, formatHeading } from "../../lib/format";
 import { type Leg, legsOf, WAYPOINT_FIELDS, type Waypoint, type WaypointField } from "../../lib/plan";
 import type { PlanIssue } from "../../lib/planCheck";
+import { COLUMN } from "../../live/planFacts";
+import { useIssueText } from "../../live/useIssueText";
 import { type Unit, useUnit } from "../../live/useUnit";
 import { PlanCell } from "./PlanCell";
-import { COLUMN } from "./plan";
-import { useIssueText } from "./useIssueText";
 
 interface Props {
   waypoints: readonly Waypoint[];

@@ -2,16 +2,16 @@ import { ChevronLeft, ChevronRight, Download, FileDown, FolderOpen, Upload } fro
 import { useState } from "react";
 import { useTranslation } from "react-i18next";
 import { CommandButton } from "../../live/CommandButton";
+import { PLAN } from "../../live/planFacts";
 import { useAsked } from "../../live/useAsked";
 import { useBoardBlocked } from "../../live/useBlocked";
+import type { ShownPlan } from "../../live/usePlan";
 import { PLAN_FORMATS, type PlanFormat, type PlanName } from "../../protocol/missions";
 import { useConnection, usePage } from "../../store/hooks";
 import { Button } from "../../ui/Button";
 import { FileButton } from "../../ui/FileButton";
 import { Select } from "../../ui/Select";
-import { PLAN } from "./plan";
 import { RouteTools } from "./RouteTools";
-import type { ShownPlan } from "./usePlan";
 
 interface Props {
   plan: PlanName;

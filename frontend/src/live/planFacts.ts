@@ -1,6 +1,6 @@
-import type { WaypointField } from "../../lib/plan";
-import type { CommandName } from "../../protocol/messages.gen";
-import type { PlanName } from "../../protocol/missions";
+import type { WaypointField } from "../lib/plan";
+import type { CommandName } from "../protocol/messages.gen";
+import type { PlanName } from "../protocol/missions";
 
 interface PlanFacts {
   /** Where the board tells to which waypoint it flies. */

@@ -1,9 +1,9 @@
 import { useCallback } from "react";
 import { useTranslation } from "react-i18next";
-import { formatFixed } from "../../lib/format";
-import type { PlanIssue } from "../../lib/planCheck";
-import { useUnit } from "../../live/useUnit";
-import { COLUMN } from "./plan";
+import { formatFixed } from "../lib/format";
+import type { PlanIssue } from "../lib/planCheck";
+import { COLUMN } from "./planFacts";
+import { useUnit } from "./useUnit";
 
 /** What is wrong with a plan as a sentence, with its numbers in the reader's units. */
 export function useIssueText(): (issue: PlanIssue) => string {

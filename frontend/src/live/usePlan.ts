@@ -1,10 +1,10 @@
 import { useMemo } from "react";
-import type { Waypoint } from "../../lib/plan";
-import { checkPlan, type PlanIssue } from "../../lib/planCheck";
-import { PLAN_LIMITS, type PlanName } from "../../protocol/missions";
-import { useConnection, usePlans, useTelemetry } from "../../store/hooks";
-import { type PlanState, planState } from "../../store/plans";
-import { PLAN } from "./plan";
+import type { Waypoint } from "../lib/plan";
+import { checkPlan, type PlanIssue } from "../lib/planCheck";
+import { PLAN_LIMITS, type PlanName } from "../protocol/missions";
+import { useConnection, usePlans, useTelemetry } from "../store/hooks";
+import { type PlanState, planState } from "../store/plans";
+import { PLAN } from "./planFacts";
 
 export interface ShownPlan {
   readonly waypoints: readonly Waypoint[];
