@@ -8,10 +8,10 @@ kernel_sources := $(addprefix $(kernel_folder)/,tasks.c queue.c list.c portable/
   portable/ThirdParty/GCC/Posix/utils/wait_for_event.c)
 # what needs no kernel: tests run it as it is
 board_tested_sources := $(addprefix src/app/,load.c shell.c shell_commands.c shell_reports.c task_table.c text.c tty.c) \
-  $(wildcard ports/posix/sim_*.c)
-board_sources := $(pure_sources) $(wildcard src/app/*.c ports/posix/*.c)
+  $(wildcard ports/models/*.c)
+board_sources := $(pure_sources) $(wildcard src/app/*.c ports/models/*.c ports/posix/*.c)
 # the kernel's headers are not ours, so they are no place for our warnings
-board_includes := -Isrc -Iports/posix -isystem $(kernel_folder)/include \
+board_includes := -Isrc -Iports/models -Iports/posix -isystem $(kernel_folder)/include \
   -isystem $(kernel_folder)/portable/ThirdParty/GCC/Posix
 # the port's tick and run-time counter are replaced by those of ports/posix/kernel.c
 board_link := -pthread -Wl,--wrap=usleep -Wl,--wrap=ulPortGetRunTime -lm
