@@ -120,3 +120,17 @@ def test_the_firmware_that_starts_anew_is_armed_again(gateway: Gateway, tmp_path
             lambda: gateway.status()["topics"].get("ahrs", {"rate_hz": 0})["rate_hz"] > 5, "its stream is on again"
         )
         assert gateway.status()["board"]["reopened"] == 1
+
+
+def test_the_ahrs_test_shows_what_the_stream_showed_and_gives_it_back(connected: Gateway) -> None:
+    outcome(connected, "ahrs_on")
+    eventually(lambda: "ahrs" in connected.http.get("/telemetry").json(), "the attitude is heard")
+    before = connected.http.get("/telemetry").json()["ahrs"]["values"]
+    assert connected.http.post("/ahrs-test").raise_for_status().json()["state"] == "confirmed"
+    during = connected.http.get("/telemetry").json()["ahrs_test"]["values"]
+    assert during.keys() == before.keys()
+    assert all(abs(during[angle] - before[angle]) < 5 for angle in before)
+    count = connected.status()["topics"]["ahrs"]["count"]
+    assert connected.http.delete("/ahrs-test").raise_for_status().json()["state"] == "confirmed"
+    eventually(lambda: connected.status()["topics"]["ahrs"]["count"] > count, "the stream is back")
+    assert connected.status()["board"]["frames_damaged"] == 0

@@ -13,6 +13,7 @@ from fastapi import FastAPI
 from gateway import __version__
 from gateway.api import (
     about,
+    ahrs_test,
     alarms,
     commands,
     docs,
@@ -63,7 +64,19 @@ def create_app(settings: Settings) -> FastAPI:
         redoc_url=None,
     )
     app.openapi = lambda: docs.describe(app)  # type: ignore[method-assign]
-    for part in (state, links, commands, parameters, mission_files, earth, alarms, recordings, about, inspector):
+    for part in (
+        state,
+        links,
+        commands,
+        ahrs_test,
+        parameters,
+        mission_files,
+        earth,
+        alarms,
+        recordings,
+        about,
+        inspector,
+    ):
         app.include_router(part.router, prefix=_PREFIX)
     app.include_router(docs.router)
     install_error_handlers(app, errors)

@@ -8,6 +8,9 @@ Params = dict[str, str | int | float | bool | None]
 
 # Every code there is. The interface describes them, so that the page cannot forget to translate one.
 ErrorCode = Literal[
+    "ahrs_test_in_flight",
+    "ahrs_test_lost",
+    "ahrs_test_running",
     "alarm_not_active",
     "bad_json",
     "board_line_full",

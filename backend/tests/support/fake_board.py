@@ -8,6 +8,7 @@ from __future__ import annotations
 import os
 import pty
 import select
+import struct
 import threading
 import time
 import tty
@@ -16,6 +17,7 @@ from pathlib import Path
 from types import TracebackType
 from typing import Self
 
+from gateway.codec.ahrs_test import BEGIN, QUIT, SYNCHRONISE, SYNCHRONISED
 from gateway.codec.encode import encode_telemetry
 from gateway.codec.frame import TO_BOARD, Frame, FrameDecoder
 from gateway.codec.messages_gen import OPEN_BINARY_MODE, PARAMETERS
@@ -57,6 +59,10 @@ class FakeBoard:
         self.lose_item: int | None = None
         self.silent = False
         self.in_binary_mode = False
+        # The AHRS test: whether it answers to it, whether it is in it, and what it says there.
+        self.has_ahrs_test = True
+        self.in_ahrs_test = False
+        self.attitude_deg = (10.0, 5.0, -3.0)
         self._master = -1
         self._slave = -1
         self._building: list[tuple[float, ...]] = []
@@ -85,7 +91,7 @@ class FakeBoard:
         self.path.symlink_to(os.ttyname(slave))
         # Held open until a station is there: a pseudo-terminal without a slave reads as hung up.
         self._slave = slave
-        self.in_binary_mode = False
+        self.in_binary_mode = self.in_ahrs_test = False
         self.flags = dict.fromkeys(_FLAGS, 0)
         self._stop.clear()
         self._thread = threading.Thread(target=self._run, name="fake board", daemon=True)
@@ -105,7 +111,7 @@ class FakeBoard:
     def restart(self) -> None:
         """Power off and on while the cable stays: text mode, all streams off."""
         with self._lock:
-            self.in_binary_mode = False
+            self.in_binary_mode = self.in_ahrs_test = False
             self.flags = dict.fromkeys(_FLAGS, 0)
 
     def send(self, data: bytes) -> None:
@@ -132,6 +138,8 @@ class FakeBoard:
                     self._read(decoder)
                 if time.monotonic() >= next_s:
                     next_s = time.monotonic() + HEARTBEAT_PERIOD_S
+                    if self.in_ahrs_test and not self.silent:
+                        self._write(b"\xaa" * 4 + struct.pack("<3f", *self.attitude_deg))
                     if self.in_binary_mode and not self.silent:
                         self._write(encode_telemetry("heartbeat", *self.flags.values()))
                         if self.flags["ahrs"]:
@@ -143,11 +151,21 @@ class FakeBoard:
         except OSError:
             return
         self.raw += data
+        if not self.in_binary_mode:
+            self._read_text(data)
         if OPEN_BINARY_MODE in data:
             self.in_binary_mode = True
+            self.in_ahrs_test = False
         for found in decoder.feed(data):
             if isinstance(found, Frame):
                 self._obey(found)
+
+    def _read_text(self, data: bytes) -> None:
+        if self.has_ahrs_test and SYNCHRONISE in data and BEGIN in self.raw:
+            self._write(SYNCHRONISED)
+            self.in_ahrs_test = True
+        elif self.in_ahrs_test and QUIT in data:
+            self.in_ahrs_test = False
 
     def _obey(self, frame: Frame) -> None:
         name = frame.message.name

@@ -78,7 +78,7 @@ async def get_hil(station: StationDep) -> HilState:
 @router.put("/hil", responses=problems(409, 502))
 async def put_hil(body: HilInput, station: StationDep, operator: OperatorDep) -> HilState:
     """Set one or both switches; the source is the board's and is confirmed by it."""
-    station.board.check_not_emulated()
+    station.board.check_commandable()
     if body.source is not None and body.source != station.hil.source:
         result = await station.commands.run("control_source", (int(body.source == "joystick"),), client=operator)
         if not result.done:
@@ -96,7 +96,7 @@ async def put_hil(body: HilInput, station: StationDep, operator: OperatorDep) ->
 @router.post("/console", responses=problems(409))
 async def post_console(body: ConsoleLine, station: StationDep, operator: OperatorDep) -> ConsoleLine:
     """Send a line of text to the board; what comes back is on the stream as `console` events."""
-    station.board.check_not_emulated()
+    station.board.check_commandable()
     if not station.board.write(body.text.encode("ascii") + b"\n"):
         raise ConflictError(
             "board_not_open", "The line was not sent because no board is connected: open the board's link first."

@@ -79,7 +79,7 @@ class TaskPeriods(Output):
 
 
 class BoardStatus(Output):
-    """The board's link. `open`: commands work. Percentages are of baud / 10 bytes a second.
+    """The board's link. `open`: commands work, but during the AHRS test. Percentages are of baud / 10 bytes a second.
 
     `emulated`: these are example values and no board; the link `before_emulation_url` comes back when it is closed.
     """
@@ -91,6 +91,7 @@ class BoardStatus(Output):
     mode: Literal["legacy", "extended"] | None
     features: Features
     firmware: Firmware | None
+    ahrs_test: Literal["off", "starting", "running", "ending"]
     emulated: bool
     before_emulation_url: str | None
     periods_ms: TaskPeriods

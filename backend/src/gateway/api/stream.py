@@ -21,7 +21,8 @@ from gateway.services.viewer import MAX_RATE_HZ, Viewer
 
 STREAM_PATH: Final = "/api/v1/stream"
 TOPICS: Final = sorted(
-    {message.name for message in TELEMETRY.values() if message.topic} | {"xplane_info", "simulator", "xplane_rows"}
+    {message.name for message in TELEMETRY.values() if message.topic}
+    | {"xplane_info", "simulator", "xplane_rows", "ahrs_test"}
 )
 _CLIENT_ID: Final = re.compile(r"[0-9a-f]{16}")
 _MAX_NAME: Final = 40

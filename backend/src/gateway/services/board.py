@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from typing import Final
+from typing import Final, Protocol
 
 from gateway.codec.frame import Damage, Frame, FrameDecoder
 from gateway.codec.session import Session, SessionState
@@ -26,6 +26,16 @@ _HANDSHAKE: Final = frozenset({"heartbeat", "capabilities"})
 Listener = Callable[[Frame, Meaning], None]
 
 
+class Guest(Protocol):
+    """Has the line for a while, with a stream that is no frames."""
+
+    def on_bytes(self, data: bytes) -> None:
+        """Bytes of the line."""
+
+    def goodbye(self) -> bytes:
+        """What brings the board back to text mode; the guest is out from here on."""
+
+
 class Board:
     """Told of links and bytes; tells the hub, the listeners, and first of all the simulator's bridge."""
 
@@ -41,6 +51,7 @@ class Board:
         self._bytes_at_tick = 0
         self._damage_before: Counter[str] = Counter()
         self._was_open = False
+        self.guest: Guest | None = None
         self.session = Session()
         self.frames_received = 0
         self.damage: Counter[str] = Counter()
@@ -96,6 +107,7 @@ class Board:
     def detach(self) -> None:
         """The link is gone."""
         self._link = None
+        self._dismiss()
         self._take(self._decoder.finish())
         self._was_open = False
         self.session.close()
@@ -107,12 +119,34 @@ class Board:
 
     def say_goodbye(self) -> None:
         """Leave the board quiet and in text mode, as long as the link still is there."""
-        farewell = self.session.close()
+        farewell = self._dismiss() + self.session.close()
         if farewell:
             self.write(farewell)
 
-    def check_not_emulated(self) -> None:
-        """Raise ConflictError where there is no board that could do anything."""
+    def lend(self, guest: Guest) -> None:
+        """Leave binary mode and give the line to `guest`: nothing can be commanded until `take_back`."""
+        self.write(self.session.close())
+        self._take(self._decoder.finish())
+        self._decoder = FrameDecoder()
+        self._was_open = False
+        self.guest = guest
+
+    def take_back(self) -> None:
+        """The guest's stream is over: begin the dialogue anew."""
+        farewell = self._dismiss()
+        if self._link is not None:
+            self.write(farewell + self.session.open(self._clock.steady_s()))
+
+    def _dismiss(self) -> bytes:
+        guest, self.guest = self.guest, None
+        return b"" if guest is None else guest.goodbye()
+
+    def check_commandable(self) -> None:
+        """Raise ConflictError where there is no board that could do anything, or where it does not listen."""
+        if self.guest is not None:
+            raise ConflictError(
+                "ahrs_test_running", "Nothing was sent because the AHRS test is running: stop the test first."
+            )
         if self.is_emulated:
             raise ConflictError(
                 "emulation_running", "Nothing was sent because this is the emulation, not a board: stop it first."
@@ -141,6 +175,9 @@ class Board:
     def on_bytes(self, data: bytes) -> None:
         """Bytes of the line."""
         self.bytes_in += len(data)
+        if self.guest is not None:
+            self.guest.on_bytes(data)
+            return
         found = self._decoder.feed(data)
         if found:
             self._take(found)

@@ -106,7 +106,7 @@ class Commands:
 
     def check_ready(self, command: Message) -> None:
         """Raise ConflictError with the reason why the board cannot be asked this now."""
-        self._board.check_not_emulated()
+        self._board.check_commandable()
         if not self._board.is_open:
             raise ConflictError(
                 "board_not_open",

@@ -106,6 +106,11 @@ class Hil:
         self.round_trip.clear()
         self.last_to_board_s = self.last_surfaces_s = None
 
+    def rest(self) -> None:
+        """The board is not to be told for a while: its silence is no broken loop."""
+        self.round_trip.clear()
+        self.last_to_board_s = self.last_surfaces_s = None
+
     def end(self) -> None:
         """The socket is closed."""
         self.link = None

@@ -15,6 +15,7 @@ from gateway.errors import GatewayError
 from gateway.links.address import EMULATION, LinkAddress, parse_address
 from gateway.links.base import Link
 from gateway.links.open import open_link
+from gateway.services.ahrs_test import AhrsTestRun
 from gateway.services.alarms import Alarms
 from gateway.services.board import Board
 from gateway.services.clock import Clock
@@ -81,6 +82,15 @@ class Station:
         self.hil = Hil(self.board, self.telemetry, self.hub, self.clock)
         self.supervisor = Supervisor(self.board, taps[0], self._report, self._on_link, self._open_link)
         self.simulator = Simulator(self.hil, self.clock, taps[1], self._report, self._on_link)
+        self.ahrs_test = AhrsTestRun(
+            board=self.board,
+            telemetry=self.telemetry,
+            hub=self.hub,
+            clock=self.clock,
+            errors=self.errors,
+            flies=self._flies,
+            changed=self._on_ahrs_test,
+        )
         self.rates = LineRates()
         self.tracks = Tracks(self.telemetry, self.hub, lambda: self.board.is_emulated)
         self.watch = Watch(
@@ -251,6 +261,7 @@ class Station:
         while True:
             await asyncio.sleep(_TICK_S)
             self.board.tick()
+            self.ahrs_test.tick()
             ticks += 1
             if ticks % _STATUS_EVERY_TICKS == 0:
                 self.rates.note(self.clock.steady_s(), self.board, self.simulator)
@@ -279,6 +290,17 @@ class Station:
             self.board.books.rate_changed(name)
             if name == RATE_COMMANDS[0]:
                 self.board.session.expect_heartbeat_every(arguments[0] / 1000.0)
+
+    def _flies(self) -> bool:
+        """An autopilot is on, or the board moves the simulator's surfaces: it must not be left alone."""
+        heartbeat = self.telemetry.newest("heartbeat") or {}
+        moves = self.simulator.state == "open" and self.hil.path == "assisted"
+        return moves or any(heartbeat.get(flag) is True for flag in ("autopilot", "autopilot_hil"))
+
+    def _on_ahrs_test(self) -> None:
+        if self.board.guest is not None:
+            self.hil.rest()
+        self.changed()
 
     def _commanded_period_s(self, rate_command: str) -> float:
         return self.memory.now.wanted.period_s(rate_command)

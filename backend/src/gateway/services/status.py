@@ -47,6 +47,7 @@ def _board(station: Station) -> dict[str, Any]:
         "firmware": None
         if not capabilities
         else {"name": capabilities["firmware_name"], "version": capabilities["firmware_version"]},
+        "ahrs_test": station.ahrs_test.stage,
         "emulated": board.is_emulated,
         "before_emulation_url": None if station.before_emulation is None else station.before_emulation.url,
         "periods_ms": _periods(station.memory.now.wanted),

@@ -54,12 +54,12 @@ class Supervisor:
 
     @property
     def state(self) -> State:
-        """closed: nobody wants it; opening: no answer of the board yet; open: commands work; lost: trying again."""
+        """closed: nobody wants it; opening: no answer of the board yet; open: it answers; lost: trying again."""
         if self.address is None:
             return "closed"
         if self._link is None:
             return "lost" if self.failure is not None else "opening"
-        if self._board.is_open:
+        if self._board.is_open or self._board.guest is not None:
             return "open"
         silent = self._board.session.state is SessionState.OPENING and self._board.session.heartbeat_s is not None
         return "lost" if silent else "opening"

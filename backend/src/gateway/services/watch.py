@@ -86,7 +86,8 @@ class Watch:
 
     def _line(self, now_s: float) -> Line | None:
         supervisor = self._supervisor
-        if supervisor.address is None:
+        if supervisor.address is None or self._board.guest is not None:
+            # With a guest on the line the board's silence is what was asked for.
             self._wanted_since_s = None
             return None
         if self._wanted_since_s is None:
