@@ -17,7 +17,7 @@ from tests.support.fake_board import FakeBoard
 from tests.support.gateway import Gateway, running_gateway
 
 EXAMPLES = 15
-# What closes a link, or keeps the board from listening, comes last, so that everything else is asked of a station with a board.
+# What closes a link or keeps the board from listening comes last, so that all else is asked of a station with a board.
 OPERATIONS = sorted(
     (
         (method.upper(), path)
