@@ -1,15 +1,18 @@
 import react from "@vitejs/plugin-react";
 import { defineConfig } from "vitest/config";
+import { globeAssets, globeAssetsPath } from "./scripts/globeAssets.ts";
 import { pagePackages, pageVersion } from "./scripts/packages.ts";
 
 /** Where `npm run dev` finds the gateway. */
 const gateway = process.env["GCS_DEV_GATEWAY"] ?? "http://127.0.0.1:8000";
 
 export default defineConfig({
-  plugins: [react()],
+  plugins: [react(), globeAssets(import.meta.dirname)],
   // Read when the page is built, so that the about window needs no network and cannot be out of date.
   define: {
     PAGE_VERSION: JSON.stringify(pageVersion(import.meta.dirname)),
+    // Where the globe's engine looks for its own files.
+    CESIUM_BASE_URL: JSON.stringify(globeAssetsPath(import.meta.dirname)),
     PAGE_PACKAGES: JSON.stringify(pagePackages(import.meta.dirname)),
   },
   build: {
@@ -34,6 +37,8 @@ export default defineConfig({
       },
     },
   },
+  // Known before the map is first opened, or that would reload the page in development.
+  optimizeDeps: { include: ["@cesium/engine"] },
   server: {
     host: "127.0.0.1",
     proxy: { "/api": { target: gateway, ws: true, changeOrigin: true } },

@@ -5,6 +5,7 @@ import en from "./en.json";
 import enAlarms from "./en-alarms.json";
 import enFrame from "./en-frame.json";
 import enHelp from "./en-help.json";
+import enMap from "./en-map.json";
 import enMessages from "./en-messages.json";
 import enParams from "./en-params.json";
 import enPlans from "./en-plans.json";
@@ -14,6 +15,7 @@ import es from "./es.json";
 import esAlarms from "./es-alarms.json";
 import esFrame from "./es-frame.json";
 import esHelp from "./es-help.json";
+import esMap from "./es-map.json";
 import esMessages from "./es-messages.json";
 import esParams from "./es-params.json";
 import esPlans from "./es-plans.json";
@@ -29,6 +31,7 @@ export const CATALOGUES = {
     ...esSix,
     ...esParams,
     ...esPlans,
+    ...esMap,
     ...esMessages,
     ...esAlarms,
     ...esHelp,
@@ -40,6 +43,7 @@ export const CATALOGUES = {
     ...enSix,
     ...enParams,
     ...enPlans,
+    ...enMap,
     ...enMessages,
     ...enAlarms,
     ...enHelp,

@@ -36,11 +36,14 @@ function command(key: string, name: CommandName, control: string, asked?: string
   };
 }
 
+/** The row of digits, from its left end to the key behind the naught. */
+const TAB_KEYS = "1234567890-";
+
 /** The one list of the page's keys: it binds them, and the help sheet is written from it. */
 export const SHORTCUTS: readonly Shortcut[] = [
   ...TABS.map(
     (tab, index): Shortcut => ({
-      key: String(index + 1),
+      key: TAB_KEYS.charAt(index),
       group: "tabs",
       words: "shortcut.tab",
       params: { tab: `@tab.${tab}` },

@@ -1,0 +1,109 @@
+import { CesiumWidget, Clock, Color, Credit, CreditDisplay, JulianDate, type Scene } from "@cesium/engine";
+import { FrameBudget } from "./frameBudget";
+import { Ground } from "./ground";
+
+/** The one day that the globe shows: without day and night there is nothing to fetch for another. */
+const NOON = "2026-06-21T13:00:00Z";
+const SKY = "#8fb6d3";
+
+/**
+ * The globe, made once for the page's life and moved between its place and nowhere: a browser has only so many
+ * graphics contexts. It is drawn when somebody has asked for it (`requestRender`), as often as the budget allows.
+ *
+ * Heights: telemetry tells heights over mean sea level, Cesium takes heights over the ellipsoid. Here the ellipsoid is
+ * the sea: heights over sea level are used as they are, for the aircraft, plans and terrain alike, and agree with each
+ * other. (The geoid's 40 to 50 m at the Canary Islands are left out everywhere.)
+ */
+export class Globe {
+  readonly widget: CesiumWidget;
+  readonly scene: Scene;
+  readonly ground: Ground;
+  readonly #element = document.createElement("div");
+  readonly #listeners = new Set<(now_ms: number) => void>();
+  readonly #budget: FrameBudget;
+  #handle: number | null = null;
+  #ticked_ms = Number.NEGATIVE_INFINITY;
+
+  /** Throws where the browser has no WebGL. */
+  constructor() {
+    // Its default is a picture of its maker, fetched with the first frame. It is named in the page's own words instead.
+    CreditDisplay.cesiumCredit = new Credit("");
+    this.#element.className = "globe";
+    this.widget = new CesiumWidget(this.#element, {
+      clock: new Clock({ currentTime: JulianDate.fromIso8601(NOON), shouldAnimate: false }),
+      baseLayer: false,
+      skyBox: false,
+      skyAtmosphere: false,
+      scene3DOnly: true,
+      useDefaultRenderLoop: false,
+      showRenderLoopErrors: false,
+      requestRenderMode: true,
+      maximumRenderTimeChange: Number.POSITIVE_INFINITY,
+      msaaSamples: 1,
+      creditContainer: document.createElement("div"),
+      blurActiveElementOnCanvasFocus: false,
+      automaticallyTrackDataSourceClocks: false,
+    });
+    this.scene = this.widget.scene;
+    this.scene.backgroundColor = Color.fromCssColorString(SKY);
+    this.scene.fog.enabled = false;
+    this.scene.globe.showGroundAtmosphere = false;
+    this.#budget = new FrameBudget(true);
+    this.ground = new Ground(this);
+  }
+
+  /** Show it in `host`; it is drawn only while it is shown. */
+  attach(host: HTMLElement): void {
+    host.append(this.#element);
+    this.#ticked_ms = Number.NEGATIVE_INFINITY;
+    this.requestRender();
+    this.#handle ??= requestAnimationFrame(this.#tick);
+  }
+
+  detach(): void {
+    this.#element.remove();
+    if (this.#handle !== null) {
+      cancelAnimationFrame(this.#handle);
+      this.#handle = null;
+    }
+  }
+
+  /** Something has changed: draw it when the budget allows. */
+  requestRender(): void {
+    this.scene.requestRender();
+  }
+
+  /** Called before each frame that may be drawn; who moves something there calls `requestRender`. */
+  onBeforeFrame(listener: (now_ms: number) => void): () => void {
+    this.#listeners.add(listener);
+    return () => this.#listeners.delete(listener);
+  }
+
+  dispose(): void {
+    this.detach();
+    this.#listeners.clear();
+    this.widget.destroy();
+  }
+
+  readonly #tick = (now_ms: number): void => {
+    this.#handle = requestAnimationFrame(this.#tick);
+    if (now_ms - this.#ticked_ms < this.#budget.period_ms(false)) {
+      return;
+    }
+    this.#ticked_ms = now_ms;
+    for (const listener of this.#listeners) {
+      listener(now_ms);
+    }
+    this.widget.resize();
+    const { frameNumber } = this.#frameState();
+    const started_ms = performance.now();
+    this.widget.render();
+    if (this.#frameState().frameNumber !== frameNumber) {
+      this.#budget.observe(performance.now() - started_ms);
+    }
+  };
+
+  #frameState(): { frameNumber: number } {
+    return (this.scene as unknown as { frameState: { frameNumber: number } }).frameState;
+  }
+}

@@ -1,0 +1,45 @@
+import { useEffect, useRef, useState } from "react";
+import { useTranslation } from "react-i18next";
+import type { Globe } from "../../scene/globe/Globe";
+import { Notice } from "../../ui/Notice";
+import { CameraSection } from "./CameraSection";
+import { GlobeContext } from "./useGlobe";
+import "./map.css";
+
+/** "Mapa 3D": the globe with the flight, and beside it what belongs to it. */
+export function MapView() {
+  const { t } = useTranslation();
+  const host = useRef<HTMLDivElement>(null);
+  const [globe, setGlobe] = useState<Globe | null>(null);
+  const [failed, setFailed] = useState(false);
+  useEffect(() => {
+    let shown: Globe | null = null;
+    let isWanted = true;
+    void import("../../scene/globe/kept")
+      .then(({ keptGlobe }) => {
+        if (isWanted && host.current !== null) {
+          shown = keptGlobe();
+          shown.attach(host.current);
+          setGlobe(shown);
+        }
+      })
+      .catch(() => setFailed(true));
+    return () => {
+      isWanted = false;
+      shown?.detach();
+    };
+  }, []);
+  return (
+    <GlobeContext value={globe}>
+      <div className="map">
+        <section className="map-scene" aria-label={t("map.view.scene")}>
+          <div ref={host} className="map-host" />
+          {failed && <Notice level="warning">{t("map.view.noWebgl")}</Notice>}
+        </section>
+        <div className="map-side">
+          <CameraSection />
+        </div>
+      </div>
+    </GlobeContext>
+  );
+}

@@ -1,0 +1,50 @@
+import { createContext, useContext, useEffect, useState } from "react";
+import type { Globe } from "../../scene/globe/Globe";
+
+export const GlobeContext = createContext<Globe | null>(null);
+
+/** The globe while it is there: null until its code is loaded, and where the browser cannot draw it. */
+export function useGlobe(): Globe | null {
+  return useContext(GlobeContext);
+}
+
+/** What draws on the globe. */
+interface Layer {
+  dispose(): void;
+}
+
+const layers = new WeakMap<Globe, Map<string, Promise<Layer>>>();
+
+/**
+ * A layer of the globe by its name: loaded and made when it is first asked for, and kept for as long as the globe is,
+ * also while the tab is closed. `load` fetches its class with `import()`, so that the page without a map loads none of
+ * it. Null until it is made.
+ */
+export function useGlobeLayer<L extends Layer>(
+  name: string,
+  load: () => Promise<new (globe: Globe) => L>,
+): L | null {
+  const globe = useGlobe();
+  const [layer, setLayer] = useState<L | null>(null);
+  // biome-ignore lint/correctness/useExhaustiveDependencies: a layer is loaded once for its name
+  useEffect(() => {
+    if (globe === null) {
+      return undefined;
+    }
+    const made = layers.get(globe) ?? new Map<string, Promise<Layer>>();
+    layers.set(globe, made);
+    const promised = made.get(name) ?? load().then((Made) => new Made(globe));
+    made.set(name, promised);
+    let isWanted = true;
+    promised.then(
+      (loaded) => isWanted && setLayer(loaded as L),
+      // Asked for again with the next opening of the tab.
+      () => made.delete(name),
+    );
+    return () => {
+      isWanted = false;
+      setLayer(null);
+    };
+  }, [globe, name]);
+  return layer;
+}
