@@ -18,7 +18,7 @@ PORT ?= 8000
 ARGS ?=
 MINUTES ?= 30
 
-.PHONY: help setup generate check test test-backend test-protocol test-firmware test-frontend e2e soak run board bench clean tools browser
+.PHONY: help setup images generate check test test-backend test-protocol test-firmware test-frontend e2e soak run board bench clean tools browser
 
 help: ## list the verbs
 	@awk -F':.*## ' '/^[a-z-]+:.*## / { printf "  make %-14s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -58,7 +58,13 @@ $(DONE)/browser: .ci/browser $(DONE)/e2e
 	@bash .ci/browser
 	@touch $@
 
-setup: $(DONE)/venv-dev $(DONE)/frontend $(DONE)/e2e $(DONE)/browser ## install everything that tests and development need
+# Not remembered while something is missing, so that it is looked for again.
+$(DONE)/arm: .ci/arm
+	@mkdir -p $(DONE)
+	@bash .ci/arm
+	@if command -v arm-none-eabi-gcc >/dev/null && command -v qemu-system-arm >/dev/null; then touch $@; fi
+
+setup: $(DONE)/venv-dev $(DONE)/frontend $(DONE)/e2e $(DONE)/browser $(DONE)/arm ## install everything that tests and development need
 
 # ---- building -------------------------------------------------------------------------------------
 
@@ -72,6 +78,9 @@ frontend/dist/index.html: $(frontend_sources) $(DONE)/frontend
 board: $(DONE)/tools ## build the board's firmware for this machine
 	@$(MAKE) --no-print-directory -C firmware board
 
+images: $(DONE)/tools $(DONE)/arm ## build the board's firmware for its processors (STM32F405, MPS2)
+	@$(MAKE) --no-print-directory -C firmware images
+
 generate: $(DONE)/venv $(DONE)/frontend ## write every generated file again from protocol/definition
 	cd protocol && ../$(BIN)/python -m generator
 	$(BIN)/python -m gateway --print-openapi > $(DONE)/openapi.json
@@ -79,7 +88,7 @@ generate: $(DONE)/venv $(DONE)/frontend ## write every generated file again from
 
 # ---- running --------------------------------------------------------------------------------------
 
-run: $(DONE)/venv frontend/dist/index.html board ## fly the demonstration; BOARD=/dev/ttyUSB0 and XPLANE=host put real ones in its place
+run: $(DONE)/venv frontend/dist/index.html board $(if $(filter qemu%,$(BOARD)),images) ## fly the demonstration; BOARD=/dev/ttyUSB0 and XPLANE=host put real ones in its place, BOARD=qemu the processor's image
 	@exec $(BIN)/epf-run --port $(PORT) $(if $(BOARD),--board "$(BOARD)") $(if $(XPLANE),--xplane "$(XPLANE)") $(ARGS)
 
 # ---- proving --------------------------------------------------------------------------------------
@@ -109,10 +118,11 @@ $(DONE)/setup-done: $(DONE)/venv-dev $(DONE)/frontend $(DONE)/browser
 test-protocol: $(DONE)/venv-dev
 	cd protocol && ../$(BIN)/pytest -q --junitxml=../$(RESULTS)/protocol.xml
 
-test-firmware: $(DONE)/venv-dev
+test-firmware: $(DONE)/venv-dev $(DONE)/arm
 	$(MAKE) --no-print-directory -C firmware test RESULTS=$(abspath $(RESULTS))
+	@if command -v arm-none-eabi-gcc >/dev/null; then $(MAKE) --no-print-directory -C firmware images size; fi
 
-test-backend: $(DONE)/venv-dev board frontend/dist/index.html
+test-backend: $(DONE)/venv-dev $(DONE)/arm board frontend/dist/index.html
 	$(MAKE) --no-print-directory -C firmware flight-lib
 	cd backend && ../$(BIN)/pytest -q --junitxml=../$(RESULTS)/backend.xml
 

@@ -13,6 +13,7 @@ from typing import Annotated
 import typer
 
 from launcher.demonstration import Demonstration, Stopped
+from launcher.emulated import EmulatedBoard
 from launcher.errors import LaunchError
 from launcher.options import STATION_PORT, Options, XPlane
 from launcher.ports import lan_address
@@ -37,7 +38,8 @@ def run(
         typer.Option(
             metavar="URL",
             help="A real board in the demonstration board's place: a device (/dev/ttyUSB0), "
-            "serial:///dev/ttyUSB0?baud=115200, or tcp://host:port. Its modes are left as they are.",
+            "serial:///dev/ttyUSB0?baud=115200, or tcp://host:port. Its modes are left as they are. `qemu` is the "
+            "demonstration's board as the image of its processor (an STM32F405), `qemu-an386` that of another one.",
             show_default="the board on this computer",
         ),
     ] = None,
@@ -74,12 +76,21 @@ def run(
     Examples:
       epf-run
       epf-run --port 8001 --lan
+      epf-run --board qemu
       epf-run --board /dev/ttyUSB0 --xplane 192.168.1.20
     """
     asked = _StopRequest()
     try:
         real = None if xplane is None else XPlane.at(xplane, receive_port, profile.value)
-        options = Options(board=board, xplane=real, port=port, lan=lan, data=data.resolve())
+        emulated = EmulatedBoard.named(board)
+        options = Options(
+            board=None if emulated else board,
+            emulated=emulated,
+            xplane=real,
+            port=port,
+            lan=lan,
+            data=data.resolve(),
+        )
         demonstration = Demonstration(options, _say, lambda: asked.heard)
         with _alone(options.data):
             try:

@@ -5,12 +5,14 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Final, Self
 
+from launcher.emulated import EmulatedBoard
 from launcher.errors import LaunchError
 from launcher.ports import LOOPBACK
 
 # backend/src/launcher/options.py: the tree's root is three folders above the package.
 ROOT: Final = Path(__file__).resolve().parents[3]
-BOARD_PROGRAM: Final = ROOT / "firmware" / "build" / "posix" / "epf-board"
+FIRMWARE: Final = ROOT / "firmware"
+BOARD_PROGRAM: Final = FIRMWARE / "build" / "posix" / "epf-board"
 PAGE: Final = ROOT / "frontend" / "dist" / "index.html"
 
 STATION_PORT: Final = 49003
@@ -39,9 +41,13 @@ class XPlane:
 
 @dataclass(frozen=True, slots=True)
 class Options:
-    """One run. `board` and `xplane` are the real ones that take a demonstration part's place."""
+    """One run. `board` and `xplane` are the real ones that take a demonstration part's place.
+
+    `emulated` is the demonstration's board too, as the image of its processor.
+    """
 
     board: str | None = None
+    emulated: EmulatedBoard | None = None
     xplane: XPlane | None = None
     port: int = 8000
     lan: bool = False
@@ -67,6 +73,8 @@ class Options:
 
         Raises LaunchError for what can be neither.
         """
+        if self.emulated is not None:
+            return self.emulated.url
         if self.board is None:
             return f"pty://{self.board_line}"
         kind, separator, _ = self.board.partition("://")
@@ -80,10 +88,13 @@ class Options:
         return self.board
 
     def board_command(self) -> list[str]:
-        """Raises LaunchError where the firmware has not been built."""
+        """Raises LaunchError where the firmware has not been built, or cannot be run."""
+        card = self.data / "card"
+        if self.emulated is not None:
+            return self.emulated.command(FIRMWARE, card)
         if not BOARD_PROGRAM.exists():
             raise LaunchError(f"The board's program {BOARD_PROGRAM} is missing: build it with `make board`.")
-        return [str(BOARD_PROGRAM), "--pty", str(self.board_line), "--card", str(self.data / "card")]
+        return [str(BOARD_PROGRAM), "--pty", str(self.board_line), "--card", str(card)]
 
     def simulator_command(self, simulator: XPlane) -> list[str]:
         """The embedded simulator, which listens where the gateway sends and the other way round."""

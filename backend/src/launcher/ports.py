@@ -34,6 +34,14 @@ def free_udp_port(wanted: int) -> int:
     raise LaunchError("This computer has no free UDP port on the loopback: close some programs and try again.")
 
 
+def free_tcp_port() -> int:
+    """A TCP port of the loopback that nobody listens on."""
+    with socket.socket(socket.AF_INET, socket.SOCK_STREAM) as probe:
+        probe.bind((LOOPBACK, 0))
+        chosen: int = probe.getsockname()[1]
+        return chosen
+
+
 def lan_address() -> str | None:
     """The address other computers of the network reach this one at; None without a network. Sends nothing."""
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe, contextlib.suppress(OSError):

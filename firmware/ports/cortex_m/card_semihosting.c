@@ -1,0 +1,146 @@
+// A folder of the computer that emulates the processor, by Arm's semihosting: for images under an emulator only, as the
+// call is a fault on a processor without a debugger. The folder is named behind `--card ` in the emulator's argument.
+#include "card.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <string.h>
+
+// Operations and open modes of "Semihosting for AArch32 and AArch64".
+enum
+{
+    semihosting_open = 0x01,
+    semihosting_close = 0x02,
+    semihosting_write = 0x05,
+    semihosting_read = 0x06,
+    semihosting_length = 0x0C,
+    semihosting_rename = 0x0F,
+    semihosting_command_line = 0x15,
+    semihosting_mode_read = 1,
+    semihosting_mode_write = 5
+};
+
+enum
+{
+    folder_bytes = 256,
+    path_bytes = folder_bytes + 32
+};
+
+static char folder[folder_bytes];
+
+/// One operation; the emulator stands still until it is done.
+static int32_t ask(uint32_t operation, const uint32_t* arguments)
+{
+    register uint32_t in_and_out __asm("r0") = operation;
+    register const uint32_t* const block __asm("r1") = arguments;
+    __asm volatile("bkpt 0xAB" : "+r"(in_and_out) : "r"(block) : "memory");
+    return (int32_t)in_and_out;
+}
+
+static uint32_t address_of(const void* object)
+{
+    return (uint32_t)(uintptr_t)object;
+}
+
+static bool path_of(const char* name, const char* ending, char path[path_bytes])
+{
+    const size_t folder_length = strlen(folder);
+    const size_t name_length = strlen(name);
+    const size_t ending_length = strlen(ending);
+    if (folder_length + 1U + name_length + ending_length + 1U > path_bytes)
+    {
+        return false;
+    }
+    memcpy(path, folder, folder_length);
+    path[folder_length] = '/';
+    memcpy(path + folder_length + 1U, name, name_length);
+    memcpy(path + folder_length + 1U + name_length, ending, ending_length + 1U);
+    return true;
+}
+
+/// Handle of the opened file, negative when it cannot be opened.
+static int32_t open_file(const char* path, uint32_t mode)
+{
+    const uint32_t arguments[] = {address_of(path), mode, (uint32_t)strlen(path)};
+    return ask(semihosting_open, arguments);
+}
+
+static bool close_file(int32_t file)
+{
+    const uint32_t arguments[] = {(uint32_t)file};
+    return ask(semihosting_close, arguments) == 0;
+}
+
+static storage_status_t card_read(void* context, const char* name, uint8_t* data, size_t capacity, size_t* size)
+{
+    (void)context;
+    *size = 0;
+    char path[path_bytes];
+    if (!path_of(name, "", path))
+    {
+        return storage_failed;
+    }
+    const int32_t file = open_file(path, semihosting_mode_read);
+    if (file < 0)
+    {
+        return storage_missing;
+    }
+    const uint32_t handle[] = {(uint32_t)file};
+    const int32_t length = ask(semihosting_length, handle);
+    bool done = length >= 0 && (size_t)length <= capacity;
+    if (done)
+    {
+        // the answer is how many bytes were not read
+        const uint32_t arguments[] = {(uint32_t)file, address_of(data), (uint32_t)length};
+        done = ask(semihosting_read, arguments) == 0;
+        *size = (size_t)length;
+    }
+    return close_file(file) && done ? storage_ok : storage_failed;
+}
+
+/// A new file beside the old one takes its name when it is whole.
+static storage_status_t card_replace(void* context, const char* name, const uint8_t* data, size_t size)
+{
+    (void)context;
+    char path[path_bytes];
+    char new_path[path_bytes];
+    if (!path_of(name, "", path) || !path_of(name, ".new", new_path))
+    {
+        return storage_failed;
+    }
+    const int32_t file = open_file(new_path, semihosting_mode_write);
+    if (file < 0)
+    {
+        return storage_failed;
+    }
+    const uint32_t writing[] = {(uint32_t)file, address_of(data), (uint32_t)size};
+    const bool written = ask(semihosting_write, writing) == 0;
+    const uint32_t renaming[] = {address_of(new_path), (uint32_t)strlen(new_path), address_of(path),
+                                 (uint32_t)strlen(path)};
+    return close_file(file) && written && ask(semihosting_rename, renaming) == 0 ? storage_ok : storage_failed;
+}
+
+/// The folder from the emulator's argument; false without one.
+static bool find_folder(void)
+{
+    static char line[folder_bytes + 64];
+    static const char word[] = "--card ";
+    uint32_t arguments[] = {address_of(line), sizeof line - 1U};
+    if (ask(semihosting_command_line, arguments) != 0)
+    {
+        return false;
+    }
+    const char* const found = strstr(line, word);
+    if (found == NULL || strlen(found) - (sizeof word - 1U) >= folder_bytes)
+    {
+        return false;
+    }
+    memcpy(folder, found + sizeof word - 1U, strlen(found) - (sizeof word - 1U) + 1U);
+    return folder[0] != '\0';
+}
+
+const storage_t* card_storage(void)
+{
+    static const storage_t storage = {.context = NULL, .read = card_read, .replace = card_replace};
+    return find_folder() ? &storage : NULL;
+}

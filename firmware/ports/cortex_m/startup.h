@@ -1,0 +1,18 @@
+/// The processor's first steps: vector table, memory, floating-point unit, then `main`.
+#ifndef STARTUP_H
+#define STARTUP_H
+
+#include <stdint.h>
+
+/// What is not served elsewhere: a fault of the program. Restarts the board.
+void startup_fault(void);
+
+/// One entry of the vector table: the core's own 16, then the machine's interrupts in the hardware's order (in section
+/// `.vectors.machine`). The first entry is where the stack begins.
+typedef union
+{
+    void (*handler)(void);
+    const void* stack;
+} startup_vector_t;
+
+#endif

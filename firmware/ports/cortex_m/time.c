@@ -1,0 +1,46 @@
+#include "hal/time.h"
+
+#include "FreeRTOS.h"
+#include "task.h"
+
+#include "core.h"
+#include "restart.h"
+
+// The kernel names these functions; nothing else may call them, so they have no header.
+void vApplicationIdleHook(void);
+void vApplicationStackOverflowHook(TaskHandle_t task, char* name);
+
+static const uint32_t us_per_tick = 1000000U / configTICK_RATE_HZ;
+
+uint32_t time_ms(void)
+{
+    return (uint32_t)xTaskGetTickCount() * (1000U / configTICK_RATE_HZ);
+}
+
+/// Ticks and what has passed of this one. The kernel asks when it switches tasks, with interrupts held back: a tick
+/// that has passed but was not counted yet is pending then.
+uint32_t cortex_m_run_time_us(void)
+{
+    const uint32_t reload = CORE_SYSTICK_RELOAD;
+    uint32_t ticks = (uint32_t)xTaskGetTickCountFromISR();
+    uint32_t value = CORE_SYSTICK_VALUE;
+    if ((CORE_INTERRUPT_STATE & CORE_INTERRUPT_STATE_TICK_PENDS) != 0U)
+    {
+        value = CORE_SYSTICK_VALUE;
+        ticks++;
+    }
+    const uint32_t cycles_per_us = (reload + 1U) / us_per_tick;
+    return ticks * us_per_tick + (reload - value) / cycles_per_us;
+}
+
+void vApplicationIdleHook(void)
+{
+    __asm volatile("wfi");
+}
+
+void vApplicationStackOverflowHook(TaskHandle_t task, char* name)
+{
+    (void)task;
+    (void)name;
+    restart_because("stack overflow");
+}
