@@ -23,6 +23,7 @@ import { createInspector } from "./inspector";
 import { createParameterActions, takeParameterEvent } from "./parameterActions";
 import { createPlanActions, takePlanEvent, takePlanStatus } from "./planActions";
 import { createServoDesk } from "./servoDesk";
+import { createTrackBook } from "./trackActions";
 
 /** What the page needs of the world around it: a browser's window, or a test. */
 export interface World {
@@ -117,6 +118,7 @@ export function createPage(world: World): {
     takeConsole(message);
     takeParameterEvent(book, message, world.wall_ms());
     takePlanEvent(plans, message, client());
+    takeTrackEvent(message);
     if (event === "alarm") {
       alarmBook.store.setState(({ reported }) => ({ reported: reported + 1 }));
     } else if (event === "error" && isErrorEvent(data)) {
@@ -189,6 +191,7 @@ export function createPage(world: World): {
   });
   const parameters = createParameterActions(book, asking);
   const missions = createPlanActions(plans, world.saveFile, asking);
+  const { trackBook, takeTrackEvent } = createTrackBook({ rest, timers: world.timers });
   const stores = { telemetry, pump, connection, commands, messages, settings };
   return {
     page: {
@@ -200,6 +203,7 @@ export function createPage(world: World): {
       missions,
       servos: servos.desk,
       boardConsole,
+      trackBook,
       inspector: createInspector(rest),
       saveFile: world.saveFile,
     },

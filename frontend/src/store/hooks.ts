@@ -15,6 +15,7 @@ import type { Servo, ServoDesk } from "./servos";
 import { UNMOVED } from "./servos";
 import type { Settings, SettingsStore } from "./settings";
 import type { TelemetryStore } from "./telemetry";
+import type { TrackBook, Tracks } from "./track";
 
 /** Everything that a component may read or ask for, put together by app. */
 export interface Page {
@@ -32,6 +33,7 @@ export interface Page {
   readonly inspector: Inspector;
   readonly parameters: ParameterActions;
   readonly missions: PlanActions;
+  readonly trackBook: TrackBook;
   /** Gives the person a file to keep. */
   readonly saveFile: (name: string, content: Blob) => void;
 }
@@ -61,6 +63,10 @@ export function useSettings<T>(select: (settings: Settings) => T): T {
 
 export function usePlans<T>(select: (plans: Plans) => T): T {
   return useSelected(usePage().missions.plans, select);
+}
+
+export function useTracks<T>(select: (tracks: Tracks) => T): T {
+  return useSelected(usePage().trackBook.store, select);
 }
 
 export function useParameters<T>(select: (book: ParameterBook) => T): T {

@@ -66,6 +66,19 @@ export class Rest {
     }
   }
 
+  /** A question whose answer is bytes. */
+  async bytes(path: string, patience_ms = PATIENCE_MS): Promise<Answer<ArrayBuffer>> {
+    const answer = await this.#send("GET", path, "application/octet-stream", undefined, patience_ms);
+    if (!answer.ok) {
+      return answer;
+    }
+    try {
+      return { ok: true, value: await answer.value.arrayBuffer() };
+    } catch {
+      return unreachable();
+    }
+  }
+
   async #send(
     method: Method,
     path: string,

@@ -1,0 +1,64 @@
+import type { TrackBlock } from "./block";
+import type { TrackPoints } from "./points";
+import { type Thinned, thin } from "./thinning";
+
+/**
+ * The complete blocks of a track with their levels of detail. They are made a few at a time: two hours that come in
+ * one piece must not hold the page up.
+ */
+export class ThinnedTrack {
+  readonly #points: TrackPoints;
+  readonly #made = new WeakMap<TrackBlock, Thinned>();
+  #blocks: readonly Thinned[] = [];
+  #revision = -1;
+  #isComplete = false;
+
+  constructor(points: TrackPoints) {
+    this.#points = points;
+  }
+
+  /** In the order of time and without a gap: the newest of all that are complete. */
+  get blocks(): readonly Thinned[] {
+    return this.#blocks;
+  }
+
+  get points(): TrackPoints {
+    return this.#points;
+  }
+
+  /** Makes what is missing, the newest first, until `isEnough` says so. True: the list has changed. */
+  refresh(isEnough: () => boolean): boolean {
+    if (this.#revision === this.#points.revision && this.#isComplete) {
+      return false;
+    }
+    this.#revision = this.#points.revision;
+    const { blocks } = this.#points;
+    const complete = blocks.length - (blocks.at(-1)?.isFull === false ? 1 : 0);
+    const found: Thinned[] = [];
+    let at = complete - 1;
+    for (; at >= 0; at -= 1) {
+      const block = blocks[at];
+      const made = block && (this.#made.get(block) ?? (isEnough() ? undefined : this.#make(block)));
+      if (made === undefined) {
+        break;
+      }
+      found.push(made);
+    }
+    this.#isComplete = at < 0;
+    found.reverse();
+    const isSame = found.length === this.#blocks.length && found.every((one, i) => one === this.#blocks[i]);
+    this.#blocks = isSame ? this.#blocks : found;
+    return !isSame;
+  }
+
+  #make(block: TrackBlock): Thinned {
+    const made = thin(block);
+    this.#made.set(block, made);
+    return made;
+  }
+
+  /** Nothing waits to be made. */
+  get isComplete(): boolean {
+    return this.#isComplete && this.#revision === this.#points.revision;
+  }
+}
