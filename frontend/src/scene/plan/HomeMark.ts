@@ -1,0 +1,82 @@
+import {
+  Cartesian2,
+  Cartesian3,
+  Color,
+  type Label,
+  LabelCollection,
+  LabelStyle,
+  type PointPrimitive,
+  PointPrimitiveCollection,
+} from "@cesium/engine";
+import type { Position } from "../../lib/geodesy";
+import type { Globe } from "../globe/Globe";
+import { EDGE_COLOUR } from "./style";
+
+const HOME_COLOUR = Color.fromCssColorString("#8df0b8");
+const THROUGH_GROUND_M = 400_000;
+
+/** Home: where the aircraft set out from, on the ground. */
+export class HomeMark {
+  readonly #globe: Globe;
+  readonly #dots = new PointPrimitiveCollection();
+  readonly #labels: LabelCollection;
+  readonly #dot: PointPrimitive;
+  readonly #label: Label;
+  #shown: (Position & { readonly label: string }) | null = null;
+
+  constructor(globe: Globe) {
+    this.#globe = globe;
+    this.#labels = new LabelCollection({ scene: globe.scene });
+    globe.scene.primitives.add(this.#dots);
+    globe.scene.primitives.add(this.#labels);
+    this.#dot = this.#dots.add({
+      show: false,
+      color: HOME_COLOUR,
+      pixelSize: 12,
+      outlineColor: EDGE_COLOUR,
+      outlineWidth: 3,
+      disableDepthTestDistance: THROUGH_GROUND_M,
+    });
+    this.#label = this.#labels.add({
+      position: Cartesian3.ZERO,
+      show: false,
+      font: "600 13px Inter Variable, sans-serif",
+      fillColor: HOME_COLOUR,
+      outlineColor: EDGE_COLOUR,
+      outlineWidth: 5,
+      style: LabelStyle.FILL_AND_OUTLINE,
+      pixelOffset: new Cartesian2(10, 16),
+      disableDepthTestDistance: THROUGH_GROUND_M,
+    });
+  }
+
+  get position(): Cartesian3 | null {
+    return this.#shown === null ? null : this.#dot.position;
+  }
+
+  show(home: (Position & { readonly label: string }) | null): void {
+    const isSame =
+      home?.latitude_deg === this.#shown?.latitude_deg &&
+      home?.longitude_deg === this.#shown?.longitude_deg &&
+      home?.label === this.#shown?.label;
+    if (isSame) {
+      return;
+    }
+    this.#shown = home;
+    this.#dot.show = home !== null;
+    this.#label.show = home !== null;
+    if (home !== null) {
+      const position = Cartesian3.fromDegrees(home.longitude_deg, home.latitude_deg);
+      this.#dot.position = position;
+      this.#label.position = position;
+      this.#label.text = home.label;
+    }
+    this.#globe.requestRender();
+  }
+
+  dispose(): void {
+    this.#globe.scene.primitives.remove(this.#dots);
+    this.#globe.scene.primitives.remove(this.#labels);
+    this.#globe.requestRender();
+  }
+}

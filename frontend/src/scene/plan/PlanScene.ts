@@ -1,0 +1,189 @@
+import { Cartesian3 } from "@cesium/engine";
+import type { Position } from "../../lib/geodesy";
+import { placed } from "../../lib/plan";
+import { METRES_PER_FOOT } from "../../lib/units";
+import type { Globe } from "../globe/Globe";
+import { type Grip, type MapPointer, pointerOf } from "../tools/MapPointer";
+import { spotOnScreen } from "../tools/screen";
+import { awayFromLine, nearest, type Point, type Spot } from "./geometry";
+import { HomeMark } from "./HomeMark";
+import { PlanLayer } from "./PlanLayer";
+import type { DrawnPlan } from "./shape";
+import type { PlanKind } from "./style";
+import { type DragWay, WaypointDrag } from "./WaypointDrag";
+
+/** What can be pointed at. */
+export type MapThing =
+  | { readonly kind: "waypoint"; readonly plan: PlanKind; readonly row: number }
+  | { readonly kind: "aircraft"; readonly plan: PlanKind }
+  | { readonly kind: "home" };
+
+export interface PlanListener {
+  /** Pressed. */
+  readonly pick: (thing: MapThing) => void;
+  /** A waypoint is here for now; null: it was let go or went back. */
+  readonly drag: (
+    place: { readonly plan: PlanKind; readonly row: number; readonly to: Point } | null,
+  ) => void;
+  /** A waypoint was put down here. */
+  readonly drop: (plan: PlanKind, row: number, to: Point) => void;
+}
+
+/** Where an aircraft is seen, if it is. */
+type AircraftPlace = (plan: PlanKind) => (Position & { readonly altitude_m: number }) | null;
+
+/** Within so many pixels of the pointer a thing is meant. */
+const REACH_PX = 14;
+const STEM_REACH_PX = 6;
+
+/** Both flight plans, home, and what the pointer does with them. */
+export class PlanScene {
+  readonly #globe: Globe;
+  readonly #pointer: MapPointer;
+  readonly #layers: Readonly<Record<PlanKind, PlanLayer>>;
+  readonly #home: HomeMark;
+  readonly #forget: () => void;
+  readonly #plans: Record<PlanKind, DrawnPlan | null> = { flight: null, hil: null };
+  #listener: PlanListener | null = null;
+  #aircraft: AircraftPlace = () => null;
+  #held: { readonly plan: PlanKind; readonly row: number; readonly to: Point } | null = null;
+
+  constructor(globe: Globe) {
+    this.#globe = globe;
+    this.#pointer = pointerOf(globe);
+    this.#layers = { flight: new PlanLayer(globe, "flight"), hil: new PlanLayer(globe, "hil") };
+    this.#home = new HomeMark(globe);
+    this.#forget = this.#pointer.addFinder((at) => this.#find(at));
+  }
+
+  /** Who is told of presses; null: nobody, and nothing can be taken hold of. */
+  listen(listener: PlanListener | null, aircraft: AircraftPlace = () => null): void {
+    this.#listener = listener;
+    this.#aircraft = aircraft;
+  }
+
+  show(plan: PlanKind, drawn: DrawnPlan | null): void {
+    this.#plans[plan] = drawn;
+    this.#draw(plan);
+  }
+
+  showHome(home: (Position & { readonly label: string }) | null): void {
+    this.#home.show(home);
+  }
+
+  dispose(): void {
+    this.#forget();
+    this.#layers.flight.dispose();
+    this.#layers.hil.dispose();
+    this.#home.dispose();
+  }
+
+  /** While a waypoint is held, its plan is drawn with it where the pointer has it. */
+  #draw(plan: PlanKind): void {
+    const drawn = this.#plans[plan];
+    const held = this.#held;
+    this.#layers[plan].show(
+      drawn === null || held === null || held.plan !== plan
+        ? drawn
+        : {
+            ...drawn,
+            waypoints: placed(drawn.waypoints, held.row, held.to),
+            unsent: drawn.unsent.with(held.row, true),
+          },
+    );
+  }
+
+  #find(at: Spot): Grip | null {
+    const listener = this.#listener;
+    if (listener === null) {
+      return null;
+    }
+    const things = this.#things();
+    const spots = things.map(({ position }) => spotOnScreen(this.#globe.scene, position));
+    const found = nearest(spots, at, REACH_PX);
+    const thing = found === null ? undefined : things[found]?.thing;
+    if (thing !== undefined) {
+      return thing.kind === "waypoint"
+        ? this.#waypointGrip(listener, thing.plan, thing.row, "level")
+        : { cursor: "pointer", click: () => listener.pick(thing), drag: null };
+    }
+    return this.#stemGrip(listener, at);
+  }
+
+  /** The stem of the chosen waypoint alone: a plan's stems stand close, and are no traps for whoever turns the globe. */
+  #stemGrip(listener: PlanListener, at: Spot): Grip | null {
+    for (const plan of ["flight", "hil"] as const) {
+      const row = this.#plans[plan]?.selected ?? null;
+      const waypoint = row === null ? undefined : this.#plans[plan]?.waypoints[row];
+      if (row !== null && waypoint !== undefined) {
+        const top = spotOnScreen(this.#globe.scene, positionOf(waypoint));
+        const foot = spotOnScreen(this.#globe.scene, positionOf({ ...waypoint, altitude_ft: 0 }));
+        if (top !== null && foot !== null && awayFromLine(at, foot, top) <= STEM_REACH_PX) {
+          return this.#waypointGrip(listener, plan, row, "upright");
+        }
+      }
+    }
+    return null;
+  }
+
+  #things(): ReadonlyArray<{ readonly thing: MapThing; readonly position: Cartesian3 }> {
+    const plans = ["flight", "hil"] as const;
+    const home = this.#home.position;
+    return [
+      ...plans.flatMap((plan) =>
+        (this.#plans[plan]?.waypoints ?? []).map((waypoint, row) => ({
+          thing: { kind: "waypoint", plan, row } as const,
+          position: positionOf(waypoint),
+        })),
+      ),
+      ...plans.flatMap((plan) => {
+        const place = this.#aircraft(plan);
+        return place === null
+          ? []
+          : [
+              {
+                thing: { kind: "aircraft", plan } as const,
+                position: Cartesian3.fromDegrees(place.longitude_deg, place.latitude_deg, place.altitude_m),
+              },
+            ];
+      }),
+      ...(home === null ? [] : [{ thing: { kind: "home" } as const, position: home }]),
+    ];
+  }
+
+  #waypointGrip(listener: PlanListener, plan: PlanKind, row: number, way: DragWay): Grip {
+    return {
+      cursor: way === "level" ? "grab" : "ns-resize",
+      click: () => listener.pick({ kind: "waypoint", plan, row }),
+      drag: (from, isShift) => {
+        const waypoint = this.#plans[plan]?.waypoints[row];
+        if (waypoint === undefined) {
+          return null;
+        }
+        const wayOf = (isShifted: boolean): DragWay => (isShifted ? "upright" : way);
+        const pulled = new WaypointDrag(this.#globe.scene, waypoint, from, wayOf(isShift));
+        listener.pick({ kind: "waypoint", plan, row });
+        const hold = (to: Point | null): void => {
+          this.#held = to === null ? null : { plan, row, to };
+          listener.drag(this.#held);
+          this.#draw(plan);
+        };
+        return {
+          move: (at, isShifted) => hold(pulled.move(at, wayOf(isShifted))),
+          drop: () => {
+            const to = this.#held?.to;
+            hold(null);
+            if (to !== undefined) {
+              listener.drop(plan, row, to);
+            }
+          },
+          cancel: () => hold(null),
+        };
+      },
+    };
+  }
+}
+
+function positionOf({ longitude_deg, latitude_deg, altitude_ft }: Point): Cartesian3 {
+  return Cartesian3.fromDegrees(longitude_deg, latitude_deg, altitude_ft * METRES_PER_FOOT);
+}

@@ -1,0 +1,134 @@
+import type { Position } from "../../lib/geodesy";
+import { captureRadius_m, type Waypoint } from "../../lib/plan";
+import { METRES_PER_FOOT } from "../../lib/units";
+import { legPoints, type Point, ring } from "./geometry";
+
+/** A plan as it is to be seen on the globe. */
+export interface DrawnPlan {
+  /** As it is edited here. */
+  readonly waypoints: readonly Waypoint[];
+  /** As the board has it, where that is known and another one. */
+  readonly board: readonly Waypoint[] | null;
+  /** Which waypoints the board does not have as they are here. */
+  readonly unsent: readonly boolean[];
+  /** Index of the waypoint that is flown to, in the board's plan; null while that is not live. */
+  readonly active: number | null;
+  /** After the last waypoint comes the first. */
+  readonly loops: boolean;
+  readonly selected: number | null;
+  /** What stands beside a waypoint. */
+  readonly label: (waypoint: Waypoint, row: number) => string;
+}
+
+export type LineKind =
+  | "leg"
+  | "unsentLeg"
+  | "activeLeg"
+  | "oldLeg"
+  | "ring"
+  | "activeRing"
+  | "stem"
+  | "selectedStem";
+
+/** A line in space: degrees, and metres above mean sea level. */
+export interface Line {
+  readonly kind: LineKind;
+  readonly width: number;
+  readonly points: ReadonlyArray<readonly [longitude_deg: number, latitude_deg: number, altitude_m: number]>;
+}
+
+export interface Dot {
+  readonly at: Waypoint;
+  readonly label: string;
+  readonly isActive: boolean;
+  readonly isSelected: boolean;
+  readonly isUnsent: boolean;
+}
+
+/** Corners of a capture circle: a chord is nowhere more than half a metre in 200 inside of it. */
+const CORNERS = 48;
+const WIDTH: Readonly<Record<LineKind, number>> = {
+  leg: 3,
+  unsentLeg: 3,
+  activeLeg: 8,
+  oldLeg: 2,
+  ring: 1.5,
+  activeRing: 3,
+  stem: 1.5,
+  selectedStem: 4,
+};
+
+/** Every line of a plan. Where a plan is being edited, the board's is drawn too, and what is flown to belongs to it. */
+export function linesOf(plan: DrawnPlan): readonly Line[] {
+  const { waypoints, board, active, loops, unsent, selected } = plan;
+  const flown = board === null ? active : null;
+  const own = legsOf(waypoints, loops && board === null).map(({ from, to, row }) =>
+    leg(row === flown ? "activeLeg" : unsent[row] || unsent[row - 1] ? "unsentLeg" : "leg", from, to),
+  );
+  const old = legsOf(board ?? [], loops).map(({ from, to, row }) =>
+    leg(row === active ? "activeLeg" : "oldLeg", from, to),
+  );
+  const rings = waypoints.map((waypoint, row) => circle(waypoint, row === flown ? "activeRing" : "ring"));
+  const target = board === null || active === null ? undefined : board[active];
+  const stems = waypoints.map((waypoint, row) => stem(waypoint, row === selected ? "selectedStem" : "stem"));
+  return [
+    ...old,
+    ...own,
+    ...rings,
+    ...(target === undefined ? [] : [circle(target, "activeRing")]),
+    ...stems,
+  ];
+}
+
+export function dotsOf({ waypoints, board, active, selected, unsent, label }: DrawnPlan): readonly Dot[] {
+  return waypoints.map((at, row) => ({
+    at,
+    label: label(at, row),
+    isActive: board === null && row === active,
+    isSelected: row === selected,
+    isUnsent: unsent[row] ?? false,
+  }));
+}
+
+interface LegEnds {
+  readonly from: Waypoint;
+  readonly to: Waypoint;
+  /** Index of the waypoint at its end. */
+  readonly row: number;
+}
+
+function legsOf(waypoints: readonly Waypoint[], loops: boolean): readonly LegEnds[] {
+  const before = (row: number): Waypoint | undefined =>
+    row === 0 && loops && waypoints.length > 2
+      ? waypoints.at(-1)
+      : row === 0
+        ? undefined
+        : waypoints[row - 1];
+  return waypoints.flatMap((to, row) => {
+    const from = before(row);
+    return from === undefined ? [] : [{ from, to, row }];
+  });
+}
+
+function leg(kind: LineKind, from: Waypoint, to: Waypoint): Line {
+  return { kind, width: WIDTH[kind], points: legPoints(from, to).map(inSpace) };
+}
+
+function circle(waypoint: Waypoint, kind: "ring" | "activeRing"): Line {
+  const places = ring(waypoint, captureRadius_m(waypoint.speed_kt), CORNERS);
+  const { altitude_ft } = waypoint;
+  return { kind, width: WIDTH[kind], points: places.map((place) => inSpace({ ...place, altitude_ft })) };
+}
+
+/** Down to the sea: with terrain the ground itself hides what is below it. */
+function stem(waypoint: Waypoint, kind: "stem" | "selectedStem"): Line {
+  return { kind, width: WIDTH[kind], points: [onTheSea(waypoint), inSpace(waypoint)] };
+}
+
+function onTheSea({ longitude_deg, latitude_deg }: Position): readonly [number, number, number] {
+  return [longitude_deg, latitude_deg, 0];
+}
+
+function inSpace({ longitude_deg, latitude_deg, altitude_ft }: Point): readonly [number, number, number] {
+  return [longitude_deg, latitude_deg, altitude_ft * METRES_PER_FOOT];
+}

@@ -1,0 +1,191 @@
+import { Cartesian2, Cartographic, Math as CesiumMath, EllipsoidTerrainProvider } from "@cesium/engine";
+import type { Position } from "../../lib/geodesy";
+import type { Globe } from "../globe/Globe";
+import type { Spot } from "../plan/geometry";
+
+/** Something that is being pulled with the pointer held down. */
+export interface Drag {
+  move(at: Spot, isShift: boolean): void;
+  drop(): void;
+  cancel(): void;
+}
+
+/** Something under the pointer. */
+export interface Grip {
+  readonly cursor: string;
+  readonly click: () => void;
+  /** Pulls it from where the pointer went down; null where it cannot be pulled. */
+  readonly drag: ((from: Spot, isShift: boolean) => Drag | null) | null;
+}
+
+/** A place on the ground; its height over the sea, metres, where the globe has terrain. */
+export interface GroundPlace extends Position {
+  readonly height_m: number | null;
+}
+
+type Finder = (at: Spot) => Grip | null;
+
+/** Nearer than this to where it went down, pixels, the pointer has been pressed and not pulled. */
+const CLICK_PX = 4;
+/** The place under the pointer is told at most so often. */
+const HOVER_MS = 100;
+
+const pointers = new WeakMap<Globe, MapPointer>();
+
+/** The one pointer of a globe: what draws on it asks it for presses. */
+export function pointerOf(globe: Globe): MapPointer {
+  const pointer = pointers.get(globe) ?? new MapPointer(globe);
+  pointers.set(globe, pointer);
+  return pointer;
+}
+
+/**
+ * What the pointer does on the globe beside turning it. A press on something with a grip does not reach the camera;
+ * every other press does. Lives as long as the globe.
+ */
+export class MapPointer {
+  readonly #globe: Globe;
+  readonly #canvas: HTMLCanvasElement;
+  readonly #finders: Finder[] = [];
+  readonly #hovers = new Set<(place: GroundPlace | null) => void>();
+  #grip: Grip | null = null;
+  #drag: Drag | null = null;
+  #down: Spot | null = null;
+  #hovered_ms = 0;
+
+  constructor(globe: Globe) {
+    this.#globe = globe;
+    this.#canvas = globe.scene.canvas;
+    // At the canvas itself captured presses come before the camera's own.
+    const options = { capture: true };
+    this.#canvas.addEventListener("pointerdown", this.#press, options);
+    this.#canvas.addEventListener("pointermove", this.#move, options);
+    this.#canvas.addEventListener("pointerup", this.#lift, options);
+    this.#canvas.addEventListener("pointercancel", () => this.#end((drag) => drag.cancel()), options);
+    this.#canvas.addEventListener("pointerleave", () => this.#tell(null), options);
+    window.addEventListener("keydown", this.#key, options);
+  }
+
+  /** Ask this one what is under the pointer; those that came later are asked first. */
+  addFinder(finder: Finder): () => void {
+    this.#finders.unshift(finder);
+    return () => {
+      const at = this.#finders.indexOf(finder);
+      if (at >= 0) {
+        this.#finders.splice(at, 1);
+      }
+    };
+  }
+
+  /** Tell the place under the pointer; null when it leaves the ground. */
+  onHover(listener: (place: GroundPlace | null) => void): () => void {
+    this.#hovers.add(listener);
+    return () => this.#hovers.delete(listener);
+  }
+
+  /** The place on the ground at a spot of the canvas; null in the sky. */
+  placeAt(at: Spot): GroundPlace | null {
+    const { scene } = this.#globe;
+    const hasTerrain = !(scene.terrainProvider instanceof EllipsoidTerrainProvider);
+    const spot = new Cartesian2(at.x, at.y);
+    const ray = scene.camera.getPickRay(spot);
+    // The drawn tiles of a bare ellipsoid are coarse chords of it: without terrain the ellipsoid itself is exact.
+    const point =
+      hasTerrain && ray !== undefined ? scene.globe.pick(ray, scene) : scene.camera.pickEllipsoid(spot);
+    const place = point === undefined ? undefined : Cartographic.fromCartesian(point);
+    return place === undefined
+      ? null
+      : {
+          latitude_deg: CesiumMath.toDegrees(place.latitude),
+          longitude_deg: CesiumMath.toDegrees(place.longitude),
+          height_m: hasTerrain ? place.height : null,
+        };
+  }
+
+  #find(at: Spot): Grip | null {
+    for (const finder of this.#finders) {
+      const grip = finder(at);
+      if (grip !== null) {
+        return grip;
+      }
+    }
+    return null;
+  }
+
+  #tell(place: GroundPlace | null): void {
+    for (const listener of this.#hovers) {
+      listener(place);
+    }
+  }
+
+  readonly #press = (event: PointerEvent): void => {
+    if (event.button !== 0 || !event.isPrimary) {
+      return;
+    }
+    const at = spotOf(event);
+    this.#down = at;
+    this.#grip = this.#find(at);
+    if (this.#grip !== null) {
+      event.stopImmediatePropagation();
+      event.preventDefault();
+      this.#canvas.setPointerCapture(event.pointerId);
+    }
+  };
+
+  readonly #move = (event: PointerEvent): void => {
+    const at = spotOf(event);
+    if (this.#grip !== null && this.#down !== null) {
+      event.stopImmediatePropagation();
+      if (this.#drag === null && away(at, this.#down) > CLICK_PX) {
+        this.#drag = this.#grip.drag?.(this.#down, event.shiftKey) ?? null;
+      }
+      this.#drag?.move(at, event.shiftKey);
+      return;
+    }
+    if (event.buttons === 0 && event.timeStamp - this.#hovered_ms >= HOVER_MS) {
+      this.#hovered_ms = event.timeStamp;
+      this.#canvas.style.cursor = this.#find(at)?.cursor ?? "";
+      if (this.#hovers.size > 0) {
+        this.#tell(this.placeAt(at));
+      }
+    }
+  };
+
+  readonly #lift = (event: PointerEvent): void => {
+    const grip = this.#grip;
+    if (grip === null || event.button !== 0) {
+      return;
+    }
+    event.stopImmediatePropagation();
+    const isPress = this.#drag === null && this.#down !== null && away(spotOf(event), this.#down) <= CLICK_PX;
+    this.#end((drag) => drag.drop());
+    if (isPress) {
+      grip.click();
+    }
+  };
+
+  readonly #key = (event: KeyboardEvent): void => {
+    if (event.key === "Escape" && this.#drag !== null) {
+      event.stopImmediatePropagation();
+      this.#end((drag) => drag.cancel());
+    }
+  };
+
+  #end(how: (drag: Drag) => void): void {
+    const drag = this.#drag;
+    this.#drag = null;
+    this.#grip = null;
+    this.#down = null;
+    if (drag !== null) {
+      how(drag);
+    }
+  }
+}
+
+function spotOf({ offsetX, offsetY }: PointerEvent): Spot {
+  return { x: offsetX, y: offsetY };
+}
+
+function away(one: Spot, other: Spot): number {
+  return Math.hypot(one.x - other.x, one.y - other.y);
+}
