@@ -6,6 +6,7 @@ import { createCommands } from "../store/commands";
 import { createConnection } from "../store/connection";
 import { DamageRate } from "../store/damage";
 import type { Page } from "../store/hooks";
+import { createMapSelection } from "../store/mapSelection";
 import { createMessages, failureMessage, type Message, say } from "../store/messages";
 import { createParameters, forget } from "../store/parameters";
 import { createPlans } from "../store/plans";
@@ -201,6 +202,7 @@ export function createPage(world: World): {
       alarmBook,
       parameters,
       missions,
+      mapSelection: createMapSelection(),
       servos: servos.desk,
       boardConsole,
       trackBook,

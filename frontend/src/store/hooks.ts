@@ -1,5 +1,6 @@
 import { createContext, useContext, useSyncExternalStore } from "react";
 import { type StoreApi, useStore } from "zustand";
+import type { MapThing } from "../lib/mapThing";
 import type { Actions } from "./actions";
 import type { AlarmBook } from "./alarmBook";
 import { type CommandEntry, type CommandStore, shown } from "./commands";
@@ -7,6 +8,7 @@ import type { Connection, ConnectionStore } from "./connection";
 import type { BoardConsole, ConsoleLog } from "./console";
 import type { FrameActions } from "./frame";
 import type { Inspector } from "./inspector";
+import type { MapSelectionStore } from "./mapSelection";
 import type { Message, MessageStore } from "./messages";
 import type { ParameterActions, ParameterBook } from "./parameters";
 import type { PlanActions, Plans } from "./plans";
@@ -33,6 +35,7 @@ export interface Page {
   readonly inspector: Inspector;
   readonly parameters: ParameterActions;
   readonly missions: PlanActions;
+  readonly mapSelection: MapSelectionStore;
   readonly trackBook: TrackBook;
   /** Gives the person a file to keep. */
   readonly saveFile: (name: string, content: Blob) => void;
@@ -67,6 +70,11 @@ export function usePlans<T>(select: (plans: Plans) => T): T {
 
 export function useTracks<T>(select: (tracks: Tracks) => T): T {
   return useSelected(usePage().trackBook.store, select);
+}
+
+/** What is chosen on the map. */
+export function useMapThing(): MapThing | null {
+  return useSelected(usePage().mapSelection, ({ thing }) => thing);
 }
 
 export function useParameters<T>(select: (book: ParameterBook) => T): T {

@@ -1,5 +1,6 @@
 import { Cartesian3 } from "@cesium/engine";
 import type { Position } from "../../lib/geodesy";
+import type { MapThing } from "../../lib/mapThing";
 import { placed } from "../../lib/plan";
 import { METRES_PER_FOOT } from "../../lib/units";
 import type { Globe } from "../globe/Globe";
@@ -11,12 +12,6 @@ import { PlanLayer } from "./PlanLayer";
 import type { DrawnPlan } from "./shape";
 import type { PlanKind } from "./style";
 import { type DragWay, WaypointDrag } from "./WaypointDrag";
-
-/** What can be pointed at. */
-export type MapThing =
-  | { readonly kind: "waypoint"; readonly plan: PlanKind; readonly row: number }
-  | { readonly kind: "aircraft"; readonly plan: PlanKind }
-  | { readonly kind: "home" };
 
 export interface PlanListener {
   /** Pressed. */

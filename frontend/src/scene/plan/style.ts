@@ -1,7 +1,8 @@
 import { Color, Material } from "@cesium/engine";
 
-/** Whose plan it is: that of the aircraft, or that of the simulator's. */
-export type PlanKind = "flight" | "hil";
+import type { Whose } from "../../lib/mapThing";
+
+export type PlanKind = Whose;
 
 /** On the globe the ground is the same in every theme, so these colours are too. */
 export const PLAN_COLOUR: Readonly<Record<PlanKind, Color>> = {
