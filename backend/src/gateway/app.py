@@ -24,6 +24,7 @@ from gateway.api import (
     parameters,
     recordings,
     state,
+    track,
 )
 from gateway.api.errors import install_error_handlers
 from gateway.api.guard import Access, Guard
@@ -72,6 +73,7 @@ def create_app(settings: Settings) -> FastAPI:
         parameters,
         mission_files,
         earth,
+        track,
         alarms,
         recordings,
         about,

@@ -40,30 +40,11 @@ def points(gateway: Gateway) -> tuple[int, int]:
     return state["real_points"], state["hil_points"]
 
 
-@pytest.mark.parametrize("path", ["/track.kml", "/earth.kml", "/earth/live.kml"])
+@pytest.mark.parametrize("path", ["/earth.kml", "/earth/live.kml"])
 def test_without_anything_flown_the_files_are_valid_and_empty(gateway: Gateway, path: str) -> None:
     data = get(gateway, path)
     assert texts(data, "Placemark") == []
     assert texts(data, "LookAt") == []
-
-
-def test_the_track_is_what_was_flown(emulated: Gateway) -> None:
-    data = get(emulated, "/track.kml?lang=en")
-    assert texts(data, "name") == ["EPF GCS: Track", "Track", "HIL track"]
-    for line in texts(data, "coordinates"):
-        assert len(line.split()) > 20
-        for position in line.split():
-            longitude, latitude, altitude = (float(number) for number in position.split(","))
-            assert abs(longitude + 15.366) < 0.02
-            assert abs(latitude - 27.932) < 0.02
-            assert 270 < altitude < 335
-    assert set(texts(data, "altitudeMode")) == {"absolute"}
-    assert set(texts(data, "extrude")) == {"1"}
-
-
-def test_points_are_left_out_where_fewer_are_wanted(emulated: Gateway) -> None:
-    for line in texts(get(emulated, "/track.kml?points=10"), "coordinates"):
-        assert 2 <= len(line.split()) <= 12
 
 
 def test_the_link_document_asks_each_second_under_the_name_it_was_asked_for(emulated: Gateway) -> None:
@@ -138,59 +119,6 @@ def test_a_position_without_a_fix_is_no_position(gateway: Gateway, board: FakeBo
     assert texts(get(gateway, "/earth/live.kml"), "Placemark") == []
 
 
-def test_a_cleared_track_comes_back_with_what_was_flown_since(gateway: Gateway, board: FakeBoard) -> None:
-    gateway.open_board(board.url)
-    with gateway.stream() as stream:
-        operator = {"X-Client": stream.hello["client"]}
-        fly(gateway, board, [27.9000, 27.9001, 27.9002])
-        cleared = gateway.http.post("/track/reset", headers=operator).raise_for_status().json()
-        assert cleared == {"real_points": 0, "hil_points": 0, "can_restore": True}
-        assert stream.event("track") == cleared
-        assert texts(get(gateway, "/track.kml"), "coordinates") == []
-        fly(gateway, board, [27.9003, 27.9004])
-        restored = gateway.http.post("/track/restore", headers=operator).raise_for_status().json()
-        assert restored == {"real_points": 5, "hil_points": 0, "can_restore": False}
-        assert stream.event("track") == restored
-    latitudes = [
-        round(float(position.split(",")[1]), 4)
-        for line in texts(get(gateway, "/track.kml"), "coordinates")
-        for position in line.split()
-    ]
-    assert latitudes == [27.9, 27.9001, 27.9002, 27.9003, 27.9004]
-
-
-def test_only_the_track_that_was_cleared_last_is_kept(gateway: Gateway, board: FakeBoard) -> None:
-    refused = gateway.http.post("/track/restore")
-    assert (refused.status_code, refused.json()["code"]) == (409, "track_not_kept")
-    gateway.open_board(board.url)
-    fly(gateway, board, [27.9000, 27.9001])
-    gateway.http.post("/track/reset").raise_for_status()
-    fly(gateway, board, [27.9005, 27.9006, 27.9007])
-    gateway.http.post("/track/reset").raise_for_status()
-    assert gateway.http.post("/track/reset").json()["can_restore"] is True, "an empty track is not kept in its place"
-    assert gateway.http.post("/track/restore").json()["real_points"] == 3
-    assert gateway.http.post("/track/restore").status_code == 409
-
-
-def test_examples_do_not_get_into_the_flown_track(gateway: Gateway, board: FakeBoard) -> None:
-    gateway.open_board(board.url)
-    fly(gateway, board, [27.9000, 27.9001])
-    gateway.open_board("emulation:")
-    eventually(lambda: min(points(gateway)) > 5, "examples are drawn")
-    gateway.http.post("/track/reset").raise_for_status()
-    assert gateway.http.post("/track/restore").status_code == 409
-    gateway.http.delete("/links/board").raise_for_status()
-    assert points(gateway) == (2, 0)
-
-
-def test_who_has_no_control_cannot_clear_the_track(gateway: Gateway) -> None:
-    with gateway.stream() as stream:
-        body = {"client": stream.hello["client"], "action": "take"}
-        gateway.http.post("/control", json=body).raise_for_status()
-        for path in ("/track/reset", "/track/restore"):
-            assert gateway.http.post(path).json()["code"] == "control_held"
-
-
 def test_the_plan_is_as_the_board_has_it(gateway: Gateway, board: FakeBoard) -> None:
     gateway.open_board(board.url)
     gateway.http.put("/missions/hil", json={"waypoints": GANDO}).raise_for_status()
@@ -206,11 +134,3 @@ def test_a_legacy_board_has_no_plan_to_show(gateway: Gateway, legacy_board: Fake
     answer = gateway.http.get("/plan.kml")
     assert (answer.status_code, answer.json()["code"]) == (409, "not_supported")
     assert not any("plan.kml" in href for href in texts(get(gateway, "/earth.kml"), "href"))
-
-
-def fly(gateway: Gateway, board: FakeBoard, latitudes_deg: list[float]) -> None:
-    """A few metres further with each position."""
-    before = points(gateway)[0]
-    for latitude_deg in latitudes_deg:
-        board.send_gps(latitude_deg, -15.38, 300.0)
-    eventually(lambda: points(gateway)[0] == before + len(latitudes_deg), "the positions are heard")

@@ -20,6 +20,30 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/ahrs-test": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Post Ahrs Test
+         * @description Begin the test; proved by its first record. Until it ends the board takes no command and sends nothing else.
+         */
+        post: operations["post_ahrs_test_api_v1_ahrs_test_post"];
+        /**
+         * Delete Ahrs Test
+         * @description End the test; proved by the board's next heartbeat, after which its streams are what they were.
+         */
+        delete: operations["delete_ahrs_test_api_v1_ahrs_test_delete"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/alarms": {
         parameters: {
             query?: never;
@@ -198,10 +222,10 @@ export interface paths {
             cookie?: never;
         };
         /**
-         * Get Aircraft Model
+         * Get Aircraftmodel Bytes
          * @description The aircraft's shape.
          */
-        get: operations["get_aircraft_model_api_v1_earth_aircraft_dae_get"];
+        get: operations["get_aircraftmodel_bytes_api_v1_earth_aircraft_dae_get"];
         put?: never;
         post?: never;
         delete?: never;
@@ -530,6 +554,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/plan.kmz": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Plan Kmz
+         * @description The same, packed.
+         */
+        get: operations["get_plan_kmz_api_v1_plan_kmz_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/ports": {
         parameters: {
             query?: never;
@@ -670,6 +714,46 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/track.czml": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Track Czml
+         * @description The flown tracks as CZML: place and time of every point, and the attitude where it was live.
+         */
+        get: operations["get_track_czml_api_v1_track_czml_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/track.gpx": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Track Gpx
+         * @description The flown tracks as GPX 1.1, with the time of every point.
+         */
+        get: operations["get_track_gpx_api_v1_track_gpx_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/track.kml": {
         parameters: {
             query?: never;
@@ -679,9 +763,53 @@ export interface paths {
         };
         /**
          * Get Track Kml
-         * @description The flown tracks, real and HIL, with their curtains.
+         * @description The flown tracks, real and HIL, with their curtains: every point, unless fewer are asked for.
          */
         get: operations["get_track_kml_api_v1_track_kml_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/track.kmz": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Track Kmz
+         * @description The same in one packed file with the aircraft's model, which stands where each track ends.
+         */
+        get: operations["get_track_kmz_api_v1_track_kmz_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/track/points": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Track Points
+         * @description Every point of a track from index `after` on, little endian.
+         *
+         *     Header of 32 bytes: `EPT1`, u32 epoch, u32 index of the first point, u32 count, u32 total, u32 0, f64 Unix time t0.
+         *     Then `count` records of 16: u32 ms since t0, i32 latitude and i32 longitude in 1e-7 deg, i32 altitude in mm above
+         *     mean sea level. Where the epoch is another than the caller's, or `after` is beyond the end, all points come.
+         */
+        get: operations["get_track_points_api_v1_track_points_get"];
         put?: never;
         post?: never;
         delete?: never;
@@ -868,11 +996,16 @@ export interface components {
         };
         /**
          * BoardStatus
-         * @description The board's link. `open`: commands work. Percentages are of baud / 10 bytes a second.
+         * @description The board's link. `open`: commands work, but during the AHRS test. Percentages are of baud / 10 bytes a second.
          *
          *     `emulated`: these are example values and no board; the link `before_emulation_url` comes back when it is closed.
          */
         BoardStatus: {
+            /**
+             * Ahrs Test
+             * @enum {string}
+             */
+            ahrs_test: "off" | "starting" | "running" | "ending";
             /** Before Emulation Url */
             before_emulation_url: string | null;
             /** Bytes In */
@@ -1007,7 +1140,7 @@ export interface components {
              * Code
              * @enum {string}
              */
-            code: "alarm_not_active" | "bad_json" | "board_line_full" | "board_not_open" | "body_too_large" | "client_unknown" | "command_unknown" | "control_held" | "datagram_malformed" | "datagram_stranger" | "emulation_running" | "foreign_host" | "foreign_origin" | "http_error" | "internal" | "invalid_request" | "journal_not_written" | "journal_unreadable" | "line_garbage" | "link_address_invalid" | "link_busy" | "link_failed" | "link_lost" | "link_no_device" | "link_not_serial" | "link_permission" | "link_refused" | "link_timeout" | "link_unknown_host" | "link_unreachable" | "listen_failed" | "listen_unknown_host" | "memory_not_written" | "memory_unreadable" | "method_not_allowed" | "mission_differs" | "mission_file_archive" | "mission_file_damaged" | "mission_file_empty" | "mission_file_forbidden" | "mission_file_frame" | "mission_file_header" | "mission_file_no_home" | "mission_file_no_waypoints" | "mission_file_out_of_range" | "mission_file_too_long" | "mission_file_unknown" | "mission_file_unreadable" | "mission_invalid" | "mission_not_read" | "mission_refused" | "no_such_address" | "not_supported" | "nothing_to_redo" | "nothing_to_undo" | "parameter_out_of_range" | "parameter_unknown" | "parameters_not_read" | "port_taken" | "rate_invalid" | "recording_unknown" | "simulator_unknown_host" | "source_not_taken" | "stream_message_invalid" | "threshold_out_of_range" | "threshold_unknown" | "track_not_kept" | "value_not_allowed";
+            code: "ahrs_test_in_flight" | "ahrs_test_lost" | "ahrs_test_running" | "alarm_not_active" | "bad_json" | "board_line_full" | "board_not_open" | "body_too_large" | "client_unknown" | "command_unknown" | "control_held" | "datagram_malformed" | "datagram_stranger" | "emulation_running" | "foreign_host" | "foreign_origin" | "http_error" | "internal" | "invalid_request" | "journal_not_written" | "journal_unreadable" | "line_garbage" | "link_address_invalid" | "link_busy" | "link_failed" | "link_lost" | "link_no_device" | "link_not_serial" | "link_permission" | "link_refused" | "link_timeout" | "link_unknown_host" | "link_unreachable" | "listen_failed" | "listen_unknown_host" | "memory_not_written" | "memory_unreadable" | "method_not_allowed" | "mission_differs" | "mission_file_archive" | "mission_file_damaged" | "mission_file_empty" | "mission_file_forbidden" | "mission_file_frame" | "mission_file_header" | "mission_file_no_home" | "mission_file_no_waypoints" | "mission_file_out_of_range" | "mission_file_too_long" | "mission_file_unknown" | "mission_file_unreadable" | "mission_invalid" | "mission_not_read" | "mission_refused" | "no_such_address" | "not_supported" | "nothing_to_redo" | "nothing_to_undo" | "parameter_out_of_range" | "parameter_unknown" | "parameters_not_read" | "port_taken" | "rate_invalid" | "recording_unknown" | "simulator_unknown_host" | "source_not_taken" | "stream_message_invalid" | "threshold_out_of_range" | "threshold_unknown" | "track_not_kept" | "value_not_allowed";
             /** Detail */
             detail: string;
             /** Params */
@@ -1402,7 +1535,7 @@ export interface components {
              * Code
              * @enum {string}
              */
-            code: "alarm_not_active" | "bad_json" | "board_line_full" | "board_not_open" | "body_too_large" | "client_unknown" | "command_unknown" | "control_held" | "datagram_malformed" | "datagram_stranger" | "emulation_running" | "foreign_host" | "foreign_origin" | "http_error" | "internal" | "invalid_request" | "journal_not_written" | "journal_unreadable" | "line_garbage" | "link_address_invalid" | "link_busy" | "link_failed" | "link_lost" | "link_no_device" | "link_not_serial" | "link_permission" | "link_refused" | "link_timeout" | "link_unknown_host" | "link_unreachable" | "listen_failed" | "listen_unknown_host" | "memory_not_written" | "memory_unreadable" | "method_not_allowed" | "mission_differs" | "mission_file_archive" | "mission_file_damaged" | "mission_file_empty" | "mission_file_forbidden" | "mission_file_frame" | "mission_file_header" | "mission_file_no_home" | "mission_file_no_waypoints" | "mission_file_out_of_range" | "mission_file_too_long" | "mission_file_unknown" | "mission_file_unreadable" | "mission_invalid" | "mission_not_read" | "mission_refused" | "no_such_address" | "not_supported" | "nothing_to_redo" | "nothing_to_undo" | "parameter_out_of_range" | "parameter_unknown" | "parameters_not_read" | "port_taken" | "rate_invalid" | "recording_unknown" | "simulator_unknown_host" | "source_not_taken" | "stream_message_invalid" | "threshold_out_of_range" | "threshold_unknown" | "track_not_kept" | "value_not_allowed";
+            code: "ahrs_test_in_flight" | "ahrs_test_lost" | "ahrs_test_running" | "alarm_not_active" | "bad_json" | "board_line_full" | "board_not_open" | "body_too_large" | "client_unknown" | "command_unknown" | "control_held" | "datagram_malformed" | "datagram_stranger" | "emulation_running" | "foreign_host" | "foreign_origin" | "http_error" | "internal" | "invalid_request" | "journal_not_written" | "journal_unreadable" | "line_garbage" | "link_address_invalid" | "link_busy" | "link_failed" | "link_lost" | "link_no_device" | "link_not_serial" | "link_permission" | "link_refused" | "link_timeout" | "link_unknown_host" | "link_unreachable" | "listen_failed" | "listen_unknown_host" | "memory_not_written" | "memory_unreadable" | "method_not_allowed" | "mission_differs" | "mission_file_archive" | "mission_file_damaged" | "mission_file_empty" | "mission_file_forbidden" | "mission_file_frame" | "mission_file_header" | "mission_file_no_home" | "mission_file_no_waypoints" | "mission_file_out_of_range" | "mission_file_too_long" | "mission_file_unknown" | "mission_file_unreadable" | "mission_invalid" | "mission_not_read" | "mission_refused" | "no_such_address" | "not_supported" | "nothing_to_redo" | "nothing_to_undo" | "parameter_out_of_range" | "parameter_unknown" | "parameters_not_read" | "port_taken" | "rate_invalid" | "recording_unknown" | "simulator_unknown_host" | "source_not_taken" | "stream_message_invalid" | "threshold_out_of_range" | "threshold_unknown" | "track_not_kept" | "value_not_allowed";
             /** Detail */
             detail: string;
             /** Params */
@@ -1703,6 +1836,142 @@ export interface operations {
             };
             /** @description The request came from a page or under a name that may not command. */
             403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description A value is missing, misspelt or out of range. */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    post_ahrs_test_api_v1_ahrs_test_post: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description Id of the stream's hello; not needed while nobody has control. */
+                "x-client"?: string | null;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["CommandOutcome"];
+                };
+            };
+            /** @description The body is not JSON. */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The request came from a page or under a name that may not command. */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description It cannot be done now: another has control, no link, not supported, or the device cannot be opened. */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The body is too large. */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description A value is missing, misspelt or out of range. */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    delete_ahrs_test_api_v1_ahrs_test_delete: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description Id of the stream's hello; not needed while nobody has control. */
+                "x-client"?: string | null;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["CommandOutcome"];
+                };
+            };
+            /** @description The body is not JSON. */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The request came from a page or under a name that may not command. */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description It cannot be done now: another has control, no link, not supported, or the device cannot be opened. */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The body is too large. */
+            413: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -2311,7 +2580,7 @@ export interface operations {
             };
         };
     };
-    get_aircraft_model_api_v1_earth_aircraft_dae_get: {
+    get_aircraftmodel_bytes_api_v1_earth_aircraft_dae_get: {
         parameters: {
             query?: never;
             header?: never;
@@ -3620,6 +3889,66 @@ export interface operations {
             };
         };
     };
+    get_plan_kmz_api_v1_plan_kmz_get: {
+        parameters: {
+            query?: {
+                plan?: "flight" | "hil";
+                /** @description Language of the names in the file. */
+                lang?: "es" | "en";
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/vnd.google-earth.kmz": string;
+                };
+            };
+            /** @description The request came from a page or under a name that may not command. */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description It cannot be done now: another has control, no link, not supported, or the device cannot be opened. */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description A value is missing, misspelt or out of range. */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The board was asked and refused, or did not answer. */
+            502: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
     get_ports_api_v1_ports_get: {
         parameters: {
             query?: never;
@@ -3912,6 +4241,92 @@ export interface operations {
             };
         };
     };
+    get_track_czml_api_v1_track_czml_get: {
+        parameters: {
+            query?: {
+                /** @description Leave points out evenly so that about this many remain. */
+                points?: number | null;
+                /** @description Language of the names in the file. */
+                lang?: "es" | "en";
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": string;
+                };
+            };
+            /** @description The request came from a page or under a name that may not command. */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description A value is missing, misspelt or out of range. */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_track_gpx_api_v1_track_gpx_get: {
+        parameters: {
+            query?: {
+                /** @description Leave points out evenly so that about this many remain. */
+                points?: number | null;
+                /** @description Language of the names in the file. */
+                lang?: "es" | "en";
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/gpx+xml": string;
+                };
+            };
+            /** @description The request came from a page or under a name that may not command. */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description A value is missing, misspelt or out of range. */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
     get_track_kml_api_v1_track_kml_get: {
         parameters: {
             query?: {
@@ -3933,6 +4348,93 @@ export interface operations {
                 };
                 content: {
                     "application/vnd.google-earth.kml+xml": string;
+                };
+            };
+            /** @description The request came from a page or under a name that may not command. */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description A value is missing, misspelt or out of range. */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_track_kmz_api_v1_track_kmz_get: {
+        parameters: {
+            query?: {
+                /** @description Leave points out evenly so that about this many remain. */
+                points?: number | null;
+                /** @description Language of the names in the file. */
+                lang?: "es" | "en";
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/vnd.google-earth.kmz": string;
+                };
+            };
+            /** @description The request came from a page or under a name that may not command. */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description A value is missing, misspelt or out of range. */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_track_points_api_v1_track_points_get: {
+        parameters: {
+            query?: {
+                source?: "real" | "hil";
+                /** @description How many points the caller has already. */
+                after?: number;
+                /** @description The epoch of the answer from which it has them. */
+                epoch?: number | null;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/octet-stream": string;
                 };
             };
             /** @description The request came from a page or under a name that may not command. */

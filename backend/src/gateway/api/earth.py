@@ -1,27 +1,24 @@
-"""Google Earth: what was flown, what is planned, and the aircraft as they fly. Clearing the track, and undoing it."""
+"""Google Earth: what is planned, the aircraft as they fly, and where to ask for all of it."""
 
 from __future__ import annotations
 
-import asyncio
-from collections.abc import AsyncIterator, Iterator
-from functools import cache
-from typing import Annotated, Any, Final, Literal
+from typing import Final, Literal
 
-from fastapi import APIRouter, Query, Request
-from fastapi.responses import Response, StreamingResponse
+from fastapi import APIRouter, Request
+from fastapi.responses import Response
 
-from gateway.api.deps import OperatorDep, StationDep
-from gateway.api.errors import problems, reading_problems
+from gateway.api.deps import StationDep
+from gateway.api.errors import reading_problems
 from gateway.api.mission_files import attachment
 from gateway.api.schemas import PlanName
-from gateway.api.track_schemas import TrackState
-from gateway.formats import aircraft_model
+from gateway.api.track import Lang, file_answer, model_bytes
+from gateway.formats import aircraft_model, kmz
 from gateway.formats.kml import MEDIA_TYPE
-from gateway.formats.kml_live import Link, NamedTrack, link_document, live_document, track_document
+from gateway.formats.kml_live import Link, NamedTrack, link_document, live_document
 from gateway.formats.kml_plan import write_kml
-from gateway.formats.kml_words import WORDS, Language
+from gateway.formats.kml_words import WORDS
 from gateway.services.aircraft import Which, aircraft_now, followed_of
-from gateway.vehicle.track import MAX_POINTS, Track
+from gateway.services.track_lines import lines_of
 
 router = APIRouter(tags=["earth"])
 
@@ -32,34 +29,8 @@ _EARTH_POINTS: Final = 5000
 _TAIL_S: Final = 60.0
 _TAIL_POINTS: Final = 300
 
-_KML: Final[dict[int | str, dict[str, Any]]] = {
-    200: {"content": {MEDIA_TYPE: {"schema": {"type": "string", "format": "binary"}}}}
-}
-Lang = Annotated[Language, Query(description="Language of the names in the file.")]
-MostPoints = Annotated[
-    int | None, Query(ge=2, le=MAX_POINTS, description="Leave points out evenly so that about this many remain.")
-]
 
-
-@cache
-def _model() -> bytes:
-    return aircraft_model.aircraft_dae()
-
-
-@router.get("/track.kml", response_class=Response, responses={**_KML, **reading_problems()})
-async def get_track_kml(station: StationDep, points: MostPoints = None, lang: Lang = "es") -> Response:
-    """The flown tracks, real and HIL, with their curtains."""
-    words = WORDS[lang]
-    pair = station.tracks.now
-    tracks = [
-        NamedTrack(words.track, _lines(pair.real, points)),
-        NamedTrack(words.hil_track, _lines(pair.hil, points)),
-    ]
-    headers = {"Content-Disposition": attachment(words.track, "kml")}
-    return _streamed(track_document(f"{words.station}: {words.track}", tracks), headers)
-
-
-@router.get("/plan.kml", response_class=Response, responses={**_KML, **reading_problems(409, 502)})
+@router.get("/plan.kml", response_class=Response, responses={**file_answer(MEDIA_TYPE), **reading_problems(409, 502)})
 async def get_plan_kml(station: StationDep, plan: PlanName = "flight", lang: Lang = "es") -> Response:
     """A plan as the board has it now."""
     name = WORDS[lang].hil_plan if plan == "hil" else WORDS[lang].plan
@@ -67,7 +38,20 @@ async def get_plan_kml(station: StationDep, plan: PlanName = "flight", lang: Lan
     return Response(data, media_type=MEDIA_TYPE, headers={"Content-Disposition": attachment(name, "kml")})
 
 
-@router.get("/earth.kml", response_class=Response, responses={**_KML, **reading_problems()})
+@router.get(
+    "/plan.kmz",
+    response_class=Response,
+    responses={**file_answer(kmz.MEDIA_TYPE), **reading_problems(409, 502)},
+)
+async def get_plan_kmz(station: StationDep, plan: PlanName = "flight", lang: Lang = "es") -> Response:
+    """The same, packed."""
+    name = WORDS[lang].hil_plan if plan == "hil" else WORDS[lang].plan
+    document = write_kml(name, await station.missions.read(plan))
+    data = b"".join(kmz.kmz_pieces([(kmz.DOCUMENT, [document])]))
+    return Response(data, media_type=kmz.MEDIA_TYPE, headers={"Content-Disposition": attachment(name, "kmz")})
+
+
+@router.get("/earth.kml", response_class=Response, responses=file_answer(MEDIA_TYPE))
 async def get_earth_kml(
     request: Request,
     station: StationDep,
@@ -96,7 +80,7 @@ async def get_earth_kml(
     return Response(link_document(words.station, links), media_type=MEDIA_TYPE, headers=headers)
 
 
-@router.get("/earth/live.kml", response_class=Response, responses={**_KML, **reading_problems()})
+@router.get("/earth/live.kml", response_class=Response, responses=file_answer(MEDIA_TYPE))
 async def get_live_kml(
     request: Request, station: StationDep, follow: Which | None = None, lang: Lang = "es"
 ) -> Response:
@@ -105,8 +89,8 @@ async def get_live_kml(
     since_s = station.clock.now_s() - _TAIL_S
     pair = station.tracks.now
     tracks = [
-        NamedTrack(words.track, _lines(pair.real, _TAIL_POINTS, since_s)),
-        NamedTrack(words.hil_track, _lines(pair.hil, _TAIL_POINTS, since_s)),
+        NamedTrack(name, [line.positions() for line in lines_of(track, _TAIL_POINTS, since_s)])
+        for name, track in ((words.track, pair.real), (words.hil_track, pair.hil))
     ]
     found = aircraft_now(station, words)
     model_url = f"{_base(request)}/earth/aircraft.dae"
@@ -117,49 +101,11 @@ async def get_live_kml(
 @router.get(
     "/earth/aircraft.dae",
     response_class=Response,
-    responses={
-        200: {"content": {aircraft_model.MEDIA_TYPE: {"schema": {"type": "string", "format": "binary"}}}},
-        **reading_problems(),
-    },
+    responses=file_answer(aircraft_model.MEDIA_TYPE),
 )
-async def get_aircraft_model() -> Response:
+async def get_aircraftmodel_bytes() -> Response:
     """The aircraft's shape."""
-    return Response(_model(), media_type=aircraft_model.MEDIA_TYPE, headers={"Cache-Control": "max-age=3600"})
-
-
-@router.get("/track", responses=reading_problems())
-async def get_track(station: StationDep) -> TrackState:
-    """How long the drawn tracks are."""
-    return TrackState(**station.tracks.as_dict())
-
-
-@router.post("/track/reset", responses=problems(409))
-async def reset_track(station: StationDep, _: OperatorDep) -> TrackState:
-    """Clear the drawn tracks; what is recorded stays."""
-    station.tracks.reset()
-    return TrackState(**station.tracks.as_dict())
-
-
-@router.post("/track/restore", responses=problems(409))
-async def restore_track(station: StationDep, _: OperatorDep) -> TrackState:
-    """Bring the track back that was cleared last, before what was flown since."""
-    station.tracks.restore()
-    return TrackState(**station.tracks.as_dict())
-
-
-def _lines(track: Track, most_points: int | None, since_s: float | None = None) -> list[Iterator[Any]]:
-    pieces = track.pieces(most_points) if since_s is None else track.pieces(most_points, since_s)
-    return [track.points(piece) for piece in pieces]
-
-
-def _streamed(pieces: Iterator[bytes], headers: dict[str, str]) -> StreamingResponse:
-    async def send() -> AsyncIterator[bytes]:
-        for piece in pieces:
-            yield piece
-            # An hour's track is half a second of work: board and simulator come between.
-            await asyncio.sleep(0)
-
-    return StreamingResponse(send(), media_type=MEDIA_TYPE, headers=headers)
+    return Response(model_bytes(), media_type=aircraft_model.MEDIA_TYPE, headers={"Cache-Control": "max-age=3600"})
 
 
 def _base(request: Request) -> str:

@@ -48,10 +48,14 @@ class Link(NamedTuple):
     moves_view: bool = False
 
 
-def track_document(name: str, tracks: Sequence[NamedTrack]) -> Iterator[bytes]:
-    """A KML with the tracks, in pieces that are short work each."""
+def track_document(
+    name: str, tracks: Sequence[NamedTrack], aircraft: Sequence[Aircraft] = (), model_url: str = ""
+) -> Iterator[bytes]:
+    """A KML with the tracks, in pieces that are short work each; and the aircraft where they are now."""
     root, content = document(name)
     add_styles(content)
+    for one in aircraft:
+        _add_aircraft(content, one, model_url)
     return _pieces(root, content, tracks)
 
 

@@ -92,7 +92,7 @@ class Station:
             changed=self._on_ahrs_test,
         )
         self.rates = LineRates()
-        self.tracks = Tracks(self.telemetry, self.hub, lambda: self.board.is_emulated)
+        self.tracks = Tracks(self.telemetry, self.hub, self.clock, lambda: self.board.is_emulated)
         self.watch = Watch(
             supervisor=self.supervisor,
             board=self.board,

@@ -2,34 +2,41 @@
 
 from __future__ import annotations
 
+import secrets
 from collections.abc import Callable
-from dataclasses import dataclass, field
-from typing import Any
+from dataclasses import dataclass
+from typing import Any, Final
 
 from gateway.errors import ConflictError
 from gateway.formats.units import m_from_ft
+from gateway.services.clock import Clock
 from gateway.services.hub import Hub
 from gateway.services.hub_state import Values
 from gateway.services.telemetry import Telemetry
-from gateway.vehicle.track import Position, Track
+from gateway.vehicle.track import Attitude, Position, Track
+
+_AHRS: Final = ("yaw_deg", "pitch_deg", "roll_deg")
+_SIMULATOR: Final = ("true_heading_deg", "pitch_deg", "roll_deg")
 
 
 @dataclass(frozen=True, slots=True)
 class Pair:
     """Both tracks; each only grows."""
 
-    real: Track = field(default_factory=Track)
-    hil: Track = field(default_factory=Track)
+    real: Track
+    hil: Track
 
 
 class Tracks:
     """Listens to the topics with a position. `is_emulated`: what comes now are examples, with tracks of their own."""
 
-    def __init__(self, telemetry: Telemetry, hub: Hub, is_emulated: Callable[[], bool]) -> None:
+    def __init__(self, telemetry: Telemetry, hub: Hub, clock: Clock, is_emulated: Callable[[], bool]) -> None:
+        self._telemetry = telemetry
         self._hub = hub
+        self._clock = clock
         self._is_emulated = is_emulated
-        self._flown = Pair()
-        self._examples = Pair()
+        self._flown = self._new_pair()
+        self._examples = self._new_pair()
         self._cleared: Pair | None = None
         telemetry.listen("gps", self._on_gps)
         telemetry.listen("simulator", self._on_simulator)
@@ -47,11 +54,11 @@ class Tracks:
     def reset(self) -> None:
         """Draw anew from now on. The last track that was cleared is kept; recordings are another matter."""
         if self._is_emulated():
-            self._examples = Pair()
+            self._examples = self._new_pair()
         else:
             if len(self._flown.real) or len(self._flown.hil):
                 self._cleared = self._flown
-            self._flown = Pair()
+            self._flown = self._new_pair()
         self._tell()
 
     def restore(self) -> None:
@@ -69,7 +76,7 @@ class Tracks:
 
     def forget_examples(self) -> None:
         """The emulation is over."""
-        self._examples = Pair()
+        self._examples = self._new_pair()
         self._tell()
 
     def as_dict(self) -> dict[str, Any]:
@@ -79,21 +86,41 @@ class Tracks:
     def _on_gps(self, t_s: float, values: Values) -> None:
         """A receiver without a fix sends its last position, or the Gulf of Guinea."""
         if values["valid"] is True and values["fix"]:
-            _add(self.now.real, t_s, values["latitude_deg"], values["longitude_deg"], values["altitude_m"])
+            ahrs = self._telemetry.newest("ahrs") if self._telemetry.is_live("ahrs") else None
+            attitude = None if ahrs is None else _attitude(ahrs, _AHRS)
+            _add(self.now.real, t_s, values["latitude_deg"], values["longitude_deg"], values["altitude_m"], attitude)
 
     def _on_simulator(self, t_s: float, values: Values) -> None:
         altitude_ft = values["altitude_msl_ft"]
         altitude_m = None if altitude_ft is None else m_from_ft(altitude_ft)
-        _add(self.now.hil, t_s, values["latitude_deg"], values["longitude_deg"], altitude_m)
+        attitude = _attitude(values, _SIMULATOR)
+        _add(self.now.hil, t_s, values["latitude_deg"], values["longitude_deg"], altitude_m, attitude)
+
+    def _new_pair(self) -> Pair:
+        """Tracks that nobody can take for others: their epochs are drawn, also over a restart of the gateway."""
+        now_s = self._clock.now_s()
+        return Pair(Track(now_s, secrets.randbits(32)), Track(now_s, secrets.randbits(32)))
 
     def _tell(self) -> None:
         self._hub.event("track", self.as_dict())
 
 
+def _attitude(values: Values, names: tuple[str, str, str]) -> Attitude | None:
+    heading_deg, pitch_deg, roll_deg = (values.get(name) for name in names)
+    if heading_deg is None or pitch_deg is None or roll_deg is None:
+        return None
+    return heading_deg, pitch_deg, roll_deg
+
+
 def _add(
-    track: Track, t_s: float, latitude_deg: float | None, longitude_deg: float | None, altitude_m: float | None
+    track: Track,
+    t_s: float,
+    latitude_deg: float | None,
+    longitude_deg: float | None,
+    altitude_m: float | None,
+    attitude: Attitude | None,
 ) -> None:
     if latitude_deg is None or longitude_deg is None or altitude_m is None:
         return
     position: Position = (latitude_deg, longitude_deg, altitude_m)
-    track.add(t_s, position)
+    track.add(t_s, position, attitude)

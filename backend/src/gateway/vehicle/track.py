@@ -1,18 +1,42 @@
-"""Where an aircraft has been: every new position, in bounded memory, for as long as it flies."""
+"""Where an aircraft has been: every new position with its attitude, in bounded memory, for as long as it flies.
+
+Points are packed as they go out: readers take whole blocks that never change again, and nothing is copied or formatted
+where the control frames pass.
+"""
 
 from __future__ import annotations
 
 import math
-from array import array
-from collections.abc import Iterator
+import struct
 from itertools import pairwise
-from typing import Final
+from typing import Final, NamedTuple
 
-MAX_POINTS: Final = 200_000
-"""An hour of a simulator's 50 Hz. Beyond it the older half keeps every second point, again and again."""
+import numpy as np
+
+MAX_POINTS: Final = 720_000
+"""Four hours of a simulator's 50 Hz. Beyond it the older half keeps every second point, again and again: the newest
+360,000 are always all there."""
 
 Position = tuple[float, float, float]
 """Latitude and longitude in degrees, altitude in metres above mean sea level."""
+Attitude = tuple[float, float, float]
+"""Heading (0..360, from true north), pitch (nose up positive) and roll (right wing down positive) in degrees."""
+
+POINT: Final = np.dtype(
+    [("t_ms", "<u4"), ("latitude_1e7deg", "<i4"), ("longitude_1e7deg", "<i4"), ("altitude_mm", "<i4")]
+)
+"""One point: milliseconds since the track's `t0_s`, and where. 1e-7 deg is a centimetre."""
+ATTITUDE: Final = np.dtype([("heading_cdeg", "<u2"), ("pitch_cdeg", "<i2"), ("roll_cdeg", "<i2")])
+"""Its attitude in hundredths of a degree."""
+UNKNOWN_HEADING: Final = 0xFFFF
+"""In place of a heading where the attitude was not live."""
+
+_POINT: Final = struct.Struct("<Iiii")
+_ATTITUDE: Final = struct.Struct("<Hhh")
+_NO_ATTITUDE: Final = _ATTITUDE.pack(UNKNOWN_HEADING, 0, 0)
+_BLOCK_POINTS: Final = 4096
+_MAX_U32: Final = 0xFFFFFFFF
+_MAX_I32: Final = 0x7FFFFFFF
 
 # Further apart than this and nobody knows what was between: another route was loaded, or the receiver was lost.
 _LONGEST_GAP_S: Final = 10.0
@@ -21,98 +45,148 @@ _LEAST_JUMP_M: Final = 100.0
 _M_PER_DEG: Final = 111_195.0
 
 
-class Track:
-    """Positions in the order of time, in pieces where it was interrupted."""
+class Block(NamedTuple):
+    """Points that follow each other, and their attitudes."""
 
-    def __init__(self, max_points: int = MAX_POINTS) -> None:
+    points: bytes
+    attitudes: bytes
+
+
+class Track:
+    """Positions in the order of time, in pieces where it was interrupted.
+
+    `t0_s`: the Unix time from which its points count. `epoch`: another number each time that points which were given
+    out are no longer as they were; who reads on by indices begins anew then.
+    """
+
+    def __init__(
+        self, t0_s: float = 0.0, epoch: int = 0, max_points: int = MAX_POINTS, block_points: int = _BLOCK_POINTS
+    ) -> None:
+        self.t0_s = t0_s
+        self.epoch = epoch & _MAX_U32
         self._max_points = max_points
-        self._t_s = array("d")
-        self._latitude_deg = array("d")
-        self._longitude_deg = array("d")
-        self._altitude_m = array("d")
+        self.block_points = block_points
+        self._sealed: list[Block] = []
+        self._points = bytearray()
+        self._attitudes = bytearray()
         # Index of the first point of each piece.
         self._starts: list[int] = []
+        self._last: tuple[float, Position] | None = None
 
     def __len__(self) -> int:
-        return len(self._t_s)
+        return len(self._sealed) * self.block_points + len(self._points) // POINT.itemsize
 
-    def add(self, t_s: float, position: Position) -> None:
-        """The aircraft was here at this time; the same place again is no new point."""
-        last = len(self) - 1
-        if last >= 0 and position == self.at(last):
+    def add(self, t_s: float, position: Position, attitude: Attitude | None = None) -> None:
+        """The aircraft was here at this Unix time; the same place again is no new point."""
+        last = self._last
+        if last is not None and position == last[1]:
             return
-        if last < 0 or self._is_interrupted(last, t_s, position):
-            self._starts.append(last + 1)
-        self._t_s.append(t_s)
-        self._latitude_deg.append(position[0])
-        self._longitude_deg.append(position[1])
-        self._altitude_m.append(position[2])
-        if len(self) > self._max_points:
-            self._thin()
-
-    def at(self, index: int) -> Position:
-        """A position by its index."""
-        return self._latitude_deg[index], self._longitude_deg[index], self._altitude_m[index]
+        if last is None or _is_interrupted(last, t_s, position):
+            self._starts.append(len(self))
+        self._last = (t_s, position)
+        latitude_deg, longitude_deg, altitude_m = position
+        self._points += _POINT.pack(
+            min(max(0, round((t_s - self.t0_s) * 1000.0)), _MAX_U32),
+            _i32(latitude_deg * 1e7),
+            _i32(longitude_deg * 1e7),
+            _i32(altitude_m * 1000.0),
+        )
+        self._attitudes += _NO_ATTITUDE if attitude is None else _packed(attitude)
+        if len(self._points) >= self.block_points * POINT.itemsize:
+            self._seal()
 
     def append(self, later: Track) -> None:
         """What was flown after all of this, as a piece of its own."""
         before = len(self)
-        self._t_s += later._t_s
-        self._latitude_deg += later._latitude_deg
-        self._longitude_deg += later._longitude_deg
-        self._altitude_m += later._altitude_m
+        shift_ms = round((later.t0_s - self.t0_s) * 1000.0)
+        for block in later.blocks():
+            points = np.frombuffer(block.points, POINT).copy()
+            points["t_ms"] = np.clip(points["t_ms"].astype(np.int64) + shift_ms, 0, _MAX_U32)
+            self._points += points.tobytes()
+            self._attitudes += block.attitudes
+            while len(self._points) >= self.block_points * POINT.itemsize:
+                self._seal()
         self._starts += [before + start for start in later._starts]
-        while len(self) > self._max_points:
-            self._thin()
+        self._last = later._last or self._last
+        self._changed()
 
-    def pieces(self, most_points: int | None = None, since_s: float = -math.inf) -> list[range]:
-        """Indices of the points of each piece that is a line, from `since_s` on.
+    def blocks(self, after: int = 0) -> list[Block]:
+        """Everything from the point with this index on, as it is now, whatever becomes of the track."""
+        whole, rest = divmod(min(max(0, after), len(self)), self.block_points)
+        found = [*self._sealed[whole:], Block(bytes(self._points), bytes(self._attitudes))]
+        first = found[0]
+        found[0] = Block(first.points[rest * POINT.itemsize :], first.attitudes[rest * ATTITUDE.itemsize :])
+        return found
 
-        With `most_points` some are left out evenly, never the newest of a piece.
-        """
+    def spans(self, since_s: float = -math.inf) -> list[tuple[int, int]]:
+        """First index, and index behind the last, of the points of each piece that is a line, from `since_s` on."""
         first = self._first_since(since_s)
         spans = [(max(start, first), end) for start, end in pairwise((*self._starts, len(self)))]
-        lines = [(start, end) for start, end in spans if end - start > 1]
-        total = sum(end - start for start, end in lines)
-        step = 1 if most_points is None else max(1, math.ceil(total / max(1, most_points)))
-        return [_spread(start, end, step) for start, end in lines]
+        return [(start, end) for start, end in spans if end - start > 1]
 
-    def points(self, piece: range) -> Iterator[Position]:
-        """The positions of a piece as they are now, whatever becomes of the track while they are read."""
-        chosen = slice(piece.start, piece.stop, piece.step)
-        return zip(self._latitude_deg[chosen], self._longitude_deg[chosen], self._altitude_m[chosen], strict=True)
+    def _seal(self) -> None:
+        """The newest points become a block that never changes again."""
+        points, attitudes = self.block_points * POINT.itemsize, self.block_points * ATTITUDE.itemsize
+        self._sealed.append(Block(bytes(self._points[:points]), bytes(self._attitudes[:attitudes])))
+        del self._points[:points]
+        del self._attitudes[:attitudes]
+        if len(self) + self.block_points > self._max_points:
+            self._thin()
+
+    def _thin(self) -> None:
+        """Every second point of the older half goes; whole blocks, for this happens between two control frames."""
+        count = len(self._sealed) // 4 * 2
+        old, kept = self._sealed[:count], self._sealed[count:]
+        self._sealed = [_halved(first, second) for first, second in zip(old[::2], old[1::2], strict=True)] + kept
+        half = count * self.block_points
+        moved = [(start + 1) // 2 if start < half else start - half // 2 for start in self._starts]
+        self._starts = [start for index, start in enumerate(moved) if moved[index + 1 : index + 2] != [start]]
+        self._changed()
+
+    def _changed(self) -> None:
+        self.epoch = (self.epoch + 1) & _MAX_U32
 
     def _first_since(self, since_s: float) -> int:
+        """Index of the first point that is not older."""
+        since_ms = (since_s - self.t0_s) * 1000.0
         low, high = 0, len(self)
         while low < high:
             middle = (low + high) // 2
-            if self._t_s[middle] < since_s:
-                low = middle + 1
-            else:
-                high = middle
+            low, high = (middle + 1, high) if self._t_ms(middle) < since_ms else (low, middle)
         return low
 
-    def _is_interrupted(self, last: int, t_s: float, position: Position) -> bool:
-        elapsed_s = t_s - self._t_s[last]
-        latitude_deg, longitude_deg, _ = self.at(last)
-        north_m = (position[0] - latitude_deg) * _M_PER_DEG
-        # The short way round where the date changes.
-        east_deg = (position[1] - longitude_deg + 180.0) % 360.0 - 180.0
-        east_m = east_deg * _M_PER_DEG * math.cos(math.radians(latitude_deg))
-        moved_m = math.hypot(north_m, east_m)
-        return elapsed_s > _LONGEST_GAP_S or moved_m > max(_LEAST_JUMP_M, _FASTEST_M_S * elapsed_s)
-
-    def _thin(self) -> None:
-        """Every second point of the older half goes; slices, for this happens between two control frames."""
-        half = len(self) // 2
-        for values in (self._t_s, self._latitude_deg, self._longitude_deg, self._altitude_m):
-            values[:half] = values[:half:2]
-        gone = half // 2
-        moved = [(start + 1) // 2 if start < half else start - gone for start in self._starts]
-        self._starts = [start for index, start in enumerate(moved) if moved[index + 1 : index + 2] != [start]]
+    def _t_ms(self, index: int) -> int:
+        block, place = divmod(index, self.block_points)
+        points = self._points if block == len(self._sealed) else self._sealed[block].points
+        return int.from_bytes(points[place * POINT.itemsize : place * POINT.itemsize + 4], "little")
 
 
-def _spread(start: int, end: int, step: int) -> range:
-    """Counted back from the newest point, which is the one that is looked at; a line has two at the least."""
-    newest_first = range(end - 1, start - 1, -step)
-    return newest_first[::-1] if len(newest_first) > 1 else range(start, end, end - 1 - start)
+def _packed(attitude: Attitude) -> bytes:
+    heading_deg, pitch_deg, roll_deg = attitude
+    return _ATTITUDE.pack(
+        round(heading_deg % 360.0 * 100.0) % 36000,
+        round((pitch_deg + 180.0) % 360.0 * 100.0) - 18000,
+        round((roll_deg + 180.0) % 360.0 * 100.0) - 18000,
+    )
+
+
+def _halved(first: Block, second: Block) -> Block:
+    """Every second point of both."""
+    points = np.frombuffer(first.points + second.points, POINT)[::2]
+    attitudes = np.frombuffer(first.attitudes + second.attitudes, ATTITUDE)[::2]
+    return Block(points.tobytes(), attitudes.tobytes())
+
+
+def _is_interrupted(last: tuple[float, Position], t_s: float, position: Position) -> bool:
+    elapsed_s = t_s - last[0]
+    latitude_deg, longitude_deg, _ = last[1]
+    north_m = (position[0] - latitude_deg) * _M_PER_DEG
+    # The short way round where the date changes.
+    east_deg = (position[1] - longitude_deg + 180.0) % 360.0 - 180.0
+    east_m = east_deg * _M_PER_DEG * math.cos(math.radians(latitude_deg))
+    moved_m = math.hypot(north_m, east_m)
+    return elapsed_s > _LONGEST_GAP_S or moved_m > max(_LEAST_JUMP_M, _FASTEST_M_S * elapsed_s)
+
+
+def _i32(value: float) -> int:
+    return min(max(-_MAX_I32, round(value)), _MAX_I32)
