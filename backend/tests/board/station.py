@@ -105,7 +105,11 @@ class Station:
         for size in (socket.SO_RCVBUF, socket.SO_SNDBUF):
             link.setsockopt(socket.SOL_SOCKET, size, 16384)
         link.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
-        link.connect(("127.0.0.1", port))
+        try:
+            link.connect(("127.0.0.1", port))
+        except OSError:
+            link.close()
+            raise
         return cls(link)
 
     def close(self) -> None:

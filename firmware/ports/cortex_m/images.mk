@@ -12,10 +12,10 @@ arm_flags := -mcpu=cortex-m4 -mthumb -mfpu=fpv4-sp-d16 -mfloat-abi=hard -Os -g -
 arm_kernel_sources := $(addprefix $(kernel_folder)/,tasks.c queue.c list.c portable/GCC/ARM_CM4F/port.c)
 arm_includes := -Isrc -Iports/models -Iports/cortex_m -isystem $(kernel_folder)/include \
   -isystem $(kernel_folder)/portable/GCC/ARM_CM4F
-card_sources := $(wildcard ports/cortex_m/card_*.c)
+host_sources := $(wildcard ports/cortex_m/host_*.c)
 # every machine's image has these same objects
 arm_sources := $(pure_sources) $(wildcard src/app/*.c ports/models/*.c) \
-  $(filter-out $(card_sources),$(wildcard ports/cortex_m/*.c))
+  $(filter-out $(host_sources),$(wildcard ports/cortex_m/*.c))
 arm_object = $(1:%.c=$(BUILD)/cortex_m/object/%.o)
 arm_objects := $(call arm_object,$(arm_sources) $(arm_kernel_sources))
 
@@ -41,7 +41,7 @@ $(BUILD)/cortex_m/object/%.o: %.c ports/cortex_m/images.mk | $(BUILD)/cortex_m/c
 	@echo "  CC $< (Cortex-M4F)"
 	@$(ARM_PREFIX)gcc $(WARNINGS) $(arm_flags) $(arm_includes) $(DEPENDENCIES) -c $< -o $@
 
-# $(1): machine, $(2): end of the image's name, $(3): its card
+# $(1): machine, $(2): end of the image's name, $(3): its host
 define arm_image
 $(BUILD)/$(1)/epf-board$(2).elf: $$(arm_objects) $$(call arm_object,$$(wildcard ports/$(1)/*.c) $(3)) \
   ports/$(1)/memory.ld ports/cortex_m/sections.ld
@@ -50,8 +50,8 @@ $(BUILD)/$(1)/epf-board$(2).elf: $$(arm_objects) $$(call arm_object,$$(wildcard 
 	@$(ARM_PREFIX)gcc $$(arm_flags) -nostartfiles --specs=nano.specs -Wl,--gc-sections -Wl,--fatal-warnings \
 	  -Wl,-Map=$$(@:.elf=.map) -T ports/$(1)/memory.ld -o $$@ $$(filter %.o,$$^) -lm
 endef
-$(foreach machine,$(machines),$(eval $(call arm_image,$(machine),,ports/cortex_m/card_none.c)))
-$(foreach machine,$(machines),$(eval $(call arm_image,$(machine),-qemu,ports/cortex_m/card_semihosting.c)))
+$(foreach machine,$(machines),$(eval $(call arm_image,$(machine),,ports/cortex_m/host_none.c)))
+$(foreach machine,$(machines),$(eval $(call arm_image,$(machine),-qemu,ports/cortex_m/host_semihosting.c)))
 
 %.bin: %.elf
 	@$(ARM_PREFIX)objcopy -O binary $< $@

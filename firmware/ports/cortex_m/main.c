@@ -1,7 +1,7 @@
 /// The board on a Cortex-M processor: puts its devices together. Sensors and receiver are models around the newest
 /// simulator information, as on a PC: this is the board for hardware in the loop.
 #include "app/application.h"
-#include "card.h"
+#include "host.h"
 #include "machine.h"
 #include "sim_board.h"
 #include "startup.h"
@@ -16,7 +16,8 @@ int main(void)
         .uart = uart_line(),
         .sensors = sim_board_sensors(1),
         .servos = sim_board_servos(),
-        .storage = card_storage(),
+        .storage = host_card(),
+        .legacy = host_has_option("--legacy"),
     };
     application_run(&hardware);
 }

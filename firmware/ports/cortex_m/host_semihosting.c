@@ -1,6 +1,6 @@
-// A folder of the computer that emulates the processor, by Arm's semihosting: for images under an emulator only, as the
-// call is a fault on a processor without a debugger. The folder is named behind `--card ` in the emulator's argument.
-#include "card.h"
+// By Arm's semihosting: for images under an emulator only, as the call is a fault on a processor without a debugger.
+// The emulator's arguments are the board's options; `--card FOLDER` is the last of them.
+#include "host.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -23,8 +23,11 @@ enum
 enum
 {
     folder_bytes = 256,
+    line_bytes = folder_bytes + 64,
     path_bytes = folder_bytes + 32
 };
+
+static const char card_option[] = "--card ";
 
 static char folder[folder_bytes];
 
@@ -120,27 +123,40 @@ static storage_status_t card_replace(void* context, const char* name, const uint
     return close_file(file) && written && ask(semihosting_rename, renaming) == 0 ? storage_ok : storage_failed;
 }
 
-/// The folder from the emulator's argument; false without one.
-static bool find_folder(void)
+/// The emulator's arguments, with a blank between them; empty without any.
+static const char* command_line(void)
 {
-    static char line[folder_bytes + 64];
-    static const char word[] = "--card ";
-    uint32_t arguments[] = {address_of(line), sizeof line - 1U};
+    static char line[line_bytes];
+    uint32_t arguments[] = {address_of(line), line_bytes - 1U};
     if (ask(semihosting_command_line, arguments) != 0)
     {
-        return false;
+        line[0] = '\0';
     }
-    const char* const found = strstr(line, word);
-    if (found == NULL || strlen(found) - (sizeof word - 1U) >= folder_bytes)
-    {
-        return false;
-    }
-    memcpy(folder, found + sizeof word - 1U, strlen(found) - (sizeof word - 1U) + 1U);
-    return folder[0] != '\0';
+    return line;
 }
 
-const storage_t* card_storage(void)
+const storage_t* host_card(void)
 {
     static const storage_t storage = {.context = NULL, .read = card_read, .replace = card_replace};
-    return find_folder() ? &storage : NULL;
+    const char* const found = strstr(command_line(), card_option);
+    if (found == NULL)
+    {
+        return NULL;
+    }
+    const char* const name = found + sizeof card_option - 1U;
+    const size_t length = strlen(name);
+    if (length == 0U || length >= folder_bytes)
+    {
+        return NULL;
+    }
+    memcpy(folder, name, length + 1U);
+    return &storage;
+}
+
+bool host_has_option(const char* option)
+{
+    const char* const line = command_line();
+    const char* const card = strstr(line, card_option);
+    const char* const found = strstr(line, option);
+    return found != NULL && (card == NULL || found < card);
 }

@@ -1,0 +1,68 @@
+"""The board's image for its own processor under QEMU, as a child process."""
+
+from __future__ import annotations
+
+import shutil
+import signal
+import subprocess
+import time
+from pathlib import Path
+from typing import Final
+
+from launcher.emulated import QEMU, EmulatedBoard
+from tests.board.station import DEADLINE_S, FIRMWARE, VERSION, Station
+
+COMPILER: Final = "arm-none-eabi-gcc"
+ASK_AGAIN_S: Final = 1.0
+
+
+def lacking() -> str | None:
+    """What this computer has not got to build and run images; None when it has it all."""
+    missing = [program for program in (COMPILER, QEMU) if shutil.which(program) is None]
+    return f"{' and '.join(missing)} cannot be installed here" if missing else None
+
+
+class Image:
+    """One run of an image. Its time is the emulator's: never compare it with the wall's."""
+
+    def __init__(self, name: str, card: Path, *options: str) -> None:
+        emulated = EmulatedBoard.named(name)
+        assert emulated is not None
+        self.port = emulated.port
+        command = emulated.command(FIRMWARE, card)
+        # The board's own options stand before the card.
+        command[-1] = command[-1].replace(
+            "arg=--card", ",".join([*(f"arg={option}" for option in options), "arg=--card"])
+        )
+        self._process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+
+    def station(self) -> Station:
+        """A station on its line, once the board answers: what is sent to one that is still starting is lost."""
+        station = self._connected()
+        asked_s = -ASK_AGAIN_S
+
+        def answers() -> bool:
+            nonlocal asked_s
+            if time.monotonic() - asked_s > ASK_AGAIN_S:
+                asked_s = time.monotonic()
+                station.send(b"version\n")
+            return f"{VERSION}\n" in station.text
+
+        station.wait(answers)
+        return station
+
+    def _connected(self) -> Station:
+        deadline_s = time.monotonic() + DEADLINE_S
+        while True:
+            try:
+                return Station.on_tcp(self.port)
+            except ConnectionRefusedError:
+                assert self._process.poll() is None, self._process.communicate()[0]
+                assert time.monotonic() < deadline_s, "nobody listens"
+                time.sleep(0.02)
+
+    def stop(self) -> str:
+        """End it; what it had to complain about."""
+        self._process.send_signal(signal.SIGTERM)
+        complaints, _ = self._process.communicate(timeout=DEADLINE_S)
+        return "\n".join(line for line in complaints.splitlines() if "terminating on signal" not in line)

@@ -1,0 +1,111 @@
+"""The firmware as images of two processors, under QEMU: the same application, so the same answers.
+
+Nothing here measures time: an emulated processor's clock slips where the computer is busy.
+"""
+
+from __future__ import annotations
+
+import os
+import subprocess
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Protocol
+
+import pytest
+
+from gateway.codec.messages_gen import COMMANDS
+from tests.board.emulated import Image, lacking
+from tests.board.station import FIRMWARE, LEVEL_FLIGHT, Station
+
+DONE, BAD_VALUE = 0, 1
+
+
+class Images(Protocol):
+    """Starts an image with these options and opens its line; what complains at the end fails the test."""
+
+    def __call__(self, *options: str) -> Station: ...
+
+
+@pytest.fixture(scope="session")
+def built_images() -> None:
+    if reason := lacking():
+        pytest.skip(reason)
+    environment = {
+        name: value for name, value in os.environ.items() if not name.startswith("MAKE") and name != "MFLAGS"
+    }
+    subprocess.run(["make", "-s", "-C", str(FIRMWARE), "images"], env=environment, check=True)
+
+
+@pytest.fixture(params=["qemu", "qemu-an386"], ids=["stm32f405", "mps2_an386"])
+def plugged(
+    request: pytest.FixtureRequest, built_images: None, tmp_path: Path, stations: Callable[[Station], Station]
+) -> Iterator[Images]:
+    started: list[Image] = []
+
+    def plug(*options: str) -> Station:
+        for image in started:
+            assert image.stop() == ""
+        started[:] = [Image(str(request.param), tmp_path / "card", *options)]
+        return stations(started[0].station())
+
+    yield plug
+    for image in started:
+        assert image.stop() == ""
+
+
+def test_the_image_starts_in_text_mode(plugged: Images) -> None:
+    status = plugged().table("status")
+    assert status["card"] == "present"
+    assert status["extensions"] == "yes"
+
+
+def test_the_image_opens_binary_mode_and_acknowledges(plugged: Images) -> None:
+    station = plugged()
+    station.open_binary()
+    station.extend()
+    assert station.ask("set_k_roll", 2.5) == DONE
+    beyond = station.raw_command("set_k_roll", COMMANDS["set_k_roll"].struct.pack(-1.0))
+    assert station.ask_bytes(COMMANDS["set_k_roll"].id, beyond) == BAD_VALUE
+    station.command("start")
+    for stream in ("ahrs", "inertial", "analog", "gps", "servos_in", "statistics"):
+        station.next(stream)
+    assert station.failed == 0
+
+
+def test_the_image_answers_every_hil_frame(plugged: Images) -> None:
+    station = plugged()
+    station.open_binary()
+    station.command("start")
+    for count in range(1, 51):
+        station.command("xplane_info", *LEVEL_FLIGHT)
+        station.wait(lambda count=count: station.count("hil_surfaces") == count)  # type: ignore[misc]
+    assert station.failed == 0
+
+
+def test_the_image_takes_a_burst_without_losing_a_byte(plugged: Images) -> None:
+    station = plugged()
+    station.open_binary()
+    station.extend()
+    frame = station.raw_command("set_k_roll", COMMANDS["set_k_roll"].struct.pack(1.5))
+    station.frames.clear()
+    station.write_without_reading(frame * 300)
+    station.wait(lambda: station.count("acknowledgement") == 300)
+    assert station.failed == 0
+
+
+def test_the_image_keeps_what_it_stored(plugged: Images) -> None:
+    station = plugged()
+    station.open_binary()
+    station.extend()
+    assert station.ask("set_k_roll", 3.25) == DONE
+    assert station.ask("store_parameters") == DONE
+    again = plugged()
+    assert again.line("param k_roll").split()[1] == "3.25"
+
+
+def test_a_deployed_board_s_image_knows_no_extension(plugged: Images) -> None:
+    station = plugged("--legacy")
+    station.open_binary()
+    station.command("capabilities")
+    station.heartbeats(3)
+    assert station.names() <= {"heartbeat"}
