@@ -8,6 +8,7 @@ import type { TelemetryStore } from "../store/telemetry";
 import { usePaint } from "../store/usePaint";
 import { MessageLine } from "../ui/MessageLine";
 import { Meter, type MeterHandle } from "../ui/Meter";
+import { SteadyText, type SteadyTextHandle } from "../ui/SteadyText";
 
 /** Bottom row: the last message, the health of the lines, the recording. */
 export function StatusBar() {
@@ -76,7 +77,7 @@ function Use({ label, read }: { label: string; read: "rx" | "tx" | "xplane" }) {
 /** State of the board's link and the age of its last heartbeat, whether live or not: an age is always true. */
 function Link() {
   const { t } = useTranslation();
-  const age = useRef<HTMLSpanElement>(null);
+  const age = useRef<SteadyTextHandle>(null);
   const state = useConnection(({ status, phase }) =>
     phase === "open" ? (status?.board.state ?? "closed") : "unknown",
   );
@@ -84,10 +85,7 @@ function Link() {
   const paint = useCallback(
     (telemetry: TelemetryStore, now_ms: number) => {
       const age_s = telemetry.age_s("heartbeat", now_ms);
-      const text = age_s === null ? t("words.dash") : formatAge(age_s);
-      if (age.current !== null && age.current.textContent !== text) {
-        age.current.textContent = text;
-      }
+      age.current?.write(age_s === null ? t("words.dash") : formatAge(age_s));
     },
     [t],
   );
@@ -98,7 +96,7 @@ function Link() {
       <span className="app-lamp" aria-hidden="true" />
       <span>{t(`link.${state}`)}</span>
       <span className="app-status-label">{t("status.heartbeat")}</span>
-      <span ref={age} className="app-number app-status-age" />
+      <SteadyText ref={age} chars={6} className="app-number" />
     </span>
   );
 }

@@ -1,5 +1,6 @@
 import { type Ref, useImperativeHandle, useRef } from "react";
 import "./Meter.css";
+import { SteadyText, type SteadyTextHandle } from "./SteadyText";
 
 export interface MeterHandle {
   /** Show a use in percent and its text; `null` is not known. Over 100 the bar is full and marked, the text is whole. */
@@ -22,7 +23,7 @@ function level(percent: number | null): "unknown" | "normal" | "high" | "over" {
 export function Meter({ ref, label }: Props) {
   const root = useRef<HTMLSpanElement>(null);
   const fill = useRef<HTMLSpanElement>(null);
-  const number = useRef<HTMLSpanElement>(null);
+  const number = useRef<SteadyTextHandle>(null);
 
   useImperativeHandle(
     ref,
@@ -33,9 +34,7 @@ export function Meter({ ref, label }: Props) {
         const share = Math.min(1, Math.max(0, (known ?? 0) / 100));
         fill.current.style.transform = `scaleX(${share.toFixed(3)})`;
         root.current.dataset["level"] = level(known);
-        if (number.current.textContent !== text) {
-          number.current.textContent = text;
-        }
+        number.current.write(text);
       },
     }),
     [],
@@ -47,7 +46,7 @@ export function Meter({ ref, label }: Props) {
       <span className="ui-meter-track" aria-hidden="true">
         <span ref={fill} className="ui-meter-fill" />
       </span>
-      <span ref={number} className="ui-meter-number" />
+      <SteadyText ref={number} chars={5} className="ui-meter-number" />
     </span>
   );
 }

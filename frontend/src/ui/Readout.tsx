@@ -1,4 +1,5 @@
 import { type ReactNode, type Ref, useImperativeHandle, useRef } from "react";
+import { SteadyText, type SteadyTextHandle } from "./SteadyText";
 import type { DataState } from "./states";
 import "./Readout.css";
 import { useWords } from "./words";
@@ -40,14 +41,11 @@ interface Props {
 /** Shown where there is no number: as wide as one, and nobody can take it for a zero. */
 const DASHES = "\u2013\u2009\u2013\u2009\u2013";
 
-/** Advance of a figure of the number font; `ch` would measure another of the fonts that make it up. */
-const EM_PER_FIGURE = 0.65;
-
 /** One reading: name, number, unit, and whether it is live. Painted by its handle, without a render. */
 export function Readout({ ref, label, unit, chars = 7, size = "normal" }: Props) {
   const words = useWords();
   const root = useRef<HTMLDivElement>(null);
-  const number = useRef<HTMLSpanElement>(null);
+  const number = useRef<SteadyTextHandle>(null);
   const word = useRef<HTMLSpanElement>(null);
   const told = useRef<DataState>("none");
 
@@ -64,10 +62,7 @@ export function Readout({ ref, label, unit, chars = 7, size = "normal" }: Props)
     return {
       paint(text, state) {
         const shown = text === null ? "none" : state;
-        const digits = shown === "none" || text === null ? DASHES : text;
-        if (number.current !== null && number.current.textContent !== digits) {
-          number.current.textContent = digits;
-        }
+        number.current?.write(shown === "none" || text === null ? DASHES : text);
         if (shown !== told.current) {
           tell(shown);
         }
@@ -79,9 +74,7 @@ export function Readout({ ref, label, unit, chars = 7, size = "normal" }: Props)
     <div ref={root} className="ui-readout" data-size={size}>
       <dt className="ui-readout-label">{label}</dt>
       <dd className="ui-readout-value">
-        <span ref={number} className="ui-readout-number" style={{ minWidth: `${chars * EM_PER_FIGURE}em` }}>
-          {DASHES}
-        </span>
+        <SteadyText ref={number} chars={chars} initial={DASHES} className="ui-readout-number" />
         {unit !== undefined && <span className="ui-readout-unit">{unit}</span>}
         <span ref={word} className="visually-hidden" />
       </dd>

@@ -2,69 +2,59 @@ import { describe, expect, test } from "vitest";
 import { digitsPath } from "../dial/digits";
 import {
   BALL_RADIUS,
-  horizonTransform,
+  horizonShift,
   isAttitude,
   LADDER_BANDS,
-  ladderTransform,
+  ladderShift,
   RUNGS,
-  rollTransform,
+  rollTurn_deg,
   UNITS_PER_DEGREE,
 } from "./geometry";
 
-/** Turn [deg] and shift [units] of a transform, as SVG reads them. */
-function read(transform: string): { turn: number; shift: number } {
-  const turn = /rotate\((?<angle>[-\d.]+)\)/.exec(transform)?.groups?.["angle"];
-  const shift = /translate\(0 (?<y>[-\d.]+)\)/.exec(transform)?.groups?.["y"];
-  return { turn: Number(turn), shift: Number(shift) };
-}
-
 describe("the horizon", () => {
   test("lies level through the middle in level flight", () => {
-    expect(horizonTransform(0, 0)).toBe("rotate(0) translate(0 0)");
-    expect(ladderTransform(0, -0)).toBe("rotate(0) translate(0 0)");
+    expect(rollTurn_deg(0)).toBe(0);
+    expect(rollTurn_deg(-0)).toBe(0);
+    expect(horizonShift(0)).toBe(0);
+    expect(ladderShift(0)).toBe(0);
   });
 
   test("turns left in a bank to the right", () => {
-    // SVG turns clockwise: 330 is thirty degrees to the left.
-    expect(read(horizonTransform(0, 30)).turn).toBe(330);
-    expect(read(horizonTransform(0, -30)).turn).toBe(30);
-    expect(rollTransform(30)).toBe("rotate(330)");
+    // The page turns clockwise: 330 is thirty degrees to the left.
+    expect(rollTurn_deg(30)).toBe(330);
+    expect(rollTurn_deg(-30)).toBe(30);
   });
 
   test("moves down when the nose goes up, and up when it goes down", () => {
-    expect(read(horizonTransform(10, 0)).shift).toBe(10 * UNITS_PER_DEGREE);
-    expect(read(horizonTransform(-10, 0)).shift).toBe(-10 * UNITS_PER_DEGREE);
-  });
-
-  test("is turned first and shifted then, so that pitch moves it along the aircraft's own axis", () => {
-    expect(horizonTransform(5, 30)).toBe(`rotate(330) translate(0 ${5 * UNITS_PER_DEGREE})`);
+    expect(horizonShift(10)).toBe(10 * UNITS_PER_DEGREE);
+    expect(horizonShift(-10)).toBe(-10 * UNITS_PER_DEGREE);
   });
 
   test.each([90, 60, -60, -90, 400, -400])(
     "never leaves the ball, at %d degrees of pitch neither",
     (pitch_deg) => {
-      const { shift } = read(horizonTransform(pitch_deg, 0));
+      const shift = horizonShift(pitch_deg);
       expect(Math.abs(shift)).toBeLessThan(BALL_RADIUS);
       expect(Math.sign(shift)).toBe(Math.sign(pitch_deg));
     },
   );
 
   test("comes round whole over the back and is the same from either side", () => {
-    expect(rollTransform(180)).toBe(rollTransform(-180));
-    expect(rollTransform(540)).toBe("rotate(180)");
+    expect(rollTurn_deg(180)).toBe(rollTurn_deg(-180));
+    expect(rollTurn_deg(540)).toBe(180);
   });
 });
 
 describe("the pitch ladder", () => {
   test("brings the rung of the present pitch to the middle", () => {
     for (const { pitch_deg, y } of RUNGS) {
-      expect(y + read(ladderTransform(pitch_deg, 0)).shift).toBeCloseTo(0, 6);
+      expect(y + ladderShift(pitch_deg)).toBeCloseTo(0, 6);
     }
   });
 
   test("stops at straight up and straight down", () => {
-    expect(ladderTransform(120, 0)).toBe(ladderTransform(90, 0));
-    expect(ladderTransform(-120, 0)).toBe(ladderTransform(-90, 0));
+    expect(ladderShift(120)).toBe(ladderShift(90));
+    expect(ladderShift(-120)).toBe(ladderShift(-90));
   });
 
   test("draws every rung once, in bands of ten degrees", () => {

@@ -35,22 +35,21 @@ export function shownPitch_deg(pitch_deg: number): number {
 }
 
 /**
- * Turn of everything that stays with the outside world. SVG turns clockwise, so a right bank turns the horizon
+ * Turn of everything that stays with the outside world. The page turns clockwise, so a right bank turns the horizon
  * to the left.
  */
-export function rollTransform(roll_deg: number): string {
-  return `rotate(${round(wrap360(-roll_deg))})`;
+export function rollTurn_deg(roll_deg: number): number {
+  return wrap360(round(wrap360(-roll_deg)));
 }
 
-/** The pitch ladder: SVG's y points down, so a raised nose pushes it down. */
-export function ladderTransform(pitch_deg: number, roll_deg: number): string {
-  return `${rollTransform(roll_deg)} translate(0 ${round(shownPitch_deg(pitch_deg) * UNITS_PER_DEGREE)})`;
+/** How far the pitch ladder is down, along its own turned axis: the page's y points down, a raised nose pushes it down. */
+export function ladderShift(pitch_deg: number): number {
+  return round(shownPitch_deg(pitch_deg) * UNITS_PER_DEGREE);
 }
 
-/** The edge between sky and ground: as the ladder, but kept within the ball. */
-export function horizonTransform(pitch_deg: number, roll_deg: number): string {
-  const offset = clamp(shownPitch_deg(pitch_deg) * UNITS_PER_DEGREE, -EDGE_LIMIT, EDGE_LIMIT);
-  return `${rollTransform(roll_deg)} translate(0 ${round(offset)})`;
+/** How far the edge between sky and ground is down: as the ladder, but kept within the ball. */
+export function horizonShift(pitch_deg: number): number {
+  return round(clamp(shownPitch_deg(pitch_deg) * UNITS_PER_DEGREE, -EDGE_LIMIT, EDGE_LIMIT));
 }
 
 /** A rung of the ladder: its height in the picture and half its width. */

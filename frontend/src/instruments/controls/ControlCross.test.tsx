@@ -30,7 +30,11 @@ test("the four controls stand in the attributes", () => {
   expect(picture.getAttribute("data-elevator")).toBe("-0.500");
   expect(picture.getAttribute("data-rudder")).toBe("0.000");
   expect(picture.getAttribute("data-throttle")).toBe("0.700");
-  expect(picture.querySelector("desc")?.textContent).toBe("elevator -0.5");
+  expect(picture.querySelector(".inst-description")?.textContent).toBe("elevator -0.5");
+  const [stick, pedals, throttle] = picture.querySelectorAll<HTMLElement>(".inst-layer");
+  expect(stick?.style.transform).toBe("translate(8.333cqmin, -16.667cqmin)");
+  expect(pedals?.style.transform).toBe("none");
+  expect(throttle?.style.transform).toBe("translate(0cqmin, -46.667cqmin)");
 });
 
 test.each([null, { ...STICK, rudder: null }, { ...STICK, aileron: Number.NaN }])(
@@ -41,6 +45,6 @@ test.each([null, { ...STICK, rudder: null }, { ...STICK, aileron: Number.NaN }])
     paint(controls, 16);
     expect(picture.getAttribute("data-state")).toBe("none");
     expect(picture.hasAttribute("data-aileron")).toBe(false);
-    expect(picture.querySelector("desc")?.textContent).toBe("NO DATA");
+    expect(picture.querySelector(".inst-description")?.textContent).toBe("NO DATA");
   },
 );

@@ -1,4 +1,7 @@
 import { type Ref, useImperativeHandle, useRef } from "react";
+import { InstrumentFrame } from "../dial/Dial";
+import { Layer } from "../dial/Layer";
+import { layerTransform, setTransform } from "../dial/layer";
 import {
   attributeNumber,
   DESCRIPTION_PERIOD_MS,
@@ -7,9 +10,15 @@ import {
   setAttribute,
   setText,
 } from "../dial/paint";
-import "../dial/dial.css";
 import "./controls.css";
-import { areControls, type Controls, pedalTransform, stickTransform, throttleTransform } from "./geometry";
+import {
+  areControls,
+  type Controls,
+  PICTURE_HALF_SIDE as halfSide,
+  pedalShift,
+  stickShift,
+  throttleShift,
+} from "./geometry";
 
 export interface ControlCrossHandle {
   /** Show the four controls; `null` (and any of them missing) shows the cross. */
@@ -25,35 +34,41 @@ interface Props {
 
 const AXES = ["aileron", "elevator", "rudder", "throttle"] as const;
 
+const VIEW_BOX = `${-halfSide} ${-halfSide} ${2 * halfSide} ${2 * halfSide}`;
+const STICK_BOX = { x: -28, y: -28, width: 24, height: 24 };
+const PEDAL_BOX = { x: -22, y: 60, width: 12, height: 16 };
+const THROTTLE_BOX = { x: 60, y: 34, width: 16, height: 12 };
+
 /** Stick seen from above, pedals under it, throttle lever beside it. */
 export function ControlCross({ ref, label, noDataText, describe }: Props) {
-  const root = useRef<SVGSVGElement>(null);
-  const description = useRef<SVGDescElement>(null);
-  const stick = useRef<SVGGElement>(null);
-  const pedals = useRef<SVGPathElement>(null);
-  const throttle = useRef<SVGPathElement>(null);
+  const root = useRef<HTMLDivElement>(null);
+  const description = useRef<HTMLSpanElement>(null);
+  const stick = useRef<HTMLDivElement>(null);
+  const pedals = useRef<HTMLDivElement>(null);
+  const throttle = useRef<HTMLDivElement>(null);
 
   useImperativeHandle(ref, () => {
     const pace = new Pace(DESCRIPTION_PERIOD_MS);
     return {
       paint(controls, now_ms = performance.now()) {
-        const svg = root.current;
+        const picture = root.current;
         if (!areControls(controls)) {
-          setAttribute(svg, "data-state", "none");
+          setAttribute(picture, "data-state", "none");
           for (const axis of AXES) {
-            removeAttribute(svg, `data-${axis}`);
+            removeAttribute(picture, `data-${axis}`);
           }
           setText(description.current, noDataText);
           pace.reset();
           return;
         }
-        setAttribute(stick.current, "transform", stickTransform(controls.aileron, controls.elevator));
-        setAttribute(pedals.current, "transform", pedalTransform(controls.rudder));
-        setAttribute(throttle.current, "transform", throttleTransform(controls.throttle));
+        const { aileron, elevator, rudder, throttle: opened } = controls;
+        setTransform(stick.current, layerTransform(0, { ...stickShift(aileron, elevator), halfSide }));
+        setTransform(pedals.current, layerTransform(0, { ...pedalShift(rudder), halfSide }));
+        setTransform(throttle.current, layerTransform(0, { ...throttleShift(opened), halfSide }));
         for (const axis of AXES) {
-          setAttribute(svg, `data-${axis}`, attributeNumber(controls[axis], 3));
+          setAttribute(picture, `data-${axis}`, attributeNumber(controls[axis], 3));
         }
-        setAttribute(svg, "data-state", "live");
+        setAttribute(picture, "data-state", "live");
         if (describe !== undefined && pace.due(now_ms)) {
           setText(description.current, describe(controls));
         }
@@ -62,16 +77,8 @@ export function ControlCross({ ref, label, noDataText, describe }: Props) {
   }, [describe, noDataText]);
 
   return (
-    <div className="inst-frame">
-      <svg
-        ref={root}
-        className="inst-dial inst-controls"
-        viewBox="-84 -84 168 168"
-        role="img"
-        aria-label={label}
-        data-state="none"
-      >
-        <desc ref={description} />
+    <InstrumentFrame ref={root} descriptionRef={description} label={label}>
+      <svg className="inst-picture" viewBox={VIEW_BOX} aria-hidden="true">
         <g transform="translate(-16 -16)">
           <rect x="-66" y="-66" width="132" height="132" rx="3" className="inst-controls-well" />
           <path d="M-56 0H56M0 -56V56" className="inst-controls-axis" />
@@ -79,22 +86,16 @@ export function ControlCross({ ref, label, noDataText, describe }: Props) {
             d="M-56 -4V4M-28 -3V3M28 -3V3M56 -4V4M-4 -56H4M-3 -28H3M-3 28H3M-4 56H4"
             className="inst-tick"
           />
-          <g ref={stick} className="inst-moving inst-controls-mark">
-            <circle r="7" />
-            <path d="M-11 0H-3M3 0H11M0 -11V-3M0 3V11" />
-          </g>
         </g>
         <g transform="translate(-16 68)">
           <rect x="-66" y="-9" width="132" height="18" rx="3" className="inst-controls-well" />
           <path d="M-56 0H56" className="inst-controls-axis" />
           <path d="M-56 -4V4M-28 -3V3M0 -4V4M28 -3V3M56 -4V4" className="inst-tick" />
-          <path ref={pedals} d="M-4 -6.5H4V6.5H-4Z" className="inst-moving inst-controls-mark" />
         </g>
         <g transform="translate(68 40)">
           <rect x="-9" y="-122" width="18" height="132" rx="3" className="inst-controls-well" />
           <path d="M0 0V-112" className="inst-controls-axis" />
           <path d="M-4 0H4M-3 -28H3M-4 -56H4M-3 -84H3M-4 -112H4" className="inst-tick" />
-          <path ref={throttle} d="M-6.5 -4H6.5V4H-6.5Z" className="inst-moving inst-controls-mark" />
         </g>
         <g className="inst-cross">
           <path d="M-66 -66L34 34M34 -66L-66 34" />
@@ -104,6 +105,18 @@ export function ControlCross({ ref, label, noDataText, describe }: Props) {
           </text>
         </g>
       </svg>
-    </div>
+      <Layer ref={stick} box={STICK_BOX} halfSide={halfSide} className="inst-controls-mark inst-moving">
+        <g transform="translate(-16 -16)">
+          <circle r="7" />
+          <path d="M-11 0H-3M3 0H11M0 -11V-3M0 3V11" />
+        </g>
+      </Layer>
+      <Layer ref={pedals} box={PEDAL_BOX} halfSide={halfSide} className="inst-controls-mark inst-moving">
+        <path d="M-20 61.5H-12V74.5H-20Z" />
+      </Layer>
+      <Layer ref={throttle} box={THROTTLE_BOX} halfSide={halfSide} className="inst-controls-mark inst-moving">
+        <path d="M61.5 36H74.5V44H61.5Z" />
+      </Layer>
+    </InstrumentFrame>
   );
 }

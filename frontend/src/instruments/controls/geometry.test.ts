@@ -2,36 +2,36 @@ import { expect, test } from "vitest";
 import {
   areControls,
   PEDAL_TRAVEL,
-  pedalTransform,
+  pedalShift,
   STICK_TRAVEL,
-  stickTransform,
+  stickShift,
   THROTTLE_TRAVEL,
-  throttleTransform,
+  throttleShift,
 } from "./geometry";
 
 test("the stick goes right for the right wing down", () => {
-  expect(stickTransform(0.5, 0)).toBe(`translate(${STICK_TRAVEL / 2} 0)`);
+  expect(stickShift(0.5, 0)).toEqual({ x: STICK_TRAVEL / 2, y: 0 });
 });
 
 test("the stick goes back, down the picture, for the nose up", () => {
-  expect(stickTransform(0, 1)).toBe(`translate(0 ${STICK_TRAVEL})`);
-  expect(stickTransform(0, -1)).toBe(`translate(0 -${STICK_TRAVEL})`);
+  expect(stickShift(0, 1)).toEqual({ x: 0, y: STICK_TRAVEL });
+  expect(stickShift(0, -1)).toEqual({ x: 0, y: -STICK_TRAVEL });
 });
 
 test("the pedals' mark goes right for the nose right", () => {
-  expect(pedalTransform(1)).toBe(`translate(${PEDAL_TRAVEL} 0)`);
+  expect(pedalShift(1)).toEqual({ x: PEDAL_TRAVEL });
 });
 
 test("the throttle goes up as it opens", () => {
-  expect(throttleTransform(0)).toBe("translate(0 0)");
-  expect(throttleTransform(1)).toBe(`translate(0 -${THROTTLE_TRAVEL})`);
+  expect(throttleShift(0)).toEqual({ y: 0 });
+  expect(throttleShift(1)).toEqual({ y: -THROTTLE_TRAVEL });
 });
 
 test("nothing leaves its track", () => {
-  expect(stickTransform(3, -3)).toBe(stickTransform(1, -1));
-  expect(pedalTransform(-2)).toBe(pedalTransform(-1));
-  expect(throttleTransform(1.2)).toBe(throttleTransform(1));
-  expect(throttleTransform(-1)).toBe(throttleTransform(0));
+  expect(stickShift(3, -3)).toEqual(stickShift(1, -1));
+  expect(pedalShift(-2)).toEqual(pedalShift(-1));
+  expect(throttleShift(1.2)).toEqual(throttleShift(1));
+  expect(throttleShift(-1)).toEqual(throttleShift(0));
 });
 
 test("one missing control makes the picture incomplete", () => {

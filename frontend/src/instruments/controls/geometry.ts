@@ -11,6 +11,9 @@ export interface Controls {
   readonly throttle: number | null;
 }
 
+/** Half the side of the whole picture, in its units. */
+export const PICTURE_HALF_SIDE = 84;
+
 /** Half the side of the square in which the stick moves, in units of the picture. */
 export const STICK_TRAVEL = 56;
 
@@ -36,18 +39,18 @@ export function areControls(controls: Controls | null): controls is { [axis in k
  * The stick seen from above: right is right, and pulling it back, which raises the nose (elevator positive),
  * moves its head down the picture, towards the pilot.
  */
-export function stickTransform(aileron: number, elevator: number): string {
-  return `translate(${along(aileron, STICK_TRAVEL)} ${along(elevator, STICK_TRAVEL)})`;
+export function stickShift(aileron: number, elevator: number): { x: number; y: number } {
+  return { x: along(aileron, STICK_TRAVEL), y: along(elevator, STICK_TRAVEL) };
 }
 
 /** Right pedal forward turns the nose right: the mark goes right. */
-export function pedalTransform(rudder: number): string {
-  return `translate(${along(rudder, PEDAL_TRAVEL)} 0)`;
+export function pedalShift(rudder: number): { x: number } {
+  return { x: along(rudder, PEDAL_TRAVEL) };
 }
 
 /** The lever goes up the picture as the throttle opens. */
-export function throttleTransform(throttle: number): string {
-  return `translate(0 ${round(-clamp(throttle, 0, 1) * THROTTLE_TRAVEL)})`;
+export function throttleShift(throttle: number): { y: number } {
+  return { y: round(-clamp(throttle, 0, 1) * THROTTLE_TRAVEL) };
 }
 
 function along(value: number, travel: number): number {

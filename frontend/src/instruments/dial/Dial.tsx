@@ -9,32 +9,53 @@ export interface DialProps {
   noDataText: string;
 }
 
-interface FrameProps extends DialProps {
-  ref: Ref<SVGSVGElement>;
-  descriptionRef: Ref<SVGDescElement>;
+interface FrameProps {
+  ref: Ref<HTMLDivElement>;
+  descriptionRef: Ref<HTMLSpanElement>;
+  label: string;
   children: ReactNode;
-  className?: string | undefined;
 }
 
 /**
- * Frame, face and red cross of a round instrument; what moves goes inside.
+ * Frame of an instrument: name, sentence for screen readers and the square in which its pictures and layers lie on
+ * each other.
  *
  * `data-state` starts as `none` and is flipped by the painter alone: React renders it once and never again,
- * so no render can undo what was painted. The cross needs no colour to be seen.
+ * so no render can undo what was painted.
  */
-export function Dial({ ref, descriptionRef, label, noDataText, className, children }: FrameProps) {
+export function InstrumentFrame({ ref, descriptionRef, label, children }: FrameProps) {
+  const description = useId();
+  return (
+    <div
+      ref={ref}
+      className="inst-frame"
+      role="img"
+      aria-label={label}
+      aria-describedby={description}
+      data-state="none"
+    >
+      <span ref={descriptionRef} id={description} className="inst-description" hidden />
+      <div className="inst-square">{children}</div>
+    </div>
+  );
+}
+
+interface RoundProps extends DialProps {
+  ref: Ref<HTMLDivElement>;
+  descriptionRef: Ref<HTMLSpanElement>;
+  /** What stands still under the layers, and over them. */
+  face?: ReactNode;
+  over?: ReactNode;
+  /** What moves: layers. */
+  children: ReactNode;
+}
+
+/** Frame, face and red cross of a round instrument. The cross needs no colour to be seen. */
+export function Dial({ ref, descriptionRef, label, noDataText, face, over, children }: RoundProps) {
   const bezel = useId();
   return (
-    <div className="inst-frame">
-      <svg
-        ref={ref}
-        className={className === undefined ? "inst-dial" : `inst-dial ${className}`}
-        viewBox="-100 -100 200 200"
-        role="img"
-        aria-label={label}
-        data-state="none"
-      >
-        <desc ref={descriptionRef} />
+    <InstrumentFrame ref={ref} descriptionRef={descriptionRef} label={label}>
+      <svg className="inst-picture" viewBox="-100 -100 200 200" aria-hidden="true">
         <defs>
           <linearGradient id={bezel} x1="0.2" y1="0" x2="0.8" y2="1">
             <stop offset="0" className="inst-bezel-light" />
@@ -46,13 +67,17 @@ export function Dial({ ref, descriptionRef, label, noDataText, className, childr
         <circle r="98.5" fill={`url(#${bezel})`} />
         <circle r="93" className="inst-bezel-well" />
         <circle r="91.5" className="inst-face" />
-        <g className="inst-live">{children}</g>
+        {face}
+      </svg>
+      {children}
+      <svg className="inst-picture" viewBox="-100 -100 200 200" aria-hidden="true">
+        {over}
         <g className="inst-cross">
           <path d="M-60 -60L60 60M60 -60L-60 60" />
           <rect x="-58" y="-12" width="116" height="24" rx="2" />
           <text y="4.6">{noDataText}</text>
         </g>
       </svg>
-    </div>
+    </InstrumentFrame>
   );
 }

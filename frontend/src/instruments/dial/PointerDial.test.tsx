@@ -52,7 +52,7 @@ describe.each(INSTRUMENTS)("the $name", ({ Dial, attribute, inside, beyond, writ
     return {
       paint: (...values: Parameters<DialHandle["paint"]>) => ref.current?.paint(...values),
       dial,
-      pointer: () => dial.querySelector(".inst-pointer")?.parentElement?.getAttribute("transform"),
+      pointer: () => dial.querySelector<HTMLElement>(".inst-layer")?.style.transform,
       number: () => dial.querySelector(".inst-window-number")?.textContent,
     };
   }
@@ -69,9 +69,9 @@ describe.each(INSTRUMENTS)("the $name", ({ Dial, attribute, inside, beyond, writ
     expect(dial.getAttribute("data-state")).toBe("live");
     expect(dial.getAttribute(attribute)).toBe(written);
     expect(dial.getAttribute("data-reach")).toBe("within");
-    expect(pointer()).toMatch(/^rotate\(-?[\d.]+\)$/);
+    expect(pointer()).toMatch(/^rotate\(-?[\d.]+deg\)$/);
     expect(number()).toBe(inside.toFixed(0));
-    expect(dial.querySelector("desc")?.textContent).toBe(`it is ${inside}`);
+    expect(dial.querySelector(".inst-description")?.textContent).toBe(`it is ${inside}`);
   });
 
   test("stops at its end, says so, and still gives the whole number", () => {
@@ -104,6 +104,6 @@ describe.each(INSTRUMENTS)("the $name", ({ Dial, attribute, inside, beyond, writ
     expect(dial.getAttribute("data-state")).toBe("none");
     expect(dial.hasAttribute(attribute)).toBe(false);
     expect(dial.hasAttribute("data-reach")).toBe(false);
-    expect(dial.querySelector("desc")?.textContent).toBe("NO DATA");
+    expect(dial.querySelector(".inst-description")?.textContent).toBe("NO DATA");
   });
 });

@@ -1,5 +1,7 @@
 import { type Ref, useImperativeHandle, useRef } from "react";
 import { Dial, type DialProps } from "./Dial";
+import { Layer } from "./Layer";
+import { layerTransform, setTransform } from "./layer";
 import {
   attributeNumber,
   DESCRIPTION_PERIOD_MS,
@@ -53,6 +55,7 @@ interface Props extends PointerDialProps {
 }
 
 const WINDOW_HEIGHT = 20;
+const POINTER_BOX = { x: -5, y: -85, width: 10, height: 107 };
 
 /** A round instrument with one pointer and the whole number in a window. */
 export function PointerDial(props: Props) {
@@ -69,9 +72,9 @@ export function PointerDial(props: Props) {
     attribute,
     decimals,
   } = props;
-  const root = useRef<SVGSVGElement>(null);
-  const description = useRef<SVGDescElement>(null);
-  const pointer = useRef<SVGGElement>(null);
+  const root = useRef<HTMLDivElement>(null);
+  const description = useRef<HTMLSpanElement>(null);
+  const pointer = useRef<HTMLDivElement>(null);
   const number = useRef<SVGTextElement>(null);
 
   useImperativeHandle(ref, () => {
@@ -79,20 +82,20 @@ export function PointerDial(props: Props) {
     const descriptionPace = new Pace(DESCRIPTION_PERIOD_MS);
     return {
       paint(value, now_ms = performance.now()) {
-        const svg = root.current;
+        const dial = root.current;
         if (!isDrawable(value)) {
-          setAttribute(svg, "data-state", "none");
-          removeAttribute(svg, attribute);
-          removeAttribute(svg, "data-reach");
+          setAttribute(dial, "data-state", "none");
+          removeAttribute(dial, attribute);
+          removeAttribute(dial, "data-reach");
           setText(description.current, noDataText);
           numberPace.reset();
           descriptionPace.reset();
           return;
         }
-        setAttribute(pointer.current, "transform", `rotate(${round(geometry.pointerAngle_deg(value))})`);
-        setAttribute(svg, attribute, attributeNumber(value, decimals));
-        setAttribute(svg, "data-reach", geometry.reach(value));
-        setAttribute(svg, "data-state", "live");
+        setTransform(pointer.current, layerTransform(round(geometry.pointerAngle_deg(value))));
+        setAttribute(dial, attribute, attributeNumber(value, decimals));
+        setAttribute(dial, "data-reach", geometry.reach(value));
+        setAttribute(dial, "data-state", "live");
         if (numberPace.due(now_ms)) {
           setText(number.current, format(value));
         }
@@ -104,8 +107,8 @@ export function PointerDial(props: Props) {
   }, [attribute, decimals, describe, format, geometry, noDataText]);
 
   const { window } = geometry;
-  return (
-    <Dial ref={root} descriptionRef={description} label={label} noDataText={noDataText}>
+  const face = (
+    <>
       <path d={geometry.ticksMinor} className="inst-tick" />
       <path d={geometry.ticksMiddle} className="inst-tick inst-tick-middle" />
       <path d={geometry.ticksMajor} className="inst-tick inst-tick-major" />
@@ -118,12 +121,11 @@ export function PointerDial(props: Props) {
       <text y={geometry.captionY} className="inst-caption">
         {caption}
       </text>
-      <g className="inst-moving">
-        <g ref={pointer}>
-          <path d="M0 -83L3.4 -70L3.4 14Q3.4 20 0 20Q-3.4 20 -3.4 14L-3.4 -70Z" className="inst-pointer" />
-        </g>
-        <circle r="7" className="inst-hub" />
-      </g>
+    </>
+  );
+  const over = (
+    <>
+      <circle r="7" className="inst-hub inst-moving" />
       <g transform={`translate(0 ${window.y})`}>
         <rect
           x={-window.width / 2}
@@ -142,6 +144,20 @@ export function PointerDial(props: Props) {
         <rect x="-41" y="-7" width="82" height="14" rx="2" />
         <text y="2.8">{offScaleText}</text>
       </g>
+    </>
+  );
+  return (
+    <Dial
+      ref={root}
+      descriptionRef={description}
+      label={label}
+      noDataText={noDataText}
+      face={face}
+      over={over}
+    >
+      <Layer ref={pointer} box={POINTER_BOX} className="inst-moving">
+        <path d="M0 -83L3.4 -70L3.4 14Q3.4 20 0 20Q-3.4 20 -3.4 14L-3.4 -70Z" className="inst-pointer" />
+      </Layer>
     </Dial>
   );
 }

@@ -13,9 +13,13 @@ export function removeAttribute(element: Element | null, name: string): void {
   }
 }
 
+/** The same text node is kept: a new one would be styled and laid out from nothing. */
 export function setText(element: Element | null, text: string): void {
-  if (element !== null && element.textContent !== text) {
-    element.textContent = text;
+  const node = element?.firstChild;
+  if (node === null) {
+    element?.append(text);
+  } else if (node !== undefined && node.nodeValue !== text) {
+    node.nodeValue = text;
   }
 }
 

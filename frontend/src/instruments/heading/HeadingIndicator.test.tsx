@@ -20,7 +20,7 @@ function draw() {
   return {
     paint: (...values: Parameters<HeadingHandle["paint"]>) => ref.current?.paint(...values),
     dial,
-    bug: dial.querySelector(".inst-bug"),
+    bug: dial.querySelector<HTMLElement>(".inst-bug-layer"),
   };
 }
 
@@ -30,10 +30,10 @@ test("heading and bearing stand in the attributes, card and bug are turned", () 
   expect(dial.getAttribute("data-state")).toBe("live");
   expect(dial.getAttribute("data-heading-deg")).toBe("100.0");
   expect(dial.getAttribute("data-bearing-deg")).toBe("145.0");
-  expect(screen.getByText("N").parentElement?.getAttribute("transform")).toBe("rotate(260)");
-  expect(bug?.getAttribute("transform")).toBe("rotate(45)");
-  expect(bug?.hasAttribute("visibility")).toBe(false);
-  expect(dial.querySelector("desc")?.textContent).toBe("heading 100 bug 145");
+  expect(dial.querySelector<HTMLElement>(".inst-card")?.style.transform).toBe("rotate(260deg)");
+  expect(bug?.style.transform).toBe("rotate(45deg)");
+  expect(bug?.hidden).toBe(false);
+  expect(dial.querySelector(".inst-description")?.textContent).toBe("heading 100 bug 145");
 });
 
 test.each([null, Number.NaN])(
@@ -42,10 +42,10 @@ test.each([null, Number.NaN])(
     const { paint, dial, bug } = draw();
     paint(100, 145, 0);
     paint(101, bearing_deg, 600);
-    expect(bug?.getAttribute("visibility")).toBe("hidden");
+    expect(bug?.hidden).toBe(true);
     expect(dial.hasAttribute("data-bearing-deg")).toBe(false);
     expect(dial.getAttribute("data-heading-deg")).toBe("101.0");
-    expect(dial.querySelector("desc")?.textContent).toBe("heading 101 bug null");
+    expect(dial.querySelector(".inst-description")?.textContent).toBe("heading 101 bug null");
   },
 );
 

@@ -13,13 +13,13 @@ export interface Cardinals {
 export const CARD_RADIUS = 82;
 
 /** Turn of the card: a heading of 90 brings the east mark, drawn at three o'clock, up to the lubber line. */
-export function cardTransform(heading_deg: number): string {
-  return `rotate(${turn(-heading_deg)})`;
+export function cardTurn_deg(heading_deg: number): number {
+  return turn(-heading_deg);
 }
 
 /** Turn of the bug, which rides on the card at the bearing that the flight plan asks for. */
-export function bugTransform(heading_deg: number, bearing_deg: number): string {
-  return `rotate(${turn(bearing_deg - heading_deg)})`;
+export function bugTurn_deg(heading_deg: number, bearing_deg: number): number {
+  return turn(bearing_deg - heading_deg);
 }
 
 /** Heading or bearing as it is written: one decimal, 359.96 is 0.0 and never 360.0. */

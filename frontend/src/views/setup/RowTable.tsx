@@ -6,6 +6,7 @@ import { useTelemetry } from "../../store/hooks";
 import type { TelemetryStore } from "../../store/telemetry";
 import { usePaint } from "../../store/usePaint";
 import { Panel } from "../../ui/Panel";
+import { SteadyText, type SteadyTextHandle } from "../../ui/SteadyText";
 
 const VALUES = [0, 1, 2, 3, 4, 5, 6, 7] as const;
 
@@ -63,16 +64,16 @@ function Row({ row }: { row: number }) {
   const name = useRowName(row);
   const dash = t("words.dash");
   const line = useRef<HTMLTableRowElement>(null);
-  const cells = useRef<Array<HTMLTableCellElement | null>>([]);
-  const age = useRef<HTMLTableCellElement>(null);
+  const cells = useRef<Array<SteadyTextHandle | null>>([]);
+  const age = useRef<SteadyTextHandle>(null);
   const paint = useCallback(
     (telemetry: TelemetryStore, now_ms: number) => {
       for (const index of VALUES) {
         const value = telemetry.liveRowValue(row, index, now_ms);
-        write(cells.current[index], formatMeasured(value, WIRE_FIGURES) ?? dash);
+        cells.current[index]?.write(formatMeasured(value, WIRE_FIGURES) ?? dash);
       }
       const age_s = telemetry.rowAge_s(row, now_ms);
-      write(age.current, age_s === null ? dash : formatAge(age_s));
+      age.current?.write(age_s === null ? dash : formatAge(age_s));
       if (line.current !== null) {
         line.current.dataset["state"] = telemetry.rowState(row, now_ms);
       }
@@ -87,21 +88,18 @@ function Row({ row }: { row: number }) {
       </th>
       <td>{name}</td>
       {VALUES.map((index) => (
-        <td
-          key={index}
-          ref={(cell) => {
-            cells.current[index] = cell;
-          }}
-          className="setup-table-number"
-        />
+        <td key={index} className="setup-table-number">
+          <SteadyText
+            ref={(cell) => {
+              cells.current[index] = cell;
+            }}
+            chars={9}
+          />
+        </td>
       ))}
-      <td ref={age} className="setup-table-number setup-table-age" />
+      <td className="setup-table-number setup-table-age">
+        <SteadyText ref={age} chars={6} />
+      </td>
     </tr>
   );
-}
-
-function write(element: Element | null | undefined, text: string): void {
-  if (element && element.textContent !== text) {
-    element.textContent = text;
-  }
 }
