@@ -10,6 +10,7 @@ import {
   pushed,
   removed,
   samePlan,
+  unsentOf,
   type Waypoint,
 } from "./plan";
 
@@ -147,6 +148,12 @@ describe("a push", () => {
 test("a point that is put somewhere keeps its speed, the others stay", () => {
   const to = { latitude_deg: 27.93456789, longitude_deg: -15.4, altitude_ft: 1234.4 };
   expect(placed(plan, 2, to)).toEqual([first, second, waypoint(27.934568, -15.4, 1234, 60)]);
+});
+
+test("what the board does not have as it is here is unsent; of an unknown plan all of it", () => {
+  expect(unsentOf(plan, plan)).toEqual([false, false, false]);
+  expect(unsentOf([first, { ...second, speed_kt: 56 }, third], [first, second])).toEqual([false, true, true]);
+  expect(unsentOf(plan, null)).toEqual([true, true, true]);
 });
 
 describe("two plans are the same", () => {

@@ -58,18 +58,24 @@ export function captureRadius_m(speed_kt: number): number {
 
 /** Both plans are the same for the board, which keeps positions in double and the rest in single precision. */
 export function samePlan(one: readonly Waypoint[], other: readonly Waypoint[]): boolean {
+  return one.length === other.length && one.every((waypoint, index) => sameWaypoint(waypoint, other[index]));
+}
+
+/** For each waypoint whether the board does not have it in its place as it is here; of an unknown plan it has none. */
+export function unsentOf(
+  waypoints: readonly Waypoint[],
+  board: readonly Waypoint[] | null,
+): readonly boolean[] {
+  return waypoints.map((waypoint, index) => board === null || !sameWaypoint(waypoint, board[index]));
+}
+
+function sameWaypoint(waypoint: Waypoint, twin: Waypoint | undefined): boolean {
   return (
-    one.length === other.length &&
-    one.every((waypoint, index) => {
-      const twin = other[index];
-      return (
-        twin !== undefined &&
-        waypoint.latitude_deg === twin.latitude_deg &&
-        waypoint.longitude_deg === twin.longitude_deg &&
-        Math.fround(waypoint.altitude_ft) === Math.fround(twin.altitude_ft) &&
-        Math.fround(waypoint.speed_kt) === Math.fround(twin.speed_kt)
-      );
-    })
+    twin !== undefined &&
+    waypoint.latitude_deg === twin.latitude_deg &&
+    waypoint.longitude_deg === twin.longitude_deg &&
+    Math.fround(waypoint.altitude_ft) === Math.fround(twin.altitude_ft) &&
+    Math.fround(waypoint.speed_kt) === Math.fround(twin.speed_kt)
   );
 }
 

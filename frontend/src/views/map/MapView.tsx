@@ -3,6 +3,9 @@ import { useTranslation } from "react-i18next";
 import type { Globe } from "../../scene/globe/Globe";
 import { Notice } from "../../ui/Notice";
 import { CameraSection } from "./CameraSection";
+import { PlanSection } from "./PlanSection";
+import { ThingCard } from "./ThingCard";
+import { ThingsSection } from "./ThingsSection";
 import { GlobeContext } from "./useGlobe";
 import "./map.css";
 
@@ -34,10 +37,13 @@ export function MapView() {
       <div className="map">
         <section className="map-scene" aria-label={t("map.view.scene")}>
           <div ref={host} className="map-host" />
+          <ThingCard />
           {failed && <Notice level="warning">{t("map.view.noWebgl")}</Notice>}
         </section>
         <div className="map-side">
           <CameraSection />
+          <ThingsSection />
+          <PlanSection />
         </div>
       </div>
     </GlobeContext>

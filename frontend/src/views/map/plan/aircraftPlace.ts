@@ -1,0 +1,32 @@
+import type { Position } from "../../../lib/geodesy";
+import type { Whose } from "../../../lib/mapThing";
+import { METRES_PER_FOOT } from "../../../lib/units";
+import type { TelemetryStore } from "../../../store/telemetry";
+
+export type AircraftPlace = Position & { readonly altitude_m: number };
+
+/** The topic that tells where an aircraft is. */
+export const PLACE_TOPIC = { flight: "gps", hil: "simulator" } as const;
+
+/** Where an aircraft was heard last, metres above mean sea level, however long ago: ask the state of its topic too. */
+export function aircraftPlace(telemetry: TelemetryStore, whose: Whose): AircraftPlace | null {
+  const [latitude_deg, longitude_deg, altitude_m] =
+    whose === "flight"
+      ? [
+          telemetry.newestNumber("gps", "latitude_deg"),
+          telemetry.newestNumber("gps", "longitude_deg"),
+          telemetry.newestNumber("gps", "altitude_m"),
+        ]
+      : [
+          telemetry.newestNumber("simulator", "latitude_deg"),
+          telemetry.newestNumber("simulator", "longitude_deg"),
+          metres(telemetry.newestNumber("simulator", "altitude_msl_ft")),
+        ];
+  return latitude_deg === null || longitude_deg === null || altitude_m === null
+    ? null
+    : { latitude_deg, longitude_deg, altitude_m };
+}
+
+function metres(feet: number | null): number | null {
+  return feet === null ? null : feet * METRES_PER_FOOT;
+}
