@@ -1,4 +1,13 @@
-import { CesiumWidget, Clock, Color, Credit, CreditDisplay, JulianDate, type Scene } from "@cesium/engine";
+import {
+  Cartesian3,
+  CesiumWidget,
+  Clock,
+  Color,
+  Credit,
+  CreditDisplay,
+  JulianDate,
+  type Scene,
+} from "@cesium/engine";
 import { FrameBudget } from "./frameBudget";
 import { Ground } from "./ground";
 
@@ -50,6 +59,11 @@ export class Globe {
     this.scene.globe.showGroundAtmosphere = false;
     this.#budget = new FrameBudget(true);
     this.ground = new Ground(this);
+    this.ground.setGraticule({ north: "N", south: "S", east: "E", west: "O" });
+    this.scene.camera.setView({
+      destination: Cartesian3.fromDegrees(-15.3, 27.75, 25000),
+      orientation: { heading: -0.2, pitch: -0.7, roll: 0 },
+    });
   }
 
   /** Show it in `host`; it is drawn only while it is shown. */

@@ -7,7 +7,18 @@ import {
   TileMapServiceImageryProvider,
   UrlTemplateImageryProvider,
 } from "@cesium/engine";
+import { GRAN_CANARIA } from "./chart/airfields";
+import { CanvasTiles } from "./chart/CanvasTiles";
+import { CHART, drawCoast, fadeBorder, type Island, needsFade, readIslands } from "./chart/coast";
+import { type CompassLetters, drawGraticule } from "./chart/graticule";
+import { drawAirfield } from "./chart/runways";
 import type { Globe } from "./Globe";
+
+/** The page's own coastline, and how deep it and the graticule are drawn: tiles of 300 and of 150 m. */
+const COASTLINE = "/map/canary-coastline.json";
+const CHART_LEVELS = 16;
+const GRATICULE_LEVELS = 17;
+const WORLD = { west_deg: -180, south_deg: -90, east_deg: 180, north_deg: 90 };
 
 /** What covers the whole Earth below everything else. */
 export type BaseKind = "natural" | "none";
@@ -36,10 +47,16 @@ export interface ImageryHandle {
   remove(): void;
 }
 
-/** What lies on the globe, from below: the Earth's picture, then the layers in the order in which they were added. */
+/**
+ * What lies on the globe, from below: the Earth's picture, the chart of the Canary Islands, the layers of others in the
+ * order in which they were added, the graticule.
+ */
 export class Ground {
   readonly #globe: Globe;
   readonly #natural: ImageryLayer;
+  #chart: ImageryLayer | null = null;
+  #isCharted = true;
+  #graticule: ImageryLayer | null = null;
   #terrain = 0;
 
   constructor(globe: Globe) {
@@ -48,6 +65,49 @@ export class Ground {
       TileMapServiceImageryProvider.fromUrl(buildModuleUrl("Assets/Textures/NaturalEarthII")),
     );
     globe.scene.imageryLayers.add(this.#natural);
+    void this.#loadChart();
+  }
+
+  /** The chart of the Canary Islands. */
+  setChart(isVisible: boolean): void {
+    this.#isCharted = isVisible;
+    if (this.#chart !== null) {
+      this.#chart.show = isVisible;
+      this.#globe.requestRender();
+    }
+  }
+
+  /** Lines of latitude and longitude with their angles in the person's letters; null: none. */
+  setGraticule(letters: CompassLetters | null): void {
+    const layers = this.#globe.scene.imageryLayers;
+    if (this.#graticule !== null) {
+      layers.remove(this.#graticule, true);
+      this.#graticule = null;
+    }
+    if (letters !== null) {
+      this.#graticule = new ImageryLayer(
+        new CanvasTiles(WORLD, GRATICULE_LEVELS, (context, box, level) =>
+          drawGraticule(context, box, level, letters),
+        ),
+      );
+      layers.add(this.#graticule);
+    }
+    this.#globe.requestRender();
+  }
+
+  async #loadChart(): Promise<void> {
+    const islands = await fetchIslands();
+    const provider = new CanvasTiles(CHART, CHART_LEVELS, (context, box) => {
+      drawCoast(context, box, islands);
+      drawAirfield(context, box, GRAN_CANARIA);
+      if (needsFade(box)) {
+        fadeBorder(context, box);
+      }
+    });
+    this.#chart = new ImageryLayer(provider, { show: this.#isCharted });
+    const { imageryLayers } = this.#globe.scene;
+    imageryLayers.add(this.#chart, Math.min(1, imageryLayers.length));
+    this.#globe.requestRender();
   }
 
   setBase(kind: BaseKind): void {
@@ -66,7 +126,7 @@ export class Ground {
     provider.errorEvent.addEventListener(() => undefined);
     const layer = new ImageryLayer(provider);
     const layers = this.#globe.scene.imageryLayers;
-    layers.add(layer);
+    layers.add(layer, this.#graticule === null ? undefined : layers.indexOf(this.#graticule));
     this.#globe.requestRender();
     return {
       setVisible: (isVisible) => {
@@ -95,4 +155,12 @@ export class Ground {
       this.#globe.requestRender();
     }
   }
+}
+
+async function fetchIslands(): Promise<readonly Island[]> {
+  const answer = await fetch(COASTLINE);
+  if (!answer.ok) {
+    throw new Error(`${COASTLINE}: ${answer.status}`);
+  }
+  return readIslands(await answer.text());
 }
