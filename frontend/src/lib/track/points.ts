@@ -174,7 +174,8 @@ function widened(spread: Spread | null, value: number): Spread {
     : spread;
 }
 
-function isInterrupted(block: TrackBlock, last: number, point: TrackPoint): boolean {
+/** Nobody knows what was flown between a block's last point and this one. */
+export function isInterrupted(block: TrackBlock, last: number, point: TrackPoint): boolean {
   const elapsed_s = point.t_s - (block.t_s[last] ?? 0);
   return (
     // A clock that was set back does not tell how long ago the point before was.

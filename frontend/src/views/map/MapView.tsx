@@ -6,6 +6,7 @@ import { CameraSection } from "./CameraSection";
 import { PlanSection } from "./PlanSection";
 import { ThingCard } from "./ThingCard";
 import { ThingsSection } from "./ThingsSection";
+import { TrackSection } from "./TrackSection";
 import { GlobeContext } from "./useGlobe";
 import "./map.css";
 
@@ -43,6 +44,7 @@ export function MapView() {
         <div className="map-side">
           <CameraSection />
           <ThingsSection />
+          <TrackSection />
           <PlanSection />
         </div>
       </div>

@@ -1,0 +1,228 @@
+import { BoundingSphere, Cartesian3, Cartesian4, type RendererFrame } from "@cesium/engine";
+import { COLOURINGS, type Colouring, type Range, rgb, SCALES, UNKNOWN_COLOUR } from "../../lib/track/colours";
+import type { TrackPoints } from "../../lib/track/points";
+import { ThinnedTrack } from "../../lib/track/thinnedTrack";
+import type { Globe } from "../globe/Globe";
+import { type Eye, TrackBody } from "./body";
+import { Ribbon, type RibbonStyle } from "./Ribbon";
+import { type Tip, TrackTail } from "./tail";
+import { placeOf } from "./vertices";
+
+/** A track on the globe: its own colour where values do not colour it, and that of its edge. */
+export interface TrackKind {
+  readonly plain: string;
+  readonly casing: string;
+}
+
+export interface TrackLook {
+  readonly colouring: Colouring;
+  /** What the scale stands for, metres or metres a second; null while nothing is known. */
+  readonly range: Range | null;
+  readonly hasCurtain: boolean;
+}
+
+const WIDTH_PX = 3;
+const CASING_PX = 5;
+const CURTAIN_OPACITY = 0.3;
+/** Levels of detail are made for so long in one frame. */
+const SLICE_MS = 4;
+/** From the ground to above everything that is flown. */
+const ROOM_M = 30_000;
+
+/** Tracks on the globe: each a line of frozen blocks and one of the newest points, with a curtain to the sea's level. */
+export class TrackLayer {
+  readonly #globe: Globe;
+  readonly #drawn = new Map<TrackPoints, DrawnTrack>();
+  readonly #endFrames: () => void;
+  #look: TrackLook = { colouring: "none", range: null, hasCurtain: true };
+
+  constructor(globe: Globe) {
+    this.#globe = globe;
+    this.#endFrames = globe.onBeforeFrame(() => this.#beforeFrame());
+    globe.scene.primitives.add(this.#primitive);
+  }
+
+  /** Draw this track too. */
+  add(points: TrackPoints, kind: TrackKind): void {
+    if (!this.#drawn.has(points)) {
+      this.#drawn.set(points, new DrawnTrack(points, kind, () => this.#look));
+      this.#globe.requestRender();
+    }
+  }
+
+  setLook(look: TrackLook): void {
+    this.#look = look;
+    this.#globe.requestRender();
+  }
+
+  /** Where the aircraft of a track is shown in this frame; null: it is not live. */
+  setTip(points: TrackPoints, tip: Tip | null): void {
+    const drawn = this.#drawn.get(points);
+    if (drawn !== undefined) {
+      drawn.tip = tip;
+    }
+  }
+
+  setVisible(points: TrackPoints, isVisible: boolean): void {
+    const drawn = this.#drawn.get(points);
+    if (drawn !== undefined) {
+      drawn.isVisible = isVisible;
+      this.#globe.requestRender();
+    }
+  }
+
+  /** Points that are drawn now of all that are known. */
+  get drawnPoints(): number {
+    return [...this.#drawn.values()].reduce((sum, { count }) => sum + count, 0);
+  }
+
+  dispose(): void {
+    this.#endFrames();
+    this.#globe.scene.primitives.remove(this.#primitive);
+    this.#globe.requestRender();
+  }
+
+  #beforeFrame(): void {
+    for (const drawn of this.#drawn.values()) {
+      if (drawn.hasNews) {
+        this.#globe.requestRender();
+      }
+    }
+  }
+
+  /** In the frame itself, when camera and aircraft stand where they will be seen. */
+  #update(frame: RendererFrame): void {
+    const { camera, drawingBufferHeight } = this.#globe.scene;
+    const { x, y, z } = camera.positionWC;
+    const fovy = (camera.frustum as { readonly fovy?: number }).fovy ?? 1;
+    const eye = { x, y, z, pixel_rad: (2 * Math.tan(fovy / 2)) / Math.max(1, drawingBufferHeight) };
+    const end_ms = performance.now() + SLICE_MS;
+    for (const drawn of this.#drawn.values()) {
+      if (drawn.isVisible) {
+        drawn.update(eye, end_ms);
+        drawn.draw(frame, this.#look.hasCurtain);
+      }
+    }
+  }
+
+  /** What the engine asks for its commands in each frame. */
+  readonly #primitive = {
+    update: (frame: RendererFrame): void => {
+      if (frame.passes.render) {
+        this.#update(frame);
+      }
+    },
+    isDestroyed: (): boolean => false,
+    destroy: (): void => {
+      for (const drawn of this.#drawn.values()) {
+        drawn.destroy();
+      }
+      this.#drawn.clear();
+    },
+  };
+}
+
+class DrawnTrack {
+  tip: Tip | null = null;
+  isVisible = true;
+  readonly #points: TrackPoints;
+  #revision = -1;
+  readonly #thinned: ThinnedTrack;
+  readonly #body: TrackBody;
+  readonly #tail: TrackTail;
+  readonly #ribbons: { readonly body: Ribbon; readonly tail: Ribbon };
+  readonly #spheres = { body: new BoundingSphere(), tail: new BoundingSphere() };
+
+  constructor(points: TrackPoints, kind: TrackKind, look: () => TrackLook) {
+    this.#points = points;
+    this.#thinned = new ThinnedTrack(points);
+    this.#body = new TrackBody(this.#thinned);
+    this.#tail = new TrackTail(points);
+    const style = styleOf(kind, look);
+    this.#ribbons = {
+      body: new Ribbon(style, this.#spheres.body),
+      tail: new Ribbon(style, this.#spheres.tail),
+    };
+  }
+
+  get count(): number {
+    return this.#body.count + this.#tail.count;
+  }
+
+  /** Something has come that is not drawn yet. */
+  get hasNews(): boolean {
+    return this.isVisible && (this.#points.revision !== this.#revision || !this.#thinned.isComplete);
+  }
+
+  update(eye: Eye, end_ms: number): void {
+    this.#revision = this.#points.revision;
+    let made = 0;
+    this.#thinned.refresh(() => made++ > 0 && performance.now() > end_ms);
+    if (this.#body.choose(eye)) {
+      this.#ribbons.body.set(this.#body.vertices, this.#body.count);
+      this.#surround();
+    }
+    if (this.#tail.update(this.tip)) {
+      this.#ribbons.tail.set(this.#tail.vertices, this.#tail.count);
+      this.#surroundTail();
+    }
+  }
+
+  draw(frame: RendererFrame, hasCurtain: boolean): void {
+    this.#ribbons.body.draw(frame, hasCurtain);
+    this.#ribbons.tail.draw(frame, hasCurtain);
+  }
+
+  destroy(): void {
+    this.#ribbons.body.destroy();
+    this.#ribbons.tail.destroy();
+  }
+
+  #surround(): void {
+    const balls = this.#body.blocks.map(
+      ({ centre: [x, y, z], radius_m }) => new BoundingSphere(new Cartesian3(x, y, z), radius_m),
+    );
+    grow(this.#spheres.body, BoundingSphere.fromBoundingSpheres(balls));
+  }
+
+  #surroundTail(): void {
+    const places: Cartesian3[] = [];
+    for (let at = 0; at < this.#tail.count; at += 1) {
+      places.push(new Cartesian3(...placeOf(this.#tail.vertices, at)));
+    }
+    grow(this.#spheres.tail, BoundingSphere.fromPoints(places));
+  }
+}
+
+/** The curtain reaches down to the ground. */
+function grow(into: BoundingSphere, sphere: BoundingSphere): void {
+  BoundingSphere.clone(sphere, into);
+  into.radius += ROOM_M;
+}
+
+function styleOf({ plain, casing }: TrackKind, look: () => TrackLook): RibbonStyle {
+  const scale = new Cartesian4();
+  const scaleNow = (opacity: number) => (): Cartesian4 => {
+    const { colouring, range } = look();
+    const by = range === null ? 0 : COLOURINGS.indexOf(colouring);
+    return Cartesian4.fromElements(by, range?.least ?? 0, range?.most ?? 1, opacity, scale);
+  };
+  const vector = (colour: string): Cartesian3 => new Cartesian3(...rgb(colour));
+  const edge = new Cartesian4(...rgb(casing), 1);
+  const noEdge = new Cartesian4();
+  const [own, unknown] = [vector(plain), vector(UNKNOWN_COLOUR)];
+  const scales = new Map(
+    COLOURINGS.map((name) => [name, SCALES[name === "none" ? "height" : name].map(vector)] as const),
+  );
+  const colours = {
+    u_scale: scaleNow(1),
+    u_plain: () => own,
+    u_unknown: () => unknown,
+    u_colours: () => scales.get(look().colouring),
+  };
+  return {
+    line: { ...colours, u_width: () => WIDTH_PX, u_casing: () => noEdge },
+    casing: { ...colours, u_width: () => CASING_PX, u_casing: () => edge },
+    curtain: { ...colours, u_scale: scaleNow(CURTAIN_OPACITY) },
+  };
+}
