@@ -19,14 +19,13 @@ const THROUGH_GROUND_M = 400_000;
 export class HomeMark {
   readonly #globe: Globe;
   readonly #dots = new PointPrimitiveCollection();
-  readonly #labels: LabelCollection;
+  readonly #labels = new LabelCollection();
   readonly #dot: PointPrimitive;
   readonly #label: Label;
   #shown: (Position & { readonly label: string }) | null = null;
 
   constructor(globe: Globe) {
     this.#globe = globe;
-    this.#labels = new LabelCollection({ scene: globe.scene });
     globe.scene.primitives.add(this.#dots);
     globe.scene.primitives.add(this.#labels);
     this.#dot = this.#dots.add({

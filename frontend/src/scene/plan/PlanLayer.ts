@@ -15,10 +15,10 @@ import { type Dot, type DrawnPlan, dotsOf, linesOf } from "./shape";
 import {
   ACTIVE_COLOUR,
   EDGE_COLOUR,
+  type MakeMaterial,
   materialsOf,
   PLAN_COLOUR,
   type PlanKind,
-  type PlanMaterials,
   UNSENT_COLOUR,
 } from "./style";
 
@@ -40,17 +40,16 @@ const LABEL = {
 export class PlanLayer {
   readonly #globe: Globe;
   readonly #colour: Color;
-  readonly #materials: PlanMaterials;
+  readonly #materialOf: MakeMaterial;
   readonly #lines = new PolylineCollection();
   readonly #dots = new PointPrimitiveCollection();
-  readonly #labels: LabelCollection;
+  readonly #labels = new LabelCollection();
   #plan: DrawnPlan | null = null;
 
   constructor(globe: Globe, kind: PlanKind) {
     this.#globe = globe;
     this.#colour = PLAN_COLOUR[kind];
-    this.#materials = materialsOf(kind);
-    this.#labels = new LabelCollection({ scene: globe.scene });
+    this.#materialOf = materialsOf(kind);
     const { primitives } = globe.scene;
     primitives.add(this.#lines);
     primitives.add(this.#dots);
@@ -76,7 +75,7 @@ export class PlanLayer {
           Cartesian3.fromDegrees(longitude, latitude, altitude_m),
         ),
         width,
-        material: this.#materials[kind],
+        material: this.#materialOf(kind),
       });
     }
     for (const dot of plan === null ? [] : dotsOf(plan)) {

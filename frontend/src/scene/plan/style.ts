@@ -1,6 +1,7 @@
 import { Color, Material } from "@cesium/engine";
 
 import type { Whose } from "../../lib/mapThing";
+import type { LineKind } from "./shape";
 
 export type PlanKind = Whose;
 
@@ -14,44 +15,32 @@ export const UNSENT_COLOUR = Color.fromCssColorString("#ffb62e");
 export const ACTIVE_COLOUR = Color.WHITE;
 export const EDGE_COLOUR = Color.fromCssColorString("#0a0d0f");
 
-/** The lines of a plan, one material each: the engine draws what shares one in a single call. */
-export interface PlanMaterials {
-  readonly leg: Material;
-  readonly unsentLeg: Material;
-  readonly activeLeg: Material;
-  /** What the board has, where another plan is being edited. */
-  readonly oldLeg: Material;
-  readonly ring: Material;
-  readonly activeRing: Material;
-  readonly stem: Material;
-  readonly selectedStem: Material;
-}
+/** Makes the material of a kind of line: a line owns its own, and takes it along when it goes. */
+export type MakeMaterial = (kind: LineKind) => Material;
 
 /** The real plan is drawn through, the simulator's is dashed: told apart without colours too. */
-export function materialsOf(kind: PlanKind): PlanMaterials {
-  const colour = PLAN_COLOUR[kind];
-  const line = (of: Color): Material =>
-    kind === "hil"
-      ? Material.fromType(Material.PolylineDashType, {
-          color: of,
-          gapColor: Color.TRANSPARENT,
-          dashLength: 18,
-        })
-      : plain(of);
-  return {
-    leg: line(colour),
-    unsentLeg: line(UNSENT_COLOUR),
-    activeLeg: Material.fromType(Material.PolylineOutlineType, {
-      color: colour,
-      outlineColor: ACTIVE_COLOUR,
-      outlineWidth: 2,
-    }),
-    oldLeg: line(colour.withAlpha(0.45)),
-    ring: plain(colour.withAlpha(0.7)),
-    activeRing: plain(ACTIVE_COLOUR),
-    stem: plain(colour.withAlpha(0.55)),
-    selectedStem: plain(ACTIVE_COLOUR),
+export function materialsOf(plan: PlanKind): MakeMaterial {
+  const colour = PLAN_COLOUR[plan];
+  const line = (color: Color): Material =>
+    plan === "hil"
+      ? Material.fromType(Material.PolylineDashType, { color, gapColor: Color.TRANSPARENT, dashLength: 18 })
+      : plain(color);
+  const made: Readonly<Record<LineKind, () => Material>> = {
+    leg: () => line(colour),
+    unsentLeg: () => line(UNSENT_COLOUR),
+    activeLeg: () =>
+      Material.fromType(Material.PolylineOutlineType, {
+        color: colour,
+        outlineColor: ACTIVE_COLOUR,
+        outlineWidth: 2,
+      }),
+    oldLeg: () => line(colour.withAlpha(0.45)),
+    ring: () => plain(colour.withAlpha(0.7)),
+    activeRing: () => plain(ACTIVE_COLOUR),
+    stem: () => plain(colour.withAlpha(0.55)),
+    selectedStem: () => plain(ACTIVE_COLOUR),
   };
+  return (kind) => made[kind]();
 }
 
 function plain(color: Color): Material {
