@@ -3,9 +3,6 @@
 #include <math.h>
 #include <string.h>
 
-static const float kt_per_m_s = 1.943844F;
-static const float ft_min_per_m_s = 196.8504F;
-
 // International standard atmosphere below 11 km.
 static const float sea_level_hpa = 1013.25F;
 static const float air_density_kg_m3 = 1.225F;
@@ -34,23 +31,12 @@ static float pressure_hpa(float altitude_m)
     return sea_level_hpa * powf(1.0F - 2.25577e-5F * altitude_m, 5.25588F);
 }
 
-static float altitude_of_m(float pressure)
-{
-    return (1.0F - powf(pressure / sea_level_hpa, 0.190263F)) / 2.25577e-5F;
-}
-
 /// Terminal voltage after `dt_s` at this throttle. An empty battery keeps its lowest voltage.
 static float discharge(sim_air_t* model, float throttle, float dt_s)
 {
     const float current_a = electronics_a + motor_a * throttle * throttle;
     model->charge = fmaxf(0.0F, model->charge - current_a * dt_s / battery_as);
     return cells * (cell_empty_v + cell_span_v * model->charge) - battery_ohm * current_a;
-}
-
-/// What a Pitot tube's pressure says; the sign of a slightly negative one is kept.
-static float airspeed_kt(float pressure_pa)
-{
-    return copysignf(sqrtf(2.0F * fabsf(pressure_pa) / air_density_kg_m3), pressure_pa) * kt_per_m_s;
 }
 
 void sim_air_read(sim_air_t* model, const sim_truth_t* truth, float throttle, float dt_s, message_analog_t* analog)
@@ -61,28 +47,24 @@ void sim_air_read(sim_air_t* model, const sim_truth_t* truth, float throttle, fl
     if (!model->is_settled)
     {
         model->pitot_pa = dynamic_pa;
-        model->climb_m_s = truth->climb_m_s;
         model->temperature_degc = warmth_degc;
         model->is_settled = true;
     }
     sim_noise_wander(noise, &model->baro_error_hpa, 0.1F, 600.0F, dt_s);
     sim_noise_wander(noise, &model->external_error_m, 1.0F, 120.0F, dt_s);
     model->pitot_pa = sim_lag(model->pitot_pa, dynamic_pa, 0.1F, dt_s);
-    model->climb_m_s = sim_lag(model->climb_m_s, truth->climb_m_s, 0.3F, dt_s);
     model->temperature_degc = sim_lag(model->temperature_degc, warmth_degc, 60.0F, dt_s);
 
-    const float baro_hpa = pressure_hpa(truth->altitude_m) + model->baro_error_hpa + sim_noise_normal(noise, 0.02F);
-    const float pitot_pa = model->pitot_pa + sim_noise_normal(noise, 0.5F);
     *analog = (message_analog_t){
-        .baro_hpa = baro_hpa,
-        .altitude_m = altitude_of_m(baro_hpa),
+        .baro_hpa = pressure_hpa(truth->altitude_m) + model->baro_error_hpa + sim_noise_normal(noise, 0.02F),
+        .altitude_m = NAN, // this, the airspeed and the climb are for the board to work out,
         .altitude_external_m = truth->altitude_m + model->external_error_m + sim_noise_normal(noise, 0.1F),
-        .pitot_pa = pitot_pa,
-        .calibrated_airspeed_kt = airspeed_kt(pitot_pa),
+        .pitot_pa = model->pitot_pa + sim_noise_normal(noise, 0.5F),
+        .calibrated_airspeed_kt = NAN,
         .alpha_deg = NAN, // this board has no vanes
         .beta_deg = NAN,
         .temperature_degc = model->temperature_degc + sim_noise_normal(noise, 0.05F),
         .battery_v = discharge(model, throttle, dt_s) + sim_noise_normal(noise, 0.02F),
-        .vvi_ft_min = model->climb_m_s * ft_min_per_m_s + sim_noise_normal(noise, 10.0F),
+        .vvi_ft_min = NAN,
     };
 }

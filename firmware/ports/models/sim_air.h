@@ -14,7 +14,6 @@ typedef struct
     float baro_error_hpa; ///< wanders with the weather
     float external_error_m;
     float pitot_pa; ///< behind its tubing
-    float climb_m_s;
     float temperature_degc;
     bool is_settled; ///< the lags have a value to start from
     float charge;    ///< of the battery, 0..1

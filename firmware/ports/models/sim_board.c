@@ -90,7 +90,7 @@ static void read_all(void* context, float dt_s, sensors_reading_t* reading)
         sim.truth.q_rad_s = 0.0F;
         sim.truth.r_rad_s = 0.0F;
     }
-    sim_inertial_read(&sim.inertial, &sim.truth, dt_s, &reading->inertial, &reading->ahrs);
+    sim_inertial_read(&sim.inertial, &sim.truth, dt_s, &reading->inertial);
     sim_air_read(&sim.air, &sim.truth, is_flying ? sim.throttle : sim.servo_throttle, dt_s, &reading->analog);
     reading->gps = sim_gps_read(&sim.gps, &sim.truth, dt_s);
     read_receiver(&reading->receiver);

@@ -16,14 +16,13 @@ static const float mag_noise = 0.005F;
 static const float mag_bias = 0.01F;
 static const float bias_time_s = 300.0F;
 
-static const float filter_lag_s = 0.05F;
-static const float filter_noise_deg = 0.05F;
-static const float filter_drift_deg = 0.3F;
-static const float filter_drift_time_s = 20.0F;
+static const float gyro_drift_rad_s = 0.002F; ///< between a cold and a warm board
+static const float warm_time_s = 180.0F;
 
 static const float path_lag_s = 0.1F;
 static const float gust_lag_s = 0.5F;
-static const float jump_m_s2 = 50.0F; ///< more than that is no flight: the aircraft was put elsewhere, or paused
+static const float longest_silence_s = 0.1F; ///< a path that was not told anew for so long is flown on straight
+static const float jump_m_s2 = 50.0F;        ///< more than that is no flight: the aircraft was put elsewhere, or paused
 
 // The earth's magnetic field at Gran Canaria: 4 deg west of north, 38 deg down.
 static const float declination_deg = -4.0F;
@@ -36,6 +35,7 @@ void sim_inertial_init(sim_inertial_t* model, uint32_t seed)
     for (int axis = 0; axis < 3; axis++)
     {
         model->gyro_bias_rad_s[axis] = sim_noise_normal(&model->noise, gyro_bias_rad_s);
+        model->gyro_drift_rad_s[axis] = sim_noise_normal(&model->noise, gyro_drift_rad_s);
         model->acc_bias_m_s2[axis] = sim_noise_normal(&model->noise, acc_bias_m_s2);
         model->mag_bias[axis] = sim_noise_normal(&model->noise, mag_bias);
     }
@@ -62,15 +62,21 @@ static void to_body(const sim_truth_t* truth, const float ned[3], float body[3])
 }
 
 /// Acceleration of the path (ahead, aside, down) from its speed, direction and climb. Not from the body's rates: in
-/// gusts the nose swings and the path does not.
+/// gusts the nose swings and the path does not. The simulator tells the path less often than the sensors are read, so a
+/// change is one over the time since the last.
 static void follow_path(sim_inertial_t* model, const sim_truth_t* truth, float dt_s)
 {
     const float turn_rad = angle_to_rad(angle_wrap_180(truth->yaw_deg - model->track_deg));
-    const float now_m_s2[3] = {
-        (truth->airspeed_m_s - model->airspeed_m_s) / dt_s,
-        truth->airspeed_m_s * turn_rad / dt_s,
-        (model->climb_m_s - truth->climb_m_s) / dt_s,
-    };
+    const float faster_m_s = truth->airspeed_m_s - model->airspeed_m_s;
+    const float sinking_m_s = model->climb_m_s - truth->climb_m_s;
+    model->path_age_s += dt_s;
+    const bool is_told = fabsf(turn_rad) + fabsf(faster_m_s) + fabsf(sinking_m_s) > 0.0F;
+    if (model->has_path && !is_told && model->path_age_s < longest_silence_s)
+    {
+        return;
+    }
+    const float told_s = model->path_age_s;
+    const float now_m_s2[3] = {faster_m_s / told_s, truth->airspeed_m_s * turn_rad / told_s, sinking_m_s / told_s};
     bool is_flown = model->has_path;
     for (int axis = 0; axis < 3; axis++)
     {
@@ -81,11 +87,12 @@ static void follow_path(sim_inertial_t* model, const sim_truth_t* truth, float d
     for (int axis = 0; axis < 3; axis++)
     {
         float* const held = &model->acceleration_m_s2[axis];
-        *held = sim_lag(*held, is_flown ? now_m_s2[axis] : 0.0F, lag_s[axis], dt_s);
+        *held = sim_lag(*held, is_flown ? now_m_s2[axis] : 0.0F, lag_s[axis], told_s);
     }
     model->airspeed_m_s = truth->airspeed_m_s;
     model->climb_m_s = truth->climb_m_s;
     model->track_deg = truth->yaw_deg;
+    model->path_age_s = 0.0F;
     model->has_path = true;
 }
 
@@ -104,31 +111,7 @@ static float measure(sim_inertial_t* model, float value, float* bias, float bias
     return value + *bias + sim_noise_normal(&model->noise, noise_sigma);
 }
 
-/// The estimate follows the true attitude with a short lag, the short way round for angles that wrap.
-static void estimate(sim_inertial_t* model, const sim_truth_t* truth, float dt_s, message_ahrs_t* ahrs)
-{
-    message_ahrs_t* const held = &model->estimate;
-    if (!model->has_estimate)
-    {
-        *held = (message_ahrs_t){truth->yaw_deg, truth->pitch_deg, truth->roll_deg};
-        model->has_estimate = true;
-    }
-    held->yaw_deg += sim_lag(0.0F, angle_wrap_180(truth->yaw_deg - held->yaw_deg), filter_lag_s, dt_s);
-    held->pitch_deg = sim_lag(held->pitch_deg, truth->pitch_deg, filter_lag_s, dt_s);
-    held->roll_deg += sim_lag(0.0F, angle_wrap_180(truth->roll_deg - held->roll_deg), filter_lag_s, dt_s);
-    float error_deg[3];
-    for (int axis = 0; axis < 3; axis++)
-    {
-        sim_noise_wander(&model->noise, &model->drift_deg[axis], filter_drift_deg, filter_drift_time_s, dt_s);
-        error_deg[axis] = model->drift_deg[axis] + sim_noise_normal(&model->noise, filter_noise_deg);
-    }
-    ahrs->yaw_deg = angle_wrap_360(held->yaw_deg + error_deg[0]);
-    ahrs->pitch_deg = fmaxf(-90.0F, fminf(90.0F, held->pitch_deg + error_deg[1]));
-    ahrs->roll_deg = angle_wrap_180(held->roll_deg + error_deg[2]);
-}
-
-void sim_inertial_read(sim_inertial_t* model, const sim_truth_t* truth, float dt_s, message_inertial_t* inertial,
-                       message_ahrs_t* ahrs)
+void sim_inertial_read(sim_inertial_t* model, const sim_truth_t* truth, float dt_s, message_inertial_t* inertial)
 {
     const float rates_rad_s[3] = {truth->p_rad_s, truth->q_rad_s, truth->r_rad_s};
     const float inclination_rad = angle_to_rad(inclination_deg);
@@ -140,15 +123,19 @@ void sim_inertial_read(sim_inertial_t* model, const sim_truth_t* truth, float dt
     specific_force(model, truth, dt_s, force_m_s2);
     to_body(truth, earth_field, field);
     float gyro[3];
+    model->age_s = fminf(model->age_s + dt_s, 10.0F * warm_time_s);
+    const float warmth = 1.0F - expf(-model->age_s / warm_time_s);
     for (int axis = 0; axis < 3; axis++)
     {
-        gyro[axis] =
-            measure(model, rates_rad_s[axis], &model->gyro_bias_rad_s[axis], gyro_bias_rad_s, gyro_noise_rad_s, dt_s);
+        gyro[axis] = measure(model, rates_rad_s[axis] + model->gyro_drift_rad_s[axis] * warmth,
+                             &model->gyro_bias_rad_s[axis], gyro_bias_rad_s, gyro_noise_rad_s, dt_s);
         force_m_s2[axis] =
             measure(model, force_m_s2[axis], &model->acc_bias_m_s2[axis], acc_bias_m_s2, acc_noise_m_s2, dt_s);
         field[axis] = measure(model, field[axis], &model->mag_bias[axis], mag_bias, mag_noise, dt_s);
     }
-    *inertial = (message_inertial_t){gyro[0],       gyro[1],  gyro[2],  force_m_s2[0], force_m_s2[1],
-                                     force_m_s2[2], field[0], field[1], field[2]};
-    estimate(model, truth, dt_s, ahrs);
+    const message_inertial_t sampled = {gyro[0],       gyro[1],  gyro[2],  force_m_s2[0], force_m_s2[1],
+                                        force_m_s2[2], field[0], field[1], field[2]};
+    *inertial = model->has_sampled ? model->sampled : sampled;
+    model->sampled = sampled;
+    model->has_sampled = true;
 }

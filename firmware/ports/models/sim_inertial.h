@@ -1,4 +1,4 @@
-/// Models of the inertial sensors, the magnetometer and the attitude estimate made of them.
+/// Models of the inertial sensors and the magnetometer: bias, drift with temperature, noise, and a step of delay.
 #ifndef SIM_INERTIAL_H
 #define SIM_INERTIAL_H
 
@@ -17,17 +17,18 @@ typedef struct
     float airspeed_m_s; ///< these three: of the last step, for the path's acceleration
     float climb_m_s;
     float track_deg;
+    float path_age_s; ///< since the path was last told
     bool has_path;
     float acceleration_m_s2[3]; ///< of the path: ahead, aside, down
-    message_ahrs_t estimate;    ///< the filter's attitude, behind the true one
-    float drift_deg[3];         ///< its yaw, pitch and roll error
-    bool has_estimate;
+    float gyro_drift_rad_s[3];  ///< that much more when the board is warm
+    float age_s;                ///< since it was switched on
+    message_inertial_t sampled; ///< comes out with the next step
+    bool has_sampled;
 } sim_inertial_t;
 
 void sim_inertial_init(sim_inertial_t* model, uint32_t seed);
 
-/// One step of `dt_s` (> 0).
-void sim_inertial_read(sim_inertial_t* model, const sim_truth_t* truth, float dt_s, message_inertial_t* inertial,
-                       message_ahrs_t* ahrs);
+/// One step of `dt_s` (> 0); what comes out was sampled a step before.
+void sim_inertial_read(sim_inertial_t* model, const sim_truth_t* truth, float dt_s, message_inertial_t* inertial);
 
 #endif

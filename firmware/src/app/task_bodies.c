@@ -1,4 +1,5 @@
 #include "app/application_state.h"
+#include "app/sensing.h"
 #include "app/task_line.h"
 
 enum
@@ -11,13 +12,16 @@ static float period_s(task_id_t task)
     return (float)task_table[task].period_ms / 1000.0F;
 }
 
-/// Reads every sensor and gives the readings to the board. Models of sensors are told what the simulator says first.
+/// Reads every sensor and gives the board what it estimates from them. Models of sensors are told what the simulator
+/// says first.
 static void run_sensors(void* context)
 {
     application_t* const app = context;
     const sensors_t* const sensors = &app->hardware.sensors;
     TickType_t woken = xTaskGetTickCount();
     uint32_t observed = 0;
+    estimator_t estimator;
+    sensing_init(&estimator);
     for (;;)
     {
         application_lock(app);
@@ -35,11 +39,7 @@ static void run_sensors(void* context)
         sensors->read(sensors->context, period_s(task_sensors), &reading);
 
         application_lock(app);
-        app->board.sensors.ahrs = reading.ahrs;
-        app->board.sensors.inertial = reading.inertial;
-        app->board.sensors.analog = reading.analog;
-        app->board.sensors.gps = reading.gps;
-        app->board.sensors.servos_in = reading.receiver;
+        sensing_update(&estimator, &reading, period_s(task_sensors), &app->board.sensors);
         application_unlock(app);
         (void)xTaskDelayUntil(&woken, application_ticks(task_table[task_sensors].period_ms));
     }

@@ -1,5 +1,6 @@
 #include "app/tty.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "common/bytes.h"
@@ -225,9 +226,14 @@ size_t tty_receive(tty_t* tty, const uint8_t* bytes, size_t size, uint32_t now_m
     return receive_text(tty, bytes, size, now_ms);
 }
 
+/// A record holds an attitude: none is sent while that is not known.
 static void add_record(tty_t* tty)
 {
     const message_ahrs_t* const ahrs = &tty->shell->board->sensors.ahrs;
+    if (!isfinite(ahrs->yaw_deg) || !isfinite(ahrs->pitch_deg) || !isfinite(ahrs->roll_deg))
+    {
+        return;
+    }
     uint8_t record[16];
     memcpy(record, ahrs_mark, sizeof ahrs_mark);
     bytes_write_f32(record + 4, ahrs->yaw_deg);

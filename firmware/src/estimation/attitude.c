@@ -28,7 +28,10 @@ static const float urgent_for_s = 2.0F;  ///< after a silent gyro is heard again
 static const float longest_gap_s = 0.1F; ///< a gap so short is bridged with the last rate
 static const float largest_bias_rad_s = 0.2F;
 static const float airspeed_time_s = 0.5F;
-static const float compass_turn_time_s = 1.0F;
+static const float airspeed_new_for_s = 1.0F; ///< its first samples are noise: no change can be told from them
+
+// Shorter, the compass's turn, the tilt that it tells and the heading that the tilt tells would swing each other up.
+static const float compass_turn_time_s = 2.0F;
 static const float fastest_turn_rad_s = 1.0F;
 static const float largest_acceleration_m_s2 = 5.0F;
 
@@ -69,13 +72,16 @@ static void note_airspeed(attitude_filter_t* filter, const attitude_input_t* inp
         filter->has_airspeed = true;
     }
     filter->airspeed_m_s = input->airspeed_m_s;
-    const float share = 1.0F - expf(-dt_s / airspeed_time_s);
+    filter->airspeed_age_s = fminf(filter->airspeed_age_s + dt_s, 2.0F * airspeed_new_for_s);
+    // A mean at first, a lag later.
+    const float share = fmaxf(1.0F - expf(-dt_s / airspeed_time_s), dt_s / filter->airspeed_age_s);
     filter->slow_airspeed_m_s += share * (filter->airspeed_m_s - filter->slow_airspeed_m_s);
 }
 
 static gravity_t felt(const attitude_filter_t* filter, const attitude_input_t* input)
 {
-    const float change_m_s2 = (filter->airspeed_m_s - filter->slow_airspeed_m_s) / airspeed_time_s;
+    const bool is_settled = filter->airspeed_age_s >= airspeed_new_for_s;
+    const float change_m_s2 = is_settled ? (filter->airspeed_m_s - filter->slow_airspeed_m_s) / airspeed_time_s : 0.0F;
     const gravity_input_t gravity = {
         .force_m_s2 = input->force_m_s2,
         .rate_rad_s = filter->rate_rad_s,

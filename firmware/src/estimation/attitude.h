@@ -34,6 +34,7 @@ typedef struct
     float airspeed_m_s;      ///< the last one measured; 0 before
     float slow_airspeed_m_s; ///< its lag tells the acceleration
     bool has_airspeed;
+    float airspeed_age_s;     ///< how long it has been measured, 2 s at most
     float compass_turn_rad_s; ///< rate of turn by the compass, in place of a silent gyro's
     float urgency;            ///< 0: trust the gyro; 1: it cannot be trusted, follow gravity and compass
     float disagreed_s;        ///< how long gravity or compass has been far from the estimate

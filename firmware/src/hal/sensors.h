@@ -1,5 +1,6 @@
 /// What the board measures, and the receiver of the pilot's transmitter. Implemented by each port: drivers on hardware,
-/// models on a PC. The readings are those of the telemetry, with its units, axes and signs.
+/// models on a PC. The readings are raw samples in the telemetry's units, axes and signs: the board estimates attitude,
+/// altitude, climb and airspeed from them. NaN: not measured this time.
 #ifndef HAL_SENSORS_H
 #define HAL_SENSORS_H
 
@@ -7,9 +8,8 @@
 
 typedef struct
 {
-    message_ahrs_t ahrs;
     message_inertial_t inertial;
-    message_analog_t analog;
+    message_analog_t analog; ///< altitude, airspeed and climb are not of the sensors: left NaN
     message_gps_t gps;
     message_servos_in_t receiver;
 } sensors_reading_t;

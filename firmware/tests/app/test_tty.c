@@ -172,6 +172,17 @@ static void the_ahrs_test_sends_marked_records_until_q(void** state)
     assert_int_equal(tty.reply.size, 0);
 }
 
+static void no_record_is_sent_of_an_attitude_that_is_not_known(void** state)
+{
+    (void)state;
+    rig->board.sensors.ahrs = (message_ahrs_t){NAN, 2.0F, -3.0F};
+    hear_line("#sim\r");
+    hear("#s00", 5);
+    assert_string_equal(answer(), "#SYNCH00\n\r");
+    tty_tick(&tty, rig->now_ms + tty_ahrs_period_ms);
+    assert_int_equal(tty.reply.size, 0);
+}
+
 static void random_bytes_never_do_harm_and_never_hide_the_next_line(void** state)
 {
     (void)state;
@@ -208,6 +219,7 @@ int main(void)
         cmocka_unit_test_setup(a_reset_command_asks_for_a_reset_and_ends_binary_mode, start),
         cmocka_unit_test_setup(a_silence_gives_up_a_false_header_and_frees_the_command_behind_it, start),
         cmocka_unit_test_setup(the_ahrs_test_sends_marked_records_until_q, start),
+        cmocka_unit_test_setup(no_record_is_sent_of_an_attitude_that_is_not_known, start),
         cmocka_unit_test_setup(random_bytes_never_do_harm_and_never_hide_the_next_line, start),
     };
     return cmocka_run_group_tests_name("app.tty", tests, NULL, NULL);

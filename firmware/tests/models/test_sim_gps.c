@@ -122,5 +122,5 @@ int main(void)
         cmocka_unit_test(being_put_elsewhere_is_no_speed),
         cmocka_unit_test(the_number_of_satellites_is_one_or_two_digits),
     };
-    return cmocka_run_group_tests_name("posix.sim_gps", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("models.sim_gps", tests, NULL, NULL);
 }

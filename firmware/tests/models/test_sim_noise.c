@@ -104,5 +104,5 @@ int main(void)
         cmocka_unit_test(a_wandering_error_stays_within_its_deviation_whatever_the_step),
         cmocka_unit_test(a_lag_reaches_two_thirds_in_its_time),
     };
-    return cmocka_run_group_tests_name("posix.sim_noise", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("models.sim_noise", tests, NULL, NULL);
 }
