@@ -3,6 +3,7 @@ import { useTranslation } from "react-i18next";
 import { useSettings } from "../store/hooks";
 import { applyTheme } from "../theme/theme";
 import { WordsProvider } from "../ui/words";
+import { AhrsTestBanner } from "./AhrsTestBanner";
 import { Alarms } from "./Alarms";
 import "./app.css";
 import { DialogsProvider } from "./dialogs/dialogs";
@@ -71,6 +72,7 @@ export function App() {
             <Dock edge="top" />
             <div className="app-warnings">
               <EmulationBanner />
+              <AhrsTestBanner />
               <Alarms />
             </div>
             <div className="app-middle">

@@ -17,6 +17,7 @@ import { TelemetryStore } from "../store/telemetry";
 import { Rest } from "../transport/rest";
 import { StreamSocket, type Timers, type Wire, type WireListener } from "../transport/socket";
 import { createActions, resultMessage } from "./actions";
+import { createAhrs3d } from "./ahrs3dActions";
 import { createAlarmBook } from "./alarmBook";
 import { createBoardConsole } from "./boardConsole";
 import { createFrameActions } from "./frameActions";
@@ -191,6 +192,7 @@ export function createPage(world: World): {
     speaker: world.speaker,
   });
   const parameters = createParameterActions(book, asking);
+  const ahrs3d = createAhrs3d(asking);
   const missions = createPlanActions(plans, world.saveFile, asking);
   const { trackBook, takeTrackEvent } = createTrackBook({ rest, timers: world.timers });
   const stores = { telemetry, pump, connection, commands, messages, settings };
@@ -202,6 +204,7 @@ export function createPage(world: World): {
       alarmBook,
       parameters,
       missions,
+      ahrs3d,
       mapSelection: createMapSelection(),
       servos: servos.desk,
       boardConsole,

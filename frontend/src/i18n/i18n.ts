@@ -2,6 +2,7 @@ import i18next, { type i18n as I18n } from "i18next";
 import { initReactI18next } from "react-i18next";
 import type { Language } from "../store/settings";
 import en from "./en.json";
+import enAhrs3d from "./en-ahrs3d.json";
 import enAlarms from "./en-alarms.json";
 import enFrame from "./en-frame.json";
 import enHelp from "./en-help.json";
@@ -12,6 +13,7 @@ import enPlans from "./en-plans.json";
 import enSaid from "./en-said.json";
 import enSix from "./en-six.json";
 import es from "./es.json";
+import esAhrs3d from "./es-ahrs3d.json";
 import esAlarms from "./es-alarms.json";
 import esFrame from "./es-frame.json";
 import esHelp from "./es-help.json";
@@ -33,6 +35,7 @@ export const CATALOGUES = {
     ...esPlans,
     ...esMap,
     ...esMessages,
+    ...esAhrs3d,
     ...esAlarms,
     ...esHelp,
   },
@@ -45,6 +48,7 @@ export const CATALOGUES = {
     ...enPlans,
     ...enMap,
     ...enMessages,
+    ...enAhrs3d,
     ...enAlarms,
     ...enHelp,
   },

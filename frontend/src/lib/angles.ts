@@ -5,3 +5,8 @@ export function wrap360(angle_deg: number): number {
   const positive = wrapped < 0 ? wrapped + 360 : wrapped;
   return positive === 360 || positive === 0 ? 0 : positive;
 }
+
+/** The same angle in -180 <= x < 180 degrees. */
+export function wrap180(angle_deg: number): number {
+  return wrap360(angle_deg + 180) - 180;
+}

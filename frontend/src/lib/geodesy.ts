@@ -1,4 +1,4 @@
-import { wrap360 } from "./angles";
+import { wrap180, wrap360 } from "./angles";
 import { DEGREES_PER_RADIAN } from "./units";
 
 /** A place: north and east are positive, degrees. */
@@ -46,11 +46,6 @@ export function destination(from: Position, bearing: number, distance: number): 
     latitude_deg: Math.asin(Math.max(-1, Math.min(1, sinTo))) * DEGREES_PER_RADIAN,
     longitude_deg: wrap180(from.longitude_deg + longitude * DEGREES_PER_RADIAN),
   };
-}
-
-/** A longitude in -180..180. */
-function wrap180(angle_deg: number): number {
-  return wrap360(angle_deg + 180) - 180;
 }
 
 function radians(angle_deg: number): number {

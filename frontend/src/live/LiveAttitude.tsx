@@ -5,7 +5,7 @@ import type { TelemetryStore } from "../store/telemetry";
 import { usePaint } from "../store/usePaint";
 
 /** The artificial horizon over a topic with pitch and roll. */
-export function LiveAttitude({ topic }: { topic: "ahrs" | "simulator" }) {
+export function LiveAttitude({ topic }: { topic: "ahrs" | "ahrs_test" | "simulator" }) {
   const { t } = useTranslation();
   const instrument = useRef<AttitudeHandle>(null);
   const paint = useCallback(

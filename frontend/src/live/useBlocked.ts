@@ -20,5 +20,6 @@ export function useBoardBlocked(): string | undefined {
   const { t } = useTranslation();
   const gateway = useGatewayBlocked();
   const isOpen = useConnection(({ status }) => status?.board.state === "open");
-  return gateway ?? (isOpen ? undefined : t("blocked.board"));
+  const isTesting = useConnection(({ status }) => (status?.board.ahrs_test ?? "off") !== "off");
+  return gateway ?? (isOpen ? (isTesting ? t("ahrs3d.blocked") : undefined) : t("blocked.board"));
 }

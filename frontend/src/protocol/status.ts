@@ -26,6 +26,7 @@ export const isStatus = shape({
   board: shape({
     state: oneOf("closed", "opening", "open", "lost"),
     url: nullable(isText),
+    ahrs_test: oneOf("off", "starting", "running", "ending"),
     emulated: isFlag,
     before_emulation_url: nullable(isText),
     mode: nullable(oneOf("legacy", "extended")),

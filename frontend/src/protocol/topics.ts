@@ -28,8 +28,16 @@ export interface SimulatorValues {
   readonly throttle_command: number | null;
 }
 
-/** Values of every topic of the stream: the board's messages, and the simulator's rows. */
+/** The attitude of the AHRS test, in which the board sends nothing else. */
+export interface AhrsTestValues {
+  readonly yaw_deg: number | null;
+  readonly pitch_deg: number | null;
+  readonly roll_deg: number | null;
+}
+
+/** Values of every topic of the stream: the board's messages, its AHRS test, and the simulator's rows. */
 export interface Topics extends Telemetry {
+  readonly ahrs_test: AhrsTestValues;
   readonly simulator: SimulatorValues;
 }
 
@@ -71,6 +79,12 @@ const SIMULATOR_FIELDS: Readonly<Record<keyof SimulatorValues, "number">> = {
   throttle_command: "number",
 };
 
+const AHRS_TEST_FIELDS: Readonly<Record<keyof AhrsTestValues, "number">> = {
+  yaw_deg: "number",
+  pitch_deg: "number",
+  roll_deg: "number",
+};
+
 type Kind = "number" | "boolean";
 
 function kinds(
@@ -82,5 +96,6 @@ function kinds(
 /** Every field that a sample of a topic must have, with the type of its value where that is not null. */
 export const FIELD_KINDS: ReadonlyMap<string, ReadonlyArray<readonly [string, Kind]>> = new Map([
   ...Object.entries(FIELDS).map(([topic, fields]) => [topic, kinds(fields)] as const),
+  ["ahrs_test", Object.entries(AHRS_TEST_FIELDS)] as const,
   ["simulator", Object.entries(SIMULATOR_FIELDS)] as const,
 ]);

@@ -2,6 +2,7 @@ import { createContext, useContext, useSyncExternalStore } from "react";
 import { type StoreApi, useStore } from "zustand";
 import type { MapThing } from "../lib/mapThing";
 import type { Actions } from "./actions";
+import type { Ahrs3d, Alignment } from "./ahrs3d";
 import type { AlarmBook } from "./alarmBook";
 import { type CommandEntry, type CommandStore, shown } from "./commands";
 import type { Connection, ConnectionStore } from "./connection";
@@ -35,6 +36,7 @@ export interface Page {
   readonly inspector: Inspector;
   readonly parameters: ParameterActions;
   readonly missions: PlanActions;
+  readonly ahrs3d: Ahrs3d;
   readonly mapSelection: MapSelectionStore;
   readonly trackBook: TrackBook;
   /** Gives the person a file to keep. */
@@ -75,6 +77,10 @@ export function useTracks<T>(select: (tracks: Tracks) => T): T {
 /** What is chosen on the map. */
 export function useMapThing(): MapThing | null {
   return useSelected(usePage().mapSelection, ({ thing }) => thing);
+}
+
+export function useAlignment<T>(select: (alignment: Alignment) => T): T {
+  return useSelected(usePage().ahrs3d.alignment, select);
 }
 
 export function useParameters<T>(select: (book: ParameterBook) => T): T {

@@ -84,6 +84,11 @@ export class TelemetryStore {
     return now_ms - this.#heard_ms <= SILENCE_MS;
   }
 
+  /** When the gateway had the topic's newest sample, seconds of its clock: differs for each; null where there is none. */
+  newestAt_s(topic: TopicName): number | null {
+    return this.#newest.get(topic)?.t_s ?? null;
+  }
+
   /** Seconds since the gateway had the topic's newest sample; null where there is none. */
   age_s(topic: TopicName, now_ms: number): number | null {
     const sample = this.#newest.get(topic);

@@ -8,6 +8,7 @@ export function aStatus(parts: Partial<Status> = {}): Status {
     board: {
       state: "open",
       url: "pty:///tmp/board",
+      ahrs_test: "off",
       emulated: false,
       before_emulation_url: null,
       mode: "extended",

@@ -1,0 +1,36 @@
+import { useTranslation } from "react-i18next";
+import { LiveAttitude } from "../../live/LiveAttitude";
+import { LiveHeading, type ReadLive } from "../../live/LiveHeading";
+import type { AttitudeSource } from "../../store/ahrs3d";
+import { Button } from "../../ui/Button";
+import { Notice } from "../../ui/Notice";
+import type { PictureProblem } from "./useStage";
+
+interface Props {
+  source: AttitudeSource;
+  problem: PictureProblem;
+  onRetry: () => void;
+}
+
+const HEADINGS: Readonly<Record<AttitudeSource, ReadLive>> = {
+  ahrs: (telemetry, now_ms) => telemetry.liveNumber("ahrs", "yaw_deg", now_ms),
+  ahrs_test: (telemetry, now_ms) => telemetry.liveNumber("ahrs_test", "yaw_deg", now_ms),
+};
+const noBug: ReadLive = () => null;
+
+/** Where there is no picture: why, and the same attitude on the two instruments that need no WebGL. */
+export function Instead({ source, problem, onRetry }: Props) {
+  const { t } = useTranslation();
+  return (
+    <div className="ahrs3d-instead">
+      <Notice level="warning">
+        <p>{t(`ahrs3d.problem.${problem}`)}</p>
+        <Button onPress={onRetry}>{t("ahrs3d.retry")}</Button>
+      </Notice>
+      <div className="ahrs3d-instruments">
+        <LiveAttitude topic={source} />
+        <LiveHeading heading_deg={HEADINGS[source]} bearing_deg={noBug} />
+      </div>
+    </div>
+  );
+}

@@ -1,0 +1,55 @@
+import { useTranslation } from "react-i18next";
+import type { CameraView } from "../../scene/attitude/OrbitRig";
+import { useTelemetry } from "../../store/hooks";
+import { SegmentedSwitch } from "../../ui/SegmentedSwitch";
+import { liveVectors } from "./source";
+
+const VIEWS = ["behind", "front", "top", "side"] as const satisfies readonly CameraView[];
+
+interface Props {
+  /** Null when a person turned it. */
+  camera: CameraView | null;
+  onCamera: (view: CameraView) => void;
+  hasVectors: boolean;
+}
+
+/** On the picture: where the camera stands, and what the arrows say. */
+export function PictureTools({ camera, onCamera, hasVectors }: Props) {
+  const { t } = useTranslation();
+  return (
+    <div className="ahrs3d-tools">
+      <SegmentedSwitch
+        label={t("ahrs3d.camera")}
+        hideLabel
+        options={VIEWS.map((view) => ({ value: view, label: t(`ahrs3d.from.${view}`) }))}
+        value={camera}
+        onChange={onCamera}
+      />
+      {hasVectors && <Legend />}
+    </div>
+  );
+}
+
+/** What the two arrows say, in figures: their lengths in the picture are these. */
+function Legend() {
+  const { t } = useTranslation();
+  const lengths = useTelemetry((telemetry, now_ms) => {
+    const { acceleration_m_s2, field } = liveVectors(telemetry, now_ms);
+    const length = (vector: readonly number[] | null, digits: number): string =>
+      vector === null ? t("words.noData") : Math.hypot(...vector).toFixed(digits);
+    return `${length(acceleration_m_s2, 1)}\n${length(field, 2)}`;
+  });
+  const [acceleration, field] = lengths.split("\n");
+  return (
+    <dl className="ahrs3d-legend">
+      <div data-arrow="acceleration">
+        <dt>{t("ahrs3d.legendAcceleration")}</dt>
+        <dd className="app-number">{acceleration}</dd>
+      </div>
+      <div data-arrow="field">
+        <dt>{t("ahrs3d.legendField")}</dt>
+        <dd className="app-number">{field}</dd>
+      </div>
+    </dl>
+  );
+}

@@ -1,0 +1,40 @@
+import { useTranslation } from "react-i18next";
+import type { CameraView } from "../../scene/attitude/OrbitRig";
+import { Checkbox } from "../../ui/Checkbox";
+import { Panel } from "../../ui/Panel";
+import type { PictureSettings } from "./AttitudePicture";
+
+/** The named place of the camera, null when a person turned it; `pressed` counts how often one was asked for. */
+export interface CameraChoice {
+  readonly view: CameraView | null;
+  readonly pressed: number;
+}
+
+type Part = "ghost" | "bodyAxes" | "worldAxes" | "vectors";
+const PARTS: readonly Part[] = ["ghost", "bodyAxes", "worldAxes", "vectors"];
+
+interface Props {
+  settings: PictureSettings;
+  onToggle: (part: Part, isOn: boolean) => void;
+  onFollow: (isOn: boolean) => void;
+}
+
+/** The parts of the picture. */
+export function ShowPanel({ settings, onToggle, onFollow }: Props) {
+  const { t } = useTranslation();
+  return (
+    <Panel title={t("ahrs3d.show")}>
+      <div className="ahrs3d-show">
+        <Checkbox label={t("ahrs3d.follow")} checked={settings.follow} onChange={onFollow} />
+        {PARTS.map((part) => (
+          <Checkbox
+            key={part}
+            label={t(`ahrs3d.part.${part}`)}
+            checked={settings[part]}
+            onChange={(isOn) => onToggle(part, isOn)}
+          />
+        ))}
+      </div>
+    </Panel>
+  );
+}
