@@ -20,6 +20,7 @@ from gateway.api import (
     earth,
     inspector,
     links,
+    maps,
     mission_files,
     parameters,
     recordings,
@@ -74,6 +75,7 @@ def create_app(settings: Settings) -> FastAPI:
         mission_files,
         earth,
         track,
+        maps,
         alarms,
         recordings,
         about,
@@ -89,5 +91,6 @@ def create_app(settings: Settings) -> FastAPI:
         errors=errors,
         max_body_bytes=settings.max_body_bytes,
         longer_bodies={_PREFIX + mission_files.IMPORT_PATH: MAX_FILE_BYTES},
+        streamed_bodies=frozenset({_PREFIX + maps.IMPORTS_PATH}),
     )
     return app

@@ -346,6 +346,171 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/map/imports": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Import Map
+         * @description Take a map file into the folder, whole or not at all. The answer comes when all of it is there; heights are being
+         *     turned into terrain then. The event `map_import` tells how far it is.
+         */
+        post: operations["import_map_api_v1_map_imports_post"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/map/imports/{import_id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Map Import
+         * @description How far an import is.
+         */
+        get: operations["get_map_import_api_v1_map_imports__import_id__get"];
+        put?: never;
+        post?: never;
+        /**
+         * Cancel Map Import
+         * @description Cancel an import: nothing of the file is kept. One that is over stays as it is.
+         */
+        delete: operations["cancel_map_import_api_v1_map_imports__import_id__delete"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/map/layers": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Map Layers
+         * @description What lies in the maps' folder; what cannot be shown says why.
+         */
+        get: operations["get_map_layers_api_v1_map_layers_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/map/layers/{layer_id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post?: never;
+        /**
+         * Remove Map Layer
+         * @description Take a layer out of the list. Its file moves into the folder `removed` and can be restored.
+         */
+        delete: operations["remove_map_layer_api_v1_map_layers__layer_id__delete"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/map/layers/{layer_id}/restore": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Restore Map Layer
+         * @description Bring a removed layer back.
+         */
+        post: operations["restore_map_layer_api_v1_map_layers__layer_id__restore_post"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/map/layers/{layer_id}/terrain/layer.json": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Terrain Contents
+         * @description What Cesium's terrain provider reads first.
+         */
+        get: operations["get_terrain_contents_api_v1_map_layers__layer_id__terrain_layer_json_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/map/layers/{layer_id}/terrain/{zoom}/{column}/{row}.terrain": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Terrain Tile
+         * @description One piece of terrain, quantized-mesh 1.0; rows as its layer.json counts them. Heights are above the sea.
+         */
+        get: operations["get_terrain_tile_api_v1_map_layers__layer_id__terrain__zoom___column___row__terrain_get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/map/layers/{layer_id}/tiles/{zoom}/{column}/{row}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Map Tile
+         * @description One picture; rows count from the north.
+         */
+        get: operations["get_map_tile_api_v1_map_layers__layer_id__tiles__zoom___column___row__get"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/missions/export": {
         parameters: {
             query?: never;
@@ -1140,7 +1305,7 @@ export interface components {
              * Code
              * @enum {string}
              */
-            code: "ahrs_test_in_flight" | "ahrs_test_lost" | "ahrs_test_running" | "alarm_not_active" | "bad_json" | "board_line_full" | "board_not_open" | "body_too_large" | "client_unknown" | "command_unknown" | "control_held" | "datagram_malformed" | "datagram_stranger" | "emulation_running" | "foreign_host" | "foreign_origin" | "http_error" | "internal" | "invalid_request" | "journal_not_written" | "journal_unreadable" | "line_garbage" | "link_address_invalid" | "link_busy" | "link_failed" | "link_lost" | "link_no_device" | "link_not_serial" | "link_permission" | "link_refused" | "link_timeout" | "link_unknown_host" | "link_unreachable" | "listen_failed" | "listen_unknown_host" | "memory_not_written" | "memory_unreadable" | "method_not_allowed" | "mission_differs" | "mission_file_archive" | "mission_file_damaged" | "mission_file_empty" | "mission_file_forbidden" | "mission_file_frame" | "mission_file_header" | "mission_file_no_home" | "mission_file_no_waypoints" | "mission_file_out_of_range" | "mission_file_too_long" | "mission_file_unknown" | "mission_file_unreadable" | "mission_invalid" | "mission_not_read" | "mission_refused" | "no_such_address" | "not_supported" | "nothing_to_redo" | "nothing_to_undo" | "parameter_out_of_range" | "parameter_unknown" | "parameters_not_read" | "port_taken" | "rate_invalid" | "recording_unknown" | "simulator_unknown_host" | "source_not_taken" | "stream_message_invalid" | "threshold_out_of_range" | "threshold_unknown" | "track_not_kept" | "value_not_allowed";
+            code: "ahrs_test_in_flight" | "ahrs_test_lost" | "ahrs_test_running" | "alarm_not_active" | "bad_json" | "board_line_full" | "board_not_open" | "body_too_large" | "client_unknown" | "command_unknown" | "control_held" | "datagram_malformed" | "datagram_stranger" | "emulation_running" | "foreign_host" | "foreign_origin" | "http_error" | "internal" | "invalid_request" | "journal_not_written" | "journal_unreadable" | "line_garbage" | "link_address_invalid" | "link_busy" | "link_failed" | "link_lost" | "link_no_device" | "link_not_serial" | "link_permission" | "link_refused" | "link_timeout" | "link_unknown_host" | "link_unreachable" | "listen_failed" | "listen_unknown_host" | "map_disk_full" | "map_exists" | "map_file_damaged" | "map_file_empty" | "map_file_no_layer_json" | "map_file_not_mesh" | "map_file_vector" | "map_folder_unreadable" | "map_import_incomplete" | "map_import_unknown" | "map_imports_busy" | "map_kind_unknown" | "map_layer_unknown" | "map_name_invalid" | "map_raster_converting" | "map_raster_failed" | "map_raster_no_place" | "map_raster_not_height" | "map_source_refused" | "map_source_silent" | "map_tile_missing" | "memory_not_written" | "memory_unreadable" | "method_not_allowed" | "mission_differs" | "mission_file_archive" | "mission_file_damaged" | "mission_file_empty" | "mission_file_forbidden" | "mission_file_frame" | "mission_file_header" | "mission_file_no_home" | "mission_file_no_waypoints" | "mission_file_out_of_range" | "mission_file_too_long" | "mission_file_unknown" | "mission_file_unreadable" | "mission_invalid" | "mission_not_read" | "mission_refused" | "no_such_address" | "not_supported" | "nothing_to_redo" | "nothing_to_undo" | "parameter_out_of_range" | "parameter_unknown" | "parameters_not_read" | "port_taken" | "rate_invalid" | "recording_unknown" | "simulator_unknown_host" | "source_not_taken" | "stream_message_invalid" | "threshold_out_of_range" | "threshold_unknown" | "track_not_kept" | "value_not_allowed";
             /** Detail */
             detail: string;
             /** Params */
@@ -1321,6 +1486,92 @@ export interface components {
             state: "closed" | "opening" | "open" | "lost";
             /** Url */
             url: string;
+        };
+        /**
+         * MapImport
+         * @description A file on its way into the folder. `percent` of the receiving, then of the converting; `layer`: its id in the
+         *     list once it is there.
+         */
+        MapImport: {
+            /** Bytes */
+            bytes: number;
+            /** Id */
+            id: string;
+            /** Layer */
+            layer: string | null;
+            /** Name */
+            name: string;
+            /** Percent */
+            percent: number | null;
+            /** Problem */
+            problem: string | null;
+            /** Problem Code */
+            problem_code: ("ahrs_test_in_flight" | "ahrs_test_lost" | "ahrs_test_running" | "alarm_not_active" | "bad_json" | "board_line_full" | "board_not_open" | "body_too_large" | "client_unknown" | "command_unknown" | "control_held" | "datagram_malformed" | "datagram_stranger" | "emulation_running" | "foreign_host" | "foreign_origin" | "http_error" | "internal" | "invalid_request" | "journal_not_written" | "journal_unreadable" | "line_garbage" | "link_address_invalid" | "link_busy" | "link_failed" | "link_lost" | "link_no_device" | "link_not_serial" | "link_permission" | "link_refused" | "link_timeout" | "link_unknown_host" | "link_unreachable" | "listen_failed" | "listen_unknown_host" | "map_disk_full" | "map_exists" | "map_file_damaged" | "map_file_empty" | "map_file_no_layer_json" | "map_file_not_mesh" | "map_file_vector" | "map_folder_unreadable" | "map_import_incomplete" | "map_import_unknown" | "map_imports_busy" | "map_kind_unknown" | "map_layer_unknown" | "map_name_invalid" | "map_raster_converting" | "map_raster_failed" | "map_raster_no_place" | "map_raster_not_height" | "map_source_refused" | "map_source_silent" | "map_tile_missing" | "memory_not_written" | "memory_unreadable" | "method_not_allowed" | "mission_differs" | "mission_file_archive" | "mission_file_damaged" | "mission_file_empty" | "mission_file_forbidden" | "mission_file_frame" | "mission_file_header" | "mission_file_no_home" | "mission_file_no_waypoints" | "mission_file_out_of_range" | "mission_file_too_long" | "mission_file_unknown" | "mission_file_unreadable" | "mission_invalid" | "mission_not_read" | "mission_refused" | "no_such_address" | "not_supported" | "nothing_to_redo" | "nothing_to_undo" | "parameter_out_of_range" | "parameter_unknown" | "parameters_not_read" | "port_taken" | "rate_invalid" | "recording_unknown" | "simulator_unknown_host" | "source_not_taken" | "stream_message_invalid" | "threshold_out_of_range" | "threshold_unknown" | "track_not_kept" | "value_not_allowed") | null;
+            /** Problem Params */
+            problem_params: {
+                [key: string]: string | number | boolean | null;
+            };
+            /**
+             * State
+             * @enum {string}
+             */
+            state: "receiving" | "converting" | "done" | "failed";
+            /** Total Bytes */
+            total_bytes: number | null;
+        };
+        /**
+         * MapLayer
+         * @description A layer that can be chosen, or says why it cannot.
+         */
+        MapLayer: {
+            /** Attribution */
+            attribution: string;
+            /** Bytes */
+            bytes: number;
+            /** East Deg */
+            east_deg: number;
+            /**
+             * Format
+             * @enum {string}
+             */
+            format: "mbtiles" | "pmtiles" | "quantized_mesh" | "geotiff" | "hgt" | "online";
+            /** Id */
+            id: string;
+            /**
+             * Kind
+             * @enum {string}
+             */
+            kind: "imagery" | "terrain";
+            /** Maximum Zoom */
+            maximum_zoom: number;
+            /** Minimum Zoom */
+            minimum_zoom: number;
+            /** Name */
+            name: string;
+            /** North Deg */
+            north_deg: number;
+            /** Problem */
+            problem: string | null;
+            /** Problem Code */
+            problem_code: ("ahrs_test_in_flight" | "ahrs_test_lost" | "ahrs_test_running" | "alarm_not_active" | "bad_json" | "board_line_full" | "board_not_open" | "body_too_large" | "client_unknown" | "command_unknown" | "control_held" | "datagram_malformed" | "datagram_stranger" | "emulation_running" | "foreign_host" | "foreign_origin" | "http_error" | "internal" | "invalid_request" | "journal_not_written" | "journal_unreadable" | "line_garbage" | "link_address_invalid" | "link_busy" | "link_failed" | "link_lost" | "link_no_device" | "link_not_serial" | "link_permission" | "link_refused" | "link_timeout" | "link_unknown_host" | "link_unreachable" | "listen_failed" | "listen_unknown_host" | "map_disk_full" | "map_exists" | "map_file_damaged" | "map_file_empty" | "map_file_no_layer_json" | "map_file_not_mesh" | "map_file_vector" | "map_folder_unreadable" | "map_import_incomplete" | "map_import_unknown" | "map_imports_busy" | "map_kind_unknown" | "map_layer_unknown" | "map_name_invalid" | "map_raster_converting" | "map_raster_failed" | "map_raster_no_place" | "map_raster_not_height" | "map_source_refused" | "map_source_silent" | "map_tile_missing" | "memory_not_written" | "memory_unreadable" | "method_not_allowed" | "mission_differs" | "mission_file_archive" | "mission_file_damaged" | "mission_file_empty" | "mission_file_forbidden" | "mission_file_frame" | "mission_file_header" | "mission_file_no_home" | "mission_file_no_waypoints" | "mission_file_out_of_range" | "mission_file_too_long" | "mission_file_unknown" | "mission_file_unreadable" | "mission_invalid" | "mission_not_read" | "mission_refused" | "no_such_address" | "not_supported" | "nothing_to_redo" | "nothing_to_undo" | "parameter_out_of_range" | "parameter_unknown" | "parameters_not_read" | "port_taken" | "rate_invalid" | "recording_unknown" | "simulator_unknown_host" | "source_not_taken" | "stream_message_invalid" | "threshold_out_of_range" | "threshold_unknown" | "track_not_kept" | "value_not_allowed") | null;
+            /** Problem Params */
+            problem_params: {
+                [key: string]: string | number | boolean | null;
+            };
+            /** South Deg */
+            south_deg: number;
+            /** West Deg */
+            west_deg: number;
+        };
+        /**
+         * MapLayers
+         * @description All layers; `folder` is where their files live.
+         */
+        MapLayers: {
+            /** Folder */
+            folder: string;
+            /** Layers */
+            layers: components["schemas"]["MapLayer"][];
         };
         /**
          * Mission
@@ -1535,7 +1786,7 @@ export interface components {
              * Code
              * @enum {string}
              */
-            code: "ahrs_test_in_flight" | "ahrs_test_lost" | "ahrs_test_running" | "alarm_not_active" | "bad_json" | "board_line_full" | "board_not_open" | "body_too_large" | "client_unknown" | "command_unknown" | "control_held" | "datagram_malformed" | "datagram_stranger" | "emulation_running" | "foreign_host" | "foreign_origin" | "http_error" | "internal" | "invalid_request" | "journal_not_written" | "journal_unreadable" | "line_garbage" | "link_address_invalid" | "link_busy" | "link_failed" | "link_lost" | "link_no_device" | "link_not_serial" | "link_permission" | "link_refused" | "link_timeout" | "link_unknown_host" | "link_unreachable" | "listen_failed" | "listen_unknown_host" | "memory_not_written" | "memory_unreadable" | "method_not_allowed" | "mission_differs" | "mission_file_archive" | "mission_file_damaged" | "mission_file_empty" | "mission_file_forbidden" | "mission_file_frame" | "mission_file_header" | "mission_file_no_home" | "mission_file_no_waypoints" | "mission_file_out_of_range" | "mission_file_too_long" | "mission_file_unknown" | "mission_file_unreadable" | "mission_invalid" | "mission_not_read" | "mission_refused" | "no_such_address" | "not_supported" | "nothing_to_redo" | "nothing_to_undo" | "parameter_out_of_range" | "parameter_unknown" | "parameters_not_read" | "port_taken" | "rate_invalid" | "recording_unknown" | "simulator_unknown_host" | "source_not_taken" | "stream_message_invalid" | "threshold_out_of_range" | "threshold_unknown" | "track_not_kept" | "value_not_allowed";
+            code: "ahrs_test_in_flight" | "ahrs_test_lost" | "ahrs_test_running" | "alarm_not_active" | "bad_json" | "board_line_full" | "board_not_open" | "body_too_large" | "client_unknown" | "command_unknown" | "control_held" | "datagram_malformed" | "datagram_stranger" | "emulation_running" | "foreign_host" | "foreign_origin" | "http_error" | "internal" | "invalid_request" | "journal_not_written" | "journal_unreadable" | "line_garbage" | "link_address_invalid" | "link_busy" | "link_failed" | "link_lost" | "link_no_device" | "link_not_serial" | "link_permission" | "link_refused" | "link_timeout" | "link_unknown_host" | "link_unreachable" | "listen_failed" | "listen_unknown_host" | "map_disk_full" | "map_exists" | "map_file_damaged" | "map_file_empty" | "map_file_no_layer_json" | "map_file_not_mesh" | "map_file_vector" | "map_folder_unreadable" | "map_import_incomplete" | "map_import_unknown" | "map_imports_busy" | "map_kind_unknown" | "map_layer_unknown" | "map_name_invalid" | "map_raster_converting" | "map_raster_failed" | "map_raster_no_place" | "map_raster_not_height" | "map_source_refused" | "map_source_silent" | "map_tile_missing" | "memory_not_written" | "memory_unreadable" | "method_not_allowed" | "mission_differs" | "mission_file_archive" | "mission_file_damaged" | "mission_file_empty" | "mission_file_forbidden" | "mission_file_frame" | "mission_file_header" | "mission_file_no_home" | "mission_file_no_waypoints" | "mission_file_out_of_range" | "mission_file_too_long" | "mission_file_unknown" | "mission_file_unreadable" | "mission_invalid" | "mission_not_read" | "mission_refused" | "no_such_address" | "not_supported" | "nothing_to_redo" | "nothing_to_undo" | "parameter_out_of_range" | "parameter_unknown" | "parameters_not_read" | "port_taken" | "rate_invalid" | "recording_unknown" | "simulator_unknown_host" | "source_not_taken" | "stream_message_invalid" | "threshold_out_of_range" | "threshold_unknown" | "track_not_kept" | "value_not_allowed";
             /** Detail */
             detail: string;
             /** Params */
@@ -3075,6 +3326,579 @@ export interface operations {
             };
             /** @description The body is too large. */
             413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description A value is missing, misspelt or out of range. */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    import_map_api_v1_map_imports_post: {
+        parameters: {
+            query: {
+                /** @description The file's name; its end says what it is. */
+                name: string;
+            };
+            header?: {
+                /** @description Id of the stream's hello; not needed while nobody has control. */
+                "x-client"?: string | null;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/octet-stream": string;
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["MapImport"];
+                };
+            };
+            /** @description The body is not JSON. */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The request came from a page or under a name that may not command. */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description It cannot be done now: another has control, no link, not supported, or the device cannot be opened. */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The body is too large. */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description A value is missing, misspelt or out of range. */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_map_import_api_v1_map_imports__import_id__get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                import_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["MapImport"];
+                };
+            };
+            /** @description The request came from a page or under a name that may not command. */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description There is no such thing. */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description A value is missing, misspelt or out of range. */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    cancel_map_import_api_v1_map_imports__import_id__delete: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description Id of the stream's hello; not needed while nobody has control. */
+                "x-client"?: string | null;
+            };
+            path: {
+                import_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["MapImport"];
+                };
+            };
+            /** @description The body is not JSON. */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The request came from a page or under a name that may not command. */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description There is no such thing. */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description It cannot be done now: another has control, no link, not supported, or the device cannot be opened. */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The body is too large. */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description A value is missing, misspelt or out of range. */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_map_layers_api_v1_map_layers_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["MapLayers"];
+                };
+            };
+            /** @description The request came from a page or under a name that may not command. */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description A value is missing, misspelt or out of range. */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    remove_map_layer_api_v1_map_layers__layer_id__delete: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description Id of the stream's hello; not needed while nobody has control. */
+                "x-client"?: string | null;
+            };
+            path: {
+                layer_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["MapLayers"];
+                };
+            };
+            /** @description The body is not JSON. */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The request came from a page or under a name that may not command. */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description There is no such thing. */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description It cannot be done now: another has control, no link, not supported, or the device cannot be opened. */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The body is too large. */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description A value is missing, misspelt or out of range. */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    restore_map_layer_api_v1_map_layers__layer_id__restore_post: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description Id of the stream's hello; not needed while nobody has control. */
+                "x-client"?: string | null;
+            };
+            path: {
+                layer_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["MapLayers"];
+                };
+            };
+            /** @description The body is not JSON. */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The request came from a page or under a name that may not command. */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description There is no such thing. */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description It cannot be done now: another has control, no link, not supported, or the device cannot be opened. */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The body is too large. */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description A value is missing, misspelt or out of range. */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_terrain_contents_api_v1_map_layers__layer_id__terrain_layer_json_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                layer_id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description The request came from a page or under a name that may not command. */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description There is no such thing. */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description A value is missing, misspelt or out of range. */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_terrain_tile_api_v1_map_layers__layer_id__terrain__zoom___column___row__terrain_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                layer_id: string;
+                zoom: number;
+                column: number;
+                row: number;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/vnd.quantized-mesh": string;
+                };
+            };
+            /** @description The caller has it already. */
+            304: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description The request came from a page or under a name that may not command. */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description There is no such thing. */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description A value is missing, misspelt or out of range. */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_map_tile_api_v1_map_layers__layer_id__tiles__zoom___column___row__get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                layer_id: string;
+                zoom: number;
+                column: number;
+                row: number;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "image/jpeg": string;
+                    "image/png": string;
+                    "image/webp": string;
+                };
+            };
+            /** @description There is no tile here. */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description The caller has it already. */
+            304: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description The request came from a page or under a name that may not command. */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description There is no such thing. */
+            404: {
                 headers: {
                     [name: string]: unknown;
                 };

@@ -40,7 +40,8 @@ newest state at once. `rate=0` sends every sample; `{"type": "rate", "rate": n}`
 the header `X-Client: <client of the hello>`.
 
 **Events**: `alarm` (an alarm that came, went or was acknowledged), `command` (pending, and what became of it),
-`console`, `control`, `error`, `journal` (a new entry, and what undo and redo would write now), `link`, `mission`,
+`console`, `control`, `error`, `journal` (a new entry, and what undo and redo would write now), `link`, `map_import` (as
+`GET /map/imports/{id}`, at most four a second), `mission`,
 `parameter` (the gains that changed, each with value, state and loaded value), `recording` and `track`.
 """
 

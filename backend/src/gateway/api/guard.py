@@ -75,13 +75,16 @@ class Guard:
         errors: ErrorLog,
         max_body_bytes: int,
         longer_bodies: Mapping[str, int] = MappingProxyType({}),
+        streamed_bodies: frozenset[str] = frozenset(),
     ) -> None:
-        """`longer_bodies`: path -> bytes, for the addresses that take files."""
+        """`longer_bodies`: path -> bytes, for the addresses that take files. `streamed_bodies`: paths whose own code
+        takes the body as it comes, and bounds it."""
         self._app = app
         self._access = access
         self._errors = errors
         self._max_body_bytes = max_body_bytes
         self._longer_bodies = longer_bodies
+        self._streamed_bodies = streamed_bodies
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Check, then hand on."""
@@ -120,7 +123,7 @@ class Guard:
         except GatewayError as error:
             await self._refuse(HTTPStatus.FORBIDDEN, error, scope, receive, send)
             return
-        if reading:
+        if reading or scope["path"] in self._streamed_bodies:
             await self._app(scope, receive, send)
             return
         most_bytes = self._longer_bodies.get(scope["path"], self._max_body_bytes)

@@ -27,6 +27,7 @@ from gateway.services.hil import Hil
 from gateway.services.hub import Hub
 from gateway.services.journal import Journal
 from gateway.services.line_rates import LineRates
+from gateway.services.maps.maps import Maps
 from gateway.services.memory import Memory
 from gateway.services.missions import Missions
 from gateway.services.parameters import Parameters
@@ -93,6 +94,7 @@ class Station:
         )
         self.rates = LineRates()
         self.tracks = Tracks(self.telemetry, self.hub, self.clock, lambda: self.board.is_emulated)
+        self.maps = Maps(data_dir / "maps", self.hub, self._report)
         self.watch = Watch(
             supervisor=self.supervisor,
             board=self.board,
@@ -128,6 +130,7 @@ class Station:
                         ("simulator link", self.simulator.run),
                         ("re-arming", self._rearm),
                         ("housekeeping", self._keep_house),
+                        ("maps", self.maps.run),
                     )
                 ]
                 try:
@@ -141,6 +144,7 @@ class Station:
             if self.recorder is not None:
                 await asyncio.to_thread(self.recorder.stop)
             await asyncio.to_thread(self.parameters.journal.close)
+            await asyncio.to_thread(self.maps.close)
 
     def changed(self) -> None:
         """Something in the status changed that should be seen now and not in half a second."""
