@@ -140,6 +140,8 @@ const MAIN_TABS = [
   "HIL",
   "HIL Standard Six",
   "Planes de vuelo",
+  "Mapa 3D",
+  "AHRS 3D",
   "Mensajes",
   "Alarmas",
   "Setup",

@@ -41,7 +41,8 @@ export function installCanvas(): void {
   vi.stubGlobal("Path2D", SilentPath);
   vi.stubGlobal("ResizeObserver", SilentObserver);
   vi.stubGlobal("matchMedia", () => ({ matches: false, addEventListener() {}, removeEventListener() {} }));
-  HTMLCanvasElement.prototype.getContext = function getContext(this: HTMLCanvasElement) {
-    return silentContext(this);
+  HTMLCanvasElement.prototype.getContext = function getContext(this: HTMLCanvasElement, kind: string) {
+    // No WebGL: the page shows what it shows where there is none.
+    return kind === "2d" ? silentContext(this) : null;
   } as unknown as typeof HTMLCanvasElement.prototype.getContext;
 }

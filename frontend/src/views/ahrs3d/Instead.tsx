@@ -16,6 +16,11 @@ const HEADINGS: Readonly<Record<AttitudeSource, ReadLive>> = {
   ahrs: (telemetry, now_ms) => telemetry.liveNumber("ahrs", "yaw_deg", now_ms),
   ahrs_test: (telemetry, now_ms) => telemetry.liveNumber("ahrs_test", "yaw_deg", now_ms),
 };
+const PROBLEMS = {
+  noWebgl: "ahrs3d.problem.noWebgl",
+  lost: "ahrs3d.problem.lost",
+  notLoaded: "ahrs3d.problem.notLoaded",
+} as const satisfies Readonly<Record<PictureProblem, string>>;
 const noBug: ReadLive = () => null;
 
 /** Where there is no picture: why, and the same attitude on the two instruments that need no WebGL. */
@@ -24,7 +29,7 @@ export function Instead({ source, problem, onRetry }: Props) {
   return (
     <div className="ahrs3d-instead">
       <Notice level="warning">
-        <p>{t(`ahrs3d.problem.${problem}`)}</p>
+        <p>{t(PROBLEMS[problem])}</p>
         <Button onPress={onRetry}>{t("ahrs3d.retry")}</Button>
       </Notice>
       <div className="ahrs3d-instruments">

@@ -4,7 +4,12 @@ import { useTelemetry } from "../../store/hooks";
 import { SegmentedSwitch } from "../../ui/SegmentedSwitch";
 import { liveVectors } from "./source";
 
-const VIEWS = ["behind", "front", "top", "side"] as const satisfies readonly CameraView[];
+const VIEWS = [
+  ["behind", "ahrs3d.from.behind"],
+  ["front", "ahrs3d.from.front"],
+  ["top", "ahrs3d.from.top"],
+  ["side", "ahrs3d.from.side"],
+] as const satisfies ReadonlyArray<readonly [CameraView, string]>;
 
 interface Props {
   /** Null when a person turned it. */
@@ -21,7 +26,7 @@ export function PictureTools({ camera, onCamera, hasVectors }: Props) {
       <SegmentedSwitch
         label={t("ahrs3d.camera")}
         hideLabel
-        options={VIEWS.map((view) => ({ value: view, label: t(`ahrs3d.from.${view}`) }))}
+        options={VIEWS.map(([view, word]) => ({ value: view, label: t(word) }))}
         value={camera}
         onChange={onCamera}
       />

@@ -11,7 +11,12 @@ export interface CameraChoice {
 }
 
 type Part = "ghost" | "bodyAxes" | "worldAxes" | "vectors";
-const PARTS: readonly Part[] = ["ghost", "bodyAxes", "worldAxes", "vectors"];
+const PARTS = [
+  ["ghost", "ahrs3d.part.ghost"],
+  ["bodyAxes", "ahrs3d.part.bodyAxes"],
+  ["worldAxes", "ahrs3d.part.worldAxes"],
+  ["vectors", "ahrs3d.part.vectors"],
+] as const satisfies ReadonlyArray<readonly [Part, string]>;
 
 interface Props {
   settings: PictureSettings;
@@ -26,10 +31,10 @@ export function ShowPanel({ settings, onToggle, onFollow }: Props) {
     <Panel title={t("ahrs3d.show")}>
       <div className="ahrs3d-show">
         <Checkbox label={t("ahrs3d.follow")} checked={settings.follow} onChange={onFollow} />
-        {PARTS.map((part) => (
+        {PARTS.map(([part, word]) => (
           <Checkbox
             key={part}
-            label={t(`ahrs3d.part.${part}`)}
+            label={t(word)}
             checked={settings[part]}
             onChange={(isOn) => onToggle(part, isOn)}
           />
