@@ -22,6 +22,7 @@ import { createAlarmBook } from "./alarmBook";
 import { createBoardConsole } from "./boardConsole";
 import { createFrameActions } from "./frameActions";
 import { createInspector } from "./inspector";
+import { createMapLayerActions } from "./mapLayerActions";
 import { createParameterActions, takeParameterEvent } from "./parameterActions";
 import { createPlanActions, takePlanEvent, takePlanStatus } from "./planActions";
 import { createServoDesk } from "./servoDesk";
@@ -120,6 +121,7 @@ export function createPage(world: World): {
     takeConsole(message);
     takeParameterEvent(book, message, world.wall_ms());
     takePlanEvent(plans, message, client());
+    takeMapEvent(message);
     takeTrackEvent(message);
     if (event === "alarm") {
       alarmBook.store.setState(({ reported }) => ({ reported: reported + 1 }));
@@ -194,6 +196,7 @@ export function createPage(world: World): {
   const parameters = createParameterActions(book, asking);
   const ahrs3d = createAhrs3d(asking);
   const missions = createPlanActions(plans, world.saveFile, asking);
+  const { mapLayers, takeMapEvent } = createMapLayerActions(asking);
   const { trackBook, takeTrackEvent } = createTrackBook({ rest, timers: world.timers });
   const stores = { telemetry, pump, connection, commands, messages, settings };
   return {
@@ -206,6 +209,7 @@ export function createPage(world: World): {
       missions,
       ahrs3d,
       mapSelection: createMapSelection(),
+      mapLayers,
       servos: servos.desk,
       boardConsole,
       trackBook,

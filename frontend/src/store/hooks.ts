@@ -9,6 +9,7 @@ import type { Connection, ConnectionStore } from "./connection";
 import type { BoardConsole, ConsoleLog } from "./console";
 import type { FrameActions } from "./frame";
 import type { Inspector } from "./inspector";
+import type { MapLayerActions, MapLayers } from "./mapLayers";
 import type { MapSelectionStore } from "./mapSelection";
 import type { Message, MessageStore } from "./messages";
 import type { ParameterActions, ParameterBook } from "./parameters";
@@ -38,6 +39,7 @@ export interface Page {
   readonly missions: PlanActions;
   readonly ahrs3d: Ahrs3d;
   readonly mapSelection: MapSelectionStore;
+  readonly mapLayers: MapLayerActions;
   readonly trackBook: TrackBook;
   /** Gives the person a file to keep. */
   readonly saveFile: (name: string, content: Blob) => void;
@@ -81,6 +83,10 @@ export function useMapThing(): MapThing | null {
 
 export function useAlignment<T>(select: (alignment: Alignment) => T): T {
   return useSelected(usePage().ahrs3d.alignment, select);
+}
+
+export function useMapLayers<T>(select: (layers: MapLayers) => T): T {
+  return useSelected(usePage().mapLayers.store, select);
 }
 
 export function useParameters<T>(select: (book: ParameterBook) => T): T {

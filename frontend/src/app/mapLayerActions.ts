@@ -1,0 +1,82 @@
+import type { StreamEvent } from "../protocol/envelope";
+import { isMapImport, isMapLayers, type MapLayer } from "../protocol/mapLayers";
+import {
+  createMapLayers,
+  forgetImport,
+  type MapLayerActions,
+  type MapLayerStore,
+  noteImport,
+} from "../store/mapLayers";
+import { failureMessage } from "../store/messages";
+import { type AskingParts, createAsking, info } from "./asking";
+
+const LAYERS = "/api/v1/map/layers";
+const IMPORTS = "/api/v1/map/imports";
+/** Gigabytes over a field's radio link. */
+const SEND_MS = 6 * 3600_000;
+
+type Named = Pick<MapLayer, "id" | "name">;
+
+/** What a person can ask about map layers, as questions to the gateway with their outcome in the stores. */
+export function createMapLayerActions(parts: AskingParts): {
+  readonly mapLayers: MapLayerActions;
+  readonly takeMapEvent: (event: StreamEvent) => void;
+} {
+  const { rest } = parts;
+  const { run } = createAsking(parts);
+  const store: MapLayerStore = createMapLayers();
+
+  async function read(): Promise<void> {
+    const answer = await rest.ask("GET", LAYERS, isMapLayers);
+    store.setState(
+      answer.ok ? { ...answer.value, failure: null } : { failure: failureMessage(answer.problem) },
+    );
+  }
+
+  function takeMapEvent({ event, data }: StreamEvent): void {
+    if (event === "map_import" && isMapImport(data)) {
+      noteImport(store, data);
+      if (data.state === "done") {
+        void read();
+      }
+    }
+  }
+
+  const mapLayers: MapLayerActions = {
+    store,
+    read,
+
+    importFile: (file, asker) => {
+      const path = `${IMPORTS}?name=${encodeURIComponent(file.name)}`;
+      return run(asker, rest.ask("POST", path, isMapImport, file, SEND_MS), (entry) => {
+        noteImport(store, entry);
+        void read();
+        const params = { file: entry.name };
+        return entry.state === "converting"
+          ? { state: "confirmed", message: info("map.layers.saidConverting", params) }
+          : { state: "confirmed", message: info("map.layers.saidImported", params) };
+      });
+    },
+
+    cancelImport: (id, asker) =>
+      run(asker, rest.ask("DELETE", `${IMPORTS}/${id}`, isMapImport), (entry) => {
+        forgetImport(store, id);
+        return { state: "confirmed", message: info("map.layers.saidCancelled", { file: entry.name }) };
+      }),
+
+    forgetImport: (id) => forgetImport(store, id),
+
+    remove: ({ id, name }: Named, asker) =>
+      run(asker, rest.ask("DELETE", `${LAYERS}/${id}`, isMapLayers), (value) => {
+        store.setState(({ removed }) => ({ ...value, removed: [{ id, name }, ...removed] }));
+        return { state: "confirmed", message: info("map.layers.saidRemoved", { name }) };
+      }),
+
+    restore: ({ id, name }: Named, asker) =>
+      run(asker, rest.ask("POST", `${LAYERS}/${id}/restore`, isMapLayers), (value) => {
+        store.setState(({ removed }) => ({ ...value, removed: removed.filter((one) => one.id !== id) }));
+        return { state: "confirmed", message: info("map.layers.saidRestored", { name }) };
+      }),
+  };
+  return { mapLayers, takeMapEvent };
+}

@@ -1,0 +1,84 @@
+/** A layer of pictures in the person's order, and how it is shown. */
+export interface Stacked {
+  readonly id: string;
+  readonly isOn: boolean;
+  /** 0: clear, 1: covers what is below. */
+  readonly opacity: number;
+}
+
+/** What lies in the stack by itself until a person has moved it: files are shown, what asks the internet is not. */
+export interface Stackable {
+  readonly id: string;
+  readonly isOnByItself: boolean;
+}
+
+/** The layers from the topmost down: in the remembered order; those that are new lie on top. */
+export function stackOf(layers: readonly Stackable[], remembered: string | undefined): readonly Stacked[] {
+  const known = parse(remembered);
+  const there = new Set(layers.map(({ id }) => id));
+  const isKnown = new Set(known.map(({ id }) => id));
+  const added = layers
+    .filter(({ id }) => !isKnown.has(id))
+    .map(({ id, isOnByItself }) => ({ id, isOn: isOnByItself, opacity: 1 }));
+  return [...added, ...known.filter(({ id }) => there.has(id))];
+}
+
+/** As it is remembered. A layer that is not there now keeps its place for when it comes back. */
+export function rememberedStack(stack: readonly Stacked[], before: string | undefined): string {
+  const present = new Set(stack.map(({ id }) => id));
+  const away = parse(before).filter(({ id }) => !present.has(id));
+  return JSON.stringify([...stack, ...away].map(({ id, isOn, opacity }) => [id, isOn, opacity]));
+}
+
+/** The stack with one layer changed; the same where it is not in it. */
+export function withLayer(
+  stack: readonly Stacked[],
+  id: string,
+  change: Partial<Omit<Stacked, "id">>,
+): readonly Stacked[] {
+  return stack.map((one) => (one.id === id ? { ...one, ...change } : one));
+}
+
+/** The stack with one layer a place further up (-1) or down (1); the same where there is no such place. */
+export function movedLayer(stack: readonly Stacked[], id: string, by: -1 | 1): readonly Stacked[] {
+  const at = stack.findIndex((one) => one.id === id);
+  const [one, other] = [stack[at], stack[at + by]];
+  return one === undefined || other === undefined ? stack : stack.with(at, other).with(at + by, one);
+}
+
+function parse(text: string | undefined): readonly Stacked[] {
+  let value: unknown;
+  try {
+    value = JSON.parse(text ?? "[]");
+  } catch {
+    return [];
+  }
+  return Array.isArray(value) ? value.flatMap((entry) => read(entry)) : [];
+}
+
+function read(entry: unknown): readonly Stacked[] {
+  if (!Array.isArray(entry)) {
+    return [];
+  }
+  const [id, isOn, opacity]: unknown[] = entry;
+  const isStacked =
+    typeof id === "string" &&
+    typeof isOn === "boolean" &&
+    typeof opacity === "number" &&
+    opacity >= 0 &&
+    opacity <= 1;
+  return isStacked ? [{ id, isOn, opacity }] : [];
+}
+
+export type AddressFault = "scheme" | "places" | "unreadable";
+
+/** What is wrong with the address of an online source: tiles need their three numbers, and a secured way. */
+export function addressFault(url: string): AddressFault | null {
+  if (!/^https:\/\//i.test(url)) {
+    return "scheme";
+  }
+  if (!["{z}", "{x}", "{y}"].every((place) => url.split(place).length === 2)) {
+    return "places";
+  }
+  return URL.canParse(url.replace(/\{[zxy]\}/g, "0")) ? null : "unreadable";
+}

@@ -1,0 +1,52 @@
+import { type Checked, isNumber, isObject, isText, list, nullable, oneOf, shape } from "../lib/check";
+import type { components } from "./api.gen";
+
+/** Why something cannot be used: one English sentence, and its code with values for a sentence of another language. */
+const problem = {
+  problem: nullable(isText),
+  problem_code: nullable(isText),
+  problem_params: isObject,
+};
+
+const isMapLayer = shape({
+  id: isText,
+  name: isText,
+  kind: oneOf("imagery", "terrain"),
+  format: oneOf("mbtiles", "pmtiles", "quantized_mesh", "geotiff", "hgt", "online"),
+  west_deg: isNumber,
+  south_deg: isNumber,
+  east_deg: isNumber,
+  north_deg: isNumber,
+  minimum_zoom: isNumber,
+  maximum_zoom: isNumber,
+  attribution: isText,
+  bytes: isNumber,
+  ...problem,
+});
+export type MapLayer = Checked<typeof isMapLayer>;
+
+/** The layers that the gateway has, and where their files lie. */
+export const isMapLayers = shape({ folder: isText, layers: list(isMapLayer) });
+
+/** A file on its way into the folder. `percent` of the receiving, then of the converting. */
+export const isMapImport = shape({
+  id: isText,
+  name: isText,
+  state: oneOf("receiving", "converting", "done", "failed"),
+  bytes: isNumber,
+  total_bytes: nullable(isNumber),
+  percent: nullable(isNumber),
+  layer: nullable(isText),
+  ...problem,
+});
+export type MapImport = Checked<typeof isMapImport>;
+
+/** The kinds of files that hold maps. */
+export const MAP_FILES = ".mbtiles,.pmtiles,.tif,.tiff,.hgt,.zip";
+
+type Described = components["schemas"];
+/** Do not compile when the gateway describes its layers otherwise than they are checked here. */
+export const layersAreAsDescribed: Described["MapLayers"] extends Checked<typeof isMapLayers> ? true : false =
+  true;
+export const importIsAsDescribed: Described["MapImport"] extends Checked<typeof isMapImport> ? true : false =
+  true;
