@@ -511,6 +511,50 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/map/online": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Get Online Maps
+         * @description What the operator chose, and how it goes.
+         */
+        get: operations["get_online_maps_api_v1_map_online_get"];
+        /**
+         * Put Online Maps
+         * @description Choose. Kept over restarts; switched off, nothing leaves the station. What is over the limit goes at once.
+         */
+        put: operations["put_online_maps_api_v1_map_online_put"];
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/map/online/cache": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        post?: never;
+        /**
+         * Clear Online Cache
+         * @description Forget every tile that was kept.
+         */
+        delete: operations["clear_online_cache_api_v1_map_online_cache_delete"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/missions/export": {
         parameters: {
             query?: never;
@@ -1305,7 +1349,7 @@ export interface components {
              * Code
              * @enum {string}
              */
-            code: "ahrs_test_in_flight" | "ahrs_test_lost" | "ahrs_test_running" | "alarm_not_active" | "bad_json" | "board_line_full" | "board_not_open" | "body_too_large" | "client_unknown" | "command_unknown" | "control_held" | "datagram_malformed" | "datagram_stranger" | "emulation_running" | "foreign_host" | "foreign_origin" | "http_error" | "internal" | "invalid_request" | "journal_not_written" | "journal_unreadable" | "line_garbage" | "link_address_invalid" | "link_busy" | "link_failed" | "link_lost" | "link_no_device" | "link_not_serial" | "link_permission" | "link_refused" | "link_timeout" | "link_unknown_host" | "link_unreachable" | "listen_failed" | "listen_unknown_host" | "map_disk_full" | "map_exists" | "map_file_damaged" | "map_file_empty" | "map_file_no_layer_json" | "map_file_not_mesh" | "map_file_vector" | "map_folder_unreadable" | "map_import_incomplete" | "map_import_unknown" | "map_imports_busy" | "map_kind_unknown" | "map_layer_unknown" | "map_name_invalid" | "map_raster_converting" | "map_raster_failed" | "map_raster_no_place" | "map_raster_not_height" | "map_source_refused" | "map_source_silent" | "map_tile_missing" | "memory_not_written" | "memory_unreadable" | "method_not_allowed" | "mission_differs" | "mission_file_archive" | "mission_file_damaged" | "mission_file_empty" | "mission_file_forbidden" | "mission_file_frame" | "mission_file_header" | "mission_file_no_home" | "mission_file_no_waypoints" | "mission_file_out_of_range" | "mission_file_too_long" | "mission_file_unknown" | "mission_file_unreadable" | "mission_invalid" | "mission_not_read" | "mission_refused" | "no_such_address" | "not_supported" | "nothing_to_redo" | "nothing_to_undo" | "parameter_out_of_range" | "parameter_unknown" | "parameters_not_read" | "port_taken" | "rate_invalid" | "recording_unknown" | "simulator_unknown_host" | "source_not_taken" | "stream_message_invalid" | "threshold_out_of_range" | "threshold_unknown" | "track_not_kept" | "value_not_allowed";
+            code: "ahrs_test_in_flight" | "ahrs_test_lost" | "ahrs_test_running" | "alarm_not_active" | "bad_json" | "board_line_full" | "board_not_open" | "body_too_large" | "client_unknown" | "command_unknown" | "control_held" | "datagram_malformed" | "datagram_stranger" | "emulation_running" | "foreign_host" | "foreign_origin" | "http_error" | "internal" | "invalid_request" | "journal_not_written" | "journal_unreadable" | "line_garbage" | "link_address_invalid" | "link_busy" | "link_failed" | "link_lost" | "link_no_device" | "link_not_serial" | "link_permission" | "link_refused" | "link_timeout" | "link_unknown_host" | "link_unreachable" | "listen_failed" | "listen_unknown_host" | "map_cache_not_written" | "map_disk_full" | "map_exists" | "map_file_damaged" | "map_file_empty" | "map_file_no_layer_json" | "map_file_not_mesh" | "map_file_vector" | "map_folder_unreadable" | "map_import_incomplete" | "map_import_unknown" | "map_imports_busy" | "map_kind_unknown" | "map_layer_unknown" | "map_name_invalid" | "map_raster_converting" | "map_raster_failed" | "map_raster_no_place" | "map_raster_not_height" | "map_not_written" | "map_source_invalid" | "map_source_refused" | "map_source_silent" | "map_tile_missing" | "memory_not_written" | "memory_unreadable" | "method_not_allowed" | "mission_differs" | "mission_file_archive" | "mission_file_damaged" | "mission_file_empty" | "mission_file_forbidden" | "mission_file_frame" | "mission_file_header" | "mission_file_no_home" | "mission_file_no_waypoints" | "mission_file_out_of_range" | "mission_file_too_long" | "mission_file_unknown" | "mission_file_unreadable" | "mission_invalid" | "mission_not_read" | "mission_refused" | "no_such_address" | "not_supported" | "nothing_to_redo" | "nothing_to_undo" | "parameter_out_of_range" | "parameter_unknown" | "parameters_not_read" | "port_taken" | "rate_invalid" | "recording_unknown" | "simulator_unknown_host" | "source_not_taken" | "stream_message_invalid" | "threshold_out_of_range" | "threshold_unknown" | "track_not_kept" | "value_not_allowed";
             /** Detail */
             detail: string;
             /** Params */
@@ -1506,7 +1550,7 @@ export interface components {
             /** Problem */
             problem: string | null;
             /** Problem Code */
-            problem_code: ("ahrs_test_in_flight" | "ahrs_test_lost" | "ahrs_test_running" | "alarm_not_active" | "bad_json" | "board_line_full" | "board_not_open" | "body_too_large" | "client_unknown" | "command_unknown" | "control_held" | "datagram_malformed" | "datagram_stranger" | "emulation_running" | "foreign_host" | "foreign_origin" | "http_error" | "internal" | "invalid_request" | "journal_not_written" | "journal_unreadable" | "line_garbage" | "link_address_invalid" | "link_busy" | "link_failed" | "link_lost" | "link_no_device" | "link_not_serial" | "link_permission" | "link_refused" | "link_timeout" | "link_unknown_host" | "link_unreachable" | "listen_failed" | "listen_unknown_host" | "map_disk_full" | "map_exists" | "map_file_damaged" | "map_file_empty" | "map_file_no_layer_json" | "map_file_not_mesh" | "map_file_vector" | "map_folder_unreadable" | "map_import_incomplete" | "map_import_unknown" | "map_imports_busy" | "map_kind_unknown" | "map_layer_unknown" | "map_name_invalid" | "map_raster_converting" | "map_raster_failed" | "map_raster_no_place" | "map_raster_not_height" | "map_source_refused" | "map_source_silent" | "map_tile_missing" | "memory_not_written" | "memory_unreadable" | "method_not_allowed" | "mission_differs" | "mission_file_archive" | "mission_file_damaged" | "mission_file_empty" | "mission_file_forbidden" | "mission_file_frame" | "mission_file_header" | "mission_file_no_home" | "mission_file_no_waypoints" | "mission_file_out_of_range" | "mission_file_too_long" | "mission_file_unknown" | "mission_file_unreadable" | "mission_invalid" | "mission_not_read" | "mission_refused" | "no_such_address" | "not_supported" | "nothing_to_redo" | "nothing_to_undo" | "parameter_out_of_range" | "parameter_unknown" | "parameters_not_read" | "port_taken" | "rate_invalid" | "recording_unknown" | "simulator_unknown_host" | "source_not_taken" | "stream_message_invalid" | "threshold_out_of_range" | "threshold_unknown" | "track_not_kept" | "value_not_allowed") | null;
+            problem_code: ("ahrs_test_in_flight" | "ahrs_test_lost" | "ahrs_test_running" | "alarm_not_active" | "bad_json" | "board_line_full" | "board_not_open" | "body_too_large" | "client_unknown" | "command_unknown" | "control_held" | "datagram_malformed" | "datagram_stranger" | "emulation_running" | "foreign_host" | "foreign_origin" | "http_error" | "internal" | "invalid_request" | "journal_not_written" | "journal_unreadable" | "line_garbage" | "link_address_invalid" | "link_busy" | "link_failed" | "link_lost" | "link_no_device" | "link_not_serial" | "link_permission" | "link_refused" | "link_timeout" | "link_unknown_host" | "link_unreachable" | "listen_failed" | "listen_unknown_host" | "map_cache_not_written" | "map_disk_full" | "map_exists" | "map_file_damaged" | "map_file_empty" | "map_file_no_layer_json" | "map_file_not_mesh" | "map_file_vector" | "map_folder_unreadable" | "map_import_incomplete" | "map_import_unknown" | "map_imports_busy" | "map_kind_unknown" | "map_layer_unknown" | "map_name_invalid" | "map_raster_converting" | "map_raster_failed" | "map_raster_no_place" | "map_raster_not_height" | "map_not_written" | "map_source_invalid" | "map_source_refused" | "map_source_silent" | "map_tile_missing" | "memory_not_written" | "memory_unreadable" | "method_not_allowed" | "mission_differs" | "mission_file_archive" | "mission_file_damaged" | "mission_file_empty" | "mission_file_forbidden" | "mission_file_frame" | "mission_file_header" | "mission_file_no_home" | "mission_file_no_waypoints" | "mission_file_out_of_range" | "mission_file_too_long" | "mission_file_unknown" | "mission_file_unreadable" | "mission_invalid" | "mission_not_read" | "mission_refused" | "no_such_address" | "not_supported" | "nothing_to_redo" | "nothing_to_undo" | "parameter_out_of_range" | "parameter_unknown" | "parameters_not_read" | "port_taken" | "rate_invalid" | "recording_unknown" | "simulator_unknown_host" | "source_not_taken" | "stream_message_invalid" | "threshold_out_of_range" | "threshold_unknown" | "track_not_kept" | "value_not_allowed") | null;
             /** Problem Params */
             problem_params: {
                 [key: string]: string | number | boolean | null;
@@ -1553,7 +1597,7 @@ export interface components {
             /** Problem */
             problem: string | null;
             /** Problem Code */
-            problem_code: ("ahrs_test_in_flight" | "ahrs_test_lost" | "ahrs_test_running" | "alarm_not_active" | "bad_json" | "board_line_full" | "board_not_open" | "body_too_large" | "client_unknown" | "command_unknown" | "control_held" | "datagram_malformed" | "datagram_stranger" | "emulation_running" | "foreign_host" | "foreign_origin" | "http_error" | "internal" | "invalid_request" | "journal_not_written" | "journal_unreadable" | "line_garbage" | "link_address_invalid" | "link_busy" | "link_failed" | "link_lost" | "link_no_device" | "link_not_serial" | "link_permission" | "link_refused" | "link_timeout" | "link_unknown_host" | "link_unreachable" | "listen_failed" | "listen_unknown_host" | "map_disk_full" | "map_exists" | "map_file_damaged" | "map_file_empty" | "map_file_no_layer_json" | "map_file_not_mesh" | "map_file_vector" | "map_folder_unreadable" | "map_import_incomplete" | "map_import_unknown" | "map_imports_busy" | "map_kind_unknown" | "map_layer_unknown" | "map_name_invalid" | "map_raster_converting" | "map_raster_failed" | "map_raster_no_place" | "map_raster_not_height" | "map_source_refused" | "map_source_silent" | "map_tile_missing" | "memory_not_written" | "memory_unreadable" | "method_not_allowed" | "mission_differs" | "mission_file_archive" | "mission_file_damaged" | "mission_file_empty" | "mission_file_forbidden" | "mission_file_frame" | "mission_file_header" | "mission_file_no_home" | "mission_file_no_waypoints" | "mission_file_out_of_range" | "mission_file_too_long" | "mission_file_unknown" | "mission_file_unreadable" | "mission_invalid" | "mission_not_read" | "mission_refused" | "no_such_address" | "not_supported" | "nothing_to_redo" | "nothing_to_undo" | "parameter_out_of_range" | "parameter_unknown" | "parameters_not_read" | "port_taken" | "rate_invalid" | "recording_unknown" | "simulator_unknown_host" | "source_not_taken" | "stream_message_invalid" | "threshold_out_of_range" | "threshold_unknown" | "track_not_kept" | "value_not_allowed") | null;
+            problem_code: ("ahrs_test_in_flight" | "ahrs_test_lost" | "ahrs_test_running" | "alarm_not_active" | "bad_json" | "board_line_full" | "board_not_open" | "body_too_large" | "client_unknown" | "command_unknown" | "control_held" | "datagram_malformed" | "datagram_stranger" | "emulation_running" | "foreign_host" | "foreign_origin" | "http_error" | "internal" | "invalid_request" | "journal_not_written" | "journal_unreadable" | "line_garbage" | "link_address_invalid" | "link_busy" | "link_failed" | "link_lost" | "link_no_device" | "link_not_serial" | "link_permission" | "link_refused" | "link_timeout" | "link_unknown_host" | "link_unreachable" | "listen_failed" | "listen_unknown_host" | "map_cache_not_written" | "map_disk_full" | "map_exists" | "map_file_damaged" | "map_file_empty" | "map_file_no_layer_json" | "map_file_not_mesh" | "map_file_vector" | "map_folder_unreadable" | "map_import_incomplete" | "map_import_unknown" | "map_imports_busy" | "map_kind_unknown" | "map_layer_unknown" | "map_name_invalid" | "map_raster_converting" | "map_raster_failed" | "map_raster_no_place" | "map_raster_not_height" | "map_not_written" | "map_source_invalid" | "map_source_refused" | "map_source_silent" | "map_tile_missing" | "memory_not_written" | "memory_unreadable" | "method_not_allowed" | "mission_differs" | "mission_file_archive" | "mission_file_damaged" | "mission_file_empty" | "mission_file_forbidden" | "mission_file_frame" | "mission_file_header" | "mission_file_no_home" | "mission_file_no_waypoints" | "mission_file_out_of_range" | "mission_file_too_long" | "mission_file_unknown" | "mission_file_unreadable" | "mission_invalid" | "mission_not_read" | "mission_refused" | "no_such_address" | "not_supported" | "nothing_to_redo" | "nothing_to_undo" | "parameter_out_of_range" | "parameter_unknown" | "parameters_not_read" | "port_taken" | "rate_invalid" | "recording_unknown" | "simulator_unknown_host" | "source_not_taken" | "stream_message_invalid" | "threshold_out_of_range" | "threshold_unknown" | "track_not_kept" | "value_not_allowed") | null;
             /** Problem Params */
             problem_params: {
                 [key: string]: string | number | boolean | null;
@@ -1642,6 +1686,78 @@ export interface components {
             params: {
                 [key: string]: string | number | boolean | null;
             };
+        };
+        /**
+         * OnlineInput
+         * @description What the operator chooses.
+         */
+        OnlineInput: {
+            /** Enabled */
+            enabled: boolean;
+            /** Limit Bytes */
+            limit_bytes: number;
+            /** Sources */
+            sources: components["schemas"]["OnlineSourceInput"][];
+        };
+        /**
+         * OnlineSource
+         * @description A source, and whether it gives anything now. Its layer has the id `online-` and this one.
+         */
+        OnlineSource: {
+            /** Attribution */
+            attribution: string;
+            /** Id */
+            id: string;
+            /** Maximum Zoom */
+            maximum_zoom: number;
+            /** Name */
+            name: string;
+            /** Problem */
+            problem: string | null;
+            /** Problem Code */
+            problem_code: ("ahrs_test_in_flight" | "ahrs_test_lost" | "ahrs_test_running" | "alarm_not_active" | "bad_json" | "board_line_full" | "board_not_open" | "body_too_large" | "client_unknown" | "command_unknown" | "control_held" | "datagram_malformed" | "datagram_stranger" | "emulation_running" | "foreign_host" | "foreign_origin" | "http_error" | "internal" | "invalid_request" | "journal_not_written" | "journal_unreadable" | "line_garbage" | "link_address_invalid" | "link_busy" | "link_failed" | "link_lost" | "link_no_device" | "link_not_serial" | "link_permission" | "link_refused" | "link_timeout" | "link_unknown_host" | "link_unreachable" | "listen_failed" | "listen_unknown_host" | "map_cache_not_written" | "map_disk_full" | "map_exists" | "map_file_damaged" | "map_file_empty" | "map_file_no_layer_json" | "map_file_not_mesh" | "map_file_vector" | "map_folder_unreadable" | "map_import_incomplete" | "map_import_unknown" | "map_imports_busy" | "map_kind_unknown" | "map_layer_unknown" | "map_name_invalid" | "map_raster_converting" | "map_raster_failed" | "map_raster_no_place" | "map_raster_not_height" | "map_not_written" | "map_source_invalid" | "map_source_refused" | "map_source_silent" | "map_tile_missing" | "memory_not_written" | "memory_unreadable" | "method_not_allowed" | "mission_differs" | "mission_file_archive" | "mission_file_damaged" | "mission_file_empty" | "mission_file_forbidden" | "mission_file_frame" | "mission_file_header" | "mission_file_no_home" | "mission_file_no_waypoints" | "mission_file_out_of_range" | "mission_file_too_long" | "mission_file_unknown" | "mission_file_unreadable" | "mission_invalid" | "mission_not_read" | "mission_refused" | "no_such_address" | "not_supported" | "nothing_to_redo" | "nothing_to_undo" | "parameter_out_of_range" | "parameter_unknown" | "parameters_not_read" | "port_taken" | "rate_invalid" | "recording_unknown" | "simulator_unknown_host" | "source_not_taken" | "stream_message_invalid" | "threshold_out_of_range" | "threshold_unknown" | "track_not_kept" | "value_not_allowed") | null;
+            /** Problem Params */
+            problem_params: {
+                [key: string]: string | number | boolean | null;
+            };
+            /** Url */
+            url: string;
+        };
+        /**
+         * OnlineSourceInput
+         * @description A source of pictures. `url` has {z}, {x} and {y}, each once; its owner's terms are the operator's to keep.
+         */
+        OnlineSourceInput: {
+            /** Attribution */
+            attribution: string;
+            /** Id */
+            id: string;
+            /**
+             * Maximum Zoom
+             * @default 19
+             */
+            maximum_zoom: number;
+            /** Name */
+            name: string;
+            /**
+             * Url
+             * @example https://example.org/{z}/{x}/{y}.png
+             */
+            url: string;
+        };
+        /**
+         * OnlineState
+         * @description Online sources: off by default, and nothing is asked for then.
+         */
+        OnlineState: {
+            /** Cached Bytes */
+            cached_bytes: number;
+            /** Enabled */
+            enabled: boolean;
+            /** Limit Bytes */
+            limit_bytes: number;
+            /** Sources */
+            sources: components["schemas"]["OnlineSource"][];
         };
         /**
          * ParameterChange
@@ -1786,7 +1902,7 @@ export interface components {
              * Code
              * @enum {string}
              */
-            code: "ahrs_test_in_flight" | "ahrs_test_lost" | "ahrs_test_running" | "alarm_not_active" | "bad_json" | "board_line_full" | "board_not_open" | "body_too_large" | "client_unknown" | "command_unknown" | "control_held" | "datagram_malformed" | "datagram_stranger" | "emulation_running" | "foreign_host" | "foreign_origin" | "http_error" | "internal" | "invalid_request" | "journal_not_written" | "journal_unreadable" | "line_garbage" | "link_address_invalid" | "link_busy" | "link_failed" | "link_lost" | "link_no_device" | "link_not_serial" | "link_permission" | "link_refused" | "link_timeout" | "link_unknown_host" | "link_unreachable" | "listen_failed" | "listen_unknown_host" | "map_disk_full" | "map_exists" | "map_file_damaged" | "map_file_empty" | "map_file_no_layer_json" | "map_file_not_mesh" | "map_file_vector" | "map_folder_unreadable" | "map_import_incomplete" | "map_import_unknown" | "map_imports_busy" | "map_kind_unknown" | "map_layer_unknown" | "map_name_invalid" | "map_raster_converting" | "map_raster_failed" | "map_raster_no_place" | "map_raster_not_height" | "map_source_refused" | "map_source_silent" | "map_tile_missing" | "memory_not_written" | "memory_unreadable" | "method_not_allowed" | "mission_differs" | "mission_file_archive" | "mission_file_damaged" | "mission_file_empty" | "mission_file_forbidden" | "mission_file_frame" | "mission_file_header" | "mission_file_no_home" | "mission_file_no_waypoints" | "mission_file_out_of_range" | "mission_file_too_long" | "mission_file_unknown" | "mission_file_unreadable" | "mission_invalid" | "mission_not_read" | "mission_refused" | "no_such_address" | "not_supported" | "nothing_to_redo" | "nothing_to_undo" | "parameter_out_of_range" | "parameter_unknown" | "parameters_not_read" | "port_taken" | "rate_invalid" | "recording_unknown" | "simulator_unknown_host" | "source_not_taken" | "stream_message_invalid" | "threshold_out_of_range" | "threshold_unknown" | "track_not_kept" | "value_not_allowed";
+            code: "ahrs_test_in_flight" | "ahrs_test_lost" | "ahrs_test_running" | "alarm_not_active" | "bad_json" | "board_line_full" | "board_not_open" | "body_too_large" | "client_unknown" | "command_unknown" | "control_held" | "datagram_malformed" | "datagram_stranger" | "emulation_running" | "foreign_host" | "foreign_origin" | "http_error" | "internal" | "invalid_request" | "journal_not_written" | "journal_unreadable" | "line_garbage" | "link_address_invalid" | "link_busy" | "link_failed" | "link_lost" | "link_no_device" | "link_not_serial" | "link_permission" | "link_refused" | "link_timeout" | "link_unknown_host" | "link_unreachable" | "listen_failed" | "listen_unknown_host" | "map_cache_not_written" | "map_disk_full" | "map_exists" | "map_file_damaged" | "map_file_empty" | "map_file_no_layer_json" | "map_file_not_mesh" | "map_file_vector" | "map_folder_unreadable" | "map_import_incomplete" | "map_import_unknown" | "map_imports_busy" | "map_kind_unknown" | "map_layer_unknown" | "map_name_invalid" | "map_raster_converting" | "map_raster_failed" | "map_raster_no_place" | "map_raster_not_height" | "map_not_written" | "map_source_invalid" | "map_source_refused" | "map_source_silent" | "map_tile_missing" | "memory_not_written" | "memory_unreadable" | "method_not_allowed" | "mission_differs" | "mission_file_archive" | "mission_file_damaged" | "mission_file_empty" | "mission_file_forbidden" | "mission_file_frame" | "mission_file_header" | "mission_file_no_home" | "mission_file_no_waypoints" | "mission_file_out_of_range" | "mission_file_too_long" | "mission_file_unknown" | "mission_file_unreadable" | "mission_invalid" | "mission_not_read" | "mission_refused" | "no_such_address" | "not_supported" | "nothing_to_redo" | "nothing_to_undo" | "parameter_out_of_range" | "parameter_unknown" | "parameters_not_read" | "port_taken" | "rate_invalid" | "recording_unknown" | "simulator_unknown_host" | "source_not_taken" | "stream_message_invalid" | "threshold_out_of_range" | "threshold_unknown" | "track_not_kept" | "value_not_allowed";
             /** Detail */
             detail: string;
             /** Params */
@@ -3899,6 +4015,184 @@ export interface operations {
             };
             /** @description There is no such thing. */
             404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description A value is missing, misspelt or out of range. */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    get_online_maps_api_v1_map_online_get: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["OnlineState"];
+                };
+            };
+            /** @description The request came from a page or under a name that may not command. */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description A value is missing, misspelt or out of range. */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    put_online_maps_api_v1_map_online_put: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description Id of the stream's hello; not needed while nobody has control. */
+                "x-client"?: string | null;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["OnlineInput"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["OnlineState"];
+                };
+            };
+            /** @description The body is not JSON. */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The request came from a page or under a name that may not command. */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description It cannot be done now: another has control, no link, not supported, or the device cannot be opened. */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The body is too large. */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description A value is missing, misspelt or out of range. */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    clear_online_cache_api_v1_map_online_cache_delete: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description Id of the stream's hello; not needed while nobody has control. */
+                "x-client"?: string | null;
+            };
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["OnlineState"];
+                };
+            };
+            /** @description The body is not JSON. */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The request came from a page or under a name that may not command. */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description It cannot be done now: another has control, no link, not supported, or the device cannot be opened. */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The body is too large. */
+            413: {
                 headers: {
                     [name: string]: unknown;
                 };

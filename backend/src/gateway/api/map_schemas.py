@@ -1,11 +1,14 @@
-"""The shapes of maps: layers, imports."""
+"""The shapes of maps: layers, imports, online sources."""
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Annotated, Any, Literal
 
-from gateway.api.schemas import Output, ParamValue
-from gateway.errors import ErrorCode
+from pydantic import Field
+
+from gateway.api.schemas import Input, Output, ParamValue
+from gateway.errors import ErrorCode, GatewayError
+from gateway.services.maps.sources import MAX_LIMIT_BYTES
 
 
 class MapProblem(Output):
@@ -14,6 +17,13 @@ class MapProblem(Output):
     problem: str | None
     problem_code: ErrorCode | None
     problem_params: dict[str, ParamValue]
+
+
+def problem_fields(problem: GatewayError | None) -> dict[str, Any]:
+    """The three values of a MapProblem."""
+    if problem is None:
+        return {"problem": None, "problem_code": None, "problem_params": {}}
+    return {"problem": problem.detail, "problem_code": problem.code, "problem_params": problem.params}
 
 
 class MapLayer(MapProblem):
@@ -51,3 +61,40 @@ class MapImport(MapProblem):
     total_bytes: int | None
     percent: int | None
     layer: str | None
+
+
+class OnlineSourceInput(Input):
+    """A source of pictures. `url` has {z}, {x} and {y}, each once; its owner's terms are the operator's to keep."""
+
+    id: Annotated[str, Field(pattern=r"^[a-z0-9-]{1,32}$")]
+    name: Annotated[str, Field(min_length=1, max_length=80)]
+    url: Annotated[str, Field(min_length=10, max_length=500, examples=["https://example.org/{z}/{x}/{y}.png"])]
+    attribution: Annotated[str, Field(max_length=200)]
+    maximum_zoom: Annotated[int, Field(ge=0, le=24)] = 19
+
+
+class OnlineInput(Input):
+    """What the operator chooses."""
+
+    enabled: bool
+    limit_bytes: Annotated[int, Field(ge=0, le=MAX_LIMIT_BYTES)]
+    sources: Annotated[list[OnlineSourceInput], Field(max_length=20)]
+
+
+class OnlineSource(MapProblem):
+    """A source, and whether it gives anything now. Its layer has the id `online-` and this one."""
+
+    id: str
+    name: str
+    url: str
+    attribution: str
+    maximum_zoom: int
+
+
+class OnlineState(Output):
+    """Online sources: off by default, and nothing is asked for then."""
+
+    enabled: bool
+    limit_bytes: int
+    cached_bytes: int
+    sources: list[OnlineSource]

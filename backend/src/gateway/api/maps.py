@@ -12,8 +12,9 @@ from starlette.requests import ClientDisconnect
 
 from gateway.api.deps import OperatorDep, StationDep
 from gateway.api.errors import problem_response, problems, reading_problems
-from gateway.api.map_schemas import MapImport, MapLayer, MapLayers
+from gateway.api.map_schemas import MapImport, MapLayer, MapLayers, problem_fields
 from gateway.errors import ConflictError
+from gateway.services.maps.imports import Import
 from gateway.services.maps.layer import Description, Layer, Tile
 from gateway.services.maps.open_files import Stamp
 
@@ -53,9 +54,11 @@ async def get_map_tile(
     request: Request, station: StationDep, layer_id: LayerId, zoom: Zoom, column: Place, row: Place
 ) -> Response:
     """One picture; rows count from the north."""
-    tile, description, stamp = await station.maps.tile(layer_id, zoom, column, row)
-    if description.kind != "imagery" or tile is None:
-        return Response(status_code=204, headers={"Cache-Control": _CACHE})
+    tile, stamp = await station.maps.picture(layer_id, zoom, column, row)
+    if tile is None:
+        # An online source may have it in a moment.
+        is_online = station.maps.online.has(layer_id)
+        return Response(status_code=204, headers={"Cache-Control": "no-cache" if is_online else _CACHE})
     return _tile_answer(request, tile, stamp)
 
 
@@ -97,8 +100,8 @@ async def get_terrain_tile(
     request: Request, station: StationDep, layer_id: LayerId, zoom: Zoom, column: Place, row: Place
 ) -> Response:
     """One piece of terrain, quantized-mesh 1.0; rows as its layer.json counts them. Heights are above the sea."""
-    tile, description, stamp = await station.maps.tile(layer_id, zoom, column, row)
-    if description.kind != "terrain" or tile is None:
+    tile, stamp = await station.maps.terrain(layer_id, zoom, column, row)
+    if tile is None:
         return _no_terrain(layer_id)
     return _tile_answer(request, tile, stamp)
 
@@ -128,19 +131,19 @@ async def import_map(request: Request, station: StationDep, name: FileName, _: O
     length = request.headers.get("content-length", "")
     total_bytes = int(length) if length.isdecimal() else None
     one = await station.maps.imports.receive(name, total_bytes, _chunks(request, name))
-    return MapImport.model_validate(one.as_dict())
+    return _import(one)
 
 
 @router.get("/imports/{import_id}", responses=reading_problems(404))
 async def get_map_import(station: StationDep, import_id: ImportId) -> MapImport:
     """How far an import is."""
-    return MapImport.model_validate(station.maps.imports.get(import_id).as_dict())
+    return _import(station.maps.imports.get(import_id))
 
 
 @router.delete("/imports/{import_id}", responses=problems(404, 409))
 async def cancel_map_import(station: StationDep, import_id: ImportId, _: OperatorDep) -> MapImport:
     """Cancel an import: nothing of the file is kept. One that is over stays as it is."""
-    return MapImport.model_validate((await station.maps.imports.cancel(import_id)).as_dict())
+    return _import(await station.maps.imports.cancel(import_id))
 
 
 async def _chunks(request: Request, name: str) -> AsyncIterator[bytes]:
@@ -153,9 +156,12 @@ async def _chunks(request: Request, name: str) -> AsyncIterator[bytes]:
         ) from error
 
 
+def _import(one: Import) -> MapImport:
+    return MapImport.model_validate(one.as_dict())
+
+
 def _layer(layer: Layer) -> MapLayer:
     found: Description = layer.description
-    problem = layer.problem
     return MapLayer(
         id=layer.id,
         name=layer.name,
@@ -166,9 +172,7 @@ def _layer(layer: Layer) -> MapLayer:
         maximum_zoom=found.maximum_zoom,
         attribution=found.attribution,
         bytes=layer.size_bytes,
-        problem=None if problem is None else problem.detail,
-        problem_code=None if problem is None else problem.code,
-        problem_params={} if problem is None else problem.params,
+        **problem_fields(layer.problem),
     )
 
 

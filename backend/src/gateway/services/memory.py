@@ -1,4 +1,4 @@
-"""What the gateway remembers from one start to the next: links, path of control, streams, alarm thresholds."""
+"""What the gateway remembers from one start to the next: links, path of control, streams, thresholds, map sources."""
 
 from __future__ import annotations
 
@@ -23,6 +23,7 @@ class Remembered:
     hil_path: str = "manual"
     wanted: Wanted = field(default_factory=Wanted)
     thresholds: dict[str, Any] = field(default_factory=dict)
+    online: dict[str, Any] = field(default_factory=dict)
 
 
 class Memory:
@@ -82,6 +83,7 @@ def _encode(values: Remembered) -> bytes:
             "periods_ms": dict(values.wanted.periods_ms),
             "source": values.wanted.source,
             "thresholds": values.thresholds,
+            "online": values.online,
         },
         option=orjson.OPT_INDENT_2,
     )
@@ -99,8 +101,9 @@ def _decode(values: dict[str, Any]) -> Remembered:
             {str(name): int(period) for name, period in values["periods_ms"].items()},
             None if source is None else int(source),
         ),
-        # Not in the files of versions without alarm thresholds.
+        # Not in the files of earlier versions.
         thresholds=dict(values.get("thresholds", {})),
+        online=dict(values.get("online", {})),
     )
 
 

@@ -94,7 +94,7 @@ class Station:
         )
         self.rates = LineRates()
         self.tracks = Tracks(self.telemetry, self.hub, self.clock, lambda: self.board.is_emulated)
-        self.maps = Maps(data_dir / "maps", self.hub, self._report)
+        self.maps = Maps(data_dir / "maps", self.hub, self.clock, self.memory, self._report)
         self.watch = Watch(
             supervisor=self.supervisor,
             board=self.board,
@@ -144,7 +144,7 @@ class Station:
             if self.recorder is not None:
                 await asyncio.to_thread(self.recorder.stop)
             await asyncio.to_thread(self.parameters.journal.close)
-            await asyncio.to_thread(self.maps.close)
+            await self.maps.close()
 
     def changed(self) -> None:
         """Something in the status changed that should be seen now and not in half a second."""

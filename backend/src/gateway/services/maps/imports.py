@@ -231,5 +231,10 @@ def _reason(name: str, error: BaseException) -> GatewayError:
         return error
     if isinstance(error, OSError):
         why = error.strerror or str(error)
-        return ConflictError("map_disk_full", f"'{name}' could not be written ({why}): free the disk.", name=name)
+        return ConflictError(
+            "map_not_written",
+            f"'{name}' could not be written ({why}): correct the permissions of the maps' folder.",
+            name=name,
+            why=why,
+        )
     return _cancelled(name)

@@ -1,4 +1,4 @@
-"""All that has to do with maps, put together: the folder, what becomes terrain, what is sent in."""
+"""All that has to do with maps, put together: the folder, what becomes terrain, what is sent in, online sources."""
 
 from __future__ import annotations
 
@@ -10,26 +10,40 @@ from pathlib import Path
 from typing import Any, Final
 
 from gateway.errors import GatewayError
+from gateway.services.clock import Clock
 from gateway.services.hub import Hub
 from gateway.services.maps.folder import MapFolder
 from gateway.services.maps.imports import INCOMING, Imports
 from gateway.services.maps.layer import Description, Layer, Tile
+from gateway.services.maps.online import Online
 from gateway.services.maps.open_files import Stamp
+from gateway.services.maps.sources import OnlineChoice
 from gateway.services.maps.terrain_jobs import T, TerrainJobs
+from gateway.services.memory import Memory
 
 # Their own threads: a slow stick with maps holds up other maps, and nothing else.
 _THREADS: Final = 3
+TILES: Final = ".online-tiles.sqlite"
 
 
 class Maps:
     """Made on the running loop."""
 
-    def __init__(self, path: Path, hub: Hub, report: Callable[[GatewayError], None]) -> None:
+    def __init__(
+        self, path: Path, hub: Hub, clock: Clock, memory: Memory, report: Callable[[GatewayError], None]
+    ) -> None:
         self._loop = asyncio.get_running_loop()
         self._threads = ThreadPoolExecutor(_THREADS, thread_name_prefix="maps")
         self.folder = MapFolder(path, lambda error: self._tell(report, error))
         self._jobs = TerrainJobs(self.folder, self._in_thread, report)
         self.imports = Imports(self.folder, self._jobs, self._in_thread, hub)
+        self.online = Online(
+            path / TILES,
+            OnlineChoice.from_dict(memory.now.online),
+            lambda choice: memory.update(online=choice.as_dict()),
+            report,
+            clock.now_s,
+        )
 
     async def run(self) -> None:
         """Clear away what an earlier run left unfinished, then turn rasters into terrain for ever."""
@@ -41,11 +55,19 @@ class Maps:
         found = await self._in_thread(self.folder.layers)
         if any(layer.problem is not None and layer.problem.code == "map_raster_converting" for layer in found):
             self._jobs.wake()
-        return found
+        return [*found, *self.online.layers()]
 
-    async def tile(self, layer_id: str, zoom: int, column: int, row: int) -> tuple[Tile | None, Description, Stamp]:
-        """One tile of a file. Raises NotFoundError, or why it cannot be read."""
-        return await self._in_thread(self.folder.tile, layer_id, zoom, column, row)
+    async def picture(self, layer_id: str, zoom: int, column: int, row: int) -> tuple[Tile | None, Stamp]:
+        """One picture, rows from the north; or None. Raises NotFoundError, or why it cannot be read."""
+        if self.online.has(layer_id):
+            return await self.online.tile(layer_id, zoom, column, row)
+        tile, description, stamp = await self._in_thread(self.folder.tile, layer_id, zoom, column, row)
+        return (tile if description.kind == "imagery" else None), stamp
+
+    async def terrain(self, layer_id: str, zoom: int, column: int, row: int) -> tuple[Tile | None, Stamp]:
+        """One piece of terrain, rows as its layer.json counts them. Raises as `picture`."""
+        tile, description, stamp = await self._in_thread(self.folder.tile, layer_id, zoom, column, row)
+        return (tile if description.kind == "terrain" else None), stamp
 
     async def description(self, layer_id: str) -> Description:
         """What a layer says of itself. Raises NotFoundError, or why it cannot be read."""
@@ -59,9 +81,10 @@ class Maps:
         """Bring a removed map back. Raises NotFoundError, ConflictError."""
         await self._in_thread(self.folder.restore, layer_id)
 
-    def close(self) -> None:
+    async def close(self) -> None:
         """Let everything go; waits for what is being read."""
-        self._threads.shutdown()
+        await self.online.close()
+        await asyncio.to_thread(self._threads.shutdown)
         self.folder.close()
 
     def _in_thread(self, work: Callable[..., T], /, *values: Any) -> Awaitable[T]:
