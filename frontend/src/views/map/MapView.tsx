@@ -3,6 +3,9 @@ import { useTranslation } from "react-i18next";
 import type { Globe } from "../../scene/globe/Globe";
 import { Notice } from "../../ui/Notice";
 import { CameraSection } from "./CameraSection";
+import { LayersSection } from "./LayersSection";
+import { Attribution } from "./layers/Attribution";
+import { MapDrop } from "./layers/MapDrop";
 import { PlanSection } from "./PlanSection";
 import { ThingCard } from "./ThingCard";
 import { ThingsSection } from "./ThingsSection";
@@ -39,6 +42,8 @@ export function MapView() {
         <section className="map-scene" aria-label={t("map.view.scene")}>
           <div ref={host} className="map-host" />
           <ThingCard />
+          <Attribution />
+          <MapDrop />
           {failed && <Notice level="warning">{t("map.view.noWebgl")}</Notice>}
         </section>
         <div className="map-side">
@@ -46,6 +51,7 @@ export function MapView() {
           <ThingsSection />
           <TrackSection />
           <PlanSection />
+          <LayersSection />
         </div>
       </div>
     </GlobeContext>
