@@ -124,7 +124,7 @@ test-firmware: $(DONE)/venv-dev $(DONE)/arm
 
 test-backend: $(DONE)/venv-dev $(DONE)/arm board frontend/dist/index.html
 	$(MAKE) --no-print-directory -C firmware flight-lib
-	cd backend && ../$(BIN)/pytest -q --junitxml=../$(RESULTS)/backend.xml
+	cd backend && ../$(BIN)/pytest -q -n 2 --dist worksteal --junitxml=../$(RESULTS)/backend.xml
 
 test-frontend: $(DONE)/frontend
 	cd frontend && npm run --silent test -- --reporter=default --reporter=junit --outputFile.junit=../$(RESULTS)/frontend.xml

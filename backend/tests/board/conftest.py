@@ -2,23 +2,28 @@
 
 from __future__ import annotations
 
-import os
-import subprocess
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Protocol
 
 import pytest
 
-from tests.board.station import FIRMWARE, Board, Station
+from tests.board.emulated import lacking
+from tests.board.station import Board, Station
+from tests.support.firmware import make
 
 
 @pytest.fixture(scope="session")
 def built() -> None:
-    environment = {
-        name: value for name, value in os.environ.items() if not name.startswith("MAKE") and name != "MFLAGS"
-    }
-    subprocess.run(["make", "-s", "-C", str(FIRMWARE), "board", "board-asan"], env=environment, check=True)
+    make("board", "board-asan")
+
+
+@pytest.fixture(scope="session")
+def built_images() -> None:
+    """The images of the board's processors, where this computer can build and run them."""
+    if reason := lacking():
+        pytest.skip(reason)
+    make("images")
 
 
 @pytest.fixture(params=["posix", "posix-asan"], ids=["shipped", "sanitized"])

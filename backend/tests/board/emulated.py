@@ -10,7 +10,8 @@ from pathlib import Path
 from typing import Final
 
 from launcher.emulated import QEMU, EmulatedBoard
-from tests.board.station import DEADLINE_S, FIRMWARE, VERSION, Station
+from tests.board.station import DEADLINE_S, VERSION, Station
+from tests.support.firmware import FIRMWARE
 
 COMPILER: Final = "arm-none-eabi-gcc"
 ASK_AGAIN_S: Final = 1.0

@@ -21,8 +21,8 @@ from typing import Any, Final, TypeVar
 from gateway.codec.encode import encode_command, frame_bytes
 from gateway.codec.frame import TO_BOARD, Damage, Frame, FrameDecoder
 from gateway.codec.messages_gen import COMMANDS, OPEN_BINARY_MODE, TELEMETRY_BY_NAME
+from tests.support.firmware import FIRMWARE
 
-FIRMWARE: Final = Path(__file__).parents[3] / "firmware"
 DEADLINE_S: Final = 20.0
 VERSION: Final = "epf-board 1.0.0"
 

@@ -5,8 +5,6 @@ Nothing here measures time: an emulated processor's clock slips where the comput
 
 from __future__ import annotations
 
-import os
-import subprocess
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Protocol
@@ -14,8 +12,8 @@ from typing import Protocol
 import pytest
 
 from gateway.codec.messages_gen import COMMANDS
-from tests.board.emulated import Image, lacking
-from tests.board.station import FIRMWARE, LEVEL_FLIGHT, Station
+from tests.board.emulated import Image
+from tests.board.station import LEVEL_FLIGHT, Station
 
 DONE, BAD_VALUE = 0, 1
 
@@ -24,16 +22,6 @@ class Images(Protocol):
     """Starts an image with these options and opens its line; what complains at the end fails the test."""
 
     def __call__(self, *options: str) -> Station: ...
-
-
-@pytest.fixture(scope="session")
-def built_images() -> None:
-    if reason := lacking():
-        pytest.skip(reason)
-    environment = {
-        name: value for name, value in os.environ.items() if not name.startswith("MAKE") and name != "MFLAGS"
-    }
-    subprocess.run(["make", "-s", "-C", str(FIRMWARE), "images"], env=environment, check=True)
 
 
 @pytest.fixture(params=["qemu", "qemu-an386"], ids=["stm32f405", "mps2_an386"])

@@ -12,7 +12,8 @@ import pytest
 
 from gateway.codec.encode import encode_command
 from tests.board.conftest import Boards
-from tests.board.station import DEADLINE_S, FIRMWARE, LEVEL_FLIGHT, VERSION, Station
+from tests.board.station import DEADLINE_S, LEVEL_FLIGHT, VERSION, Station
+from tests.support.firmware import FIRMWARE
 
 Keep = Callable[[Station], Station]
 READ_ALL_BYTES = 16 * 10 + 12 + 12 + 36 + 40 + 48 + 16 + 20 + 20 + 4 + 32

@@ -11,10 +11,10 @@ import pytest
 from gateway.codec.frame import FROM_BOARD, Damage, Direction, Frame, FrameDecoder
 from tests.codec.streams import BOTH, DamagedStream, damage, mixed_frames, placed
 from tests.codec.vectors import CHUNKS, decode, direction, failures, frames, load
+from tests.support.firmware import FIRMWARE, make
 
 FRAMES = 100_000
 SHARE = 0.001
-FIRMWARE = Path(__file__).parents[3] / "firmware"
 
 
 @cache
@@ -62,7 +62,7 @@ def test_each_damaged_frame_is_counted() -> None:
 @pytest.fixture(scope="session")
 def decode_stream() -> Path:
     """The firmware's decoder as a program."""
-    subprocess.run(["make", "-s", "-C", str(FIRMWARE), "decode-stream"], check=True, timeout=300)
+    make("decode-stream")
     return FIRMWARE / "build" / "tests" / "decode-stream"
 
 

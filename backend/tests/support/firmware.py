@@ -1,0 +1,24 @@
+"""Builds what a test needs of the firmware, once at a time: several workers share one tree."""
+
+from __future__ import annotations
+
+import fcntl
+import os
+import subprocess
+from pathlib import Path
+from typing import Final
+
+FIRMWARE: Final = Path(__file__).resolve().parents[3] / "firmware"
+
+
+def make(*targets: str) -> None:
+    """Bring the targets up to date; whoever comes second finds them so."""
+    # The options of a make that runs the tests are not for this one.
+    environment = {
+        name: value for name, value in os.environ.items() if not name.startswith("MAKE") and name != "MFLAGS"
+    }
+    build = FIRMWARE / "build"
+    build.mkdir(exist_ok=True)
+    with (build / "tests.lock").open("w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        subprocess.run(["make", "-s", "-C", str(FIRMWARE), *targets], env=environment, check=True)
