@@ -1,3 +1,4 @@
+import { FieldSamples } from "../lib/fieldSamples";
 import { isCommandResult } from "../protocol/answers";
 import type { Asker } from "../store/actions";
 import { type Ahrs3d, createAlignment } from "../store/ahrs3d";
@@ -15,6 +16,7 @@ export function createAhrs3d(parts: AskingParts): Ahrs3d {
     }));
   return {
     alignment: createAlignment(),
+    samples: new FieldSamples(),
     startTest: ask("POST", "ahrs_test_start"),
     stopTest: ask("DELETE", "ahrs_test_stop"),
   };

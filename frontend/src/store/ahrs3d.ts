@@ -1,4 +1,5 @@
 import { createStore, type StoreApi } from "zustand/vanilla";
+import type { FieldSamples } from "../lib/fieldSamples";
 import type { Asker } from "./actions";
 
 /** The heading that "AHRS 3D" shows as zero, degrees; null: headings as they are. Each source has its own zero. */
@@ -12,6 +13,8 @@ export type AttitudeSource = keyof Alignment;
 /** What "AHRS 3D" keeps while the page lives, and what it can ask; nothing here throws. */
 export interface Ahrs3d {
   readonly alignment: StoreApi<Alignment>;
+  /** Readings for the calibration of the magnetometer: another tab does not lose them. */
+  readonly samples: FieldSamples;
   /** Put the board into its AHRS test: until it ends nothing else is sent, and no command is heard. */
   readonly startTest: (asker: Asker) => Promise<void>;
   readonly stopTest: (asker: Asker) => Promise<void>;

@@ -1,9 +1,11 @@
 import { AttitudeScene } from "./AttitudeScene";
+import { SphereScene } from "./SphereScene";
 import { Stage } from "./Stage";
 import { webglDrawer } from "./webgl";
 
 let kept: Stage | null = null;
 let attitude: AttitudeScene | null = null;
+let sphere: SphereScene | null = null;
 
 /** The one stage of the page, made when it is first needed; null where the browser cannot draw in 3D. */
 export function keptStage(): Stage | null {
@@ -23,6 +25,11 @@ export function keptStage(): Stage | null {
 export function keptAttitude(): AttitudeScene {
   attitude ??= new AttitudeScene();
   return attitude;
+}
+
+export function keptSphere(): SphereScene {
+  sphere ??= new SphereScene();
+  return sphere;
 }
 
 /** Another one in its place, where the browser did not give the first one's picture back. */
