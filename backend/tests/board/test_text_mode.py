@@ -35,10 +35,10 @@ def test_the_status_tells_modes_and_counters(text: Station) -> None:
     assert status["autopilot"] == "off"
 
 
-def test_the_tasks_are_those_of_the_deployed_board_and_two_above_them(text: Station) -> None:
+def test_the_tasks_are_those_of_the_deployed_board_and_three_above_them(text: Station) -> None:
     priorities = {line.split()[0]: int(line.split()[2]) for line in text.lines("tasks")}
     talking = ("ttyTask", "qParamTask", "qServosTask", "qFMSTask", "cardTask")
-    assert set(priorities) == {"sensorTask", "controlTask", "UartRxTask", "UartTxTask", *talking}
+    assert set(priorities) == {"watchTask", "sensorTask", "controlTask", "UartRxTask", "UartTxTask", *talking}
     assert max(priorities[name] for name in talking) < min(
         priority for name, priority in priorities.items() if name not in talking
     )

@@ -26,7 +26,7 @@
 #define configUSE_PORT_OPTIMISED_TASK_SELECTION 1
 
 #define configUSE_IDLE_HOOK 1 // the processor sleeps until the next interrupt
-#define configUSE_TICK_HOOK 0
+#define configUSE_TICK_HOOK 1 // looks for bytes of the line that nobody was woken for
 #define configCHECK_FOR_STACK_OVERFLOW 2
 
 // The processor's clock is known once the machine has set it up (machine.h).

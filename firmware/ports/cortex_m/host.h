@@ -4,13 +4,18 @@
 #define HOST_H
 
 #include <stdbool.h>
+#include <stdint.h>
 
 #include "hal/storage.h"
 
 /// NULL: there is none, and nothing can be stored.
 const storage_t* host_card(void);
 
-/// Whether the board was started with this option.
+/// Whether the board was started with this option, and the word behind it; NULL without.
 bool host_has_option(const char* option);
+const char* host_word_after(const char* option);
+
+/// `patience` of the watchdog: an emulated processor shares the computer with others.
+extern const uint32_t host_patience;
 
 #endif

@@ -22,10 +22,13 @@ enum
 
 enum
 {
+    word_bytes = 24,
     folder_bytes = 256,
     line_bytes = folder_bytes + 64,
     path_bytes = folder_bytes + 32
 };
+
+const uint32_t host_patience = 5;
 
 static const char card_option[] = "--card ";
 
@@ -153,10 +156,34 @@ const storage_t* host_card(void)
     return &storage;
 }
 
-bool host_has_option(const char* option)
+/// Where the option stands in `line`, NULL where it does not; what is behind the card's is a part of its name.
+static const char* find_option(const char* line, const char* option)
 {
-    const char* const line = command_line();
     const char* const card = strstr(line, card_option);
     const char* const found = strstr(line, option);
-    return found != NULL && (card == NULL || found < card);
+    return found != NULL && (card == NULL || found < card) ? found : NULL;
+}
+
+bool host_has_option(const char* option)
+{
+    return find_option(command_line(), option) != NULL;
+}
+
+const char* host_word_after(const char* option)
+{
+    static char word[word_bytes];
+    const char* const found = find_option(command_line(), option);
+    if (found == NULL)
+    {
+        return NULL;
+    }
+    const char* const begin = found + strlen(option) + 1U;
+    const size_t length = strcspn(begin, " ");
+    if (length == 0U || length >= word_bytes)
+    {
+        return NULL;
+    }
+    memcpy(word, begin, length);
+    word[length] = '\0';
+    return word;
 }

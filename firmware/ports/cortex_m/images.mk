@@ -2,8 +2,9 @@
 # for the processor itself, build/<machine>/epf-board-qemu.elf for QEMU, which lends it a folder as its memory card.
 # Included by the Makefile, whose warnings it uses.
 
-.PHONY: images size
+.PHONY: images size report
 
+STATION_PYTHON ?= ../.venv/bin/python
 ARM_PREFIX ?= arm-none-eabi-
 machines := stm32f405 mps2_an386
 
@@ -23,6 +24,11 @@ images: $(foreach machine,$(machines),$(BUILD)/$(machine)/epf-board.bin $(BUILD)
 
 size: $(foreach machine,$(machines),$(BUILD)/$(machine)/epf-board.elf)
 	@$(ARM_PREFIX)size $^
+
+# memory of every target; stack, processor time and HIL round trip of the images, flown in QEMU for SECONDS=20
+report: images board
+	@test -x $(STATION_PYTHON) || { echo "make: the report talks to the images with the gateway's code: make setup" >&2; exit 1; }
+	@$(STATION_PYTHON) tools/report.py $(BUILD) $(ARM_PREFIX)size $(SECONDS)
 
 # says what is missing before the first file fails
 $(BUILD)/cortex_m/compiler:

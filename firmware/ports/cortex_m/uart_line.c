@@ -6,9 +6,13 @@
 #include "common/byte_ring.h"
 #include "machine.h"
 
+// The kernel names this function; nothing else may call it, so it has no header.
+void vApplicationTickHook(void);
+
 enum
 {
-    ring_bytes = 512 ///< 44 ms of a 115200 line
+    ring_bytes = 512, ///< 44 ms of a 115200 line
+    wake_bytes = 8    ///< the deployed board's own threshold
 };
 
 static struct
@@ -21,20 +25,33 @@ static struct
     void* interrupt_context;
 } line;
 
+static size_t held(void)
+{
+    return ring_bytes - byte_ring_room(&line.received);
+}
+
 /// Fetch what has come in. A ring without room leaves the rest where it is and the interrupt off until it is read.
-/// True when bytes came into an empty ring: its reader sleeps, or will look once more before it does.
+/// True when the reader should run: a task for each byte would cost more than all the rest of the line. Frames and
+/// lines end with a line feed; what ends without one, the next tick finds.
 static bool fetch(void)
 {
-    const bool was_empty = byte_ring_room(&line.received) == ring_bytes;
+    bool is_end = false;
     bool has_fetched = false;
     uint8_t byte = 0;
     while (byte_ring_room(&line.received) > 0U && machine_uart_receive(&byte))
     {
         (void)byte_ring_put(&line.received, &byte, 1U);
         has_fetched = true;
+        is_end = is_end || byte == (uint8_t)'\n';
     }
     machine_uart_watch_receiver(byte_ring_room(&line.received) > 0U);
-    return was_empty && has_fetched;
+    return has_fetched && (is_end || held() >= wake_bytes);
+}
+
+/// Run the reader, from an interrupt.
+static bool wake(void)
+{
+    return line.interrupt != NULL && line.interrupt(line.interrupt_context);
 }
 
 static void transmit(void)
@@ -56,9 +73,15 @@ void uart_line_interrupt(void)
 {
     const bool has_news = fetch();
     transmit();
-    if (has_news && line.interrupt != NULL)
+    portYIELD_FROM_ISR(has_news && wake() ? pdTRUE : pdFALSE);
+}
+
+/// The kernel looks for woken tasks itself after this.
+void vApplicationTickHook(void)
+{
+    if (held() > 0U)
     {
-        portYIELD_FROM_ISR(line.interrupt(line.interrupt_context) ? pdTRUE : pdFALSE);
+        (void)wake();
     }
 }
 

@@ -14,7 +14,7 @@
 #define configUSE_TIME_SLICING 0 // tasks of one priority never preempt each other
 #define configTICK_RATE_HZ 1000
 #define configTICK_TYPE_WIDTH_IN_BITS TICK_TYPE_WIDTH_64_BITS
-#define configMAX_PRIORITIES 8
+#define configMAX_PRIORITIES 9
 #define configMAX_TASK_NAME_LEN 16
 
 // Words. The kernel's port runs each task on a thread's own stack and keeps only that thread's record in this one.
@@ -45,6 +45,7 @@
 #define INCLUDE_xTaskGetIdleTaskHandle 1
 #define INCLUDE_xTaskGetCurrentTaskHandle 1
 #define INCLUDE_xTaskGetSchedulerState 1
+#define INCLUDE_uxTaskGetStackHighWaterMark 1
 
 void kernel_sleep(unsigned long expected_ticks);
 _Noreturn void kernel_assert_failed(const char* file, int line);

@@ -22,8 +22,11 @@
 enum
 {
     exit_cannot_run = 1,
-    exit_wrong_usage = 2
+    exit_wrong_usage = 2,
+    exit_hangs = 3
 };
+
+static const uint32_t watchdog_patience = 3; ///< other programs take their share of a PC
 
 static int stop_fd = -1;
 
@@ -60,6 +63,21 @@ static void stop_on_signals(void)
     }
     action.sa_handler = SIG_IGN; // a station that closes its connection is no reason to end
     (void)sigaction(SIGPIPE, &action, NULL);
+}
+
+static void feed_watchdog(void* context)
+{
+    (void)context; // a PC has no other watchdog than the board's own
+}
+
+/// A board of its own restarts; this one ends, and whoever started it may start it again. As after a power cut, the
+/// card holds what it held.
+static void give_up(void* context, const char* task)
+{
+    (void)context;
+    (void)fprintf(stderr, "epf-board: the watchdog ends the board: %s hangs\n", task);
+    (void)fflush(stderr);
+    _exit(exit_hangs);
 }
 
 static bool open_line(endpoint_t* endpoint, const options_t* options, char error[endpoint_error_bytes])
@@ -112,6 +130,8 @@ int main(int argc, char* argv[])
         .sensors = sim_board_sensors(options.seed),
         .servos = sim_board_servos(),
         .storage = card_storage(),
+        .watchdog = {.patience = watchdog_patience, .feed = feed_watchdog, .give_up = give_up},
+        .hang_task = options.hang_task,
         .legacy = options.legacy,
         .hil_period_ms = options.hil_period_ms,
     };

@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "app/task_table.h"
 #include "flight/board.h"
 
 static const char help[] =
@@ -28,13 +29,16 @@ static const char help[] =
     "  --legacy            be a deployed board: no extension command (0x100 and up) exists\n"
     "  --hil-period-ms N   let each command 50 stand for N ms (1..1000) of flight, for a simulator in lock-step;\n"
     "                      0, the default, takes the time that really passed\n"
+    "  --hang TASK         let this task (as the shell's `tasks` names it) stop after a second, to see the watchdog "
+    "end\n"
+    "                      the board\n"
     "  --seed N            begin the sensors' noise with this number (0..4294967295, default 1)\n"
     "  --version           print the version and end\n"
     "  --help              print this and end\n"
     "\n"
     "One line is printed when the board is ready. It ends on SIGINT (Ctrl-C), SIGTERM or SIGHUP with exit code 0; a "
     "wrong\n"
-    "command line ends it with 2, a line or card that cannot be used with 1.\n"
+    "command line ends it with 2, a line or card that cannot be used with 1, a task that hangs with 3.\n"
     "\n"
     "The line begins in text mode: write `help` and a line end. A station sends `#QT` and a line feed to open binary "
     "mode.\n"
@@ -59,6 +63,7 @@ enum
     option_card,
     option_legacy,
     option_hil_period_ms,
+    option_hang,
     option_seed,
     option_version,
     option_help
@@ -71,6 +76,7 @@ static const struct option long_options[] = {
     {"card", required_argument, NULL, option_card},
     {"legacy", no_argument, NULL, option_legacy},
     {"hil-period-ms", required_argument, NULL, option_hil_period_ms},
+    {"hang", required_argument, NULL, option_hang},
     {"seed", required_argument, NULL, option_seed},
     {"version", no_argument, NULL, option_version},
     {"help", no_argument, NULL, option_help},
@@ -85,6 +91,18 @@ static bool take_number(const char* name, unsigned long maximum, unsigned long* 
         return true;
     }
     (void)snprintf(error, error_bytes, "%s %s: a whole number from 0 to %lu is needed.", name, optarg, maximum);
+    return false;
+}
+
+static bool is_task(const char* name)
+{
+    for (size_t i = 0; i < task_count; i++)
+    {
+        if (strcmp(name, task_table[i].name) == 0)
+        {
+            return true;
+        }
+    }
     return false;
 }
 
@@ -114,6 +132,15 @@ static bool take(options_t* options, int option, char* error, size_t error_bytes
     case option_hil_period_ms:
         good = take_number("--hil-period-ms", 1000, &number, error, error_bytes);
         options->hil_period_ms = (uint32_t)number;
+        break;
+    case option_hang:
+        options->hang_task = optarg;
+        good = is_task(optarg);
+        if (!good)
+        {
+            (void)snprintf(error, error_bytes, "--hang %s: no task has that name; the shell's `tasks` lists them.",
+                           optarg);
+        }
         break;
     default:
         good = take_number("--seed", UINT32_MAX, &number, error, error_bytes);

@@ -1,13 +1,14 @@
 #include "app/application_state.h"
 
+#include <string.h>
+
 #include "flight/gains.h"
 #include "hal/time.h"
 #include "params/parameter_store.h"
 
-/// Words of each task's stack; `firmware/README.md` says how it was measured.
 enum
 {
-    stack_words = 512
+    slowest_card_ms = 30000 ///< one that is wearing out, or a PC's folder on a busy disk
 };
 
 void application_lock(application_t* app)
@@ -30,6 +31,42 @@ uint32_t application_now_ms(const application_t* app)
     return time_ms() - app->started_ms;
 }
 
+static uint32_t kernel_ms(void)
+{
+    return (uint32_t)xTaskGetTickCount() * (uint32_t)portTICK_PERIOD_MS;
+}
+
+void application_hear(application_t* app, task_id_t task)
+{
+    const uint32_t now_ms = kernel_ms();
+    const char* const hangs = app->hardware.hang_task;
+    while (hangs != NULL && now_ms > 1000U && strcmp(hangs, task_table[task].name) == 0)
+    {
+        // What the watchdog is there for.
+    }
+    watch_hear(&app->watch, task, now_ms);
+}
+
+void application_wait(TickType_t ticks)
+{
+    const TickType_t longest = application_ticks(watch_wait_ms);
+    (void)ulTaskNotifyTake(pdTRUE, ticks < longest ? ticks : longest);
+}
+
+/// The card takes its time, and the calling task waits for it.
+static void take_card(application_t* app)
+{
+    const TaskHandle_t caller = xTaskGetCurrentTaskHandle();
+    for (size_t task = 0; task < task_count; task++)
+    {
+        if (app->handles[task] == caller && caller != NULL)
+        {
+            watch_excuse(&app->watch, (task_id_t)task, slowest_card_ms, kernel_ms());
+        }
+    }
+    (void)xSemaphoreTake(app->card_mutex, portMAX_DELAY);
+}
+
 /// A frame of the board, or nothing of it when the line is too slow for it.
 static void send_frame(void* context, const uint8_t* frame, size_t size)
 {
@@ -40,7 +77,7 @@ static void send_frame(void* context, const uint8_t* frame, size_t size)
 /// A card takes its time to write, and nobody else may have to wait for it: the board is locked only to copy the set.
 bool application_store(application_t* app)
 {
-    (void)xSemaphoreTake(app->card_mutex, portMAX_DELAY);
+    take_card(app);
     application_lock(app);
     const parameters_t parameters = app->board.parameters;
     application_unlock(app);
@@ -53,7 +90,7 @@ bool application_store(application_t* app)
 bool application_load(application_t* app)
 {
     parameters_t parameters;
-    (void)xSemaphoreTake(app->card_mutex, portMAX_DELAY);
+    take_card(app);
     const storage_t* const card = app->hardware.storage;
     const bool done = card != NULL && parameter_store_load(card, &parameters) == storage_ok;
     (void)xSemaphoreGive(app->card_mutex);
@@ -70,7 +107,7 @@ bool application_load(application_t* app)
 void application_reset(application_t* app)
 {
     // The card first, then the board, as everywhere.
-    (void)xSemaphoreTake(app->card_mutex, portMAX_DELAY);
+    take_card(app);
     application_lock(app);
     const board_config_t config = {
         .legacy = app->hardware.legacy,
@@ -85,6 +122,8 @@ void application_reset(application_t* app)
         .board = &app->board,
         .sensors = &app->hardware.sensors,
         .load = &app->load,
+        .health = app->health,
+        .restart_reason = app->hardware.restart_reason,
         .frames_dropped = &app->transmitted.refused,
     };
     tty_init(&app->tty, &app->shell, app->reply, sizeof app->reply);
@@ -105,7 +144,7 @@ _Noreturn void application_run(const application_hardware_t* hardware)
 {
     static application_t application;
     static StaticTask_t tasks[task_count];
-    static StackType_t stacks[task_count][stack_words];
+    static StackType_t stacks[task_stack_words];
 
     application_t* const app = &application;
     app->hardware = *hardware;
@@ -114,11 +153,15 @@ _Noreturn void application_run(const application_hardware_t* hardware)
     mailbox_init(&app->received);
     mailbox_init(&app->transmitted);
     application_reset(app);
+    watch_begin(&app->watch, app->hardware.watchdog.patience, kernel_ms());
+    size_t used_words = 0;
     for (size_t i = 0; i < task_count; i++)
     {
         app->load.tasks[i].processor = task_table[i].processor;
-        app->handles[i] = xTaskCreateStatic(task_bodies[i], task_table[i].name, stack_words, app,
-                                            task_table[i].priority, stacks[i], &tasks[i]);
+        configASSERT(used_words + task_table[i].stack_words <= task_stack_words);
+        app->handles[i] = xTaskCreateStatic(task_bodies[i], task_table[i].name, task_table[i].stack_words, app,
+                                            task_table[i].priority, stacks + used_words, &tasks[i]);
+        used_words += task_table[i].stack_words;
     }
     app->received.reader = app->handles[task_tty];
     app->transmitted.reader = app->handles[task_uart_tx];

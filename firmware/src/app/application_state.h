@@ -11,6 +11,7 @@
 #include "app/mailbox.h"
 #include "app/task_table.h"
 #include "app/tty.h"
+#include "app/watch.h"
 
 typedef struct
 {
@@ -26,6 +27,8 @@ typedef struct
     tty_t tty;
     char reply[shell_reply_bytes];
     load_t load;
+    watch_t watch;
+    task_health_t health[task_count];
     uint32_t started_ms;
     TaskHandle_t handles[task_count];
 } application_t;
@@ -40,6 +43,12 @@ TickType_t application_ticks(uint32_t time_ms);
 
 /// Milliseconds since the board started, at power-on or by a reset.
 uint32_t application_now_ms(const application_t* app);
+
+/// `task` goes on. Every task says so each `watch_wait_ms` at least.
+void application_hear(application_t* app, task_id_t task);
+
+/// Wait to be woken, but not for longer than a task may be silent.
+void application_wait(TickType_t ticks);
 
 /// Begin anew, as after power-on: defaults, the card's parameters, text mode.
 void application_reset(application_t* app);

@@ -15,7 +15,7 @@ typedef enum
 
 enum
 {
-    load_tasks_max = 9
+    load_tasks_max = 10
 };
 
 typedef struct

@@ -7,6 +7,7 @@
 #include <stdint.h>
 
 #include "app/load.h"
+#include "app/task_table.h"
 #include "app/text.h"
 #include "flight/board.h"
 #include "hal/sensors.h"
@@ -32,6 +33,8 @@ typedef struct
     board_t* board;
     const sensors_t* sensors;
     const load_t* load;
+    const task_health_t* health;    ///< of each task
+    const char* restart_reason;     ///< NULL: the board did not restart itself
     const uint32_t* frames_dropped; ///< frames that the line was too slow for
     uint32_t now_ms;                ///< since the board started
     shell_request_t request;        ///< the application takes it

@@ -66,6 +66,7 @@ void shell_show_status(const shell_call_t* call)
     const board_t* const board = call->shell->board;
     text_t* const reply = call->reply;
     show_number(reply, "uptime", (float)call->shell->now_ms / 1000.0F, 1, "s");
+    show_words(reply, "last restart", call->shell->restart_reason == NULL ? "-" : call->shell->restart_reason);
     show_words(reply, "extensions", board->config.legacy ? "none (legacy)" : "yes");
     show_words(reply, "card", board->config.storage == NULL ? "none" : "present");
     show_words(reply, "autopilot", on_off(board_flight_autopilot(board)));
@@ -85,6 +86,30 @@ void shell_show_status(const shell_call_t* call)
     show_number(reply, "control load", (float)call->shell->load->percent[load_control_dsc], 0, "%");
 }
 
+static void show_stack(text_t* reply, const task_row_t* row, const task_health_t* health)
+{
+    text_add(reply, "stack ");
+    if (health->is_stack_measured)
+    {
+        text_add_unsigned(reply, row->stack_words - health->stack_spare_words);
+    }
+    else
+    {
+        text_add(reply, "-");
+    }
+    text_add(reply, " of ");
+    text_add_unsigned(reply, row->stack_words);
+}
+
+static void show_lateness(text_t* reply, const task_row_t* row, const task_health_t* health)
+{
+    if (row->period_ms != 0U)
+    {
+        text_add(reply, "late ");
+        text_add_unsigned(reply, health->late_periods);
+    }
+}
+
 void shell_show_tasks(const shell_call_t* call)
 {
     for (size_t i = 0; i < task_count; i++)
@@ -99,6 +124,10 @@ void shell_show_tasks(const shell_call_t* call)
         text_pad(call->reply, start, name_width + 14);
         text_add_number(call->reply, (float)call->shell->load->tasks[i].per_mille / 10.0F, 1);
         text_add(call->reply, " %");
+        text_pad(call->reply, start, name_width + 22);
+        show_stack(call->reply, row, &call->shell->health[i]);
+        text_pad(call->reply, start, name_width + 46);
+        show_lateness(call->reply, row, &call->shell->health[i]);
         shell_end(call->reply);
     }
 }

@@ -12,6 +12,35 @@ static float period_s(task_id_t task)
     return (float)task_table[task].period_ms / 1000.0F;
 }
 
+/// Finds the task that hangs, and restarts the board because of it. That this task itself goes on, the port's watchdog
+/// sees.
+static void run_watch(void* context)
+{
+    application_t* const app = context;
+    const watchdog_t* const watchdog = &app->hardware.watchdog;
+    TickType_t woken = xTaskGetTickCount();
+    for (;;)
+    {
+        watchdog->feed(watchdog->context);
+        (void)xTaskDelayUntil(&woken, application_ticks(task_table[task_watch].period_ms));
+        const task_id_t hanging = watch_find(&app->watch, (uint32_t)xTaskGetTickCount() * (uint32_t)portTICK_PERIOD_MS);
+        if (hanging != task_count)
+        {
+            watchdog->give_up(watchdog->context, task_table[hanging].name);
+        }
+    }
+}
+
+/// Wait for the next period of a task that has a fixed one.
+static void wait_for_next(application_t* app, task_id_t task, TickType_t* woken)
+{
+    application_hear(app, task);
+    if (xTaskDelayUntil(woken, application_ticks(task_table[task].period_ms)) == pdFALSE)
+    {
+        app->health[task].late_periods++;
+    }
+}
+
 /// Reads every sensor and gives the board what it estimates from them. Models of sensors are told what the simulator
 /// says first.
 static void run_sensors(void* context)
@@ -41,7 +70,7 @@ static void run_sensors(void* context)
         application_lock(app);
         sensing_update(&estimator, &reading, period_s(task_sensors), &app->board.sensors);
         application_unlock(app);
-        (void)xTaskDelayUntil(&woken, application_ticks(task_table[task_sensors].period_ms));
+        wait_for_next(app, task_sensors, &woken);
     }
 }
 
@@ -52,7 +81,7 @@ static void run_control(void* context)
     TickType_t woken = xTaskGetTickCount();
     for (;;)
     {
-        (void)xTaskDelayUntil(&woken, application_ticks(task_table[task_control].period_ms));
+        wait_for_next(app, task_control, &woken);
         float positions[board_servo_count];
         application_lock(app);
         board_flight_step(&app->board, period_s(task_control));
@@ -63,10 +92,11 @@ static void run_control(void* context)
 }
 
 /// Wait for the end of the period that began at `*begun`, which the station may change meanwhile.
-static void wait_for_period(application_t* app, telemetry_task_t task, TickType_t* begun)
+static void wait_for_period(application_t* app, telemetry_task_t task, task_id_t self, TickType_t* begun)
 {
     for (;;)
     {
+        application_hear(app, self);
         application_lock(app);
         const TickType_t period = application_ticks(app->board.schedule.period_ms[task]);
         application_unlock(app);
@@ -77,7 +107,7 @@ static void wait_for_period(application_t* app, telemetry_task_t task, TickType_
             *begun += elapsed >= 2 * period ? elapsed : period;
             return;
         }
-        (void)ulTaskNotifyTake(pdTRUE, period - elapsed);
+        application_wait(period - elapsed);
     }
 }
 
@@ -96,7 +126,7 @@ static void run_servos(void* context)
     TickType_t begun = xTaskGetTickCount();
     for (;;)
     {
-        wait_for_period(context, telemetry_task_servos, &begun);
+        wait_for_period(context, telemetry_task_servos, task_servos, &begun);
         send_streams(context, telemetry_task_servos);
     }
 }
@@ -106,6 +136,15 @@ static void read_run_times(const application_t* app, uint32_t ran_us[load_tasks_
     for (size_t i = 0; i < load_tasks_max; i++)
     {
         ran_us[i] = i < task_count ? ulTaskGetRunTimeCounter(app->handles[i]) : 0U;
+    }
+}
+
+static void refresh_stacks(application_t* app)
+{
+    for (size_t i = 0; app->hardware.measures_stacks && i < task_count; i++)
+    {
+        app->health[i].stack_spare_words = (uint32_t)uxTaskGetStackHighWaterMark(app->handles[i]);
+        app->health[i].is_stack_measured = true;
     }
 }
 
@@ -119,6 +158,7 @@ static void refresh_load(application_t* app)
     uint32_t ran_us[load_tasks_max];
     read_run_times(app, ran_us);
     application_lock(app);
+    refresh_stacks(app);
     load_update(&app->load, ran_us, now_us);
     app->board.sensors.statistics.sensor_dsc_percent = app->load.percent[load_sensor_dsc];
     app->board.sensors.statistics.control_dsc_percent = app->load.percent[load_control_dsc];
@@ -134,7 +174,7 @@ static void run_fms(void* context)
     load_begin(&app->load, ran_us, portGET_RUN_TIME_COUNTER_VALUE());
     for (;;)
     {
-        wait_for_period(app, telemetry_task_fms, &begun);
+        wait_for_period(app, telemetry_task_fms, task_fms, &begun);
         refresh_load(app);
         send_streams(app, telemetry_task_fms);
     }
@@ -145,13 +185,14 @@ static void run_param(void* context)
     TickType_t begun = xTaskGetTickCount();
     for (;;)
     {
-        wait_for_period(context, telemetry_task_param, &begun);
+        wait_for_period(context, telemetry_task_param, task_param, &begun);
         send_streams(context, telemetry_task_param);
     }
 }
 
 void (*const task_bodies[task_count])(void* application) = {
-    [task_sensors] = run_sensors, [task_control] = run_control, [task_uart_rx] = run_uart_rx,
-    [task_uart_tx] = run_uart_tx, [task_tty] = run_tty,         [task_servos] = run_servos,
-    [task_fms] = run_fms,         [task_param] = run_param,     [task_card] = run_card,
+    [task_watch] = run_watch,     [task_sensors] = run_sensors, [task_control] = run_control,
+    [task_uart_rx] = run_uart_rx, [task_uart_tx] = run_uart_tx, [task_tty] = run_tty,
+    [task_servos] = run_servos,   [task_fms] = run_fms,         [task_param] = run_param,
+    [task_card] = run_card,
 };

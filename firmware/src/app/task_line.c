@@ -27,7 +27,8 @@ void run_uart_rx(void* context)
             (void)mailbox_put(&app->received, bytes, size);
         }
         const bool is_full = byte_ring_room(&app->received.ring) < sizeof bytes;
-        (void)ulTaskNotifyTake(pdTRUE, is_full ? 1 : portMAX_DELAY);
+        application_hear(app, task_uart_rx);
+        application_wait(is_full ? 1 : portMAX_DELAY);
     }
 }
 
@@ -42,9 +43,10 @@ void run_uart_tx(void* context)
         const size_t size = byte_ring_peek(&app->transmitted.ring, &bytes);
         const size_t sent = size > 0 ? uart->write(uart->context, bytes, size) : 0;
         byte_ring_skip(&app->transmitted.ring, sent);
+        application_hear(app, task_uart_tx);
         if (size == 0)
         {
-            (void)ulTaskNotifyTake(pdTRUE, portMAX_DELAY);
+            application_wait(portMAX_DELAY);
         }
         else if (sent < size)
         {
@@ -66,6 +68,7 @@ static void send_reply(application_t* app)
         {
             vTaskDelay(application_ticks(1));
         }
+        application_hear(app, task_tty);
         (void)mailbox_put(&app->transmitted, (const uint8_t*)reply->bytes + at, size);
     }
     reply->size = 0;
@@ -147,6 +150,7 @@ void run_tty(void* context)
     uint32_t ticked_ms = application_now_ms(app);
     for (;;)
     {
+        application_hear(app, task_tty);
         uint8_t bytes[piece_bytes];
         const size_t size = byte_ring_take(&app->received.ring, bytes, sizeof bytes);
         if (size > 0)
@@ -162,8 +166,7 @@ void run_tty(void* context)
         }
         else if (size == 0)
         {
-            (void)ulTaskNotifyTake(pdTRUE,
-                                   wait_ms == UINT32_MAX ? portMAX_DELAY : application_ticks(wait_ms - elapsed_ms));
+            application_wait(wait_ms == UINT32_MAX ? portMAX_DELAY : application_ticks(wait_ms - elapsed_ms));
         }
     }
 }
@@ -174,7 +177,11 @@ void run_card(void* context)
     application_t* const app = context;
     for (;;)
     {
-        (void)ulTaskNotifyTake(pdFALSE, portMAX_DELAY);
+        application_hear(app, task_card);
+        if (ulTaskNotifyTake(pdFALSE, application_ticks(watch_wait_ms)) == 0U)
+        {
+            continue;
+        }
         const command_result_t result = application_store(app) ? command_done : command_storage_failed;
         application_lock(app);
         if (app->board.extended && app->tty.mode == tty_binary)

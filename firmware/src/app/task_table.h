@@ -3,12 +3,14 @@
 #ifndef APP_TASK_TABLE_H
 #define APP_TASK_TABLE_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #include "app/load.h"
 
 typedef enum
 {
+    task_watch,
     task_sensors,
     task_control,
     task_uart_rx,
@@ -26,11 +28,26 @@ typedef struct
     const char* name;
     uint32_t priority;          ///< higher runs first; 0 is the kernel's idle task
     uint32_t period_ms;         ///< 0: runs when it is woken, or at a period that the station sets
+    uint32_t stack_words;       ///< `firmware/README.md` says how they were measured
+    uint32_t watchdog_ms;       ///< the board restarts when it has not been heard of for longer; 0: nobody waits for it
     load_processor_t processor; ///< whose load it counts for
 } task_row_t;
 
+/// What was seen of a task since the start.
+typedef struct
+{
+    uint32_t late_periods;      ///< that began when the next one was due already
+    uint32_t stack_spare_words; ///< of its stack, never used
+    bool is_stack_measured;     ///< false where the tasks' stacks are not the kernel's
+} task_health_t;
+
 /// In the order of `task_id_t`.
 extern const task_row_t task_table[task_count];
+
+enum
+{
+    task_stack_words = 5248 ///< of all tasks together
+};
 
 _Static_assert((int)task_count <= (int)load_tasks_max, "every task's load is measured");
 

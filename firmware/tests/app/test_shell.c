@@ -9,6 +9,7 @@
 static rig_t* rig;
 static shell_t shell;
 static load_t load;
+static const task_health_t health[task_count];
 static uint32_t frames_dropped;
 static char bytes[shell_reply_bytes + 1];
 
@@ -17,7 +18,8 @@ static int start(void** state)
     (void)state;
     static const sensors_t sensors = {NULL, NULL, NULL, NULL};
     rig = rig_start();
-    shell = (shell_t){.board = &rig->board, .sensors = &sensors, .load = &load, .frames_dropped = &frames_dropped};
+    shell = (shell_t){
+        .board = &rig->board, .sensors = &sensors, .load = &load, .health = health, .frames_dropped = &frames_dropped};
     return 0;
 }
 

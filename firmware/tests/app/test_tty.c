@@ -8,6 +8,7 @@
 static rig_t* rig;
 static shell_t shell;
 static load_t load;
+static const task_health_t health[task_count];
 static uint32_t frames_dropped;
 static tty_t tty;
 static char reply[shell_reply_bytes];
@@ -17,7 +18,8 @@ static int start(void** state)
     (void)state;
     rig = rig_start();
     static const sensors_t sensors = {NULL, NULL, NULL, NULL};
-    shell = (shell_t){.board = &rig->board, .sensors = &sensors, .load = &load, .frames_dropped = &frames_dropped};
+    shell = (shell_t){
+        .board = &rig->board, .sensors = &sensors, .load = &load, .health = health, .frames_dropped = &frames_dropped};
     tty_init(&tty, &shell, reply, sizeof reply - 1);
     line_clear(&rig->out);
     return 0;
