@@ -96,6 +96,11 @@ export class TelemetryStore {
     return sample === undefined || server_s === null ? null : Math.max(0, server_s - sample.t_s);
   }
 
+  /** When the gateway had the topic's newest sample, seconds of its clock; null where there is none. */
+  sampled_s(topic: TopicName): number | null {
+    return this.#newest.get(topic)?.t_s ?? null;
+  }
+
   state(topic: TopicName, now_ms: number): DataState {
     const age_s = this.age_s(topic, now_ms);
     if (age_s === null) {

@@ -1,3 +1,4 @@
+import { CAMERA_CHOICE, cameraOf, nextCamera } from "../../lib/mapCamera";
 import type { CommandName } from "../../protocol/messages.gen";
 import type { Page } from "../../store/hooks";
 import type { MessageParams } from "../../store/messages";
@@ -86,6 +87,16 @@ export const SHORTCUTS: readonly Shortcut[] = [
     words: "control.take",
     isArmed: false,
     run: ({ page }) => void page.actions.takeControl({ control: "control" }),
+  },
+  {
+    key: "v",
+    group: "window",
+    words: "map.view.nextCamera",
+    isArmed: false,
+    run: ({ page }) => {
+      const mode = cameraOf(page.settings.getState().choices[CAMERA_CHOICE]);
+      choose(page.settings, CAMERA_CHOICE, nextCamera(mode));
+    },
   },
   {
     key: "s",

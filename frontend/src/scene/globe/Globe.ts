@@ -59,16 +59,22 @@ export class Globe {
     this.scene.globe.showGroundAtmosphere = false;
     this.#budget = new FrameBudget(true);
     this.ground = new Ground(this);
-    this.ground.setGraticule({ north: "N", south: "S", east: "E", west: "O" });
     this.scene.camera.setView({
       destination: Cartesian3.fromDegrees(-15.3, 27.75, 25000),
       orientation: { heading: -0.2, pitch: -0.7, roll: 0 },
     });
   }
 
+  /** Where it is shown; null while it is not. */
+  get host(): HTMLElement | null {
+    return this.#element.parentElement;
+  }
+
   /** Show it in `host`; it is drawn only while it is shown. */
   attach(host: HTMLElement): void {
     host.append(this.#element);
+    // It is turned by keys.
+    host.tabIndex = 0;
     this.#ticked_ms = Number.NEGATIVE_INFINITY;
     this.requestRender();
     this.#handle ??= requestAnimationFrame(this.#tick);

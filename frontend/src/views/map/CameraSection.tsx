@@ -1,10 +1,131 @@
+import { useCallback, useEffect, useRef } from "react";
 import { useTranslation } from "react-i18next";
+import { formatFixed, formatHeading } from "../../lib/format";
+import { CAMERA_CHOICE, CAMERAS } from "../../lib/mapCamera";
+import type { Whose } from "../../lib/mapThing";
+import type { FlightScene } from "../../scene/aircraft/FlightScene";
+import { usePage, useSettings, useTelemetry } from "../../store/hooks";
+import { choose } from "../../store/settings";
+import { usePaint } from "../../store/usePaint";
+import { Checkbox } from "../../ui/Checkbox";
 import { Panel } from "../../ui/Panel";
+import { Readout, ReadoutGrid, type ReadoutHandle } from "../../ui/Readout";
+import { SegmentedSwitch } from "../../ui/SegmentedSwitch";
+import { type Showing, showing } from "./aircraftFeed";
+import { FOLLOWED_CHOICE, useCameraMode, useFlightScene, useFollowed } from "./useFlightScene";
 import { useGlobe } from "./useGlobe";
 
-/** Where the globe is seen from. */
+const GRATICULE_CHOICE = "map.graticule";
+const WHOSE: readonly Whose[] = ["flight", "hil"];
+
+/** Where the globe is seen from, and which aircraft are on it or why not. */
 export function CameraSection() {
   const { t } = useTranslation();
+  const { settings } = usePage();
   const globe = useGlobe();
-  return <Panel title={t("map.view.camera")}>{globe === null && <p>{t("map.view.loading")}</p>}</Panel>;
+  const scene = useFlightScene();
+  const mode = useCameraMode();
+  const followed = useFollowed();
+  const names = { flight: t("map.view.real"), hil: t("map.view.hil") };
+  const [heading, pitch, roll] = [
+    useRef<ReadoutHandle>(null),
+    useRef<ReadoutHandle>(null),
+    useRef<ReadoutHandle>(null),
+  ];
+  const paint = useCallback(() => {
+    const [heading_deg, pitch_deg, roll_deg] = scene?.camera.attitude_deg ?? [null, null, null];
+    heading.current?.paint(formatHeading(heading_deg, 1), "live");
+    pitch.current?.paint(formatFixed(pitch_deg, 1), "live");
+    roll.current?.paint(formatFixed(roll_deg === null ? null : signed(roll_deg), 1), "live");
+  }, [scene, heading, pitch, roll]);
+  usePaint("text", paint);
+  useGraticule();
+  useKeys(scene);
+  const hasGraticule = useSettings(({ choices }) => choices[GRATICULE_CHOICE] !== "off");
+  return (
+    <Panel title={t("map.view.camera")} className="map-camera">
+      <SegmentedSwitch
+        label={t("map.view.camera")}
+        hideLabel
+        options={CAMERAS.map((value) => ({ value, label: t(`map.view.${value}`) }))}
+        value={mode}
+        onChange={(value) => choose(settings, CAMERA_CHOICE, value)}
+      />
+      <SegmentedSwitch
+        label={t("map.view.followed")}
+        options={WHOSE.map((value) => ({ value, label: names[value] }))}
+        value={followed}
+        onChange={(value) => choose(settings, FOLLOWED_CHOICE, value)}
+        disabledReason={mode === "free" ? t("map.view.followedFree") : undefined}
+      />
+      {WHOSE.map((whose) => (
+        <HowShown key={whose} whose={whose} name={names[whose]} />
+      ))}
+      <ReadoutGrid columns={3}>
+        <Readout ref={heading} label={t("map.view.eyeHeading")} unit={t("unit.deg")} chars={5} />
+        <Readout ref={pitch} label={t("map.view.eyePitch")} unit={t("unit.deg")} chars={5} />
+        <Readout ref={roll} label={t("map.view.eyeRoll")} unit={t("unit.deg")} chars={5} />
+      </ReadoutGrid>
+      <Checkbox
+        label={t("map.view.graticule")}
+        checked={hasGraticule}
+        onChange={(checked) => choose(settings, GRATICULE_CHOICE, checked ? "on" : "off")}
+      />
+      {globe === null && <p>{t("map.view.loading")}</p>}
+    </Panel>
+  );
+}
+
+/** One line on an aircraft: live, a ghost, or why it is not drawn. */
+function HowShown({ whose, name }: { whose: Whose; name: string }) {
+  const { t } = useTranslation();
+  const how: Showing = useTelemetry((telemetry, now_ms) => showing(telemetry, whose, now_ms));
+  const reason = {
+    live: t("words.live"),
+    stale: t("map.view.ghost"),
+    noAttitude: t("map.view.noAttitude"),
+    noPosition: t("map.view.noPosition"),
+    notHeard: whose === "flight" ? t("map.view.notHeard") : t("map.view.notHeardHil"),
+  }[how];
+  return (
+    <p className="map-how" data-how={how}>
+      {t("map.view.how", { name, reason })}
+    </p>
+  );
+}
+
+/** Draws the graticule, in the letters of the language, where it is wanted. */
+function useGraticule(): void {
+  const { t } = useTranslation();
+  const globe = useGlobe();
+  const isWanted = useSettings(({ choices }) => choices[GRATICULE_CHOICE] !== "off");
+  const letters = t("map.view.compass");
+  useEffect(() => {
+    const [north = "", east = "", south = "", west = ""] = letters;
+    globe?.ground.setGraticule(isWanted ? { north, east, south, west } : null);
+  }, [globe, isWanted, letters]);
+}
+
+/** The keys of the globe, while it has the focus. */
+function useKeys(scene: FlightScene | null): void {
+  const globe = useGlobe();
+  useEffect(() => {
+    const host = globe?.host;
+    if (scene === null || host == null) {
+      return undefined;
+    }
+    const press = (event: KeyboardEvent): void => {
+      if (!(event.altKey || event.ctrlKey || event.metaKey) && scene.camera.key(event.key)) {
+        event.preventDefault();
+        event.stopPropagation();
+      }
+    };
+    host.addEventListener("keydown", press);
+    return () => host.removeEventListener("keydown", press);
+  }, [globe, scene]);
+}
+
+/** An angle of 0..360 as -180..180. */
+function signed(angle_deg: number): number {
+  return angle_deg > 180 ? angle_deg - 360 : angle_deg;
 }

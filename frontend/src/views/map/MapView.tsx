@@ -6,9 +6,11 @@ import { CameraSection } from "./CameraSection";
 import { LayersSection } from "./LayersSection";
 import { Attribution } from "./layers/Attribution";
 import { MapDrop } from "./layers/MapDrop";
+import { MapCorner } from "./MapCorner";
 import { PlanSection } from "./PlanSection";
 import { ThingCard } from "./ThingCard";
 import { ThingsSection } from "./ThingsSection";
+import { ToolsSection } from "./ToolsSection";
 import { TrackSection } from "./TrackSection";
 import { GlobeContext } from "./useGlobe";
 import "./map.css";
@@ -39,8 +41,9 @@ export function MapView() {
   return (
     <GlobeContext value={globe}>
       <div className="map">
-        <section className="map-scene" aria-label={t("map.view.scene")}>
-          <div ref={host} className="map-host" />
+        <section className="map-scene" aria-label={t("tab.map")}>
+          <div ref={host} className="map-host" role="application" aria-label={t("map.view.scene")} />
+          <MapCorner />
           <ThingCard />
           <Attribution />
           <MapDrop />
@@ -51,6 +54,7 @@ export function MapView() {
           <ThingsSection />
           <TrackSection />
           <PlanSection />
+          <ToolsSection />
           <LayersSection />
         </div>
       </div>

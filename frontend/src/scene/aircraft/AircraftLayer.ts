@@ -1,0 +1,200 @@
+import {
+  Cartesian2,
+  Cartesian3,
+  Color,
+  ColorBlendMode,
+  HorizontalOrigin,
+  type Label,
+  LabelCollection,
+  LabelStyle,
+  Matrix4,
+  Model,
+  VerticalOrigin,
+} from "@cesium/engine";
+import type { FullAttitude } from "../../lib/attitude";
+import type { Whose } from "../../lib/mapThing";
+import type { Globe } from "../globe/Globe";
+import { airframeFaces } from "./airframe";
+import { gltfAddress } from "./gltf";
+import { modelMatrix, type Place, type Pose, poseOf } from "./pose";
+
+/** An aircraft as it is shown in a frame. */
+export interface AircraftSeen {
+  readonly place: Place;
+  /** When it was there, seconds of the gateway's clock. */
+  readonly t_s: number;
+  /** Null where nothing tells how it lies: then a mark stands for the airframe. */
+  readonly attitude: FullAttitude | null;
+  /** Otherwise it is a ghost. */
+  readonly isLive: boolean;
+  /** Its name, with its age where it is not live. */
+  readonly label: string;
+}
+
+export type AllSeen = Readonly<Record<Whose, AircraftSeen | null>>;
+/** What is to be shown in a frame; null: not drawn. */
+export type AircraftFeed = (now_ms: number) => AllSeen;
+
+const COLOUR: Readonly<Record<Whose, string>> = { flight: "#ffd91a", hil: "#7ddcf0" };
+const GHOST = 0.32;
+/** From afar it is drawn larger than it is, or it would not be seen. */
+const LEAST_PX = 64;
+const EDGE = "#0a0d0f";
+/** Less than this is no movement: metres, and as the sine of an angle. */
+const STILL_M = 0.004;
+const STILL_TURN = 2e-4;
+
+/** The two aircraft on the globe, each where its feed says it is in this frame. */
+export class AircraftLayer {
+  readonly #globe: Globe;
+  readonly #drawn: Readonly<Record<Whose, DrawnAircraft>>;
+  readonly #labels = new LabelCollection();
+  readonly #endFrames: () => void;
+  #feed: AircraftFeed | null = null;
+  #seen: AllSeen = { flight: null, hil: null };
+  #within: Whose | null = null;
+
+  constructor(globe: Globe) {
+    this.#globe = globe;
+    globe.scene.primitives.add(this.#labels);
+    this.#drawn = {
+      flight: new DrawnAircraft(globe, this.#labels, "flight"),
+      hil: new DrawnAircraft(globe, this.#labels, "hil"),
+    };
+    this.#endFrames = globe.onBeforeFrame((now_ms) => this.#beforeFrame(now_ms));
+  }
+
+  /** Ask this for what is shown from now on; null: nothing. */
+  setFeed(feed: AircraftFeed | null): void {
+    this.#feed = feed;
+    this.#globe.requestRender();
+  }
+
+  /** The eye sits in this aircraft: its airframe is not drawn. */
+  setWithin(whose: Whose | null): void {
+    this.#within = whose;
+  }
+
+  /** As in the frame that is shown. */
+  seen(whose: Whose): AircraftSeen | null {
+    return this.#seen[whose];
+  }
+
+  dispose(): void {
+    this.#endFrames();
+    this.#drawn.flight.dispose();
+    this.#drawn.hil.dispose();
+    this.#globe.scene.primitives.remove(this.#labels);
+  }
+
+  #beforeFrame(now_ms: number): void {
+    this.#seen = this.#feed?.(now_ms) ?? { flight: null, hil: null };
+    const flightMoved = this.#drawn.flight.show(this.#seen.flight, this.#within === "flight");
+    const hilMoved = this.#drawn.hil.show(this.#seen.hil, this.#within === "hil");
+    if (flightMoved || hilMoved) {
+      this.#globe.requestRender();
+    }
+  }
+}
+
+class DrawnAircraft {
+  readonly #globe: Globe;
+  readonly #labels: LabelCollection;
+  readonly #label: Label;
+  readonly #colour: Color;
+  #model: Model | null = null;
+  #isDisposed = false;
+  #matrix: readonly number[] = [];
+  #shown = "";
+
+  constructor(globe: Globe, labels: LabelCollection, whose: Whose) {
+    this.#globe = globe;
+    this.#labels = labels;
+    this.#colour = Color.fromCssColorString(COLOUR[whose]);
+    this.#label = labels.add({
+      position: Cartesian3.ZERO,
+      show: false,
+      font: '600 13px "Inter Variable", system-ui, sans-serif',
+      style: LabelStyle.FILL_AND_OUTLINE,
+      outlineColor: Color.fromCssColorString(EDGE),
+      outlineWidth: 4,
+      horizontalOrigin: HorizontalOrigin.LEFT,
+      verticalOrigin: VerticalOrigin.BOTTOM,
+      pixelOffset: new Cartesian2(22, -18),
+      disableDepthTestDistance: Number.POSITIVE_INFINITY,
+    });
+    void this.#load();
+  }
+
+  /** Whether anything is seen to have changed. */
+  show(seen: AircraftSeen | null, isWithin: boolean): boolean {
+    const shown = seen === null ? "" : `${seen.label}|${seen.isLive}|${seen.attitude === null}|${isWithin}`;
+    const isOther = shown !== this.#shown;
+    this.#shown = shown;
+    this.#label.show = seen !== null && !isWithin;
+    if (this.#model !== null) {
+      this.#model.show = seen?.attitude != null && !isWithin;
+    }
+    if (seen === null) {
+      return isOther;
+    }
+    const pose = poseOf(seen.place, seen.attitude ?? { yaw_deg: 0, pitch_deg: 0, roll_deg: 0 });
+    if (isOther) {
+      this.#dress(seen);
+    }
+    // Not the other way round: it must be moved in either case.
+    return this.#place(pose) || isOther;
+  }
+
+  #dress(seen: AircraftSeen): void {
+    this.#label.text = seen.attitude === null ? `✕ ${seen.label}` : seen.label;
+    this.#label.fillColor = seen.isLive ? this.#colour : Color.WHITE;
+    if (this.#model !== null) {
+      this.#model.color = this.#colour.withAlpha(seen.isLive ? 1 : GHOST);
+    }
+  }
+
+  dispose(): void {
+    this.#isDisposed = true;
+    this.#labels.remove(this.#label);
+    if (this.#model !== null) {
+      this.#globe.scene.primitives.remove(this.#model);
+    }
+  }
+
+  #place(pose: Pose): boolean {
+    const matrix = modelMatrix(pose);
+    const moved = matrix.some(
+      (part, index) => Math.abs(part - (this.#matrix[index] ?? 0)) > (index < 12 ? STILL_TURN : STILL_M),
+    );
+    if (moved) {
+      this.#matrix = matrix;
+      this.#label.position = new Cartesian3(...pose.position);
+      if (this.#model !== null) {
+        this.#model.modelMatrix = Matrix4.fromArray(matrix);
+      }
+    }
+    return moved;
+  }
+
+  async #load(): Promise<void> {
+    const model = await Model.fromGltfAsync({
+      url: gltfAddress(airframeFaces()),
+      show: false,
+      minimumPixelSize: LEAST_PX,
+      color: this.#colour,
+      colorBlendMode: ColorBlendMode.HIGHLIGHT,
+      allowPicking: false,
+    });
+    if (this.#isDisposed || this.#globe.scene.isDestroyed()) {
+      model.destroy();
+      return;
+    }
+    this.#model = this.#globe.scene.primitives.add(model) as Model;
+    this.#matrix = [];
+    this.#shown = "?";
+    // Its drawing resources come with some more frames.
+    model.readyEvent.addEventListener(() => this.#globe.requestRender());
+    this.#globe.requestRender();
+  }
+}

@@ -1,0 +1,186 @@
+import {
+  Cartesian3,
+  Math as CesiumMath,
+  HeadingPitchRange,
+  Matrix3,
+  Matrix4,
+  PerspectiveFrustum,
+  Transforms,
+} from "@cesium/engine";
+import { wrap180 } from "../../lib/angles";
+import type { CameraMode } from "../../lib/mapCamera";
+import type { Whose } from "../../lib/mapThing";
+import type { Globe } from "../globe/Globe";
+import type { AircraftLayer, AircraftSeen } from "./AircraftLayer";
+import { poseOf } from "./pose";
+
+/** Behind and above, until a person has turned it: so far away, and so steep. */
+const BEHIND_M = 45;
+const ABOVE_DEG = -14;
+/** The camera turns after the aircraft within about this time, so that a gust does not shake the whole world. */
+const TURN_S = 0.8;
+const FOLLOW_FOV_DEG = 60;
+const COCKPIT_FOV_DEG = 70;
+/** Of one press of a key. */
+const KEY_TURN_DEG = 5;
+const KEY_ZOOM = 1.2;
+
+/** Moves the globe's camera with an aircraft, or leaves it to the person. */
+export class CameraRig {
+  readonly #globe: Globe;
+  readonly #aircraft: AircraftLayer;
+  readonly #endFrames: () => void;
+  #mode: CameraMode = "free";
+  #whose: Whose = "flight";
+  #heading_deg: number | null = null;
+  #moved_ms = 0;
+  /** Where the eye was, as seen from the aircraft, when following was left. */
+  #kept: Cartesian3 | null = null;
+  #isHeld = false;
+
+  constructor(globe: Globe, aircraft: AircraftLayer) {
+    this.#globe = globe;
+    this.#aircraft = aircraft;
+    this.#endFrames = globe.onBeforeFrame((now_ms) => this.#beforeFrame(now_ms));
+  }
+
+  set(mode: CameraMode, whose: Whose): void {
+    if (this.#isHeld && (mode !== "follow" || whose !== this.#whose)) {
+      this.#release();
+    }
+    if (whose !== this.#whose) {
+      this.#heading_deg = null;
+    }
+    this.#mode = mode;
+    this.#whose = whose;
+    const { camera, screenSpaceCameraController } = this.#globe.scene;
+    screenSpaceCameraController.enableInputs = mode !== "cockpit";
+    if (camera.frustum instanceof PerspectiveFrustum) {
+      camera.frustum.fov = CesiumMath.toRadians(mode === "cockpit" ? COCKPIT_FOV_DEG : FOLLOW_FOV_DEG);
+    }
+    if (mode === "free") {
+      this.#level();
+    }
+    this.#globe.requestRender();
+  }
+
+  /** A key of the map: arrows turn, plus and minus come nearer and go away. False where it is none of these. */
+  key(key: string): boolean {
+    const { camera } = this.#globe.scene;
+    const turn = CesiumMath.toRadians(KEY_TURN_DEG);
+    const turns: Readonly<Record<string, () => void>> = {
+      ArrowLeft: () => camera.rotateRight(turn),
+      ArrowRight: () => camera.rotateLeft(turn),
+      ArrowUp: () => camera.rotateUp(turn),
+      ArrowDown: () => camera.rotateDown(turn),
+    };
+    const far_m = this.#isHeld ? Cartesian3.magnitude(camera.position) : camera.positionCartographic.height;
+    const zooms: Readonly<Record<string, () => void>> = {
+      "+": () => camera.zoomIn(far_m * (1 - 1 / KEY_ZOOM)),
+      "-": () => camera.zoomOut(far_m * (KEY_ZOOM - 1)),
+    };
+    const act = this.#mode === "cockpit" ? undefined : (this.#freeTurns()[key] ?? turns[key] ?? zooms[key]);
+    act?.();
+    this.#globe.requestRender();
+    return act !== undefined;
+  }
+
+  /** Heading, pitch and roll of the eye, degrees. */
+  get attitude_deg(): readonly [number, number, number] {
+    const { heading, pitch, roll } = this.#globe.scene.camera;
+    return [CesiumMath.toDegrees(heading), CesiumMath.toDegrees(pitch), CesiumMath.toDegrees(roll)];
+  }
+
+  dispose(): void {
+    this.#endFrames();
+    this.#release();
+  }
+
+  /** Held to nothing, arrows look round; held to an aircraft they go round it. */
+  #freeTurns(): Readonly<Record<string, () => void>> {
+    const { camera } = this.#globe.scene;
+    const turn = CesiumMath.toRadians(KEY_TURN_DEG);
+    return this.#isHeld
+      ? {}
+      : {
+          ArrowLeft: () => camera.lookLeft(turn),
+          ArrowRight: () => camera.lookRight(turn),
+          ArrowUp: () => camera.lookUp(turn),
+          ArrowDown: () => camera.lookDown(turn),
+        };
+  }
+
+  #beforeFrame(now_ms: number): void {
+    const seen = this.#aircraft.seen(this.#whose);
+    this.#aircraft.setWithin(this.#mode === "cockpit" && seen?.attitude != null ? this.#whose : null);
+    if (seen === null || this.#mode === "free") {
+      this.#release();
+    } else if (this.#mode === "follow") {
+      this.#follow(seen, now_ms);
+    } else {
+      this.#sitIn(seen);
+    }
+    this.#moved_ms = now_ms;
+  }
+
+  #follow(seen: AircraftSeen, now_ms: number): void {
+    const { camera } = this.#globe.scene;
+    this.#turnAfter(seen, (now_ms - this.#moved_ms) / 1000);
+    const { latitude_deg, longitude_deg, altitude_m } = seen.place;
+    const frame = Transforms.eastNorthUpToFixedFrame(
+      Cartesian3.fromDegrees(longitude_deg, latitude_deg, altitude_m),
+    );
+    const turned = Matrix4.multiplyByMatrix3(
+      frame,
+      Matrix3.fromRotationZ(-CesiumMath.toRadians(this.#heading_deg ?? 0)),
+      frame,
+    );
+    if (this.#isHeld) {
+      // What the person has turned since the last frame is kept.
+      camera.lookAtTransform(turned, Cartesian3.clone(camera.position));
+    } else {
+      camera.lookAtTransform(
+        turned,
+        this.#kept ?? new HeadingPitchRange(0, CesiumMath.toRadians(ABOVE_DEG), BEHIND_M),
+      );
+      this.#isHeld = true;
+    }
+  }
+
+  #turnAfter({ attitude }: AircraftSeen, passed_s: number): void {
+    if (attitude === null) {
+      return;
+    }
+    const behind_deg = this.#heading_deg === null ? 0 : wrap180(attitude.yaw_deg - this.#heading_deg);
+    const share = 1 - Math.exp(-Math.max(0, passed_s) / TURN_S);
+    this.#heading_deg =
+      this.#heading_deg === null ? attitude.yaw_deg : this.#heading_deg + share * behind_deg;
+  }
+
+  #sitIn({ place, attitude }: AircraftSeen): void {
+    if (attitude === null) {
+      return;
+    }
+    this.#release();
+    const { position, ahead, up } = poseOf(place, attitude);
+    this.#globe.scene.camera.setView({
+      destination: new Cartesian3(...position),
+      orientation: { direction: new Cartesian3(...ahead), up: new Cartesian3(...up) },
+    });
+  }
+
+  #release(): void {
+    if (this.#isHeld) {
+      const { camera } = this.#globe.scene;
+      this.#kept = Cartesian3.clone(camera.position);
+      camera.lookAtTransform(Matrix4.IDENTITY);
+      this.#isHeld = false;
+    }
+  }
+
+  /** Out of a banked cockpit the world is level again. */
+  #level(): void {
+    const { camera } = this.#globe.scene;
+    camera.setView({ orientation: { heading: camera.heading, pitch: camera.pitch, roll: 0 } });
+  }
+}
