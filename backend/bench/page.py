@@ -1,6 +1,7 @@
 """The page in a real browser while twelve topics come at 50 Hz: frames, script, processor time, long tasks.
 
-The board and the simulator are this process, every value moves, and each main tab is open for a while.
+The board and the simulator are this process, every value moves, and each main tab is open for a while. Beside them
+stands the leanest page that shows the same stream: what a browser costs on this machine at all.
 """
 
 from __future__ import annotations
@@ -52,17 +53,26 @@ def run() -> list[Row]:
             stop.set()
             feeder.join()
         figures = json.loads(results.read_text())
-    return [row for tab in figures for row in _rows(tab)]
+    lean, *tabs = figures
+    return [row for tab in tabs for row in _rows(tab, lean)]
 
 
-def _rows(tab: dict[str, float | str]) -> list[Row]:
+def _rows(tab: dict[str, float | str], lean: dict[str, float | str]) -> list[Row]:
     frames, script = float(tab["frames_per_s"]), float(tab["script_percent"])
     cpu, task = float(tab["cpu_percent"]), float(tab["longest_task_ms"])
     where = f"page, {tab['tab']}"
     return [
         Row(f"{where}: frames", frames, "/s", f">= {FRAMES_REACH:g} of 60", frames >= FRAMES_REACH),
         Row(f"{where}: script", script, "%", f"<= {SCRIPT_REACH_PERCENT:g} %", script <= SCRIPT_REACH_PERCENT),
-        Row(f"{where}: browser's processor time", cpu, "%", f"<= {CPU_REACH_PERCENT:g} %", cpu <= CPU_REACH_PERCENT),
+        Row(
+            f"{where}: browser's processor time",
+            cpu,
+            "%",
+            f"<= {CPU_REACH_PERCENT:g} % or the lean page",
+            cpu <= max(CPU_REACH_PERCENT, float(lean["cpu_percent"])),
+            float(lean["cpu_percent"]),
+            "lean page",
+        ),
         Row(f"{where}: longest task over 50 ms", task, "ms", "none", task <= LONG_TASK_MS),
         Row(f"{where}: heap", float(tab["heap_mb"]), "MB"),
     ]

@@ -1,6 +1,7 @@
 import { readdirSync, readFileSync } from "node:fs";
-import { writeFile } from "node:fs/promises";
-import { type CDPSession, expect, type Page, test } from "@playwright/test";
+import { readFile, writeFile } from "node:fs/promises";
+import path from "node:path";
+import { type Browser, type CDPSession, expect, type Page, test } from "@playwright/test";
 
 /** The gateway's address, where the figures go, and how long each tab is measured. */
 const URL = process.env.BENCH_URL ?? "";
@@ -9,6 +10,8 @@ const SECONDS = Number(process.env.BENCH_SECONDS ?? "12");
 
 /** Tabs that have a redraw budget of their own. */
 const GLOBE = /^(Mapa 3D|AHRS 3D)$/;
+/** Goes before the tabs, with the name that the table knows. */
+const LEAN = "lean";
 const CLOCK_TICKS_PER_S = 100;
 
 type Figures = {
@@ -20,8 +23,9 @@ type Figures = {
   heap_mb: number;
 };
 
-test("the page with twelve topics at 50 Hz, tab by tab", async ({ page }) => {
+test("the page with twelve topics at 50 Hz, tab by tab", async ({ page, browser }) => {
   if (URL === "") throw new Error("`make bench` starts this and says where the gateway is");
+  const figures: Figures[] = [{ tab: LEAN, ...(await measureLean(browser)) }];
   await page.goto(URL, { waitUntil: "domcontentloaded" });
   const devtools = await page.context().newCDPSession(page);
   await devtools.send("Performance.enable");
@@ -29,7 +33,6 @@ test("the page with twelve topics at 50 Hz, tab by tab", async ({ page }) => {
   const tabs = page.getByRole("tablist", { name: "Pestañas principales" }).getByRole("tab");
   await expect(tabs.first()).toBeVisible();
   const names = (await tabs.allTextContents()).filter((name) => !GLOBE.test(name));
-  const figures: Figures[] = [];
   for (const name of names) {
     await tabs.filter({ hasText: new RegExp(`^${name}$`) }).click();
     // A tab's own part is loaded and laid out once; what counts is how it goes on.
@@ -38,6 +41,21 @@ test("the page with twelve topics at 50 Hz, tab by tab", async ({ page }) => {
   }
   await writeFile(RESULTS, JSON.stringify(figures));
 });
+
+/** The leanest page that shows the same stream, from the same gateway in the same run: what a browser costs at all. */
+async function measureLean(browser: Browser): Promise<Omit<Figures, "tab">> {
+  // Put in the place of something that the gateway served, for only from there may a page open its stream.
+  const lean = await browser.newPage({ bypassCSP: true, viewport: { width: 1366, height: 768 } });
+  await lean.goto(`${URL}/api/v1/status`);
+  await lean.setContent(await readFile(path.join(import.meta.dirname, "lean.html"), "utf8"));
+  await expect(lean.locator("#numbers span").nth(149)).not.toBeEmpty();
+  const devtools = await lean.context().newCDPSession(lean);
+  await devtools.send("Performance.enable");
+  await devtools.send("HeapProfiler.enable");
+  const figures = await measure(lean, devtools);
+  await lean.close();
+  return figures;
+}
 
 async function measure(page: Page, devtools: CDPSession): Promise<Omit<Figures, "tab">> {
   const [script, cpu] = [await scriptSeconds(devtools), browserSeconds()];
