@@ -48,6 +48,8 @@ export default defineConfig({
     allowOnly: false,
     // Far above what any takes: a busy machine shall not fail a test.
     testTimeout: 30_000,
+    // One worker less than cores is the default, which on two cores is one.
+    maxWorkers: "100%",
     projects: [
       { extends: true, test: { name: "logic", environment: "node", include: ["src/**/*.test.ts"] } },
       {
