@@ -1,4 +1,5 @@
 import { EARTH_RADIUS_M, type Position } from "../../lib/geodesy";
+import { roundLength } from "../../lib/scaleBar";
 
 /** A picture of so many units, with a rim in which nothing lies. */
 export interface Frame {
@@ -57,8 +58,7 @@ export function project(
 /** The longest of 1, 2, 5, 10... metres whose bar is no longer than this part of the picture. */
 export function scaleBar({ units_per_m, frame }: Projection): { length_m: number; units: number } {
   const most_m = (frame.width * 0.3) / units_per_m;
-  const power = 10 ** Math.floor(Math.log10(most_m));
-  const length_m = power * ([5, 2].find((step) => step * power <= most_m) ?? 1);
+  const length_m = roundLength(most_m);
   return { length_m, units: length_m * units_per_m };
 }
 

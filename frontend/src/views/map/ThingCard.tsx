@@ -313,7 +313,7 @@ function FromAircraft({ whose, to }: { whose: Whose; to: Position }) {
   usePaint("text", paint);
   const name = whose === "flight" ? t("map.plan.fromFlight") : t("map.plan.fromHil");
   return (
-    <ReadoutGrid columns={2}>
+    <ReadoutGrid columns={1}>
       <Readout ref={away} label={name} unit={unit.label} />
       <Readout ref={bearing} label={t("plans.bearing")} unit={t("unit.deg")} />
     </ReadoutGrid>

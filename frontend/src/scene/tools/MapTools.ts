@@ -1,0 +1,154 @@
+import {
+  BoundingSphere,
+  Cartesian2,
+  Cartesian3,
+  Math as CesiumMath,
+  HeadingPitchRange,
+  Matrix4,
+} from "@cesium/engine";
+import type { Position } from "../../lib/geodesy";
+import type { Globe } from "../globe/Globe";
+import { DistanceLine, type MeasuredPlace } from "./DistanceLine";
+import { type GroundPlace, type MapPointer, pointerOf } from "./MapPointer";
+
+/** How the globe is seen now. */
+export interface MapScale {
+  /** Of the eye, clockwise from north. */
+  readonly heading_deg: number;
+  /** On the ground in the middle of the picture, across; null where there is no ground. */
+  readonly metresPerPixel: number | null;
+}
+
+export type PlaceInSpace = Position & { readonly altitude_m: number };
+
+/** Over this many pixels the scale is measured. */
+const SPAN_PX = 60;
+/** The scale is told at most so often. */
+const SCALE_MS = 200;
+/** A view of everything looks down this steeply, and one place is seen from so near. */
+const PITCH_DEG = -50;
+const NEAREST_M = 600;
+/** The camera lets go of an aircraft in the frame after it was told to; only then it can be moved. */
+const FRAMES_TO_FREE = 2;
+
+/** Scale, place under the pointer, the distance line, and views of places. */
+export class MapTools {
+  readonly #globe: Globe;
+  readonly #pointer: MapPointer;
+  readonly #line: DistanceLine;
+  readonly #ends: readonly (() => void)[];
+  #onScale: ((scale: MapScale) => void) | null = null;
+  #onMeasure: ((place: GroundPlace) => void) | null = null;
+  #told_ms = 0;
+  #wanted: { readonly sphere: BoundingSphere; frames: number } | null = null;
+
+  constructor(globe: Globe) {
+    this.#globe = globe;
+    this.#pointer = pointerOf(globe);
+    this.#line = new DistanceLine(globe);
+    this.#ends = [
+      globe.onBeforeFrame((now_ms) => this.#beforeFrame(now_ms)),
+      this.#pointer.addFinder((at) => {
+        const measure = this.#onMeasure;
+        const place = measure === null ? null : this.#pointer.placeAt(at);
+        return measure === null || place === null
+          ? null
+          : { cursor: "crosshair", click: () => measure(place), drag: null };
+      }),
+    ];
+  }
+
+  onHover(listener: (place: GroundPlace | null) => void): () => void {
+    return this.#pointer.onHover(listener);
+  }
+
+  onScale(listener: ((scale: MapScale) => void) | null): void {
+    this.#onScale = listener;
+  }
+
+  /** Who takes the places that are pressed; null: a press is for what lies under it. */
+  measure(listener: ((place: GroundPlace) => void) | null): void {
+    this.#onMeasure = listener;
+  }
+
+  showDistance(places: readonly MeasuredPlace[]): void {
+    this.#line.show(places);
+  }
+
+  /** The ground in the middle of the picture; null where there is sky. */
+  centre(): GroundPlace | null {
+    const { clientWidth, clientHeight } = this.#globe.scene.canvas;
+    return this.#pointer.placeAt({ x: clientWidth / 2, y: clientHeight / 2 });
+  }
+
+  /** Look at all of these from above; the camera must have been set free. */
+  lookAt(places: readonly PlaceInSpace[]): void {
+    if (places.length > 0) {
+      const points = places.map(({ longitude_deg, latitude_deg, altitude_m }) =>
+        Cartesian3.fromDegrees(longitude_deg, latitude_deg, altitude_m),
+      );
+      this.#wanted = { sphere: BoundingSphere.fromPoints(points), frames: FRAMES_TO_FREE };
+      this.#globe.requestRender();
+    }
+  }
+
+  /** Turn round the middle of the picture until north is up. */
+  northUp(): void {
+    const { camera } = this.#globe.scene;
+    const place = this.centre();
+    if (place === null) {
+      camera.setView({ orientation: { heading: 0, pitch: camera.pitch, roll: 0 } });
+    } else {
+      const middle = Cartesian3.fromDegrees(place.longitude_deg, place.latitude_deg, place.height_m ?? 0);
+      const range = Cartesian3.distance(camera.positionWC, middle);
+      camera.lookAt(middle, new HeadingPitchRange(0, camera.pitch, range));
+      camera.lookAtTransform(Matrix4.IDENTITY);
+    }
+    this.#globe.requestRender();
+  }
+
+  dispose(): void {
+    for (const end of this.#ends) {
+      end();
+    }
+    this.#line.dispose();
+  }
+
+  #beforeFrame(now_ms: number): void {
+    this.#look();
+    if (this.#onScale !== null && now_ms - this.#told_ms >= SCALE_MS) {
+      this.#told_ms = now_ms;
+      this.#onScale({
+        heading_deg: CesiumMath.toDegrees(this.#globe.scene.camera.heading),
+        metresPerPixel: this.#metresPerPixel(),
+      });
+    }
+  }
+
+  #look(): void {
+    const wanted = this.#wanted;
+    if (wanted === null) {
+      return;
+    }
+    wanted.frames -= 1;
+    if (wanted.frames <= 0) {
+      this.#wanted = null;
+      const { camera } = this.#globe.scene;
+      const range = Math.max(NEAREST_M, 2.6 * wanted.sphere.radius);
+      camera.viewBoundingSphere(
+        wanted.sphere,
+        new HeadingPitchRange(0, CesiumMath.toRadians(PITCH_DEG), range),
+      );
+      camera.lookAtTransform(Matrix4.IDENTITY);
+    }
+    this.#globe.requestRender();
+  }
+
+  #metresPerPixel(): number | null {
+    const { camera, canvas } = this.#globe.scene;
+    const [x, y] = [canvas.clientWidth / 2, canvas.clientHeight / 2];
+    const left = camera.pickEllipsoid(new Cartesian2(x - SPAN_PX / 2, y));
+    const right = camera.pickEllipsoid(new Cartesian2(x + SPAN_PX / 2, y));
+    return left === undefined || right === undefined ? null : Cartesian3.distance(left, right) / SPAN_PX;
+  }
+}
