@@ -1,5 +1,6 @@
 #include "sim_board.h"
 
+#include <math.h>
 #include <stdbool.h>
 
 #include "common/angle.h"
@@ -27,6 +28,7 @@ static struct
     float throttle;                    ///< of the simulated motor
     float servo_throttle;              ///< of the real one
     float switches[board_servo_count]; ///< by receiver channel
+    bool is_transmitter_off;
     bool is_observed;
     float age_s; ///< of the newest simulator information
     sim_noise_t noise;
@@ -68,6 +70,14 @@ static float received(float position, float minimum)
 static void read_receiver(message_servos_in_t* receiver)
 {
     const size_t channels = sizeof receiver->channel / sizeof receiver->channel[0];
+    for (size_t i = 0; i < channels && sim.is_transmitter_off; i++)
+    {
+        receiver->channel[i] = NAN;
+    }
+    if (sim.is_transmitter_off)
+    {
+        return;
+    }
     for (size_t i = 0; i < channels; i++)
     {
         receiver->channel[i] = received(sim.switches[i], -1.0F);
@@ -99,13 +109,21 @@ static void read_all(void* context, float dt_s, sensors_reading_t* reading)
 static void set_switch(void* context, int32_t channel, float position)
 {
     (void)context;
-    sim.switches[channel] = position;
+    if (channel == sensors_transmitter)
+    {
+        sim.is_transmitter_off = position <= 0.0F;
+    }
+    else
+    {
+        sim.switches[channel] = position;
+    }
 }
 
 sensors_t sim_board_sensors(uint32_t seed)
 {
     // Each model has its own noise, so that one of them called once more does not change the others.
     sim.truth = parked;
+    sim.is_transmitter_off = false;
     sim.switches[rc_channel_autopilot] = -1.0F;
     sim.switches[rc_channel_autotrim] = -1.0F;
     sim_noise_init(&sim.noise, seed);

@@ -282,6 +282,7 @@ const shell_command_t shell_commands[] = {
     {"stream list", "", "the streams and their periods", 0, 0, shell_show_streams, 0, 0},
     {"rate", "param|fms|servos <ms>", "period of a task", 2, 2, set_period, 0, 0},
     {"rc", "", "channels of the receiver", 0, 0, shell_show_receiver, 0, 0},
+    {"rc power", "on|off", "the transmitter itself", 1, 1, set_receiver_switch, 0, sensors_transmitter},
     {"rc auto", "on|off", "the transmitter's autopilot switch", 1, 1, set_receiver_switch, 0, rc_channel_autopilot},
     {"rc trim", "on|off", "the transmitter's autotrim switch", 1, 1, set_receiver_switch, 0, rc_channel_autotrim},
     {"servos", "", "positions of the outputs", 0, 0, shell_show_servos, 0, 0},

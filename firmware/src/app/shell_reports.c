@@ -61,6 +61,26 @@ static const char* hil_plan_title(const board_t* board)
     return board->plans[board_plan_hil].count > 0 ? "uploaded" : "none";
 }
 
+/// Every cause that acts, or a dash.
+static void show_failsafes(text_t* reply, const failsafe_t* failsafe)
+{
+    const size_t start = reply->size;
+    shell_begin(reply);
+    text_add(reply, "failsafe");
+    text_pad(reply, start, name_width);
+    const size_t empty = reply->size;
+    for (size_t cause = 0; cause < failsafe_count; cause++)
+    {
+        if (failsafe_is_active(failsafe, (failsafe_cause_t)cause))
+        {
+            text_add(reply, reply->size == empty ? "" : ", ");
+            text_add(reply, failsafe_table[cause].name);
+        }
+    }
+    text_add(reply, reply->size == empty ? "-" : "");
+    shell_end(reply);
+}
+
 void shell_show_status(const shell_call_t* call)
 {
     const board_t* const board = call->shell->board;
@@ -69,6 +89,7 @@ void shell_show_status(const shell_call_t* call)
     show_words(reply, "last restart", call->shell->restart_reason == NULL ? "-" : call->shell->restart_reason);
     show_words(reply, "extensions", board->config.legacy ? "none (legacy)" : "yes");
     show_words(reply, "card", board->config.storage == NULL ? "none" : "present");
+    show_failsafes(reply, &board->failsafe);
     show_words(reply, "autopilot", on_off(board_flight_autopilot(board)));
     show_words(reply, "autotrim", on_off(board_flight_autotrim(board)));
     show_words(reply, "airspeed source",

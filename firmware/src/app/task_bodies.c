@@ -84,6 +84,7 @@ static void run_control(void* context)
         wait_for_next(app, task_control, &woken);
         float positions[board_servo_count];
         application_lock(app);
+        board_supervise_hil(&app->board, application_now_ms(app));
         board_flight_step(&app->board, period_s(task_control));
         board_servo_positions(&app->board, positions);
         application_unlock(app);

@@ -15,6 +15,7 @@
 #include "comms/protocol_gen.h"
 #include "comms/telemetry.h"
 #include "flight/control_loop.h"
+#include "flight/failsafe.h"
 #include "navigation/mission.h"
 #include "navigation/plan.h"
 #include "params/parameter_store.h"
@@ -86,6 +87,8 @@ typedef struct
 {
     board_config_t config;
     board_sensors_t sensors;
+    failsafe_t failsafe;
+    message_servos_in_t receiver_heard; ///< the newest whole reading of the receiver
     telemetry_schedule_t schedule;
     parameters_t parameters;
     control_loop_gains_t gains; ///< of `parameters`
@@ -151,6 +154,9 @@ void board_send_streams(board_t* board, telemetry_task_t task);
 
 /// One step of the real aircraft's loop, from `board->sensors` and the receiver. `dt_s` > 0.
 void board_flight_step(board_t* board, float dt_s);
+
+/// Look whether command 50 has stopped. Call it each time before `board_flight_step`.
+void board_supervise_hil(board_t* board, uint32_t now_ms);
 
 /// Put the position of every servo output, -1..+1 (throttle 0..1), into `positions`.
 void board_servo_positions(const board_t* board, float positions[board_servo_count]);

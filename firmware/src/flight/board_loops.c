@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "common/limit.h"
+#include "flight/board_failsafe.h"
 #include "flight/board_reports.h"
 
 static const float ft_per_m = 3.28084F;
@@ -14,7 +15,7 @@ static const uint32_t pause_ms = 500; ///< longer than that, the loop was interr
 
 static bool is_switched_on(const board_t* board, size_t channel)
 {
-    return board->sensors.servos_in.channel[channel] > 0.0F;
+    return board_failsafe_channel(board, channel) > 0.0F;
 }
 
 bool board_flight_autopilot(const board_t* board)
@@ -46,18 +47,11 @@ static surfaces_t limited_stick(float elevator, float aileron, float rudder, flo
     };
 }
 
-static surfaces_t rc_stick(const board_t* board)
-{
-    const float* const channel = board->sensors.servos_in.channel;
-    return limited_stick(channel[rc_channel_elevator], channel[rc_channel_aileron], channel[rc_channel_rudder],
-                         channel[rc_channel_throttle]);
-}
-
 control_loop_input_t board_hil_input(const board_t* board)
 {
     const command_xplane_info_t* const info = &board->xplane_info;
     const surfaces_t stick = board->source == board_source_rc
-                                 ? rc_stick(board)
+                                 ? board_failsafe_rc_stick(board)
                                  : limited_stick(info->elevator, info->aileron, info->rudder, info->throttle);
     return (control_loop_input_t){
         .stick = stick,
@@ -106,7 +100,7 @@ control_loop_input_t board_flight_input(const board_t* board)
                                  ? first_measured(gps_altitude_m, baro_altitude_m)
                                  : first_measured(baro_altitude_m, gps_altitude_m);
     return (control_loop_input_t){
-        .stick = rc_stick(board),
+        .stick = board_failsafe_rc_stick(board),
         .p_rad_s = sensors->inertial.gx_rad_s,
         .q_rad_s = sensors->inertial.gy_rad_s,
         .r_rad_s = sensors->inertial.gz_rad_s,
@@ -129,9 +123,9 @@ control_loop_input_t board_flight_input(const board_t* board)
 
 void board_flight_step(board_t* board, float dt_s)
 {
+    board_failsafe_note_sensors(board, dt_s);
     const control_loop_input_t input = board_flight_input(board);
-    (void)control_loop_step(&board->loops[board_plan_flight], &board->gains, &board->plans[board_plan_flight], &input,
-                            dt_s);
+    board_failsafe_fly(board, &input, dt_s);
 }
 
 static bool is_plausible(const command_xplane_info_t* info)

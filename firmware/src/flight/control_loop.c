@@ -2,6 +2,13 @@
 
 #include <math.h>
 
+#include "common/limit.h"
+
+enum
+{
+    nobody = -1 ///< a source that no input has, so that any of them is a change
+};
+
 static const float flying_speed_kt = 20.0F; ///< below it every integral is frozen
 static const float ground_band_ft = 10.0F;  ///< this far from where it last was slow, the aircraft flies
 static const float ground_run_limit_s = 20.0F;
@@ -117,6 +124,20 @@ static control_command_t command_of_pilot(control_loop_t* loop, plan_t* plan, co
     (void)choose_target(loop, plan, input, track_deg);
     return fly_by_wire_command_of_stick(input->stick.elevator, input->stick.aileron, input->stick.rudder,
                                         input->stick.throttle);
+}
+
+void control_loop_override(control_loop_t* loop, const surfaces_t* surfaces)
+{
+    loop->surfaces = (surfaces_t){
+        .elevator = limit_to(surfaces->elevator, -1.0F, 1.0F),
+        .aileron = limit_to(surfaces->aileron, -1.0F, 1.0F),
+        .rudder = limit_to(surfaces->rudder, -1.0F, 1.0F),
+        .throttle = limit_to(surfaces->throttle, 0.0F, 1.0F),
+    };
+    transition_init(&loop->transition);
+    loop->source = nobody;
+    loop->autopilot_was_on = false;
+    loop->has_run = true;
 }
 
 surfaces_t control_loop_step(control_loop_t* loop, const control_loop_gains_t* gains, plan_t* plan,

@@ -56,6 +56,9 @@ typedef struct
 
 void control_loop_init(control_loop_t* loop);
 
+/// Fly by no law: these surfaces, inside of their limits. The next step begins where they are, whoever commands then.
+void control_loop_override(control_loop_t* loop, const surfaces_t* surfaces);
+
 /// One step of `dt_s` (>= 0; 0 after a pause, when nothing may be integrated). Sequences `plan` too. Returns the new
 /// surfaces, which are finite and inside of their limits whatever the input.
 surfaces_t control_loop_step(control_loop_t* loop, const control_loop_gains_t* gains, plan_t* plan,

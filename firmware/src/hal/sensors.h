@@ -1,6 +1,6 @@
 /// What the board measures, and the receiver of the pilot's transmitter. Implemented by each port: drivers on hardware,
 /// models on a PC. The readings are raw samples in the telemetry's units, axes and signs: the board estimates attitude,
-/// altitude, climb and airspeed from them. NaN: not measured this time.
+/// altitude, climb and airspeed from them. NaN: not measured this time; a receiver that hears nothing has NaN channels.
 #ifndef HAL_SENSORS_H
 #define HAL_SENSORS_H
 
@@ -14,6 +14,11 @@ typedef struct
     message_servos_in_t receiver;
 } sensors_reading_t;
 
+enum
+{
+    sensors_transmitter = -1
+};
+
 typedef struct
 {
     void* context;
@@ -25,7 +30,8 @@ typedef struct
     /// NULL where the sensors are real.
     void (*observe)(void* context, const command_xplane_info_t* info, float throttle);
 
-    /// Put a switch of the modelled transmitter (a receiver channel) to -1..+1; NULL where the receiver is real.
+    /// Put a switch of the modelled transmitter (a receiver channel) to -1..+1, or the transmitter itself
+    /// (`sensors_transmitter`) on (above 0) or off; NULL where the receiver is real.
     void (*set_switch)(void* context, int32_t channel, float position);
 } sensors_t;
 

@@ -1,0 +1,58 @@
+/// What the board does when something it flies by fails, as data: the cause, how long it has to last, and what happens
+/// then with the autopilot on and with a pilot at the stick. `README.md` tells it in words.
+#ifndef FLIGHT_FAILSAFE_H
+#define FLIGHT_FAILSAFE_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+typedef enum
+{
+    failsafe_simulator_silent, ///< no command 50: neither stick nor state of the simulated aircraft
+    failsafe_receiver_silent,  ///< no channels of the pilot's transmitter
+    failsafe_rates_unknown,    ///< no gyro
+    failsafe_attitude_unknown, ///< neither pitch, roll nor a direction
+    failsafe_altitude_unknown, ///< neither barometer nor GPS
+    failsafe_count
+} failsafe_cause_t;
+
+typedef enum
+{
+    failsafe_flies_on,         ///< by what is left
+    failsafe_keeps_altitude,   ///< the autopilot flies as if the altitude were the wanted one: level, by its trim
+    failsafe_lets_stick_go,    ///< the stick counts as neutral, its throttle as `failsafe_throttle`
+    failsafe_goes_undamped,    ///< the stick moves the surfaces itself
+    failsafe_neutral_surfaces, ///< held, with `failsafe_throttle`, until the cause is gone
+    failsafe_action_count
+} failsafe_action_t;
+
+typedef struct
+{
+    const char* name; ///< for the shell
+    uint32_t after_ms;
+    failsafe_action_t autopilot;
+    failsafe_action_t pilot;
+} failsafe_row_t;
+
+/// In the order of `failsafe_cause_t`.
+extern const failsafe_row_t failsafe_table[failsafe_count];
+
+/// Throttle of an aircraft that nobody commands any more, 0..1: it glides.
+extern const float failsafe_throttle;
+
+/// How long each cause has lasted.
+typedef struct
+{
+    float lasted_s[failsafe_count];
+} failsafe_t;
+
+/// `dt_s` (>= 0) later, and whether the cause is there now. One that goes is forgotten at once.
+void failsafe_note(failsafe_t* failsafe, failsafe_cause_t cause, bool is_there, float dt_s);
+
+/// Whether it has lasted long enough to act.
+bool failsafe_is_active(const failsafe_t* failsafe, failsafe_cause_t cause);
+
+/// What happens now because of `cause`.
+failsafe_action_t failsafe_action(const failsafe_t* failsafe, failsafe_cause_t cause, bool autopilot);
+
+#endif
