@@ -1,4 +1,4 @@
-"""What the board does when something it flies by fails, as a station sees it; tests/flight in C takes each case alone."""
+"""What the board does when something it flies by fails, as a station sees it. Case by case: tests/flight in C."""
 
 import math
 
