@@ -1,5 +1,6 @@
 import {
   Cartesian3,
+  Math as CesiumMath,
   CesiumWidget,
   Clock,
   Color,
@@ -9,11 +10,15 @@ import {
   type Scene,
 } from "@cesium/engine";
 import { FrameBudget } from "./frameBudget";
+import { FrameCost } from "./frameCost";
 import { Ground } from "./ground";
+import { setQuality } from "./quality";
 
 /** The one day that the globe shows: without day and night there is nothing to fetch for another. */
 const NOON = "2026-06-21T13:00:00Z";
 const SKY = "#8fb6d3";
+/** After the wheel was turned, the globe is in a hand for so long. */
+const WHEEL_MS = 400;
 
 /**
  * The globe, made once for the page's life and moved between its place and nowhere: a browser has only so many
@@ -30,11 +35,16 @@ export class Globe {
   readonly #element = document.createElement("div");
   readonly #listeners = new Set<(now_ms: number) => void>();
   readonly #budget: FrameBudget;
+  readonly #cost: FrameCost;
   #handle: number | null = null;
   #ticked_ms = Number.NEGATIVE_INFINITY;
+  #isDear: boolean | null = null;
+  #isHeld = false;
+  #wheeled_ms = Number.NEGATIVE_INFINITY;
+  #drawn = 0;
 
-  /** Throws where the browser has no WebGL. */
-  constructor() {
+  /** `onLost`: the browser has taken the graphics away; this globe is of no use any more. Throws where there is no WebGL. */
+  constructor(onLost: () => void = () => undefined) {
     // Its default is a picture of its maker, fetched with the first frame. It is named in the page's own words instead.
     CreditDisplay.cesiumCredit = new Credit("");
     this.#element.className = "globe";
@@ -55,19 +65,25 @@ export class Globe {
     });
     this.scene = this.widget.scene;
     this.scene.backgroundColor = Color.fromCssColorString(SKY);
-    this.scene.fog.enabled = false;
-    this.scene.globe.showGroundAtmosphere = false;
-    this.#budget = new FrameBudget(true);
+    this.#cost = new FrameCost(this.scene.canvas);
+    this.#budget = new FrameBudget(this.#cost.isSoftware);
     this.ground = new Ground(this);
     this.scene.camera.setView({
-      destination: Cartesian3.fromDegrees(-15.3, 27.75, 25000),
-      orientation: { heading: -0.2, pitch: -0.7, roll: 0 },
+      destination: Cartesian3.fromDegrees(-15.3, 27.75, 25_000),
+      orientation: { heading: CesiumMath.toRadians(-12), pitch: CesiumMath.toRadians(-40), roll: 0 },
     });
+    this.scene.canvas.addEventListener("webglcontextlost", onLost, { once: true });
+    this.#watchHands();
   }
 
   /** Where it is shown; null while it is not. */
   get host(): HTMLElement | null {
     return this.#element.parentElement;
+  }
+
+  /** Frames drawn since it was made. */
+  get drawn(): number {
+    return this.#drawn;
   }
 
   /** Show it in `host`; it is drawn only while it is shown. */
@@ -107,23 +123,58 @@ export class Globe {
 
   readonly #tick = (now_ms: number): void => {
     this.#handle = requestAnimationFrame(this.#tick);
-    if (now_ms - this.#ticked_ms < this.#budget.period_ms(false)) {
+    const cost_ms = this.#cost.settle();
+    if (cost_ms !== null) {
+      this.#budget.observe(cost_ms);
+    }
+    const isHeld = this.#isHeld || now_ms - this.#wheeled_ms < WHEEL_MS;
+    // Never two frames on their way: the page would wait for the graphics, and its instruments with it.
+    if (this.#cost.isWaiting || now_ms - this.#ticked_ms < this.#budget.period_ms(isHeld)) {
       return;
     }
     this.#ticked_ms = now_ms;
+    this.#suitQuality();
     for (const listener of this.#listeners) {
       listener(now_ms);
     }
     this.widget.resize();
-    const { frameNumber } = this.#frameState();
-    const started_ms = performance.now();
+    const before = this.#frameNumber();
+    this.#cost.start();
     this.widget.render();
-    if (this.#frameState().frameNumber !== frameNumber) {
-      this.#budget.observe(performance.now() - started_ms);
+    if (this.#frameNumber() !== before) {
+      this.#drawn += 1;
+      this.#cost.finish();
     }
   };
 
-  #frameState(): { frameNumber: number } {
-    return (this.scene as unknown as { frameState: { frameNumber: number } }).frameState;
+  #suitQuality(): void {
+    if (this.#isDear !== this.#budget.isDear) {
+      this.#isDear = this.#budget.isDear;
+      setQuality(this.widget, this.#isDear);
+      this.requestRender();
+    }
+  }
+
+  #frameNumber(): number {
+    // Not in its published types; nothing else tells whether a frame was drawn.
+    return (this.scene as unknown as { frameState: { frameNumber: number } }).frameState.frameNumber;
+  }
+
+  #watchHands(): void {
+    this.#element.addEventListener("pointerdown", () => {
+      this.#isHeld = true;
+    });
+    for (const end of ["pointerup", "pointercancel", "lostpointercapture"]) {
+      this.#element.addEventListener(end, () => {
+        this.#isHeld = false;
+      });
+    }
+    this.#element.addEventListener(
+      "wheel",
+      () => {
+        this.#wheeled_ms = performance.now();
+      },
+      { passive: true },
+    );
   }
 }

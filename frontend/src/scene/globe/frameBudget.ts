@@ -1,15 +1,17 @@
-/** A frame dearer than this is drawn by the processor alone; a cheaper one than the second, by a graphics processor. */
-const DEAR_MS = 40;
-const CHEAP_MS = 18;
+/** A frame dearer than the first is drawn by the processor alone; one cheaper than the second, by a graphics processor. */
+const DEAR_MS = 45;
+const CHEAP_MS = 20;
 /** Weight of the newest frame: some frames decide, not the one in which a shader was compiled. */
-const WEIGHT = 0.25;
-/** Where frames are dear: between two and five in a second, and no more than this share of the time. */
-const MINIMUM_PERIOD_MS = 200;
-const MAXIMUM_PERIOD_MS = 500;
+const WEIGHT = 0.2;
+/** Where frames are dear: between two and five in a second, with this share of the time between. */
+const SHORTEST_MS = 200;
+const LONGEST_MS = 500;
 const SHARE = 0.35;
 /** While a person turns the globe it may take more, for as long as that lasts. */
-const HELD_PERIOD_MS = 100;
+const HELD_SHORTEST_MS = 100;
 const HELD_SHARE = 0.6;
+/** Of a frame that takes longer than the longest time between two: as much is left to all else. */
+const LEAST_REST = 1.5;
 
 /**
  * How often the globe may be drawn. With a graphics processor: in each displayed frame. Without one a frame costs
@@ -30,20 +32,17 @@ export class FrameBudget {
     return this.#isDear;
   }
 
-  /** What a frame costs at present, from its start until the graphics have finished it. */
-  get cost_ms(): number {
-    return this.#cost_ms;
-  }
-
-  /** Least time between two frames; 0: every displayed one. `isHeld`: a person is turning the globe. */
+  /** Least time from the start of one frame to the next; 0: every displayed one. `isHeld`: a person is turning the globe. */
   period_ms(isHeld: boolean): number {
     if (!this.#isDear) {
       return 0;
     }
-    const wanted_ms = this.#cost_ms / (isHeld ? HELD_SHARE : SHARE);
-    return Math.min(MAXIMUM_PERIOD_MS, Math.max(isHeld ? HELD_PERIOD_MS : MINIMUM_PERIOD_MS, wanted_ms));
+    const [shortest_ms, share] = isHeld ? [HELD_SHORTEST_MS, HELD_SHARE] : [SHORTEST_MS, SHARE];
+    const wanted_ms = Math.min(LONGEST_MS, Math.max(shortest_ms, this.#cost_ms / share));
+    return Math.max(wanted_ms, LEAST_REST * this.#cost_ms);
   }
 
+  /** A frame took so long, from its start until the graphics had finished it. */
   observe(cost_ms: number): void {
     this.#cost_ms += WEIGHT * (cost_ms - this.#cost_ms);
     this.#isDear = this.#cost_ms > (this.#isDear ? CHEAP_MS : DEAR_MS);

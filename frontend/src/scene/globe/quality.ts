@@ -1,0 +1,29 @@
+import { type CesiumWidget, SkyAtmosphere } from "@cesium/engine";
+
+/** Of the picture's points, to each side, where each of them is dear; half the work of all of them. */
+const DEAR_SCALE = 0.7;
+/** How coarse the ground's tiles may be, in pixels. */
+const DEAR_ERROR_PX = 3;
+const CHEAP_ERROR_PX = 1.6;
+const CHEAP_SAMPLES = 4;
+
+/** Where a frame is dear nothing is drawn that is only beautiful: in this order sky, ground shading, haze cost most. */
+export function setQuality(widget: CesiumWidget, isDear: boolean): void {
+  const { scene } = widget;
+  widget.resolutionScale = isDear ? DEAR_SCALE : 1;
+  widget.useBrowserRecommendedResolution = isDear;
+  scene.msaaSamples = isDear ? 1 : CHEAP_SAMPLES;
+  scene.fog.enabled = !isDear;
+  scene.globe.showGroundAtmosphere = !isDear;
+  scene.globe.enableLighting = false;
+  scene.globe.showWaterEffect = false;
+  scene.globe.maximumScreenSpaceError = isDear ? DEAR_ERROR_PX : CHEAP_ERROR_PX;
+  if (!isDear) {
+    scene.skyAtmosphere ??= new SkyAtmosphere();
+  }
+  // Typed as always there.
+  const sky = scene.skyAtmosphere as SkyAtmosphere | undefined;
+  if (sky !== undefined) {
+    sky.show = !isDear;
+  }
+}
