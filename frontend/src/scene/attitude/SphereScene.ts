@@ -63,17 +63,17 @@ export class SphereScene implements Act {
     this.#now = new Mesh(new SphereGeometry(0.06, 12, 8), new MeshBasicMaterial());
     this.#surface = new LineSegments(
       new WireframeGeometry(this.#sphere),
-      new LineBasicMaterial({ transparent: true, opacity: 0.45 }),
+      new LineBasicMaterial({ transparent: true, opacity: 0.35 }),
     );
     this.#surface.matrixAutoUpdate = false;
-    this.#seen = marks(0.07);
+    this.#seen = marks(0.09);
     this.#unseen = marks(0.12);
     // The readings themselves go into this group in their own unit and axes.
     this.#readings.matrixAutoUpdate = false;
     this.#readings.add(this.#points, this.#now, this.#surface);
     this.scene.add(this.#readings, this.#seen, this.#unseen);
     for (const [index, axis] of this.#axes.entries()) {
-      axis.point([0, 1, 2].map((each) => (each === index ? 2.3 : 0)) as unknown as Vector);
+      axis.point([0, 1, 2].map((each) => (each === index ? 2.05 : 0)) as unknown as Vector);
       this.scene.add(axis.group);
     }
     this.rig.place("behind", 35);
@@ -102,7 +102,6 @@ export class SphereScene implements Act {
     this.#readings.matrix.makeScale(scale, scale, scale).setPosition(-scale * x, -scale * y, -scale * z);
     this.#readings.matrixWorldNeedsUpdate = true;
     this.#now.scale.setScalar(1 / scale);
-    this.#points.material.size = 0.075;
     this.#surface.visible = fit !== null;
     const matrix = fit === null ? NO_CHANGE : spectral3(fit.matrix, (value) => fit.radius / value);
     this.#surface.matrix.copy(matrixInPicture(matrix, fit?.offset ?? centre));

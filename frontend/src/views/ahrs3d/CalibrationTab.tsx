@@ -1,9 +1,10 @@
-import { useEffect, useState } from "react";
+import { useState } from "react";
 import { useTranslation } from "react-i18next";
 import { DIRECTIONS, type Side } from "../../lib/sphereCover";
 import { LiveBadge, StreamOff, useStreamIsOff } from "../../live/StreamPanel";
 import { usePage, useTelemetry } from "../../store/hooks";
 import { Button } from "../../ui/Button";
+import { Notice } from "../../ui/Notice";
 import { Panel } from "../../ui/Panel";
 import { FitPanel } from "./FitPanel";
 import { SpherePicture } from "./SpherePicture";
@@ -47,13 +48,7 @@ function CollectPanel({ isOn, onSwitch, calibration }: CollectProps) {
   const hasField = useTelemetry((telemetry, now_ms) => liveVectors(telemetry, now_ms).field !== null);
   const { seen, missing, count } = calibration;
   const known = seen.filter((times) => times > 0).length;
-  // Nothing is collected behind a person's back: without a field it stands still and says so.
   const [, setRevision] = useState(0);
-  useEffect(() => {
-    if (isOn && !hasField) {
-      onSwitch(false);
-    }
-  }, [isOn, hasField, onSwitch]);
   return (
     <Panel
       title={t("ahrs3d.collect")}
@@ -62,10 +57,9 @@ function CollectPanel({ isOn, onSwitch, calibration }: CollectProps) {
     >
       <div className="ahrs3d-row">
         <Button
-          variant="primary"
           pressed={isOn}
           onPress={() => onSwitch(!isOn)}
-          disabledReason={hasField ? undefined : t("ahrs3d.noField")}
+          disabledReason={hasField || isOn ? undefined : t("ahrs3d.noField")}
         >
           {t(isOn ? "ahrs3d.pause" : "ahrs3d.begin")}
         </Button>
@@ -84,13 +78,14 @@ function CollectPanel({ isOn, onSwitch, calibration }: CollectProps) {
         </Button>
       </div>
       <div className="ahrs3d-cover">
+        {isOn && !hasField && <Notice level="warning">{t("ahrs3d.noField")}</Notice>}
         <progress
           className="ahrs3d-progress"
           aria-label={t("ahrs3d.coverage")}
           max={DIRECTIONS.length}
           value={known}
         />
-        <p>{t("ahrs3d.directions", { known, all: DIRECTIONS.length, count })}</p>
+        <p>{t("ahrs3d.directions", { known, all: DIRECTIONS.length, readings: count })}</p>
         <p role="status">{missing === null ? t("ahrs3d.turn.done") : t(HINTS[missing])}</p>
       </div>
     </Panel>
