@@ -12,6 +12,8 @@ import { placeOf } from "./vertices";
 export interface TrackKind {
   readonly plain: string;
   readonly casing: string;
+  /** Where two tracks lie over each other, the one with the greater rank is seen. */
+  readonly rank: number;
 }
 
 export interface TrackLook {
@@ -24,6 +26,8 @@ export interface TrackLook {
 const WIDTH_PX = 3;
 const CASING_PX = 5;
 const CURTAIN_OPACITY = 0.3;
+/** Share of its distance by which a rank brings a line nearer. */
+const RANK_STEP = 0.002;
 /** Levels of detail are made for so long in one frame. */
 const SLICE_MS = 4;
 /** From the ground to above everything that is flown. */
@@ -46,6 +50,12 @@ export class TrackLayer {
   add(points: TrackPoints, kind: TrackKind): void {
     if (!this.#drawn.has(points)) {
       this.#drawn.set(points, new DrawnTrack(points, kind, () => this.#look));
+      // What is drawn later lies above.
+      const inOrder = [...this.#drawn].sort(([, one], [, other]) => one.rank - other.rank);
+      this.#drawn.clear();
+      for (const [key, drawn] of inOrder) {
+        this.#drawn.set(key, drawn);
+      }
       this.#globe.requestRender();
     }
   }
@@ -125,6 +135,7 @@ export class TrackLayer {
 class DrawnTrack {
   tip: Tip | null = null;
   isVisible = true;
+  readonly rank: number;
   readonly #points: TrackPoints;
   #revision = -1;
   readonly #thinned: ThinnedTrack;
@@ -134,6 +145,7 @@ class DrawnTrack {
   readonly #spheres = { body: new BoundingSphere(), tail: new BoundingSphere() };
 
   constructor(points: TrackPoints, kind: TrackKind, look: () => TrackLook) {
+    this.rank = kind.rank;
     this.#points = points;
     this.#thinned = new ThinnedTrack(points);
     this.#body = new TrackBody(this.#thinned);
@@ -200,7 +212,7 @@ function grow(into: BoundingSphere, sphere: BoundingSphere): void {
   into.radius += ROOM_M;
 }
 
-function styleOf({ plain, casing }: TrackKind, look: () => TrackLook): RibbonStyle {
+function styleOf({ plain, casing, rank }: TrackKind, look: () => TrackLook): RibbonStyle {
   const scale = new Cartesian4();
   const scaleNow = (opacity: number) => (): Cartesian4 => {
     const { colouring, range } = look();
@@ -218,6 +230,7 @@ function styleOf({ plain, casing }: TrackKind, look: () => TrackLook): RibbonSty
     u_scale: scaleNow(1),
     u_plain: () => own,
     u_unknown: () => unknown,
+    u_nearer: () => 1 - rank * RANK_STEP,
     u_colours: () => scales.get(look().colouring),
   };
   return {

@@ -32,6 +32,7 @@ bool isGap() { return toFine.w > 0.5; }
 /** A ribbon of so many pixels between two points, with round ends, so that stretches join without a notch. */
 export const LINE_VERTEX = `${COMMON}
 uniform float u_width;
+uniform float u_nearer; // towards the eye: of two tracks over each other one is seen, not a mixture
 out vec3 v_place; // along and across in pixels, times w, and w: straight on the screen
 out float v_length;
 out vec3 v_colour;
@@ -39,6 +40,8 @@ out vec3 v_colour;
 void main() {
   vec4 from = czm_modelViewRelativeToEye * czm_translateRelativeToEye(fromCoarse.xyz, fromFine.xyz);
   vec4 to = czm_modelViewRelativeToEye * czm_translateRelativeToEye(toCoarse.xyz, toFine.xyz);
+  from.xyz *= u_nearer;
+  to.xyz *= u_nearer;
   float near = -max(czm_currentFrustum.x, 0.1);
   v_place = vec3(0.0, 0.0, 1.0);
   v_length = 0.0;
