@@ -1,6 +1,16 @@
 /** What stands on each tab: by its role and accessible name, with the words that have to be read in it. */
 export interface Part {
-  readonly role: "region" | "group" | "button" | "textbox" | "spinbutton" | "slider" | "combobox" | "tabpanel" | "img";
+  readonly role:
+    | "application"
+    | "button"
+    | "combobox"
+    | "group"
+    | "img"
+    | "region"
+    | "slider"
+    | "spinbutton"
+    | "tabpanel"
+    | "textbox";
   readonly name: string | RegExp;
   /** Labels, units and ranges in it. */
   readonly reads?: readonly (string | RegExp)[];
@@ -145,6 +155,21 @@ export const SCREENS: readonly Screen[] = [
       ].map((name): Part => ({ role: "button", name })),
     }),
   ),
+  {
+    tab: "AHRS 3D",
+    sub: "Actitud",
+    parts: [
+      { role: "application", name: "Avión en 3D" },
+      { role: "region", name: "Actitud y velocidades angulares", reads: ["Heading", "Pitch", "Roll", "P", "Q", "R"] },
+      ...["Alinear", "Quitar alineación", "Empezar la prueba AHRS"].map((name): Part => ({ role: "button", name })),
+      { role: "group", name: "Cámara", reads: ["Detrás", "Frente", "Arriba", "Lado"] },
+    ],
+  },
+  {
+    tab: "AHRS 3D",
+    sub: "Calibración del magnetómetro",
+    parts: ["Empezar a recoger", "Borrar", "Copiar", "Guardar CSV"].map((name): Part => ({ role: "button", name })),
+  },
   {
     tab: "Mensajes",
     sub: "Placa",
