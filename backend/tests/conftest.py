@@ -10,6 +10,7 @@ import pytest
 from hypothesis import HealthCheck, settings
 
 from tests.support.fake_board import FakeBoard
+from tests.support.firmware import lacking_for_images, make
 from tests.support.gateway import Gateway, running_gateway
 
 # A busy machine is slow: how long an example takes says nothing about whether it is right.
@@ -21,6 +22,14 @@ settings.load_profile("gateway")
 def anyio_backend() -> tuple[str, dict[str, Any]]:
     """Asynchronous tests run on the loop that the gateway runs on."""
     return "asyncio", {"use_uvloop": True}
+
+
+@pytest.fixture(scope="session")
+def built_images() -> None:
+    """The images of the board's processors, where this computer can build and run them."""
+    if reason := lacking_for_images():
+        pytest.skip(reason)
+    make("images")
 
 
 @pytest.fixture

@@ -13,6 +13,7 @@ from launcher.options import XPlane
 
 _REQUEST_TIMEOUT_S: Final = 10.0
 _POLL_S: Final = 0.05
+_COMMAND_TRIES: Final = 5
 
 Status = dict[str, Any]
 Problem = dict[str, Any]
@@ -61,10 +62,17 @@ class GatewayClient:
         self._request("PUT", "/api/v1/hil", {"source": source, "path": path})
 
     def command(self, name: str, value: float | None = None) -> None:
-        """Give a command to the board; raises LaunchError unless the board has taken it."""
-        result = self._request("POST", f"/api/v1/commands/{name}", {} if value is None else {"value": value})
-        if result["state"] not in {"confirmed", "sent"}:
-            raise LaunchError(f"The board did not take the command {name} ({result['state']}).")
+        """Give a command to the board, again where no answer came; raises LaunchError unless the board has taken it.
+
+        Only for commands that may as well come twice.
+        """
+        body = {} if value is None else {"value": value}
+        state = "timed_out"
+        for _ in range(_COMMAND_TRIES):
+            if state == "timed_out":
+                state = self._request("POST", f"/api/v1/commands/{name}", body)["state"]
+        if state not in {"confirmed", "sent"}:
+            raise LaunchError(f"The board did not take the command {name} ({state}).")
 
     def wait(
         self, what: str, condition: Callable[[Status], bool], timeout_s: float, check: Callable[[], None]

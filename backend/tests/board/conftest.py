@@ -8,7 +8,6 @@ from typing import Protocol
 
 import pytest
 
-from tests.board.emulated import lacking
 from tests.board.station import Board, Station
 from tests.support.firmware import make
 
@@ -16,14 +15,6 @@ from tests.support.firmware import make
 @pytest.fixture(scope="session")
 def built() -> None:
     make("board", "board-asan")
-
-
-@pytest.fixture(scope="session")
-def built_images() -> None:
-    """The images of the board's processors, where this computer can build and run them."""
-    if reason := lacking():
-        pytest.skip(reason)
-    make("images")
 
 
 @pytest.fixture(params=["posix", "posix-asan"], ids=["shipped", "sanitized"])

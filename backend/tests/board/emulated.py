@@ -2,25 +2,17 @@
 
 from __future__ import annotations
 
-import shutil
 import signal
 import subprocess
 import time
 from pathlib import Path
 from typing import Final
 
-from launcher.emulated import QEMU, EmulatedBoard
+from launcher.emulated import EmulatedBoard
 from tests.board.station import DEADLINE_S, VERSION, Station
 from tests.support.firmware import FIRMWARE
 
-COMPILER: Final = "arm-none-eabi-gcc"
 ASK_AGAIN_S: Final = 1.0
-
-
-def lacking() -> str | None:
-    """What this computer has not got to build and run images; None when it has it all."""
-    missing = [program for program in (COMPILER, QEMU) if shutil.which(program) is None]
-    return f"{' and '.join(missing)} cannot be installed here" if missing else None
 
 
 class Image:

@@ -17,6 +17,7 @@ import pytest
 from websockets.sync.client import connect
 
 from launcher.options import BOARD_PROGRAM
+from launcher.ports import listener_of
 from tests.support.ports import free_udp_port
 
 LOOPBACK = "127.0.0.1"
@@ -240,6 +241,17 @@ def test_a_board_that_is_real_is_opened_and_left_as_it_is(tmp_path: Path) -> Non
         assert "board" not in run.children()
         assert not run.autopilot_is_on()
     assert "left as they are" in run.said()
+
+
+def test_the_processor_s_image_takes_the_demonstration_board_s_place(built_images: None, tmp_path: Path) -> None:
+    with Run(tmp_path, "--board", "qemu") as run:
+        assert run.first_line() == f"{run.url}\n", run.said()
+        status = run.eventually(lambda status: flies(status) and run.autopilot_is_on())
+        port = int(status["board"]["url"].rpartition(":")[2])
+        assert status["board"]["url"] == f"tcp://{LOOPBACK}:{port}"
+        assert listener_of(port) is not None
+    assert run.process.returncode == 0
+    assert listener_of(port) is None
 
 
 def test_an_x_plane_takes_the_embedded_simulators_place_whenever_it_comes(tmp_path: Path) -> None:

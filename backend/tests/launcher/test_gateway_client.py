@@ -72,6 +72,22 @@ def test_a_command_that_the_board_does_not_take_is_told(gateway: tuple[GatewayCl
         client.command("autopilot_on")
 
 
+def test_a_command_without_an_answer_is_given_again(gateway: tuple[GatewayClient, Answers]) -> None:
+    client, answers = gateway
+    states = iter(["timed_out", "timed_out", "confirmed"])
+    answers.of["/api/v1/commands/autopilot_on"] = lambda _: (200, {"state": next(states)})
+    client.command("autopilot_on")
+    assert len(answers.requests) == 3
+
+
+def test_a_command_that_is_rejected_is_not_given_again(gateway: tuple[GatewayClient, Answers]) -> None:
+    client, answers = gateway
+    answers.of["/api/v1/commands/autopilot_on"] = lambda _: (200, {"state": "rejected"})
+    with pytest.raises(LaunchError):
+        client.command("autopilot_on")
+    assert len(answers.requests) == 1
+
+
 def test_a_refusal_is_told_in_the_gateways_own_words(gateway: tuple[GatewayClient, Answers]) -> None:
     client, answers = gateway
     problem = {"status": 422, "detail": "/dev/nothing does not exist.", "code": "port_missing"}

@@ -4,11 +4,15 @@ from __future__ import annotations
 
 import fcntl
 import os
+import shutil
 import subprocess
 from pathlib import Path
 from typing import Final
 
+from launcher.emulated import QEMU
+
 FIRMWARE: Final = Path(__file__).resolve().parents[3] / "firmware"
+_ARM_COMPILER: Final = "arm-none-eabi-gcc"
 
 
 def make(*targets: str) -> None:
@@ -22,3 +26,9 @@ def make(*targets: str) -> None:
     with (build / "tests.lock").open("w") as lock:
         fcntl.flock(lock, fcntl.LOCK_EX)
         subprocess.run(["make", "-s", "-C", str(FIRMWARE), *targets], env=environment, check=True)
+
+
+def lacking_for_images() -> str | None:
+    """What this computer has not got to build and run the processors' images; None when it has it all."""
+    missing = [program for program in (_ARM_COMPILER, QEMU) if shutil.which(program) is None]
+    return f"{' and '.join(missing)} cannot be installed here" if missing else None
