@@ -69,7 +69,7 @@ class TileSource(Protocol):
     def tile(self, zoom: int, column: int, row: int) -> Tile | None:
         """One tile; None where there is none. Rows from the north for imagery, as in the file's scheme for terrain.
 
-        Raises OSError or GatewayError where the file cannot be read.
+        Raises GatewayError where the file cannot be read.
         """
 
     def close(self) -> None:

@@ -51,7 +51,7 @@ class PmTiles:
         """One tile; rows from the north, as the file has them."""
         try:
             data = self._find(zxy_to_tileid(zoom, column, row))
-        except (EOFError, ValueError, IndexError, zlib.error) as error:
+        except (EOFError, OSError, ValueError, IndexError, zlib.error) as error:
             raise faults.damaged(self._name, type(error).__name__) from error
         return None if data is None else picture(data)
 

@@ -26,7 +26,7 @@ from gateway.services.maps.layer import Bounds
 MOST_TILES: Final = 400_000
 """About 3 GB. What is finer than this is not kept."""
 _HIGHEST_ZOOM: Final = 18
-_NICE: Final = 15
+_NICE: Final = 10
 _MOST_MEMORY_BYTES: Final = 4_000_000_000
 _PER_COMMIT: Final = 200
 _PACKING: Final = 6
@@ -63,7 +63,7 @@ def convert(raster: Path, target: Path, name: str, inside: str | None, told: Cal
 def highest_zoom(bounds: Bounds, pixel_deg: float) -> int:
     """The level whose points are about as far apart as the raster's, or the finest whose tiles are not too many."""
     zoom = min(_HIGHEST_ZOOM, max(0, round(math.log2(180.0 / CELLS / pixel_deg))))
-    while zoom > 0 and sum(1 for _ in _level(bounds, zoom)) > MOST_TILES:
+    while zoom > 0 and math.prod(map(len, _touched_at(bounds, zoom))) > MOST_TILES:
         zoom -= 1
     return zoom
 
@@ -104,11 +104,17 @@ def _tile(heights: Heights, zoom: int, column: int, row: int) -> bytes:
 
 
 def _level(bounds: Bounds, zoom: int) -> Iterator[tuple[int, int, int]]:
-    """The tiles of a level that touch the raster, rows from the south."""
+    """The tiles of a level that touch the raster."""
+    columns, rows = _touched_at(bounds, zoom)
+    return ((zoom, column, row) for column in columns for row in rows)
+
+
+def _touched_at(bounds: Bounds, zoom: int) -> tuple[range, range]:
+    """Their columns, and their rows from the south."""
     size_deg = 180.0 / (1 << zoom)
     columns = _touched((bounds.west_deg + 180.0) / size_deg, (bounds.east_deg + 180.0) / size_deg, 2 << zoom)
     rows = _touched((bounds.south_deg + 90.0) / size_deg, (bounds.north_deg + 90.0) / size_deg, 1 << zoom)
-    return ((zoom, column, row) for column in columns for row in rows)
+    return columns, rows
 
 
 def _touched(first: float, last: float, count: int) -> range:
