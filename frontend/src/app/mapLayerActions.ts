@@ -1,5 +1,5 @@
 import type { StreamEvent } from "../protocol/envelope";
-import { isMapImport, isMapLayers, type MapLayer } from "../protocol/mapLayers";
+import { isMapImport, isMapLayers, isMapOnline, type MapLayer } from "../protocol/mapLayers";
 import {
   createMapLayers,
   forgetImport,
@@ -11,6 +11,7 @@ import { failureMessage } from "../store/messages";
 import { type AskingParts, createAsking, info } from "./asking";
 
 const LAYERS = "/api/v1/map/layers";
+const ONLINE = "/api/v1/map/online";
 const IMPORTS = "/api/v1/map/imports";
 /** Gigabytes over a field's radio link. */
 const SEND_MS = 6 * 3600_000;
@@ -27,7 +28,12 @@ export function createMapLayerActions(parts: AskingParts): {
   const store: MapLayerStore = createMapLayers();
 
   async function read(): Promise<void> {
+    const asked = rest.ask("GET", ONLINE, isMapOnline);
     const answer = await rest.ask("GET", LAYERS, isMapLayers);
+    const online = await asked;
+    if (online.ok) {
+      store.setState({ online: online.value });
+    }
     store.setState(
       answer.ok ? { ...answer.value, failure: null } : { failure: failureMessage(answer.problem) },
     );
@@ -70,6 +76,21 @@ export function createMapLayerActions(parts: AskingParts): {
       run(asker, rest.ask("DELETE", `${LAYERS}/${id}`, isMapLayers), (value) => {
         store.setState(({ removed }) => ({ ...value, removed: [{ id, name }, ...removed] }));
         return { state: "confirmed", message: info("map.layers.saidRemoved", { name }) };
+      }),
+
+    chooseOnline: (choice, asker) =>
+      run(asker, rest.ask("PUT", ONLINE, isMapOnline, choice), (online) => {
+        store.setState({ online });
+        // Its sources are layers like others.
+        void read();
+        const key = online.enabled ? "map.online.saidOn" : "map.online.saidOff";
+        return { state: "confirmed", message: info(key) };
+      }),
+
+    clearOnline: (asker) =>
+      run(asker, rest.ask("DELETE", `${ONLINE}/cache`, isMapOnline), (online) => {
+        store.setState({ online });
+        return { state: "confirmed", message: info("map.online.saidCleared") };
       }),
 
     restore: ({ id, name }: Named, asker) =>

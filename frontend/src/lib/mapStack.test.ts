@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import { addressFault, movedLayer, rememberedStack, stackOf, withLayer } from "./mapStack";
+import { addressFault, movedLayer, rememberedStack, sourceId, stackOf, withLayer } from "./mapStack";
 
 const file = (id: string) => ({ id, isOnByItself: true });
 const online = (id: string) => ({ id, isOnByItself: false });
@@ -62,4 +62,12 @@ describe("the address of an online source", () => {
   ])("%s is refused", (url, fault) => {
     expect(addressFault(url)).toBe(fault);
   });
+});
+
+test.each([
+  ["OpenStreetMap", "openstreetmap"],
+  ["PNOA máxima (2024)", "pnoa-maxima-2024"],
+  ["¡!", ""],
+])("the id of %s is '%s'", (name, id) => {
+  expect(sourceId(name)).toBe(id);
 });

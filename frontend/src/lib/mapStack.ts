@@ -82,3 +82,16 @@ export function addressFault(url: string): AddressFault | null {
   }
   return URL.canParse(url.replace(/\{[zxy]\}/g, "0")) ? null : "unreadable";
 }
+
+const LONGEST_ID = 32;
+
+/** The id of a source by its name, in the letters that a gateway's id has; empty where the name has none of them. */
+export function sourceId(name: string): string {
+  return name
+    .normalize("NFD")
+    .replace(/[\u0300-\u036f]/g, "")
+    .toLowerCase()
+    .replace(/[^a-z0-9]+/g, "-")
+    .slice(0, LONGEST_ID)
+    .replace(/^-+|-+$/g, "");
+}

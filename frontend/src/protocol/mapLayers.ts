@@ -1,4 +1,4 @@
-import { type Checked, isNumber, isObject, isText, list, nullable, oneOf, shape } from "../lib/check";
+import { type Checked, isFlag, isNumber, isObject, isText, list, nullable, oneOf, shape } from "../lib/check";
 import type { components } from "./api.gen";
 
 /** Why something cannot be used: one English sentence, and its code with values for a sentence of another language. */
@@ -41,6 +41,32 @@ export const isMapImport = shape({
 });
 export type MapImport = Checked<typeof isMapImport>;
 
+const isOnlineSource = shape({
+  id: isText,
+  name: isText,
+  url: isText,
+  attribution: isText,
+  maximum_zoom: isNumber,
+  ...problem,
+});
+export type OnlineSource = Checked<typeof isOnlineSource>;
+
+/** Maps of the internet: off until somebody switches them on. */
+export const isMapOnline = shape({
+  enabled: isFlag,
+  limit_bytes: isNumber,
+  cached_bytes: isNumber,
+  sources: list(isOnlineSource),
+});
+export type MapOnline = Checked<typeof isMapOnline>;
+
+/** What a person chooses of it. */
+export interface OnlineChoice {
+  readonly enabled: boolean;
+  readonly limit_bytes: number;
+  readonly sources: readonly Pick<OnlineSource, "id" | "name" | "url" | "attribution" | "maximum_zoom">[];
+}
+
 /** The kinds of files that hold maps. */
 export const MAP_FILES = ".mbtiles,.pmtiles,.tif,.tiff,.hgt,.zip";
 
@@ -50,3 +76,6 @@ export const layersAreAsDescribed: Described["MapLayers"] extends Checked<typeof
   true;
 export const importIsAsDescribed: Described["MapImport"] extends Checked<typeof isMapImport> ? true : false =
   true;
+export const onlineIsAsDescribed: Described["OnlineState"] extends Checked<typeof isMapOnline>
+  ? true
+  : false = true;

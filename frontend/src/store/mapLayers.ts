@@ -1,5 +1,5 @@
 import { createStore, type StoreApi } from "zustand/vanilla";
-import type { MapImport, MapLayer } from "../protocol/mapLayers";
+import type { MapImport, MapLayer, MapOnline, OnlineChoice } from "../protocol/mapLayers";
 import type { Asker } from "./actions";
 import type { Message } from "./messages";
 
@@ -14,6 +14,8 @@ export interface MapLayers {
   readonly imports: Readonly<Record<string, MapImport>>;
   /** Layers that were taken out here and can be brought back, the newest first. */
   readonly removed: readonly Pick<MapLayer, "id" | "name">[];
+  /** Null until the gateway has told. */
+  readonly online: MapOnline | null;
 }
 
 export type MapLayerStore = StoreApi<MapLayers>;
@@ -27,6 +29,8 @@ export interface MapLayerActions {
   readonly cancelImport: (id: string, asker: Asker) => Promise<void>;
   readonly forgetImport: (id: string) => void;
   readonly remove: (layer: Pick<MapLayer, "id" | "name">, asker: Asker) => Promise<void>;
+  readonly chooseOnline: (choice: OnlineChoice, asker: Asker) => Promise<void>;
+  readonly clearOnline: (asker: Asker) => Promise<void>;
   readonly restore: (layer: Pick<MapLayer, "id" | "name">, asker: Asker) => Promise<void>;
 }
 
@@ -37,6 +41,7 @@ export function createMapLayers(): MapLayerStore {
     failure: null,
     imports: {},
     removed: [],
+    online: null,
   }));
 }
 
