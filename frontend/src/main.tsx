@@ -27,5 +27,13 @@ createRoot(root).render(
   </StrictMode>,
 );
 start();
-// Once the page stands.
-setTimeout(() => void loadParts(), 1000);
+// Once the page stands. Who has opened the map here before will open it again: its engine comes when nothing else does.
+setTimeout(() => {
+  void loadParts().then(() => {
+    if (page.settings.getState().choices["map.opened"] === "yes") {
+      (window.requestIdleCallback ?? setTimeout)(
+        () => void import("./scene/globe/kept").catch(() => undefined),
+      );
+    }
+  });
+}, 1000);

@@ -34,6 +34,7 @@ export class Globe {
   readonly ground: Ground;
   readonly #element = document.createElement("div");
   readonly #listeners = new Set<(now_ms: number) => void>();
+  readonly #owned = new Set<() => void>();
   readonly #budget: FrameBudget;
   readonly #cost: FrameCost;
   #handle: number | null = null;
@@ -115,8 +116,16 @@ export class Globe {
     return () => this.#listeners.delete(listener);
   }
 
+  /** Called when it goes, before its scene does. */
+  onDispose(listener: () => void): void {
+    this.#owned.add(listener);
+  }
+
   dispose(): void {
     this.detach();
+    for (const end of this.#owned) {
+      end();
+    }
     this.#listeners.clear();
     this.widget.destroy();
   }

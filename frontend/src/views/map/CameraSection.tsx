@@ -6,6 +6,7 @@ import type { Whose } from "../../lib/mapThing";
 import type { FlightScene } from "../../scene/aircraft/FlightScene";
 import { usePage, useSettings, useTelemetry } from "../../store/hooks";
 import { choose } from "../../store/settings";
+import type { TelemetryStore } from "../../store/telemetry";
 import { usePaint } from "../../store/usePaint";
 import { Checkbox } from "../../ui/Checkbox";
 import { Panel } from "../../ui/Panel";
@@ -26,6 +27,7 @@ export function CameraSection() {
   const scene = useFlightScene();
   const mode = useCameraMode();
   const followed = useFollowed();
+  const cameras = { follow: t("map.view.follow"), free: t("map.view.free"), cockpit: t("map.view.cockpit") };
   const names = { flight: t("map.view.real"), hil: t("map.view.hil") };
   const [heading, pitch, roll] = [
     useRef<ReadoutHandle>(null),
@@ -39,6 +41,20 @@ export function CameraSection() {
     roll.current?.paint(formatFixed(roll_deg === null ? null : signed(roll_deg), 1), "live");
   }, [scene, heading, pitch, roll]);
   usePaint("text", paint);
+  const rate = useRef<ReadoutHandle>(null);
+  const counted = useRef({ drawn: 0, at_ms: 0 });
+  const paintRate = useCallback(
+    (_: TelemetryStore, now_ms: number) => {
+      const { drawn, at_ms } = counted.current;
+      const passed_s = (now_ms - at_ms) / 1000;
+      if (globe !== null && passed_s >= 1) {
+        rate.current?.paint(formatFixed((globe.drawn - drawn) / passed_s, 0), "live");
+        counted.current = { drawn: globe.drawn, at_ms: now_ms };
+      }
+    },
+    [globe],
+  );
+  usePaint("text", paintRate);
   useGraticule();
   useKeys(scene);
   const hasGraticule = useSettings(({ choices }) => choices[GRATICULE_CHOICE] !== "off");
@@ -47,7 +63,7 @@ export function CameraSection() {
       <SegmentedSwitch
         label={t("map.view.camera")}
         hideLabel
-        options={CAMERAS.map((value) => ({ value, label: t(`map.view.${value}`) }))}
+        options={CAMERAS.map((value) => ({ value, label: cameras[value] }))}
         value={mode}
         onChange={(value) => choose(settings, CAMERA_CHOICE, value)}
       />
@@ -61,10 +77,11 @@ export function CameraSection() {
       {WHOSE.map((whose) => (
         <HowShown key={whose} whose={whose} name={names[whose]} />
       ))}
-      <ReadoutGrid columns={3}>
+      <ReadoutGrid columns={1}>
         <Readout ref={heading} label={t("map.view.eyeHeading")} unit={t("unit.deg")} chars={5} />
         <Readout ref={pitch} label={t("map.view.eyePitch")} unit={t("unit.deg")} chars={5} />
         <Readout ref={roll} label={t("map.view.eyeRoll")} unit={t("unit.deg")} chars={5} />
+        <Readout ref={rate} label={t("map.view.drawn")} unit={t("map.view.perSecond")} chars={3} />
       </ReadoutGrid>
       <Checkbox
         label={t("map.view.graticule")}

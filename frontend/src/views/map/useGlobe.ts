@@ -33,7 +33,7 @@ export function useGlobeLayer<L extends Layer>(
     }
     const made = layers.get(globe) ?? new Map<string, Promise<Layer>>();
     layers.set(globe, made);
-    const promised = made.get(name) ?? load().then((Made) => new Made(globe));
+    const promised = made.get(name) ?? load().then((Made) => owned(globe, new Made(globe)));
     made.set(name, promised);
     let isWanted = true;
     promised.then(
@@ -46,5 +46,11 @@ export function useGlobeLayer<L extends Layer>(
       setLayer(null);
     };
   }, [globe, name]);
+  return layer;
+}
+
+/** A layer goes with its globe. */
+function owned(globe: Globe, layer: Layer): Layer {
+  globe.onDispose(() => layer.dispose());
   return layer;
 }
