@@ -31,6 +31,8 @@ export default defineConfig({
               name: "framework",
               test: /node_modules[\\/](react|react-dom|scheduler|i18next|react-i18next|zustand)[\\/]/,
             },
+            // In one piece, and in no other: only the map's tab asks for it.
+            { name: "globe-engine", test: /node_modules[\\/]@cesium[\\/]/ },
             { name: "words", test: /src[\\/]i18n[\\/].*\.json$/ },
           ],
         },

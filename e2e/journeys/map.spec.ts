@@ -1,0 +1,76 @@
+import type { Page } from "@playwright/test";
+import { attitude, expect, open, test } from "../support/fixtures.js";
+
+/** Drawn by the processor alone, the first pictures of the ground take their time. */
+const DRAWN_MS = 90_000;
+
+async function openMap(page: Page): Promise<void> {
+  await page.getByRole("tab", { name: "Mapa 3D", exact: true }).click();
+  await expect(page.locator(".map-host canvas")).toBeVisible({ timeout: DRAWN_MS });
+}
+
+/** A camera's angle as the panel tells it. */
+async function eye(page: Page, name: string): Promise<number> {
+  const row = page.locator(".map-camera .ui-readout", { has: page.getByText(name, { exact: true }) });
+  return Number((await row.locator(".ui-readout-number").innerText()).replace(",", "."));
+}
+
+/** What the attitude indicator shows at this moment. */
+async function indicated(page: Page): Promise<{ pitch_deg: number; roll_deg: number }> {
+  const { pitchDeg, rollDeg } = await attitude(page).evaluate((element) => ({
+    ...(element as HTMLElement).dataset,
+  }));
+  return { pitch_deg: Number(pitchDeg), roll_deg: Number(rollDeg) };
+}
+
+test("the page without the map loads nothing of the globe", async ({ page, flying }) => {
+  const asked: string[] = [];
+  page.on("request", (request) => asked.push(new URL(request.url()).pathname));
+  await open(page, flying);
+  // The parts that are loaded ahead are there when the last of them is.
+  await expect.poll(() => asked.some((path) => path.includes("GuideContent")), { timeout: DRAWN_MS }).toBe(true);
+  expect(asked.filter((path) => /cesium|globe-engine|coastline/i.test(path))).toEqual([]);
+});
+
+test("the globe shows the flight from behind and from the cockpit, and asks nobody but the gateway", async ({
+  page,
+  flying,
+}) => {
+  await open(page, flying);
+  await openMap(page);
+  const panel = page.locator(".map-camera");
+  await expect(panel.getByText("HIL: en vivo")).toBeVisible({ timeout: DRAWN_MS });
+
+  // Behind and above the aircraft, until it is turned.
+  await expect.poll(() => eye(page, "Cabeceo"), { timeout: DRAWN_MS }).toBeCloseTo(-14, 0);
+  await page.locator(".map-host").focus();
+  await page.keyboard.press("ArrowUp");
+  await page.keyboard.press("ArrowUp");
+  await expect.poll(() => eye(page, "Cabeceo"), { timeout: DRAWN_MS }).toBeLessThan(-20);
+
+  // The cockpit's horizon is the attitude indicator's: its aircraft is the simulator's too.
+  await panel.getByText("Cabina", { exact: true }).click();
+  await expect(async () => {
+    const before = await indicated(page);
+    const [pitch_deg, roll_deg] = [await eye(page, "Cabeceo"), await eye(page, "Alabeo")];
+    const after = await indicated(page);
+    // Both move while they are read, and the globe is drawn a few times a second.
+    const room_deg = 3 + Math.abs(after.roll_deg - before.roll_deg) + Math.abs(after.pitch_deg - before.pitch_deg);
+    expect(Math.abs(pitch_deg - after.pitch_deg)).toBeLessThan(room_deg);
+    expect(Math.abs(roll_deg - after.roll_deg)).toBeLessThan(room_deg);
+  }).toPass({ timeout: DRAWN_MS });
+
+  // A key goes round the cameras, wherever the focus is.
+  await page.keyboard.press("v");
+  await expect(panel.getByRole("radio", { name: "Seguir" })).toBeChecked();
+});
+
+test("a globe on which nothing moves is not drawn", async ({ page, station }) => {
+  await open(page, station);
+  await openMap(page);
+  await page.locator(".map-camera").getByText("Libre", { exact: true }).click();
+  // The number comes anew each second; the ground's pictures have come when it stays at none.
+  await expect
+    .poll(async () => [await eye(page, "Dibujado"), await eye(page, "Cabeceo")], { timeout: DRAWN_MS })
+    .toEqual([0, -40]);
+});
