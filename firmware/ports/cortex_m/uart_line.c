@@ -19,6 +19,8 @@ static struct
 {
     byte_ring_t received; ///< interrupt to task
     byte_ring_t sending;  ///< task to interrupt
+    bool is_held_back;    ///< the receiver's interrupt is off, as there is no room
+    bool is_sending;      ///< the transmitter's interrupt is on
     uint8_t received_bytes[ring_bytes];
     uint8_t sending_bytes[ring_bytes];
     uart_interrupt_t interrupt;
@@ -44,7 +46,11 @@ static bool fetch(void)
         has_fetched = true;
         is_end = is_end || byte == (uint8_t)'\n';
     }
-    machine_uart_watch_receiver(byte_ring_room(&line.received) > 0U);
+    if (byte_ring_room(&line.received) == 0U)
+    {
+        line.is_held_back = true;
+        machine_uart_watch_receiver(false);
+    }
     return has_fetched && (is_end || held() >= wake_bytes);
 }
 
@@ -56,6 +62,10 @@ static bool wake(void)
 
 static void transmit(void)
 {
+    if (!line.is_sending)
+    {
+        return;
+    }
     const uint8_t* bytes = NULL;
     size_t size = byte_ring_peek(&line.sending, &bytes);
     while (size > 0U && machine_uart_transmit(bytes[0]))
@@ -65,6 +75,7 @@ static void transmit(void)
     }
     if (size == 0U)
     {
+        line.is_sending = false;
         machine_uart_watch_transmitter(false);
     }
 }
@@ -88,11 +99,11 @@ void vApplicationTickHook(void)
 static size_t uart_read(void* context, uint8_t* bytes, size_t capacity)
 {
     (void)context;
-    const bool was_full = byte_ring_room(&line.received) == 0U;
     const size_t count = byte_ring_take(&line.received, bytes, capacity);
-    if (was_full)
+    if (line.is_held_back)
     {
         taskENTER_CRITICAL();
+        line.is_held_back = false;
         machine_uart_watch_receiver(true);
         taskEXIT_CRITICAL();
     }
@@ -106,6 +117,7 @@ static size_t uart_write(void* context, const uint8_t* bytes, size_t size)
     if (count > 0U)
     {
         taskENTER_CRITICAL();
+        line.is_sending = true;
         machine_uart_watch_transmitter(true);
         taskEXIT_CRITICAL();
     }
