@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from urllib.parse import parse_qs, urlsplit
 
 import httpx
@@ -88,6 +89,46 @@ def test_the_live_document_shows_both_aircraft_with_their_attitude(emulated: Gat
     place = child_texts(model.find("{*}Location"))
     assert [view[name] for name in ("longitude", "latitude", "altitude")] == list(place.values())
     assert "Altitude: " in texts(data, "description")[0]
+
+
+def test_a_client_that_follows_the_link_sees_the_aircraft_fly_each_second(emulated: Gateway) -> None:
+    """As Google Earth does: opens the link once, then asks for what it names as often as it says."""
+    link = element(get(emulated, "/earth.kml?follow=hil&lang=en"), "Link")
+    said = child_texts(link)
+    assert (said["refreshMode"], said["refreshInterval"]) == ("onInterval", "1")
+    seen: list[tuple[str, str]] = []
+    headings: list[float] = []
+    with httpx.Client() as client:
+        for look in range(3):
+            if look > 0:
+                time.sleep(float(said["refreshInterval"]))  # what a client of this link does, not waiting for something
+            answer = client.get(said["href"]).raise_for_status()
+            assert schema_faults(answer.content) == []
+            assert answer.headers["cache-control"] == "no-store", "an old answer is no flight"
+            models = {
+                one.getparent().getparent().findtext("{*}name"): one
+                for one in etree.fromstring(answer.content).iter("{*}Model")
+            }
+            model = models["HIL aircraft (emulation)"]
+            place, turn = (child_texts(model.find(f"{{*}}{name}")) for name in ("Location", "Orientation"))
+            view = child_texts(element(answer.content, "LookAt"))
+            assert [view[name] for name in ("longitude", "latitude", "altitude")] == list(place.values())
+            assert view["heading"] == turn["heading"], "the view stays behind the aircraft"
+            seen.append((place["longitude"], place["latitude"]))
+            headings.append(float(turn["heading"]))
+    assert len(set(seen)) == len(seen)
+    assert len(set(headings)) == len(headings), "it turns with the example flight"
+
+
+def test_everything_that_the_link_leads_to_is_in_its_language(emulated: Gateway) -> None:
+    for lang, aircraft, track in (("es", "Aeronave", "Track HIL"), ("en", "Aircraft", "HIL track")):
+        data = get(emulated, f"/earth.kml?lang={lang}")
+        found = texts(data, "name")
+        for href in texts(data, "href"):
+            assert parse_qs(urlsplit(href).query)["lang"] == [lang]
+            found += texts(httpx.get(href).raise_for_status().content, "name")
+        assert any(name.startswith(aircraft) for name in found)
+        assert track in found
 
 
 def test_the_model_is_a_file_that_can_be_had(emulated: Gateway) -> None:

@@ -7,6 +7,7 @@ import struct
 import zipfile
 from typing import Any, NamedTuple
 
+import numpy as np
 import pytest
 from lxml import etree
 
@@ -121,6 +122,29 @@ def test_every_file_holds_every_point_of_a_flight_that_is_over(gateway: Gateway)
     assert len(hil["orientation"]["unitQuaternion"]) == 5 * 9000
 
 
+def test_every_sample_that_the_board_sent_is_in_every_file_as_it_was_sent(gateway: Gateway, board: FakeBoard) -> None:
+    """More than a block of them, through the line; to 1e-7 degrees and a millimetre of what its float32 said."""
+    gateway.open_board(board.url)
+    turn_rad = np.linspace(0.0, 25.0, 4300)
+    sent = np.stack([-15.38 + 0.01 * np.sin(turn_rad), 27.93 + 0.01 * np.cos(turn_rad), 300.0 + 9.0 * turn_rad], axis=1)
+    for longitude_deg, latitude_deg, altitude_m in sent.tolist():
+        board.send_gps(latitude_deg, longitude_deg, altitude_m)
+    eventually(lambda: points(gateway)[0] == len(sent), "all of it is heard")
+    held = {
+        "kml": kml_line(get_kml(gateway, "/track.kml")),
+        "kmz": kml_line(kmz_document(gateway)),
+        "gpx": [
+            [float(at.get("lon")), float(at.get("lat")), float(at.findtext(f"{GPX}ele"))]
+            for at in etree.fromstring(gateway.http.get("/track.gpx").content).iter(f"{GPX}trkpt")
+        ],
+        "czml": czml_places(gateway),
+    }
+    for kind, found in held.items():
+        assert len(found) == len(sent), kind
+        away = np.abs(np.asarray(found) - sent.astype(np.float32).astype(np.float64)).max(axis=0)
+        assert (away < (1e-7, 1e-7, 1e-3)).all(), (kind, away)
+
+
 @pytest.mark.parametrize("kind", ["kml", "kmz", "gpx", "czml"])
 def test_an_empty_track_is_a_file_too(gateway: Gateway, kind: str) -> None:
     answer = gateway.http.get(f"/track.{kind}?lang=en").raise_for_status()
@@ -212,6 +236,25 @@ def test_who_has_no_control_cannot_clear_the_track(gateway: Gateway) -> None:
         gateway.http.post("/control", json=body).raise_for_status()
         for path in ("/track/reset", "/track/restore"):
             assert gateway.http.post(path).json()["code"] == "control_held"
+
+
+def kml_line(document: bytes) -> list[list[float]]:
+    """Longitude, latitude, altitude of each point of the first line."""
+    line = next(line for line in texts(document, "coordinates") if len(line.split()) > 1)
+    return [[float(number) for number in position.split(",")] for position in line.split()]
+
+
+def czml_places(gateway: Gateway) -> list[list[float]]:
+    """The same of the real track, whose packet comes after the document's."""
+    numbers = gateway.http.get("/track.czml").raise_for_status().json()[1]["position"]["cartographicDegrees"]
+    return [numbers[at + 1 : at + 4] for at in range(0, len(numbers), 4)]
+
+
+def kmz_document(gateway: Gateway) -> bytes:
+    with zipfile.ZipFile(io.BytesIO(gateway.http.get("/track.kmz").raise_for_status().content)) as archive:
+        document = archive.read("doc.kml")
+    assert schema_faults(document) == []
+    return document
 
 
 def fly(gateway: Gateway, board: FakeBoard, latitudes_deg: list[float]) -> None:

@@ -105,7 +105,14 @@ async def get_track_gpx(station: StationDep, points: MostPoints = None, lang: La
     return _streamed(gpx_track_pieces(tracks), gpx_track.MEDIA_TYPE, words.track, "gpx")
 
 
-@router.get("/track.czml", response_class=Response, responses=file_answer(czml.MEDIA_TYPE))
+@router.get(
+    "/track.czml",
+    response_class=Response,
+    responses={
+        200: {"content": {czml.MEDIA_TYPE: {"schema": {"type": "array", "items": {"type": "object"}}}}},
+        **reading_problems(),
+    },
+)
 async def get_track_czml(station: StationDep, points: MostPoints = None, lang: Lang = "es") -> StreamingResponse:
     """The flown tracks as CZML: place and time of every point, and the attitude where it was live."""
     words = WORDS[lang]
