@@ -1,3 +1,4 @@
+import { NUMBER_PERIOD_MS, Pace } from "../lib/pace";
 import { RedrawBudget } from "./budget";
 
 /** Where displayed frames come from: the browser's, or a test's. */
@@ -12,9 +13,6 @@ export interface FrameSource {
 export type PaintRate = "frame" | "text";
 export type Paint = (now_ms: number) => void;
 
-/** A little under a tenth of a second, or every other round would wait one frame of 60 Hz more. */
-const TEXT_PERIOD_MS = 95;
-
 /**
  * The one animation-frame loop of the page. Painters of a rate run together, so layout happens once; frames in which
  * nothing new arrived paint nothing but the tenth-of-a-second texts, which also find what has become stale. Where
@@ -28,7 +26,7 @@ export class Pump {
   readonly #budget = new RedrawBudget();
   #painted = -1;
   #frame_ms = Number.NEGATIVE_INFINITY;
-  #text_ms = Number.NEGATIVE_INFINITY;
+  readonly #texts = new Pace(NUMBER_PERIOD_MS);
   #now_ms: number;
 
   /** `revision` tells whether there is anything new: it differs from the last call's when there is. */
@@ -48,7 +46,7 @@ export class Pump {
     const painters = this.#painters[rate];
     painters.add(paint);
     this.#painted = -1;
-    this.#text_ms = Number.NEGATIVE_INFINITY;
+    this.#texts.reset();
     this.#handle ??= this.#frames.request(this.#frame);
     return () => {
       painters.delete(paint);
@@ -65,7 +63,7 @@ export class Pump {
   readonly #frame = (now_ms: number): void => {
     // Asked for first, so that a painter which throws does not stop the others for ever.
     this.#handle = this.#frames.request(this.#frame);
-    const textIsDue = now_ms - this.#text_ms >= TEXT_PERIOD_MS;
+    const textIsDue = this.#texts.due(now_ms);
     const revision = this.#revision();
     const frameIsDue = now_ms - this.#frame_ms >= this.#budget.period_ms;
     if (textIsDue || (frameIsDue && revision !== this.#painted)) {
@@ -77,7 +75,6 @@ export class Pump {
       }
     }
     if (textIsDue) {
-      this.#text_ms = now_ms;
       this.#now_ms = now_ms;
       for (const paint of this.#painters.text) {
         paint(now_ms);

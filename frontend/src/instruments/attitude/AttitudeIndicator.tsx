@@ -1,15 +1,9 @@
 import { type Ref, useImperativeHandle, useRef } from "react";
+import { DESCRIPTION_PERIOD_MS, Pace } from "../../lib/pace";
 import { Dial, type DialProps } from "../dial/Dial";
 import { Layer, RoundWindow } from "../dial/Layer";
 import { layerTransform, setTransform } from "../dial/layer";
-import {
-  attributeNumber,
-  DESCRIPTION_PERIOD_MS,
-  Pace,
-  removeAttribute,
-  setAttribute,
-  setText,
-} from "../dial/paint";
+import { attributeNumber, removeAttribute, setAttribute, setText } from "../dial/paint";
 import "./attitude.css";
 import {
   type Attitude,

@@ -1,15 +1,9 @@
 import { type Ref, useImperativeHandle, useRef } from "react";
+import { DESCRIPTION_PERIOD_MS, Pace } from "../../lib/pace";
 import { InstrumentFrame } from "../dial/Dial";
 import { Layer } from "../dial/Layer";
 import { layerTransform, setTransform } from "../dial/layer";
-import {
-  attributeNumber,
-  DESCRIPTION_PERIOD_MS,
-  Pace,
-  removeAttribute,
-  setAttribute,
-  setText,
-} from "../dial/paint";
+import { attributeNumber, removeAttribute, setAttribute, setText } from "../dial/paint";
 import "./controls.css";
 import {
   areControls,

@@ -1,16 +1,9 @@
 import { type Ref, useImperativeHandle, useRef } from "react";
+import { DESCRIPTION_PERIOD_MS, NUMBER_PERIOD_MS, Pace } from "../../lib/pace";
 import { Dial, type DialProps } from "./Dial";
 import { Layer } from "./Layer";
 import { layerTransform, setTransform } from "./layer";
-import {
-  attributeNumber,
-  DESCRIPTION_PERIOD_MS,
-  NUMBER_PERIOD_MS,
-  Pace,
-  removeAttribute,
-  setAttribute,
-  setText,
-} from "./paint";
+import { attributeNumber, removeAttribute, setAttribute, setText } from "./paint";
 import { isDrawable, type Reach, round } from "./scale";
 
 export interface DialHandle {

@@ -1,7 +1,6 @@
 // @vitest-environment jsdom
-// @vitest-environment jsdom
 import { expect, test } from "vitest";
-import { attributeNumber, Pace, removeAttribute, setAttribute, setText } from "./paint";
+import { attributeNumber, removeAttribute, setAttribute, setText } from "./paint";
 
 /** Counts how often an element is really written to. */
 async function writesTo(element: Element, act: () => void): Promise<number> {
@@ -41,18 +40,4 @@ test("no minus stands before a zero", () => {
   expect(attributeNumber(-0, 0)).toBe("0");
   expect(attributeNumber(-0.05, 1)).toBe("-0.1");
   expect(attributeNumber(30, 1)).toBe("30.0");
-});
-
-test("a pace answers yes once in its period, at once at first, and at once after a reset", () => {
-  const pace = new Pace(100);
-  expect([0, 50, 99, 100, 150, 201].map((now_ms) => pace.due(now_ms))).toEqual([
-    true,
-    false,
-    false,
-    true,
-    false,
-    true,
-  ]);
-  pace.reset();
-  expect(pace.due(202)).toBe(true);
 });

@@ -28,32 +28,3 @@ export function attributeNumber(value: number, decimals: number): string {
   const text = value.toFixed(decimals);
   return Number(text) === 0 ? (0).toFixed(decimals) : text;
 }
-
-/** Numbers in words change this often: faster than that nobody can read them. */
-export const NUMBER_PERIOD_MS = 100;
-
-/** Descriptions for screen readers change this often. */
-export const DESCRIPTION_PERIOD_MS = 500;
-
-/** Lets something slow follow something fast: true at most once in a period. */
-export class Pace {
-  readonly #period_ms: number;
-  #last_ms = Number.NEGATIVE_INFINITY;
-
-  constructor(period_ms: number) {
-    this.#period_ms = period_ms;
-  }
-
-  due(now_ms: number): boolean {
-    if (now_ms - this.#last_ms < this.#period_ms) {
-      return false;
-    }
-    this.#last_ms = now_ms;
-    return true;
-  }
-
-  /** The next question is answered with yes: after a pause the first value must show at once. */
-  reset(): void {
-    this.#last_ms = Number.NEGATIVE_INFINITY;
-  }
-}

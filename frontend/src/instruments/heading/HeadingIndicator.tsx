@@ -1,8 +1,9 @@
 import { type Ref, useImperativeHandle, useMemo, useRef } from "react";
+import { DESCRIPTION_PERIOD_MS, Pace } from "../../lib/pace";
 import { Dial, type DialProps } from "../dial/Dial";
 import { Layer } from "../dial/Layer";
 import { layerTransform, setTransform } from "../dial/layer";
-import { DESCRIPTION_PERIOD_MS, Pace, removeAttribute, setAttribute, setText } from "../dial/paint";
+import { removeAttribute, setAttribute, setText } from "../dial/paint";
 import { isDrawable } from "../dial/scale";
 import {
   attributeBearing,

@@ -1,12 +1,6 @@
 import { type Ref, useImperativeHandle, useRef } from "react";
-import {
-  attributeNumber,
-  NUMBER_PERIOD_MS,
-  Pace,
-  removeAttribute,
-  setAttribute,
-  setText,
-} from "../dial/paint";
+import { NUMBER_PERIOD_MS, Pace } from "../../lib/pace";
+import { attributeNumber, removeAttribute, setAttribute, setText } from "../dial/paint";
 import { isDrawable } from "../dial/scale";
 import { fillTransform, markerTransform, type Orientation, type ServoKind, servoBar } from "./geometry";
 import "./servo.css";
