@@ -141,19 +141,20 @@ class Station:
         """Bytes that wait to be read."""
         return int.from_bytes(fcntl.ioctl(self._fd, termios.FIONREAD, bytes(4)), sys.byteorder)
 
-    def pump(self, timeout_s: float) -> None:
-        """Take in what there is, waiting for it at most so long."""
+    def pump(self, timeout_s: float, most: int = 65536) -> int:
+        """Take in what there is, at most so many bytes, waiting for it at most so long; how many came."""
         readable, _, _ = select.select([self._fd], [], [], timeout_s)
         if not readable:
-            return
+            return 0
         try:
-            chunk = os.read(self._fd, 65536)
+            chunk = os.read(self._fd, most)
         except BlockingIOError:
-            return
+            return 0
         except ConnectionResetError:
             chunk = b""
         self.is_closed = chunk == b""
         self.take(chunk)
+        return len(chunk)
 
     def take(self, chunk: bytes) -> None:
         self.received += chunk

@@ -14,10 +14,9 @@ line runs from the waypoint before (for the first leg: from where the plan was l
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Final
+from typing import Final, Protocol, TypeVar
 
 from gateway.codec.tables import Waypoint
-from tests.flight.closed_loop import Sample
 
 ALTITUDE_BAND_FT: Final = 30.0
 SPEED_BAND_KT: Final = 1.0
@@ -25,6 +24,34 @@ SPEED_BAND_KT: Final = 1.0
 REACHED_M: Final = 205.0
 
 _METRES_PER_DEGREE: Final = 111_195.0
+
+
+class State(Protocol):
+    """What of the aircraft is measured: degrees, feet above sea level, indicated knots."""
+
+    @property
+    def latitude_deg(self) -> float: ...
+    @property
+    def longitude_deg(self) -> float: ...
+    @property
+    def altitude_ft(self) -> float: ...
+    @property
+    def airspeed_indicated_kt(self) -> float: ...
+
+
+class Sample(Protocol):
+    """One instant of a flight, from whatever flew it."""
+
+    @property
+    def time_s(self) -> float: ...
+    @property
+    def state(self) -> State: ...
+    @property
+    def waypoint(self) -> int:
+        """From 0; -1 without a plan."""
+
+
+AnySample = TypeVar("AnySample", bound=Sample)
 
 
 @dataclass(frozen=True, slots=True)
@@ -113,7 +140,7 @@ def is_near(sample: Sample, waypoint: Waypoint) -> bool:
     return math.hypot(*_metres(place, (sample.state.latitude_deg, sample.state.longitude_deg))) <= REACHED_M
 
 
-def settling_s(samples: Sequence[Sample], error: Callable[[Sample], float], band: float) -> float:
+def settling_s(samples: Sequence[AnySample], error: Callable[[AnySample], float], band: float) -> float:
     """Time from the first sample to the last one whose error is outside the band."""
     outside = [sample.time_s for sample in samples if abs(error(sample)) > band]
     return outside[-1] - samples[0].time_s if outside else 0.0

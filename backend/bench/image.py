@@ -1,0 +1,132 @@
+"""The Gando circuit at real time, flown by the STM32F405's own image under QEMU, as `make run BOARD=qemu` flies it."""
+
+from __future__ import annotations
+
+import contextlib
+import signal
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any, Final
+
+import httpx
+
+from bench.table import Row
+from gateway.codec.messages_gen import ROUTES
+from launcher.ports import LOOPBACK, free_tcp_port
+from tests.flight.figures import is_near, measure
+from tests.flight.reference import ALTITUDE_LIMIT_FT, CROSS_TRACK_LIMIT_M, ROUTE_REFERENCES
+from tests.support.firmware import make
+
+ROUTE: Final = "gando"
+LONGEST_SHARE: Final = 1.3
+SAMPLE_S: Final = 0.1
+ROW_PERIOD_MS: Final = 20.0
+"""X-Plane's rows at 50 Hz."""
+P50_LIMIT_MS: Final = 2 * 3.2
+"""Twice what the deployed board's loop was measured at."""
+
+
+@dataclass(frozen=True, slots=True)
+class _State:
+    latitude_deg: float
+    longitude_deg: float
+    altitude_ft: float
+    airspeed_indicated_kt: float
+
+
+@dataclass(frozen=True, slots=True)
+class _Sample:
+    time_s: float
+    state: _State
+    waypoint: int
+
+
+def run() -> list[Row]:
+    """One circuit: ten minutes."""
+    make("images")
+    samples: list[_Sample] = []
+    trips_ms: list[float] = []
+    with _station() as client:
+        while not _is_over(samples):
+            telemetry, status = (client.get(name).json() for name in ("telemetry", "status"))
+            samples.append(_sample(telemetry))
+            trips_ms.append(status["simulator"]["hil_round_trip_ms"]["newest"])
+            time.sleep(SAMPLE_S)
+    route = ROUTES[ROUTE].waypoints
+    figures = measure(samples, route)
+    reference = ROUTE_REFERENCES[ROUTE]
+    cuts = statistics.quantiles(trips_ms, n=100)
+    what = "image under QEMU, gando"
+    return [
+        Row(
+            f"{what}: waypoints",
+            figures.waypoints_reached,
+            "",
+            f"{len(route)}",
+            figures.waypoints_reached == len(route),
+        ),
+        Row(f"{what}: time", figures.time_s, "s", peer=reference.time_s, peer_name="reference"),
+        Row(
+            f"{what}: steady altitude error, rms",
+            figures.altitude_rms_ft,
+            "ft",
+            f"<= {ALTITUDE_LIMIT_FT:g}",
+            figures.altitude_rms_ft <= ALTITUDE_LIMIT_FT,
+        ),
+        Row(
+            f"{what}: cross-track, rms",
+            figures.cross_track_rms_m,
+            "m",
+            f"<= {CROSS_TRACK_LIMIT_M:g}",
+            figures.cross_track_rms_m <= CROSS_TRACK_LIMIT_M,
+        ),
+        Row(f"{what}: HIL round trip p50", cuts[49], "ms", f"<= {P50_LIMIT_MS:g}", cuts[49] <= P50_LIMIT_MS),
+        Row(f"{what}: HIL round trip p99", cuts[98], "ms", f"<= {ROW_PERIOD_MS:g}", cuts[98] <= ROW_PERIOD_MS),
+    ]
+
+
+def _is_over(samples: list[_Sample]) -> bool:
+    """The last waypoint was captured, or it takes too long."""
+    if len(samples) < 2:
+        return False
+    route = ROUTES[ROUTE].waypoints
+    before, newest = samples[-2:]
+    was_last = before.waypoint == len(route) - 1
+    captured = was_last and (newest.waypoint != before.waypoint or is_near(newest, route[-1]))
+    return captured or newest.time_s - samples[0].time_s > LONGEST_SHARE * ROUTE_REFERENCES[ROUTE].time_s
+
+
+def _sample(telemetry: dict[str, Any]) -> _Sample:
+    flown = telemetry["simulator"]["values"]
+    return _Sample(
+        time_s=telemetry["simulator"]["t_s"],
+        state=_State(
+            flown["latitude_deg"],
+            flown["longitude_deg"],
+            flown["altitude_msl_ft"],
+            flown["indicated_airspeed_kt"],
+        ),
+        waypoint=telemetry["fms_hil_plan"]["values"]["waypoint"],
+    )
+
+
+@contextlib.contextmanager
+def _station() -> Iterator[httpx.Client]:
+    """The demonstration with the image as its board, the route loaded and the loop closed."""
+    port = free_tcp_port()
+    with tempfile.TemporaryDirectory() as data:
+        words = [sys.executable, "-m", "launcher", "--board", "qemu", "--port", str(port), "--data", data]
+        with subprocess.Popen(words, stdout=subprocess.PIPE, text=True) as launcher:
+            try:
+                assert launcher.stdout is not None
+                if not launcher.stdout.readline():
+                    raise RuntimeError("the demonstration did not start")
+                with httpx.Client(base_url=f"http://{LOOPBACK}:{port}/api/v1/") as client:
+                    yield client
+            finally:
+                launcher.send_signal(signal.SIGINT)
