@@ -1,29 +1,12 @@
 """Every command of the protocol, sent to the running board."""
 
-import json
-from pathlib import Path
-
 import pytest
 
-from gateway.codec.messages_gen import COMMANDS, PARAMETERS
+from gateway.codec.messages_gen import COMMANDS
+from tests.board.others import ARGUMENTS, a_foreign_station_gets_no_extension
 from tests.board.station import EXTENSIONS, LEVEL_FLIGHT, Station
 
 DONE, BAD_VALUE, BAD_STATE, UNKNOWN, STORAGE_FAILED = range(5)
-
-ARGUMENTS: dict[str, tuple[float, ...]] = {
-    "set_parameter_task_rate": (20,),
-    "set_fms_task_rate": (100,),
-    "set_servos_task_rate": (20,),
-    "control_source": (1,),
-    "servo_out": (3, 0.5),
-    "select_airspeed_source": (1,),
-    "select_altitude_source": (0,),
-    "mission_begin": (1, 2),
-    "mission_item": (1, 0, 27.95, -15.38, 1000.0, 55.0),
-    "mission_commit": (1,),
-    "mission_read": (1,),
-    "go_to_waypoint": (1, 0),
-} | {f"set_{parameter.name}": (parameter.default,) for parameter in PARAMETERS}
 
 REFUSED_AT_FIRST = {
     # with the transmitter as control source its switches rule
@@ -152,20 +135,5 @@ def test_a_station_that_opens_the_line_anew_is_not_sent_extensions(extended: Sta
     assert extended.names() & EXTENSIONS == set()
 
 
-VECTORS = Path(__file__).parents[3] / "protocol" / "vectors" / "commands.jsonl"
-
-
 def test_a_foreign_station_gets_what_a_deployed_board_gives_and_nothing_else(binary: Station) -> None:
-    lines = [json.loads(line) for line in VECTORS.read_text().splitlines() if line.strip()]
-    frames = [bytes.fromhex(line["hex"]) for line in lines if line["hex"]]
-    assert len(frames) > 200
-    for frame in frames:
-        binary.send(frame)
-        binary.send(b"#QT\n")  # whatever mode the last one left, a reset too
-    binary.command("load_autopilot_parameters")
-    binary.next("autopilot_parameters")
-    binary.command("start")
-    binary.command("set_parameter_task_rate", 50)
-    binary.heartbeats(12)
-    assert binary.failed == 0
-    assert binary.names() & EXTENSIONS == set()
+    a_foreign_station_gets_no_extension(binary)

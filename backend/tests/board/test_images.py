@@ -13,6 +13,12 @@ import pytest
 
 from gateway.codec.messages_gen import COMMANDS
 from tests.board.emulated import Image
+from tests.board.others import (
+    a_foreign_station_gets_no_extension,
+    commands_do_what_they_do_on_any_board,
+    extensions_are_ignored_to_the_byte,
+    original_commands_are_answered_by_no_extension,
+)
 from tests.board.station import LEVEL_FLIGHT, Station
 
 DONE, BAD_VALUE = 0, 1
@@ -91,9 +97,15 @@ def test_the_image_keeps_what_it_stored(plugged: Images) -> None:
     assert again.line("param k_roll").split()[1] == "3.25"
 
 
-def test_a_deployed_board_s_image_knows_no_extension(plugged: Images) -> None:
+def test_a_deployed_board_s_image_is_one(plugged: Images) -> None:
     station = plugged("--legacy")
     station.open_binary()
-    station.command("capabilities")
-    station.heartbeats(3)
-    assert station.names() <= {"heartbeat"}
+    extensions_are_ignored_to_the_byte(station)
+    original_commands_are_answered_by_no_extension(station)
+    commands_do_what_they_do_on_any_board(station)
+
+
+def test_a_foreign_station_gets_of_the_image_what_a_deployed_board_gives(plugged: Images) -> None:
+    station = plugged()
+    station.open_binary()
+    a_foreign_station_gets_no_extension(station)
