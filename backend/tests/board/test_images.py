@@ -92,8 +92,12 @@ def test_the_image_keeps_what_it_stored(plugged: Images) -> None:
     station.open_binary()
     station.extend()
     assert station.ask("set_k_roll", 3.25) == DONE
+    assert station.ask("mission_begin", 0, 1) == DONE
+    assert station.ask("mission_item", 0, 0, 27.95123456789, -15.37987654321, 700.0, 55.0) == DONE
+    assert station.ask("mission_commit", 0) == DONE
     assert station.ask("store_parameters") == DONE
     again = plugged()
+    assert "27.95123" in again.lines("fms")[-1]
     assert again.line("param k_roll").split()[1] == "3.25"
 
 

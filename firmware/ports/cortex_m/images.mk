@@ -11,12 +11,14 @@ machines := stm32f405 mps2_an386
 arm_flags := -mcpu=cortex-m4 -mthumb -mfpu=fpv4-sp-d16 -mfloat-abi=hard -Os -g -ffp-contract=off -fno-common \
   -ffunction-sections -fdata-sections
 arm_kernel_sources := $(addprefix $(kernel_folder)/,tasks.c queue.c list.c portable/GCC/ARM_CM4F/port.c)
-arm_includes := -Isrc -Iports/models -Iports/cortex_m -isystem $(kernel_folder)/include \
+arm_includes := $(littlefs_flags) -Isrc -Iports/models -Iports/cortex_m -isystem $(kernel_folder)/include \
   -isystem $(kernel_folder)/portable/GCC/ARM_CM4F
-host_sources := $(wildcard ports/cortex_m/host_*.c)
+none_sources := ports/cortex_m/host_none.c
+emulator_sources := $(addprefix ports/cortex_m/,host_semihosting.c host_card.c semihosting.c) src/volume/volume.c \
+  $(littlefs_sources)
 # every machine's image has these same objects
 arm_sources := $(pure_sources) $(wildcard src/app/*.c ports/models/*.c) \
-  $(filter-out $(host_sources),$(wildcard ports/cortex_m/*.c))
+  $(filter-out $(none_sources) $(emulator_sources),$(wildcard ports/cortex_m/*.c))
 arm_object = $(1:%.c=$(BUILD)/cortex_m/object/%.o)
 arm_objects := $(call arm_object,$(arm_sources) $(arm_kernel_sources))
 
@@ -42,12 +44,17 @@ $(BUILD)/cortex_m/object/$(kernel_folder)/%.o: $(kernel_folder)/%.c ports/cortex
 	@$(ARM_PREFIX)gcc -std=gnu11 -w $(arm_flags) -Iports/cortex_m -I$(kernel_folder)/include \
 	  -I$(kernel_folder)/portable/GCC/ARM_CM4F -c $< -o $@
 
+$(BUILD)/cortex_m/object/$(littlefs_folder)/%.o: $(littlefs_folder)/%.c ports/littlefs.mk | $(BUILD)/cortex_m/compiler
+	@mkdir -p $(@D)
+	@echo "  CC $< (Cortex-M4F)"
+	@$(ARM_PREFIX)gcc -std=c11 -w $(arm_flags) $(littlefs_flags) -c $< -o $@
+
 $(BUILD)/cortex_m/object/%.o: %.c ports/cortex_m/images.mk | $(BUILD)/cortex_m/compiler
 	@mkdir -p $(@D)
 	@echo "  CC $< (Cortex-M4F)"
 	@$(ARM_PREFIX)gcc $(WARNINGS) $(arm_flags) $(arm_includes) $(DEPENDENCIES) -c $< -o $@
 
-# $(1): machine, $(2): end of the image's name, $(3): its host
+# $(1): machine, $(2): end of the image's name, $(3): what it has for a host
 define arm_image
 $(BUILD)/$(1)/epf-board$(2).elf: $$(arm_objects) $$(call arm_object,$$(wildcard ports/$(1)/*.c) $(3)) \
   ports/$(1)/memory.ld ports/cortex_m/sections.ld
@@ -56,8 +63,8 @@ $(BUILD)/$(1)/epf-board$(2).elf: $$(arm_objects) $$(call arm_object,$$(wildcard 
 	@$(ARM_PREFIX)gcc $$(arm_flags) -nostartfiles --specs=nano.specs -Wl,--gc-sections -Wl,--fatal-warnings \
 	  -Wl,-Map=$$(@:.elf=.map) -T ports/$(1)/memory.ld -o $$@ $$(filter %.o,$$^) -lm
 endef
-$(foreach machine,$(machines),$(eval $(call arm_image,$(machine),,ports/cortex_m/host_none.c)))
-$(foreach machine,$(machines),$(eval $(call arm_image,$(machine),-qemu,ports/cortex_m/host_semihosting.c)))
+$(foreach machine,$(machines),$(eval $(call arm_image,$(machine),,$(none_sources))))
+$(foreach machine,$(machines),$(eval $(call arm_image,$(machine),-qemu,$(emulator_sources))))
 
 %.bin: %.elf
 	@$(ARM_PREFIX)objcopy -O binary $< $@

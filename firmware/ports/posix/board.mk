@@ -8,9 +8,9 @@ kernel_sources := $(addprefix $(kernel_folder)/,tasks.c queue.c list.c portable/
   portable/ThirdParty/GCC/Posix/utils/wait_for_event.c)
 # what needs no kernel: tests run it as it is
 board_tested_sources := $(addprefix src/app/,load.c shell.c shell_commands.c shell_reports.c task_table.c text.c tty.c watch.c)
-board_sources := $(pure_sources) $(wildcard src/app/*.c ports/models/*.c ports/posix/*.c)
+board_sources := $(pure_sources) src/volume/volume.c $(wildcard src/app/*.c ports/models/*.c ports/posix/*.c)
 # the kernel's headers are not ours, so they are no place for our warnings
-board_includes := -Isrc -Iports/models -Iports/posix -isystem $(kernel_folder)/include \
+board_includes := $(littlefs_flags) -Isrc -Iports/models -Iports/posix -isystem $(kernel_folder)/include \
   -isystem $(kernel_folder)/portable/ThirdParty/GCC/Posix
 # the port's tick and run-time counter are replaced by those of ports/posix/kernel.c
 board_link := -pthread -Wl,--wrap=usleep -Wl,--wrap=ulPortGetRunTime -lm
@@ -26,12 +26,17 @@ $(BUILD)/$(1)/object/$(kernel_folder)/%.o: $(kernel_folder)/%.c ports/posix/Free
 	@$$(CC) -std=gnu11 -w $(2) -pthread -Iports/posix -I$(kernel_folder)/include \
 	  -I$(kernel_folder)/portable/ThirdParty/GCC/Posix -c $$< -o $$@
 
+$(BUILD)/$(1)/object/$(littlefs_folder)/%.o: $(littlefs_folder)/%.c ports/littlefs.mk
+	@mkdir -p $$(@D)
+	@echo "  CC $$<"
+	@$$(CC) -std=c11 -w $(2) $(littlefs_flags) -c $$< -o $$@
+
 $(BUILD)/$(1)/object/%.o: %.c
 	@mkdir -p $$(@D)
 	@echo "  CC $$<"
 	@$$(CC) $$(WARNINGS) $(2) -pthread $$(board_includes) $$(DEPENDENCIES) -c $$< -o $$@
 
-$(BUILD)/$(1)/epf-board: $(board_sources:%.c=$(BUILD)/$(1)/object/%.o) $(kernel_sources:%.c=$(BUILD)/$(1)/object/%.o)
+$(BUILD)/$(1)/epf-board: $(patsubst %.c,$(BUILD)/$(1)/object/%.o,$(board_sources) $(kernel_sources) $(littlefs_sources))
 	@mkdir -p $$(@D)
 	@echo "  LD $$@"
 	@$$(CC) $(2) -o $$@ $$^ $$(board_link)

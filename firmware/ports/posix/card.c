@@ -16,7 +16,9 @@
 #include "semphr.h"
 #include "task.h"
 
+#include "card_image.h"
 #include "kernel.h"
+#include "volume/volume.h"
 
 typedef enum
 {
@@ -38,7 +40,8 @@ typedef struct
 static struct
 {
     const char* folder;
-    storage_t storage;
+    storage_t storage; ///< for the tasks; `volume` is for the thread
+    volume_t volume;
     card_order_t order;
     sem_t ordered;          ///< the thread waits for it
     SemaphoreHandle_t done; ///< the task waits for it
@@ -46,44 +49,19 @@ static struct
     pthread_mutex_t at_work; ///< between the device threads only; no task ever takes it
 } card = {.at_work = PTHREAD_MUTEX_INITIALIZER};
 
-static bool path_of(const char* name, const char* ending, char* path, size_t path_bytes)
+static bool path_of(const char* name, char* path, size_t path_bytes)
 {
-    const int length = snprintf(path, path_bytes, "%s/%s%s", card.folder, name, ending);
+    const int length = snprintf(path, path_bytes, "%s/%s", card.folder, name);
     return length > 0 && (size_t)length < path_bytes;
 }
 
-/// The name itself must be on the disk too: it is written when its folder is.
-static bool sync_folder(void)
+/// A record as boards before kept it: in a file of its own beside the card's image.
+static storage_status_t read_older(void* context, const char* name, uint8_t* data, size_t capacity, size_t* size)
 {
-    const int folder = open(card.folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (folder < 0)
-    {
-        return false;
-    }
-    const bool done = fsync(folder) == 0;
-    (void)close(folder);
-    return done;
-}
-
-static bool write_whole(int file, const uint8_t* data, size_t size)
-{
-    while (size > 0)
-    {
-        const ssize_t count = write(file, data, size);
-        if (count <= 0)
-        {
-            return false;
-        }
-        data += count;
-        size -= (size_t)count;
-    }
-    return fsync(file) == 0;
-}
-
-static storage_status_t read_file(const char* name, uint8_t* data, size_t capacity, size_t* size)
-{
+    (void)context;
+    *size = 0;
     char path[4096];
-    if (!path_of(name, "", path, sizeof path))
+    if (!path_of(name, path, sizeof path))
     {
         return storage_failed;
     }
@@ -92,47 +70,58 @@ static storage_status_t read_file(const char* name, uint8_t* data, size_t capaci
     {
         return errno == ENOENT ? storage_missing : storage_failed;
     }
-    size_t held = 0;
     ssize_t count = 0;
-    while (held < capacity && (count = read(file, data + held, capacity - held)) > 0)
+    while (*size < capacity && (count = read(file, data + *size, capacity - *size)) > 0)
     {
-        held += (size_t)count;
+        *size += (size_t)count;
     }
     uint8_t beyond;
-    const bool fits = count >= 0 && read(file, &beyond, 1) == 0;
+    const ssize_t rest = count < 0 ? -1 : read(file, &beyond, 1);
     (void)close(file);
-    *size = held;
-    return fits ? storage_ok : storage_failed;
+    if (rest < 0)
+    {
+        return storage_failed;
+    }
+    return rest == 0 ? storage_ok : storage_too_long;
 }
 
-/// A new file beside the old one takes its name only when it is whole and on the disk.
-static storage_status_t replace_file(const char* name, const uint8_t* data, size_t size)
+/// What has moved to the image must not come back when that is damaged later.
+static void remove_older(const char* name)
 {
-    char path[4096];
-    char new_path[4096];
-    if (!path_of(name, "", path, sizeof path) || !path_of(name, ".new", new_path, sizeof new_path))
+    static const char* const endings[] = {".a", ".b"};
+    for (size_t i = 0; i < sizeof endings / sizeof endings[0]; i++)
     {
-        return storage_failed;
+        char path[4096];
+        const int length = snprintf(path, sizeof path, "%s/%s%s", card.folder, name, endings[i]);
+        if (length > 0 && (size_t)length < sizeof path)
+        {
+            (void)unlink(path);
+        }
     }
-    const int file = open(new_path, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
-    if (file < 0)
-    {
-        return storage_failed;
-    }
-    const bool written = write_whole(file, data, size);
-    const bool closed = close(file) == 0;
-    if (!written || !closed || rename(new_path, path) != 0)
-    {
-        (void)unlink(new_path);
-        return storage_failed;
-    }
-    return sync_folder() ? storage_ok : storage_failed;
 }
 
 static void work(card_order_t* order)
 {
-    order->status = order->operation == card_read ? read_file(order->name, order->into, order->size, &order->size)
-                                                  : replace_file(order->name, order->from, order->size);
+    const storage_t* const files = &card.volume.storage;
+    const bool writes = order->operation == card_replace;
+    if (!card_image_open(card.folder, writes))
+    {
+        order->status = storage_failed;
+        return;
+    }
+    if (writes)
+    {
+        order->status = files->replace(files->context, order->name, order->from, order->size);
+        if (order->status == storage_ok)
+        {
+            remove_older(order->name);
+        }
+    }
+    else
+    {
+        order->status = files->read(files->context, order->name, order->into, order->size, &order->size);
+    }
+    card_image_close();
 }
 
 static void* run(void* unused)
@@ -201,6 +190,8 @@ bool card_start(const char* folder, char* error, size_t error_bytes)
     }
     card.folder = folder;
     card.storage = (storage_t){.context = NULL, .read = storage_read, .replace = storage_replace};
+    static const storage_t older = {.context = NULL, .read = read_older, .replace = NULL};
+    volume_init(&card.volume, card_image_device(), &older);
     card.done = xSemaphoreCreateBinaryStatic(&card.done_memory);
     kernel_serve(kernel_interrupt_card, on_done);
     pthread_t thread;

@@ -1,4 +1,4 @@
-/// The memory card: a folder of the PC, one file for each file of the board.
+/// The memory card: an image in a folder of the PC.
 #ifndef CARD_H
 #define CARD_H
 

@@ -2,9 +2,10 @@
 
 #include <string.h>
 
+#include "flight/board_card.h"
+#include "flight/board_reports.h"
 #include "flight/gains.h"
 #include "hal/time.h"
-#include "params/parameter_store.h"
 
 enum
 {
@@ -74,38 +75,78 @@ static void send_frame(void* context, const uint8_t* frame, size_t size)
     (void)mailbox_put(&app->transmitted, frame, size);
 }
 
-/// A card takes its time to write, and nobody else may have to wait for it: the board is locked only to copy the set.
-bool application_store(application_t* app)
+/// The station hears when the card's alarm comes or goes, where it asked for extensions.
+static void note_card(application_t* app, board_keeps_t what, record_state_t state)
 {
-    take_card(app);
     application_lock(app);
-    const parameters_t parameters = app->board.parameters;
+    const bool is_news = board_card_note(&app->board, what, state);
+    if (is_news && app->board.extended && app->tty.mode == tty_binary)
+    {
+        board_report_capabilities(&app->board, application_now_ms(app));
+    }
     application_unlock(app);
-    const storage_t* const card = app->hardware.storage;
-    const bool done = card != NULL && parameter_store_save(card, &parameters) == storage_ok;
+}
+
+/// A card takes its time to write, and nobody else may have to wait for it: the board is locked only to copy.
+bool application_store(application_t* app, board_keeps_t what)
+{
+    bool done = false;
+    take_card(app);
+    if (app->hardware.storage != NULL)
+    {
+        application_lock(app);
+        const size_t taken = board_card_take(&app->board, what);
+        application_unlock(app);
+        const record_state_t state = board_card_write(&app->board, what, taken);
+        note_card(app, what, state);
+        done = state == record_whole;
+    }
     (void)xSemaphoreGive(app->card_mutex);
     return done;
+}
+
+static board_keeps_t next_plan(application_t* app)
+{
+    application_lock(app);
+    const board_keeps_t next = board_card_next(&app->board);
+    application_unlock(app);
+    return next;
+}
+
+void application_store_plans(application_t* app)
+{
+    for (board_keeps_t next = next_plan(app); next != board_keeps_count; next = next_plan(app))
+    {
+        // Whoever waits for it hears of a failure by the card's alarm.
+        (void)application_store(app, next);
+    }
 }
 
 bool application_load(application_t* app)
 {
     parameters_t parameters;
+    record_state_t state = record_absent;
     take_card(app);
-    const storage_t* const card = app->hardware.storage;
-    const bool done = card != NULL && parameter_store_load(card, &parameters) == storage_ok;
+    if (app->hardware.storage != NULL)
+    {
+        state = board_card_read_parameters(&app->board, &parameters);
+        note_card(app, board_keeps_parameters, state);
+    }
     (void)xSemaphoreGive(app->card_mutex);
-    if (done)
+    if (state == record_whole)
     {
         application_lock(app);
         app->board.parameters = parameters;
         app->board.gains = gains_of(&parameters);
         application_unlock(app);
     }
-    return done;
+    return state == record_whole;
 }
 
 void application_reset(application_t* app)
 {
+    // What was uploaded and acknowledged outlives a reset.
+    application_store_plans(app);
     // The card first, then the board, as everywhere.
     take_card(app);
     application_lock(app);
@@ -127,6 +168,7 @@ void application_reset(application_t* app)
         .frames_dropped = &app->transmitted.refused,
     };
     tty_init(&app->tty, &app->shell, app->reply, sizeof app->reply);
+    shell_greet(&app->board, &app->tty.reply);
     application_unlock(app);
     (void)xSemaphoreGive(app->card_mutex);
 }

@@ -29,6 +29,7 @@ typedef struct
     load_t load;
     watch_t watch;
     task_health_t health[task_count];
+    uint32_t stores_asked; ///< by the station, and not yet answered by cardTask
     uint32_t started_ms;
     TaskHandle_t handles[task_count];
 } application_t;
@@ -50,11 +51,15 @@ void application_hear(application_t* app, task_id_t task);
 /// Wait to be woken, but not for longer than a task may be silent.
 void application_wait(TickType_t ticks);
 
-/// Begin anew, as after power-on: defaults, the card's parameters, text mode.
+/// Begin anew, as after power-on: defaults, the card's parameters and plans, text mode.
 void application_reset(application_t* app);
 
-/// Put the parameters on the card, or take them from there. The calling task waits for the card, the board does not.
-bool application_store(application_t* app);
+/// Put one thing on the card, or take the parameters from there. The calling task waits for the card, the board does
+/// not. True when it is done.
+bool application_store(application_t* app, board_keeps_t what);
 bool application_load(application_t* app);
+
+/// Put every plan on the card that was uploaded and is not there yet.
+void application_store_plans(application_t* app);
 
 #endif

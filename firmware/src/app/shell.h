@@ -22,9 +22,10 @@ typedef enum
 {
     shell_asks_nothing,
     shell_asks_reset,
-    shell_asks_load,              ///< parameters from the card; answered in the text mode
-    shell_asks_store,             ///< parameters to the card; answered in the text mode
-    shell_asks_store_acknowledged ///< the same by the station's command, acknowledged when they are there
+    shell_asks_load,               ///< parameters from the card; answered in the text mode
+    shell_asks_store,              ///< parameters to the card; answered in the text mode
+    shell_asks_store_acknowledged, ///< the same by the station's command, acknowledged when they are there
+    shell_asks_store_plans         ///< what was uploaded to the card; nobody waits for it
 } shell_request_t;
 
 /// What the shell works on; the application keeps it up to date.
@@ -43,6 +44,9 @@ typedef struct
 /// Do one line (which is taken apart) and add the answer to `reply`; what is asked of the application is answered by
 /// `shell_tell_stored` and `shell_tell_loaded`.
 void shell_run(shell_t* shell, char* line, text_t* reply);
+
+/// What a person has to know at the start: nothing, but what is wrong with the card.
+void shell_greet(const board_t* board, text_t* reply);
 
 void shell_tell_stored(text_t* reply, bool done);
 void shell_tell_loaded(text_t* reply, bool done);

@@ -2,6 +2,7 @@
 
 #include "app/shell_commands.h"
 #include "app/task_table.h"
+#include "flight/board_card.h"
 #include "navigation/routes_gen.h"
 
 enum
@@ -81,6 +82,55 @@ static void show_failsafes(text_t* reply, const failsafe_t* failsafe)
     shell_end(reply);
 }
 
+/// Everything on the card that is not as it should be, or a dash.
+static void add_card_alarms(text_t* reply, const board_t* board)
+{
+    static const char* const names[board_keeps_count] = {
+        [board_keeps_parameters] = "parameters",
+        [board_keeps_flight_plan] = "flight plan",
+        [board_keeps_hil_plan] = "hil plan",
+    };
+    static const char* const states[] = {
+        [record_absent] = "not stored",       [record_whole] = "stored",          [record_damaged] = "damaged",
+        [record_newer] = "of newer firmware", [record_unreadable] = "unreadable", [record_unwritten] = "not written",
+    };
+    const size_t empty = reply->size;
+    for (size_t what = 0; what < board_keeps_count; what++)
+    {
+        if (record_is_alarming(board->kept[what]))
+        {
+            text_add(reply, reply->size == empty ? "" : ", ");
+            text_add(reply, names[what]);
+            text_add(reply, " ");
+            text_add(reply, states[board->kept[what]]);
+        }
+    }
+    text_add(reply, reply->size == empty ? "-" : "");
+}
+
+void shell_greet(const board_t* board, text_t* reply)
+{
+    if (board_card_alarms(board))
+    {
+        shell_begin(reply);
+        text_add(reply, "ALARM: card: ");
+        add_card_alarms(reply, board);
+        text_add(reply, "; defaults are used");
+        shell_end(reply);
+    }
+}
+
+static void show_card(text_t* reply, const board_t* board)
+{
+    show_words(reply, "card", board->config.storage == NULL ? "none" : "present");
+    const size_t start = reply->size;
+    shell_begin(reply);
+    text_add(reply, "card alarm");
+    text_pad(reply, start, name_width);
+    add_card_alarms(reply, board);
+    shell_end(reply);
+}
+
 void shell_show_status(const shell_call_t* call)
 {
     const board_t* const board = call->shell->board;
@@ -88,7 +138,7 @@ void shell_show_status(const shell_call_t* call)
     show_number(reply, "uptime", (float)call->shell->now_ms / 1000.0F, 1, "s");
     show_words(reply, "last restart", call->shell->restart_reason == NULL ? "-" : call->shell->restart_reason);
     show_words(reply, "extensions", board->config.legacy ? "none (legacy)" : "yes");
-    show_words(reply, "card", board->config.storage == NULL ? "none" : "present");
+    show_card(reply, board);
     show_failsafes(reply, &board->failsafe);
     show_words(reply, "autopilot", on_off(board_flight_autopilot(board)));
     show_words(reply, "autotrim", on_off(board_flight_autotrim(board)));

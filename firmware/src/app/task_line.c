@@ -88,9 +88,15 @@ static void fulfil(application_t* app, shell_request_t request)
         shell_tell_loaded(&app->tty.reply, application_load(app));
         break;
     case shell_asks_store:
-        shell_tell_stored(&app->tty.reply, application_store(app));
+        shell_tell_stored(&app->tty.reply, application_store(app, board_keeps_parameters));
         break;
     case shell_asks_store_acknowledged:
+        application_lock(app);
+        app->stores_asked++;
+        application_unlock(app);
+        (void)xTaskNotifyGive(app->handles[task_card]);
+        break;
+    case shell_asks_store_plans:
         (void)xTaskNotifyGive(app->handles[task_card]);
         break;
     }
@@ -148,6 +154,7 @@ void run_tty(void* context)
 {
     application_t* const app = context;
     uint32_t ticked_ms = application_now_ms(app);
+    send_reply(app); // the greeting
     for (;;)
     {
         application_hear(app, task_tty);
@@ -171,23 +178,37 @@ void run_tty(void* context)
     }
 }
 
-/// Stores the parameters for the station, which gets its answer when they are there; HIL goes on meanwhile.
+/// True, and one less is asked for, when the station waits for its parameters to be stored.
+static bool take_store(application_t* app)
+{
+    application_lock(app);
+    const bool is_asked = app->stores_asked > 0U;
+    app->stores_asked -= is_asked ? 1U : 0U;
+    application_unlock(app);
+    return is_asked;
+}
+
+/// Stores what was uploaded, and the parameters for the station, which gets its answer when they are there; HIL goes on
+/// meanwhile. A plan that was uploaded before a store was asked for is on the card when that is acknowledged.
 void run_card(void* context)
 {
     application_t* const app = context;
     for (;;)
     {
         application_hear(app, task_card);
-        if (ulTaskNotifyTake(pdFALSE, application_ticks(watch_wait_ms)) == 0U)
+        application_wait(portMAX_DELAY);
+        application_store_plans(app);
+        while (take_store(app))
         {
-            continue;
+            const bool done = application_store(app, board_keeps_parameters);
+            application_lock(app);
+            if (app->board.extended && app->tty.mode == tty_binary)
+            {
+                board_report_acknowledgement(&app->board, COMMAND_STORE_PARAMETERS_ID,
+                                             done ? command_done : command_storage_failed);
+            }
+            application_unlock(app);
+            application_store_plans(app);
         }
-        const command_result_t result = application_store(app) ? command_done : command_storage_failed;
-        application_lock(app);
-        if (app->board.extended && app->tty.mode == tty_binary)
-        {
-            board_report_acknowledgement(&app->board, COMMAND_STORE_PARAMETERS_ID, result);
-        }
-        application_unlock(app);
     }
 }

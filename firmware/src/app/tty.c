@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "common/bytes.h"
+#include "flight/board_card.h"
 
 static const char open_binary[] = "#QT";
 static const char frame_begin[] = "#QT,";
@@ -153,7 +154,13 @@ static void run_command(tty_t* tty, const frame_t* frame, uint32_t now_ms)
         tty->shell->request = shell_asks_store_acknowledged;
         return;
     }
-    switch (board_handle_command(board, frame->type_id, frame->payload, frame->payload_size, now_ms))
+    const board_action_t action =
+        board_handle_command(board, frame->type_id, frame->payload, frame->payload_size, now_ms);
+    if (frame->type_id == COMMAND_MISSION_COMMIT_ID && board_card_next(board) != board_keeps_count)
+    {
+        tty->shell->request = shell_asks_store_plans;
+    }
+    switch (action)
     {
     case board_goes_on:
         break;

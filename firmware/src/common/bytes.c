@@ -29,3 +29,19 @@ void bytes_write_f32(uint8_t* bytes, float value)
     memcpy(&word, &value, sizeof word);
     bytes_write_u32(bytes, word);
 }
+
+double bytes_read_f64(const uint8_t* bytes)
+{
+    const uint64_t word = (uint64_t)bytes_read_u32(bytes) | ((uint64_t)bytes_read_u32(bytes + 4) << 32);
+    double value;
+    memcpy(&value, &word, sizeof value);
+    return value;
+}
+
+void bytes_write_f64(uint8_t* bytes, double value)
+{
+    uint64_t word;
+    memcpy(&word, &value, sizeof word);
+    bytes_write_u32(bytes, (uint32_t)(word & 0xFFFFFFFFU));
+    bytes_write_u32(bytes + 4, (uint32_t)(word >> 32));
+}

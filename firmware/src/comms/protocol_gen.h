@@ -397,11 +397,12 @@ void message_autopilot_parameters_unpack(message_autopilot_parameters_t* values,
 #define MESSAGE_CAPABILITIES_BIT_HAS_STORE 2
 #define MESSAGE_CAPABILITIES_BIT_HAS_SOURCES 4
 #define MESSAGE_CAPABILITIES_BIT_HAS_MISSIONS 8
+#define MESSAGE_CAPABILITIES_BIT_HAS_CARD_ALARM 16
 /// Answer to the command capabilities.
 typedef struct
 {
     int32_t protocol_version; ///< Version of the extensions; 1.
-    int32_t features; ///< What the board can do; unknown bits are ignored. Bit 0: Commands are acknowledged. Bit 1: Parameters can be stored on the board's card. Bit 2: Airspeed and altitude sources can be selected. Bit 3: Missions can be written and read.
+    int32_t features; ///< What the board can do; unknown bits are ignored. Bit 0: Commands are acknowledged. Bit 1: Parameters can be stored on the board's card. Bit 2: Airspeed and altitude sources can be selected. Bit 3: Missions can be written and read. Bit 4: What the card holds cannot be used, or could not be stored. When this changes the board sends capabilities again.
     char firmware_name[16]; ///< Name of the firmware, zero padded.
     char firmware_version[16]; ///< Version of the firmware, zero padded.
     int32_t uptime_ms; ///< Time since the board started. [ms]

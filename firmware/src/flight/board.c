@@ -2,9 +2,9 @@
 
 #include <string.h>
 
+#include "flight/board_card.h"
 #include "flight/board_commands.h"
 #include "flight/board_reports.h"
-#include "flight/gains.h"
 
 static const uint32_t status_period_ms = 1000;
 static const uint32_t first_extension = 0x100; ///< deployed boards know nothing from here on
@@ -34,12 +34,6 @@ void board_init(board_t* board, const board_config_t* config)
     board->config = *config;
     telemetry_init(&board->schedule);
     parameters_init(&board->parameters);
-    if (config->storage != NULL)
-    {
-        // without a whole set on the card the defaults stay
-        (void)parameter_store_load(config->storage, &board->parameters);
-    }
-    board->gains = gains_of(&board->parameters);
     board->source = board_source_rc;
     board->airspeed_source = COMMAND_SELECT_AIRSPEED_SOURCE_SOURCE_PITOT;
     board->altitude_source = COMMAND_SELECT_ALTITUDE_SOURCE_SOURCE_BAROMETER;
@@ -52,6 +46,7 @@ void board_init(board_t* board, const board_config_t* config)
         plan_clear(&board->plans[i]);
         control_loop_init(&board->loops[i]);
     }
+    board_card_load(board);
 }
 
 void board_open(board_t* board, uint32_t now_ms)

@@ -18,8 +18,9 @@
 #include "flight/failsafe.h"
 #include "navigation/mission.h"
 #include "navigation/plan.h"
-#include "params/parameter_store.h"
 #include "params/parameters.h"
+#include "records/plan_record.h"
+#include "records/record.h"
 
 #define BOARD_FIRMWARE_NAME "epf-board"
 #define BOARD_FIRMWARE_VERSION "1.0.0"
@@ -59,6 +60,15 @@ typedef enum
     board_servos_fly_by_wire = 0, ///< outputs 0..3 follow the real aircraft's fly-by-wire
     board_servos_hil = 1          ///< outputs 0..3 follow the surfaces sent to the simulator
 } board_servos_mode_t;
+
+/// What the card keeps, each in a file of its own.
+typedef enum
+{
+    board_keeps_parameters,
+    board_keeps_flight_plan,
+    board_keeps_hil_plan,
+    board_keeps_count
+} board_keeps_t;
 
 /// Hand one complete frame to the line.
 typedef void (*board_send_fn_t)(void* context, const uint8_t* frame, size_t size);
@@ -103,7 +113,10 @@ typedef struct
     plan_t plans[board_plan_count];
     int32_t hil_plan_name; ///< 0..3: which route; -1: none or an uploaded one
     mission_t mission;
-    int32_t reading_plan; ///< plan being read back, -1: none
+    record_state_t kept[board_keeps_count];  ///< what became of each at the last load or store
+    bool plan_is_to_store[board_plan_count]; ///< uploaded, and not taken for the card yet
+    uint8_t card_room[plan_record_bytes];    ///< belongs to whoever uses the card
+    int32_t reading_plan;                    ///< plan being read back, -1: none
     size_t reading_index;
     control_loop_t loops[board_plan_count];
     command_xplane_info_t xplane_info; ///< newest command 50
@@ -129,7 +142,8 @@ typedef enum
 /// Frames to the board; an unknown type counts as one without payload, so that it can be answered "unknown".
 extern const frame_dialect_t board_frames_in;
 
-/// Everything as after power-on, with the card's parameters where it holds a whole set.
+/// Everything as after power-on, with the card's parameters and plans where it holds whole ones; a deployed board knows
+/// no plans of its card.
 void board_init(board_t* board, const board_config_t* config);
 
 /// A station sent `#QT\n` (also one that came while binary mode was open already): extensions are to be asked for

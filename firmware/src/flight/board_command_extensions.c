@@ -1,5 +1,6 @@
 #include "flight/board_command_functions.h"
 
+#include "flight/board_card.h"
 #include "flight/board_reports.h"
 
 _Static_assert(COMMAND_MISSION_BEGIN_COUNT_MAXIMUM == plan_waypoints_max, "the longest mission fits a plan");
@@ -23,13 +24,15 @@ command_result_t run_store_parameters(void* context, int32_t argument, const uin
 {
     (void)argument;
     (void)payload;
-    const board_t* const board = board_of(context);
+    board_t* const board = board_of(context);
     if (board->config.storage == NULL)
     {
         return command_storage_failed;
     }
-    const storage_status_t status = parameter_store_save(board->config.storage, &board->parameters);
-    return status == storage_ok ? command_done : command_storage_failed;
+    const size_t taken = board_card_take(board, board_keeps_parameters);
+    const record_state_t state = board_card_write(board, board_keeps_parameters, taken);
+    (void)board_card_note(board, board_keeps_parameters, state);
+    return state == record_whole ? command_done : command_storage_failed;
 }
 
 command_result_t run_select_airspeed(void* context, int32_t argument, const uint8_t* payload)
@@ -113,6 +116,7 @@ command_result_t run_commit_mission(void* context, int32_t argument, const uint8
     if (status == mission_ok)
     {
         board->reading_plan = -1;
+        board->plan_is_to_store[plan] = board->config.storage != NULL;
         if (plan == board_plan_hil)
         {
             board->hil_plan_name = MESSAGE_BOARD_STATUS_HIL_PLAN_NAME_NONE;

@@ -126,6 +126,7 @@ command_result_t run_load_route(void* context, int32_t number, const uint8_t* pa
         return command_bad_value;
     }
     board->hil_plan_name = number;
+    board->plan_is_to_store[board_plan_hil] = false; // what is uploaded is kept, not a route that the board knows
     board->reading_plan = -1;
     return command_done;
 }

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "flight/board_card.h"
 #include "flight/board_loops.h"
 
 static void send(board_t* board, uint32_t type_id, const uint8_t* payload, size_t size)
@@ -200,6 +201,10 @@ void board_report_capabilities(board_t* board, uint32_t now_ms)
     if (board->config.storage != NULL)
     {
         values.features |= MESSAGE_CAPABILITIES_BIT_HAS_STORE;
+    }
+    if (board_card_alarms(board))
+    {
+        values.features |= MESSAGE_CAPABILITIES_BIT_HAS_CARD_ALARM;
     }
     uint8_t payload[MESSAGE_CAPABILITIES_SIZE];
     message_capabilities_pack(&values, payload);

@@ -114,6 +114,23 @@ static void results_of_the_card_are_told(void** state)
                                "\rfailed: the card is missing or holds no whole set; nothing was changed\n");
 }
 
+static void what_is_wrong_with_the_card_is_told_at_the_start_and_in_the_status(void** state)
+{
+    (void)state;
+    text_t reply;
+    text_init(&reply, bytes, shell_reply_bytes);
+    shell_greet(&rig->board, &reply);
+    assert_int_equal(reply.size, 0);
+    assert_non_null(strstr(say("status"), "\rcard                present\n\rcard alarm          -\n"));
+    rig->board.kept[board_keeps_parameters] = record_damaged;
+    rig->board.kept[board_keeps_hil_plan] = record_newer;
+    assert_non_null(strstr(say("status"), "\rcard alarm          parameters damaged, hil plan of newer firmware\n"));
+    text_init(&reply, bytes, shell_reply_bytes);
+    shell_greet(&rig->board, &reply);
+    bytes[reply.size] = '\0';
+    assert_string_equal(bytes, "\rALARM: card: parameters damaged, hil plan of newer firmware; defaults are used\n");
+}
+
 static void a_board_with_a_real_receiver_refuses_to_move_its_switches(void** state)
 {
     (void)state;
@@ -136,6 +153,7 @@ int main(void)
         cmocka_unit_test_setup(many_words_are_counted_and_refused, start),
         cmocka_unit_test_setup(longer_words_win_over_shorter_ones, start),
         cmocka_unit_test_setup(results_of_the_card_are_told, start),
+        cmocka_unit_test_setup(what_is_wrong_with_the_card_is_told_at_the_start_and_in_the_status, start),
         cmocka_unit_test_setup(a_board_with_a_real_receiver_refuses_to_move_its_switches, start),
         cmocka_unit_test_setup(a_set_parameter_reaches_the_laws, start),
     };

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "app/tty.h"
+#include "flight/board_card.h"
 #include "support/rig.h"
 
 static rig_t* rig;
@@ -130,6 +131,34 @@ static void without_a_card_the_board_itself_refuses_to_store(void** state)
     assert_int_equal(protocol_get_i32(said->payload + 4), command_storage_failed);
 }
 
+static void a_committed_plan_is_to_be_stored_before_the_next_command_is_done(void** state)
+{
+    (void)state;
+    hear_line("#QT\n");
+    rig_extend(rig);
+    assert_int_equal(rig_ask_with_two(rig, COMMAND_MISSION_BEGIN_ID, board_plan_hil, 1), command_done);
+    const command_mission_item_t item = {.plan = board_plan_hil, .latitude_deg = 28.0, .longitude_deg = -15.0};
+    uint8_t payload[COMMAND_MISSION_ITEM_SIZE];
+    command_mission_item_pack(&item, payload);
+    (void)rig_send(rig, COMMAND_MISSION_ITEM_ID, payload, sizeof payload);
+    uint8_t bytes[2 * frame_max_bytes];
+    uint8_t plan[4];
+    protocol_put_i32(plan, board_plan_hil);
+    size_t size = frame_encode(&frame_to_board, COMMAND_MISSION_COMMIT_ID, plan, sizeof plan, bytes, sizeof bytes);
+    const size_t commit = size;
+    size += frame_of(COMMAND_HIL_LOAD_GANDO_ID, bytes + size);
+    line_clear(&rig->out);
+    (void)tty_receive(&tty, bytes, size, 0);
+    assert_int_equal(shell.request, shell_asks_store_plans);
+    assert_int_equal(board_card_next(&rig->board), board_keeps_hil_plan);
+    assert_int_equal(rig->board.hil_plan_name, -1);
+    // one that is refused asks for nothing
+    shell.request = shell_asks_nothing;
+    assert_true(rig_keep_plans(rig));
+    hear((const char*)bytes, commit);
+    assert_int_equal(shell.request, shell_asks_nothing);
+}
+
 static void a_reset_command_asks_for_a_reset_and_ends_binary_mode(void** state)
 {
     (void)state;
@@ -217,6 +246,7 @@ int main(void)
         cmocka_unit_test_setup(the_greeting_opens_binary_mode_in_any_pieces, start),
         cmocka_unit_test_setup(the_exit_command_gives_text_mode_back_and_what_follows_it_is_text, start),
         cmocka_unit_test_setup(a_request_stops_the_reading_and_nothing_behind_it_is_lost, start),
+        cmocka_unit_test_setup(a_committed_plan_is_to_be_stored_before_the_next_command_is_done, start),
         cmocka_unit_test_setup(without_a_card_the_board_itself_refuses_to_store, start),
         cmocka_unit_test_setup(a_reset_command_asks_for_a_reset_and_ends_binary_mode, start),
         cmocka_unit_test_setup(a_silence_gives_up_a_false_header_and_frees_the_command_behind_it, start),

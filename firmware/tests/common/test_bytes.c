@@ -30,12 +30,23 @@ static void an_odd_address_is_as_good_as_any(void** state)
     assert_close(bytes_read_f32(bytes + 5), 27.9319F, 0.0);
 }
 
+static void a_double_keeps_all_its_digits(void** state)
+{
+    (void)state;
+    uint8_t bytes[8];
+    bytes_write_f64(bytes, -2.0);
+    assert_memory_equal(bytes, "\x00\x00\x00\x00\x00\x00\x00\xC0", 8);
+    bytes_write_f64(bytes, 27.95123456789);
+    assert_true(bytes_read_f64(bytes) == 27.95123456789);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_least_significant_byte_comes_first),
         cmocka_unit_test(a_float_is_its_ieee_754_word),
         cmocka_unit_test(an_odd_address_is_as_good_as_any),
+        cmocka_unit_test(a_double_keeps_all_its_digits),
     };
     return cmocka_run_group_tests_name("common.bytes", tests, NULL, NULL);
 }

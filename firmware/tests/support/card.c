@@ -17,7 +17,8 @@ card_file_t* card_find(card_t* card, const char* name)
 static storage_status_t read_file(void* context, const char* name, uint8_t* data, size_t capacity, size_t* size)
 {
     card_t* const card = context;
-    if (card->has_failed || card->power_is_cut)
+    *size = 0;
+    if (card->has_failed)
     {
         return storage_failed;
     }
@@ -26,20 +27,15 @@ static storage_status_t read_file(void* context, const char* name, uint8_t* data
     {
         return storage_missing;
     }
-    if (file->size > capacity)
-    {
-        return storage_failed;
-    }
-    memcpy(data, file->data, file->size);
-    *size = file->size;
-    return storage_ok;
+    *size = file->size > capacity ? capacity : file->size;
+    memcpy(data, file->data, *size);
+    return file->size > capacity ? storage_too_long : storage_ok;
 }
 
-/// The worst that a card may do: the file is emptied first, then written byte by byte.
 static storage_status_t replace_file(void* context, const char* name, const uint8_t* data, size_t size)
 {
     card_t* const card = context;
-    if (card->has_failed || card->power_is_cut || size > card_file_bytes)
+    if (card->has_failed || card->cannot_write || size > card_file_bytes)
     {
         return storage_failed;
     }
@@ -57,24 +53,13 @@ static storage_status_t replace_file(void* context, const char* name, const uint
         file = &card->files[card->count++];
         memcpy(file->name, name, strlen(name) + 1);
     }
-    file->size = 0;
-    for (size_t i = 0; i < size; i++)
-    {
-        if (card->bytes_until_cut == 0)
-        {
-            card->power_is_cut = true;
-            return storage_failed;
-        }
-        card->bytes_until_cut -= card->bytes_until_cut > 0 ? 1 : 0;
-        file->data[i] = data[i];
-        file->size = i + 1;
-    }
+    memcpy(file->data, data, size);
+    file->size = size;
     return storage_ok;
 }
 
 void card_init(card_t* card)
 {
     memset(card, 0, sizeof *card);
-    card->bytes_until_cut = -1;
     card->storage = (storage_t){.context = card, .read = read_file, .replace = replace_file};
 }

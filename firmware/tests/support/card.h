@@ -1,4 +1,4 @@
-/// A memory card in memory whose power can be cut in the middle of a write.
+/// Files of a memory card, in memory, without a file system.
 #ifndef SUPPORT_CARD_H
 #define SUPPORT_CARD_H
 
@@ -10,8 +10,8 @@
 
 enum
 {
-    card_files_max = 4,
-    card_file_bytes = 256,
+    card_files_max = 6,
+    card_file_bytes = 3072,
     card_name_bytes = 32
 };
 
@@ -26,11 +26,10 @@ typedef struct
 {
     card_file_t files[card_files_max];
     size_t count;
-    bool has_failed;      ///< every call fails
-    bool lies;            ///< a write is said to be done and nothing is written
-    bool power_is_cut;    ///< every call fails from here on; set by the cut
-    long bytes_until_cut; ///< bytes that can still be written; negative: power stays
-    storage_t storage;    ///< to hand to the code under test
+    bool has_failed;   ///< every call fails
+    bool lies;         ///< a write is said to be done and nothing is written
+    bool cannot_write; ///< what it holds can be read
+    storage_t storage; ///< to hand to the code under test
 } card_t;
 
 void card_init(card_t* card);

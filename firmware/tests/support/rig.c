@@ -3,43 +3,58 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "flight/board_card.h"
+
 static void receive(void* context, const uint8_t* frame, size_t size)
 {
     rig_t* const rig = context;
     line_feed(&rig->out, frame, size, 0);
 }
 
-static rig_t* start(bool legacy, bool has_card)
+static rig_t rig_in_use;
+
+static rig_t* start(bool legacy, const storage_t* storage)
 {
-    static rig_t rig;
-    memset(&rig, 0, sizeof rig);
-    card_init(&rig.card);
-    line_init(&rig.out, &frame_from_board);
+    rig_t* const rig = &rig_in_use;
+    rig->now_ms = 0;
+    line_init(&rig->out, &frame_from_board);
     const board_config_t config = {
         .legacy = legacy,
         .hil_period_s = 0.02F,
-        .storage = has_card ? &rig.card.storage : NULL,
+        .storage = storage,
         .send = receive,
-        .send_context = &rig,
+        .send_context = rig,
     };
-    board_init(&rig.board, &config);
-    board_open(&rig.board, 0);
-    return &rig;
+    board_init(&rig->board, &config);
+    board_open(&rig->board, 0);
+    return rig;
+}
+
+/// An empty card.
+static const storage_t* new_card(void)
+{
+    card_init(&rig_in_use.card);
+    return &rig_in_use.card.storage;
 }
 
 rig_t* rig_start(void)
 {
-    return start(false, true);
+    return start(false, new_card());
 }
 
 rig_t* rig_start_legacy(void)
 {
-    return start(true, true);
+    return start(true, new_card());
 }
 
 rig_t* rig_start_without_card(void)
 {
-    return start(false, false);
+    return start(false, NULL);
+}
+
+rig_t* rig_start_on(const storage_t* storage)
+{
+    return start(false, storage);
 }
 
 board_action_t rig_send(rig_t* rig, uint32_t type_id, const uint8_t* payload, size_t size)
@@ -103,6 +118,51 @@ int rig_ask_parameter(rig_t* rig, uint32_t type_id, float value)
     uint8_t payload[4];
     protocol_put_f32(payload, value);
     return rig_ask(rig, type_id, payload, sizeof payload);
+}
+
+waypoint_t rig_waypoint(uint32_t seed, int32_t index)
+{
+    const double place = (double)seed + (double)index / 1000.0;
+    return (waypoint_t){
+        .position = {.latitude_deg = place, .longitude_deg = -place},
+        .altitude_ft = 100.0F * (float)seed + (float)index,
+        .speed_kt = 50.0F + (float)seed,
+    };
+}
+
+int rig_upload(rig_t* rig, int32_t plan, int32_t count, uint32_t seed)
+{
+    (void)rig_do_with_two(rig, COMMAND_MISSION_BEGIN_ID, plan, count);
+    for (int32_t i = 0; i < count; i++)
+    {
+        const waypoint_t waypoint = rig_waypoint(seed, i);
+        const command_mission_item_t item = {
+            .plan = plan,
+            .index = i,
+            .latitude_deg = waypoint.position.latitude_deg,
+            .longitude_deg = waypoint.position.longitude_deg,
+            .altitude_ft = waypoint.altitude_ft,
+            .speed_kt = waypoint.speed_kt,
+        };
+        uint8_t payload[COMMAND_MISSION_ITEM_SIZE];
+        command_mission_item_pack(&item, payload);
+        (void)rig_send(rig, COMMAND_MISSION_ITEM_ID, payload, sizeof payload);
+    }
+    return rig_ask_with(rig, COMMAND_MISSION_COMMIT_ID, plan);
+}
+
+bool rig_keep_plans(rig_t* rig)
+{
+    bool done = true;
+    for (board_keeps_t next = board_card_next(&rig->board); next != board_keeps_count;
+         next = board_card_next(&rig->board))
+    {
+        const size_t taken = board_card_take(&rig->board, next);
+        const record_state_t state = board_card_write(&rig->board, next, taken);
+        (void)board_card_note(&rig->board, next, state);
+        done = done && state == record_whole;
+    }
+    return done;
 }
 
 void rig_extend(rig_t* rig)

@@ -23,6 +23,9 @@ rig_t* rig_start_legacy(void);
 /// The same, without a card.
 rig_t* rig_start_without_card(void);
 
+/// The same on a card that is there already; what `rig->card` holds does not matter then.
+rig_t* rig_start_on(const storage_t* storage);
+
 /// Send a command; what it answers is in `out`, which is emptied before.
 board_action_t rig_send(rig_t* rig, uint32_t type_id, const uint8_t* payload, size_t size);
 
@@ -36,6 +39,15 @@ int rig_ask(rig_t* rig, uint32_t type_id, const uint8_t* payload, size_t size);
 int rig_ask_with(rig_t* rig, uint32_t type_id, int32_t value);
 int rig_ask_with_two(rig_t* rig, uint32_t type_id, int32_t first, int32_t second);
 int rig_ask_parameter(rig_t* rig, uint32_t type_id, float value);
+
+/// Upload a plan of `count` waypoints that differ from those of another `seed`; the result of its commit.
+int rig_upload(rig_t* rig, int32_t plan, int32_t count, uint32_t seed);
+
+/// Waypoint `index` of that plan.
+waypoint_t rig_waypoint(uint32_t seed, int32_t index);
+
+/// Put every uploaded plan on the card, as cardTask does; true when all are there.
+bool rig_keep_plans(rig_t* rig);
 
 /// Ask for capabilities, so that the board acknowledges from now on; `out` is empty afterwards.
 void rig_extend(rig_t* rig);

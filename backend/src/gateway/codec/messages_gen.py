@@ -214,6 +214,7 @@ _MESSAGES: Final = (
             Value('has_store', 'boolean', 1, 'bit', "Parameters can be stored on the board's card.", minimum=0, maximum=2147483647, bit=1),
             Value('has_sources', 'boolean', 1, 'bit', 'Airspeed and altitude sources can be selected.', minimum=0, maximum=2147483647, bit=2),
             Value('has_missions', 'boolean', 1, 'bit', 'Missions can be written and read.', minimum=0, maximum=2147483647, bit=3),
+            Value('has_card_alarm', 'boolean', 1, 'bit', 'What the card holds cannot be used, or could not be stored. When this changes the board sends capabilities again.', minimum=0, maximum=2147483647, bit=4),
             Value('firmware_name', 'text', 2, 'text', 'Name of the firmware, zero padded.'),
             Value('firmware_version', 'text', 3, 'text', 'Version of the firmware, zero padded.'),
             Value('uptime_ms', 'integer', 4, 'plain', 'Time since the board started.', unit='ms', minimum=0, maximum=2147483647),

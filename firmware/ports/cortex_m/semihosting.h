@@ -1,0 +1,41 @@
+/// Arm's semihosting: calls that an emulator answers. They are a fault on a processor without a debugger.
+#ifndef SEMIHOSTING_H
+#define SEMIHOSTING_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+// Operations and open modes of "Semihosting for AArch32 and AArch64".
+enum
+{
+    semihosting_open = 0x01,
+    semihosting_close = 0x02,
+    semihosting_write = 0x05,
+    semihosting_read = 0x06,
+    semihosting_seek = 0x0A,
+    semihosting_length = 0x0C,
+    semihosting_remove = 0x0E,
+    semihosting_command_line = 0x15,
+    semihosting_mode_read = 1,   ///< of a file that is there
+    semihosting_mode_change = 3, ///< the same, to write too
+    semihosting_mode_make = 7,   ///< an empty one
+    semihosting_path_bytes = 288
+};
+
+/// One operation; the emulator stands still until it is done.
+int32_t semihosting_ask(uint32_t operation, const uint32_t* arguments);
+
+/// An address as an argument.
+uint32_t semihosting_address(const void* object);
+
+/// Handle of the opened file, negative when it cannot be opened.
+int32_t semihosting_open_file(const char* path, uint32_t mode);
+
+/// Read or write all of `size` bytes of an open file.
+bool semihosting_move(uint32_t operation, int32_t file, const void* data, size_t size);
+
+/// A word of an open file alone: its length, or closing it.
+int32_t semihosting_of(uint32_t operation, int32_t file);
+
+#endif

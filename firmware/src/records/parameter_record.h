@@ -1,0 +1,30 @@
+/// The parameter set as a record of the card. Version 1 was two files in turn, `params.a` and `params.b`; it is read
+/// where there is no newer one, and today's is written by the next store.
+#ifndef RECORDS_PARAMETER_RECORD_H
+#define RECORDS_PARAMETER_RECORD_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "hal/storage.h"
+#include "params/parameters.h"
+#include "records/record.h"
+
+enum
+{
+    parameter_record_bytes = record_frame_bytes + 4 + 4 * parameters_count ///< count, values
+};
+
+/// Load the stored set. Nothing is changed unless `record_whole` comes back. `room` holds `capacity` bytes, of which
+/// at least `parameter_record_bytes` are needed.
+record_state_t parameter_record_load(const storage_t* storage, parameters_t* parameters, uint8_t* room,
+                                     size_t capacity);
+
+/// Copy the set into `room` for `parameter_record_save`; returns how many bytes it is.
+size_t parameter_record_take(const parameters_t* parameters, uint8_t* room);
+
+/// Put the set that was taken on the card. `room` is not to be used afterwards.
+record_state_t parameter_record_save(const storage_t* storage, uint8_t* room, size_t capacity, size_t taken);
+
+#endif

@@ -1,0 +1,41 @@
+/// Small whole files on a device of blocks, by littlefs. The device is mounted for each call and let go afterwards, so
+/// that a card may be changed between two of them.
+#ifndef VOLUME_VOLUME_H
+#define VOLUME_VOLUME_H
+
+#include <stdint.h>
+
+#include <lfs.h>
+
+#include "hal/block_device.h"
+#include "hal/storage.h"
+
+enum
+{
+    volume_cache_bytes = 256,   ///< a multiple of the device's `program_bytes`, and a part of its `block_bytes`
+    volume_lookahead_bytes = 16 ///< one bit a block is looked ahead for a free one
+};
+
+/// Private to volume.c but for `storage`.
+typedef struct
+{
+    lfs_t filesystem;
+    struct lfs_config config;
+    struct lfs_file_config file_config;
+    const block_device_t* device;
+    const storage_t* older;
+    uint8_t read_buffer[volume_cache_bytes];
+    uint8_t program_buffer[volume_cache_bytes];
+    uint8_t file_buffer[volume_cache_bytes];
+    uint8_t lookahead_buffer[volume_lookahead_bytes];
+    storage_t storage; ///< the files, for whoever uses them; one caller at a time
+} volume_t;
+
+/// Files on `device`. A device that never held anything has no files and is formatted by the first `replace`; so is one
+/// on which nothing can be made out any more. One that does not answer, or that another version of littlefs or of this
+/// board's layout wrote, is left as it is, and every call fails. What the device has no file for, or would have if
+/// anything on it could be made out, is read from `older` (NULL: from nowhere), where boards kept their files before.
+/// Nothing is written by this call.
+void volume_init(volume_t* volume, const block_device_t* device, const storage_t* older);
+
+#endif
