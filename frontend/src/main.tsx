@@ -27,10 +27,11 @@ createRoot(root).render(
   </StrictMode>,
 );
 start();
-// Once the page stands. Who has opened the map here before will open it again: its engine comes when nothing else does.
+// Once the page stands. Who has opened the globe here before will open it again: its engine comes when nothing else does.
 setTimeout(() => {
   void loadParts().then(() => {
-    if (page.settings.getState().choices["map.opened"] === "yes") {
+    const { choices } = page.settings.getState();
+    if (choices["map.opened"] === "yes" && choices["map.kind"] !== "2d") {
       (window.requestIdleCallback ?? setTimeout)(
         () => void import("./scene/globe/kept").catch(() => undefined),
       );

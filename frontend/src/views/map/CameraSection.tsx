@@ -4,7 +4,7 @@ import { formatFixed, formatHeading } from "../../lib/format";
 import { CAMERA_CHOICE, CAMERAS } from "../../lib/mapCamera";
 import type { Whose } from "../../lib/mapThing";
 import type { FlightScene } from "../../scene/aircraft/FlightScene";
-import { usePage, useSettings, useTelemetry } from "../../store/hooks";
+import { usePage, useTelemetry } from "../../store/hooks";
 import { choose } from "../../store/settings";
 import type { TelemetryStore } from "../../store/telemetry";
 import { usePaint } from "../../store/usePaint";
@@ -13,38 +13,83 @@ import { Panel } from "../../ui/Panel";
 import { Readout, ReadoutGrid, type ReadoutHandle } from "../../ui/Readout";
 import { SegmentedSwitch } from "../../ui/SegmentedSwitch";
 import { type Showing, showing } from "./aircraftFeed";
+import { KIND_CHOICE, KINDS, useFlat, useMapKind } from "./flat/useFlat";
 import { FOLLOWED_CHOICE, useCameraMode, useFlightScene, useFollowed } from "./useFlightScene";
 import { useGlobe } from "./useGlobe";
+import { GRATICULE_CHOICE, useGraticule } from "./useGraticule";
 
-const GRATICULE_CHOICE = "map.graticule";
 const WHOSE: readonly Whose[] = ["flight", "hil"];
 
-/** Where the globe is seen from, and which aircraft are on it or why not. */
+/** Which map is seen and where from, and which aircraft are on it or why not. */
 export function CameraSection() {
   const { t } = useTranslation();
   const { settings } = usePage();
   const globe = useGlobe();
+  const flat = useFlat();
+  const kind = useMapKind();
   const scene = useFlightScene();
   const mode = useCameraMode();
   const followed = useFollowed();
+  const graticule = useGraticule();
+  const kinds = { "3d": t("map.flat.kind3d"), "2d": t("map.flat.kind2d") };
   const cameras = { follow: t("map.view.follow"), free: t("map.view.free"), cockpit: t("map.view.cockpit") };
   const names = { flight: t("map.view.real"), hil: t("map.view.hil") };
-  const [heading, pitch, roll] = [
-    useRef<ReadoutHandle>(null),
-    useRef<ReadoutHandle>(null),
-    useRef<ReadoutHandle>(null),
-  ];
-  const paint = useCallback(() => {
-    const [heading_deg, pitch_deg, roll_deg] = scene?.camera.attitude_deg ?? [null, null, null];
-    heading.current?.paint(formatHeading(heading_deg, 1), "live");
-    pitch.current?.paint(formatFixed(pitch_deg, 1), "live");
-    roll.current?.paint(formatFixed(roll_deg === null ? null : signed(roll_deg), 1), "live");
-  }, [scene, heading, pitch, roll]);
-  usePaint("text", paint);
+  useEffect(() => globe?.ground.setGraticule(graticule), [globe, graticule]);
+  useKeys(scene);
+  return (
+    <Panel title={t("map.view.camera")} className="map-camera">
+      <SegmentedSwitch
+        label={t("map.flat.kind")}
+        hideLabel
+        options={KINDS.map((value) => ({ value, label: kinds[value] }))}
+        value={kind}
+        onChange={(value) => choose(settings, KIND_CHOICE, value)}
+      />
+      {!flat.isShown && (
+        <SegmentedSwitch
+          label={t("map.view.camera")}
+          hideLabel
+          options={CAMERAS.map((value) => ({ value, label: cameras[value] }))}
+          value={mode}
+          onChange={(value) => choose(settings, CAMERA_CHOICE, value)}
+        />
+      )}
+      <SegmentedSwitch
+        label={t("map.view.followed")}
+        options={WHOSE.map((value) => ({ value, label: names[value] }))}
+        value={followed}
+        onChange={(value) => choose(settings, FOLLOWED_CHOICE, value)}
+        disabledReason={mode === "free" && !flat.isShown ? t("map.view.followedFree") : undefined}
+      />
+      {WHOSE.map((whose) => (
+        <HowShown key={whose} whose={whose} name={names[whose]} />
+      ))}
+      {!flat.isShown && <Eye scene={scene} />}
+      <Checkbox
+        label={t("map.view.graticule")}
+        checked={graticule !== null}
+        onChange={(checked) => choose(settings, GRATICULE_CHOICE, checked ? "on" : "off")}
+      />
+      {globe === null && !flat.isShown && <p>{t("map.view.loading")}</p>}
+    </Panel>
+  );
+}
+
+/** How the camera lies, and how often the globe is drawn. */
+function Eye({ scene }: { scene: FlightScene | null }) {
+  const { t } = useTranslation();
+  const globe = useGlobe();
+  const heading = useRef<ReadoutHandle>(null);
+  const pitch = useRef<ReadoutHandle>(null);
+  const roll = useRef<ReadoutHandle>(null);
   const rate = useRef<ReadoutHandle>(null);
   const counted = useRef({ drawn: 0, at_ms: 0 });
-  const paintRate = useCallback(
+  const paint = useCallback(
     (_: TelemetryStore, now_ms: number) => {
+      const [heading_deg, pitch_deg, roll_deg] = scene?.camera.attitude_deg ?? [null, null, null];
+      heading.current?.paint(formatHeading(heading_deg, 1), "live");
+      pitch.current?.paint(formatFixed(pitch_deg, 1), "live");
+      roll.current?.paint(formatFixed(roll_deg === null ? null : signed(roll_deg), 1), "live");
       const { drawn, at_ms } = counted.current;
       const passed_s = (now_ms - at_ms) / 1000;
       if (globe !== null && passed_s >= 1) {
@@ -52,44 +97,16 @@ export function CameraSection() {
         counted.current = { drawn: globe.drawn, at_ms: now_ms };
       }
     },
-    [globe],
+    [scene, globe],
   );
-  usePaint("text", paintRate);
-  useGraticule();
-  useKeys(scene);
-  const hasGraticule = useSettings(({ choices }) => choices[GRATICULE_CHOICE] !== "off");
+  usePaint("text", paint);
   return (
-    <Panel title={t("map.view.camera")} className="map-camera">
-      <SegmentedSwitch
-        label={t("map.view.camera")}
-        hideLabel
-        options={CAMERAS.map((value) => ({ value, label: cameras[value] }))}
-        value={mode}
-        onChange={(value) => choose(settings, CAMERA_CHOICE, value)}
-      />
-      <SegmentedSwitch
-        label={t("map.view.followed")}
-        options={WHOSE.map((value) => ({ value, label: names[value] }))}
-        value={followed}
-        onChange={(value) => choose(settings, FOLLOWED_CHOICE, value)}
-        disabledReason={mode === "free" ? t("map.view.followedFree") : undefined}
-      />
-      {WHOSE.map((whose) => (
-        <HowShown key={whose} whose={whose} name={names[whose]} />
-      ))}
-      <ReadoutGrid columns={1}>
-        <Readout ref={heading} label={t("map.view.eyeHeading")} unit={t("unit.deg")} chars={5} />
-        <Readout ref={pitch} label={t("map.view.eyePitch")} unit={t("unit.deg")} chars={5} />
-        <Readout ref={roll} label={t("map.view.eyeRoll")} unit={t("unit.deg")} chars={5} />
-        <Readout ref={rate} label={t("map.view.drawn")} unit={t("map.view.perSecond")} chars={3} />
-      </ReadoutGrid>
-      <Checkbox
-        label={t("map.view.graticule")}
-        checked={hasGraticule}
-        onChange={(checked) => choose(settings, GRATICULE_CHOICE, checked ? "on" : "off")}
-      />
-      {globe === null && <p>{t("map.view.loading")}</p>}
-    </Panel>
+    <ReadoutGrid columns={1}>
+      <Readout ref={heading} label={t("map.view.eyeHeading")} unit={t("unit.deg")} chars={5} />
+      <Readout ref={pitch} label={t("map.view.eyePitch")} unit={t("unit.deg")} chars={5} />
+      <Readout ref={roll} label={t("map.view.eyeRoll")} unit={t("unit.deg")} chars={5} />
+      <Readout ref={rate} label={t("map.view.drawn")} unit={t("map.view.perSecond")} chars={3} />
+    </ReadoutGrid>
   );
 }
 
@@ -109,18 +126,6 @@ function HowShown({ whose, name }: { whose: Whose; name: string }) {
       {t("map.view.how", { name, reason })}
     </p>
   );
-}
-
-/** Draws the graticule, in the letters of the language, where it is wanted. */
-function useGraticule(): void {
-  const { t } = useTranslation();
-  const globe = useGlobe();
-  const isWanted = useSettings(({ choices }) => choices[GRATICULE_CHOICE] !== "off");
-  const letters = t("map.view.compass");
-  useEffect(() => {
-    const [north = "", east = "", south = "", west = ""] = letters;
-    globe?.ground.setGraticule(isWanted ? { north, east, south, west } : null);
-  }, [globe, isWanted, letters]);
 }
 
 /** The keys of the globe, while it has the focus. */

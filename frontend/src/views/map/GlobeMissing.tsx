@@ -3,7 +3,7 @@ import { Button } from "../../ui/Button";
 import { Notice } from "../../ui/Notice";
 import type { GlobeProblem } from "./useKeptGlobe";
 
-/** Says in the globe's place why it is not there. */
+/** Says over the flat map why it stands in the globe's place. */
 export function GlobeMissing({ problem, onRetry }: { problem: GlobeProblem; onRetry: () => void }) {
   const { t } = useTranslation();
   const reason = {
@@ -14,9 +14,11 @@ export function GlobeMissing({ problem, onRetry }: { problem: GlobeProblem; onRe
   return (
     <div className="map-missing">
       <Notice level="warning">
-        <p>{reason}</p>
-        <Button onPress={onRetry}>{t("map.view.again")}</Button>
+        <p>
+          {reason} {t("map.flat.instead")}
+        </p>
       </Notice>
+      <Button onPress={onRetry}>{t("map.view.again")}</Button>
     </div>
   );
 }

@@ -10,6 +10,7 @@ import { FileButton } from "../../ui/FileButton";
 import { Notice } from "../../ui/Notice";
 import { Panel } from "../../ui/Panel";
 import { Select } from "../../ui/Select";
+import { useFlat } from "./flat/useFlat";
 import { ImportList } from "./layers/ImportList";
 import { LayerRow } from "./layers/LayerRow";
 import { RemovedList } from "./layers/RemovedList";
@@ -21,6 +22,7 @@ export function LayersSection() {
   const { t } = useTranslation();
   const { mapLayers } = usePage();
   const ground = useGround();
+  const flat = useFlat();
   const folder = useMapLayers((layers) => layers.folder);
   const blocked = useGatewayBlocked();
   const isConnected = blocked === undefined;
@@ -54,8 +56,11 @@ export function LayersSection() {
           { value: "", label: t("map.layers.noTerrain") },
           ...ground.terrains.map(({ id, name }) => ({ value: id, label: name })),
         ]}
+        disabledReason={flat.isShown ? t("map.flat.globeOnly") : undefined}
       />
-      {ground.terrainFailed && <Notice level="warning">{t("map.layers.terrainFailed")}</Notice>}
+      {ground.terrainFailed && !flat.isShown && (
+        <Notice level="warning">{t("map.layers.terrainFailed")}</Notice>
+      )}
       <ImportList />
       <RemovedList />
       <FileButton

@@ -1,6 +1,9 @@
-import { useRef } from "react";
+import { useMemo, useRef, useState } from "react";
 import { useTranslation } from "react-i18next";
+import type { FlatScene } from "../../scene/flat/FlatScene";
 import { CameraSection } from "./CameraSection";
+import { FlatMap } from "./flat/FlatMap";
+import { FlatContext, useMapKind } from "./flat/useFlat";
 import { GlobeMissing } from "./GlobeMissing";
 import { LayersSection } from "./LayersSection";
 import { Attribution } from "./layers/Attribution";
@@ -16,32 +19,48 @@ import { GlobeContext } from "./useGlobe";
 import { useKeptGlobe } from "./useKeptGlobe";
 import "./map.css";
 
-/** "Mapa 3D": the globe with the flight, and beside it what belongs to it. */
+/** "Mapa 3D": the globe with the flight, or the flat map in its place, and beside it what belongs to both. */
 export function MapView() {
   const { t } = useTranslation();
   const host = useRef<HTMLDivElement>(null);
-  const { globe, problem, retry } = useKeptGlobe(host, true);
+  const isGlobeWanted = useMapKind() === "3d";
+  const { globe, problem, retry } = useKeptGlobe(host, isGlobeWanted);
+  const [scene, setScene] = useState<FlatScene | null>(null);
+  const isFlat = !isGlobeWanted || problem !== null;
+  const flat = useMemo(() => ({ isShown: isFlat, scene }), [isFlat, scene]);
   return (
     <GlobeContext value={globe}>
-      <div className="map">
-        <section className="map-scene" aria-label={t("tab.map")}>
-          <div ref={host} className="map-host" role="application" aria-label={t("map.view.scene")} />
-          <MapCorner />
-          <ThingCard />
-          <Attribution />
-          <MapDrop />
-          {problem !== null && <GlobeMissing problem={problem} onRetry={retry} />}
-        </section>
-        <div className="map-side">
-          <CameraSection />
-          <ThingsSection />
-          <TrackSection />
-          <PlanSection />
-          <ToolsSection />
-          <LayersSection />
-          <OnlineSection />
+      <FlatContext value={flat}>
+        <div className="map">
+          <div className="map-main">
+            {isGlobeWanted && problem !== null && <GlobeMissing problem={problem} onRetry={retry} />}
+            <section className="map-scene" aria-label={t("tab.map")}>
+              {isGlobeWanted && (
+                <div
+                  ref={host}
+                  className="map-host"
+                  role="application"
+                  aria-label={t("map.view.scene")}
+                  hidden={isFlat}
+                />
+              )}
+              {isFlat ? <FlatMap onScene={setScene} /> : <MapCorner />}
+              <ThingCard />
+              <Attribution />
+              <MapDrop />
+            </section>
+          </div>
+          <div className="map-side">
+            <CameraSection />
+            <ThingsSection />
+            <TrackSection />
+            <PlanSection />
+            <ToolsSection />
+            <LayersSection />
+            <OnlineSection />
+          </div>
         </div>
-      </div>
+      </FlatContext>
     </GlobeContext>
   );
 }

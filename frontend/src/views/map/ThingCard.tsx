@@ -88,7 +88,7 @@ function FlightValues() {
   return (
     <>
       <LiveBadge topic="gps" />
-      <ReadoutGrid columns={2}>
+      <ReadoutGrid columns={1}>
         <LiveReadout
           topic="gps"
           field="latitude_deg"
@@ -117,7 +117,7 @@ function FlightValues() {
         <LiveReadout topic="gps" field="satellites" format={whole} label={t("map.plan.satellites")} />
       </ReadoutGrid>
       <LiveBadge topic="ahrs" />
-      <ReadoutGrid columns={3}>
+      <ReadoutGrid columns={1}>
         <LiveReadout
           topic="ahrs"
           field="yaw_deg"
@@ -152,7 +152,7 @@ function HilValues() {
   return (
     <>
       <LiveBadge topic="simulator" />
-      <ReadoutGrid columns={2}>
+      <ReadoutGrid columns={1}>
         <LiveReadout
           topic="simulator"
           field="latitude_deg"
@@ -195,7 +195,7 @@ function HilValues() {
           label={t("map.plan.climb")}
         />
       </ReadoutGrid>
-      <ReadoutGrid columns={3}>
+      <ReadoutGrid columns={1}>
         <LiveReadout
           topic="simulator"
           field="true_heading_deg"

@@ -5,8 +5,10 @@ import { formatHeading } from "../../lib/format";
 import { bearing_deg, distance_m } from "../../lib/geodesy";
 import { useUnit } from "../../live/useUnit";
 import type { GroundPlace } from "../../scene/tools/MapPointer";
+import type { MapTools } from "../../scene/tools/MapTools";
 import { Button } from "../../ui/Button";
 import { Panel } from "../../ui/Panel";
+import { useFlat } from "./flat/useFlat";
 import { useMapTools } from "./tools/useMapTools";
 
 interface Leg {
@@ -26,10 +28,14 @@ export function measuredLegs(places: readonly GroundPlace[]): readonly Leg[] {
   });
 }
 
-/** The distance tool: places that are pressed on the globe, or taken from its middle, and the ways between them. */
+/** The distance tool: places that are pressed on the map, or taken from its middle, and the ways between them. */
 export function ToolsSection() {
   const { t } = useTranslation();
-  const tools = useMapTools();
+  const onGlobe = useMapTools();
+  const flat = useFlat();
+  const tools: Pick<MapTools, "measure" | "showDistance" | "centre"> | null = flat.isShown
+    ? flat.scene
+    : onGlobe;
   const distance = useUnit("distance");
   const [isOn, setOn] = useState(false);
   const [places, setPlaces] = useState<readonly GroundPlace[]>([]);

@@ -11,6 +11,7 @@ import { Checkbox } from "../../ui/Checkbox";
 import { Notice } from "../../ui/Notice";
 import { Panel } from "../../ui/Panel";
 import { Select } from "../../ui/Select";
+import { useFlat } from "./flat/useFlat";
 import { TrackLegend } from "./TrackLegend";
 import { TrackTools } from "./TrackTools";
 import { TRACK_KINDS } from "./trackKinds";
@@ -25,6 +26,7 @@ export function TrackSection() {
   const { settings, trackBook } = usePage();
   const look = useTrackLook();
   useTrackLayer(look);
+  const flat = useFlat();
   useEffect(() => trackBook.watch(), [trackBook]);
   const failure = useTracks((tracks) => tracks.failure);
   const malformed = useTracks((tracks) => tracks.malformed);
@@ -53,6 +55,7 @@ export function TrackSection() {
         label={t("map.track.curtain")}
         checked={look.hasCurtain}
         onChange={(isOn) => choose(settings, "map.track.curtain", isOn ? "on" : "off")}
+        disabledReason={flat.isShown ? t("map.flat.globeOnly") : undefined}
       />
       {failure !== null && <Notice level="warning">{sentence(failure)}</Notice>}
       {malformed > 0 && <p>{t("map.track.malformed", { count: malformed })}</p>}

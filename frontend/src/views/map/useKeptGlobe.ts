@@ -1,5 +1,6 @@
 import { type RefObject, useCallback, useEffect, useRef, useState } from "react";
 import type { Globe } from "../../scene/globe/Globe";
+import { hasWebgl } from "../../scene/globe/webgl";
 import { usePage } from "../../store/hooks";
 import { choose } from "../../store/settings";
 
@@ -31,6 +32,11 @@ export function useKeptGlobe(host: RefObject<HTMLElement | null>, isWanted: bool
   // biome-ignore lint/correctness/useExhaustiveDependencies: each attempt asks anew
   useEffect(() => {
     if (!isWanted) {
+      setProblem(null);
+      return undefined;
+    }
+    if (!hasWebgl()) {
+      setProblem("noWebgl");
       return undefined;
     }
     let isHere = true;

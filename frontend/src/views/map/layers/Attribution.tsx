@@ -1,4 +1,5 @@
 import { useMapLayers, useSettings } from "../../../store/hooks";
+import { useFlat } from "../flat/useFlat";
 import { stackOfLayers } from "./useGround";
 
 /** Whose work the visible layers are. */
@@ -6,6 +7,7 @@ export function Attribution() {
   const layers = useMapLayers((known) => known.layers);
   const remembered = useSettings(({ choices }) => choices["map.layers.stack"]);
   const terrain = useSettings(({ choices }) => choices["map.layers.terrain"]);
+  const { isShown: isFlat } = useFlat();
   const shown = new Set(
     stackOfLayers(layers, remembered)
       .filter(({ isOn, opacity }) => isOn && opacity > 0)
@@ -14,7 +16,7 @@ export function Attribution() {
   const names = layers
     .filter(
       ({ id, attribution, problem }) =>
-        problem === null && attribution !== "" && (shown.has(id) || id === terrain),
+        problem === null && attribution !== "" && (shown.has(id) || (id === terrain && !isFlat)),
     )
     .map(({ attribution }) => attribution);
   return names.length === 0 ? null : <p className="map-attribution">{[...new Set(names)].join(" · ")}</p>;

@@ -1,6 +1,7 @@
 import { useEffect, useMemo, useState } from "react";
 import { movedLayer, rememberedStack, type Stacked, stackOf, withLayer } from "../../../lib/mapStack";
 import type { MapLayer } from "../../../protocol/mapLayers";
+import type { ShownLayer } from "../../../scene/tools/LayerStack";
 import { useMapLayers, usePage, useSettings } from "../../../store/hooks";
 import { choose } from "../../../store/settings";
 import { useGlobeLayer } from "../useGlobe";
@@ -56,6 +57,16 @@ export function stackOfLayers(
   );
 }
 
+/** The layers that are to be seen, from the topmost down, and where their tiles are. */
+export function shownLayers(layers: readonly MapLayer[], stack: readonly Stacked[]): ShownLayer[] {
+  return stack.flatMap(({ id, isOn, opacity }) => {
+    const layer = layers.find((one) => one.id === id);
+    return layer !== undefined && isOn && layer.problem === null
+      ? [{ ...layer, opacity, url: `${PATH}/${id}/tiles/{z}/{x}/{y}` }]
+      : [];
+  });
+}
+
 /** Lays the layers on the globe; tells whether the terrain could not be read. */
 function useOnGlobe(layers: readonly MapLayer[], stack: readonly Stacked[], terrain: string | null): boolean {
   const laid = useGlobeLayer(
@@ -64,14 +75,7 @@ function useOnGlobe(layers: readonly MapLayer[], stack: readonly Stacked[], terr
   );
   const [failed, setFailed] = useState<string | null>(null);
   useEffect(() => {
-    laid?.show(
-      stack.flatMap(({ id, isOn, opacity }) => {
-        const layer = layers.find((one) => one.id === id);
-        return layer !== undefined && isOn && layer.problem === null
-          ? [{ ...layer, opacity, url: `${PATH}/${id}/tiles/{z}/{x}/{y}` }]
-          : [];
-      }),
-    );
+    laid?.show(shownLayers(layers, stack));
   }, [laid, layers, stack]);
   useEffect(() => {
     setFailed(null);

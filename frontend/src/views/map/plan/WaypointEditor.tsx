@@ -11,6 +11,7 @@ import { amendPlan, editPlan, redoPlan, undoPlan } from "../../../store/plans";
 import { choose } from "../../../store/settings";
 import { NumberField } from "../../../ui/NumberField";
 import { SegmentedSwitch } from "../../../ui/SegmentedSwitch";
+import { useFlat } from "../flat/useFlat";
 import type { HeldWaypoint } from "./usePlanScene";
 
 interface Props {
@@ -89,6 +90,7 @@ function Fields({ whose, waypoints, row, waypoint }: Omit<Props, "held"> & { way
 /** Four arrows and two heights: by the pointer, or by the keys of the same names while anything in here has the focus. */
 function Pusher({ whose, waypoints, row }: Omit<Props, "held">) {
   const { t } = useTranslation();
+  const flat = useFlat();
   const { missions, settings } = usePage();
   const hint = useId();
   const step = useSettings(
@@ -160,7 +162,7 @@ function Pusher({ whose, waypoints, row }: Omit<Props, "held">) {
         ))}
       </div>
       <p id={hint} className="map-plan-hint">
-        {t("map.plan.pushHint")}
+        {flat.isShown ? t("map.flat.pushHint") : t("map.plan.pushHint")}
       </p>
     </div>
   );

@@ -3,10 +3,12 @@ import { useTranslation } from "react-i18next";
 import type { Whose } from "../../../lib/mapThing";
 import { placed, unsentOf, type Waypoint } from "../../../lib/plan";
 import { useUnit } from "../../../live/useUnit";
+import type { PlanScene } from "../../../scene/plan/PlanScene";
 import type { DrawnPlan } from "../../../scene/plan/shape";
 import { useMapThing, usePage } from "../../../store/hooks";
 import { selectThing } from "../../../store/mapSelection";
 import { editPlan } from "../../../store/plans";
+import { useFlat } from "../flat/useFlat";
 import { useGlobeLayer } from "../useGlobe";
 import { aircraftPlace } from "./aircraftPlace";
 import { useHome } from "./useHome";
@@ -19,14 +21,21 @@ export interface HeldWaypoint {
   readonly to: Pick<Waypoint, "latitude_deg" | "longitude_deg" | "altitude_ft">;
 }
 
-/** Shows the plans on the globe and takes in what the pointer does to them. */
+/** Shows the plans on the globe, or on the flat map in its place, and takes in what the pointer does to them. */
 export function usePlanScene(
   plans: Readonly<Record<Whose, MapPlan>>,
   isShown: Readonly<Record<Whose, boolean>>,
   onHold: (held: HeldWaypoint | null) => void,
 ): void {
   const page = usePage();
-  const scene = useGlobeLayer("plan", async () => (await import("../../../scene/plan/PlanScene")).PlanScene);
+  const onGlobe = useGlobeLayer(
+    "plan",
+    async () => (await import("../../../scene/plan/PlanScene")).PlanScene,
+  );
+  const flat = useFlat();
+  const scene: Pick<PlanScene, "show" | "showHome" | "listen"> | null = flat.isShown
+    ? (flat.scene?.plans ?? null)
+    : onGlobe;
   const { flight, hil } = plans;
   const drawnFlight = useDrawn("flight", flight, isShown.flight);
   const drawnHil = useDrawn("hil", hil, isShown.hil);

@@ -1,0 +1,129 @@
+import type { Position } from "../../lib/geodesy";
+import type { MapThing, Whose } from "../../lib/mapThing";
+import { placed } from "../../lib/plan";
+import { nearest, type Point } from "../plan/geometry";
+import type { PlanListener } from "../plan/PlanScene";
+import type { DrawnPlan } from "../plan/shape";
+import type { Grip } from "../tools/MapPointer";
+import { drawHome, drawPlan, type FlatAircraft, type MarkedPlace } from "./flatThings";
+import { type FlatView, fromScreen, type ScreenPoint, toScreen } from "./projection";
+
+/** Within so many pixels of the pointer a thing is meant. */
+const REACH_PX = 14;
+/** What comes last lies above. */
+const ORDER: readonly Whose[] = ["hil", "flight"];
+
+/** Both flight plans and home on the flat map, and what the pointer takes hold of there. */
+export class FlatPlans {
+  readonly #onChange: () => void;
+  readonly #plans: Record<Whose, DrawnPlan | null> = { flight: null, hil: null };
+  #home: MarkedPlace | null = null;
+  #listener: PlanListener | null = null;
+  #held: { readonly plan: Whose; readonly row: number; readonly to: Point } | null = null;
+
+  constructor(onChange: () => void) {
+    this.#onChange = onChange;
+  }
+
+  listen(listener: PlanListener | null): void {
+    this.#listener = listener;
+  }
+
+  show(plan: Whose, drawn: DrawnPlan | null): void {
+    this.#plans[plan] = drawn;
+    this.#onChange();
+  }
+
+  showHome(home: MarkedPlace | null): void {
+    this.#home = home;
+    this.#onChange();
+  }
+
+  draw(context: CanvasRenderingContext2D, view: FlatView): void {
+    for (const plan of ORDER) {
+      const drawn = this.#seen(plan);
+      if (drawn !== null) {
+        drawPlan(context, view, plan, drawn);
+      }
+    }
+    if (this.#home !== null) {
+      drawHome(context, view, this.#home);
+    }
+  }
+
+  /** What can be taken hold of at this place of the view as it is now. */
+  find(view: () => FlatView, at: ScreenPoint, aircraft: readonly FlatAircraft[]): Grip | null {
+    const listener = this.#listener;
+    if (listener === null) {
+      return null;
+    }
+    const things = this.#things(aircraft);
+    const spots = things.map(({ place }) => toScreen(view(), place));
+    const found = nearest(spots, at, REACH_PX);
+    const thing = found === null ? undefined : things[found]?.thing;
+    if (thing === undefined) {
+      return null;
+    }
+    const click = (): void => listener.pick(thing);
+    return thing.kind === "waypoint"
+      ? { cursor: "grab", click, drag: (from) => this.#dragOf(listener, view, thing.plan, thing.row, from) }
+      : { cursor: "pointer", click, drag: null };
+  }
+
+  /** While a waypoint is held, its plan is drawn with it where the pointer has it. */
+  #seen(plan: Whose): DrawnPlan | null {
+    const drawn = this.#plans[plan];
+    const held = this.#held;
+    return drawn === null || held === null || held.plan !== plan
+      ? drawn
+      : {
+          ...drawn,
+          waypoints: placed(drawn.waypoints, held.row, held.to),
+          unsent: drawn.unsent.with(held.row, true),
+        };
+  }
+
+  #things(
+    aircraft: readonly FlatAircraft[],
+  ): ReadonlyArray<{ readonly thing: MapThing; readonly place: Position }> {
+    return [
+      ...ORDER.flatMap((plan) =>
+        (this.#plans[plan]?.waypoints ?? []).map((place, row) => ({
+          thing: { kind: "waypoint", plan, row } as const,
+          place,
+        })),
+      ),
+      ...aircraft.map(({ plan, place }) => ({ thing: { kind: "aircraft", plan } as const, place })),
+      ...(this.#home === null ? [] : [{ thing: { kind: "home" } as const, place: this.#home }]),
+    ];
+  }
+
+  /** The map may move under the pointer meanwhile, after an aircraft. */
+  #dragOf(listener: PlanListener, view: () => FlatView, plan: Whose, row: number, from: ScreenPoint) {
+    const waypoint = this.#plans[plan]?.waypoints[row];
+    if (waypoint === undefined) {
+      return null;
+    }
+    const start = toScreen(view(), waypoint);
+    listener.pick({ kind: "waypoint", plan, row });
+    const hold = (to: Point | null): void => {
+      this.#held = to === null ? null : { plan, row, to };
+      listener.drag(this.#held);
+      this.#onChange();
+    };
+    return {
+      move: (at: ScreenPoint): void => {
+        const moved = { x: start.x + at.x - from.x, y: start.y + at.y - from.y };
+        hold({ ...fromScreen(view(), moved), altitude_ft: waypoint.altitude_ft });
+      },
+      drop: (): void => {
+        const to = this.#held?.to;
+        hold(null);
+        if (to !== undefined) {
+          listener.drop(plan, row, to);
+        }
+      },
+      cancel: (): void => hold(null),
+    };
+  }
+}

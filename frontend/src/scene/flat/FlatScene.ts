@@ -1,0 +1,220 @@
+import type { Position } from "../../lib/geodesy";
+import type { TrackPoints } from "../../lib/track/points";
+import type { Island } from "../globe/chart/coast";
+import type { CompassLetters } from "../globe/chart/graticule";
+import type { Grip, GroundPlace } from "../tools/MapPointer";
+import { FlatPlans } from "./FlatPlans";
+import { FlatPointer } from "./FlatPointer";
+import { FlatTrack, type FlatTrackLook } from "./FlatTrack";
+import { drawGraticule } from "./flatGraticule";
+import { drawGround, drawRunways, type FlatLayer, FlatTiles } from "./flatGround";
+import { drawAircraft, drawDistance, type FlatAircraft, type MarkedPlace } from "./flatThings";
+import { around, type FlatView, fromScreen, panned, type ScreenPoint, zoomed } from "./projection";
+
+/** What lies on the map and does not move. */
+export interface FlatContents {
+  /** From below. */
+  readonly layers: readonly FlatLayer[];
+  /** From below. */
+  readonly tracks: ReadonlyArray<{ readonly points: TrackPoints; readonly look: FlatTrackLook }>;
+  /** Null: no lines of latitude and longitude. */
+  readonly graticule: CompassLetters | null;
+}
+
+export interface FlatListener {
+  /** Another part of the Earth is seen, or in another size. */
+  readonly onView: (view: FlatView) => void;
+  /** The place under the pointer; null: it is not over the map. */
+  readonly onPointer: (place: Position | null) => void;
+  /** A person has moved the map away from what it followed. */
+  readonly onMoved: () => void;
+}
+
+const START: Position = { latitude_deg: 27.93, longitude_deg: -15.38 };
+const START_ZOOM = 12;
+const KEY_PX = 80;
+
+const KEYS: Readonly<Record<string, (view: FlatView) => FlatView>> = {
+  ArrowLeft: (view) => panned(view, -KEY_PX, 0),
+  ArrowRight: (view) => panned(view, KEY_PX, 0),
+  ArrowUp: (view) => panned(view, 0, -KEY_PX),
+  ArrowDown: (view) => panned(view, 0, KEY_PX),
+  "+": (view) => zoomed(view, 1, middleOf(view)),
+  "-": (view) => zoomed(view, -1, middleOf(view)),
+};
+
+/** The map on a plain canvas, north up: for browsers without WebGL, and by choice. It is drawn only when something has changed. */
+export class FlatScene {
+  readonly plans = new FlatPlans(() => this.#change());
+  readonly #canvas: HTMLCanvasElement;
+  readonly #listener: FlatListener;
+  readonly #pointer: FlatPointer;
+  readonly #tiles = new FlatTiles(() => this.#change());
+  readonly #tracks = new Map<TrackPoints, FlatTrack>();
+  readonly #sizes: ResizeObserver;
+  #view: FlatView = { centre: START, zoom: START_ZOOM, width_px: 0, height_px: 0 };
+  #islands: readonly Island[] = [];
+  #contents: FlatContents = { layers: [], tracks: [], graticule: null };
+  #aircraft: readonly FlatAircraft[] = [];
+  #followed: Position | null = null;
+  #measured: readonly MarkedPlace[] = [];
+  #onMeasure: ((place: GroundPlace) => void) | null = null;
+  #handle: number | null = null;
+
+  constructor(canvas: HTMLCanvasElement, listener: FlatListener) {
+    this.#canvas = canvas;
+    this.#listener = listener;
+    this.#pointer = new FlatPointer(canvas, {
+      find: (at) => this.#find(at),
+      pan: (right_px, down_px) => {
+        listener.onMoved();
+        this.#look(panned(this.#view, right_px, down_px));
+      },
+      zoom: (steps, at) =>
+        this.#look(zoomed(this.#view, steps, this.#followed === null ? at : middleOf(this.#view))),
+      hover: (at) => listener.onPointer(at === null ? null : fromScreen(this.#view, at)),
+    });
+    this.#sizes = new ResizeObserver(() => this.#size());
+    this.#sizes.observe(canvas);
+    this.#size();
+  }
+
+  setIslands(islands: readonly Island[]): void {
+    this.#islands = islands;
+    this.#change();
+  }
+
+  setContents(contents: FlatContents): void {
+    this.#contents = contents;
+    this.#change();
+  }
+
+  /** Where the aircraft are now; `followed` stays in the middle. Draws also what the tracks have got meanwhile. */
+  setAircraft(aircraft: readonly FlatAircraft[], followed: Position | null): void {
+    const isSame = JSON.stringify([aircraft, followed]) === JSON.stringify([this.#aircraft, this.#followed]);
+    this.#aircraft = aircraft;
+    this.#followed = followed;
+    if (!isSame && followed !== null) {
+      this.#look({ ...this.#view, centre: followed });
+    } else if (!isSame || this.#contents.tracks.some(({ points }) => this.#trackOf(points).hasNews)) {
+      this.#change();
+    }
+  }
+
+  /** Who takes the places that are pressed; null: a press is for what lies under it. */
+  measure(listener: ((place: GroundPlace) => void) | null): void {
+    this.#onMeasure = listener;
+  }
+
+  showDistance(places: readonly MarkedPlace[]): void {
+    this.#measured = places;
+    this.#change();
+  }
+
+  /** The ground in the middle of the picture. */
+  centre(): GroundPlace {
+    return { ...this.#view.centre, height_m: null };
+  }
+
+  zoom(steps: number): void {
+    this.#look(zoomed(this.#view, steps, middleOf(this.#view)));
+  }
+
+  lookAt(places: readonly Position[]): void {
+    this.#look(around(this.#view, places));
+  }
+
+  /** True: the key means something here. */
+  key(key: string): boolean {
+    const turn = KEYS[key];
+    if (turn === undefined) {
+      return false;
+    }
+    if (key.startsWith("Arrow")) {
+      this.#listener.onMoved();
+    }
+    this.#look(turn(this.#view));
+    return true;
+  }
+
+  dispose(): void {
+    this.#pointer.dispose();
+    this.#sizes.disconnect();
+    this.#tiles.clear();
+    if (this.#handle !== null) {
+      cancelAnimationFrame(this.#handle);
+    }
+  }
+
+  #find(at: ScreenPoint): Grip | null {
+    const measure = this.#onMeasure;
+    return measure === null
+      ? this.plans.find(() => this.#view, at, this.#aircraft)
+      : {
+          cursor: "crosshair",
+          click: () => measure({ ...fromScreen(this.#view, at), height_m: null }),
+          drag: null,
+        };
+  }
+
+  #size(): void {
+    const { clientWidth, clientHeight } = this.#canvas;
+    const ratio = window.devicePixelRatio || 1;
+    this.#canvas.width = Math.max(1, Math.round(clientWidth * ratio));
+    this.#canvas.height = Math.max(1, Math.round(clientHeight * ratio));
+    this.#look({ ...this.#view, width_px: clientWidth, height_px: clientHeight });
+  }
+
+  #look(view: FlatView): void {
+    this.#view = view;
+    this.#listener.onView(view);
+    this.#change();
+  }
+
+  #change(): void {
+    this.#handle ??= requestAnimationFrame(() => {
+      this.#handle = null;
+      this.#draw();
+    });
+  }
+
+  #draw(): void {
+    const context = this.#canvas.getContext("2d");
+    if (context === null) {
+      return;
+    }
+    const { layers, tracks, graticule } = this.#contents;
+    const ratio = window.devicePixelRatio || 1;
+    context.setTransform(ratio, 0, 0, ratio, 0, 0);
+    drawGround(context, this.#view, this.#islands);
+    for (const layer of layers) {
+      this.#tiles.draw(context, this.#view, layer);
+    }
+    drawRunways(context, this.#view);
+    if (graticule !== null) {
+      drawGraticule(context, this.#view, graticule);
+    }
+    for (const { points, look } of tracks) {
+      const track = this.#trackOf(points);
+      track.draw(context, this.#view, look);
+      if (!track.isComplete) {
+        this.#change();
+      }
+    }
+    this.plans.draw(context, this.#view);
+    drawDistance(context, this.#view, this.#measured);
+    for (const aircraft of this.#aircraft) {
+      drawAircraft(context, this.#view, aircraft);
+    }
+  }
+
+  #trackOf(points: TrackPoints): FlatTrack {
+    const known = this.#tracks.get(points) ?? new FlatTrack(points);
+    this.#tracks.set(points, known);
+    return known;
+  }
+}
+
+function middleOf(view: FlatView): ScreenPoint {
+  return { x: view.width_px / 2, y: view.height_px / 2 };
+}

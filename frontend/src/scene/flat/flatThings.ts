@@ -1,0 +1,160 @@
+import type { Position } from "../../lib/geodesy";
+import type { Whose } from "../../lib/mapThing";
+import { legPoints } from "../plan/geometry";
+import { type Dot, type DrawnPlan, dotsOf, type LineKind, linesOf } from "../plan/shape";
+import { drawDot, drawLine, drawText, EDGE, type Pen, STRONG } from "./ink";
+import { type FlatView, type ScreenPoint, toScreen } from "./projection";
+
+export interface FlatAircraft {
+  readonly plan: Whose;
+  readonly place: Position;
+  /** Null: not known; a ring is drawn in place of an arrow. */
+  readonly heading_deg: number | null;
+  readonly colour: string;
+  readonly label: string;
+  readonly isLive: boolean;
+}
+
+export interface MarkedPlace extends Position {
+  readonly label: string;
+}
+
+// As on the globe.
+const PLAN: Readonly<Record<Whose, string>> = { flight: "#f58be8", hil: "#7ddcf0" };
+const UNSENT = "#ffb62e";
+const HOME = "#9df0b8";
+const MEASURE = "#ffe14d";
+const FADED = "8c";
+
+/** The pen of each line that is seen from above: a stem is not. */
+function pensOf(whose: Whose): Readonly<Partial<Record<LineKind, Pen>>> {
+  const colour = PLAN[whose];
+  // The simulator's plan is dashed: told apart without colours too.
+  const isDashed = whose === "hil";
+  return {
+    leg: { colour, width_px: 2, isDashed },
+    unsentLeg: { colour: UNSENT, width_px: 2, isDashed },
+    activeLeg: { colour: STRONG, width_px: 3.5, isDashed },
+    oldLeg: { colour: `${colour}${FADED}`, width_px: 1.5, isDashed },
+    ring: { colour, width_px: 1 },
+    activeRing: { colour: STRONG, width_px: 1.5 },
+  };
+}
+
+/** A plan as on the globe: legs, capture circles, and each waypoint with what stands beside it. */
+export function drawPlan(
+  context: CanvasRenderingContext2D,
+  view: FlatView,
+  whose: Whose,
+  plan: DrawnPlan,
+): void {
+  const pens = pensOf(whose);
+  for (const { kind, points } of linesOf(plan)) {
+    const pen = pens[kind];
+    if (pen !== undefined) {
+      const seen = points.map(([longitude_deg, latitude_deg]) =>
+        toScreen(view, { latitude_deg, longitude_deg }),
+      );
+      drawLine(context, seen, pen);
+    }
+  }
+  for (const dot of dotsOf(plan)) {
+    drawWaypoint(context, toScreen(view, dot.at), PLAN[whose], dot);
+  }
+}
+
+/** Hollow: not on the board. */
+function drawWaypoint(
+  context: CanvasRenderingContext2D,
+  at: ScreenPoint,
+  plain: string,
+  { label, isActive, isSelected, isUnsent }: Dot,
+): void {
+  const isStrong = isActive || isSelected;
+  const colour = isUnsent ? UNSENT : plain;
+  const fill = isActive ? STRONG : isUnsent ? EDGE : colour;
+  const rim = isSelected ? STRONG : isActive || isUnsent ? colour : EDGE;
+  drawDot(context, at, isStrong ? 6 : 4.5, fill, { colour: rim, width_px: isStrong || isUnsent ? 2.5 : 1 });
+  drawText(context, label, { x: at.x + 9, y: at.y - 8 }, isStrong && !isUnsent ? STRONG : colour);
+}
+
+export function drawHome(context: CanvasRenderingContext2D, view: FlatView, home: MarkedPlace): void {
+  const at = toScreen(view, home);
+  drawDot(context, at, 5, EDGE, { colour: HOME, width_px: 3 });
+  drawText(context, home.label, { x: at.x + 10, y: at.y + 14 }, HOME);
+}
+
+/** An arrow in its heading; hollow while it is not live. */
+export function drawAircraft(
+  context: CanvasRenderingContext2D,
+  view: FlatView,
+  { place, heading_deg, colour, label, isLive }: FlatAircraft,
+): void {
+  const at = toScreen(view, place);
+  const fill = isLive ? colour : "transparent";
+  if (heading_deg === null) {
+    drawDot(context, at, 8, fill, { colour, width_px: 2 });
+  } else {
+    drawArrow(context, at, heading_deg, fill, colour);
+  }
+  drawText(context, label, { x: at.x + 18, y: at.y + 4 }, colour);
+}
+
+/** Nose, right wing, tail, left wing; pixels, the nose up. */
+const ARROW = [
+  [0, -15],
+  [10, 12],
+  [0, 6],
+  [-10, 12],
+] as const;
+
+function drawArrow(
+  context: CanvasRenderingContext2D,
+  { x, y }: ScreenPoint,
+  heading_deg: number,
+  fill: string,
+  colour: string,
+): void {
+  context.save();
+  context.translate(x, y);
+  context.rotate((heading_deg * Math.PI) / 180);
+  context.beginPath();
+  for (const [right, down] of ARROW) {
+    context.lineTo(right, down);
+  }
+  context.closePath();
+  context.lineJoin = "round";
+  context.lineWidth = 5;
+  context.strokeStyle = EDGE;
+  context.stroke();
+  context.lineWidth = 2;
+  context.strokeStyle = colour;
+  context.stroke();
+  context.fillStyle = fill;
+  context.fill();
+  context.restore();
+}
+
+/** The line of the distance tool, with its length at each corner. */
+export function drawDistance(
+  context: CanvasRenderingContext2D,
+  view: FlatView,
+  places: readonly MarkedPlace[],
+): void {
+  for (const [index, to] of places.entries()) {
+    const from = places[index - 1];
+    if (from !== undefined) {
+      const way = legPoints({ ...from, altitude_ft: 0 }, { ...to, altitude_ft: 0 });
+      drawLine(
+        context,
+        way.map((place) => toScreen(view, place)),
+        { colour: MEASURE, width_px: 2.5 },
+      );
+    }
+  }
+  for (const place of places) {
+    const at = toScreen(view, place);
+    drawDot(context, at, 3.5, MEASURE, { colour: MEASURE, width_px: 1 });
+    drawText(context, place.label, { x: at.x + 9, y: at.y - 9 }, MEASURE);
+  }
+}
