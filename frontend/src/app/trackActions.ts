@@ -1,3 +1,4 @@
+import { tellTiming } from "../lib/timing";
 import type { StreamEvent } from "../protocol/envelope";
 import { isTrackState, readTrackPiece, TRACKS, type TrackName } from "../protocol/track";
 import { failureMessage } from "../store/messages";
@@ -70,10 +71,14 @@ export function createTrackBook({ rest, timers }: TrackParts): {
       return;
     }
     const before = track.malformed;
+    let started_ms = performance.now();
     for (const _ of track.take(piece)) {
+      tellTiming("track.take", started_ms);
       summarise(store, tracks);
       await new Promise<void>((done) => timers.after(0, done));
+      started_ms = performance.now();
     }
+    tellTiming("track.take", started_ms);
     if (store.getState().failure !== null || track.malformed !== before) {
       store.setState(({ malformed }) => ({ failure: null, malformed: malformed + track.malformed - before }));
     }

@@ -9,6 +9,7 @@ import {
   JulianDate,
   type Scene,
 } from "@cesium/engine";
+import { tellTiming } from "../../lib/timing";
 import { FrameBudget } from "./frameBudget";
 import { FrameCost } from "./frameCost";
 import { Ground } from "./ground";
@@ -148,11 +149,12 @@ export class Globe {
     }
     this.widget.resize();
     const before = this.#frameNumber();
-    this.#cost.start();
+    const started_ms = this.#cost.start();
     this.widget.render();
     if (this.#frameNumber() !== before) {
       this.#drawn += 1;
       this.#cost.finish();
+      tellTiming("globe.script", started_ms);
     }
   };
 

@@ -1,3 +1,5 @@
+import { tellTiming } from "../../lib/timing";
+
 /** Names by which browsers tell that no graphics processor draws. */
 const SOFTWARE = /swiftshader|llvmpipe|softpipe|software|basic render/i;
 /** A frame that says nothing for so long is given up: the next one may be drawn. */
@@ -25,8 +27,10 @@ export class FrameCost {
     return this.#fence !== null;
   }
 
-  start(): void {
+  /** Returns when that is, by `performance.now()`. */
+  start(): number {
     this.#started_ms = performance.now();
+    return this.#started_ms;
   }
 
   /** All of the frame has been handed to the graphics. */
@@ -49,6 +53,7 @@ export class FrameCost {
     }
     graphics.deleteSync(fence);
     this.#fence = null;
+    tellTiming("globe.frame", this.#started_ms);
     return cost_ms;
   }
 }

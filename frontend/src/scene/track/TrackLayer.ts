@@ -1,4 +1,5 @@
 import { BoundingSphere, Cartesian3, Cartesian4, type RendererFrame } from "@cesium/engine";
+import { tellTiming } from "../../lib/timing";
 import { COLOURINGS, type Colouring, type Range, rgb, SCALES, UNKNOWN_COLOUR } from "../../lib/track/colours";
 import type { TrackPoints } from "../../lib/track/points";
 import { ThinnedTrack } from "../../lib/track/thinnedTrack";
@@ -6,7 +7,7 @@ import type { Globe } from "../globe/Globe";
 import { type Eye, TrackBody } from "./body";
 import { Ribbon, type RibbonStyle } from "./Ribbon";
 import { type Tip, TrackTail } from "./tail";
-import { placeOf } from "./vertices";
+import { ballOf } from "./vertices";
 
 /** A track on the globe: its own colour where values do not colour it, and that of its edge. */
 export interface TrackKind {
@@ -28,8 +29,9 @@ const CASING_PX = 5;
 const CURTAIN_OPACITY = 0.3;
 /** Share of its distance by which a rank brings a line nearer. */
 const RANK_STEP = 0.002;
-/** Levels of detail are made for so long in one frame. */
+/** Levels of detail are made for so long between two frames of the instruments, and then they have their turn. */
 const SLICE_MS = 4;
+const REST_MS = 12;
 /** From the ground to above everything that is flown. */
 const ROOM_M = 30_000;
 
@@ -38,6 +40,7 @@ export class TrackLayer {
   readonly #globe: Globe;
   readonly #drawn = new Map<TrackPoints, DrawnTrack>();
   readonly #endFrames: () => void;
+  #thinning: ReturnType<typeof setTimeout> | null = null;
   #look: TrackLook = { colouring: "none", range: null, hasCurtain: true };
 
   constructor(globe: Globe) {
@@ -88,6 +91,7 @@ export class TrackLayer {
 
   dispose(): void {
     this.#endFrames();
+    clearTimeout(this.#thinning ?? undefined);
     this.#globe.scene.primitives.remove(this.#primitive);
     this.#globe.requestRender();
   }
@@ -106,14 +110,34 @@ export class TrackLayer {
     const { x, y, z } = camera.positionWC;
     const fovy = (camera.frustum as { readonly fovy?: number }).fovy ?? 1;
     const eye = { x, y, z, pixel_rad: (2 * Math.tan(fovy / 2)) / Math.max(1, drawingBufferHeight) };
-    const end_ms = performance.now() + SLICE_MS;
+    const started_ms = performance.now();
     for (const drawn of this.#drawn.values()) {
       if (drawn.isVisible) {
-        drawn.update(eye, end_ms);
+        drawn.update(eye);
         drawn.draw(frame, this.#look.hasCurtain);
       }
     }
+    tellTiming("track.update", started_ms);
+    if (this.#isThinning()) {
+      this.#thinning ??= setTimeout(this.#thin, 0);
+    }
   }
+
+  #isThinning(): boolean {
+    return [...this.#drawn.values()].some(({ isVisible, isThinned }) => isVisible && !isThinned);
+  }
+
+  /** Hours that come in one piece are thinned beside the frames, which are few where they are dear. */
+  readonly #thin = (): void => {
+    const end_ms = performance.now() + SLICE_MS;
+    for (const drawn of this.#drawn.values()) {
+      if (drawn.isVisible) {
+        drawn.thin(end_ms);
+      }
+    }
+    this.#thinning = this.#isThinning() ? setTimeout(this.#thin, REST_MS) : null;
+    this.#globe.requestRender();
+  };
 
   /** What the engine asks for its commands in each frame. */
   readonly #primitive = {
@@ -163,13 +187,24 @@ class DrawnTrack {
 
   /** Something has come that is not drawn yet. */
   get hasNews(): boolean {
-    return this.isVisible && (this.#points.revision !== this.#revision || !this.#thinned.isComplete);
+    return this.isVisible && this.#points.revision !== this.#revision;
   }
 
-  update(eye: Eye, end_ms: number): void {
+  /** Every complete block has its levels of detail. */
+  get isThinned(): boolean {
+    return this.#thinned.isComplete;
+  }
+
+  /** Makes levels of detail until then. */
+  thin(end_ms: number): void {
+    this.#thinned.refresh(() => performance.now() > end_ms);
+  }
+
+  /** For this eye, with the newest of what is complete: the line has no gap where its tail begins. */
+  update(eye: Eye): void {
     this.#revision = this.#points.revision;
     let made = 0;
-    this.#thinned.refresh(() => made++ > 0 && performance.now() > end_ms);
+    this.#thinned.refresh(() => made++ > 0);
     if (this.#body.choose(eye)) {
       this.#ribbons.body.set(this.#body.vertices, this.#body.count);
       this.#surround();
@@ -198,11 +233,8 @@ class DrawnTrack {
   }
 
   #surroundTail(): void {
-    const places: Cartesian3[] = [];
-    for (let at = 0; at < this.#tail.count; at += 1) {
-      places.push(new Cartesian3(...placeOf(this.#tail.vertices, at)));
-    }
-    grow(this.#spheres.tail, BoundingSphere.fromPoints(places));
+    const { centre, radius_m } = ballOf(this.#tail.vertices, this.#tail.count);
+    grow(this.#spheres.tail, new BoundingSphere(new Cartesian3(...centre), radius_m));
   }
 }
 

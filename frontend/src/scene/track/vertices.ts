@@ -61,6 +61,31 @@ export function placeOf(vertices: Float32Array, at: number): [number, number, nu
   return [part(0), part(1), part(2)];
 }
 
+/** A ball that holds the first `count` points; looked at in each frame, so nothing is made for each of them. */
+export function ballOf(
+  vertices: Float32Array,
+  count: number,
+): { readonly centre: readonly [number, number, number]; readonly radius_m: number } {
+  least.fill(Number.POSITIVE_INFINITY);
+  most.fill(Number.NEGATIVE_INFINITY);
+  for (let begin = 0; begin < count * POINT_FLOATS; begin += POINT_FLOATS) {
+    for (let axis = 0; axis < 3; axis += 1) {
+      const metres = (vertices[begin + axis] ?? 0) + (vertices[begin + 4 + axis] ?? 0);
+      least[axis] = Math.min(least[axis] ?? metres, metres);
+      most[axis] = Math.max(most[axis] ?? metres, metres);
+    }
+  }
+  const middle = (axis: number): number => ((least[axis] ?? 0) + (most[axis] ?? 0)) / 2;
+  const half = (axis: number): number => ((most[axis] ?? 0) - (least[axis] ?? 0)) / 2;
+  return {
+    centre: [middle(0), middle(1), middle(2)],
+    radius_m: Math.hypot(half(0), half(1), half(2)),
+  };
+}
+
+const least = new Float64Array(3);
+const most = new Float64Array(3);
+
 function known(value: number | undefined): number {
   return value === undefined || Number.isNaN(value) ? UNKNOWN : value;
 }
