@@ -229,6 +229,19 @@ async def test_with_the_board_gone_the_gps_is_not_an_alarm_of_its_own(tmp_path: 
         assert {alarm.finding.id for alarm in station.alarms.past} == {"heartbeat_lost"}
 
 
+async def test_a_board_whose_card_failed_is_an_alarm_until_it_says_otherwise(tmp_path: Path, board: FakeBoard) -> None:
+    station = Station(tmp_path / "data", ErrorLog(), record=False)
+    async with station.running():
+        await open_board(station, board)
+        assert ids(station) == set()
+        # By itself, as when a plan cannot be stored.
+        board.send(encode_telemetry("capabilities", 1, 0x1F, b"fake", b"1.0", 5))
+        await eventually_async(lambda: ids(station) == {"card_failed"}, "the alarm comes")
+        assert station.supervisor.state == "open"
+        board.send(encode_telemetry("capabilities", 1, 0x0F, b"fake", b"1.0", 5))
+        await eventually_async(lambda: ids(station) == set(), "the alarm goes")
+
+
 async def test_a_gain_that_was_not_confirmed_is_an_alarm_until_it_is_or_somebody_knows(
     tmp_path: Path, board: FakeBoard
 ) -> None:

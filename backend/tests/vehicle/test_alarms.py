@@ -17,6 +17,7 @@ from gateway.vehicle.alarms import (
     Lasting,
     Line,
     Loop,
+    judge_card,
     judge_heartbeat,
     judge_hil,
     judge_parameters,
@@ -232,6 +233,14 @@ def test_the_loop_says_where_it_is_open(loop: Loop | None, words: str | None) ->
 
 def test_a_longer_patience_with_the_loop() -> None:
     assert judge_hil(replace(LOOP, to_board_age_s=0.6, surfaces_age_s=0.6), 0.7) is None
+
+
+def test_the_card_is_judged_by_what_the_board_tells_of_it() -> None:
+    assert judge_card({}) is None
+    assert judge_card({"has_store": True, "has_card_alarm": False}) is None
+    found = judge_card({"has_store": True, "has_card_alarm": True})
+    assert found is not None
+    assert (found.id, found.level) == ("card_failed", "critical")
 
 
 def test_parameters_and_recording() -> None:

@@ -1156,7 +1156,7 @@ export interface components {
              * Id
              * @enum {string}
              */
-            id: "heartbeat_lost" | "no_heartbeat" | "hil_lost" | "gps_lost" | "battery_low" | "cpu_high" | "frames_damaged" | "parameter_not_confirmed" | "recorder_failed";
+            id: "heartbeat_lost" | "no_heartbeat" | "hil_lost" | "gps_lost" | "battery_low" | "cpu_high" | "frames_damaged" | "parameter_not_confirmed" | "card_failed" | "recorder_failed";
             /**
              * Level
              * @enum {string}
@@ -1854,7 +1854,7 @@ export interface components {
              * Id
              * @enum {string}
              */
-            id: "heartbeat_lost" | "no_heartbeat" | "hil_lost" | "gps_lost" | "battery_low" | "cpu_high" | "frames_damaged" | "parameter_not_confirmed" | "recorder_failed";
+            id: "heartbeat_lost" | "no_heartbeat" | "hil_lost" | "gps_lost" | "battery_low" | "cpu_high" | "frames_damaged" | "parameter_not_confirmed" | "card_failed" | "recorder_failed";
             /**
              * Level
              * @enum {string}

@@ -20,6 +20,7 @@ from gateway.vehicle.alarms import (
     GpsJudge,
     Line,
     Loop,
+    judge_card,
     judge_heartbeat,
     judge_hil,
     judge_parameters,
@@ -77,6 +78,7 @@ class Watch:
                 now_s, self._board.frames_received, self._board.frames_damaged, limits["frames_damaged_percent"]
             ),
             judge_parameters(self._parameters.unconfirmed),
+            judge_card(self._board.capabilities()),
             judge_recording(None if recorder is None else recorder.failure),
         )
         return [finding for finding in found if finding is not None]

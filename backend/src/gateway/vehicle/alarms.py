@@ -16,6 +16,7 @@ AlarmId = Literal[
     "cpu_high",
     "frames_damaged",
     "parameter_not_confirmed",
+    "card_failed",
     "recorder_failed",
 ]
 Level = Literal["warning", "critical"]
@@ -244,6 +245,17 @@ def judge_parameters(unconfirmed: Sequence[str]) -> Finding | None:
     names = ", ".join(unconfirmed)
     text = f"The board did not confirm {names}: load the parameters and see what it has."
     return Finding("parameter_not_confirmed", "warning", text, {"names": names})
+
+
+def judge_card(capabilities: Values) -> Finding | None:
+    """`capabilities` are what the board told of itself, empty while nobody knows."""
+    if not capabilities.get("has_card_alarm"):
+        return None
+    text = (
+        "The board's card failed: what it holds cannot be used or could not be stored. Defaults stand for what is "
+        "missing: load the parameters, read the plans, and store them again."
+    )
+    return Finding("card_failed", "critical", text)
 
 
 def judge_recording(failure: str | None) -> Finding | None:
