@@ -22,9 +22,9 @@ void application_unlock(application_t* app)
     (void)xSemaphoreGive(app->board_mutex);
 }
 
-TickType_t application_ticks(uint32_t time_ms)
+TickType_t application_ticks(uint32_t duration_ms)
 {
-    return pdMS_TO_TICKS((TickType_t)time_ms);
+    return pdMS_TO_TICKS((TickType_t)duration_ms);
 }
 
 uint32_t application_now_ms(const application_t* app)
@@ -143,7 +143,7 @@ bool application_load(application_t* app)
     return state == record_whole;
 }
 
-void application_reset(application_t* app)
+void application_reset(application_t* app, bool may_be_in_flight)
 {
     // What was uploaded and acknowledged outlives a reset.
     application_store_plans(app);
@@ -152,6 +152,7 @@ void application_reset(application_t* app)
     application_lock(app);
     const board_config_t config = {
         .legacy = app->hardware.legacy,
+        .may_be_in_flight = may_be_in_flight,
         .hil_period_s = (float)app->hardware.hil_period_ms / 1000.0F,
         .storage = app->hardware.storage,
         .send = send_frame,
@@ -194,7 +195,7 @@ _Noreturn void application_run(const application_hardware_t* hardware)
     app->card_mutex = xSemaphoreCreateMutexStatic(&app->card_mutex_memory);
     mailbox_init(&app->received);
     mailbox_init(&app->transmitted);
-    application_reset(app);
+    application_reset(app, app->hardware.restart_reason != NULL);
     watch_begin(&app->watch, app->hardware.watchdog.patience, kernel_ms());
     size_t used_words = 0;
     for (size_t i = 0; i < task_count; i++)

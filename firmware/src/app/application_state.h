@@ -40,7 +40,7 @@ extern void (*const task_bodies[task_count])(void* application);
 void application_lock(application_t* app);
 void application_unlock(application_t* app);
 
-TickType_t application_ticks(uint32_t time_ms);
+TickType_t application_ticks(uint32_t duration_ms);
 
 /// Milliseconds since the board started, at power-on or by a reset.
 uint32_t application_now_ms(const application_t* app);
@@ -51,8 +51,9 @@ void application_hear(application_t* app, task_id_t task);
 /// Wait to be woken, but not for longer than a task may be silent.
 void application_wait(TickType_t ticks);
 
-/// Begin anew, as after power-on: defaults, the card's parameters and plans, text mode.
-void application_reset(application_t* app);
+/// Begin anew, as after power-on: defaults, the card's parameters and plans, text mode. Without the plans where the
+/// board `may_be_in_flight`.
+void application_reset(application_t* app, bool may_be_in_flight);
 
 /// Put one thing on the card, or take the parameters from there. The calling task waits for the card, the board does
 /// not. True when it is done.

@@ -20,11 +20,15 @@ void run_uart_rx(void* context)
     for (;;)
     {
         uint8_t bytes[piece_bytes];
-        size_t size = 0;
-        while (byte_ring_room(&app->received.ring) >= sizeof bytes &&
-               (size = uart->read(uart->context, bytes, sizeof bytes)) > 0)
+        bool has_more = true;
+        while (has_more && byte_ring_room(&app->received.ring) >= sizeof bytes)
         {
-            (void)mailbox_put(&app->received, bytes, size);
+            const size_t size = uart->read(uart->context, bytes, sizeof bytes);
+            has_more = size > 0U;
+            if (has_more)
+            {
+                (void)mailbox_put(&app->received, bytes, size);
+            }
         }
         const bool is_full = byte_ring_room(&app->received.ring) < sizeof bytes;
         application_hear(app, task_uart_rx);
@@ -82,7 +86,7 @@ static void fulfil(application_t* app, shell_request_t request)
     case shell_asks_nothing:
         break;
     case shell_asks_reset:
-        application_reset(app);
+        application_reset(app, false);
         break;
     case shell_asks_load:
         shell_tell_loaded(&app->tty.reply, application_load(app));

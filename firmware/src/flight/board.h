@@ -76,6 +76,7 @@ typedef void (*board_send_fn_t)(void* context, const uint8_t* frame, size_t size
 typedef struct
 {
     bool legacy;              ///< like a deployed board: no extension exists
+    bool may_be_in_flight;    ///< it restarted by itself: a plan of the card would turn back to its first waypoint
     float hil_period_s;       ///< time of one HIL step; 0: measured between the arrivals of command 50
     const storage_t* storage; ///< NULL: there is no card
     board_send_fn_t send;
@@ -142,8 +143,8 @@ typedef enum
 /// Frames to the board; an unknown type counts as one without payload, so that it can be answered "unknown".
 extern const frame_dialect_t board_frames_in;
 
-/// Everything as after power-on, with the card's parameters and plans where it holds whole ones; a deployed board knows
-/// no plans of its card.
+/// Everything as after power-on, with the card's parameters and plans where it holds whole ones; no plans for a
+/// deployed board, nor where it may be in flight.
 void board_init(board_t* board, const board_config_t* config);
 
 /// A station sent `#QT\n` (also one that came while binary mode was open already): extensions are to be asked for

@@ -22,10 +22,11 @@ static size_t plan_of(board_keeps_t what)
 void board_card_load(board_t* board)
 {
     const storage_t* const storage = board->config.storage;
+    const bool knows_plans = !board->config.legacy && !board->config.may_be_in_flight;
     if (storage != NULL)
     {
         board->kept[board_keeps_parameters] = board_card_read_parameters(board, &board->parameters);
-        for (size_t plan = 0U; !board->config.legacy && plan < (size_t)board_plan_count; plan++)
+        for (size_t plan = 0U; knows_plans && plan < (size_t)board_plan_count; plan++)
         {
             board->kept[kept_plans[plan]] = plan_record_load(storage, plan_records[plan], &board->plans[plan],
                                                              board->card_room, sizeof board->card_room);

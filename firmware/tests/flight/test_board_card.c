@@ -87,6 +87,25 @@ static void a_deployed_board_does_not_know_the_plans_of_its_card(void** state)
     assert_int_equal(rig->board.plans[board_plan_hil].count, 0);
 }
 
+static void a_board_that_restarted_by_itself_has_its_parameters_and_flies_no_plan(void** state)
+{
+    (void)state;
+    rig_t* const rig = rig_start();
+    rig_extend(rig);
+    assert_int_equal(rig_ask_parameter(rig, COMMAND_SET_K_ROLL_ID, 3.0F), command_done);
+    assert_int_equal(rig_ask(rig, COMMAND_STORE_PARAMETERS_ID, NULL, 0), command_done);
+    assert_int_equal(rig_upload(rig, board_plan_flight, 3, 1), command_done);
+    assert_true(rig_keep_plans(rig));
+    board_config_t config = {.may_be_in_flight = true, .storage = &rig->card.storage, .send = rig->board.config.send};
+    board_init(&rig->board, &config);
+    assert_int_equal(rig->board.plans[board_plan_flight].count, 0);
+    assert_close(rig->board.parameters.values[PARAMETER_K_ROLL], 3.0F, 0.0);
+    assert_false(board_card_alarms(&rig->board));
+    config.may_be_in_flight = false;
+    board_init(&rig->board, &config);
+    assert_true(has_plan(rig, board_plan_flight, 3, 1));
+}
+
 static void damage_to_one_thing_gives_its_default_and_an_alarm_and_leaves_the_others(void** state)
 {
     (void)state;
@@ -166,6 +185,7 @@ int main(void)
         cmocka_unit_test(a_route_that_the_board_knows_is_not_stored_in_an_uploaded_plan_s_place),
         cmocka_unit_test(without_a_card_an_uploaded_plan_lives_until_the_restart),
         cmocka_unit_test(a_deployed_board_does_not_know_the_plans_of_its_card),
+        cmocka_unit_test(a_board_that_restarted_by_itself_has_its_parameters_and_flies_no_plan),
         cmocka_unit_test(damage_to_one_thing_gives_its_default_and_an_alarm_and_leaves_the_others),
         cmocka_unit_test(a_card_that_cannot_be_read_gives_all_defaults_and_an_alarm_until_it_can_be_written),
         cmocka_unit_test(a_plan_that_cannot_be_stored_is_flown_and_alarmed_until_it_can),
