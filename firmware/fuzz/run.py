@@ -25,7 +25,7 @@ from pathlib import Path
 from xml.etree import ElementTree as ET
 
 ROOT = Path(__file__).parents[1]
-LONGEST_INPUT_BYTES = {"frame": 1024, "interpreter": 2048, "mission": 4096}
+LONGEST_INPUT_BYTES = {"frame": 512, "interpreter": 1280, "mission": 1280}
 SHORT_RUNS = {"frame": 60_000, "interpreter": 8_000, "mission": 12_000}
 PLANTED_RUNS = 100_000
 WORKERS = 2

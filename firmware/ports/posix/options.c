@@ -150,6 +150,29 @@ static bool take(options_t* options, int option, char* error, size_t error_bytes
     return good;
 }
 
+/// One option that getopt found; `options_run` as long as there is nothing that ends the program.
+static options_result_t take_found(options_t* options, int option, const char* argument, char* error,
+                                   size_t error_bytes)
+{
+    if (option == option_help)
+    {
+        (void)fputs(help, stdout);
+        return options_shown;
+    }
+    if (option == option_version)
+    {
+        (void)puts(BOARD_FIRMWARE_NAME " " BOARD_FIRMWARE_VERSION);
+        return options_shown;
+    }
+    if (option == '?' || option == ':')
+    {
+        (void)snprintf(error, error_bytes, "%s: %s; `epf-board --help` lists the options.", argument,
+                       option == ':' ? "a value is needed after it" : "there is no such option");
+        return options_wrong;
+    }
+    return take(options, option, error, error_bytes) ? options_run : options_wrong;
+}
+
 options_result_t options_parse(options_t* options, int argc, char* argv[], char* error, size_t error_bytes)
 {
     *options = (options_t){.seed = 1};
@@ -157,25 +180,10 @@ options_result_t options_parse(options_t* options, int argc, char* argv[], char*
     opterr = 0;
     for (int option = 0; (option = getopt_long(argc, argv, ":", long_options, NULL)) != -1;)
     {
-        if (option == option_help)
+        const options_result_t result = take_found(options, option, argv[optind - 1], error, error_bytes);
+        if (result != options_run)
         {
-            (void)fputs(help, stdout);
-            return options_shown;
-        }
-        if (option == option_version)
-        {
-            (void)puts(BOARD_FIRMWARE_NAME " " BOARD_FIRMWARE_VERSION);
-            return options_shown;
-        }
-        if (option == '?' || option == ':')
-        {
-            (void)snprintf(error, error_bytes, "%s: %s; `epf-board --help` lists the options.", argv[optind - 1],
-                           option == ':' ? "a value is needed after it" : "there is no such option");
-            return options_wrong;
-        }
-        if (!take(options, option, error, error_bytes))
-        {
-            return options_wrong;
+            return result;
         }
         lines += option == option_pty || option == option_tcp || option == option_serial ? 1 : 0;
     }

@@ -45,11 +45,13 @@ void shell_tell_loaded(text_t* reply, bool done)
 static size_t split(char* line, const char* words[], size_t maximum)
 {
     size_t count = 0;
-    for (char* at = line; *at != '\0';)
+    char* at = line;
+    while (*at != '\0')
     {
         while (*at == ' ' || *at == '\t')
         {
-            *at++ = '\0';
+            *at = '\0';
+            at++;
         }
         if (*at == '\0')
         {
@@ -72,13 +74,16 @@ static size_t split(char* line, const char* words[], size_t maximum)
 static size_t match(const char* own, const char* const words[], size_t count)
 {
     size_t matched = 0;
-    for (const char* at = own; *at != '\0'; matched++)
+    const char* at = own;
+    while (*at != '\0')
     {
         char word[16];
         size_t length = 0;
         while (*at != '\0' && *at != ' ' && length + 1 < sizeof word)
         {
-            word[length++] = *at++;
+            word[length] = *at;
+            length++;
+            at++;
         }
         word[length] = '\0';
         at += *at == ' ' ? 1 : 0;
@@ -86,6 +91,7 @@ static size_t match(const char* own, const char* const words[], size_t count)
         {
             return 0;
         }
+        matched++;
     }
     return matched;
 }

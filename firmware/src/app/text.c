@@ -14,30 +14,34 @@ static void add_character(text_t* text, char character)
 {
     if (text->size < text->capacity)
     {
-        text->bytes[text->size++] = character;
+        text->bytes[text->size] = character;
+        text->size++;
     }
 }
 
 void text_add(text_t* text, const char* words)
 {
-    while (*words != '\0')
+    for (const char* at = words; *at != '\0'; at++)
     {
-        add_character(text, *words++);
+        add_character(text, *at);
     }
 }
 
 static void add_digits(text_t* text, uint64_t value, unsigned int at_least)
 {
+    static const char numerals[] = "0123456789";
     char digits[20];
     size_t count = 0;
+    uint64_t left = value;
     do
     {
-        digits[count++] = (char)('0' + (char)(value % 10U));
-        value /= 10U;
-    } while (value > 0U || count < at_least);
-    while (count > 0)
+        digits[count] = numerals[left % 10U];
+        count++;
+        left /= 10U;
+    } while (left > 0U || count < at_least);
+    for (; count > 0U; count--)
     {
-        add_character(text, digits[--count]);
+        add_character(text, digits[count - 1U]);
     }
 }
 
@@ -69,21 +73,22 @@ void text_add_double(text_t* text, double value, unsigned int decimals)
         scale *= 10U;
     }
     uint64_t scaled = (uint64_t)llround(fabs(value) * (double)scale);
-    while (decimals > 0 && scaled % 10U == 0U)
+    unsigned int shown = decimals;
+    while (shown > 0U && scaled % 10U == 0U)
     {
         scaled /= 10U;
         scale /= 10U;
-        decimals--;
+        shown--;
     }
     if (value < 0.0 && scaled != 0U)
     {
         add_character(text, '-');
     }
     add_digits(text, scaled / scale, 1);
-    if (decimals > 0)
+    if (shown > 0)
     {
         add_character(text, '.');
-        add_digits(text, scaled % scale, decimals);
+        add_digits(text, scaled % scale, shown);
     }
 }
 
@@ -104,9 +109,11 @@ void text_pad(text_t* text, size_t line_start, size_t width)
 static unsigned int read_digits(const char** word, uint64_t* value, unsigned int maximum)
 {
     unsigned int count = 0;
-    for (; **word >= '0' && **word <= '9' && count < maximum; (*word)++, count++)
+    while (**word >= '0' && **word <= '9' && count < maximum)
     {
         *value = *value * 10U + (uint64_t)(**word - '0');
+        (*word)++;
+        count++;
     }
     return count;
 }
@@ -123,9 +130,10 @@ static bool read_sign(const char** word)
 
 bool text_read_int(const char* word, int32_t* value)
 {
-    const bool negative = read_sign(&word);
+    const char* at = word;
+    const bool negative = read_sign(&at);
     uint64_t digits = 0;
-    if (read_digits(&word, &digits, 10) == 0U || *word != '\0' || digits > (uint64_t)INT32_MAX)
+    if (read_digits(&at, &digits, 10) == 0U || *at != '\0' || digits > (uint64_t)INT32_MAX)
     {
         return false;
     }
@@ -135,21 +143,22 @@ bool text_read_int(const char* word, int32_t* value)
 
 bool text_read_number(const char* word, float* value)
 {
-    const bool negative = read_sign(&word);
+    const char* at = word;
+    const bool negative = read_sign(&at);
     uint64_t digits = 0;
-    unsigned int count = read_digits(&word, &digits, 9);
+    unsigned int count = read_digits(&at, &digits, 9);
     double scale = 1.0;
-    if (*word == '.')
+    if (*at == '.')
     {
-        word++;
-        const unsigned int decimals = read_digits(&word, &digits, 9);
+        at++;
+        const unsigned int decimals = read_digits(&at, &digits, 9);
         for (unsigned int i = 0; i < decimals; i++)
         {
             scale *= 10.0;
         }
         count += decimals;
     }
-    if (count == 0U || *word != '\0')
+    if (count == 0U || *at != '\0')
     {
         return false;
     }
@@ -165,10 +174,10 @@ static char lower(char character)
 
 bool text_is(const char* a, const char* b)
 {
-    while (*a != '\0' && lower(*a) == lower(*b))
+    size_t at = 0;
+    while (a[at] != '\0' && lower(a[at]) == lower(b[at]))
     {
-        a++;
-        b++;
+        at++;
     }
-    return *a == *b;
+    return a[at] == b[at];
 }

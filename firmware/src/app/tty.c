@@ -92,7 +92,8 @@ static bool take_character(tty_t* tty, uint8_t byte, uint32_t now_ms)
     }
     else if (tty->line_size + 1 < sizeof tty->line)
     {
-        tty->line[tty->line_size++] = (char)byte;
+        tty->line[tty->line_size] = (char)byte;
+        tty->line_size++;
     }
     else
     {
@@ -104,8 +105,11 @@ static bool take_character(tty_t* tty, uint8_t byte, uint32_t now_ms)
 static size_t receive_text(tty_t* tty, const uint8_t* bytes, size_t size, uint32_t now_ms)
 {
     size_t taken = 0;
-    while (taken < size && !take_character(tty, bytes[taken++], now_ms))
+    bool is_over = false;
+    while (taken < size && !is_over)
     {
+        is_over = take_character(tty, bytes[taken], now_ms);
+        taken++;
     }
     return taken;
 }
@@ -116,7 +120,8 @@ static size_t receive_ahrs_test(tty_t* tty, const uint8_t* bytes, size_t size, u
     size_t taken = 0;
     while (taken < size && tty->mode == tty_ahrs_test)
     {
-        const uint8_t byte = bytes[taken++];
+        const uint8_t byte = bytes[taken];
+        taken++;
         const bool opens = byte == '\n' && tty->line_size == sizeof open_binary - 1 &&
                            memcmp(tty->line, open_binary, tty->line_size) == 0;
         if (byte == (uint8_t)stop_ahrs)

@@ -190,13 +190,14 @@ void board_report_parameters(board_t* board)
 
 void board_report_capabilities(board_t* board, uint32_t now_ms)
 {
+    const uint32_t uptime_ms = now_ms & 0x7FFFFFFFU;
     message_capabilities_t values = {
         .protocol_version = 1,
         .features = MESSAGE_CAPABILITIES_BIT_HAS_ACKNOWLEDGEMENTS | MESSAGE_CAPABILITIES_BIT_HAS_SOURCES |
                     MESSAGE_CAPABILITIES_BIT_HAS_MISSIONS,
         .firmware_name = BOARD_FIRMWARE_NAME,
         .firmware_version = BOARD_FIRMWARE_VERSION,
-        .uptime_ms = (int32_t)(now_ms & 0x7FFFFFFFU),
+        .uptime_ms = (int32_t)uptime_ms,
     };
     if (board->config.storage != NULL)
     {
