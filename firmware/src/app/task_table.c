@@ -10,5 +10,5 @@ const task_row_t task_table[task_count] = {
     [task_servos] = {"qServosTask", 2, 0, 512, 1000, load_control_dsc},
     [task_fms] = {"qFMSTask", 1, 0, 512, 1000, load_control_dsc},
     [task_param] = {"qParamTask", 1, 0, 512, 1000, load_control_dsc},
-    [task_card] = {"cardTask", 1, 0, 512, 1000, load_control_dsc},
+    [task_card] = {"cardTask", 1, 0, 768, 1000, load_control_dsc},
 };

@@ -46,7 +46,7 @@ extern const task_row_t task_table[task_count];
 
 enum
 {
-    task_stack_words = 5248 ///< of all tasks together
+    task_stack_words = 5504 ///< of all tasks together
 };
 
 _Static_assert((int)task_count <= (int)load_tasks_max, "every task's load is measured");

@@ -147,13 +147,9 @@ static bool replace_mounted(volume_t* volume, const char* name, const uint8_t* d
     }
     const lfs_ssize_t written = lfs_file_write(filesystem, &file, data, (lfs_size_t)size);
     const int closed = lfs_file_close(filesystem, &file);
-    if (written == (lfs_ssize_t)size && closed == LFS_ERR_OK && lfs_rename(filesystem, staged_name, name) == LFS_ERR_OK)
-    {
-        return true;
-    }
-    // On a full card its room is wanted for the next try; where this fails too, that try begins with it.
-    (void)lfs_remove(filesystem, staged_name);
-    return false;
+    // What a failure leaves of it, the next try begins with.
+    return written == (lfs_ssize_t)size && closed == LFS_ERR_OK &&
+           lfs_rename(filesystem, staged_name, name) == LFS_ERR_OK;
 }
 
 static storage_status_t read_file(void* context, const char* name, uint8_t* data, size_t capacity, size_t* size)
