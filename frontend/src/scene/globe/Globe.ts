@@ -61,6 +61,8 @@ export class Globe {
       requestRenderMode: true,
       maximumRenderTimeChange: Number.POSITIVE_INFINITY,
       msaaSamples: 1,
+      // What shines through is sorted by distance instead, which spares three more pictures a frame.
+      orderIndependentTranslucency: false,
       creditContainer: document.createElement("div"),
       blurActiveElementOnCanvasFocus: false,
       automaticallyTrackDataSourceClocks: false,

@@ -10,6 +10,8 @@ import {
   type RendererFrame,
   RenderState,
   ShaderProgram,
+  StencilFunction,
+  StencilOperation,
   VertexArray,
 } from "@cesium/engine";
 import { CURTAIN_FRAGMENT, CURTAIN_VERTEX, LINE_FRAGMENT, LINE_VERTEX } from "./shaders";
@@ -22,7 +24,12 @@ export interface RibbonStyle {
   readonly casing: Uniforms;
   readonly line: Uniforms;
   readonly curtain: Uniforms;
+  /** A bit of the picture's stencil, for this track alone. */
+  readonly veil: number;
 }
+
+/** What is drawn of a line, in this order. */
+export type RibbonPart = "casing" | "line" | "curtain";
 
 const CORNERS = new Float32Array([0, -1, 0, 1, 1, -1, 1, 1]);
 const LOCATIONS = { corner: 0, fromCoarse: 1, fromFine: 2, fromRates: 3, toCoarse: 4, toFine: 5, toRates: 6 };
@@ -50,16 +57,14 @@ export class Ribbon {
     this.#count = count;
   }
 
-  draw(frame: RendererFrame, hasCurtain: boolean): void {
+  draw(frame: RendererFrame, part: RibbonPart): void {
     if (this.#count < 2) {
       return;
     }
-    const parts = this.#upload(frame.context);
-    for (const command of hasCurtain ? parts.all : parts.lines) {
-      command.instanceCount = this.#count - 1;
-      command.boundingVolume = this.#sphere;
-      frame.commandList.push(command);
-    }
+    const command = this.#upload(frame.context).commands[part];
+    command.instanceCount = this.#count - 1;
+    command.boundingVolume = this.#sphere;
+    frame.commandList.push(command);
   }
 
   destroy(): void {
@@ -85,8 +90,7 @@ export class Ribbon {
 class Parts {
   readonly bytes: number;
   readonly points: Buffer;
-  readonly lines: readonly DrawCommand[];
-  readonly all: readonly DrawCommand[];
+  readonly commands: Readonly<Record<RibbonPart, DrawCommand>>;
   readonly #vertexArray: VertexArray;
   readonly #programs: readonly ShaderProgram[];
 
@@ -113,7 +117,7 @@ class Parts {
     const line = program(LINE_VERTEX, LINE_FRAGMENT);
     const curtain = program(CURTAIN_VERTEX, CURTAIN_FRAGMENT);
     this.#programs = [line, curtain];
-    const command = (shaderProgram: ShaderProgram, uniformMap: Uniforms, pass: number, state: object) =>
+    const command = (shaderProgram: ShaderProgram, uniformMap: Uniforms, state: object) =>
       new DrawCommand({
         owner: this,
         primitiveType: PrimitiveType.TRIANGLE_STRIP,
@@ -123,20 +127,22 @@ class Parts {
         shaderProgram,
         uniformMap,
         renderState: RenderState.fromCache(state),
-        pass,
+        // Also the curtain: names are written over it, and what is drawn after it is seen through it unveiled.
+        pass: Pass.OPAQUE,
         boundingVolume: sphere,
       });
     const depthTest = { enabled: true };
-    this.lines = [
+    this.commands = {
       // Leaves no depth: the line itself is drawn over it.
-      command(line, style.casing, Pass.OPAQUE, { depthTest, depthMask: false }),
-      command(line, style.line, Pass.OPAQUE, { depthTest, depthMask: true }),
-    ];
-    const blending = BlendingState.ALPHA_BLEND;
-    this.all = [
-      ...this.lines,
-      command(curtain, style.curtain, Pass.TRANSLUCENT, { depthTest, depthMask: false, blending }),
-    ];
+      casing: command(line, style.casing, { depthTest, depthMask: false }),
+      line: command(line, style.line, { depthTest, depthMask: true }),
+      curtain: command(curtain, style.curtain, {
+        depthTest,
+        depthMask: false,
+        blending: BlendingState.ALPHA_BLEND,
+        ...onceEach(style.veil),
+      }),
+    };
   }
 
   destroy(): void {
@@ -146,6 +152,23 @@ class Parts {
       program.destroy();
     }
   }
+}
+
+/** Each point of the picture once: the curtains of many rounds over each other stay one veil, and cost as one. */
+function onceEach(bit: number): object {
+  const operation = { zPass: StencilOperation.REPLACE };
+  return {
+    stencilMask: bit,
+    stencilTest: {
+      enabled: true,
+      frontFunction: StencilFunction.NOT_EQUAL,
+      backFunction: StencilFunction.NOT_EQUAL,
+      frontOperation: operation,
+      backOperation: operation,
+      reference: bit,
+      mask: bit,
+    },
+  };
 }
 
 /** Each copy of the rectangle takes two neighbours out of the one buffer of points. */

@@ -131,12 +131,11 @@ export class TrackLayer {
   readonly #thin = (): void => {
     const end_ms = performance.now() + SLICE_MS;
     for (const drawn of this.#drawn.values()) {
-      if (drawn.isVisible) {
-        drawn.thin(end_ms);
+      if (drawn.isVisible && drawn.thin(end_ms)) {
+        this.#globe.requestRender();
       }
     }
     this.#thinning = this.#isThinning() ? setTimeout(this.#thin, REST_MS) : null;
-    this.#globe.requestRender();
   };
 
   /** What the engine asks for its commands in each frame. */
@@ -195,9 +194,10 @@ class DrawnTrack {
     return this.#thinned.isComplete;
   }
 
-  /** Makes levels of detail until then. */
-  thin(end_ms: number): void {
-    this.#thinned.refresh(() => performance.now() > end_ms);
+  /** Makes levels of detail until then, at least one. True: more can be drawn now. */
+  thin(end_ms: number): boolean {
+    let made = 0;
+    return this.#thinned.refresh(() => made++ > 0 && performance.now() > end_ms);
   }
 
   /** For this eye, with the newest of what is complete: the line has no gap where its tail begins. */
@@ -216,8 +216,17 @@ class DrawnTrack {
   }
 
   draw(frame: RendererFrame, hasCurtain: boolean): void {
-    this.#ribbons.body.draw(frame, hasCurtain);
-    this.#ribbons.tail.draw(frame, hasCurtain);
+    const { body, tail } = this.#ribbons;
+    // Part by part, so that no edge lies over the line where the two meet.
+    for (const part of ["casing", "line"] as const) {
+      body.draw(frame, part);
+      tail.draw(frame, part);
+    }
+    if (hasCurtain) {
+      // Of curtains over each other the one drawn first is seen: the newest.
+      tail.draw(frame, "curtain");
+      body.draw(frame, "curtain");
+    }
   }
 
   destroy(): void {
@@ -269,5 +278,6 @@ function styleOf({ plain, casing, rank }: TrackKind, look: () => TrackLook): Rib
     line: { ...colours, u_width: () => WIDTH_PX, u_casing: () => noEdge },
     casing: { ...colours, u_width: () => CASING_PX, u_casing: () => edge },
     curtain: { ...colours, u_scale: scaleNow(CURTAIN_OPACITY) },
+    veil: 1 << rank,
   };
 }
