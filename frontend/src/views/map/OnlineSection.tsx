@@ -97,7 +97,7 @@ function Online({ online }: { online: MapOnline }) {
         minimum={0}
         maximum={MOST_MB}
         step={100}
-        unit="MB"
+        unit={t("map.online.megabytes")}
         onCommit={(limit) => put({ limit_bytes: limit * BYTES_PER_MB })}
         disabledReason={blocked}
       />

@@ -53,7 +53,7 @@ export function SourceForm({ taken, blocked, onAdd }: Props) {
         label={t("map.online.url")}
         value={url}
         monospace
-        placeholder="https://…/{z}/{x}/{y}.png"
+        placeholder={t("map.online.urlExample")}
         error={url.trim() === "" ? undefined : urlFault}
         onEdit={(text) => setDraft({ ...draft, url: text })}
         onCommit={(text) => setDraft({ ...draft, url: text })}

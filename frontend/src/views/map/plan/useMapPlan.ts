@@ -28,8 +28,9 @@ const NOTHING: readonly Waypoint[] = [];
 export function useMapPlan(plan: Whose): MapPlan {
   const draft = usePlans((plans) => plans[plan].draft.present);
   const read = usePlans((plans) => plans[plan].board);
-  const route = useTelemetry((telemetry, now_ms) =>
-    plan === "hil" ? telemetry.liveNumber("board_status", "hil_plan_name", now_ms) : null,
+  // As it was told last, like a plan that was read: a pause of the link takes no plan out of the hand that edits it.
+  const route = useTelemetry((telemetry) =>
+    plan === "hil" ? telemetry.newestNumber("board_status", "hil_plan_name") : null,
   );
   const flownTo = useTelemetry((telemetry, now_ms) =>
     telemetry.liveNumber(PLAN[plan].topic, "waypoint", now_ms),
