@@ -161,6 +161,7 @@ static storage_status_t do_order(void)
     return card.order.status;
 }
 
+// NOLINTNEXTLINE(readability-non-const-parameter): it is written by the card's thread, to which its address goes
 static storage_status_t storage_read(void* context, const char* name, uint8_t* data, size_t capacity, size_t* size)
 {
     (void)context;
@@ -177,15 +178,28 @@ static storage_status_t storage_replace(void* context, const char* name, const u
     return do_order();
 }
 
-bool card_start(const char* folder, char* error, size_t error_bytes)
+/// What is wrong with the folder, which is made where there is none; NULL: nothing.
+static const char* folder_problem(const char* folder)
 {
     struct stat there;
-    if ((mkdir(folder, 0755) != 0 && errno != EEXIST) || stat(folder, &there) != 0 || !S_ISDIR(there.st_mode) ||
-        access(folder, R_OK | W_OK | X_OK) != 0)
+    if ((mkdir(folder, 0755) != 0 && errno != EEXIST) || stat(folder, &there) != 0)
+    {
+        return strerror(errno);
+    }
+    if (!S_ISDIR(there.st_mode))
+    {
+        return "there is a file of that name";
+    }
+    return access(folder, R_OK | W_OK | X_OK) == 0 ? NULL : strerror(errno);
+}
+
+bool card_start(const char* folder, char* error, size_t error_bytes)
+{
+    const char* const problem = folder_problem(folder);
+    if (problem != NULL)
     {
         (void)snprintf(error, error_bytes,
-                       "--card %s: not a folder that the board can write to: %s. Choose another one.", folder,
-                       errno == EEXIST ? "there is a file of that name" : strerror(errno));
+                       "--card %s: not a folder that the board can write to: %s. Choose another one.", folder, problem);
         return false;
     }
     card.folder = folder;
