@@ -9,7 +9,7 @@ from collections.abc import Sequence
 
 from bench.table import Row, table
 
-MODULES = ("decode", "damaged", "latency", "cpu", "hil", "kill", "page", "flight")
+MODULES = ("decode", "damaged", "latency", "cpu", "hil", "kill", "page", "globe", "flight", "board", "image")
 """Each is a module of this package with `run() -> list[Row]`, in the order of the table."""
 
 

@@ -15,6 +15,7 @@ import subprocess
 import tempfile
 import threading
 import time
+from collections.abc import Callable
 from pathlib import Path
 from typing import Final
 
@@ -48,7 +49,7 @@ def run() -> list[Row]:
                 "BENCH_URL": f"http://127.0.0.1:{gateway.port}",
                 "BENCH_RESULTS": str(results),
             }
-            subprocess.run(["npm", "run", "--silent", "bench"], cwd=_E2E, env=environment, check=True)
+            subprocess.run(["npm", "run", "--silent", "bench", "--", "page"], cwd=_E2E, env=environment, check=True)
         finally:
             stop.set()
             feeder.join()
@@ -79,22 +80,36 @@ def _rows(tab: dict[str, float | str], lean: dict[str, float | str]) -> list[Row
 
 
 def _feed(line: Line, port: int, stop: threading.Event) -> None:
-    """Every topic 50 times a second on an absolute schedule, as a gentle flight in circles."""
+    """Every topic 50 times a second, as a gentle flight in circles."""
+
+    def send_board(t_s: float) -> None:
+        # A gateway that is held up does not read: a real line would lose these bytes too.
+        with contextlib.suppress(BlockingIOError):
+            line.write(board_frames(t_s))
+        while line.read(0.0):
+            pass
+
+    send(port, stop, send_board, _datagram)
+
+
+def send(
+    port: int, stop: threading.Event, send_board: Callable[[float], None], datagram: Callable[[float], bytes | None]
+) -> None:
+    """Board and simulator 50 times a second on an absolute schedule, until told to stop."""
     simulator = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
     begun_s = next_s = time.monotonic()
     while not stop.is_set():
-        # A gateway that is held up does not read: a real line would lose these bytes too.
-        with contextlib.suppress(BlockingIOError):
-            line.write(_board(time.monotonic() - begun_s))
-        simulator.sendto(_datagram(time.monotonic() - begun_s), ("127.0.0.1", port))
-        while line.read(0.0):
-            pass
+        t_s = time.monotonic() - begun_s
+        send_board(t_s)
+        data = datagram(t_s)
+        if data is not None:
+            simulator.sendto(data, ("127.0.0.1", port))
         next_s = max(next_s + PERIOD_S, time.monotonic() - PERIOD_S)
         time.sleep(max(0.0, next_s - time.monotonic()))
     simulator.close()
 
 
-def _board(t_s: float) -> bytes:
+def board_frames(t_s: float) -> bytes:
     """Eleven frames; the simulator's values are the twelfth topic."""
     wave, slow = math.sin(t_s), math.sin(0.2 * t_s)
     yaw_deg = (10.0 * t_s) % 360.0

@@ -1,18 +1,17 @@
-import { readdirSync, readFileSync } from "node:fs";
 import { readFile, writeFile } from "node:fs/promises";
 import path from "node:path";
 import { type Browser, type CDPSession, expect, type Page, test } from "@playwright/test";
+import { browserSeconds } from "./processor.js";
 
 /** The gateway's address, where the figures go, and how long each tab is measured. */
 const URL = process.env.BENCH_URL ?? "";
 const RESULTS = process.env.BENCH_RESULTS ?? "";
 const SECONDS = Number(process.env.BENCH_SECONDS ?? "12");
 
-/** Tabs that have a redraw budget of their own. */
-const GLOBE = /^(Mapa 3D|AHRS 3D)$/;
+/** Has a redraw budget and measurements of its own. */
+const GLOBE = /^Mapa 3D$/;
 /** Goes before the tabs, with the name that the table knows. */
 const LEAN = "lean";
-const CLOCK_TICKS_PER_S = 100;
 
 type Figures = {
   tab: string;
@@ -58,7 +57,7 @@ async function measureLean(browser: Browser): Promise<Omit<Figures, "tab">> {
 }
 
 async function measure(page: Page, devtools: CDPSession): Promise<Omit<Figures, "tab">> {
-  const [script, cpu] = [await scriptSeconds(devtools), browserSeconds()];
+  const [script, cpu] = [await scriptSeconds(devtools), browserSeconds().browser];
   const { frames, seconds, longest_ms } = await page.evaluate(
     (duration_ms) =>
       new Promise<{ frames: number; seconds: number; longest_ms: number }>((resolve) => {
@@ -82,7 +81,7 @@ async function measure(page: Page, devtools: CDPSession): Promise<Omit<Figures, 
       }),
     SECONDS * 1000,
   );
-  const [scriptAfter, cpuAfter] = [await scriptSeconds(devtools), browserSeconds()];
+  const [scriptAfter, cpuAfter] = [await scriptSeconds(devtools), browserSeconds().browser];
   await devtools.send("HeapProfiler.collectGarbage");
   const { usedSize } = await devtools.send("Runtime.getHeapUsage");
   return {
@@ -97,30 +96,4 @@ async function measure(page: Page, devtools: CDPSession): Promise<Omit<Figures, 
 async function scriptSeconds(devtools: CDPSession): Promise<number> {
   const { metrics } = await devtools.send("Performance.getMetrics");
   return metrics.find(({ name }) => name === "ScriptDuration")?.value ?? Number.NaN;
-}
-
-/** Processor time of the whole browser: every process below this one but the tools that drive it. */
-function browserSeconds(): number {
-  const parents = new Map<number, number>();
-  const seconds = new Map<number, number>();
-  for (const name of readdirSync("/proc")) {
-    if (!/^\d+$/.test(name)) continue;
-    try {
-      const [head = "", rest = ""] = readFileSync(`/proc/${name}/stat`, "utf8").split(/\) (?=\w )/);
-      const fields = rest.split(" ");
-      parents.set(Number(name), Number(fields[1]));
-      if (/chrom|headless/i.test(head)) {
-        seconds.set(Number(name), (Number(fields[11]) + Number(fields[12])) / CLOCK_TICKS_PER_S);
-      }
-    } catch {
-      // a process that has just ended
-    }
-  }
-  const isOurs = (pid: number): boolean => {
-    for (let at: number | undefined = pid; at !== undefined && at > 1; at = parents.get(at)) {
-      if (at === process.pid) return true;
-    }
-    return false;
-  };
-  return [...seconds].reduce((sum, [pid, used]) => (isOurs(pid) ? sum + used : sum), 0);
 }
