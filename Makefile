@@ -18,7 +18,7 @@ PORT ?= 8000
 ARGS ?=
 MINUTES ?= 30
 
-.PHONY: help setup images generate check test test-backend test-protocol test-firmware test-frontend e2e soak run board bench clean tools browser
+.PHONY: help setup images generate check test test-backend test-protocol test-firmware test-frontend e2e soak fuzz run board bench clean tools browser
 
 help: ## list the verbs
 	@awk -F':.*## ' '/^[a-z-]+:.*## / { printf "  make %-14s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -64,7 +64,12 @@ $(DONE)/arm: .ci/arm
 	@bash .ci/arm
 	@if command -v arm-none-eabi-gcc >/dev/null && command -v qemu-system-arm >/dev/null; then touch $@; fi
 
-setup: $(DONE)/venv-dev $(DONE)/frontend $(DONE)/e2e $(DONE)/browser $(DONE)/arm ## install everything that tests and development need
+$(DONE)/clang: .ci/clang
+	@mkdir -p $(DONE)
+	@bash .ci/clang
+	@if [ -n "$$(bash .ci/clang --name)" ]; then touch $@; fi
+
+setup: $(DONE)/venv-dev $(DONE)/frontend $(DONE)/e2e $(DONE)/browser $(DONE)/arm $(DONE)/clang ## install everything that tests and development need
 
 # ---- building -------------------------------------------------------------------------------------
 
@@ -91,6 +96,11 @@ generate: $(DONE)/venv $(DONE)/frontend ## write every generated file again from
 run: $(DONE)/venv frontend/dist/index.html board $(if $(filter qemu%,$(BOARD)),images) ## fly the demonstration; BOARD=/dev/ttyUSB0 and XPLANE=host put real ones in its place, BOARD=qemu the processor's image
 	@exec $(BIN)/epf-run --port $(PORT) $(if $(BOARD),--board "$(BOARD)") $(if $(XPLANE),--xplane "$(XPLANE)") $(ARGS)
 
+# the firmware's own verbs, with the tools of the virtual environment
+FIRMWARE = $(MAKE) --no-print-directory -C firmware RESULTS=$(abspath $(RESULTS)) CLANG=$$(bash .ci/clang --name) \
+  CLANG_FORMAT=$(abspath $(BIN)/clang-format) CLANG_TIDY=$(abspath $(BIN)/clang-tidy) \
+  CPPCHECK=$(abspath $(BIN)/cppcheck) GCOVR=$(abspath $(BIN)/gcovr) PYTHON=$(abspath $(BIN)/python)
+
 # ---- proving --------------------------------------------------------------------------------------
 
 check: $(DONE)/venv-dev $(DONE)/frontend $(DONE)/e2e ## format, lint, types, import rules, generated files up to date
@@ -103,7 +113,7 @@ check: $(DONE)/venv-dev $(DONE)/frontend $(DONE)/e2e ## format, lint, types, imp
 	$(BIN)/ruff check --config backend/pyproject.toml .ci
 	cd backend && ../$(BIN)/mypy
 	cd backend && ../$(BIN)/lint-imports
-	$(MAKE) --no-print-directory -C firmware format-check layers-check CLANG_FORMAT=$(abspath $(BIN)/clang-format)
+	$(FIRMWARE) format-check layers-check
 	cd frontend && npm run --silent check
 	cd e2e && npm run --silent check
 
@@ -118,8 +128,10 @@ $(DONE)/setup-done: $(DONE)/venv-dev $(DONE)/frontend $(DONE)/browser
 test-protocol: $(DONE)/venv-dev
 	cd protocol && ../$(BIN)/pytest -q --junitxml=../$(RESULTS)/protocol.xml
 
-test-firmware: $(DONE)/venv-dev $(DONE)/arm
-	$(MAKE) --no-print-directory -C firmware test RESULTS=$(abspath $(RESULTS))
+# Without clang its parts are left out, and .ci/clang has said so.
+test-firmware: $(DONE)/venv-dev $(DONE)/arm $(DONE)/clang
+	$(FIRMWARE) -j 2 test coverage analyse-tidy analyse-misra
+	@if [ -n "$$(bash .ci/clang --name)" ]; then $(FIRMWARE) -j 2 fuzz-test analyse-clang; fi
 	@if command -v arm-none-eabi-gcc >/dev/null; then $(MAKE) --no-print-directory -C firmware images size; fi
 
 test-backend: $(DONE)/venv-dev $(DONE)/arm board frontend/dist/index.html
@@ -134,6 +146,9 @@ e2e: $(DONE)/venv $(DONE)/browser board frontend/dist/index.html ## journeys in 
 
 soak: $(DONE)/venv $(DONE)/browser board frontend/dist/index.html ## a long flight at real time; MINUTES=30
 	cd e2e && SOAK_MINUTES=$(MINUTES) npm run --silent soak
+
+fuzz: $(DONE)/venv-dev $(DONE)/clang ## fuzz the board's code: RUNS=1000000 of each target, or FUZZ_MINUTES=10 of each
+	$(FIRMWARE) -j 2 fuzz
 
 bench: $(DONE)/venv-dev $(DONE)/browser board frontend/dist/index.html ## the numbers of the design, each beside its peer in the same run
 	$(MAKE) --no-print-directory -C firmware flight-lib

@@ -181,7 +181,7 @@ def planted(number: int, options: argparse.Namespace) -> Outcome:
     found = re.search(bug.finding, text) if code != 0 else None
     failure = "" if found else f"not found in {PLANTED_RUNS} runs (exit code {code}):\n{text[-3000:]}"
     line = f"planted bug in {bug.source} found: {found.group(0) if found else 'no'}"
-    return Outcome(f"{bug.target}: {bug.bad.strip()}", line, failure, time.monotonic() - begun)
+    return Outcome(f"{bug.target}: {bug.bad.strip().splitlines()[0]}", line, failure, time.monotonic() - begun)
 
 
 def write_results(folder: Path, name: str, outcomes: list[Outcome]) -> None:
