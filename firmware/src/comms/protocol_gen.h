@@ -617,7 +617,7 @@ void command_mission_item_unpack(command_mission_item_t* values, const uint8_t* 
 
 #define COMMAND_MISSION_COMMIT_PLAN_FLIGHT 0
 #define COMMAND_MISSION_COMMIT_PLAN_HIL 1
-/// The written plan replaces the one in use, whole or not at all.
+/// The written plan replaces the one in use, whole or not at all; a board with a card keeps it there afterwards.
 typedef struct
 {
     int32_t plan; ///< Which plan.

@@ -797,7 +797,7 @@ _COMMANDS: Final = (
         confirm=Confirm('none'),
     ),
     Message(
-        id=0x106, name='mission_commit', doc='The written plan replaces the one in use, whole or not at all.',
+        id=0x106, name='mission_commit', doc='The written plan replaces the one in use, whole or not at all; a board with a card keeps it there afterwards.',
         source='extension', extension=True, topic=False,
         struct=Struct("<i"),
         values=(
