@@ -54,13 +54,13 @@ class Planted:
 
 
 PLANTED = (
-    # behind a refused header the frame that stands in its place is lost
+    # behind a refused header the frame that stands in its place is lost, and what is lost is not counted
     Planted(
         "frame",
         "src/comms/frame.c",
         "    decoder->start += header_bytes;\n}",
         "    decoder->start += decoder->end - decoder->start < 12U ? header_bytes : 12U;\n}",
-        "what is found is what the rule finds",
+        "finding: not so: .*",
     ),
     # one byte more is copied than there is room for
     Planted(
@@ -68,7 +68,7 @@ PLANTED = (
         "src/comms/frame.c",
         "sizeof decoder->buffer - held;",
         "sizeof decoder->buffer - held + 1U;",
-        "heap-buffer-overflow|global-buffer-overflow|runtime error|what is found is what the rule finds",
+        "heap-buffer-overflow|global-buffer-overflow|runtime error|finding: not so: .*",
     ),
     # a position that is no number is not refused any more
     Planted(
