@@ -96,6 +96,13 @@ def test_a_board_without_the_test_is_back_in_its_frames(gateway: Gateway, board:
     assert stage(gateway) == "off"
 
 
+def test_a_board_that_agrees_and_sends_no_attitude_has_not_begun(gateway: Gateway, board: FakeBoard) -> None:
+    gateway.open_board(board.url)
+    board.sends_attitude = False
+    assert start(gateway)["state"] == "timed_out"
+    eventually(lambda: gateway.status()["board"]["state"] == "open", "commands work again")
+
+
 @pytest.mark.parametrize("flag", ["autopilot", "autopilot_hil"])
 def test_a_flying_board_is_not_left_alone(gateway: Gateway, board: FakeBoard, flag: str) -> None:
     open_quiet(gateway, board)

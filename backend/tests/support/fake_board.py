@@ -62,6 +62,7 @@ class FakeBoard:
         # The AHRS test: whether it answers to it, whether it is in it, and what it says there.
         self.has_ahrs_test = True
         self.in_ahrs_test = False
+        self.sends_attitude = True
         self.attitude_deg = (10.0, 5.0, -3.0)
         self._master = -1
         self._slave = -1
@@ -138,7 +139,7 @@ class FakeBoard:
                     self._read(decoder)
                 if time.monotonic() >= next_s:
                     next_s = time.monotonic() + HEARTBEAT_PERIOD_S
-                    if self.in_ahrs_test and not self.silent:
+                    if self.in_ahrs_test and self.sends_attitude and not self.silent:
                         self._write(b"\xaa" * 4 + struct.pack("<3f", *self.attitude_deg))
                     if self.in_binary_mode and not self.silent:
                         self._write(encode_telemetry("heartbeat", *self.flags.values()))

@@ -10,7 +10,7 @@ import asyncio
 from collections.abc import Callable
 from typing import Final, Literal
 
-from gateway.codec.ahrs_test import AhrsTest, AhrsTestState
+from gateway.codec.ahrs_test import AhrsTest
 from gateway.errors import ConflictError, LinkError
 from gateway.services.board import Board
 from gateway.services.clock import Clock
@@ -55,14 +55,15 @@ class AhrsTestRun:
         self._lock = asyncio.Lock()
         self._test = AhrsTest()
         self._heard_s = 0.0
+        self._has_record = False
         self._news = asyncio.Event()
         self._is_ending = False
 
     @property
     def stage(self) -> Stage:
-        """Where the test stands."""
+        """Where the test stands. It runs once an attitude was heard: the board's word that it will come is no proof."""
         if self._board.guest is self:
-            return "running" if self._test.state is AhrsTestState.STREAMING else "starting"
+            return "running" if self._has_record else "starting"
         return "ending" if self._is_ending else "off"
 
     async def start(self) -> CommandResult:
@@ -72,6 +73,7 @@ class AhrsTestRun:
             if self.stage != "running":
                 self._check_startable()
                 self._heard_s = started_s
+                self._has_record = False
                 self._board.lend(self)
                 self._board.write(self._test.start(started_s))
                 self._changed()
@@ -122,13 +124,13 @@ class AhrsTestRun:
         was = self.stage
         attitudes = self._test.feed(data)
         if attitudes:
+            self._has_record = True
             self._heard_s = self._clock.steady_s()
             # They came in one piece: the newest is the present, the others are no older than it.
             self._telemetry.show(TOPIC, self._clock.now_s(), dict(attitudes[-1]._asdict()))
             self._hub.flush()
             self._news.set()
         if self.stage != was:
-            self._heard_s = self._clock.steady_s()
             self._changed()
 
     def goodbye(self) -> bytes:
