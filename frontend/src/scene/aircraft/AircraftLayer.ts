@@ -38,7 +38,7 @@ export type AircraftFeed = (now_ms: number) => AllSeen;
 const COLOUR: Readonly<Record<Whose, string>> = { flight: "#ffd91a", hil: "#7ddcf0" };
 const GHOST = 0.32;
 /** From afar it is drawn larger than it is, or it would not be seen. */
-const LEAST_PX = 64;
+const LEAST_PX = 112;
 const EDGE = "#0a0d0f";
 /** Less than this is no movement: metres, and as the sine of an angle. */
 const STILL_M = 0.004;
@@ -114,10 +114,10 @@ class DrawnAircraft {
     this.#label = labels.add({
       position: Cartesian3.ZERO,
       show: false,
-      font: '600 13px "Inter Variable", system-ui, sans-serif',
+      font: '600 15px "Inter Variable", system-ui, sans-serif',
       style: LabelStyle.FILL_AND_OUTLINE,
       outlineColor: Color.fromCssColorString(EDGE),
-      outlineWidth: 4,
+      outlineWidth: 3,
       horizontalOrigin: HorizontalOrigin.LEFT,
       verticalOrigin: VerticalOrigin.BOTTOM,
       pixelOffset: new Cartesian2(22, -18),

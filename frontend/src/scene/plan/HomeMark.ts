@@ -39,10 +39,10 @@ export class HomeMark {
     this.#label = this.#labels.add({
       position: Cartesian3.ZERO,
       show: false,
-      font: "600 13px Inter Variable, sans-serif",
+      font: "600 15px Inter Variable, sans-serif",
       fillColor: HOME_COLOUR,
       outlineColor: EDGE_COLOUR,
-      outlineWidth: 5,
+      outlineWidth: 3,
       style: LabelStyle.FILL_AND_OUTLINE,
       pixelOffset: new Cartesian2(10, 16),
       disableDepthTestDistance: THROUGH_GROUND_M,

@@ -24,11 +24,11 @@ import {
 
 /** Nearer than this, metres, a waypoint is seen through the ground before it: it must never be lost. */
 const THROUGH_GROUND_M = 400_000;
-const FONT = "600 13px Inter Variable, sans-serif";
-const STRONG_FONT = "700 14px Inter Variable, sans-serif";
+const FONT = "600 15px Inter Variable, sans-serif";
+const STRONG_FONT = "700 16px Inter Variable, sans-serif";
 const LABEL = {
   outlineColor: EDGE_COLOUR,
-  outlineWidth: 5,
+  outlineWidth: 3,
   style: LabelStyle.FILL_AND_OUTLINE,
   horizontalOrigin: HorizontalOrigin.LEFT,
   verticalOrigin: VerticalOrigin.BOTTOM,

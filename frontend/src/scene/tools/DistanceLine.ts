@@ -65,10 +65,10 @@ export class DistanceLine {
       this.#labels.add({
         position,
         text: to.label,
-        font: "600 13px Inter Variable, sans-serif",
+        font: "600 15px Inter Variable, sans-serif",
         fillColor: COLOUR,
         outlineColor: EDGE,
-        outlineWidth: 5,
+        outlineWidth: 3,
         style: LabelStyle.FILL_AND_OUTLINE,
         pixelOffset: OFFSET,
         disableDepthTestDistance: THROUGH_GROUND_M,
