@@ -10,7 +10,8 @@ export default defineConfig({
   fullyParallel: false,
   forbidOnly: true,
   retries: 0,
-  timeout: 180_000,
+  // A bound for what hangs: a walk through every tab takes minutes where the globe is drawn by the processor alone.
+  timeout: 420_000,
   expect: { timeout: 60_000 },
   reporter: process.env.PLAYWRIGHT_JUNIT_OUTPUT_FILE ? [["list"], ["junit"]] : [["list"]],
   use: {

@@ -44,8 +44,8 @@ test("the globe shows the flight from behind and from the cockpit, and asks nobo
   // Behind and above the aircraft, until it is turned.
   await expect.poll(() => eye(page, "Cabeceo"), { timeout: DRAWN_MS }).toBeCloseTo(-14, 0);
   await page.locator(".map-host").focus();
-  await page.keyboard.press("ArrowUp");
-  await page.keyboard.press("ArrowUp");
+  await page.keyboard.press("ArrowDown");
+  await page.keyboard.press("ArrowDown");
   await expect.poll(() => eye(page, "Cabeceo"), { timeout: DRAWN_MS }).toBeLessThan(-20);
 
   // The cockpit's horizon is the attitude indicator's: its aircraft is the simulator's too.
