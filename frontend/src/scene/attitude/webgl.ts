@@ -1,7 +1,7 @@
 import { type PerspectiveCamera, type Scene, WebGLRenderer } from "three";
+import { FrameCost, isSoftware } from "../graphics";
 import type { Drawer } from "./Stage";
 
-const SOFTWARE = /swiftshader|llvmpipe|softpipe|software|basic render/i;
 /** Sharper than this nobody sees, and it costs by the square. */
 const MOST_PIXELS_PER_PIXEL = 2;
 
@@ -20,14 +20,13 @@ export function webglDrawer(): Drawer | null {
 class WebglDrawer implements Drawer {
   readonly canvas: HTMLCanvasElement;
   readonly isSoftware: boolean;
-  readonly #context: WebGL2RenderingContext;
+  readonly #cost: FrameCost;
   readonly #renderer: WebGLRenderer;
-  #fence: WebGLSync | null = null;
 
   constructor(canvas: HTMLCanvasElement, context: WebGL2RenderingContext) {
     this.canvas = canvas;
-    this.#context = context;
-    this.isSoftware = SOFTWARE.test(rendererName(context));
+    this.isSoftware = isSoftware(context);
+    this.#cost = new FrameCost(context, "attitude.frame");
     this.#renderer = new WebGLRenderer({ canvas, context, antialias: true });
     this.#renderer.debug.checkShaderErrors = false;
     this.#renderer.setPixelRatio(
@@ -36,25 +35,14 @@ class WebglDrawer implements Drawer {
   }
 
   isBusy(): boolean {
-    if (this.#fence === null) {
-      return false;
-    }
-    const { SYNC_STATUS, SIGNALED } = this.#context;
-    if (
-      !this.#context.isContextLost() &&
-      this.#context.getSyncParameter(this.#fence, SYNC_STATUS) !== SIGNALED
-    ) {
-      return true;
-    }
-    this.#context.deleteSync(this.#fence);
-    this.#fence = null;
-    return false;
+    this.#cost.settle();
+    return this.#cost.isWaiting;
   }
 
   render(scene: Scene, camera: PerspectiveCamera): void {
+    this.#cost.start();
     this.#renderer.render(scene, camera);
-    this.#fence = this.#context.fenceSync(this.#context.SYNC_GPU_COMMANDS_COMPLETE, 0);
-    this.#context.flush();
+    this.#cost.finish();
   }
 
   setSize(width: number, height: number): void {
@@ -66,10 +54,4 @@ class WebglDrawer implements Drawer {
     // A browser has some sixteen contexts, and takes the oldest away when they are used up.
     this.#renderer.forceContextLoss();
   }
-}
-
-function rendererName(context: WebGL2RenderingContext): string {
-  const names = context.getExtension("WEBGL_debug_renderer_info");
-  const name: unknown = context.getParameter(names?.UNMASKED_RENDERER_WEBGL ?? context.RENDERER);
-  return typeof name === "string" ? name : "";
 }

@@ -10,8 +10,9 @@ import {
   type Scene,
 } from "@cesium/engine";
 import { tellTiming } from "../../lib/timing";
-import { FrameBudget } from "./frameBudget";
-import { FrameCost } from "./frameCost";
+import { FrameBudget } from "../frameBudget";
+import { FrameCost, isSoftware } from "../graphics";
+import { GLOBE_LIMITS } from "./budget";
 import { Ground } from "./ground";
 import { setQuality } from "./quality";
 
@@ -69,8 +70,9 @@ export class Globe {
     });
     this.scene = this.widget.scene;
     this.scene.backgroundColor = Color.fromCssColorString(SKY);
-    this.#cost = new FrameCost(this.scene.canvas);
-    this.#budget = new FrameBudget(this.#cost.isSoftware);
+    const graphics = this.scene.canvas.getContext("webgl2");
+    this.#cost = new FrameCost(graphics, "globe.frame");
+    this.#budget = new FrameBudget(graphics !== null && isSoftware(graphics), GLOBE_LIMITS);
     this.ground = new Ground(this);
     this.scene.camera.setView({
       destination: Cartesian3.fromDegrees(-15.3, 27.75, 25_000),

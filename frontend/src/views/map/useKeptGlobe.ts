@@ -1,6 +1,6 @@
 import { type RefObject, useCallback, useEffect, useRef, useState } from "react";
 import type { Globe } from "../../scene/globe/Globe";
-import { hasWebgl } from "../../scene/globe/webgl";
+import { hasWebgl } from "../../scene/graphics";
 import { usePage } from "../../store/hooks";
 import { choose } from "../../store/settings";
 

@@ -1,9 +1,10 @@
 import { describe, expect, test } from "vitest";
-import { FrameBudget } from "./frameBudget";
+import { FrameBudget } from "../frameBudget";
+import { GLOBE_LIMITS } from "./budget";
 
 /** A budget after many frames of this cost. */
 function having(cost_ms: number, startsDear = false): FrameBudget {
-  const budget = new FrameBudget(startsDear);
+  const budget = new FrameBudget(startsDear, GLOBE_LIMITS);
   for (let frame = 0; frame < 60; frame += 1) {
     budget.observe(cost_ms);
   }
@@ -22,7 +23,7 @@ describe("on a graphics processor", () => {
   });
 
   test("a browser that spoke of software drawing is believed no longer", () => {
-    expect(new FrameBudget(true).period_ms(false)).toBeGreaterThan(0);
+    expect(new FrameBudget(true, GLOBE_LIMITS).period_ms(false)).toBeGreaterThan(0);
     expect(having(6, true).period_ms(false)).toBe(0);
   });
 });
