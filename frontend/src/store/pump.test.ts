@@ -49,29 +49,35 @@ test("with news in every frame instruments move in every frame and text does not
   expect(text).toHaveBeenCalledTimes(10);
 });
 
-test("where frames are dear instruments move in every second one, and texts as often as ever", () => {
-  const frames = new HandFrames();
-  let revision = 0;
-  const source = { request: frames.request, cancel: frames.cancel };
-  const pump = new Pump({ ...source, measure: (spent) => spent(12) }, () => revision, 0);
-  const instrument = vi.fn();
-  const text = vi.fn();
-  pump.add("frame", instrument);
-  pump.add("text", text);
-  const fly = (from: number) => {
-    for (let frame = from; frame < from + 60; frame += 1) {
-      revision += 1;
-      frames.show(1000 + (frame * 1000) / 60);
-    }
-  };
-  fly(0);
-  instrument.mockClear();
-  text.mockClear();
-  fly(60);
-  expect(instrument.mock.calls.length).toBeGreaterThanOrEqual(30);
-  expect(instrument.mock.calls.length).toBeLessThanOrEqual(40);
-  expect(text).toHaveBeenCalledTimes(10);
-});
+test.each([
+  { cost_ms: 5, name: "dear", of: "second", least: 30, most: 40 },
+  { cost_ms: 12, name: "dearer", of: "third", least: 20, most: 25 },
+])(
+  "where frames are $name instruments move in every $of one, and texts as often as ever",
+  ({ cost_ms, least, most }) => {
+    const frames = new HandFrames();
+    let revision = 0;
+    const source = { request: frames.request, cancel: frames.cancel };
+    const pump = new Pump({ ...source, measure: (spent) => spent(cost_ms) }, () => revision, 0);
+    const instrument = vi.fn();
+    const text = vi.fn();
+    pump.add("frame", instrument);
+    pump.add("text", text);
+    const fly = (from: number, count: number) => {
+      for (let frame = from; frame < from + count; frame += 1) {
+        revision += 1;
+        frames.show(1000 + (frame * 1000) / 60);
+      }
+    };
+    fly(0, 180);
+    instrument.mockClear();
+    text.mockClear();
+    fly(180, 60);
+    expect(instrument.mock.calls.length).toBeGreaterThanOrEqual(least);
+    expect(instrument.mock.calls.length).toBeLessThanOrEqual(most);
+    expect(text).toHaveBeenCalledTimes(10);
+  },
+);
 
 test("a painter that throws does not stop the loop", () => {
   const { frames, pump } = setup();

@@ -16,7 +16,7 @@ export type Paint = (now_ms: number) => void;
 /**
  * The one animation-frame loop of the page. Painters of a rate run together, so layout happens once; frames in which
  * nothing new arrived paint nothing but the tenth-of-a-second texts, which also find what has become stale. Where
- * frames are dear, instruments move in every second one.
+ * frames are dear, instruments move in every second or third one.
  */
 export class Pump {
   readonly #frames: FrameSource;
