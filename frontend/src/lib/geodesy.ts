@@ -9,6 +9,8 @@ export interface Position {
 
 /** Mean radius of the earth, metres: the sphere on which the board computes its distances too. */
 export const EARTH_RADIUS_M = 6_371_008.8;
+/** Of latitude, on that sphere: 111,195 m. */
+export const METRES_PER_DEGREE = EARTH_RADIUS_M / DEGREES_PER_RADIAN;
 
 /** Great-circle distance in metres, by the haversine: exact for points that nearly coincide. */
 export function distance_m(from: Position, to: Position): number {

@@ -1,3 +1,4 @@
+import { METRES_PER_DEGREE } from "../geodesy";
 import { BLOCK_BITS, BLOCK_POINTS, DEGREES_PER_UNIT, METRES_PER_UNIT, merged, TrackBlock } from "./block";
 
 /** 786,432 points: 4 h 22 min at 50 Hz, 22 MB. Beyond it older points go, every second one, block by block. */
@@ -12,7 +13,6 @@ const LEAST_JUMP_M = 100;
 const WINDOW_S = 1.5;
 /** Less than this says nothing. */
 const LEAST_WINDOW_S = 0.5;
-const METRES_PER_DEGREE = 111_195;
 
 /** The least and the greatest of a track's values; null before there is one. */
 export interface Spread {

@@ -6,14 +6,15 @@ import {
   HorizontalOrigin,
   type Label,
   LabelCollection,
-  LabelStyle,
   Matrix4,
   Model,
   VerticalOrigin,
 } from "@cesium/engine";
 import type { FullAttitude } from "../../lib/attitude";
 import type { Whose } from "../../lib/mapThing";
+import { AIRCRAFT } from "../colours";
 import type { Globe } from "../globe/Globe";
+import { LETTERING } from "../lettering";
 import { airframeFaces } from "./airframe";
 import { gltfAddress } from "./gltf";
 import { modelMatrix, type Place, type Pose, poseOf } from "./pose";
@@ -35,11 +36,9 @@ export type AllSeen = Readonly<Record<Whose, AircraftSeen | null>>;
 /** What is to be shown in a frame; null: not drawn. */
 export type AircraftFeed = (now_ms: number) => AllSeen;
 
-const COLOUR: Readonly<Record<Whose, string>> = { flight: "#ffd91a", hil: "#7ddcf0" };
 const GHOST = 0.32;
 /** From afar it is drawn larger than it is, or it would not be seen. */
 const LEAST_PX = 112;
-const EDGE = "#0a0d0f";
 /** Less than this is no movement: metres, and as the sine of an angle. */
 const STILL_M = 0.004;
 const STILL_TURN = 2e-4;
@@ -110,14 +109,11 @@ class DrawnAircraft {
   constructor(globe: Globe, labels: LabelCollection, whose: Whose) {
     this.#globe = globe;
     this.#labels = labels;
-    this.#colour = Color.fromCssColorString(COLOUR[whose]);
+    this.#colour = Color.fromCssColorString(AIRCRAFT[whose]);
     this.#label = labels.add({
+      ...LETTERING,
       position: Cartesian3.ZERO,
       show: false,
-      font: '600 15px "Inter Variable", system-ui, sans-serif',
-      style: LabelStyle.FILL_AND_OUTLINE,
-      outlineColor: Color.fromCssColorString(EDGE),
-      outlineWidth: 3,
       horizontalOrigin: HorizontalOrigin.LEFT,
       verticalOrigin: VerticalOrigin.BOTTOM,
       pixelOffset: new Cartesian2(22, -18),

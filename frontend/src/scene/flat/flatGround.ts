@@ -1,3 +1,5 @@
+import { METRES_PER_DEGREE } from "../../lib/geodesy";
+import { ASPHALT, COAST, LAND, PAINT, SEA } from "../colours";
 import { GRAN_CANARIA, runwayCourse } from "../globe/chart/airfields";
 import type { Island } from "../globe/chart/coast";
 import { overlaps, thinned } from "../globe/chart/geometry";
@@ -12,14 +14,6 @@ import {
   worldX,
   worldY,
 } from "./projection";
-
-// As the globe has them: on a map the ground is the same in every theme.
-const SEA = "#2a5c85";
-const LAND = "#837f5b";
-const COAST = "#f2e9c9";
-const ASPHALT = "#33383c";
-const PAINT = "#f4f4f0";
-const METRES_PER_DEGREE = 111_195;
 
 /** Sea and islands. */
 export function drawGround(

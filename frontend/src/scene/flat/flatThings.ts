@@ -1,8 +1,9 @@
 import type { Position } from "../../lib/geodesy";
 import type { Whose } from "../../lib/mapThing";
+import { EDGE, HOME, MEASURE, PLAN, STRONG, UNSENT } from "../colours";
 import { legPoints } from "../plan/geometry";
 import { type Dot, type DrawnPlan, dotsOf, type LineKind, linesOf } from "../plan/shape";
-import { drawDot, drawLine, drawText, EDGE, type Pen, STRONG } from "./ink";
+import { drawDot, drawLine, drawText, type Pen } from "./ink";
 import { type FlatView, type ScreenPoint, toScreen } from "./projection";
 
 export interface FlatAircraft {
@@ -19,11 +20,6 @@ export interface MarkedPlace extends Position {
   readonly label: string;
 }
 
-// As on the globe.
-const PLAN: Readonly<Record<Whose, string>> = { flight: "#f58be8", hil: "#7ddcf0" };
-const UNSENT = "#ffb62e";
-const HOME = "#9df0b8";
-const MEASURE = "#ffe14d";
 const FADED = "8c";
 
 /** The pen of each line that is seen from above: a stem is not. */

@@ -1,8 +1,6 @@
+import { EDGE } from "../colours";
 import type { ScreenPoint } from "./projection";
 
-// On a map the ground is the same in every theme, so these colours are too.
-export const EDGE = "#0a0d0f";
-export const STRONG = "#ffffff";
 const FONT = '600 12px "Inter Variable", system-ui, sans-serif';
 
 export interface Pen {

@@ -4,16 +4,16 @@ import {
   Color,
   type Label,
   LabelCollection,
-  LabelStyle,
   type PointPrimitive,
   PointPrimitiveCollection,
 } from "@cesium/engine";
 import type { Position } from "../../lib/geodesy";
+import { HOME } from "../colours";
 import type { Globe } from "../globe/Globe";
+import { LETTERING, THROUGH_GROUND_M } from "../lettering";
 import { EDGE_COLOUR } from "./style";
 
-const HOME_COLOUR = Color.fromCssColorString("#8df0b8");
-const THROUGH_GROUND_M = 400_000;
+const HOME_COLOUR = Color.fromCssColorString(HOME);
 
 /** Home: where the aircraft set out from, on the ground. */
 export class HomeMark {
@@ -37,15 +37,11 @@ export class HomeMark {
       disableDepthTestDistance: THROUGH_GROUND_M,
     });
     this.#label = this.#labels.add({
+      ...LETTERING,
       position: Cartesian3.ZERO,
       show: false,
-      font: "600 15px Inter Variable, sans-serif",
       fillColor: HOME_COLOUR,
-      outlineColor: EDGE_COLOUR,
-      outlineWidth: 3,
-      style: LabelStyle.FILL_AND_OUTLINE,
       pixelOffset: new Cartesian2(10, 16),
-      disableDepthTestDistance: THROUGH_GROUND_M,
     });
   }
 

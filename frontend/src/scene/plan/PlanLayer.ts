@@ -4,13 +4,13 @@ import {
   type Color,
   HorizontalOrigin,
   LabelCollection,
-  LabelStyle,
   PointPrimitiveCollection,
   PolylineCollection,
   VerticalOrigin,
 } from "@cesium/engine";
 import { METRES_PER_FOOT } from "../../lib/units";
 import type { Globe } from "../globe/Globe";
+import { LETTERING, STRONG_FONT, THROUGH_GROUND_M } from "../lettering";
 import { type Dot, type DrawnPlan, dotsOf, linesOf } from "./shape";
 import {
   ACTIVE_COLOUR,
@@ -22,18 +22,11 @@ import {
   UNSENT_COLOUR,
 } from "./style";
 
-/** Nearer than this, metres, a waypoint is seen through the ground before it: it must never be lost. */
-const THROUGH_GROUND_M = 400_000;
-const FONT = "600 15px Inter Variable, sans-serif";
-const STRONG_FONT = "700 16px Inter Variable, sans-serif";
 const LABEL = {
-  outlineColor: EDGE_COLOUR,
-  outlineWidth: 3,
-  style: LabelStyle.FILL_AND_OUTLINE,
+  ...LETTERING,
   horizontalOrigin: HorizontalOrigin.LEFT,
   verticalOrigin: VerticalOrigin.BOTTOM,
   pixelOffset: new Cartesian2(10, -10),
-  disableDepthTestDistance: THROUGH_GROUND_M,
 };
 
 /** One flight plan on the globe. Drawn anew when it changes, and only then. */
@@ -113,7 +106,7 @@ export class PlanLayer {
       ...LABEL,
       position,
       text: label,
-      font: isStrong ? STRONG_FONT : FONT,
+      font: isStrong ? STRONG_FONT : LETTERING.font,
       fillColor: isStrong && !isUnsent ? ACTIVE_COLOUR : colour,
     });
   }

@@ -1,19 +1,17 @@
 import { Color, Material } from "@cesium/engine";
-
 import type { Whose } from "../../lib/mapThing";
+import { EDGE, PLAN, STRONG, UNSENT } from "../colours";
 import type { LineKind } from "./shape";
 
 export type PlanKind = Whose;
 
-/** On the globe the ground is the same in every theme, so these colours are too. */
 export const PLAN_COLOUR: Readonly<Record<PlanKind, Color>> = {
-  flight: Color.fromCssColorString("#f58be8"),
-  hil: Color.fromCssColorString("#7ddcf0"),
+  flight: Color.fromCssColorString(PLAN.flight),
+  hil: Color.fromCssColorString(PLAN.hil),
 };
-/** What the board does not have yet. */
-export const UNSENT_COLOUR = Color.fromCssColorString("#ffb62e");
-export const ACTIVE_COLOUR = Color.WHITE;
-export const EDGE_COLOUR = Color.fromCssColorString("#0a0d0f");
+export const UNSENT_COLOUR = Color.fromCssColorString(UNSENT);
+export const ACTIVE_COLOUR = Color.fromCssColorString(STRONG);
+export const EDGE_COLOUR = Color.fromCssColorString(EDGE);
 
 /** Makes the material of a kind of line: a line owns its own, and takes it along when it goes. */
 export type MakeMaterial = (kind: LineKind) => Material;

@@ -3,12 +3,13 @@ import {
   Cartesian3,
   Color,
   LabelCollection,
-  LabelStyle,
   Material,
   PointPrimitiveCollection,
   PolylineCollection,
 } from "@cesium/engine";
+import { EDGE, MEASURE } from "../colours";
 import type { Globe } from "../globe/Globe";
+import { LETTERING, THROUGH_GROUND_M } from "../lettering";
 import { legPoints } from "../plan/geometry";
 import type { GroundPlace } from "./MapPointer";
 
@@ -16,11 +17,10 @@ export interface MeasuredPlace extends GroundPlace {
   readonly label: string;
 }
 
-const COLOUR = Color.fromCssColorString("#ffe14d");
-const EDGE = Color.fromCssColorString("#0a0d0f");
+const COLOUR = Color.fromCssColorString(MEASURE);
+const EDGE_COLOUR = Color.fromCssColorString(EDGE);
 /** So far over the ground the line is drawn, metres: in it, it would flicker. */
 const OVER_GROUND_M = 3;
-const THROUGH_GROUND_M = 400_000;
 const OFFSET = new Cartesian2(10, -12);
 
 /** The line of the distance tool along the ground, with its length at each corner. */
@@ -58,20 +58,16 @@ export class DistanceLine {
         position,
         color: COLOUR,
         pixelSize: 8,
-        outlineColor: EDGE,
+        outlineColor: EDGE_COLOUR,
         outlineWidth: 2,
         disableDepthTestDistance: THROUGH_GROUND_M,
       });
       this.#labels.add({
+        ...LETTERING,
         position,
         text: to.label,
-        font: "600 15px Inter Variable, sans-serif",
         fillColor: COLOUR,
-        outlineColor: EDGE,
-        outlineWidth: 3,
-        style: LabelStyle.FILL_AND_OUTLINE,
         pixelOffset: OFFSET,
-        disableDepthTestDistance: THROUGH_GROUND_M,
       });
     }
     this.#globe.requestRender();

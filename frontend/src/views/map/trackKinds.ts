@@ -1,4 +1,5 @@
 import type { TrackName } from "../../protocol/track";
+import { AIRCRAFT } from "../../scene/colours";
 
 interface Kind {
   readonly plain: string;
@@ -7,10 +8,10 @@ interface Kind {
 }
 
 /**
- * On a map the ground is the same in every theme, so these colours are too. The edges tell the two apart when values
- * colour them; where they lie over each other, the real one is seen.
+ * A track has its aircraft's colour. The edges tell the two apart when values colour them; where they lie over each
+ * other, the real one is seen.
  */
 export const TRACK_KINDS: Readonly<Record<TrackName, Kind>> = {
-  real: { plain: "#ffd91a", casing: "#12100a", rank: 1 },
-  hil: { plain: "#7ddcf0", casing: "#ffffff", rank: 0 },
+  real: { plain: AIRCRAFT.flight, casing: "#12100a", rank: 1 },
+  hil: { plain: AIRCRAFT.hil, casing: "#ffffff", rank: 0 },
 };

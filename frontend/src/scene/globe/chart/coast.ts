@@ -1,3 +1,5 @@
+import { METRES_PER_DEGREE } from "../../../lib/geodesy";
+import { COAST, LAND, SEA } from "../../colours";
 import { type Box, boxOf, clipFilled, linesNear, overlaps, padded, type Ring, thinned } from "./geometry";
 
 /** An island with the box that holds it, so that most tiles need not look at its points. */
@@ -10,12 +12,8 @@ export interface Island {
 export const CHART: Box = { west_deg: -19.2, south_deg: 26.8, east_deg: -12.4, north_deg: 30.2 };
 const BORDER_DEG = 0.7;
 
-const SEA = "#2a5c85";
 const SHALLOWS = ["rgb(120 185 205 / 16%)", "rgb(120 185 205 / 22%)"];
 const SHALLOWS_M = [1500, 600];
-const LAND = "#837f5b";
-const COAST = "#f2e9c9";
-const METRES_OF_DEGREE = 111_000;
 
 /** GeoJSON polygons as islands. Throws where it is none. */
 export function readIslands(text: string): readonly Island[] {
@@ -38,7 +36,7 @@ export function drawCoast(context: CanvasRenderingContext2D, box: Box, islands: 
   const pixel_deg = size_deg / size_px;
   context.fillStyle = SEA;
   context.fillRect(0, 0, size_px, size_px);
-  const widest_deg = (2 * (SHALLOWS_M[0] ?? 0)) / METRES_OF_DEGREE;
+  const widest_deg = (2 * (SHALLOWS_M[0] ?? 0)) / METRES_PER_DEGREE;
   const near = padded(box, Math.max(widest_deg, 4 * pixel_deg));
   const rings = islands
     .filter((island) => overlaps(island.box, near))
@@ -64,7 +62,7 @@ export function drawCoast(context: CanvasRenderingContext2D, box: Box, islands: 
   }
   SHALLOWS_M.forEach((metres, index) => {
     context.strokeStyle = SHALLOWS[index] ?? "";
-    context.lineWidth = (2 * metres) / METRES_OF_DEGREE / pixel_deg;
+    context.lineWidth = (2 * metres) / METRES_PER_DEGREE / pixel_deg;
     context.stroke();
   });
   context.fillStyle = LAND;

@@ -1,3 +1,4 @@
+import { ASPHALT, PAINT } from "../../colours";
 import { type Airfield, type Runway, runwayCourse } from "./airfields";
 import { type Box, metresOfDegree, overlaps } from "./geometry";
 
@@ -7,8 +8,6 @@ const LEAST_WIDTH_PX = 2.5;
 const MARKED_WIDTH_PX = 9;
 /** A label stands beside the field while the runway is no longer than this, and no shorter. */
 const LABEL_LENGTH_PX = [14, 400] as const;
-const ASPHALT = "#33383c";
-const PAINT = "#f4f4f0";
 /** Broken centre line: stripe and gap, and where it begins. */
 const STRIPE_M = 30;
 const GAP_M = 20;

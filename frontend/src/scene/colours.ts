@@ -1,0 +1,23 @@
+import type { Whose } from "../lib/mapThing";
+
+// On a map the ground is the same in every theme, so these colours are too. They are plain words, for the globe and for
+// the 2D map, which must not load the globe's engine.
+
+/** Round everything that is drawn over the ground: seen on any picture. */
+export const EDGE = "#0a0d0f";
+/** What is active or selected. */
+export const STRONG = "#ffffff";
+export const AIRCRAFT: Readonly<Record<Whose, string>> = { flight: "#ffd91a", hil: "#7ddcf0" };
+export const PLAN: Readonly<Record<Whose, string>> = { flight: "#f58be8", hil: "#7ddcf0" };
+/** What the board does not have yet. */
+export const UNSENT = "#ffb62e";
+export const HOME = "#8df0b8";
+/** The distance tool's line. */
+export const MEASURE = "#ffe14d";
+
+export const SEA = "#2a5c85";
+export const LAND = "#837f5b";
+export const COAST = "#f2e9c9";
+/** Runways, and what is painted on them. */
+export const ASPHALT = "#33383c";
+export const PAINT = "#f4f4f0";
