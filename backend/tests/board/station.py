@@ -218,6 +218,12 @@ class Station:
     def count(self, name: str) -> int:
         return sum(frame.message.name == name for frame in self.frames)
 
+    def acknowledgements(self, command: str) -> int:
+        """How often that command was acknowledged."""
+        return sum(
+            frame.message.name == "acknowledgement" and frame.values[0] == COMMANDS[command].id for frame in self.frames
+        )
+
     def names(self) -> set[str]:
         return {frame.message.name for frame in self.frames}
 

@@ -41,9 +41,17 @@ def test_every_other_board_is_no_image(board: str | None) -> None:
 
 def test_the_gateway_opens_the_line_on_which_the_image_listens(qemu: Path, tmp_path: Path) -> None:
     command = ON_A_LINE.command(qemu, tmp_path / "card")
-    assert "tcp:127.0.0.1:40123,server=on,wait=off,nodelay=on" in command
+    line = command[command.index("-chardev") + 1].split(",")
+    assert {"socket", "id=line", "host=127.0.0.1", "port=40123", "server=on", "wait=off", "nodelay=on"} <= set(line)
+    assert command[command.index("-serial") + 1] == "chardev:line"
     assert command[command.index("-M") + 1] == "netduinoplus2"
     assert Options(emulated=ON_A_LINE).board_url() == "tcp://127.0.0.1:40123"
+
+
+def test_no_byte_of_the_line_is_a_command_to_the_emulator(qemu: Path, tmp_path: Path) -> None:
+    command = ON_A_LINE.command(qemu, tmp_path / "card")
+    assert "mux=on" in command[command.index("-chardev") + 1]
+    assert int(command[command.index("-echr") + 1]) not in range(256)
 
 
 def test_the_image_s_card_may_have_any_name(qemu: Path, tmp_path: Path) -> None:
