@@ -181,6 +181,8 @@ class DrawnAircraft {
       color: this.#colour,
       colorBlendMode: ColorBlendMode.HIGHLIGHT,
       allowPicking: false,
+      // Light from all around for a shine that it does not have: hundreds of milliseconds of a processor with each kilometre.
+      environmentMapOptions: { enabled: false },
     });
     if (this.#isDisposed || this.#globe.scene.isDestroyed()) {
       model.destroy();

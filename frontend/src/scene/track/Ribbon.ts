@@ -4,6 +4,7 @@ import {
   Buffer,
   BufferUsage,
   DrawCommand,
+  IndexDatatype,
   Pass,
   PrimitiveType,
   type RendererContext,
@@ -14,6 +15,7 @@ import {
   StencilOperation,
   VertexArray,
 } from "@cesium/engine";
+import { CORNERS, cornerIndices, INDICES, spread } from "./quads";
 import { CURTAIN_FRAGMENT, CURTAIN_VERTEX, LINE_FRAGMENT, LINE_VERTEX } from "./shaders";
 import { POINT_BYTES, POINT_FLOATS } from "./vertices";
 
@@ -31,29 +33,32 @@ export interface RibbonStyle {
 /** What is drawn of a line, in this order. */
 export type RibbonPart = "casing" | "line" | "curtain";
 
-const CORNERS = new Float32Array([0, -1, 0, 1, 1, -1, 1, 1]);
-const LOCATIONS = { corner: 0, fromCoarse: 1, fromFine: 2, fromRates: 3, toCoarse: 4, toFine: 5, toRates: 6 };
+const LOCATIONS = { fromCoarse: 0, fromFine: 1, fromRates: 2, toCoarse: 3, toFine: 4, toRates: 5 };
+const CORNER_BYTES = CORNERS * POINT_BYTES;
 
 /**
- * A line of points with its curtain. The points lie in one buffer on the graphics processor, which draws the stretch
- * between each two of them as one copy of a rectangle: a point more is forty bytes more and nothing else.
+ * A line of points with its curtain. The points lie in one buffer on the graphics processor, each once for every corner
+ * of the rectangle from it to the next one, and all rectangles are drawn at once. (As copies of one rectangle they took
+ * a quarter of the room, but where the processor draws alone each copy is a drawing of its own.)
  */
 export class Ribbon {
   readonly #style: RibbonStyle;
   readonly #sphere: BoundingSphere;
   #parts: Parts | null = null;
   #count = 0;
-  /** Points that are not on the graphics processor yet. */
-  #waiting: Float32Array | null = null;
+  #vertices: Float32Array = new Float32Array(0);
+  /** From this point on they are not on the graphics processor yet. */
+  #waiting = Number.POSITIVE_INFINITY;
 
   constructor(style: RibbonStyle, sphere: BoundingSphere) {
     this.#style = style;
     this.#sphere = sphere;
   }
 
-  /** The first `count` points of `vertices` are the line from the next frame on. */
-  set(vertices: Float32Array, count: number): void {
-    this.#waiting = vertices.subarray(0, count * POINT_FLOATS);
+  /** The first `count` points of `vertices` are the line from the next frame on; those before `first` are as they were. */
+  set(vertices: Float32Array, count: number, first = 0): void {
+    this.#vertices = vertices;
+    this.#waiting = Math.min(this.#waiting, first);
     this.#count = count;
   }
 
@@ -62,7 +67,7 @@ export class Ribbon {
       return;
     }
     const command = this.#upload(frame.context).commands[part];
-    command.instanceCount = this.#count - 1;
+    command.count = (this.#count - 1) * INDICES;
     command.boundingVolume = this.#sphere;
     frame.commandList.push(command);
   }
@@ -73,40 +78,43 @@ export class Ribbon {
   }
 
   #upload(context: RendererContext): Parts {
-    const bytes = this.#count * POINT_BYTES;
-    if (this.#parts === null || this.#parts.bytes < bytes) {
+    if (this.#parts === null || this.#parts.capacity < this.#count) {
       this.#parts?.destroy();
-      this.#parts = new Parts(context, Math.ceil(this.#count * 1.5) * POINT_BYTES, this.#style, this.#sphere);
+      this.#parts = new Parts(context, Math.ceil(this.#count * 1.5), this.#style, this.#sphere);
+      this.#waiting = 0;
     }
-    if (this.#waiting !== null) {
-      this.#parts.points.copyFromArrayView(this.#waiting);
-      this.#waiting = null;
+    for (let first = this.#waiting; first < this.#count; first += PIECE) {
+      const points = this.#vertices.subarray(
+        first * POINT_FLOATS,
+        Math.min(this.#count, first + PIECE) * POINT_FLOATS,
+      );
+      this.#parts.points.copyFromArrayView(spread(points, piece), first * CORNER_BYTES);
     }
+    this.#waiting = Number.POSITIVE_INFINITY;
     return this.#parts;
   }
 }
 
-/** What lies on the graphics processor for a line of at most so many bytes. */
+/** Points are handed to the graphics processor so many at a time. */
+const PIECE = 512;
+const piece = new Float32Array(PIECE * CORNERS * POINT_FLOATS);
+
+/** What lies on the graphics processor for a line of at most so many points. */
 class Parts {
-  readonly bytes: number;
+  readonly capacity: number;
   readonly points: Buffer;
   readonly commands: Readonly<Record<RibbonPart, DrawCommand>>;
   readonly #vertexArray: VertexArray;
   readonly #programs: readonly ShaderProgram[];
 
-  constructor(context: RendererContext, bytes: number, style: RibbonStyle, sphere: BoundingSphere) {
-    this.bytes = bytes;
+  constructor(context: RendererContext, capacity: number, style: RibbonStyle, sphere: BoundingSphere) {
+    this.capacity = capacity;
     this.points = Buffer.createVertexBuffer({
       context,
-      sizeInBytes: bytes,
+      sizeInBytes: capacity * CORNER_BYTES,
       usage: BufferUsage.DYNAMIC_DRAW,
     });
-    const corners = Buffer.createVertexBuffer({
-      context,
-      typedArray: CORNERS,
-      usage: BufferUsage.STATIC_DRAW,
-    });
-    this.#vertexArray = vertexArrayOf(context, corners, this.points);
+    this.#vertexArray = vertexArrayOf(context, this.points, capacity);
     const program = (vertexShaderSource: string, fragmentShaderSource: string): ShaderProgram =>
       ShaderProgram.fromCache({
         context,
@@ -120,10 +128,9 @@ class Parts {
     const command = (shaderProgram: ShaderProgram, uniformMap: Uniforms, state: object) =>
       new DrawCommand({
         owner: this,
-        primitiveType: PrimitiveType.TRIANGLE_STRIP,
+        primitiveType: PrimitiveType.TRIANGLES,
         vertexArray: this.#vertexArray,
-        count: CORNERS.length / 2,
-        instanceCount: 1,
+        count: 0,
         shaderProgram,
         uniformMap,
         renderState: RenderState.fromCache(state),
@@ -171,26 +178,30 @@ function onceEach(bit: number): object {
   };
 }
 
-/** Each copy of the rectangle takes two neighbours out of the one buffer of points. */
-function vertexArrayOf(context: RendererContext, corners: Buffer, points: Buffer): VertexArray {
+/** Each corner takes two neighbours out of the one buffer of points: its own, and the one that follows. */
+function vertexArrayOf(context: RendererContext, points: Buffer, capacity: number): VertexArray {
   const attribute = (index: number, componentsPerAttribute: number, offsetInBytes: number) => ({
     index,
     vertexBuffer: points,
     componentsPerAttribute,
     offsetInBytes,
     strideInBytes: POINT_BYTES,
-    instanceDivisor: 1,
   });
   return new VertexArray({
     context,
     attributes: [
-      { index: LOCATIONS.corner, vertexBuffer: corners, componentsPerAttribute: 2 },
       attribute(LOCATIONS.fromCoarse, 4, 0),
       attribute(LOCATIONS.fromFine, 4, 16),
       attribute(LOCATIONS.fromRates, 2, 32),
-      attribute(LOCATIONS.toCoarse, 4, POINT_BYTES),
-      attribute(LOCATIONS.toFine, 4, POINT_BYTES + 16),
-      attribute(LOCATIONS.toRates, 2, POINT_BYTES + 32),
+      attribute(LOCATIONS.toCoarse, 4, CORNER_BYTES),
+      attribute(LOCATIONS.toFine, 4, CORNER_BYTES + 16),
+      attribute(LOCATIONS.toRates, 2, CORNER_BYTES + 32),
     ],
+    indexBuffer: Buffer.createIndexBuffer({
+      context,
+      typedArray: cornerIndices(capacity - 1),
+      usage: BufferUsage.STATIC_DRAW,
+      indexDatatype: IndexDatatype.UNSIGNED_INT,
+    }),
   });
 }

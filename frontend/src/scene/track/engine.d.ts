@@ -21,6 +21,12 @@ declare module "@cesium/engine" {
       typedArray?: ArrayBufferView;
       sizeInBytes?: number;
     }): Buffer;
+    static createIndexBuffer(options: {
+      context: RendererContext;
+      usage: number;
+      typedArray: ArrayBufferView;
+      indexDatatype: IndexDatatype;
+    }): Buffer;
     readonly sizeInBytes: number;
     vertexArrayDestroyable: boolean;
     copyFromArrayView(view: ArrayBufferView, offsetInBytes?: number): void;
@@ -39,8 +45,8 @@ declare module "@cesium/engine" {
         componentsPerAttribute: number;
         offsetInBytes?: number;
         strideInBytes?: number;
-        instanceDivisor?: number;
       }>;
+      indexBuffer?: Buffer;
     });
     destroy(): void;
   }
@@ -66,14 +72,13 @@ declare module "@cesium/engine" {
       primitiveType: PrimitiveType;
       vertexArray: VertexArray;
       count: number;
-      instanceCount: number;
       shaderProgram: ShaderProgram;
       renderState: RenderState;
       uniformMap: Readonly<Record<string, () => unknown>>;
       pass: number;
       boundingVolume: BoundingSphere;
     });
-    instanceCount: number;
+    count: number;
     boundingVolume: BoundingSphere;
     vertexArray: VertexArray;
   }

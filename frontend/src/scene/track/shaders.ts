@@ -3,7 +3,6 @@ export const SCALE_COLOURS = 7;
 
 /** What line and curtain share: where the two ends of one stretch lie, and which colour they have. */
 const COMMON = `
-in vec2 corner;
 in vec4 fromCoarse;
 in vec4 fromFine;
 in vec2 fromRates;
@@ -15,6 +14,9 @@ uniform vec4 u_scale; // by what (0 none, 1 height, 2 speed, 3 climb), least, mo
 uniform vec3 u_plain;
 uniform vec3 u_unknown;
 uniform vec3 u_colours[${SCALE_COLOURS}];
+
+// Of a rectangle between the two ends: 1 at the far one, -1 and 1 to its sides.
+vec2 cornerNow() { return vec2(float((gl_VertexID >> 1) & 1), float((gl_VertexID & 1) * 2 - 1)); }
 
 vec3 colourOf(float height, vec2 rates) {
   if (u_scale.x < 0.5) { return u_plain; }
@@ -38,6 +40,7 @@ out float v_length;
 out vec3 v_colour;
 
 void main() {
+  vec2 corner = cornerNow();
   vec4 from = czm_modelViewRelativeToEye * czm_translateRelativeToEye(fromCoarse.xyz, fromFine.xyz);
   vec4 to = czm_modelViewRelativeToEye * czm_translateRelativeToEye(toCoarse.xyz, toFine.xyz);
   from.xyz *= u_nearer;
@@ -106,6 +109,7 @@ vec3 down(vec4 coarse, vec3 fine) {
 }
 
 void main() {
+  vec2 corner = cornerNow();
   bool isEnd = corner.x > 0.5;
   vec4 coarse = isEnd ? toCoarse : fromCoarse;
   vec3 fine = isEnd ? toFine.xyz : fromFine.xyz;
