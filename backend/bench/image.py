@@ -18,7 +18,7 @@ import httpx
 from bench.table import Row
 from gateway.codec.messages_gen import ROUTES
 from launcher.ports import LOOPBACK, free_tcp_port
-from tests.flight.figures import is_near, measure
+from tests.flight.figures import RouteEnd, measure
 from tests.flight.reference import ALTITUDE_LIMIT_FT, CROSS_TRACK_LIMIT_M, ROUTE_REFERENCES
 from tests.support.firmware import make
 
@@ -49,17 +49,21 @@ class _Sample:
 def run() -> list[Row]:
     """One circuit: ten minutes."""
     make("images")
+    route = ROUTES[ROUTE].waypoints
+    reference = ROUTE_REFERENCES[ROUTE]
+    end = RouteEnd(route)
     samples: list[_Sample] = []
     trips_ms: list[float] = []
     with _station() as client:
-        while not _is_over(samples):
+        is_over = False
+        while not is_over:
             telemetry, status = (client.get(name).json() for name in ("telemetry", "status"))
             samples.append(_sample(telemetry))
             trips_ms.append(status["simulator"]["hil_round_trip_ms"]["newest"])
+            flown_s = samples[-1].time_s - samples[0].time_s
+            is_over = end.reached(samples[-1]) or flown_s > LONGEST_SHARE * reference.time_s
             time.sleep(SAMPLE_S)
-    route = ROUTES[ROUTE].waypoints
     figures = measure(samples, route)
-    reference = ROUTE_REFERENCES[ROUTE]
     cuts = statistics.quantiles(trips_ms, n=100)
     what = "image under QEMU, gando"
     return [
@@ -88,17 +92,6 @@ def run() -> list[Row]:
         Row(f"{what}: HIL round trip p50", cuts[49], "ms", f"<= {P50_LIMIT_MS:g}", cuts[49] <= P50_LIMIT_MS),
         Row(f"{what}: HIL round trip p99", cuts[98], "ms", f"<= {ROW_PERIOD_MS:g}", cuts[98] <= ROW_PERIOD_MS),
     ]
-
-
-def _is_over(samples: list[_Sample]) -> bool:
-    """The last waypoint was captured, or it takes too long."""
-    if len(samples) < 2:
-        return False
-    route = ROUTES[ROUTE].waypoints
-    before, newest = samples[-2:]
-    was_last = before.waypoint == len(route) - 1
-    captured = was_last and (newest.waypoint != before.waypoint or is_near(newest, route[-1]))
-    return captured or newest.time_s - samples[0].time_s > LONGEST_SHARE * ROUTE_REFERENCES[ROUTE].time_s
 
 
 def _sample(telemetry: dict[str, Any]) -> _Sample:

@@ -140,6 +140,22 @@ def is_near(sample: Sample, waypoint: Waypoint) -> bool:
     return math.hypot(*_metres(place, (sample.state.latitude_deg, sample.state.longitude_deg))) <= REACHED_M
 
 
+class RouteEnd:
+    """When a route has been flown: its last waypoint has been captured."""
+
+    def __init__(self, route: Sequence[Waypoint]) -> None:
+        self._route = route
+        self._was_on_last = False
+
+    def reached(self, sample: Sample) -> bool:
+        """Whether this sample, the next of the flight, ends it."""
+        last = len(self._route) - 1
+        # A loop goes on to its first waypoint; any other route holds its last one.
+        is_end = self._was_on_last and (sample.waypoint != last or is_near(sample, self._route[last]))
+        self._was_on_last = sample.waypoint == last
+        return is_end
+
+
 def settling_s(samples: Sequence[AnySample], error: Callable[[AnySample], float], band: float) -> float:
     """Time from the first sample to the last one whose error is outside the band."""
     outside = [sample.time_s for sample in samples if abs(error(sample)) > band]

@@ -9,7 +9,7 @@ from gateway.codec.messages_gen import ROUTES
 from simulator.simulation import SimulationOptions
 from simulator.situation import AIRPORT_LATITUDE_DEG, AIRPORT_LONGITUDE_DEG, RUNWAY_HEADING_DEG
 from tests.flight.closed_loop import ClosedLoop, Sample
-from tests.flight.figures import is_near
+from tests.flight.figures import RouteEnd
 
 CRUISE_FT: Final = 1000.0
 CRUISE_KT: Final = 55.0
@@ -27,20 +27,9 @@ _METRES_PER_DEGREE: Final = 111_195.0
 
 def fly_route(loop: ClosedLoop, name: str, longest_s: float) -> list[Sample]:
     """Load a route, switch the autopilot on and fly until its last waypoint is captured."""
-    waypoints = ROUTES[name].waypoints
-    last = len(waypoints) - 1
     loop.command(f"hil_load_{name}")
     loop.command("autopilot_on")
-    was_on_last = False
-
-    def is_over(sample: Sample) -> bool:
-        nonlocal was_on_last
-        # A loop goes on to its first waypoint; any other route holds its last one.
-        over = was_on_last and (sample.waypoint != last or is_near(sample, waypoints[last]))
-        was_on_last = sample.waypoint == last
-        return over
-
-    return loop.fly(longest_s, is_over)
+    return loop.fly(longest_s, RouteEnd(ROUTES[name].waypoints).reached)
 
 
 def _far_away(course_deg: float) -> tuple[float, float]:

@@ -17,20 +17,13 @@ import pytest
 from websockets.sync.client import connect
 
 from launcher.options import BOARD_PROGRAM
-from launcher.ports import listener_of
+from launcher.ports import LOOPBACK, free_tcp_port, listener_of
 from tests.support.ports import free_udp_port
 
-LOOPBACK = "127.0.0.1"
 DEADLINE_S = 60.0
 GANDO_WAYPOINTS = 8
 
 Status = dict[str, Any]
-
-
-def free_tcp_port() -> int:
-    with closing(socket.create_server((LOOPBACK, 0))) as server:
-        port: int = server.getsockname()[1]
-        return port
 
 
 class Run:

@@ -17,8 +17,6 @@ export type Vector = readonly [number, number, number];
 /** A turn: x, y, z, w, of length one. Takes a vector of the airframe to the ground's axes. */
 export type Quaternion = readonly [number, number, number, number];
 
-export const NO_TURN: Quaternion = [0, 0, 0, 1];
-
 export function quaternionOf({ yaw_deg, pitch_deg, roll_deg }: FullAttitude): Quaternion {
   const [sinYaw, cosYaw] = half(yaw_deg);
   const [sinPitch, cosPitch] = half(pitch_deg);

@@ -67,10 +67,6 @@ export function checkPlan(waypoints: readonly Waypoint[], limits: PlanLimits): r
   ];
 }
 
-export function hasErrors(issues: readonly PlanIssue[]): boolean {
-  return issues.some(({ level }) => level === "error");
-}
-
 function checkWaypoint(waypoint: Waypoint, row: number, limits: PlanLimits): PlanIssue[] {
   const found = WAYPOINT_FIELDS.filter((field) => !inRange(waypoint, field, limits)).map((field) =>
     issue("error", "range", row, field, { value: waypoint[field], ...limits.fields[field] }),

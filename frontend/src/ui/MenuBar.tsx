@@ -1,6 +1,6 @@
 import { Menu as Base } from "@base-ui/react/menu";
 import { Menubar } from "@base-ui/react/menubar";
-import { Check, ChevronRight } from "lucide-react";
+import { Check } from "lucide-react";
 import { createContext, type ReactNode, type RefObject, useContext, useId, useState } from "react";
 import { StateMark } from "./StateMark";
 import type { CommandState } from "./states";
@@ -35,19 +35,6 @@ export function Menu({ label, children }: MenuProps) {
       <Base.Trigger className="ui-menu-title">{label}</Base.Trigger>
       <Popup>{children}</Popup>
     </Base.Root>
-  );
-}
-
-export function MenuSubmenu({ label, children }: MenuProps) {
-  return (
-    <Base.SubmenuRoot>
-      <Base.SubmenuTrigger className="ui-menu-item">
-        <span className="ui-menu-mark" />
-        <span className="ui-menu-label">{label}</span>
-        <ChevronRight size={14} aria-hidden="true" />
-      </Base.SubmenuTrigger>
-      <Popup>{children}</Popup>
-    </Base.SubmenuRoot>
   );
 }
 

@@ -18,16 +18,3 @@ export function Toolbar({ label, children }: Props) {
     </div>
   );
 }
-
-/** Controls of a toolbar that belong together, under a name that is shown. */
-export function ToolbarGroup({ label, children }: Props) {
-  return (
-    // biome-ignore lint/a11y/useSemanticElements: as above
-    <div className="ui-toolbar-group" role="group" aria-label={label}>
-      <span className="ui-toolbar-label" aria-hidden="true">
-        {label}
-      </span>
-      {children}
-    </div>
-  );
-}

@@ -15,7 +15,7 @@ import { StatusFlag } from "./StatusFlag";
 import { StreamBadge } from "./StreamBadge";
 import { Tabs } from "./Tabs";
 import { TextField } from "./TextField";
-import { Toolbar, ToolbarGroup } from "./Toolbar";
+import { Toolbar } from "./Toolbar";
 import { renderWithWords } from "./test/words";
 
 const nothing = () => undefined;
@@ -38,17 +38,15 @@ function Everything() {
         acknowledge={{ label: (text) => `know ${text}`, text: "know", onPress: nothing }}
       />
       <Toolbar label="Bar">
-        <ToolbarGroup label="Autopilot">
-          <Button onPress={nothing} pressed state="pending">
-            On
-          </Button>
-          <Button onPress={nothing} disabledReason="no link">
-            Off
-          </Button>
-          <Button onPress={nothing} icon={<svg aria-hidden="true" />} label="Refresh" state="rejected">
-            {null}
-          </Button>
-        </ToolbarGroup>
+        <Button onPress={nothing} pressed state="pending">
+          On
+        </Button>
+        <Button onPress={nothing} disabledReason="no link">
+          Off
+        </Button>
+        <Button onPress={nothing} icon={<svg aria-hidden="true" />} label="Refresh" state="rejected">
+          {null}
+        </Button>
         <SegmentedSwitch
           label="Path"
           options={PATHS}

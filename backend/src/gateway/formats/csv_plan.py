@@ -16,7 +16,6 @@ from gateway.formats.units import ft_from_m, kt_from_m_s
 _COLUMNS: Final = ("latitude_deg", "longitude_deg", "altitude_ft", "speed_kt")
 _METRIC: Final = {"altitude_m": ft_from_m, "speed_m_s": kt_from_m_s}
 _NEEDED: Final = ("latitude_deg", "longitude_deg")
-_SHOWN_LETTERS: Final = 30
 
 
 def write_csv(waypoints: Sequence[Waypoint]) -> bytes:

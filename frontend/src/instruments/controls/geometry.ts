@@ -17,9 +17,6 @@ export const PICTURE_HALF_SIDE = 84;
 /** Half the side of the square in which the stick moves, in units of the picture. */
 export const STICK_TRAVEL = 56;
 
-/** Middle of the square. */
-export const STICK_CENTRE = { x: -16, y: -16 } as const;
-
 /** Half the way of the pedals' mark, and the whole way of the throttle's. */
 export const PEDAL_TRAVEL = 56;
 export const THROTTLE_TRAVEL = 112;
