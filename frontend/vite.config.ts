@@ -51,8 +51,11 @@ export default defineConfig({
     allowOnly: false,
     // Far above what any takes: a busy machine shall not fail a test.
     testTimeout: 30_000,
+    hookTimeout: 30_000,
     // One worker less than cores is the default, which on two cores is one.
     maxWorkers: "100%",
+    // A worker's files share its modules, which is half of the time; what a test changes is its own page's.
+    isolate: false,
     projects: [
       { extends: true, test: { name: "logic", environment: "node", include: ["src/**/*.test.ts"] } },
       {
