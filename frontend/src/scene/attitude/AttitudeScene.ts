@@ -100,6 +100,10 @@ export class AttitudeScene implements Act {
     return this.rig.camera;
   }
 
+  get isDressed(): boolean {
+    return this.#palette !== null;
+  }
+
   /** A sample of the attitude. */
   sample(attitude: FullAttitude, now_ms: number): void {
     const turn = quaternionOf(attitude);

@@ -84,6 +84,10 @@ export class SphereScene implements Act {
     return this.rig.camera;
   }
 
+  get isDressed(): boolean {
+    return this.scene.background !== null;
+  }
+
   /** All readings, the fit of them, the radius and centre to draw them with, and how often each direction was seen. */
   show(
     points: readonly Vector[],

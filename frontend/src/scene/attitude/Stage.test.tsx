@@ -7,18 +7,39 @@ import { type Act, type Drawer, Stage } from "./Stage";
 
 class CountingDrawer implements Drawer {
   readonly canvas = document.createElement("canvas");
+  readonly picture = this.canvas;
   isSoftware = false;
   /** What a frame takes, and the time. */
   takes_ms = 0;
   now_ms = 0;
   #free_ms = Number.NEGATIVE_INFINITY;
+  #started_ms: number | null = null;
   rendered = 0;
+  /** Of the frames drawn, those that need not be fine. */
+  coarse = 0;
+  prepared: Scene[] = [];
   disposed = false;
   sizes: Array<readonly [number, number]> = [];
-  isBusy = (): boolean => this.now_ms < this.#free_ms;
-  render = (): void => {
+  get isWaiting(): boolean {
+    return this.now_ms < this.#free_ms;
+  }
+  prepare = (scene: Scene): void => {
+    this.prepared.push(scene);
+    this.#free_ms = this.now_ms + this.takes_ms;
+  };
+  settle = (): number | null => {
+    const started_ms = this.#started_ms;
+    if (this.isWaiting || started_ms === null) {
+      return null;
+    }
+    this.#started_ms = null;
+    return this.now_ms - started_ms;
+  };
+  render = (_scene: Scene, _camera: PerspectiveCamera, isMoving: boolean): void => {
+    this.#started_ms = this.now_ms;
     this.#free_ms = this.now_ms + this.takes_ms;
     this.rendered += 1;
+    this.coarse += isMoving ? 1 : 0;
   };
   setSize = (width: number, height: number): void => {
     this.sizes.push([width, height]);
@@ -31,6 +52,7 @@ class CountingDrawer implements Drawer {
 class StillAct implements Act {
   readonly scene = new Scene();
   readonly camera = new PerspectiveCamera();
+  isDressed = true;
   /** How many frames it still goes on changing by itself. */
   moves = 0;
   advance = (): boolean => {
@@ -114,31 +136,101 @@ test("a real motion comes to rest within a second and a half of its last sample"
 describe("drawn by the processor", () => {
   beforeEach(() => {
     drawer.isSoftware = true;
-    act.moves = 1000;
+    stage = new Stage(drawer, frames);
+    act.moves = Number.POSITIVE_INFINITY;
     stage.show(act, host);
   });
 
-  test("is drawn thirty times a second at the most", () => {
-    display(61, 0);
-    expect(drawer.rendered).toBeGreaterThan(25);
-    expect(drawer.rendered).toBeLessThanOrEqual(31);
-  });
-
-  test("waits until a dear frame is finished, and then as long again", () => {
-    drawer.takes_ms = 80;
+  test("is drawn a dozen times a second at the most", () => {
+    drawer.takes_ms = 10;
     display(180, 0);
     const before = drawer.rendered;
-    display(120, 3000);
+    display(60, 3000);
     expect(drawer.rendered - before).toBeGreaterThan(8);
-    expect(drawer.rendered - before).toBeLessThanOrEqual(12);
+    expect(drawer.rendered - before).toBeLessThanOrEqual(13);
+  });
+
+  test("is drawn more often while a person turns it, and no longer than that", () => {
+    drawer.takes_ms = 10;
+    display(240, 0);
+    const before = drawer.rendered;
+    for (let at_ms = 4000; at_ms < 5000; at_ms += 100) {
+      stage.turn(at_ms);
+      display(6, at_ms);
+    }
+    expect(drawer.rendered - before).toBeGreaterThan(15);
+    display(60, 5000);
+    const released = drawer.rendered;
+    display(60, 6000);
+    expect(drawer.rendered - released).toBeLessThanOrEqual(13);
+  });
+
+  test("waits until a dear frame is finished, and leaves more than as long again to all else", () => {
+    drawer.takes_ms = 200;
+    display(240, 0);
+    const before = drawer.rendered;
+    display(120, 4000);
+    expect(drawer.rendered - before).toBeGreaterThan(2);
+    expect(drawer.rendered - before).toBeLessThanOrEqual(5);
+  });
+
+  test("is coarse while it moves, fine once it rests, and then not drawn any more", () => {
+    display(60, 0);
+    expect(drawer.coarse).toBe(drawer.rendered);
+    act.moves = 1;
+    display(60, 1000);
+    expect(drawer.rendered).toBe(drawer.coarse + 1);
+    expect(frames.waiting).toBe(0);
+    const before = drawer.rendered;
+    stage.invalidate();
+    display(60, 2000);
+    expect(drawer.rendered).toBe(before + 2);
+    expect(drawer.rendered).toBe(drawer.coarse + 2);
   });
 });
 
-test("with a graphics processor it is drawn in each frame", () => {
+describe("before the first frame", () => {
+  test("what has no colours yet is not drawn", () => {
+    act.isDressed = false;
+    stage.show(act, host);
+    display(10, 0);
+    expect(drawer.prepared).toHaveLength(0);
+    expect(frames.waiting).toBe(0);
+    act.isDressed = true;
+    stage.invalidate();
+    display(10, 200);
+    expect(drawer.rendered).toBe(1);
+  });
+
+  test("what drawing needs is made, once for each that is shown; the one before is not seen meanwhile", () => {
+    const other = new StillAct();
+    drawer.takes_ms = 100;
+    stage.show(act, host);
+    display(3, 0);
+    expect(drawer.prepared).toEqual([act.scene]);
+    expect(drawer.rendered).toBe(0);
+    display(20, 50);
+    expect(drawer.rendered).toBe(1);
+    expect(drawer.canvas.style.visibility).toBe("");
+    stage.show(other, host);
+    display(3, 1000);
+    expect(drawer.prepared).toEqual([act.scene, other.scene]);
+    expect(drawer.canvas.style.visibility).toBe("hidden");
+    display(20, 1050);
+    expect(drawer.canvas.style.visibility).toBe("");
+    stage.show(act, host);
+    display(20, 2000);
+    expect(drawer.prepared).toHaveLength(2);
+    expect(drawer.rendered).toBe(3);
+  });
+});
+
+test("with a graphics processor it is drawn in each frame, as fine as at rest", () => {
   act.moves = 1000;
   stage.show(act, host);
   display(60, 0);
   expect(drawer.rendered).toBe(60);
+  expect(drawer.coarse).toBe(0);
 });
 
 test("one canvas is moved to where it is shown", () => {

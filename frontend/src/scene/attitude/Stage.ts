@@ -1,13 +1,23 @@
 import type { PerspectiveCamera, Scene } from "three";
+import { FrameBudget } from "../frameBudget";
+import { stageLimits } from "./budget";
 
 /** What really draws: WebGL, or a test's counter. */
 export interface Drawer {
+  /** What is shown. */
   readonly canvas: HTMLCanvasElement;
-  /** The processor draws, without a graphics card. */
+  /** What is drawn on, and told when the browser takes it away. */
+  readonly picture: EventTarget;
+  /** The processor draws, without a graphics processor. */
   readonly isSoftware: boolean;
   /** The last frame is not finished: another one now would only queue. */
-  isBusy(): boolean;
-  render(scene: Scene, camera: PerspectiveCamera): void;
+  readonly isWaiting: boolean;
+  /** Have all made that drawing needs: on its way like a frame, while the page goes on. */
+  prepare(scene: Scene, camera: PerspectiveCamera): void;
+  /** What the frame on its way has cost, milliseconds, once it is done and shown; null while it is not. */
+  settle(): number | null;
+  /** `isMoving`: it need not be as fine as one that stays. */
+  render(scene: Scene, camera: PerspectiveCamera, isMoving: boolean): void;
   /** In CSS pixels. */
   setSize(width: number, height: number): void;
   dispose(): void;
@@ -23,14 +33,16 @@ export interface FrameClock {
 export interface Act {
   readonly scene: Scene;
   readonly camera: PerspectiveCamera;
+  /** It has its colours and words: before that there is nothing to show. */
+  readonly isDressed: boolean;
   /** Bring everything to this moment; true as long as it goes on changing by itself. */
   advance(now_ms: number): boolean;
 }
 
-/** Drawn by the processor alone: thirty times a second at the most, and no more than half of its time. */
-const SOFTWARE_PERIOD_MS = 1000 / 30 - 4;
-const LONGEST_PERIOD_MS = 250;
-const WEIGHT = 0.2;
+/** After so long without a change a picture drawn coarsely is drawn once more, finely. */
+const REST_MS = 250;
+/** After a person has turned it, it is in a hand for so long. */
+const HELD_MS = 400;
 
 /**
  * One canvas and one WebGL context for as long as the page lives, moved to where it is shown. Draws when something said
@@ -41,14 +53,18 @@ export class Stage {
   readonly #frames: FrameClock;
   readonly #watch: ResizeObserver | null;
   #act: Act | null = null;
+  /** Shown now, or until it was hidden. */
+  #latest: Act | null = null;
   #host: HTMLElement | null = null;
   #handle: number | null = null;
+  readonly #budget: FrameBudget;
+  #prepared = new WeakSet<Act>();
   #isDirty = false;
+  #isCoarse = false;
   #isLost = false;
   #drawn = 0;
   #drawn_ms = Number.NEGATIVE_INFINITY;
-  #isMeasuring = false;
-  #cost_ms = 0;
+  #held_ms = Number.NEGATIVE_INFINITY;
 
   /** Told when the browser takes the picture away (true) and gives it back. */
   onLost: ((isLost: boolean) => void) | null = null;
@@ -57,8 +73,9 @@ export class Stage {
     this.#drawer = drawer;
     this.#frames = frames;
     this.#watch = typeof ResizeObserver === "undefined" ? null : new ResizeObserver(() => this.#resize());
-    drawer.canvas.addEventListener("webglcontextlost", this.#lose);
-    drawer.canvas.addEventListener("webglcontextrestored", this.#restore);
+    this.#budget = new FrameBudget(drawer.isSoftware, stageLimits(drawer.isSoftware));
+    drawer.picture.addEventListener("webglcontextlost", this.#lose);
+    drawer.picture.addEventListener("webglcontextrestored", this.#restore);
   }
 
   /** Frames drawn since it was made. */
@@ -76,6 +93,11 @@ export class Stage {
 
   /** Show this act in this element. */
   show(act: Act, host: HTMLElement): void {
+    if (act !== this.#latest) {
+      // Until this one is drawn, the canvas still holds the one before.
+      this.#drawer.canvas.style.visibility = "hidden";
+      this.#latest = act;
+    }
     this.#act = act;
     if (this.#host !== host) {
       this.#watch?.disconnect();
@@ -101,10 +123,16 @@ export class Stage {
     this.#wake();
   }
 
+  /** A person turned it, at `now_ms` of the displayed frames: for a moment it may be drawn more often. */
+  turn(now_ms: number): void {
+    this.#held_ms = now_ms;
+    this.invalidate();
+  }
+
   dispose(): void {
     this.hide();
-    this.#drawer.canvas.removeEventListener("webglcontextlost", this.#lose);
-    this.#drawer.canvas.removeEventListener("webglcontextrestored", this.#restore);
+    this.#drawer.picture.removeEventListener("webglcontextlost", this.#lose);
+    this.#drawer.picture.removeEventListener("webglcontextrestored", this.#restore);
     this.#drawer.dispose();
   }
 
@@ -121,34 +149,51 @@ export class Stage {
     }
   }
 
-  get #period_ms(): number {
-    return this.#drawer.isSoftware
-      ? Math.min(LONGEST_PERIOD_MS, Math.max(SOFTWARE_PERIOD_MS, 2 * this.#cost_ms))
-      : 0;
-  }
-
   readonly #frame = (now_ms: number): void => {
     this.#handle = null;
     const act = this.#act;
     if (act === null || this.#isLost) {
       return;
     }
-    const isBusy = this.#drawer.isBusy();
-    if (this.#isMeasuring && !isBusy) {
-      this.#isMeasuring = false;
-      this.#cost_ms += WEIGHT * (now_ms - this.#drawn_ms - this.#cost_ms);
+    const cost_ms = this.#drawer.settle();
+    if (cost_ms !== null) {
+      this.#budget.observe(cost_ms);
+      this.#drawer.canvas.style.visibility = "";
     }
-    if (this.#isDirty && !isBusy && now_ms - this.#drawn_ms >= this.#period_ms) {
-      this.#isDirty = act.advance(now_ms);
-      this.#drawer.render(act.scene, act.camera);
-      this.#drawn += 1;
-      this.#drawn_ms = now_ms;
-      this.#isMeasuring = this.#drawer.isSoftware;
+    if (!act.isDressed) {
+      // Whoever dresses it says so.
+      return;
     }
-    if (this.#isDirty || this.#isMeasuring) {
+    this.#draw(act, now_ms);
+    if (this.#isDirty || this.#isCoarse || this.#drawer.isWaiting) {
       this.#wake();
     }
   };
+
+  #draw(act: Act, now_ms: number): void {
+    if (!this.#prepared.has(act)) {
+      this.#prepared.add(act);
+      this.#drawer.prepare(act.scene, act.camera);
+    }
+    if (this.#drawer.isWaiting) {
+      return;
+    }
+    const period_ms = this.#budget.period_ms(now_ms - this.#held_ms < HELD_MS);
+    if (this.#isDirty && now_ms - this.#drawn_ms >= period_ms) {
+      this.#isDirty = act.advance(now_ms);
+      this.#isCoarse = this.#drawer.isSoftware;
+      this.#render(act, now_ms);
+    } else if (this.#isCoarse && !this.#isDirty && now_ms - this.#drawn_ms >= REST_MS) {
+      this.#isCoarse = false;
+      this.#render(act, now_ms);
+    }
+  }
+
+  #render(act: Act, now_ms: number): void {
+    this.#drawer.render(act.scene, act.camera, this.#isCoarse);
+    this.#drawn += 1;
+    this.#drawn_ms = now_ms;
+  }
 
   #resize(): void {
     const host = this.#host;
@@ -169,13 +214,16 @@ export class Stage {
     // Without this the browser would never give it back.
     event.preventDefault();
     this.#isLost = true;
+    // A frame on its way will never be done.
+    this.#drawer.settle();
     this.#rest();
     this.onLost?.(true);
   };
 
   readonly #restore = (): void => {
     this.#isLost = false;
-    this.#isMeasuring = false;
+    // What was made for the picture before is not there any more.
+    this.#prepared = new WeakSet();
     this.onLost?.(false);
     this.invalidate();
   };

@@ -1,57 +1,122 @@
 import { type PerspectiveCamera, type Scene, WebGLRenderer } from "three";
 import { FrameCost, isSoftware } from "../graphics";
+import { softwareRatio } from "./budget";
 import type { Drawer } from "./Stage";
 
 /** Sharper than this nobody sees, and it costs by the square. */
 const MOST_PIXELS_PER_PIXEL = 2;
+const ASKED = { alpha: false, powerPreference: "low-power" } as const;
 
 /** WebGL on a canvas of its own; null where the browser has none. */
 export function webglDrawer(): Drawer | null {
-  const canvas = document.createElement("canvas");
+  const picture = document.createElement("canvas");
   // Asked for here and not by the renderer, which would write to the console where there is none.
-  const context = canvas.getContext("webgl2", {
-    antialias: true,
-    alpha: false,
-    powerPreference: "low-power",
-  });
-  return context === null ? null : new WebglDrawer(canvas, context);
+  const context = picture.getContext("webgl2", { ...ASKED, antialias: true });
+  if (context === null || !isSoftware(context)) {
+    return context === null ? null : new WebglDrawer(picture, context, null);
+  }
+  // What was asked for cannot be changed any more.
+  context.getExtension("WEBGL_lose_context")?.loseContext();
+  const plain = document.createElement("canvas");
+  const copied = document.createElement("canvas").getContext("2d", { alpha: false });
+  // Kept until it is copied, which is long after it was drawn.
+  const graphics = plain.getContext("webgl2", { ...ASKED, antialias: false, preserveDrawingBuffer: true });
+  return graphics === null ? null : new WebglDrawer(plain, graphics, copied);
 }
 
+/**
+ * With a graphics processor the picture itself is shown. Without one the browser reads what is shown back before it goes
+ * on, and the page would stand still until it is drawn: there a finished picture is copied onto what is shown.
+ */
 class WebglDrawer implements Drawer {
   readonly canvas: HTMLCanvasElement;
+  readonly picture: HTMLCanvasElement;
   readonly isSoftware: boolean;
+  readonly #copied: CanvasRenderingContext2D | null;
   readonly #cost: FrameCost;
   readonly #renderer: WebGLRenderer;
+  /** What is on its way is a frame, and not what frames need. */
+  #isDrawn = false;
+  #width = 1;
+  #height = 1;
 
-  constructor(canvas: HTMLCanvasElement, context: WebGL2RenderingContext) {
-    this.canvas = canvas;
-    this.isSoftware = isSoftware(context);
+  /** `copied`: onto which a picture drawn by the processor is copied; null: the picture is shown. */
+  constructor(
+    picture: HTMLCanvasElement,
+    context: WebGL2RenderingContext,
+    copied: CanvasRenderingContext2D | null,
+  ) {
+    this.picture = picture;
+    this.canvas = copied?.canvas ?? picture;
+    this.isSoftware = copied !== null;
+    this.#copied = copied;
     this.#cost = new FrameCost(context, "attitude.frame");
-    this.#renderer = new WebGLRenderer({ canvas, context, antialias: true });
+    this.#renderer = new WebGLRenderer({ canvas: picture, context });
     this.#renderer.debug.checkShaderErrors = false;
-    this.#renderer.setPixelRatio(
-      this.isSoftware ? 1 : Math.min(MOST_PIXELS_PER_PIXEL, window.devicePixelRatio),
-    );
+    this.#renderer.setPixelRatio(Math.min(MOST_PIXELS_PER_PIXEL, window.devicePixelRatio));
   }
 
-  isBusy(): boolean {
-    this.#cost.settle();
+  get isWaiting(): boolean {
     return this.#cost.isWaiting;
   }
 
-  render(scene: Scene, camera: PerspectiveCamera): void {
+  prepare(scene: Scene, camera: PerspectiveCamera): void {
+    this.#isDrawn = false;
+    this.#cost.start();
+    this.#renderer.compile(scene, camera);
+    this.#cost.finish();
+  }
+
+  settle(): number | null {
+    const cost_ms = this.#cost.settle();
+    if (cost_ms === null || !this.#isDrawn) {
+      return null;
+    }
+    this.#copy();
+    return cost_ms;
+  }
+
+  render(scene: Scene, camera: PerspectiveCamera, isMoving: boolean): void {
+    if (this.isSoftware) {
+      this.#suit(softwareRatio(this.#width, this.#height, isMoving));
+    }
+    this.#isDrawn = true;
     this.#cost.start();
     this.#renderer.render(scene, camera);
     this.#cost.finish();
   }
 
   setSize(width: number, height: number): void {
-    this.#renderer.setSize(width, height);
+    [this.#width, this.#height] = [width, height];
+    if (this.#copied === null) {
+      this.#renderer.setSize(width, height);
+    } else {
+      this.canvas.style.width = `${width}px`;
+      this.canvas.style.height = `${height}px`;
+    }
   }
 
   dispose(): void {
     this.#renderer.dispose();
     // A browser has some sixteen contexts, and takes the oldest away when they are used up.
     this.#renderer.forceContextLoss();
+  }
+
+  /** Both together, for each alone makes the picture anew. */
+  #suit(ratio: number): void {
+    const { width, height } = this.picture;
+    if (width !== Math.floor(this.#width * ratio) || height !== Math.floor(this.#height * ratio)) {
+      this.#renderer.setDrawingBufferSize(this.#width, this.#height, ratio);
+    }
+  }
+
+  #copy(): void {
+    if (this.#copied !== null) {
+      const { width, height } = this.picture;
+      if (this.canvas.width !== width || this.canvas.height !== height) {
+        [this.canvas.width, this.canvas.height] = [width, height];
+      }
+      this.#copied.drawImage(this.picture, 0, 0);
+    }
   }
 }

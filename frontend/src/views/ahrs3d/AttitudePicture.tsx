@@ -136,8 +136,7 @@ function useFeed(
     (telemetry, now_ms) => {
       if (picture !== null && feed !== null && host.current !== null) {
         feed.feed(telemetry, source, wanted.current, now_ms);
-        feed.tell(host.current.dataset);
-        host.current.dataset["frames"] = `${picture.stage.drawn}`;
+        feed.tell(host.current.dataset, picture.stage.drawn);
       }
     },
     [host, picture, feed, source],

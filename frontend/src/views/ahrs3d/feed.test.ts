@@ -7,13 +7,14 @@ let telemetry: TelemetryStore;
 let scene: AttitudeScene;
 let feed: AttitudeFeed;
 let changes: number;
+let frames: number;
 let dataset: DOMStringMap;
 
 beforeEach(() => {
   telemetry = new TelemetryStore();
   telemetry.greet(0, 0);
   scene = new AttitudeScene();
-  changes = 0;
+  changes = frames = 0;
   feed = new AttitudeFeed(scene, () => {
     changes += 1;
   });
@@ -31,7 +32,8 @@ function hear(topic: string, [yaw_deg, pitch_deg, roll_deg]: Angles, now_ms: num
 function look(source: "ahrs" | "ahrs_test", now_ms: number): DOMStringMap {
   feed.feed(telemetry, source, null, now_ms);
   scene.advance(now_ms + 500);
-  feed.tell(dataset);
+  frames += 1;
+  feed.tell(dataset, frames);
   return dataset;
 }
 
@@ -83,6 +85,18 @@ describe("what is not live", () => {
     hear("ahrs_test", [91, 1, 2], 200);
     expect(look("ahrs_test", 200)).toMatchObject({ state: "live", yawDeg: "91.0" });
   });
+});
+
+test("nothing is told anew until another frame has been drawn", () => {
+  hear("ahrs", [27, 8, -12], 100);
+  look("ahrs", 100);
+  hear("ahrs", [29, 8, -12], 120);
+  feed.feed(telemetry, "ahrs", null, 120);
+  scene.advance(620);
+  feed.tell(dataset, frames);
+  expect(dataset["yawDeg"]).toBe("27.0");
+  feed.tell(dataset, frames + 1);
+  expect(dataset).toMatchObject({ yawDeg: "29.0", frames: `${frames + 1}` });
 });
 
 test("nothing new asks for no frame", () => {

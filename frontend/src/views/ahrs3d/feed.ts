@@ -41,6 +41,7 @@ export class AttitudeFeed {
   #at_s: number | null = null;
   #isLive: boolean | null = null;
   #vectors = "";
+  #told = "";
 
   constructor(scene: Fed, changed: () => void) {
     this.#scene = scene;
@@ -70,8 +71,14 @@ export class AttitudeFeed {
     this.#feedVectors(telemetry, attitude !== null, now_ms);
   }
 
-  /** What is shown, for whoever reads the document: as the model is turned, not as it was told. */
-  tell(dataset: DOMStringMap): void {
+  /** What is shown after `drawn` frames, for whoever reads the document: as the model is turned, not as it was told. */
+  tell(dataset: DOMStringMap, drawn: number): void {
+    const told = `${drawn} ${this.#isLive}`;
+    if (told === this.#told) {
+      return;
+    }
+    this.#told = told;
+    dataset["frames"] = `${drawn}`;
     const shown = this.#scene.shownAttitude;
     dataset["state"] = this.#isLive === true ? "live" : shown === null ? "none" : "stale";
     for (const angle of ANGLES) {

@@ -51,7 +51,7 @@ export function useStage<A extends TurnedAct>(
       }
       const act = choose(kept);
       const stopListening = act.rig.listen(element);
-      act.rig.onChange = () => stage.invalidate();
+      act.rig.onChange = () => stage.turn(performance.now());
       stage.onLost = (isLost) => setProblem(isLost ? "lost" : null);
       stage.show(act, element);
       setProblem(stage.isLost ? "lost" : null);
