@@ -45,9 +45,10 @@ const BODY_AXES: readonly Vector[] = [
   [0, 2, 0],
   [0, 0, 1],
 ];
+/** So short that their words do not come over those of the rose, nor over those of the airframe. */
 const WORLD_AXES: readonly Vector[] = [
-  [2.5, 0, 0],
-  [0, 2.5, 0],
+  [1.35, 0, 0],
+  [0, 1.35, 0],
   [0, 0, 1.2],
 ];
 const ZERO_PLACE = 2.75;

@@ -6,6 +6,7 @@ const HEAD = 0.16;
 const ALONG = new Vector3(0, 1, 0);
 /** Shorter than its head an arrow has no direction that one could see. */
 const SHORTEST = 0.02;
+const DOWNWARD = -0.3;
 
 interface Look {
   readonly width: number;
@@ -43,7 +44,9 @@ export class Arrow {
     this.#shaft.scale.set(1, shaft, 1);
     this.#head.quaternion.copy(this.#turn);
     this.#head.position.copy(this.#direction).multiplyScalar(shaft);
-    this.#label.sprite.position.copy(this.#direction).multiplyScalar(length + HEAD);
+    this.#label.sprite.position.copy(this.#direction).multiplyScalar(length);
+    // Over the tip, or under the tip of one that points down: a long word beside it would lie upon a level arrow.
+    this.#label.sprite.center.set(0.5, this.#direction.y < DOWNWARD ? 1.1 : -0.1);
   }
 
   dress(colour: string, word: string, plate: string): void {
