@@ -9,7 +9,7 @@ CPPCHECK ?= cppcheck
 
 # what runs on the PC, and what only the processor's compiler can turn into a program
 hosted_sources := $(wildcard src/*/*.c ports/models/*.c ports/library/*.c ports/posix/*.c)
-cortex_sources := $(wildcard $(addprefix ports/,cortex_m/*.c $(machines:%=%/*.c)))
+cortex_sources := $(wildcard $(addprefix ports/,cortex_m/*.c $(patsubst %,%/*.c,$(machines) $(card_machine))))
 hosted_flags := -std=c11 $(board_includes) -Iports/library
 # the processor's own C library stands behind clang's headers, which a freestanding program takes first
 cortex_flags := -std=c11 --target=arm-none-eabi -mcpu=cortex-m4 -mthumb -mfpu=fpv4-sp-d16 -mfloat-abi=hard -ffreestanding \

@@ -24,6 +24,7 @@ RULES: dict[str, tuple[str, ...]] = {
     "params": ("common/",),
     "records": ("common/", "hal/storage.h", "navigation/", "params/"),
     "volume": ("hal/block_device.h", "hal/storage.h"),
+    "sdcard": ("hal/block_device.h", "hal/spi.h"),
     "flight": ("common/", "comms/", "control/", "navigation/", "params/", "records/"),
     "hal": ("common/", "comms/protocol_gen.h"),
 }

@@ -8,25 +8,19 @@ import time
 from pathlib import Path
 from typing import Final
 
-from launcher.emulated import EmulatedBoard
+from launcher.emulated import QEMU, EmulatedBoard
+from launcher.ports import LOOPBACK, free_tcp_port
 from tests.board.station import DEADLINE_S, VERSION, Station
 from tests.support.firmware import FIRMWARE
 
 ASK_AGAIN_S: Final = 1.0
 
 
-class Image:
-    """One run of an image. Its time is the emulator's: never compare it with the wall's."""
+class Emulator:
+    """One run of QEMU, the board's line on this port. Its time is its own: never compare it with the wall's."""
 
-    def __init__(self, name: str, card: Path, *options: str) -> None:
-        emulated = EmulatedBoard.named(name)
-        assert emulated is not None
-        self.port = emulated.port
-        command = emulated.command(FIRMWARE, card)
-        # The board's own options stand before the card.
-        command[-1] = command[-1].replace(
-            "arg=--card", ",".join([*(f"arg={option}" for option in options), "arg=--card"])
-        )
+    def __init__(self, port: int, command: list[str]) -> None:
+        self.port = port
         self._process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
 
     def station(self) -> Station:
@@ -58,4 +52,44 @@ class Image:
         """End it; what it had to complain about."""
         self._process.send_signal(signal.SIGTERM)
         complaints, _ = self._process.communicate(timeout=DEADLINE_S)
-        return "\n".join(line for line in complaints.splitlines() if "terminating on signal" not in line)
+        return "\n".join(line for line in complaints.splitlines() if not _is_usual(line))
+
+    def cut_power(self) -> None:
+        """End it without a word to anybody."""
+        self._process.kill()
+        self._process.communicate(timeout=DEADLINE_S)
+
+
+class Image(Emulator):
+    """An image for QEMU, which lends it a folder as its card."""
+
+    def __init__(self, name: str, card: Path, *options: str) -> None:
+        emulated = EmulatedBoard.named(name)
+        assert emulated is not None
+        command = emulated.command(FIRMWARE, card)
+        # The board's own options stand before the card.
+        command[-1] = command[-1].replace(
+            "arg=--card", ",".join([*(f"arg={option}" for option in options), "arg=--card"])
+        )
+        super().__init__(emulated.port, command)
+
+
+class Bare(Emulator):
+    """An image for the processor itself, which QEMU lends nothing, and a card in its slot where it has one."""
+
+    def __init__(self, folder: str, machine: tuple[str, ...], card: Path | None) -> None:
+        port = free_tcp_port()
+        image = FIRMWARE / "build" / folder / "epf-board.elf"
+        plugged = () if card is None else ("-drive", f"if=sd,format=raw,file={card}")
+        super().__init__(
+            port,
+            [
+                *(QEMU, "-M", *machine, "-kernel", str(image), "-display", "none", "-monitor", "none"),
+                *("-serial", f"tcp:{LOOPBACK}:{port},server=on,wait=off,nodelay=on", *plugged),
+            ],
+        )
+
+
+def _is_usual(line: str) -> bool:
+    """What QEMU always says: that it was ended, and that a timer of the machine was started before it was set."""
+    return "terminating on signal" in line or line == "Timer with period zero, disabling"

@@ -1,5 +1,6 @@
 /// What the computer that emulates the processor lends it: a folder as its memory card, and options. An image for the
-/// processor itself (`host_none.c`) has neither, one for an emulator (`host_semihosting.c`) asks for them.
+/// processor itself (`host_none.c`) has the card in the machine's slot and no options, one for an emulator
+/// (`host_semihosting.c`) asks for both.
 #ifndef HOST_H
 #define HOST_H
 
@@ -8,7 +9,7 @@
 
 #include "hal/storage.h"
 
-/// NULL: there is none, and nothing can be stored.
+/// NULL: there is no place for one, and nothing can be stored.
 const storage_t* host_card(void);
 
 /// Whether the board was started with this option, and the word behind it; NULL without.

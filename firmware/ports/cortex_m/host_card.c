@@ -3,17 +3,10 @@
 #include <stdbool.h>
 #include <string.h>
 
+#include "card_layout.h"
 #include "semihosting.h"
 #include "volume/volume.h"
 
-enum
-{
-    image_block_bytes = 4096,
-    image_blocks = 64,
-    image_program_bytes = 16
-};
-
-static const char image_name[] = "card.img";
 static const int32_t nowhere = -1;
 
 static struct
@@ -44,7 +37,7 @@ static bool path_of(const char* name, const char* ending, char path[semihosting_
 static bool open_image(bool for_writing)
 {
     char path[semihosting_path_bytes];
-    if (card.image < 0 && path_of(image_name, "", path))
+    if (card.image < 0 && path_of(CARD_LAYOUT_IMAGE, "", path))
     {
         card.image = semihosting_open_file(path, semihosting_mode_change);
         if (card.image < 0 && for_writing)
@@ -57,7 +50,7 @@ static bool open_image(bool for_writing)
 
 static bool seek(uint32_t block, uint32_t offset)
 {
-    const uint32_t arguments[] = {(uint32_t)card.image, block * (uint32_t)image_block_bytes + offset};
+    const uint32_t arguments[] = {(uint32_t)card.image, block * (uint32_t)card_layout_block_bytes + offset};
     return semihosting_ask(semihosting_seek, arguments) == 0;
 }
 
@@ -71,7 +64,7 @@ static block_status_t read_image(void* context, uint32_t block, uint32_t offset,
         return block_ok;
     }
     const int32_t length = semihosting_of(semihosting_length, card.image);
-    const uint32_t place = block * (uint32_t)image_block_bytes + offset;
+    const uint32_t place = block * (uint32_t)card_layout_block_bytes + offset;
     if (length < 0)
     {
         return block_failed;
@@ -99,7 +92,7 @@ static block_status_t erase_image(void* context, uint32_t block)
     uint8_t blank[64];
     memset(blank, 0xFF, sizeof blank);
     block_status_t status = block_ok;
-    for (uint32_t offset = 0U; offset < (uint32_t)image_block_bytes && status == block_ok; offset += sizeof blank)
+    for (uint32_t offset = 0U; offset < (uint32_t)card_layout_block_bytes && status == block_ok; offset += sizeof blank)
     {
         status = program_image(context, block, offset, blank, sizeof blank);
     }
@@ -140,7 +133,7 @@ static storage_status_t read_older(void* context, const char* name, uint8_t* dat
 /// What has moved to the image must not come back when that is damaged later.
 static void remove_older(const char* name)
 {
-    static const char* const endings[] = {".a", ".b"};
+    static const char* const endings[] = CARD_LAYOUT_OLDER_ENDINGS;
     for (size_t i = 0U; i < sizeof endings / sizeof endings[0]; i++)
     {
         char path[semihosting_path_bytes];
@@ -167,9 +160,9 @@ static storage_status_t replace_file(void* context, const char* name, const uint
 const storage_t* host_card_in(const char* folder)
 {
     static const block_device_t device = {
-        .block_bytes = image_block_bytes,
-        .block_count = image_blocks,
-        .program_bytes = image_program_bytes,
+        .block_bytes = card_layout_block_bytes,
+        .block_count = card_layout_blocks,
+        .program_bytes = card_layout_program_bytes,
         .read = read_image,
         .program = program_image,
         .erase = erase_image,

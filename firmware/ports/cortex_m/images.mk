@@ -7,13 +7,15 @@
 STATION_PYTHON ?= ../.venv/bin/python
 ARM_PREFIX ?= arm-none-eabi-
 machines := stm32f405 mps2_an386
+# only to try the card's driver: its image is for QEMU, and lends nothing of it
+card_machine := lm3s6965evb
 
 arm_flags := -mcpu=cortex-m4 -mthumb -mfpu=fpv4-sp-d16 -mfloat-abi=hard -Os -g -ffp-contract=off -fno-common \
   -ffunction-sections -fdata-sections
 arm_kernel_sources := $(addprefix $(kernel_folder)/,tasks.c queue.c list.c portable/GCC/ARM_CM4F/port.c)
 arm_includes := $(littlefs_flags) -Isrc -Iports/models -Iports/cortex_m -isystem $(kernel_folder)/include \
   -isystem $(kernel_folder)/portable/GCC/ARM_CM4F
-none_sources := ports/cortex_m/host_none.c
+none_sources := ports/cortex_m/host_none.c src/volume/volume.c $(card_sources) $(littlefs_sources)
 emulator_sources := $(addprefix ports/cortex_m/,host_semihosting.c host_card.c semihosting.c) src/volume/volume.c \
   $(littlefs_sources)
 # every machine's image has these same objects
@@ -22,7 +24,8 @@ arm_sources := $(pure_sources) $(wildcard src/app/*.c ports/models/*.c) \
 arm_object = $(1:%.c=$(BUILD)/cortex_m/object/%.o)
 arm_objects := $(call arm_object,$(arm_sources) $(arm_kernel_sources))
 
-images: $(foreach machine,$(machines),$(BUILD)/$(machine)/epf-board.bin $(BUILD)/$(machine)/epf-board-qemu.elf)
+images: $(foreach machine,$(machines),$(BUILD)/$(machine)/epf-board.bin $(BUILD)/$(machine)/epf-board-qemu.elf) \
+  $(BUILD)/$(card_machine)/epf-board.elf
 
 size: $(foreach machine,$(machines),$(BUILD)/$(machine)/epf-board.elf)
 	@$(ARM_PREFIX)size $^
@@ -63,7 +66,7 @@ $(BUILD)/$(1)/epf-board$(2).elf: $$(arm_objects) $$(call arm_object,$$(wildcard 
 	@$(ARM_PREFIX)gcc $$(arm_flags) -nostartfiles --specs=nano.specs -Wl,--gc-sections -Wl,--fatal-warnings \
 	  -Wl,-Map=$$(@:.elf=.map) -T ports/$(1)/memory.ld -o $$@ $$(filter %.o,$$^) -lm
 endef
-$(foreach machine,$(machines),$(eval $(call arm_image,$(machine),,$(none_sources))))
+$(foreach machine,$(machines) $(card_machine),$(eval $(call arm_image,$(machine),,$(none_sources))))
 $(foreach machine,$(machines),$(eval $(call arm_image,$(machine),-qemu,$(emulator_sources))))
 
 %.bin: %.elf

@@ -1,11 +1,13 @@
-/// What one processor has to offer besides its core: a clock, one serial line and a watchdog. Implemented by each of
-/// ports/stm32f405 and ports/mps2_an386.
+/// What one processor has to offer besides its core: a clock, one serial line, a watchdog and a slot for a card.
+/// Implemented by each of ports/stm32f405 and ports/mps2_an386.
 #ifndef MACHINE_H
 #define MACHINE_H
 
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+
+#include "hal/spi.h"
 
 /// Of the core and its tick timer; valid after `machine_start`.
 extern uint32_t machine_clock_hz;
@@ -33,5 +35,8 @@ void machine_uart_watch_transmitter(bool on);
 /// machine has none.
 void machine_watchdog_start(void);
 void machine_watchdog_feed(void);
+
+/// The bus to the slot of a memory card, ready for use; NULL where the machine has none. Valid after `machine_start`.
+const spi_t* machine_card_bus(void);
 
 #endif

@@ -118,3 +118,8 @@ void machine_watchdog_feed(void)
 {
     // There is none.
 }
+
+const spi_t* machine_card_bus(void)
+{
+    return NULL;
+}

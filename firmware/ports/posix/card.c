@@ -17,6 +17,7 @@
 #include "task.h"
 
 #include "card_image.h"
+#include "card_layout.h"
 #include "kernel.h"
 #include "volume/volume.h"
 
@@ -88,7 +89,7 @@ static storage_status_t read_older(void* context, const char* name, uint8_t* dat
 /// What has moved to the image must not come back when that is damaged later.
 static void remove_older(const char* name)
 {
-    static const char* const endings[] = {".a", ".b"};
+    static const char* const endings[] = CARD_LAYOUT_OLDER_ENDINGS;
     for (size_t i = 0; i < sizeof endings / sizeof endings[0]; i++)
     {
         char path[4096];

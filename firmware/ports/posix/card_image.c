@@ -9,21 +9,19 @@
 #include <sys/types.h>
 #include <unistd.h>
 
+#include "card_layout.h"
+
 enum
 {
-    image_block_bytes = 4096,
-    image_blocks = 64,
-    image_program_bytes = 16,
     path_bytes = 4096
 };
 
-static const char image_name[] = "card.img";
 static const int nowhere = -1; ///< no image yet
 static int image = nowhere;
 
 static off_t place_of(uint32_t block, uint32_t offset)
 {
-    return (off_t)block * image_block_bytes + (off_t)offset;
+    return (off_t)block * card_layout_block_bytes + (off_t)offset;
 }
 
 /// What is beyond the image's end was never written.
@@ -66,7 +64,7 @@ static block_status_t program_image(void* context, uint32_t block, uint32_t offs
 
 static block_status_t erase_image(void* context, uint32_t block)
 {
-    uint8_t blank[image_block_bytes];
+    uint8_t blank[card_layout_block_bytes];
     memset(blank, 0xFF, sizeof blank);
     return program_image(context, block, 0, blank, sizeof blank);
 }
@@ -81,9 +79,9 @@ const block_device_t* card_image_device(void)
 {
     static const block_device_t device = {
         .context = NULL,
-        .block_bytes = image_block_bytes,
-        .block_count = image_blocks,
-        .program_bytes = image_program_bytes,
+        .block_bytes = card_layout_block_bytes,
+        .block_count = card_layout_blocks,
+        .program_bytes = card_layout_program_bytes,
         .read = read_image,
         .program = program_image,
         .erase = erase_image,
@@ -107,7 +105,7 @@ static bool sync_folder(const char* path)
 bool card_image_open(const char* folder, bool for_writing)
 {
     char path[path_bytes];
-    const int length = snprintf(path, sizeof path, "%s/%s", folder, image_name);
+    const int length = snprintf(path, sizeof path, "%s/%s", folder, CARD_LAYOUT_IMAGE);
     if (length <= 0 || (size_t)length >= sizeof path)
     {
         return false;

@@ -1,6 +1,7 @@
 #include "machine.h"
 
 #include "core.h"
+#include "machine_clock.h"
 #include "registers.h"
 #include "startup.h"
 #include "uart_line.h"
@@ -18,7 +19,8 @@ enum
 };
 
 uint32_t machine_clock_hz;
-static uint32_t peripheral_hz; ///< of the serial port's bus
+uint32_t machine_fast_bus_hz;
+uint32_t machine_slow_bus_hz;
 
 static void serve_uart(void)
 {
@@ -53,7 +55,8 @@ static bool becomes(const volatile uint32_t* status, uint32_t mask, uint32_t wan
 static void start_clock(void)
 {
     machine_clock_hz = fast_hz;
-    peripheral_hz = fast_hz / 2U;
+    machine_fast_bus_hz = fast_hz / 2U;
+    machine_slow_bus_hz = fast_hz / 4U;
     if ((RCC_CR & RCC_CR_HSIRDY) == 0U)
     {
         return; // a processor runs by an oscillator that is ready: this one is emulated, and its clock is always fast
@@ -75,7 +78,8 @@ static void start_clock(void)
     }
     RCC_CFGR = 0U;
     machine_clock_hz = oscillator_hz;
-    peripheral_hz = oscillator_hz;
+    machine_fast_bus_hz = oscillator_hz;
+    machine_slow_bus_hz = oscillator_hz;
 }
 
 static void start_uart(void)
@@ -87,7 +91,7 @@ static void start_uart(void)
     GPIOA_AFRH = (GPIOA_AFRH & ~(0xFFU << 4U)) | (0x77U << 4U);
     GPIOA_PUPDR = (GPIOA_PUPDR & ~(3U << 20U)) | (1U << 20U);
     GPIOA_MODER = (GPIOA_MODER & ~(0xFU << 18U)) | (0xAU << 18U);
-    USART1_BRR = (peripheral_hz + baud / 2U) / baud;
+    USART1_BRR = (machine_fast_bus_hz + baud / 2U) / baud;
     USART1_CR1 = USART1_CR1_UE | USART1_CR1_TE | USART1_CR1_RE | USART1_CR1_RXNEIE;
 }
 

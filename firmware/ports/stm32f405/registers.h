@@ -25,6 +25,9 @@
 #define RCC_CFGR_APB2_HALF (4U << 13U)
 #define RCC_AHB1ENR REGISTER(0x40023830U)
 #define RCC_AHB1ENR_GPIOA (1U << 0U)
+#define RCC_AHB1ENR_GPIOB (1U << 1U)
+#define RCC_APB1ENR REGISTER(0x40023840U)
+#define RCC_APB1ENR_SPI2 (1U << 14U)
 #define RCC_APB2ENR REGISTER(0x40023844U)
 #define RCC_APB2ENR_USART1 (1U << 4U)
 
@@ -37,6 +40,29 @@
 #define GPIOA_MODER REGISTER(0x40020000U)
 #define GPIOA_PUPDR REGISTER(0x4002000CU)
 #define GPIOA_AFRH REGISTER(0x40020024U)
+
+// Port B; pins 12 to 15 are the card's.
+#define GPIOB_MODER REGISTER(0x40020400U)
+#define GPIOB_OSPEEDR REGISTER(0x40020408U)
+#define GPIOB_PUPDR REGISTER(0x4002040CU)
+#define GPIOB_BSRR REGISTER(0x40020418U)
+#define GPIOB_AFRH REGISTER(0x40020424U)
+#define GPIO_BSRR_SET(pin) (1U << (pin))
+#define GPIO_BSRR_CLEAR(pin) (1U << ((pin) + 16U))
+#define CARD_SELECT_PIN 12U
+
+// Second serial peripheral interface.
+#define SPI2_CR1 REGISTER(0x40003800U)
+#define SPI2_CR1_MASTER (1U << 2U)
+#define SPI2_CR1_DIVIDER_SHIFT 3U
+#define SPI2_CR1_DIVIDER_MAX 7U
+#define SPI2_CR1_ENABLE (1U << 6U)
+#define SPI2_CR1_SOFTWARE_SELECT (3U << 8U) ///< no pin of its own: it is always the master
+#define SPI2_SR REGISTER(0x40003808U)
+#define SPI2_SR_RXNE (1U << 0U)
+#define SPI2_SR_TXE (1U << 1U)
+#define SPI2_SR_BUSY (1U << 7U)
+#define SPI2_DR REGISTER(0x4000380CU)
 
 // First serial port.
 #define USART1_SR REGISTER(0x40011000U)

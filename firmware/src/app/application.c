@@ -6,6 +6,7 @@
 #include "flight/board_reports.h"
 #include "flight/gains.h"
 #include "hal/time.h"
+#include "records/parameter_record.h"
 
 enum
 {
@@ -149,12 +150,16 @@ void application_reset(application_t* app, bool may_be_in_flight)
     application_store_plans(app);
     // The card first, then the board, as everywhere.
     take_card(app);
+    const storage_t* const storage = app->hardware.storage;
+    // One that does not answer keeps its caller waiting: not while everybody waits for the board.
+    const bool is_silent = storage != NULL && !parameter_record_card_answers(storage);
     application_lock(app);
     const board_config_t config = {
         .legacy = app->hardware.legacy,
         .may_be_in_flight = may_be_in_flight,
         .hil_period_s = (float)app->hardware.hil_period_ms / 1000.0F,
-        .storage = app->hardware.storage,
+        .storage = storage,
+        .card_is_silent = is_silent,
         .send = send_frame,
         .send_context = app,
     };

@@ -122,7 +122,9 @@ void shell_greet(const board_t* board, text_t* reply)
 
 static void show_card(text_t* reply, const board_t* board)
 {
-    show_words(reply, "card", board->config.storage == NULL ? "none" : "present");
+    const bool is_readable = board->kept[board_keeps_parameters] != record_unreadable;
+    const char* const there = is_readable ? "present" : "cannot be read";
+    show_words(reply, "card", board->config.storage == NULL ? "none" : there);
     const size_t start = reply->size;
     shell_begin(reply);
     text_add(reply, "card alarm");

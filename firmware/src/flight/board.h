@@ -79,6 +79,7 @@ typedef struct
     bool may_be_in_flight;    ///< it restarted by itself: a plan of the card would turn back to its first waypoint
     float hil_period_s;       ///< time of one HIL step; 0: measured between the arrivals of command 50
     const storage_t* storage; ///< NULL: there is no card
+    bool card_is_silent;      ///< the card was just asked in vain: it is not waited for, and all of it is unreadable
     board_send_fn_t send;
     void* send_context;
 } board_config_t;

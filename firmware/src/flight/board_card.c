@@ -19,17 +19,24 @@ static size_t plan_of(board_keeps_t what)
     return what == board_keeps_flight_plan ? (size_t)board_plan_flight : (size_t)board_plan_hil;
 }
 
+static record_state_t load_plan(board_t* board, size_t plan)
+{
+    return plan_record_load(board->config.storage, plan_records[plan], &board->plans[plan], board->card_room,
+                            sizeof board->card_room);
+}
+
 void board_card_load(board_t* board)
 {
-    const storage_t* const storage = board->config.storage;
-    const bool knows_plans = !board->config.legacy && !board->config.may_be_in_flight;
-    if (storage != NULL)
+    const board_config_t* const config = &board->config;
+    const bool knows_plans = !config->legacy && !config->may_be_in_flight;
+    if (config->storage != NULL)
     {
-        board->kept[board_keeps_parameters] = board_card_read_parameters(board, &board->parameters);
+        const bool is_silent = config->card_is_silent;
+        board->kept[board_keeps_parameters] =
+            is_silent ? record_unreadable : board_card_read_parameters(board, &board->parameters);
         for (size_t plan = 0U; knows_plans && plan < (size_t)board_plan_count; plan++)
         {
-            board->kept[kept_plans[plan]] = plan_record_load(storage, plan_records[plan], &board->plans[plan],
-                                                             board->card_room, sizeof board->card_room);
+            board->kept[kept_plans[plan]] = is_silent ? record_unreadable : load_plan(board, plan);
         }
     }
     board->gains = gains_of(&board->parameters);

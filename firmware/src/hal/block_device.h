@@ -21,12 +21,17 @@ typedef struct
     uint32_t block_count;   ///< at least 8
     uint32_t program_bytes; ///< written at once; a power cut may leave any part of it written
 
+    /// Called before the device is used again; it may have been changed for another one meanwhile, and may not be
+    /// later. NULL: it cannot be changed.
+    block_status_t (*begin)(void* context);
+
     block_status_t (*read)(void* context, uint32_t block, uint32_t offset, uint8_t* data, size_t size);
 
     /// Write bytes that were erased before and not written since.
     block_status_t (*program)(void* context, uint32_t block, uint32_t offset, const uint8_t* data, size_t size);
 
-    /// A device that never held anything reads as bytes of 0xFF; what an erased block reads as does not matter.
+    /// A device that never held anything reads as bytes of 0xFF, or all of 0; what an erased block reads as does not
+    /// matter.
     block_status_t (*erase)(void* context, uint32_t block);
 
     /// Return only when everything written is on the device.

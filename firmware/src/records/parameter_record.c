@@ -85,6 +85,13 @@ static record_state_t load_first(const storage_t* storage, parameters_t* paramet
     return state;
 }
 
+bool parameter_record_card_answers(const storage_t* storage)
+{
+    uint8_t first = 0U;
+    size_t size = 0U;
+    return storage->read(storage->context, kind.name, &first, sizeof first, &size) != storage_failed;
+}
+
 record_state_t parameter_record_load(const storage_t* storage, parameters_t* parameters, uint8_t* room, size_t capacity)
 {
     size_t size = 0U;

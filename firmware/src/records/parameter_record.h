@@ -16,6 +16,9 @@ enum
     parameter_record_bytes = record_frame_bytes + 4 + 4 * parameters_count ///< count, values
 };
 
+/// Whether the card can be read at all. One that cannot may keep whoever asks waiting for seconds.
+bool parameter_record_card_answers(const storage_t* storage);
+
 /// Load the stored set. Nothing is changed unless `record_whole` comes back. `room` holds `capacity` bytes, of which
 /// at least `parameter_record_bytes` are needed.
 record_state_t parameter_record_load(const storage_t* storage, parameters_t* parameters, uint8_t* room,

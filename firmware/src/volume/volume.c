@@ -9,7 +9,6 @@ enum
 };
 
 static const char staged_name[] = "staged"; ///< a file being written; it takes its own name when it is whole
-static const uint8_t never_written = 0xFFU;
 
 static const block_device_t* device_of(const struct lfs_config* config)
 {
@@ -61,6 +60,8 @@ static bool is_blank(volume_t* volume)
 {
     const block_device_t* const device = volume->device;
     uint8_t* const bytes = volume->read_buffer; // nothing is mounted
+    uint32_t ones = 0U;
+    uint32_t zeros = 0U;
     for (uint32_t block = 0U; block < 2U; block++)
     {
         for (uint32_t offset = 0U; offset < device->block_bytes; offset += (uint32_t)volume_cache_bytes)
@@ -71,19 +72,28 @@ static bool is_blank(volume_t* volume)
             }
             for (size_t i = 0U; i < (size_t)volume_cache_bytes; i++)
             {
-                if (bytes[i] != never_written)
-                {
-                    return false;
-                }
+                ones |= bytes[i];
+                zeros |= (uint32_t)bytes[i] ^ 0xFFU;
             }
         }
     }
-    return true;
+    return ones == 0U || zeros == 0U;
+}
+
+/// What littlefs says of the device as it is now.
+static int mount(volume_t* volume)
+{
+    const block_device_t* const device = volume->device;
+    if (device->begin != NULL && device->begin(device->context) != block_ok)
+    {
+        return LFS_ERR_IO;
+    }
+    return lfs_mount(&volume->filesystem, &volume->config);
 }
 
 static storage_status_t mount_to_read(volume_t* volume)
 {
-    const int error = lfs_mount(&volume->filesystem, &volume->config);
+    const int error = mount(volume);
     if (error == LFS_ERR_CORRUPT && is_blank(volume))
     {
         return storage_missing;
@@ -94,7 +104,7 @@ static storage_status_t mount_to_read(volume_t* volume)
 /// Only what holds nothing, or nothing that can be made out, is formatted.
 static bool mount_to_write(volume_t* volume)
 {
-    int error = lfs_mount(&volume->filesystem, &volume->config);
+    int error = mount(volume);
     if (error == LFS_ERR_CORRUPT)
     {
         error = lfs_format(&volume->filesystem, &volume->config);

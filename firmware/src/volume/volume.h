@@ -12,7 +12,7 @@
 
 enum
 {
-    volume_cache_bytes = 256,   ///< a multiple of the device's `program_bytes`, and a part of its `block_bytes`
+    volume_cache_bytes = 512,   ///< a multiple of the device's `program_bytes`, and a part of its `block_bytes`
     volume_lookahead_bytes = 16 ///< one bit a block is looked ahead for a free one
 };
 

@@ -122,6 +122,8 @@ static void what_is_wrong_with_the_card_is_told_at_the_start_and_in_the_status(v
     shell_greet(&rig->board, &reply);
     assert_int_equal(reply.size, 0);
     assert_non_null(strstr(say("status"), "\rcard                present\n\rcard alarm          -\n"));
+    rig->board.kept[board_keeps_parameters] = record_unreadable;
+    assert_non_null(strstr(say("status"), "\rcard                cannot be read\n"));
     rig->board.kept[board_keeps_parameters] = record_damaged;
     rig->board.kept[board_keeps_hil_plan] = record_newer;
     assert_non_null(strstr(say("status"), "\rcard alarm          parameters damaged, hil plan of newer firmware\n"));

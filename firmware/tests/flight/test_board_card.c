@@ -177,6 +177,26 @@ static void only_a_change_of_the_alarm_is_news(void** state)
     assert_true(board_card_note(&rig->board, board_keeps_hil_plan, record_whole));
 }
 
+static void a_card_that_does_not_answer_is_not_asked_again_at_the_start(void** state)
+{
+    (void)state;
+    rig_t* rig = rig_start();
+    rig_extend(rig);
+    assert_true(parameters_set(&rig->board.parameters, 0, parameter_definitions[0].minimum));
+    assert_int_equal(rig_ask(rig, COMMAND_STORE_PARAMETERS_ID, NULL, 0), command_done);
+    board_config_t config = rig->board.config;
+    config.card_is_silent = true;
+    board_init(&rig->board, &config);
+    rig_extend(rig);
+    parameters_t defaults;
+    parameters_init(&defaults);
+    assert_memory_equal(&rig->board.parameters, &defaults, sizeof defaults);
+    assert_true(tells_alarm(rig));
+    // it answers again, and is used again
+    assert_int_equal(rig_ask(rig, COMMAND_STORE_PARAMETERS_ID, NULL, 0), command_done);
+    assert_false(tells_alarm(rig));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -190,6 +210,7 @@ int main(void)
         cmocka_unit_test(a_card_that_cannot_be_read_gives_all_defaults_and_an_alarm_until_it_can_be_written),
         cmocka_unit_test(a_plan_that_cannot_be_stored_is_flown_and_alarmed_until_it_can),
         cmocka_unit_test(only_a_change_of_the_alarm_is_news),
+        cmocka_unit_test(a_card_that_does_not_answer_is_not_asked_again_at_the_start),
     };
     return cmocka_run_group_tests_name("flight.board_card", tests, NULL, NULL);
 }

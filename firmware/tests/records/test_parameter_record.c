@@ -178,8 +178,12 @@ static void a_card_that_fails_gives_the_defaults(void** state)
 {
     (void)state;
     assert_int_equal(save(1.0F), record_whole);
+    assert_true(parameter_record_card_answers(&card.storage));
     card.has_failed = true;
     assert_defaults(record_unreadable);
+    assert_false(parameter_record_card_answers(&card.storage));
+    card_init(&card);
+    assert_true(parameter_record_card_answers(&card.storage));
 }
 
 int main(void)
