@@ -86,7 +86,7 @@ test("a map file of the operator's is taken in, stands in the list and is seen o
   // Within what the globe's light makes of it.
   const isRed = (red: number, green: number, blue: number): boolean => red > 120 && green < 70 && blue < 70;
   const redPart = async (canvas: string): Promise<number> => partOf(await pixelsOf(page, page.locator(canvas)), isRed);
-  await expect.poll(() => redPart(".map-host canvas"), { timeout: GLOBE_MS }).toBeGreaterThan(0.5);
+  await expect.poll(() => redPart(".map-host .globe-picture"), { timeout: GLOBE_MS }).toBeGreaterThan(0.5);
 
   await page.getByRole("radio", { name: "Mapa 2D", exact: true }).check({ force: true });
   await expect.poll(() => redPart(".map-flat canvas")).toBeGreaterThan(0.5);

@@ -6,7 +6,7 @@ const DRAWN_MS = 90_000;
 
 async function openMap(page: Page): Promise<void> {
   await page.getByRole("tab", { name: "Mapa 3D", exact: true }).click();
-  await expect(page.locator(".map-host canvas")).toBeVisible({ timeout: DRAWN_MS });
+  await expect(page.locator(".map-host .globe-picture")).toBeVisible({ timeout: DRAWN_MS });
 }
 
 /** A camera's angle as the panel tells it. */

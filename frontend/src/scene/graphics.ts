@@ -27,6 +27,14 @@ export function isSoftware(graphics: WebGL2RenderingContext): boolean {
   return typeof name === "string" && SOFTWARE.test(name);
 }
 
+/** Whether WebGL is drawn by the processor alone. Asked where a picture must be made otherwise for it from the beginning. */
+export function drawsInSoftware(): boolean {
+  const context = document.createElement("canvas").getContext("webgl2");
+  const isAlone = context !== null && isSoftware(context);
+  context?.getExtension("WEBGL_lose_context")?.loseContext();
+  return isAlone;
+}
+
 /** What the frames of a canvas cost, until the graphics have finished them: the page's own part is the lesser one. */
 export class FrameCost {
   readonly #graphics: WebGL2RenderingContext | null;

@@ -11,8 +11,9 @@ import {
 } from "@cesium/engine";
 import { tellTiming } from "../../lib/timing";
 import { FrameBudget } from "../frameBudget";
-import { FrameCost, isSoftware } from "../graphics";
-import { GLOBE_LIMITS } from "./budget";
+import { drawsInSoftware, FrameCost } from "../graphics";
+import { globeLimits, softwareScale } from "./budget";
+import { CopiedPicture } from "./CopiedPicture";
 import { Ground } from "./ground";
 import { setQuality } from "./quality";
 
@@ -21,6 +22,13 @@ const NOON = "2026-06-21T13:00:00Z";
 const SKY = "#8fb6d3";
 /** After the wheel was turned, the globe is in a hand for so long. */
 const WHEEL_MS = 400;
+/** Nothing has moved for so long: longer than between two ages in words, which come each second. */
+const REST_MS = 1500;
+/** Kept until it is copied, long after it was drawn; ground smoothed along the view would cost several times as much. */
+const softwareContext = () => ({
+  allowTextureFilterAnisotropic: false,
+  webgl: { antialias: false, preserveDrawingBuffer: true },
+});
 
 /**
  * The globe, made once for the page's life and moved between its place and nowhere: a browser has only so many
@@ -34,6 +42,8 @@ export class Globe {
   readonly widget: CesiumWidget;
   readonly scene: Scene;
   readonly ground: Ground;
+  /** It is drawn by the processor alone: coarser while something moves. */
+  readonly isSoftware = drawsInSoftware();
   readonly #element = document.createElement("div");
   readonly #listeners = new Set<(now_ms: number) => void>();
   readonly #owned = new Set<() => void>();
@@ -41,7 +51,13 @@ export class Globe {
   readonly #cost: FrameCost;
   #handle: number | null = null;
   #ticked_ms = Number.NEGATIVE_INFINITY;
+  readonly #copied: CopiedPicture | null;
   #isDear: boolean | null = null;
+  /** Something was asked to be drawn since the last frame. */
+  #isAsked = false;
+  /** The picture is coarser than at rest. */
+  #isCoarse = true;
+  #drawn_ms = Number.NEGATIVE_INFINITY;
   #isHeld = false;
   #wheeled_ms = Number.NEGATIVE_INFINITY;
   #drawn = 0;
@@ -67,12 +83,14 @@ export class Globe {
       creditContainer: document.createElement("div"),
       blurActiveElementOnCanvasFocus: false,
       automaticallyTrackDataSourceClocks: false,
+      ...(this.isSoftware && { contextOptions: softwareContext() }),
     });
     this.scene = this.widget.scene;
     this.scene.backgroundColor = Color.fromCssColorString(SKY);
-    const graphics = this.scene.canvas.getContext("webgl2");
-    this.#cost = new FrameCost(graphics, "globe.frame");
-    this.#budget = new FrameBudget(graphics !== null && isSoftware(graphics), GLOBE_LIMITS);
+    this.scene.canvas.classList.add("globe-picture");
+    this.#copied = this.isSoftware ? new CopiedPicture(this.scene.canvas) : null;
+    this.#cost = new FrameCost(this.scene.canvas.getContext("webgl2"), "globe.frame");
+    this.#budget = new FrameBudget(this.isSoftware, globeLimits(this.isSoftware));
     this.ground = new Ground(this);
     this.scene.camera.setView({
       destination: Cartesian3.fromDegrees(-15.3, 27.75, 25_000),
@@ -112,6 +130,7 @@ export class Globe {
 
   /** Something has changed: draw it when the budget allows. */
   requestRender(): void {
+    this.#isAsked = true;
     this.scene.requestRender();
   }
 
@@ -137,10 +156,7 @@ export class Globe {
 
   readonly #tick = (now_ms: number): void => {
     this.#handle = requestAnimationFrame(this.#tick);
-    const cost_ms = this.#cost.settle();
-    if (cost_ms !== null) {
-      this.#budget.observe(cost_ms);
-    }
+    this.#settle();
     const isHeld = this.#isHeld || now_ms - this.#wheeled_ms < WHEEL_MS;
     // Never two frames on their way: the page would wait for the graphics, and its instruments with it.
     if (this.#cost.isWaiting || now_ms - this.#ticked_ms < this.#budget.period_ms(isHeld)) {
@@ -151,16 +167,33 @@ export class Globe {
     for (const listener of this.#listeners) {
       listener(now_ms);
     }
+    if (this.isSoftware) {
+      this.#suitScale(isHeld, now_ms);
+    }
     this.widget.resize();
     const before = this.#frameNumber();
     const started_ms = this.#cost.start();
     this.widget.render();
     if (this.#frameNumber() !== before) {
+      this.#isAsked = false;
+      this.#drawn_ms = now_ms;
       this.#drawn += 1;
       this.#cost.finish();
       tellTiming("globe.script", started_ms);
     }
   };
+
+  #settle(): void {
+    const cost_ms = this.#cost.settle();
+    if (cost_ms === null) {
+      return;
+    }
+    this.#copied?.copy();
+    // A fine picture of all at rest says nothing of the next that moves.
+    if (this.#isCoarse || !this.isSoftware) {
+      this.#budget.observe(cost_ms);
+    }
+  }
 
   #suitQuality(): void {
     if (this.#isDear !== this.#budget.isDear) {
@@ -168,6 +201,18 @@ export class Globe {
       setQuality(this.widget, this.#isDear);
       this.requestRender();
     }
+  }
+
+  /** Coarse from the first movement on; fine again when nothing was drawn for a while. Pictures of the ground change nothing. */
+  #suitScale(isHeld: boolean, now_ms: number): void {
+    if (this.#isAsked || isHeld) {
+      this.#isCoarse = true;
+    } else if (this.#isCoarse && now_ms - this.#drawn_ms > REST_MS) {
+      this.#isCoarse = false;
+      this.scene.requestRender();
+    }
+    const { clientWidth, clientHeight } = this.scene.canvas;
+    this.widget.resolutionScale = softwareScale(clientWidth, clientHeight, this.#isCoarse);
   }
 
   #frameNumber(): number {

@@ -1,6 +1,6 @@
 import { type CesiumWidget, SkyAtmosphere } from "@cesium/engine";
 
-/** Of the picture's points, to each side, where each of them is dear; half the work of all of them. */
+/** Of the page's points, to each side, where each of them is dear; half the work of all of them. */
 const DEAR_SCALE = 0.7;
 /** How coarse the ground's tiles may be, in pixels. */
 const DEAR_ERROR_PX = 3;
