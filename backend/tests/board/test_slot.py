@@ -13,7 +13,7 @@ from typing import Protocol
 
 import pytest
 
-from tests.board.emulated import Bare
+from tests.board.emulated import Bare, Image
 from tests.board.station import Station
 
 DONE, STORAGE_FAILED = 0, 4
@@ -77,6 +77,24 @@ def test_parameters_and_plan_outlive_a_power_cut(powered: Boards, tmp_path: Path
     assert "27.95123" in again.lines("fms")[-1]
     assert again.line("param k_roll").split()[1] == "3.25"
     assert again.table("status")["card"] == "present"
+
+
+def test_the_card_of_another_of_our_boards_is_read(powered: Boards, tmp_path: Path) -> None:
+    lent = Image("qemu", tmp_path / "folder")
+    station = opened(lent.station())
+    assert station.ask("set_k_roll", 5.5) == DONE
+    assert station.ask("store_parameters") == DONE
+    station.close()
+    assert lent.stop() == ""
+    card = blank_card(tmp_path / "card", STANDARD)
+    with card.open("r+b") as device:
+        device.write((tmp_path / "folder" / "card.img").read_bytes())
+    station = powered(card)
+    assert station.line("param k_roll").split()[1] == "5.5"
+    opened(station)
+    assert station.ask("set_k_roll", 6.5) == DONE
+    assert station.ask("store_parameters") == DONE
+    assert powered(card).line("param k_roll").split()[1] == "6.5"
 
 
 @pytest.mark.parametrize("board", [WITH_A_SLOT, ON_THE_BOARD], ids=["lm3s6965evb", "stm32f405"])
