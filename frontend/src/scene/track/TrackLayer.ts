@@ -165,6 +165,7 @@ class DrawnTrack {
   readonly #body: TrackBody;
   readonly #tail: TrackTail;
   readonly #ribbons: { readonly body: Ribbon; readonly tail: Ribbon };
+  #surrounded: TrackBody["blocks"] | null = null;
   readonly #spheres = { body: new BoundingSphere(), tail: new BoundingSphere() };
 
   constructor(points: TrackPoints, kind: TrackKind, look: () => TrackLook) {
@@ -210,7 +211,7 @@ class DrawnTrack {
       this.#surround();
     }
     if (this.#tail.update(this.tip)) {
-      this.#ribbons.tail.set(this.#tail.vertices, this.#tail.count);
+      this.#ribbons.tail.set(this.#tail.vertices, this.#tail.count, this.#tail.changed);
       this.#surroundTail();
     }
   }
@@ -235,6 +236,10 @@ class DrawnTrack {
   }
 
   #surround(): void {
+    if (this.#body.blocks === this.#surrounded) {
+      return;
+    }
+    this.#surrounded = this.#body.blocks;
     const balls = this.#body.blocks.map(
       ({ centre: [x, y, z], radius_m }) => new BoundingSphere(new Cartesian3(x, y, z), radius_m),
     );

@@ -105,6 +105,26 @@ test.each([
   }
 });
 
+test("of a block that reaches far away only what is near is drawn finely", () => {
+  // Five points a second: one block is three minutes of flight.
+  const points = new TrackPoints();
+  for (let index = 0; index < 1025; index += 1) {
+    points.add({
+      t_s: 1000 + index * 0.2,
+      latitude_e7: Math.round(279_300_000 + index * 900),
+      longitude_e7: Math.round(-153_800_000 + (index % 2) * 30),
+      altitude_mm: 300_000,
+    });
+  }
+  const body = bodyOf(points);
+  body.choose(eyeAt(27.93, -15.381, 320));
+  const near = Array.from({ length: body.count }, (_, at) => placeOf(body.vertices, at)).filter(
+    (place) => apart_m(place, placeOf(body.vertices, 0)) < 600,
+  );
+  expect(near.length).toBeGreaterThan(50);
+  expect(body.count).toBeLessThan(near.length + 150);
+});
+
 test("blocks in different levels follow each other without a gap", () => {
   const points = circuits(8 * 1024);
   const body = bodyOf(points);

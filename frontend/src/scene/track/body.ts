@@ -1,5 +1,5 @@
 import type { ThinnedTrack } from "../../lib/track/thinnedTrack";
-import { kept, type Thinned } from "../../lib/track/thinning";
+import { PIECE_POINTS, type Thinned } from "../../lib/track/thinning";
 import { POINT_FLOATS, writePoint } from "./vertices";
 
 /** From where the track is seen: earth-centred metres, and the angle of one pixel of the picture in radians. */
@@ -19,13 +19,14 @@ const SCREEN_ERROR_PX = 0.8;
 export const MAX_BODY_POINTS = 60_000;
 
 interface Chosen {
-  level: number;
-  vertices: Float32Array;
+  /** Of each piece of the block. */
+  readonly levels: Int8Array;
+  readonly vertices: Float32Array;
 }
 
 /**
- * The complete blocks of a track as one line, each block in the level of detail that its distance from the eye allows.
- * The line is put together again when a block needs another level; whoever draws it copies it then.
+ * The complete blocks of a track as one line, each piece of them in the level of detail that its distance from the eye
+ * allows. The line is put together again when a piece needs another level; whoever draws it copies it then.
  */
 export class TrackBody {
   readonly #track: ThinnedTrack;
@@ -57,15 +58,21 @@ export class TrackBody {
   /** Chooses the levels for this eye. True: the line is another one now. */
   choose(eye: Eye): boolean {
     const isOther = this.#track.blocks !== this.#blocks;
-    if (!isOther && !this.#blocks.some((block) => this.#isWrong(block, eye))) {
+    this.#blocks = this.#track.blocks;
+    const wrong = this.#blocks.filter((block) => this.#isWrong(block, eye));
+    if (!isOther && wrong.length === 0) {
       return false;
     }
-    this.#blocks = this.#track.blocks;
-    this.#coarser = 0;
-    this.#take(eye);
+    if (this.#coarser > 0) {
+      this.#coarser = 0;
+      this.#take(this.#blocks, eye);
+    } else {
+      // All others may stay as they are: a camera that flies along would choose half of them anew in each frame.
+      this.#take(wrong, eye);
+    }
     while (this.#count > MAX_BODY_POINTS && this.#coarser < COARSEST) {
       this.#coarser += 1;
-      this.#take(eye);
+      this.#take(this.#blocks, eye);
     }
     this.#join();
     return true;
@@ -73,21 +80,32 @@ export class TrackBody {
 
   /** Too coarse at once, too fine only by two levels: a camera that moves to and fro does not change it each time. */
   #isWrong(block: Thinned, eye: Eye): boolean {
-    const level = this.#chosen.get(block)?.level ?? -1;
-    const wanted = levelOf(block, eye) + this.#coarser;
-    return level < 0 || wanted < level || wanted > level + 1;
+    const levels = this.#chosen.get(block)?.levels;
+    if (levels === undefined) {
+      return true;
+    }
+    const [nearest, farthest] = levelsOf(block.centre, block.radius_m, eye);
+    for (let piece = 0; piece < levels.length; piece += 1) {
+      const wanted = (nearest === farthest ? nearest : pieceLevel(block, piece, eye)) + this.#coarser;
+      const level = levels[piece] ?? 0;
+      if (wanted < level || wanted > level + 1) {
+        return true;
+      }
+    }
+    return false;
   }
 
-  #take(eye: Eye): void {
+  #take(blocks: readonly Thinned[], eye: Eye): void {
+    for (const block of blocks) {
+      const levels = new Int8Array(block.pieces_m.length / 4);
+      for (let piece = 0; piece < levels.length; piece += 1) {
+        levels[piece] = pieceLevel(block, piece, eye) + this.#coarser;
+      }
+      this.#chosen.set(block, { levels, vertices: verticesOf(block, levels) });
+    }
     this.#count = 0;
     for (const block of this.#blocks) {
-      const level = levelOf(block, eye) + this.#coarser;
-      let chosen = this.#chosen.get(block);
-      if (chosen?.level !== level) {
-        chosen = { level, vertices: verticesOf(block, FINEST_M * 2 ** level) };
-        this.#chosen.set(block, chosen);
-      }
-      this.#count += chosen.vertices.length / POINT_FLOATS;
+      this.#count += (this.#chosen.get(block)?.vertices.length ?? 0) / POINT_FLOATS;
     }
   }
 
@@ -107,18 +125,42 @@ export class TrackBody {
   }
 }
 
-/** The coarsest level whose error is not seen from there. */
-function levelOf({ centre, radius_m }: Thinned, { x, y, z, pixel_rad }: Eye): number {
-  const distance_m = Math.hypot(centre[0] - x, centre[1] - y, centre[2] - z) - radius_m;
-  const error_m = Math.max(0, distance_m) * pixel_rad * SCREEN_ERROR_PX;
-  return Math.max(0, Math.min(COARSEST, Math.floor(Math.log2(error_m / FINEST_M))));
+/** The coarsest level whose error is not seen, of a ball's nearest and of its farthest place from the eye. */
+function levelsOf(
+  [atX, atY, atZ]: readonly [number, number, number],
+  radius_m: number,
+  { x, y, z, pixel_rad }: Eye,
+): readonly [number, number] {
+  const distance_m = Math.hypot(atX - x, atY - y, atZ - z);
+  const level = (far_m: number): number => {
+    const error_m = Math.max(0, far_m) * pixel_rad * SCREEN_ERROR_PX;
+    return Math.max(0, Math.min(COARSEST, Math.floor(Math.log2(error_m / FINEST_M))));
+  };
+  return [level(distance_m - radius_m), level(distance_m + radius_m)];
 }
 
-function verticesOf(thinned: Thinned, tolerance_m: number): Float32Array {
-  const offsets = kept(thinned, tolerance_m);
+function pieceLevel({ pieces_m }: Thinned, piece: number, eye: Eye): number {
+  const part = (axis: number): number => pieces_m[4 * piece + axis] ?? 0;
+  return levelsOf([part(0), part(1), part(2)], part(3), eye)[0];
+}
+
+/** Where the level changes the line goes through the point that was flown: what one side leaves out is not seen on the other. */
+function verticesOf({ block, keep_m }: Thinned, levels: Int8Array): Float32Array {
+  const offsets: number[] = [];
+  for (const [piece, level] of levels.entries()) {
+    const begin = piece * PIECE_POINTS;
+    const end = Math.min(keep_m.length, begin + PIECE_POINTS);
+    const tolerance_m = FINEST_M * 2 ** level;
+    const isOther = piece > 0 && levels[piece - 1] !== level;
+    for (let offset = begin; offset < end; offset += 1) {
+      if ((keep_m[offset] ?? 0) > tolerance_m || (isOther && offset === begin)) {
+        offsets.push(offset);
+      }
+    }
+  }
   const vertices = new Float32Array(offsets.length * POINT_FLOATS);
   for (const [at, offset] of offsets.entries()) {
-    writePoint(vertices, at, thinned.block, offset);
+    writePoint(vertices, at, block, offset);
   }
   return vertices;
 }

@@ -94,3 +94,19 @@ test("no line is drawn to an aircraft that has not flown there", () => {
   tail.update(aircraftAt(1020));
   expect(tail.count).toBe(101);
 });
+
+test("who copies only what has changed has the whole line", () => {
+  const points = new TrackPoints();
+  const tail = new TrackTail(points);
+  const copy = new Float32Array(tail.vertices.length);
+  for (let step = 0; step < 1200; step += 1) {
+    fly(points, 1);
+    // It is shown behind its newest point, now more and now less.
+    tail.update(
+      step % 50 === 49 ? null : aircraftAt(1000 + step * 0.02 - 0.3 * Math.abs(Math.sin(step / 9))),
+    );
+    const [begin, end] = [tail.changed * POINT_FLOATS, tail.count * POINT_FLOATS];
+    copy.set(tail.vertices.subarray(begin, end), begin);
+    expect(tail.vertices.subarray(0, end).findIndex((part, at) => part !== copy[at])).toBe(-1);
+  }
+});

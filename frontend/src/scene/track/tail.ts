@@ -27,6 +27,7 @@ export class TrackTail {
   #block: TrackBlock | undefined;
   #written = 0;
   #count = 0;
+  #changed = 0;
   #pointsRevision = -1;
   #tip_s: number | null = null;
 
@@ -36,6 +37,11 @@ export class TrackTail {
 
   get count(): number {
     return this.#count;
+  }
+
+  /** Points before this one are as they were before the last `update`. */
+  get changed(): number {
+    return this.#changed;
   }
 
   /** Draws up to `tip`, or up to the newest point where there is no aircraft to show. True: the line is another one. */
@@ -49,6 +55,9 @@ export class TrackTail {
     this.#tip_s = tip_s;
     if (block !== this.#block) {
       this.#begin(block);
+      this.#changed = 0;
+    } else {
+      this.#changed = BEFORE + this.#written;
     }
     for (; block !== undefined && this.#written < block.count; this.#written += 1) {
       writePoint(this.vertices, BEFORE + this.#written, block, this.#written);
@@ -59,6 +68,7 @@ export class TrackTail {
       this.#shown = [];
       this.#count = BEFORE + this.#written;
     }
+    this.#changed = Math.min(this.#changed, BEFORE + this.#written);
     return true;
   }
 
