@@ -39,6 +39,11 @@ export type AircraftFeed = (now_ms: number) => AllSeen;
 const GHOST = 0.32;
 /** From afar it is drawn larger than it is, or it would not be seen. */
 const LEAST_PX = 112;
+/** Over and under it, in pixels: both aircraft are often in one place. */
+const NAME_PLACE: Readonly<Record<Whose, Cartesian2>> = {
+  flight: new Cartesian2(22, -18),
+  hil: new Cartesian2(22, 34),
+};
 /** Less than this is no movement: metres, and as the sine of an angle. */
 const STILL_M = 0.004;
 const STILL_TURN = 2e-4;
@@ -116,7 +121,7 @@ class DrawnAircraft {
       show: false,
       horizontalOrigin: HorizontalOrigin.LEFT,
       verticalOrigin: VerticalOrigin.BOTTOM,
-      pixelOffset: new Cartesian2(22, -18),
+      pixelOffset: NAME_PLACE[whose],
       disableDepthTestDistance: Number.POSITIVE_INFINITY,
     });
     void this.#load();

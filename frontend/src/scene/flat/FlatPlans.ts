@@ -7,6 +7,7 @@ import type { DrawnPlan } from "../plan/shape";
 import type { Grip } from "../tools/MapPointer";
 import { drawHome, drawPlan, type FlatAircraft, type MarkedPlace } from "./flatThings";
 import { type FlatView, fromScreen, type ScreenPoint, toScreen } from "./projection";
+import type { Words } from "./Words";
 
 /** Within so many pixels of the pointer a thing is meant. */
 const REACH_PX = 14;
@@ -39,15 +40,15 @@ export class FlatPlans {
     this.#onChange();
   }
 
-  draw(context: CanvasRenderingContext2D, view: FlatView): void {
+  draw(context: CanvasRenderingContext2D, view: FlatView, words: Words): void {
     for (const plan of ORDER) {
       const drawn = this.#seen(plan);
       if (drawn !== null) {
-        drawPlan(context, view, plan, drawn);
+        drawPlan(context, view, plan, drawn, words);
       }
     }
     if (this.#home !== null) {
-      drawHome(context, view, this.#home);
+      drawHome(context, view, this.#home, words);
     }
   }
 

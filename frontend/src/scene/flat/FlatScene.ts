@@ -10,6 +10,7 @@ import { drawGraticule } from "./flatGraticule";
 import { drawGround, drawRunways, type FlatLayer, FlatTiles } from "./flatGround";
 import { drawAircraft, drawDistance, type FlatAircraft, type MarkedPlace } from "./flatThings";
 import { around, type FlatView, fromScreen, panned, type ScreenPoint, zoomed } from "./projection";
+import { Words } from "./Words";
 
 /** What lies on the map and does not move. */
 export interface FlatContents {
@@ -186,11 +187,12 @@ export class FlatScene {
     const { layers, tracks, graticule } = this.#contents;
     const ratio = window.devicePixelRatio || 1;
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
+    const words = new Words(context);
     drawGround(context, this.#view, this.#islands);
     for (const layer of layers) {
       this.#tiles.draw(context, this.#view, layer);
     }
-    drawRunways(context, this.#view);
+    drawRunways(context, this.#view, words);
     if (graticule !== null) {
       drawGraticule(context, this.#view, graticule);
     }
@@ -201,10 +203,10 @@ export class FlatScene {
         this.#change();
       }
     }
-    this.plans.draw(context, this.#view);
-    drawDistance(context, this.#view, this.#measured);
+    this.plans.draw(context, this.#view, words);
+    drawDistance(context, this.#view, this.#measured, words);
     for (const aircraft of this.#aircraft) {
-      drawAircraft(context, this.#view, aircraft);
+      drawAircraft(context, this.#view, aircraft, words);
     }
   }
 

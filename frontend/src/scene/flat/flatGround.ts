@@ -3,7 +3,6 @@ import { ASPHALT, COAST, LAND, PAINT, SEA } from "../colours";
 import { GRAN_CANARIA, runwayCourse } from "../globe/chart/airfields";
 import type { Island } from "../globe/chart/coast";
 import { overlaps, thinned } from "../globe/chart/geometry";
-import { drawText } from "./ink";
 import {
   boxSeen,
   type FlatView,
@@ -14,6 +13,7 @@ import {
   worldX,
   worldY,
 } from "./projection";
+import type { Words } from "./Words";
 
 /** Sea and islands. */
 export function drawGround(
@@ -48,7 +48,7 @@ export function drawGround(
 const CODE_LENGTH_PX = [14, 400] as const;
 
 /** The runways of the station's airfield, over the pictures too: those may be years old. */
-export function drawRunways(context: CanvasRenderingContext2D, view: FlatView): void {
+export function drawRunways(context: CanvasRenderingContext2D, view: FlatView, words: Words): void {
   context.strokeStyle = ASPHALT;
   for (const { ends, width_m } of GRAN_CANARIA.runways) {
     const [from, to] = ends.map((end) => toScreen(view, end));
@@ -63,8 +63,7 @@ export function drawRunways(context: CanvasRenderingContext2D, view: FlatView): 
   const [first] = GRAN_CANARIA.runways;
   const length_px = first === undefined ? 0 : runwayCourse(first).length_m / metresPerPixel(view);
   if (length_px > CODE_LENGTH_PX[0] && length_px < CODE_LENGTH_PX[1]) {
-    const { x, y } = toScreen(view, GRAN_CANARIA);
-    drawText(context, GRAN_CANARIA.code, { x: x + 8 + length_px * 0.22, y: y + 4 }, PAINT);
+    words.write(GRAN_CANARIA.code, toScreen(view, GRAN_CANARIA), 8 + length_px * 0.22, PAINT);
   }
 }
 

@@ -3,8 +3,9 @@ import type { Whose } from "../../lib/mapThing";
 import { EDGE, HOME, MEASURE, PLAN, STRONG, UNSENT } from "../colours";
 import { legPoints } from "../plan/geometry";
 import { type Dot, type DrawnPlan, dotsOf, type LineKind, linesOf } from "../plan/shape";
-import { drawDot, drawLine, drawText, type Pen } from "./ink";
+import { drawDot, drawLine, type Pen } from "./ink";
 import { type FlatView, type ScreenPoint, toScreen } from "./projection";
+import type { Words } from "./Words";
 
 export interface FlatAircraft {
   readonly plan: Whose;
@@ -43,6 +44,7 @@ export function drawPlan(
   view: FlatView,
   whose: Whose,
   plan: DrawnPlan,
+  words: Words,
 ): void {
   const pens = pensOf(whose);
   for (const { kind, points } of linesOf(plan)) {
@@ -55,7 +57,7 @@ export function drawPlan(
     }
   }
   for (const dot of dotsOf(plan)) {
-    drawWaypoint(context, toScreen(view, dot.at), PLAN[whose], dot);
+    drawWaypoint(context, toScreen(view, dot.at), PLAN[whose], dot, words);
   }
 }
 
@@ -65,19 +67,25 @@ function drawWaypoint(
   at: ScreenPoint,
   plain: string,
   { label, isActive, isSelected, isUnsent }: Dot,
+  words: Words,
 ): void {
   const isStrong = isActive || isSelected;
   const colour = isUnsent ? UNSENT : plain;
   const fill = isActive ? STRONG : isUnsent ? EDGE : colour;
   const rim = isSelected ? STRONG : isActive || isUnsent ? colour : EDGE;
   drawDot(context, at, isStrong ? 6 : 4.5, fill, { colour: rim, width_px: isStrong || isUnsent ? 2.5 : 1 });
-  drawText(context, label, { x: at.x + 9, y: at.y - 8 }, isStrong && !isUnsent ? STRONG : colour);
+  words.write(label, at, 8, isStrong && !isUnsent ? STRONG : colour);
 }
 
-export function drawHome(context: CanvasRenderingContext2D, view: FlatView, home: MarkedPlace): void {
+export function drawHome(
+  context: CanvasRenderingContext2D,
+  view: FlatView,
+  home: MarkedPlace,
+  words: Words,
+): void {
   const at = toScreen(view, home);
   drawDot(context, at, 5, EDGE, { colour: HOME, width_px: 3 });
-  drawText(context, home.label, { x: at.x + 10, y: at.y + 14 }, HOME);
+  words.write(home.label, at, 8, HOME);
 }
 
 /** An arrow in its heading; hollow while it is not live. */
@@ -85,6 +93,7 @@ export function drawAircraft(
   context: CanvasRenderingContext2D,
   view: FlatView,
   { place, heading_deg, colour, label, isLive }: FlatAircraft,
+  words: Words,
 ): void {
   const at = toScreen(view, place);
   const fill = isLive ? colour : "transparent";
@@ -93,7 +102,7 @@ export function drawAircraft(
   } else {
     drawArrow(context, at, heading_deg, fill, colour);
   }
-  drawText(context, label, { x: at.x + 18, y: at.y + 4 }, colour);
+  words.write(label, at, 14, colour);
 }
 
 /** Nose, right wing, tail, left wing; pixels, the nose up. */
@@ -136,6 +145,7 @@ export function drawDistance(
   context: CanvasRenderingContext2D,
   view: FlatView,
   places: readonly MarkedPlace[],
+  words: Words,
 ): void {
   for (const [index, to] of places.entries()) {
     const from = places[index - 1];
@@ -151,6 +161,6 @@ export function drawDistance(
   for (const place of places) {
     const at = toScreen(view, place);
     drawDot(context, at, 3.5, MEASURE, { colour: MEASURE, width_px: 1 });
-    drawText(context, place.label, { x: at.x + 9, y: at.y - 9 }, MEASURE);
+    words.write(place.label, at, 8, MEASURE);
   }
 }

@@ -1,8 +1,6 @@
 import { EDGE } from "../colours";
 import type { ScreenPoint } from "./projection";
 
-const FONT = '600 12px "Inter Variable", system-ui, sans-serif';
-
 export interface Pen {
   readonly colour: string;
   readonly width_px: number;
@@ -42,22 +40,6 @@ export function drawDot(
   context.fillStyle = fill;
   context.fill();
   strokeTwice(context, colour, width_px);
-}
-
-/** Right of a place, above it. */
-export function drawText(
-  context: CanvasRenderingContext2D,
-  words: string,
-  { x, y }: ScreenPoint,
-  colour: string,
-): void {
-  context.font = FONT;
-  context.lineJoin = "round";
-  context.strokeStyle = EDGE;
-  context.lineWidth = 3;
-  context.strokeText(words, x, y);
-  context.fillStyle = colour;
-  context.fillText(words, x, y);
 }
 
 function strokeTwice(context: CanvasRenderingContext2D, colour: string, width_px: number): void {
