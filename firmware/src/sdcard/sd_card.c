@@ -22,7 +22,7 @@ enum
 enum
 {
     idle_tries = 5,
-    identify_pauses = 600, ///< with the commands between them more than the second that a card may need
+    identify_pauses = 800, ///< with the commands between them more than the second that a card may need
     tries = 3,             ///< of what was damaged on its way
     card_data_bytes = 16,
     word_bytes = 4
