@@ -40,6 +40,7 @@ static void set_fast(void* context, bool fast)
         divider++;
     }
     SPI2_CR1 = SPI2_CR1_MASTER | SPI2_CR1_SOFTWARE_SELECT | (divider << SPI2_CR1_DIVIDER_SHIFT);
+    (void)SPI2_DR; // what an exchange that was given up may have left
     SPI2_CR1 |= SPI2_CR1_ENABLE;
 }
 
