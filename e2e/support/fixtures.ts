@@ -50,11 +50,15 @@ export const test = base.extend<Fixtures>({
       complaints.push(`${message.type()}: ${message.text()}`);
     });
     context.on("weberror", (error) => complaints.push(`${error.error()}`));
-    context.on("request", (request) => {
-      if (/^(https?|wss?):/.test(request.url()) && new URL(request.url()).host !== new URL(station.url).host) {
-        complaints.push(`request that leaves the gateway: ${request.url()}`);
+    const watch = (asked: { url(): string }): void => {
+      const url = asked.url();
+      if (/^(https?|wss?):/.test(url) && new URL(url).host !== new URL(station.url).host) {
+        complaints.push(`request that leaves the gateway: ${url}`);
       }
-    });
+    };
+    // Event streams are among the requests; a WebSocket is told of by its page alone.
+    context.on("request", watch);
+    context.on("page", (page) => page.on("websocket", watch));
     await use(context);
     expect(complaints, "console, exceptions and foreign requests").toEqual([]);
   },
