@@ -20,7 +20,7 @@ export function hasWebgl(): boolean {
 }
 
 /** Whether the browser says that the processor draws alone, without a graphics processor. */
-export function isSoftware(graphics: WebGL2RenderingContext): boolean {
+function isSoftware(graphics: WebGL2RenderingContext): boolean {
   // Where the extension is not offered, the plain name may say as much.
   const told = graphics.getExtension("WEBGL_debug_renderer_info");
   const name: unknown = graphics.getParameter(told?.UNMASKED_RENDERER_WEBGL ?? graphics.RENDERER);

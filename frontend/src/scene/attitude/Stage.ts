@@ -87,10 +87,6 @@ export class Stage {
     return this.#isLost;
   }
 
-  get isSoftware(): boolean {
-    return this.#drawer.isSoftware;
-  }
-
   /** Show this act in this element. */
   show(act: Act, host: HTMLElement): void {
     if (act !== this.#latest) {

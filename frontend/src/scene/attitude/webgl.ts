@@ -1,38 +1,34 @@
 import { type PerspectiveCamera, type Scene, WebGLRenderer } from "three";
-import { FrameCost, isSoftware } from "../graphics";
+import { CopiedPicture } from "../CopiedPicture";
+import { drawsInSoftware, FrameCost } from "../graphics";
 import { softwareRatio } from "./budget";
 import type { Drawer } from "./Stage";
 
 /** Sharper than this nobody sees, and it costs by the square. */
 const MOST_PIXELS_PER_PIXEL = 2;
-const ASKED = { alpha: false, powerPreference: "low-power" } as const;
 
 /** WebGL on a canvas of its own; null where the browser has none. */
 export function webglDrawer(): Drawer | null {
+  const isSoftware = drawsInSoftware();
   const picture = document.createElement("canvas");
   // Asked for here and not by the renderer, which would write to the console where there is none.
-  const context = picture.getContext("webgl2", { ...ASKED, antialias: true });
-  if (context === null || !isSoftware(context)) {
-    return context === null ? null : new WebglDrawer(picture, context, null);
-  }
-  // What was asked for cannot be changed any more.
-  context.getExtension("WEBGL_lose_context")?.loseContext();
-  const plain = document.createElement("canvas");
-  const copied = document.createElement("canvas").getContext("2d", { alpha: false });
-  // Kept until it is copied, which is long after it was drawn.
-  const graphics = plain.getContext("webgl2", { ...ASKED, antialias: false, preserveDrawingBuffer: true });
-  return graphics === null ? null : new WebglDrawer(plain, graphics, copied);
+  const context = picture.getContext("webgl2", {
+    alpha: false,
+    powerPreference: "low-power",
+    antialias: !isSoftware,
+    // Until it is copied, which is long after it was drawn.
+    preserveDrawingBuffer: isSoftware,
+  });
+  return context === null
+    ? null
+    : new WebglDrawer(picture, context, isSoftware ? new CopiedPicture(picture) : null);
 }
 
-/**
- * With a graphics processor the picture itself is shown. Without one the browser reads what is shown back before it goes
- * on, and the page would stand still until it is drawn: there a finished picture is copied onto what is shown.
- */
 class WebglDrawer implements Drawer {
   readonly canvas: HTMLCanvasElement;
   readonly picture: HTMLCanvasElement;
   readonly isSoftware: boolean;
-  readonly #copied: CanvasRenderingContext2D | null;
+  readonly #copied: CopiedPicture | null;
   readonly #cost: FrameCost;
   readonly #renderer: WebGLRenderer;
   /** What is on its way is a frame, and not what frames need. */
@@ -40,12 +36,8 @@ class WebglDrawer implements Drawer {
   #width = 1;
   #height = 1;
 
-  /** `copied`: onto which a picture drawn by the processor is copied; null: the picture is shown. */
-  constructor(
-    picture: HTMLCanvasElement,
-    context: WebGL2RenderingContext,
-    copied: CanvasRenderingContext2D | null,
-  ) {
+  /** `copied`: shown in place of a picture that the processor draws. */
+  constructor(picture: HTMLCanvasElement, context: WebGL2RenderingContext, copied: CopiedPicture | null) {
     this.picture = picture;
     this.canvas = copied?.canvas ?? picture;
     this.isSoftware = copied !== null;
@@ -72,7 +64,7 @@ class WebglDrawer implements Drawer {
     if (cost_ms === null || !this.#isDrawn) {
       return null;
     }
-    this.#copy();
+    this.#copied?.copy();
     return cost_ms;
   }
 
@@ -107,16 +99,6 @@ class WebglDrawer implements Drawer {
     const { width, height } = this.picture;
     if (width !== Math.floor(this.#width * ratio) || height !== Math.floor(this.#height * ratio)) {
       this.#renderer.setDrawingBufferSize(this.#width, this.#height, ratio);
-    }
-  }
-
-  #copy(): void {
-    if (this.#copied !== null) {
-      const { width, height } = this.picture;
-      if (this.canvas.width !== width || this.canvas.height !== height) {
-        [this.canvas.width, this.canvas.height] = [width, height];
-      }
-      this.#copied.drawImage(this.picture, 0, 0);
     }
   }
 }

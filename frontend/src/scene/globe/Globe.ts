@@ -10,12 +10,12 @@ import {
   type Scene,
 } from "@cesium/engine";
 import { tellTiming } from "../../lib/timing";
+import { CopiedPicture } from "../CopiedPicture";
 import { FrameBudget } from "../frameBudget";
 import { drawsInSoftware, FrameCost } from "../graphics";
 import { globeLimits, softwareScale } from "./budget";
-import { CopiedPicture } from "./CopiedPicture";
 import { Ground } from "./ground";
-import { setQuality } from "./quality";
+import { setQuality, setScale } from "./quality";
 
 /** The one day that the globe shows: without day and night there is nothing to fetch for another. */
 const NOON = "2026-06-21T13:00:00Z";
@@ -88,7 +88,7 @@ export class Globe {
     this.scene = this.widget.scene;
     this.scene.backgroundColor = Color.fromCssColorString(SKY);
     this.scene.canvas.classList.add("globe-picture");
-    this.#copied = this.isSoftware ? new CopiedPicture(this.scene.canvas) : null;
+    this.#copied = this.isSoftware ? this.#seenBy(this.scene.canvas) : null;
     this.#cost = new FrameCost(this.scene.canvas.getContext("webgl2"), "globe.frame");
     this.#budget = new FrameBudget(this.isSoftware, globeLimits(this.isSoftware));
     this.ground = new Ground(this);
@@ -212,12 +212,21 @@ export class Globe {
       this.scene.requestRender();
     }
     const { clientWidth, clientHeight } = this.scene.canvas;
-    this.widget.resolutionScale = softwareScale(clientWidth, clientHeight, this.#isCoarse);
+    setScale(this.widget, softwareScale(clientWidth, clientHeight, this.#isCoarse));
   }
 
   #frameNumber(): number {
     // Not in its published types; nothing else tells whether a frame was drawn.
     return (this.scene as unknown as { frameState: { frameNumber: number } }).frameState.frameNumber;
+  }
+
+  /** The picture itself is not seen, but still takes the pointer's presses. */
+  #seenBy(picture: HTMLCanvasElement): CopiedPicture {
+    const copied = new CopiedPicture(picture);
+    copied.canvas.className = "globe-picture";
+    picture.before(copied.canvas);
+    picture.classList.replace("globe-picture", "globe-unseen");
+    return copied;
   }
 
   #watchHands(): void {
