@@ -15,8 +15,8 @@ const SLOW: BudgetLimits = {
 };
 
 /**
- * Drawn by the processor alone, beside the page: four to eight in a second where a frame allows it. At least half of the
- * time is without one, and a frame that takes half a second is still drawn each second.
+ * Drawn by the processor alone, beside the page: four to eight in a second where a frame allows it. At least a third of
+ * the time is without one, and a frame that takes half a second is still drawn each second.
  */
 const SOFTWARE: BudgetLimits = {
   ...SLOW,
@@ -24,7 +24,6 @@ const SOFTWARE: BudgetLimits = {
   cheap_ms: 0,
   shortest_ms: 125,
   longest_ms: 250,
-  leastRest: 2,
 };
 
 export function globeLimits(isSoftware: boolean): BudgetLimits {

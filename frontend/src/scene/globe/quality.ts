@@ -7,6 +7,12 @@ const DEAR_ERROR_PX = 3;
 const CHEAP_ERROR_PX = 1.6;
 const CHEAP_SAMPLES = 4;
 
+/** A picture that the processor draws alone, in so many points to each side of a CSS pixel: the ground's tiles stay the same. */
+export function setScale(widget: CesiumWidget, scale: number): void {
+  widget.resolutionScale = scale;
+  widget.scene.globe.maximumScreenSpaceError = (DEAR_ERROR_PX / DEAR_SCALE) * scale;
+}
+
 /** Where a frame is dear nothing is drawn that is only beautiful: in this order sky, ground shading, haze cost most. */
 export function setQuality(widget: CesiumWidget, isDear: boolean): void {
   const { scene } = widget;

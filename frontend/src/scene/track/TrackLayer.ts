@@ -32,6 +32,8 @@ const RANK_STEP = 0.002;
 /** Levels of detail are made for so long between two frames of the instruments, and then they have their turn. */
 const SLICE_MS = 4;
 const REST_MS = 12;
+/** Levels are chosen for so long in a frame; what is wrong by little has its turn in the next one. */
+const CHOOSE_MS = 0.7;
 /** From the ground to above everything that is flown. */
 const ROOM_M = 30_000;
 
@@ -187,7 +189,7 @@ class DrawnTrack {
 
   /** Something has come that is not drawn yet. */
   get hasNews(): boolean {
-    return this.isVisible && this.#points.revision !== this.#revision;
+    return this.isVisible && (this.#points.revision !== this.#revision || !this.#body.isComplete);
   }
 
   /** Every complete block has its levels of detail. */
@@ -206,7 +208,8 @@ class DrawnTrack {
     this.#revision = this.#points.revision;
     let made = 0;
     this.#thinned.refresh(() => made++ > 0);
-    if (this.#body.choose(eye)) {
+    const end_ms = performance.now() + CHOOSE_MS;
+    if (this.#body.choose(eye, () => performance.now() > end_ms)) {
       this.#ribbons.body.set(this.#body.vertices, this.#body.count);
       this.#surround();
     }

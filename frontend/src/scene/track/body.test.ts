@@ -150,6 +150,22 @@ test("nothing is chosen anew while the eye hardly moves, and a level that is too
   expect(body.count).toBeGreaterThan(before);
 });
 
+test("a level that is wrong by little may wait for the next frame, and one that is wrong by much may not", () => {
+  const body = bodyOf(circuits(8 * 1024));
+  const enough = (): boolean => true;
+  body.choose(FAR, enough);
+  expect(body.isComplete).toBe(true);
+  const nearer = eyeAt(27.93, -15.38, 29_000);
+  body.choose(nearer, enough);
+  expect(body.isComplete).toBe(false);
+  body.choose(nearer);
+  expect(body.isComplete).toBe(true);
+  expect(body.choose(nearer)).toBe(false);
+  const before = body.count;
+  body.choose(NEAR, enough);
+  expect(body.count).toBeGreaterThan(2 * before);
+});
+
 test("what is drawn is bounded: noise seen from close by makes all levels coarser instead", () => {
   const body = bodyOf(circuits(100 * 1024, 40));
   body.choose({ ...NEAR, pixel_rad: 1e-7 });

@@ -18,6 +18,9 @@ const SCREEN_ERROR_PX = 0.8;
 /** More points than this are not drawn of one track: levels grow coarser all over instead. */
 export const MAX_BODY_POINTS = 60_000;
 
+/** Wrong by so many levels, a piece may wait for its turn: its error is twice what it should be. */
+const LITTLE = 1;
+
 interface Chosen {
   /** Of each piece of the block. */
   readonly levels: Int8Array;
@@ -34,6 +37,7 @@ export class TrackBody {
   #blocks: readonly Thinned[] = [];
   #vertices = new Float32Array(0);
   #count = 0;
+  #isComplete = true;
   /** Added to every level while the whole has too many points. */
   #coarser = 0;
 
@@ -55,11 +59,20 @@ export class TrackBody {
     return this.#blocks;
   }
 
-  /** Chooses the levels for this eye. True: the line is another one now. */
-  choose(eye: Eye): boolean {
+  /** Every block has the levels for the eye that was asked about last. */
+  get isComplete(): boolean {
+    return this.#isComplete;
+  }
+
+  /**
+   * Chooses the levels for this eye. True: the line is another one now. Where blocks are wrong by little, `isEnough` may
+   * leave them as they are for now.
+   */
+  choose(eye: Eye, isEnough: () => boolean = () => false): boolean {
     const isOther = this.#track.blocks !== this.#blocks;
     this.#blocks = this.#track.blocks;
-    const wrong = this.#blocks.filter((block) => this.#isWrong(block, eye));
+    const wrong = this.#blocks.filter((block) => this.#isWrong(block, eye, 0));
+    this.#isComplete = true;
     if (!isOther && wrong.length === 0) {
       return false;
     }
@@ -68,7 +81,7 @@ export class TrackBody {
       this.#take(this.#blocks, eye);
     } else {
       // All others may stay as they are: a camera that flies along would choose half of them anew in each frame.
-      this.#take(wrong, eye);
+      this.#take(wrong, eye, isEnough);
     }
     while (this.#count > MAX_BODY_POINTS && this.#coarser < COARSEST) {
       this.#coarser += 1;
@@ -79,7 +92,7 @@ export class TrackBody {
   }
 
   /** Too coarse at once, too fine only by two levels: a camera that moves to and fro does not change it each time. */
-  #isWrong(block: Thinned, eye: Eye): boolean {
+  #isWrong(block: Thinned, eye: Eye, room: number): boolean {
     const levels = this.#chosen.get(block)?.levels;
     if (levels === undefined) {
       return true;
@@ -88,15 +101,22 @@ export class TrackBody {
     for (let piece = 0; piece < levels.length; piece += 1) {
       const wanted = (nearest === farthest ? nearest : pieceLevel(block, piece, eye)) + this.#coarser;
       const level = levels[piece] ?? 0;
-      if (wanted < level || wanted > level + 1) {
+      if (wanted < level - room || wanted > level + 1 + room) {
         return true;
       }
     }
     return false;
   }
 
-  #take(blocks: readonly Thinned[], eye: Eye): void {
+  #take(blocks: readonly Thinned[], eye: Eye, isEnough: () => boolean = () => false): void {
+    let taken = 0;
     for (const block of blocks) {
+      // One at least in each frame, or it would never end.
+      if (taken > 0 && isEnough() && !this.#isWrong(block, eye, LITTLE)) {
+        this.#isComplete = false;
+        continue;
+      }
+      taken += 1;
       const levels = new Int8Array(block.pieces_m.length / 4);
       for (let piece = 0; piece < levels.length; piece += 1) {
         levels[piece] = pieceLevel(block, piece, eye) + this.#coarser;

@@ -65,6 +65,7 @@ export function CameraSection() {
         <HowShown key={whose} whose={whose} name={names[whose]} />
       ))}
       {!flat.isShown && <Eye scene={scene} />}
+      {!flat.isShown && globe?.isSoftware === true && <p className="map-how">{t("map.view.software")}</p>}
       <Checkbox
         label={t("map.view.graticule")}
         checked={graticule !== null}
