@@ -12,7 +12,8 @@ const PLACES: Readonly<Record<CameraView, readonly [round_deg: number, up_deg: n
 };
 
 const FIELD_DEG = 34;
-const DISTANCE = 7.2;
+/** From behind, the rose's nearest letter is just within the picture. */
+const DISTANCE = 8;
 const NEAREST = 3;
 const FARTHEST = 18;
 const DEGREES_PER_PIXEL = 0.4;
@@ -56,7 +57,7 @@ export class OrbitRig {
   settle(): void {
     const course = ((this.#ahead_deg + 180 + this.#round_deg) * Math.PI) / 180;
     const up = (this.#up_deg * Math.PI) / 180;
-    const distance = this.#distance * Math.max(1, 1.25 / this.camera.aspect);
+    const distance = this.#distance * Math.max(1, 1.125 / this.camera.aspect);
     const level = Math.cos(up) * distance;
     this.camera.position.set(
       this.#target.x + Math.sin(course) * level,
