@@ -24,6 +24,8 @@ const SKY = "#8fb6d3";
 const WHEEL_MS = 400;
 /** Nothing has moved for so long: longer than between two ages in words, which come each second. */
 const REST_MS = 1500;
+/** A frame in which shaders were made takes seconds, and says nothing of the next ones. */
+const MOST_MS = 500;
 /** Kept until it is copied, long after it was drawn; ground smoothed along the view would cost several times as much. */
 const softwareContext = () => ({
   allowTextureFilterAnisotropic: false,
@@ -191,7 +193,7 @@ export class Globe {
     this.#copied?.copy();
     // A fine picture of all at rest says nothing of the next that moves.
     if (this.#isCoarse || !this.isSoftware) {
-      this.#budget.observe(cost_ms);
+      this.#budget.observe(Math.min(cost_ms, MOST_MS));
     }
   }
 

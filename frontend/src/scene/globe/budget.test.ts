@@ -42,12 +42,12 @@ describe("drawn by the processor alone", () => {
   test("while something moves the picture is coarser on a greater map, and never too coarse to be read", () => {
     expect(softwareScale(679, 598, true)).toBeGreaterThan(softwareScale(800, 700, true));
     expect(softwareScale(400, 300, true)).toBe(0.75);
-    expect(softwareScale(3000, 1900, true)).toBe(0.6);
+    expect(softwareScale(3000, 1900, true)).toBe(0.7);
   });
 
   test("at rest a picture is as fine as the page, but for a very great one", () => {
     expect(softwareScale(1230, 920, false)).toBe(1);
-    expect(softwareScale(3000, 1900, false)).toBeLessThan(0.7);
+    expect(softwareScale(2200, 1000, false)).toBeLessThan(0.9);
   });
 });
 

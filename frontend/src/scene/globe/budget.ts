@@ -34,7 +34,7 @@ export function globeLimits(isSoftware: boolean): BudgetLimits {
 const MOVING_POINTS = 220_000;
 const RESTING_POINTS = 1_500_000;
 /** Coarser than the first its names cannot be read. */
-const COARSEST = 0.6;
+const COARSEST = 0.7;
 const FINEST_MOVING = 0.75;
 
 /** Points to each side of a CSS pixel, of a picture of this size in CSS pixels that the processor draws alone. */
