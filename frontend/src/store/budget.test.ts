@@ -32,16 +32,16 @@ test("a frame that comes a little early is not let go by", () => {
 
 test("one slow frame changes nothing", () => {
   const budget = after(new RedrawBudget(), 600, 2);
-  budget.observe(20);
+  budget.observe(12);
   expect(budget.period_ms).toBe(0);
 });
 
 test("a little less than what made it slow does not make it fast, so that it does not go to and fro", () => {
   expect(everyFrames(after(after(new RedrawBudget(), 600, 9), 600, 6))).toBe(3);
-  expect(everyFrames(after(after(new RedrawBudget(), 600, 5), 600, 3))).toBe(2);
-  expect(everyFrames(after(new RedrawBudget(), 600, 3))).toBe(1);
+  expect(everyFrames(after(after(new RedrawBudget(), 600, 5), 600, 2.5))).toBe(2);
+  expect(everyFrames(after(new RedrawBudget(), 600, 2.5))).toBe(1);
 });
 
 test("when frames become cheap again it goes back to every one", () => {
-  expect(after(after(new RedrawBudget(), 600, 9), 600, 2).period_ms).toBe(0);
+  expect(after(after(new RedrawBudget(), 600, 9), 600, 1.5).period_ms).toBe(0);
 });

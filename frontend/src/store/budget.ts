@@ -1,6 +1,6 @@
 const FRAME_MS = 1000 / 60;
 /** Of the page's main thread, for frames in which something moves. */
-const SHARE = 0.2;
+const SHARE = 0.16;
 /** It moves more often again when that would take this much less than its share. */
 const SPARE = 0.75;
 /** In every third frame at the least: twenty times a second still reads as movement. */
