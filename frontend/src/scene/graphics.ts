@@ -11,10 +11,7 @@ let isOffered = false;
 export function hasWebgl(): boolean {
   // What was offered once stays; what was not may have been switched on meanwhile.
   if (!isOffered) {
-    const context = document.createElement("canvas").getContext("webgl2");
-    isOffered = context !== null;
-    // A browser has some sixteen contexts, and this one is not needed any more.
-    context?.getExtension("WEBGL_lose_context")?.loseContext();
+    isOffered = ask((graphics) => graphics !== null);
   }
   return isOffered;
 }
@@ -29,10 +26,16 @@ function isSoftware(graphics: WebGL2RenderingContext): boolean {
 
 /** Whether WebGL is drawn by the processor alone. Asked where a picture must be made otherwise for it from the beginning. */
 export function drawsInSoftware(): boolean {
-  const context = document.createElement("canvas").getContext("webgl2");
-  const isAlone = context !== null && isSoftware(context);
-  context?.getExtension("WEBGL_lose_context")?.loseContext();
-  return isAlone;
+  return ask((graphics) => graphics !== null && isSoftware(graphics));
+}
+
+/** What WebGL says of itself here; null: there is none. */
+function ask(whether: (graphics: WebGL2RenderingContext | null) => boolean): boolean {
+  const graphics = document.createElement("canvas").getContext("webgl2");
+  const answer = whether(graphics);
+  // A browser has some sixteen contexts, and this one is not needed any more.
+  graphics?.getExtension("WEBGL_lose_context")?.loseContext();
+  return answer;
 }
 
 /** What the frames of a canvas cost, until the graphics have finished them: the page's own part is the lesser one. */
