@@ -1,5 +1,5 @@
 /// What one processor has to offer besides its core: a clock, one serial line, a watchdog and a slot for a card.
-/// Implemented by each of ports/stm32f405 and ports/mps2_an386.
+/// Implemented by each of ports/stm32f405, ports/mps2_an386 and ports/lm3s6965evb.
 #ifndef MACHINE_H
 #define MACHINE_H
 
