@@ -91,6 +91,23 @@ def test_a_shuttle_tile_says_by_its_name_where_it_is(tmp_path: Path) -> None:
     assert tuple(heights.bounds) == pytest.approx((-16, 27, -15, 28), abs=0.001)
 
 
+@pytest.mark.parametrize("name", ["gran canaria.hgt", "N2W016.hgt"])
+def test_a_shuttle_tile_without_its_name_is_told_what_it_lacks(tmp_path: Path, name: str) -> None:
+    path = write_hgt(tmp_path / "N27W016.hgt", plane).rename(tmp_path / name)
+    with pytest.raises(GatewayError) as caught:
+        Heights(path, name)
+    assert caught.value.code == "map_raster_no_place"
+    assert "N28W016.hgt" in caught.value.detail
+
+
+def test_a_shuttle_tile_that_was_cut_off_says_why_without_its_path(tmp_path: Path) -> None:
+    path = write_hgt(tmp_path / "N27W016.hgt", plane)
+    path.write_bytes(path.read_bytes()[:5000])
+    with pytest.raises(GatewayError) as caught:
+        Heights(path, path.name)
+    assert caught.value.params["why"] == "not recognized as being in a supported file format"
+
+
 @pytest.mark.parametrize(("unit", "factor"), [("metre", 1.0), ("", 1.0), ("ft", 0.3048), ("US survey foot", 0.3048006)])
 def test_feet_become_metres(tmp_path: Path, unit: str, factor: float) -> None:
     path = write_raster(tmp_path / "a.tif", plane)

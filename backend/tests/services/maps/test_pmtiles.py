@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 from pmtiles.tile import TileType
 
 from gateway.errors import GatewayError
+from gateway.services.maps.layer import Bounds
 from gateway.services.maps.pmtiles import PmTiles
 from tests.support.maps import png, write_pmtiles
 
@@ -41,6 +42,25 @@ def test_vector_tiles_are_refused_in_words(tmp_path: Path) -> None:
         PmTiles(path, "streets.pmtiles")
     assert (caught.value.code, caught.value.params["found"]) == ("map_file_vector", "mvt")
     assert "streets.pmtiles" in caught.value.detail
+
+
+def test_a_copy_that_was_broken_off_is_refused_when_it_is_listed(tmp_path: Path) -> None:
+    """Its directory comes first and is whole."""
+    path = write_pmtiles(tmp_path / "a.pmtiles", TILES)
+    path.write_bytes(path.read_bytes()[:-1])
+    with pytest.raises(GatewayError) as caught:
+        PmTiles(path, "a.pmtiles")
+    assert (caught.value.code, caught.value.params["why"]) == ("map_file_damaged", "cut off")
+
+
+def test_a_file_that_does_not_say_what_it_covers_may_cover_everything(tmp_path: Path) -> None:
+    path = write_pmtiles(tmp_path / "a.pmtiles", TILES)
+    with path.open("r+b") as file:
+        file.seek(102)  # of the header: west, south, east, north
+        file.write(bytes(16))
+    source = PmTiles(path, "a")
+    assert source.description.bounds == Bounds()
+    source.close()
 
 
 @settings(max_examples=60)

@@ -65,6 +65,18 @@ def test_the_finest_level_has_the_heights_of_the_raster(terrain: Path) -> None:
     assert checked > 15_000
 
 
+def test_a_raster_of_a_projection_that_has_no_poles_becomes_terrain_down_to_the_whole_earth(tmp_path: Path) -> None:
+    """The tiles of level 0 reach half around the Earth, where UTM has no answer."""
+    raster = write_raster(
+        tmp_path / "utm.tif", lambda x, _: 0 * x + 700.0, west=440_000, north=3_100_000, step=200, crs="EPSG:32628"
+    )
+    convert(raster, tmp_path / "o", "utm.tif", None, lambda _: None)
+    found = tiles(tmp_path / "o")
+    assert {zoom for zoom, _, _ in found} == set(range(max(found)[0] + 1))
+    assert all(mesh.lowest_m == 0.0 for (zoom, _, _), mesh in found.items() if zoom < 5)
+    assert max(mesh.highest_m for mesh in found.values()) == pytest.approx(700.0)
+
+
 def test_there_is_no_crack_between_neighbours_of_any_level(terrain: Path) -> None:
     found = tiles(terrain)
     pairs = 0

@@ -50,7 +50,8 @@ def no_place(name: str) -> InvalidInputError:
     """A raster that does not say where it is."""
     return InvalidInputError(
         "map_raster_no_place",
-        f"'{name}' does not say where on the Earth it is: it needs a coordinate system and a place, as GeoTIFF has.",
+        f"'{name}' does not say where on the Earth it is: a GeoTIFF needs a coordinate system and a place, an HGT file "
+        "a name such as N28W016.hgt.",
         name=name,
     )
 

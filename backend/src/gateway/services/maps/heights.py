@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from pathlib import Path
 from typing import Any, Final
 
@@ -22,6 +23,10 @@ _DRIVERS: Final = {".hgt": "SRTMHGT"}
 _OTHER_DRIVER: Final = "GTiff"
 _EARTH: Final = "EPSG:4326"
 _M_PER_UNIT: Final = {"ft": 0.3048, "foot": 0.3048, "feet": 0.3048, "us-ft": 1200 / 3937, "us survey foot": 1200 / 3937}
+_PLACE_IN_NAME: Final = re.compile(r"[NS]\d\d[EW]\d{3}", re.IGNORECASE)
+_QUOTED_PATH: Final = re.compile(r"^'[^']*'\s*")
+# The edge of a raster bends between the points that its bounds are found by.
+_BEYOND_BOUNDS: Final = 0.02
 _MOST_BLOCK_PIXELS: Final = 16_000_000
 _MOST_BLOCK_SIDE: Final = 64
 
@@ -35,8 +40,10 @@ class Heights:
         """`inside`: the file in an archive. Raises InvalidInputError where these are no heights with a place."""
         self._name = name
         where = str(path) if inside is None else f"/vsizip/{path}/{inside}"
+        driver = _DRIVERS.get(Path(where).suffix.lower(), _OTHER_DRIVER)
+        if driver != _OTHER_DRIVER and _PLACE_IN_NAME.match(Path(where).name) is None:
+            raise faults.no_place(name)
         try:
-            driver = _DRIVERS.get(Path(where).suffix.lower(), _OTHER_DRIVER)
             self._raster: Any = rasterio.open(where, driver=driver)
         except RasterioError as error:
             raise faults.damaged(name, _words(error)) from error
@@ -88,13 +95,25 @@ class Heights:
         """Columns and rows with their fractions; far outside where a projection does not reach."""
         x, y = longitude, latitude
         if not self._is_geographic:
-            projected = transform(_EARTH, self._raster.crs, longitude.tolist(), latitude.tolist())
-            x, y = np.array(projected[0]), np.array(projected[1])
+            x, y = self._projected(longitude, latitude)
         inverse = ~self._raster.transform
         columns = inverse.a * x + inverse.b * y + inverse.c
         rows = inverse.d * x + inverse.e * y + inverse.f
         reached = np.isfinite(columns) & np.isfinite(rows)
         return np.where(reached, columns, -1e9), np.where(reached, rows, -1e9)
+
+    def _projected(self, longitude: Grid, latitude: Grid) -> tuple[Grid, Grid]:
+        """In the raster's own coordinates; NaN away from it, where many a projection has no answer but an error."""
+        bounds = self.bounds
+        wide_deg = (bounds.east_deg - bounds.west_deg) * _BEYOND_BOUNDS
+        high_deg = (bounds.north_deg - bounds.south_deg) * _BEYOND_BOUNDS
+        near = (longitude >= bounds.west_deg - wide_deg) & (longitude <= bounds.east_deg + wide_deg)
+        near &= (latitude >= bounds.south_deg - high_deg) & (latitude <= bounds.north_deg + high_deg)
+        x, y = np.full(longitude.shape, np.nan), np.full(latitude.shape, np.nan)
+        if near.any():
+            found = transform(_EARTH, self._raster.crs, longitude[near].tolist(), latitude[near].tolist())
+            x[near], y[near] = found[0], found[1]
+        return x, y
 
     def _between(self, columns: Grid, rows: Grid, size: int) -> Grid:
         """Between the four blocks around each place."""
@@ -152,4 +171,4 @@ class Heights:
 
 def _words(error: Exception) -> str:
     """The library's reason without the path, which is the station's own matter."""
-    return str(error).rpartition("/")[2][:120] or type(error).__name__
+    return _QUOTED_PATH.sub("", str(error)).rpartition("/")[2].rstrip(".")[:120] or type(error).__name__

@@ -92,6 +92,12 @@ UNKNOWN: Final = Description("", "imagery", Bounds(), 0, 0, "")
 """What is said of a file that cannot be read."""
 
 
+def checked_bounds(west_deg: float, south_deg: float, east_deg: float, north_deg: float) -> Bounds | None:
+    """What a file says that it covers; None where that is no rectangle of the Earth."""
+    fits = -180 <= west_deg < east_deg <= 180 and -90 <= south_deg < north_deg <= 90
+    return Bounds(west_deg, south_deg, east_deg, north_deg) if fits else None
+
+
 def picture(data: bytes) -> Tile | None:
     """A tile with the type that its first bytes tell; None where it is no picture."""
     media_type = _picture_type(data)

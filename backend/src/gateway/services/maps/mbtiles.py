@@ -11,7 +11,7 @@ from typing import Final
 from urllib.parse import quote
 
 from gateway.services.maps import faults
-from gateway.services.maps.layer import Bounds, Description, LayerKind, Range, Tile, mesh, picture
+from gateway.services.maps.layer import Bounds, Description, LayerKind, Range, Tile, checked_bounds, mesh, picture
 
 _MESH_FORMATS: Final = ("quantized-mesh", "terrain")
 _PICTURE_FORMATS: Final = frozenset({"png", "jpg", "jpeg", "webp", "image/png", "image/jpeg", "image/webp"})
@@ -135,9 +135,7 @@ def _bounds(text: str) -> Bounds | None:
         west_deg, south_deg, east_deg, north_deg = (float(part) for part in text.split(","))
     except ValueError:
         return None
-    found = Bounds(west_deg, south_deg, east_deg, north_deg)
-    fits = -180 <= west_deg < east_deg <= 180 and -90 <= south_deg < north_deg <= 90
-    return found if fits else None
+    return checked_bounds(west_deg, south_deg, east_deg, north_deg)
 
 
 def _zooms(meta: dict[str, str]) -> tuple[int, int] | None:

@@ -12,7 +12,7 @@ import orjson
 
 from gateway.errors import GatewayError
 from gateway.services.maps import faults
-from gateway.services.maps.layer import MAX_TILE_BYTES, Bounds, Description, Range, Tile, mesh
+from gateway.services.maps.layer import MAX_TILE_BYTES, Bounds, Description, Range, Tile, checked_bounds, mesh
 
 LAYER_JSON: Final = "layer.json"
 _FORMAT: Final = "quantized-mesh-1.0"
@@ -142,11 +142,10 @@ def _available(said: Any) -> tuple[tuple[Range, ...], ...] | None:
 
 def _bounds(said: Any) -> Bounds:
     try:
-        found = Bounds(*(float(value) for value in said))
+        west_deg, south_deg, east_deg, north_deg = (float(value) for value in said)
     except (TypeError, ValueError):
         return Bounds()
-    fits = -180 <= found.west_deg < found.east_deg <= 180 and -90 <= found.south_deg < found.north_deg <= 90
-    return found if fits else Bounds()
+    return checked_bounds(west_deg, south_deg, east_deg, north_deg) or Bounds()
 
 
 def is_mesh_zip(path: Path) -> bool:

@@ -14,7 +14,7 @@ from pmtiles.tile import Compression, TileType, deserialize_directory, deseriali
 
 from gateway.errors import GatewayError
 from gateway.services.maps import faults
-from gateway.services.maps.layer import Bounds, Description, Tile, picture
+from gateway.services.maps.layer import Bounds, Description, Tile, checked_bounds, picture
 
 _PICTURES: Final = frozenset({TileType.PNG, TileType.JPEG, TileType.WEBP})
 _KEPT_DIRECTORIES: Final = 64
@@ -24,6 +24,7 @@ _MAX_DEPTH: Final = 4
 _HEADER_BYTES: Final = 127
 _MAX_ZOOM: Final = 30
 _DEG: Final = 1e-7
+_CUT_OFF: Final = "cut off"
 
 
 class PmTiles:
@@ -45,14 +46,14 @@ class PmTiles:
             raise
         except Exception as error:
             self.close()
-            raise faults.damaged(name, type(error).__name__) from error
+            raise faults.damaged(name, _words(error)) from error
 
     def tile(self, zoom: int, column: int, row: int) -> Tile | None:
         """One tile; rows from the north, as the file has them."""
         try:
             data = self._find(zxy_to_tileid(zoom, column, row))
         except (EOFError, OSError, ValueError, IndexError, zlib.error) as error:
-            raise faults.damaged(self._name, type(error).__name__) from error
+            raise faults.damaged(self._name, _words(error)) from error
         return None if data is None else picture(data)
 
     def close(self) -> None:
@@ -70,17 +71,17 @@ class PmTiles:
         if header["max_zoom"] < header["min_zoom"] or header["max_zoom"] > _MAX_ZOOM:
             raise faults.damaged(self._name, f"zoom {header['min_zoom']}..{header['max_zoom']}")
         metadata = self._metadata()
-        # The directory is read once here, so that a file which was cut off is found out when it is listed.
+        # A copy that was broken off has its directory, which comes first, and not all of its tiles.
+        if os.fstat(self._open_file()).st_size < header["tile_data_offset"] + header["tile_data_length"]:
+            raise faults.damaged(self._name, _CUT_OFF)
         self._directory(header["root_offset"], header["root_length"])
+        west_e7, south_e7 = header["min_lon_e7"], header["min_lat_e7"]
+        east_e7, north_e7 = header["max_lon_e7"], header["max_lat_e7"]
+        bounds = checked_bounds(west_e7 * _DEG, south_e7 * _DEG, east_e7 * _DEG, north_e7 * _DEG)
         return Description(
             title=str(metadata.get("name", "")),
             kind="imagery",
-            bounds=Bounds(
-                header["min_lon_e7"] * _DEG,
-                header["min_lat_e7"] * _DEG,
-                header["max_lon_e7"] * _DEG,
-                header["max_lat_e7"] * _DEG,
-            ),
+            bounds=bounds or Bounds(),
             minimum_zoom=header["min_zoom"],
             maximum_zoom=header["max_zoom"],
             attribution=str(metadata.get("attribution", "")),
@@ -126,13 +127,20 @@ class PmTiles:
         if not 0 <= length <= _MAX_DIRECTORY_BYTES or offset < 0:
             raise ValueError("a length that no part of a file has")
         with self._lock:
-            if self._file is None:
-                raise OSError("closed")
-            data = os.pread(self._file, length, offset)
+            data = os.pread(self._open_file(), length, offset)
         if len(data) < length:
-            raise EOFError("cut off")
+            raise EOFError(_CUT_OFF)
         return data
+
+    def _open_file(self) -> int:
+        if self._file is None:
+            raise OSError("closed")
+        return self._file
 
 
 def _unpacked(data: bytes, most_bytes: int) -> bytes:
     return zlib.decompressobj(wbits=31).decompress(data, most_bytes)
+
+
+def _words(error: Exception) -> str:
+    return str(error) or type(error).__name__
