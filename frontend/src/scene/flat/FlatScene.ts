@@ -5,9 +5,10 @@ import type { CompassLetters } from "../globe/chart/graticule";
 import type { Grip, GroundPlace } from "../tools/MapPointer";
 import { FlatPlans } from "./FlatPlans";
 import { FlatPointer } from "./FlatPointer";
+import { type FlatLayer, FlatTiles } from "./FlatTiles";
 import { FlatTrack, type FlatTrackLook } from "./FlatTrack";
 import { drawGraticule } from "./flatGraticule";
-import { drawGround, drawRunways, type FlatLayer, FlatTiles } from "./flatGround";
+import { drawGround, drawRunways } from "./flatGround";
 import { drawAircraft, drawDistance, type FlatAircraft, type MarkedPlace } from "./flatThings";
 import { around, type FlatView, fromScreen, panned, type ScreenPoint, zoomed } from "./projection";
 import { Words } from "./Words";
@@ -189,9 +190,7 @@ export class FlatScene {
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
     const words = new Words(context);
     drawGround(context, this.#view, this.#islands);
-    for (const layer of layers) {
-      this.#tiles.draw(context, this.#view, layer);
-    }
+    this.#tiles.draw(context, this.#view, layers);
     drawRunways(context, this.#view, words);
     if (graticule !== null) {
       drawGraticule(context, this.#view, graticule);

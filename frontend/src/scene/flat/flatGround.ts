@@ -3,16 +3,7 @@ import { ASPHALT, COAST, LAND, PAINT, SEA } from "../colours";
 import { GRAN_CANARIA, runwayCourse } from "../globe/chart/airfields";
 import type { Island } from "../globe/chart/coast";
 import { overlaps, thinned } from "../globe/chart/geometry";
-import {
-  boxSeen,
-  type FlatView,
-  metresPerPixel,
-  TILE_PX,
-  toScreen,
-  worldSize_px,
-  worldX,
-  worldY,
-} from "./projection";
+import { boxSeen, type FlatView, metresPerPixel, toScreen } from "./projection";
 import type { Words } from "./Words";
 
 /** Sea and islands. */
@@ -64,72 +55,5 @@ export function drawRunways(context: CanvasRenderingContext2D, view: FlatView, w
   const length_px = first === undefined ? 0 : runwayCourse(first).length_m / metresPerPixel(view);
   if (length_px > CODE_LENGTH_PX[0] && length_px < CODE_LENGTH_PX[1]) {
     words.write(GRAN_CANARIA.code, toScreen(view, GRAN_CANARIA), 8 + length_px * 0.22, PAINT);
-  }
-}
-
-/** A layer of pictures in tiles of Web Mercator, `{z}`, `{x}` and `{y}` in its address. */
-export interface FlatLayer {
-  readonly url: string;
-  readonly minimum_zoom: number;
-  readonly maximum_zoom: number;
-  readonly opacity: number;
-}
-
-/** More than a large screen shows; the oldest are given up. */
-const MOST_TILES = 400;
-
-/** The tiles of pictures that are here; what is missing is asked for once, and a place without one stays empty. */
-export class FlatTiles {
-  readonly #onNews: () => void;
-  readonly #tiles = new Map<string, HTMLImageElement>();
-
-  constructor(onNews: () => void) {
-    this.#onNews = onNews;
-  }
-
-  draw(context: CanvasRenderingContext2D, view: FlatView, layer: FlatLayer): void {
-    const zoom = Math.min(layer.maximum_zoom, Math.round(view.zoom));
-    if (zoom < layer.minimum_zoom) {
-      return;
-    }
-    const count = 2 ** zoom;
-    const size_px = worldSize_px(view) / count;
-    const left = worldX(view.centre.longitude_deg) * count - view.width_px / 2 / size_px;
-    const top = worldY(view.centre.latitude_deg) * count - view.height_px / 2 / size_px;
-    context.globalAlpha = layer.opacity;
-    for (let x = Math.floor(left); (x - left) * size_px < view.width_px; x += 1) {
-      for (let y = Math.max(0, Math.floor(top)); (y - top) * size_px < view.height_px && y < count; y += 1) {
-        const tile = this.#tile(layer.url, zoom, ((x % count) + count) % count, y);
-        if (tile.complete && tile.naturalWidth > 0) {
-          // Half a pixel over its neighbours, or their seams would be seen.
-          context.drawImage(tile, (x - left) * size_px, (y - top) * size_px, size_px + 0.5, size_px + 0.5);
-        }
-      }
-    }
-    context.globalAlpha = 1;
-  }
-
-  clear(): void {
-    for (const tile of this.#tiles.values()) {
-      tile.onload = null;
-    }
-    this.#tiles.clear();
-  }
-
-  #tile(url: string, z: number, x: number, y: number): HTMLImageElement {
-    const address = url.replace("{z}", `${z}`).replace("{x}", `${x}`).replace("{y}", `${y}`);
-    const known = this.#tiles.get(address);
-    if (known !== undefined) {
-      return known;
-    }
-    const tile = new Image(TILE_PX, TILE_PX);
-    tile.onload = () => this.#onNews();
-    tile.src = address;
-    this.#tiles.set(address, tile);
-    const oldest = this.#tiles.size > MOST_TILES ? this.#tiles.keys().next().value : undefined;
-    if (oldest !== undefined) {
-      this.#tiles.delete(oldest);
-    }
-    return tile;
   }
 }

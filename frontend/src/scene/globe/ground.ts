@@ -13,6 +13,7 @@ import { CHART, drawCoast, fadeBorder, type Island, needsFade, readIslands } fro
 import { type CompassLetters, drawGraticule } from "./chart/graticule";
 import { drawAirfield } from "./chart/runways";
 import type { Globe } from "./Globe";
+import { coveredBy, type ImagerySource, lowestLevel } from "./imagery";
 
 /** The page's own coastline, and how deep it and the graticule are drawn: tiles of 300 and of 150 m. */
 const COASTLINE = "/map/canary-coastline.json";
@@ -23,16 +24,7 @@ const WORLD = { west_deg: -180, south_deg: -90, east_deg: 180, north_deg: 90 };
 /** What covers the whole Earth below everything else. */
 export type BaseKind = "natural" | "none";
 
-/** Pictures by tiles: `{z}`, `{x}` and `{y}` (from the north) in the address, Web Mercator. */
-export interface ImagerySource {
-  readonly url: string;
-  readonly west_deg: number;
-  readonly south_deg: number;
-  readonly east_deg: number;
-  readonly north_deg: number;
-  readonly minimum_zoom: number;
-  readonly maximum_zoom: number;
-}
+export type { ImagerySource } from "./imagery";
 
 /** Heights over sea level by tiles: the folder that holds `layer.json`. */
 export interface TerrainSource {
@@ -116,10 +108,11 @@ export class Ground {
   }
 
   addImagery(source: ImagerySource): ImageryHandle {
+    const { west_deg, south_deg, east_deg, north_deg } = coveredBy(source);
     const provider = new UrlTemplateImageryProvider({
       url: source.url,
-      rectangle: Rectangle.fromDegrees(source.west_deg, source.south_deg, source.east_deg, source.north_deg),
-      minimumLevel: source.minimum_zoom,
+      rectangle: Rectangle.fromDegrees(west_deg, south_deg, east_deg, north_deg),
+      minimumLevel: lowestLevel(source),
       maximumLevel: source.maximum_zoom,
     });
     // A place without a picture is no fault: what lies below is seen there.

@@ -1,0 +1,38 @@
+/** Pictures by tiles: `{z}`, `{x}` and `{y}` (from the north) in the address, Web Mercator. */
+export interface ImagerySource {
+  readonly url: string;
+  readonly west_deg: number;
+  readonly south_deg: number;
+  readonly east_deg: number;
+  readonly north_deg: number;
+  readonly minimum_zoom: number;
+  readonly maximum_zoom: number;
+}
+
+/** The square of Web Mercator ends here. */
+const POLE_DEG = 85.0511;
+/** With more tiles than these in one piece of ground the engine would be busy for seconds, or for ever. */
+const MOST_OF_LOWEST = 64;
+
+type Covered = Pick<ImagerySource, "west_deg" | "south_deg" | "east_deg" | "north_deg">;
+
+/** What the source covers of the map. One that says it lies beyond the map's edge says nothing that can be used. */
+export function coveredBy({ west_deg, south_deg, east_deg, north_deg }: Covered): Covered {
+  const south = Math.max(-POLE_DEG, south_deg);
+  const north = Math.min(POLE_DEG, north_deg);
+  return west_deg < east_deg && south < north
+    ? { west_deg, south_deg: south, east_deg, north_deg: north }
+    : { west_deg: -180, south_deg: -POLE_DEG, east_deg: 180, north_deg: POLE_DEG };
+}
+
+/**
+ * From which level on the source is asked. Its own lowest is shown from afar too; where it says of itself that it covers
+ * half of the Earth with small tiles, as many a file does, it is seen only from so near that they are due.
+ */
+export function lowestLevel(source: ImagerySource): number {
+  const { west_deg, south_deg, east_deg, north_deg } = coveredBy(source);
+  const size_deg = 360 / 2 ** source.minimum_zoom;
+  // Rows are no higher than columns are wide.
+  const tiles = Math.ceil((east_deg - west_deg) / size_deg) * Math.ceil((north_deg - south_deg) / size_deg);
+  return tiles > MOST_OF_LOWEST ? 0 : source.minimum_zoom;
+}
