@@ -44,6 +44,13 @@ def test_the_kind_of_a_picture_is_what_it_is(tmp_path: Path, data: bytes, media_
     source.close()
 
 
+def test_whose_work_it_is_is_told_in_words_and_not_in_markup(tmp_path: Path) -> None:
+    said = '&copy; <a href="https://osm.org/" target=_blank>OpenStreetMap\n contributors</a>'
+    source = MbTiles(write_mbtiles(tmp_path / "a.mbtiles", {(0, 0, 0): png(1)}, attribution=said), "a")
+    assert source.description.attribution == "© OpenStreetMap contributors"
+    source.close()
+
+
 def test_what_the_file_says_of_itself_is_told(tmp_path: Path) -> None:
     path = write_mbtiles(
         tmp_path / "a.mbtiles",

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import html
+import re
 from dataclasses import dataclass
 from typing import Final, Literal, NamedTuple, Protocol
 
@@ -13,6 +15,8 @@ LayerFormat = Literal["mbtiles", "pmtiles", "quantized_mesh", "geotiff", "hgt", 
 MAX_TILE_BYTES: Final = 8_000_000
 """A larger one is no tile: nothing draws it."""
 
+_MOST_CREDIT: Final = 300
+_MARKUP: Final = re.compile(r"<[^<>]*>")
 _GZIP: Final = b"\x1f\x8b"
 _MESH_TYPE: Final = "application/vnd.quantized-mesh"
 
@@ -96,6 +100,12 @@ def checked_bounds(west_deg: float, south_deg: float, east_deg: float, north_deg
     """What a file says that it covers; None where that is no rectangle of the Earth."""
     fits = -180 <= west_deg < east_deg <= 180 and -90 <= south_deg < north_deg <= 90
     return Bounds(west_deg, south_deg, east_deg, north_deg) if fits else None
+
+
+def credit(said: object) -> str:
+    """Whose work a map is, as words: files say it with the markup of a web page."""
+    words = html.unescape(_MARKUP.sub("", str(said)))
+    return " ".join(words.split())[:_MOST_CREDIT]
 
 
 def picture(data: bytes) -> Tile | None:

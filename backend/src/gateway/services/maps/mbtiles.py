@@ -11,7 +11,17 @@ from typing import Final
 from urllib.parse import quote
 
 from gateway.services.maps import faults
-from gateway.services.maps.layer import Bounds, Description, LayerKind, Range, Tile, checked_bounds, mesh, picture
+from gateway.services.maps.layer import (
+    Bounds,
+    Description,
+    LayerKind,
+    Range,
+    Tile,
+    checked_bounds,
+    credit,
+    mesh,
+    picture,
+)
 
 _MESH_FORMATS: Final = ("quantized-mesh", "terrain")
 _PICTURE_FORMATS: Final = frozenset({"png", "jpg", "jpeg", "webp", "image/png", "image/jpeg", "image/webp"})
@@ -100,7 +110,7 @@ class MbTiles:
             bounds=bounds,
             minimum_zoom=zooms[0],
             maximum_zoom=zooms[1],
-            attribution=meta.get("attribution", ""),
+            attribution=credit(meta.get("attribution", "")),
             available=available,
         )
 

@@ -12,7 +12,7 @@ import orjson
 
 from gateway.errors import GatewayError
 from gateway.services.maps import faults
-from gateway.services.maps.layer import MAX_TILE_BYTES, Bounds, Description, Range, Tile, checked_bounds, mesh
+from gateway.services.maps.layer import MAX_TILE_BYTES, Bounds, Description, Range, Tile, checked_bounds, credit, mesh
 
 LAYER_JSON: Final = "layer.json"
 _FORMAT: Final = "quantized-mesh-1.0"
@@ -118,7 +118,7 @@ class MeshFiles:
             bounds=_bounds(said.get("bounds")),
             minimum_zoom=0,
             maximum_zoom=min(max(0, highest), _MAX_ZOOM),
-            attribution=str(said.get("attribution", "")),
+            attribution=credit(said.get("attribution", "")),
             scheme="slippyMap" if said.get("scheme") == "slippyMap" else "tms",
             projection="EPSG:3857" if said.get("projection") == "EPSG:3857" else "EPSG:4326",
             available=available,

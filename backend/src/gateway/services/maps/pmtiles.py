@@ -14,7 +14,7 @@ from pmtiles.tile import Compression, TileType, deserialize_directory, deseriali
 
 from gateway.errors import GatewayError
 from gateway.services.maps import faults
-from gateway.services.maps.layer import Bounds, Description, Tile, checked_bounds, picture
+from gateway.services.maps.layer import Bounds, Description, Tile, checked_bounds, credit, picture
 
 _PICTURES: Final = frozenset({TileType.PNG, TileType.JPEG, TileType.WEBP})
 _KEPT_DIRECTORIES: Final = 64
@@ -84,7 +84,7 @@ class PmTiles:
             bounds=bounds or Bounds(),
             minimum_zoom=header["min_zoom"],
             maximum_zoom=header["max_zoom"],
-            attribution=str(metadata.get("attribution", "")),
+            attribution=credit(metadata.get("attribution", "")),
         )
 
     def _metadata(self) -> dict[str, Any]:
