@@ -18,54 +18,19 @@ from gateway.services.station import Station
 from gateway.xplane.datagram import Record, Surfaces, build, release_datagram, surfaces_datagram
 from tests.support.fake_board import FakeBoard
 from tests.support.ports import free_udp_port
+from tests.support.simulator import ROWS, WHOLE, Simulator
 from tests.support.waiting import eventually_async
 
 pytestmark = pytest.mark.anyio
 
-NO = -999.0
-ROWS = {
-    3: (95.5,) + (NO,) * 7,
-    4: (0.148, NO, 512.0, NO, 1.02, 0.03, -0.01, NO),
-    6: (29.9, 15.0) + (NO,) * 6,
-    8: (0.25, -0.5, 0.125) + (NO,) * 5,
-    11: (0.2, -0.4, 0.1) + (NO,) * 5,
-    16: (0.01, -0.02, 0.03) + (NO,) * 5,
-    17: (2.5, -10.25, 135.0) + (NO,) * 5,
-    18: (3.25, -1.5, 270.0, 1.75) + (NO,) * 4,
-    20: (27.9319, -15.3866, 1234.5, 1200.0, NO, 1235.75, NO, NO),
-    25: (0.75,) * 4 + (NO,) * 4,
-}
-WHOLE = build(Record(row, values) for row, values in ROWS.items())
 FROM_BOARD = surfaces_datagram(Surfaces(0.25, -0.5, 0.125, 0.75))
 STICK = surfaces_datagram(Surfaces(0.25, -0.5, 0.125, 0.75))
 
 
-class Simulator:
-    """X-Plane's side."""
-
-    def __init__(self) -> None:
-        self.socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
-        self.socket.bind(("127.0.0.1", 0))
-        self.socket.setblocking(False)
-        self.got: list[bytes] = []
-        self.port = 0
-
-    def send(self, datagram: bytes) -> None:
-        self.socket.sendto(datagram, ("127.0.0.1", self.port))
-
-    def heard(self, datagram: bytes | None) -> bool:
-        try:
-            while True:
-                self.got.append(self.socket.recv(2048))
-        except BlockingIOError:
-            return datagram in self.got
-
-
 @pytest.fixture
 def simulator() -> Iterator[Simulator]:
-    end = Simulator()
-    yield end
-    end.socket.close()
+    with Simulator() as end:
+        yield end
 
 
 @pytest.fixture
@@ -75,9 +40,7 @@ async def station(tmp_path: Path, simulator: Simulator) -> AsyncIterator[Station
         with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
             probe.bind(("127.0.0.1", 0))
             simulator.port = probe.getsockname()[1]
-        await made.open_simulator(
-            SimulatorAddress(simulator.port, "127.0.0.1", simulator.socket.getsockname()[1], "xp10")
-        )
+        await made.open_simulator(SimulatorAddress(simulator.port, "127.0.0.1", simulator.own_port, "xp10"))
         yield made
 
 
@@ -208,7 +171,5 @@ async def test_closing_hands_the_controls_back(station: Station, simulator: Simu
 async def test_the_end_of_the_gateway_hands_the_controls_back(tmp_path: Path, simulator: Simulator) -> None:
     station = Station(tmp_path / "data", ErrorLog(), record=False)
     async with station.running():
-        await station.open_simulator(
-            SimulatorAddress(free_udp_port(), "127.0.0.1", simulator.socket.getsockname()[1], "xp10")
-        )
+        await station.open_simulator(SimulatorAddress(free_udp_port(), "127.0.0.1", simulator.own_port, "xp10"))
     await eventually_async(lambda: simulator.heard(release_datagram()), "the release arrives")

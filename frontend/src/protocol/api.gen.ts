@@ -263,12 +263,14 @@ export interface paths {
         };
         /**
          * Get Hil
-         * @description The two switches.
+         * @description The two switches, and where the stick comes from.
          */
         get: operations["get_hil_api_v1_hil_get"];
         /**
          * Put Hil
-         * @description Set one or both switches; the source is the board's and is confirmed by it.
+         * @description Set any of the switches; the source is the board's and is confirmed by it.
+         *
+         *     A gamepad is that of the caller, who needs control and sends its samples on the stream before it is taken.
          */
         put: operations["put_hil_api_v1_hil_put"];
         post?: never;
@@ -1156,7 +1158,7 @@ export interface components {
              * Id
              * @enum {string}
              */
-            id: "heartbeat_lost" | "no_heartbeat" | "hil_lost" | "gps_lost" | "battery_low" | "cpu_high" | "frames_damaged" | "parameter_not_confirmed" | "card_failed" | "recorder_failed";
+            id: "heartbeat_lost" | "no_heartbeat" | "hil_lost" | "stick_lost" | "gps_lost" | "battery_low" | "cpu_high" | "frames_damaged" | "parameter_not_confirmed" | "card_failed" | "recorder_failed";
             /**
              * Level
              * @enum {string}
@@ -1349,7 +1351,7 @@ export interface components {
              * Code
              * @enum {string}
              */
-            code: "ahrs_test_in_flight" | "ahrs_test_lost" | "ahrs_test_running" | "alarm_not_active" | "bad_json" | "board_line_full" | "board_not_open" | "body_too_large" | "client_unknown" | "command_unknown" | "control_held" | "datagram_malformed" | "datagram_stranger" | "emulation_running" | "foreign_host" | "foreign_origin" | "http_error" | "internal" | "invalid_request" | "journal_not_written" | "journal_unreadable" | "line_garbage" | "link_address_invalid" | "link_busy" | "link_failed" | "link_lost" | "link_no_device" | "link_not_serial" | "link_permission" | "link_refused" | "link_timeout" | "link_unknown_host" | "link_unreachable" | "listen_failed" | "listen_unknown_host" | "map_cache_not_written" | "map_disk_full" | "map_exists" | "map_file_damaged" | "map_file_empty" | "map_file_no_layer_json" | "map_file_not_mesh" | "map_file_vector" | "map_folder_unreadable" | "map_import_incomplete" | "map_import_unknown" | "map_imports_busy" | "map_kind_unknown" | "map_layer_unknown" | "map_name_invalid" | "map_raster_converting" | "map_raster_failed" | "map_raster_no_place" | "map_raster_not_height" | "map_not_written" | "map_source_invalid" | "map_source_refused" | "map_source_silent" | "map_tile_missing" | "memory_not_written" | "memory_unreadable" | "method_not_allowed" | "mission_differs" | "mission_file_archive" | "mission_file_damaged" | "mission_file_empty" | "mission_file_forbidden" | "mission_file_frame" | "mission_file_header" | "mission_file_no_home" | "mission_file_no_waypoints" | "mission_file_out_of_range" | "mission_file_too_long" | "mission_file_unknown" | "mission_file_unreadable" | "mission_invalid" | "mission_not_read" | "mission_refused" | "no_such_address" | "not_supported" | "nothing_to_redo" | "nothing_to_undo" | "parameter_out_of_range" | "parameter_unknown" | "parameters_not_read" | "port_taken" | "rate_invalid" | "recording_unknown" | "simulator_unknown_host" | "source_not_taken" | "stream_message_invalid" | "threshold_out_of_range" | "threshold_unknown" | "track_not_kept" | "value_not_allowed";
+            code: "ahrs_test_in_flight" | "ahrs_test_lost" | "ahrs_test_running" | "alarm_not_active" | "bad_json" | "board_line_full" | "board_not_open" | "body_too_large" | "client_unknown" | "command_unknown" | "control_held" | "datagram_malformed" | "datagram_stranger" | "emulation_running" | "foreign_host" | "foreign_origin" | "http_error" | "internal" | "invalid_request" | "journal_not_written" | "journal_unreadable" | "line_garbage" | "link_address_invalid" | "link_busy" | "link_failed" | "link_lost" | "link_no_device" | "link_not_serial" | "link_permission" | "link_refused" | "link_timeout" | "link_unknown_host" | "link_unreachable" | "listen_failed" | "listen_unknown_host" | "map_cache_not_written" | "map_disk_full" | "map_exists" | "map_file_damaged" | "map_file_empty" | "map_file_no_layer_json" | "map_file_not_mesh" | "map_file_vector" | "map_folder_unreadable" | "map_import_incomplete" | "map_import_unknown" | "map_imports_busy" | "map_kind_unknown" | "map_layer_unknown" | "map_name_invalid" | "map_raster_converting" | "map_raster_failed" | "map_raster_no_place" | "map_raster_not_height" | "map_not_written" | "map_source_invalid" | "map_source_refused" | "map_source_silent" | "map_tile_missing" | "memory_not_written" | "memory_unreadable" | "method_not_allowed" | "mission_differs" | "mission_file_archive" | "mission_file_damaged" | "mission_file_empty" | "mission_file_forbidden" | "mission_file_frame" | "mission_file_header" | "mission_file_no_home" | "mission_file_no_waypoints" | "mission_file_out_of_range" | "mission_file_too_long" | "mission_file_unknown" | "mission_file_unreadable" | "mission_invalid" | "mission_not_read" | "mission_refused" | "no_such_address" | "not_supported" | "nothing_to_redo" | "nothing_to_undo" | "parameter_out_of_range" | "parameter_unknown" | "parameters_not_read" | "port_taken" | "rate_invalid" | "recording_unknown" | "simulator_unknown_host" | "source_not_taken" | "stick_invalid" | "stick_needs_control" | "stick_silent" | "stream_message_invalid" | "threshold_out_of_range" | "threshold_unknown" | "track_not_kept" | "value_not_allowed";
             /** Detail */
             detail: string;
             /** Params */
@@ -1383,17 +1385,25 @@ export interface components {
         };
         /**
          * HilInput
-         * @description Either or both.
+         * @description Any of them. With the stick from a gamepad, `gamepad` is its name for people.
          */
         HilInput: {
+            /**
+             * Gamepad
+             * @default gamepad
+             */
+            gamepad: string;
             /** Path */
             path?: ("manual" | "assisted") | null;
             /** Source */
             source?: ("joystick" | "rc") | null;
+            /** Stick */
+            stick?: ("simulator" | "gamepad") | null;
         };
         /**
          * HilState
-         * @description Who holds the stick, as the board reports it (null: not heard), and who moves the simulator's surfaces.
+         * @description Who holds the stick, as the board reports it (null: not heard), who moves the simulator's surfaces, and where
+         *     the stick comes from.
          */
         HilState: {
             /**
@@ -1403,6 +1413,7 @@ export interface components {
             path: "manual" | "assisted";
             /** Source */
             source: ("joystick" | "rc") | null;
+            stick: components["schemas"]["StickState"];
         };
         /**
          * InspectedFrame
@@ -1550,7 +1561,7 @@ export interface components {
             /** Problem */
             problem: string | null;
             /** Problem Code */
-            problem_code: ("ahrs_test_in_flight" | "ahrs_test_lost" | "ahrs_test_running" | "alarm_not_active" | "bad_json" | "board_line_full" | "board_not_open" | "body_too_large" | "client_unknown" | "command_unknown" | "control_held" | "datagram_malformed" | "datagram_stranger" | "emulation_running" | "foreign_host" | "foreign_origin" | "http_error" | "internal" | "invalid_request" | "journal_not_written" | "journal_unreadable" | "line_garbage" | "link_address_invalid" | "link_busy" | "link_failed" | "link_lost" | "link_no_device" | "link_not_serial" | "link_permission" | "link_refused" | "link_timeout" | "link_unknown_host" | "link_unreachable" | "listen_failed" | "listen_unknown_host" | "map_cache_not_written" | "map_disk_full" | "map_exists" | "map_file_damaged" | "map_file_empty" | "map_file_no_layer_json" | "map_file_not_mesh" | "map_file_vector" | "map_folder_unreadable" | "map_import_incomplete" | "map_import_unknown" | "map_imports_busy" | "map_kind_unknown" | "map_layer_unknown" | "map_name_invalid" | "map_raster_converting" | "map_raster_failed" | "map_raster_no_place" | "map_raster_not_height" | "map_not_written" | "map_source_invalid" | "map_source_refused" | "map_source_silent" | "map_tile_missing" | "memory_not_written" | "memory_unreadable" | "method_not_allowed" | "mission_differs" | "mission_file_archive" | "mission_file_damaged" | "mission_file_empty" | "mission_file_forbidden" | "mission_file_frame" | "mission_file_header" | "mission_file_no_home" | "mission_file_no_waypoints" | "mission_file_out_of_range" | "mission_file_too_long" | "mission_file_unknown" | "mission_file_unreadable" | "mission_invalid" | "mission_not_read" | "mission_refused" | "no_such_address" | "not_supported" | "nothing_to_redo" | "nothing_to_undo" | "parameter_out_of_range" | "parameter_unknown" | "parameters_not_read" | "port_taken" | "rate_invalid" | "recording_unknown" | "simulator_unknown_host" | "source_not_taken" | "stream_message_invalid" | "threshold_out_of_range" | "threshold_unknown" | "track_not_kept" | "value_not_allowed") | null;
+            problem_code: ("ahrs_test_in_flight" | "ahrs_test_lost" | "ahrs_test_running" | "alarm_not_active" | "bad_json" | "board_line_full" | "board_not_open" | "body_too_large" | "client_unknown" | "command_unknown" | "control_held" | "datagram_malformed" | "datagram_stranger" | "emulation_running" | "foreign_host" | "foreign_origin" | "http_error" | "internal" | "invalid_request" | "journal_not_written" | "journal_unreadable" | "line_garbage" | "link_address_invalid" | "link_busy" | "link_failed" | "link_lost" | "link_no_device" | "link_not_serial" | "link_permission" | "link_refused" | "link_timeout" | "link_unknown_host" | "link_unreachable" | "listen_failed" | "listen_unknown_host" | "map_cache_not_written" | "map_disk_full" | "map_exists" | "map_file_damaged" | "map_file_empty" | "map_file_no_layer_json" | "map_file_not_mesh" | "map_file_vector" | "map_folder_unreadable" | "map_import_incomplete" | "map_import_unknown" | "map_imports_busy" | "map_kind_unknown" | "map_layer_unknown" | "map_name_invalid" | "map_raster_converting" | "map_raster_failed" | "map_raster_no_place" | "map_raster_not_height" | "map_not_written" | "map_source_invalid" | "map_source_refused" | "map_source_silent" | "map_tile_missing" | "memory_not_written" | "memory_unreadable" | "method_not_allowed" | "mission_differs" | "mission_file_archive" | "mission_file_damaged" | "mission_file_empty" | "mission_file_forbidden" | "mission_file_frame" | "mission_file_header" | "mission_file_no_home" | "mission_file_no_waypoints" | "mission_file_out_of_range" | "mission_file_too_long" | "mission_file_unknown" | "mission_file_unreadable" | "mission_invalid" | "mission_not_read" | "mission_refused" | "no_such_address" | "not_supported" | "nothing_to_redo" | "nothing_to_undo" | "parameter_out_of_range" | "parameter_unknown" | "parameters_not_read" | "port_taken" | "rate_invalid" | "recording_unknown" | "simulator_unknown_host" | "source_not_taken" | "stick_invalid" | "stick_needs_control" | "stick_silent" | "stream_message_invalid" | "threshold_out_of_range" | "threshold_unknown" | "track_not_kept" | "value_not_allowed") | null;
             /** Problem Params */
             problem_params: {
                 [key: string]: string | number | boolean | null;
@@ -1597,7 +1608,7 @@ export interface components {
             /** Problem */
             problem: string | null;
             /** Problem Code */
-            problem_code: ("ahrs_test_in_flight" | "ahrs_test_lost" | "ahrs_test_running" | "alarm_not_active" | "bad_json" | "board_line_full" | "board_not_open" | "body_too_large" | "client_unknown" | "command_unknown" | "control_held" | "datagram_malformed" | "datagram_stranger" | "emulation_running" | "foreign_host" | "foreign_origin" | "http_error" | "internal" | "invalid_request" | "journal_not_written" | "journal_unreadable" | "line_garbage" | "link_address_invalid" | "link_busy" | "link_failed" | "link_lost" | "link_no_device" | "link_not_serial" | "link_permission" | "link_refused" | "link_timeout" | "link_unknown_host" | "link_unreachable" | "listen_failed" | "listen_unknown_host" | "map_cache_not_written" | "map_disk_full" | "map_exists" | "map_file_damaged" | "map_file_empty" | "map_file_no_layer_json" | "map_file_not_mesh" | "map_file_vector" | "map_folder_unreadable" | "map_import_incomplete" | "map_import_unknown" | "map_imports_busy" | "map_kind_unknown" | "map_layer_unknown" | "map_name_invalid" | "map_raster_converting" | "map_raster_failed" | "map_raster_no_place" | "map_raster_not_height" | "map_not_written" | "map_source_invalid" | "map_source_refused" | "map_source_silent" | "map_tile_missing" | "memory_not_written" | "memory_unreadable" | "method_not_allowed" | "mission_differs" | "mission_file_archive" | "mission_file_damaged" | "mission_file_empty" | "mission_file_forbidden" | "mission_file_frame" | "mission_file_header" | "mission_file_no_home" | "mission_file_no_waypoints" | "mission_file_out_of_range" | "mission_file_too_long" | "mission_file_unknown" | "mission_file_unreadable" | "mission_invalid" | "mission_not_read" | "mission_refused" | "no_such_address" | "not_supported" | "nothing_to_redo" | "nothing_to_undo" | "parameter_out_of_range" | "parameter_unknown" | "parameters_not_read" | "port_taken" | "rate_invalid" | "recording_unknown" | "simulator_unknown_host" | "source_not_taken" | "stream_message_invalid" | "threshold_out_of_range" | "threshold_unknown" | "track_not_kept" | "value_not_allowed") | null;
+            problem_code: ("ahrs_test_in_flight" | "ahrs_test_lost" | "ahrs_test_running" | "alarm_not_active" | "bad_json" | "board_line_full" | "board_not_open" | "body_too_large" | "client_unknown" | "command_unknown" | "control_held" | "datagram_malformed" | "datagram_stranger" | "emulation_running" | "foreign_host" | "foreign_origin" | "http_error" | "internal" | "invalid_request" | "journal_not_written" | "journal_unreadable" | "line_garbage" | "link_address_invalid" | "link_busy" | "link_failed" | "link_lost" | "link_no_device" | "link_not_serial" | "link_permission" | "link_refused" | "link_timeout" | "link_unknown_host" | "link_unreachable" | "listen_failed" | "listen_unknown_host" | "map_cache_not_written" | "map_disk_full" | "map_exists" | "map_file_damaged" | "map_file_empty" | "map_file_no_layer_json" | "map_file_not_mesh" | "map_file_vector" | "map_folder_unreadable" | "map_import_incomplete" | "map_import_unknown" | "map_imports_busy" | "map_kind_unknown" | "map_layer_unknown" | "map_name_invalid" | "map_raster_converting" | "map_raster_failed" | "map_raster_no_place" | "map_raster_not_height" | "map_not_written" | "map_source_invalid" | "map_source_refused" | "map_source_silent" | "map_tile_missing" | "memory_not_written" | "memory_unreadable" | "method_not_allowed" | "mission_differs" | "mission_file_archive" | "mission_file_damaged" | "mission_file_empty" | "mission_file_forbidden" | "mission_file_frame" | "mission_file_header" | "mission_file_no_home" | "mission_file_no_waypoints" | "mission_file_out_of_range" | "mission_file_too_long" | "mission_file_unknown" | "mission_file_unreadable" | "mission_invalid" | "mission_not_read" | "mission_refused" | "no_such_address" | "not_supported" | "nothing_to_redo" | "nothing_to_undo" | "parameter_out_of_range" | "parameter_unknown" | "parameters_not_read" | "port_taken" | "rate_invalid" | "recording_unknown" | "simulator_unknown_host" | "source_not_taken" | "stick_invalid" | "stick_needs_control" | "stick_silent" | "stream_message_invalid" | "threshold_out_of_range" | "threshold_unknown" | "track_not_kept" | "value_not_allowed") | null;
             /** Problem Params */
             problem_params: {
                 [key: string]: string | number | boolean | null;
@@ -1715,7 +1726,7 @@ export interface components {
             /** Problem */
             problem: string | null;
             /** Problem Code */
-            problem_code: ("ahrs_test_in_flight" | "ahrs_test_lost" | "ahrs_test_running" | "alarm_not_active" | "bad_json" | "board_line_full" | "board_not_open" | "body_too_large" | "client_unknown" | "command_unknown" | "control_held" | "datagram_malformed" | "datagram_stranger" | "emulation_running" | "foreign_host" | "foreign_origin" | "http_error" | "internal" | "invalid_request" | "journal_not_written" | "journal_unreadable" | "line_garbage" | "link_address_invalid" | "link_busy" | "link_failed" | "link_lost" | "link_no_device" | "link_not_serial" | "link_permission" | "link_refused" | "link_timeout" | "link_unknown_host" | "link_unreachable" | "listen_failed" | "listen_unknown_host" | "map_cache_not_written" | "map_disk_full" | "map_exists" | "map_file_damaged" | "map_file_empty" | "map_file_no_layer_json" | "map_file_not_mesh" | "map_file_vector" | "map_folder_unreadable" | "map_import_incomplete" | "map_import_unknown" | "map_imports_busy" | "map_kind_unknown" | "map_layer_unknown" | "map_name_invalid" | "map_raster_converting" | "map_raster_failed" | "map_raster_no_place" | "map_raster_not_height" | "map_not_written" | "map_source_invalid" | "map_source_refused" | "map_source_silent" | "map_tile_missing" | "memory_not_written" | "memory_unreadable" | "method_not_allowed" | "mission_differs" | "mission_file_archive" | "mission_file_damaged" | "mission_file_empty" | "mission_file_forbidden" | "mission_file_frame" | "mission_file_header" | "mission_file_no_home" | "mission_file_no_waypoints" | "mission_file_out_of_range" | "mission_file_too_long" | "mission_file_unknown" | "mission_file_unreadable" | "mission_invalid" | "mission_not_read" | "mission_refused" | "no_such_address" | "not_supported" | "nothing_to_redo" | "nothing_to_undo" | "parameter_out_of_range" | "parameter_unknown" | "parameters_not_read" | "port_taken" | "rate_invalid" | "recording_unknown" | "simulator_unknown_host" | "source_not_taken" | "stream_message_invalid" | "threshold_out_of_range" | "threshold_unknown" | "track_not_kept" | "value_not_allowed") | null;
+            problem_code: ("ahrs_test_in_flight" | "ahrs_test_lost" | "ahrs_test_running" | "alarm_not_active" | "bad_json" | "board_line_full" | "board_not_open" | "body_too_large" | "client_unknown" | "command_unknown" | "control_held" | "datagram_malformed" | "datagram_stranger" | "emulation_running" | "foreign_host" | "foreign_origin" | "http_error" | "internal" | "invalid_request" | "journal_not_written" | "journal_unreadable" | "line_garbage" | "link_address_invalid" | "link_busy" | "link_failed" | "link_lost" | "link_no_device" | "link_not_serial" | "link_permission" | "link_refused" | "link_timeout" | "link_unknown_host" | "link_unreachable" | "listen_failed" | "listen_unknown_host" | "map_cache_not_written" | "map_disk_full" | "map_exists" | "map_file_damaged" | "map_file_empty" | "map_file_no_layer_json" | "map_file_not_mesh" | "map_file_vector" | "map_folder_unreadable" | "map_import_incomplete" | "map_import_unknown" | "map_imports_busy" | "map_kind_unknown" | "map_layer_unknown" | "map_name_invalid" | "map_raster_converting" | "map_raster_failed" | "map_raster_no_place" | "map_raster_not_height" | "map_not_written" | "map_source_invalid" | "map_source_refused" | "map_source_silent" | "map_tile_missing" | "memory_not_written" | "memory_unreadable" | "method_not_allowed" | "mission_differs" | "mission_file_archive" | "mission_file_damaged" | "mission_file_empty" | "mission_file_forbidden" | "mission_file_frame" | "mission_file_header" | "mission_file_no_home" | "mission_file_no_waypoints" | "mission_file_out_of_range" | "mission_file_too_long" | "mission_file_unknown" | "mission_file_unreadable" | "mission_invalid" | "mission_not_read" | "mission_refused" | "no_such_address" | "not_supported" | "nothing_to_redo" | "nothing_to_undo" | "parameter_out_of_range" | "parameter_unknown" | "parameters_not_read" | "port_taken" | "rate_invalid" | "recording_unknown" | "simulator_unknown_host" | "source_not_taken" | "stick_invalid" | "stick_needs_control" | "stick_silent" | "stream_message_invalid" | "threshold_out_of_range" | "threshold_unknown" | "track_not_kept" | "value_not_allowed") | null;
             /** Problem Params */
             problem_params: {
                 [key: string]: string | number | boolean | null;
@@ -1854,7 +1865,7 @@ export interface components {
              * Id
              * @enum {string}
              */
-            id: "heartbeat_lost" | "no_heartbeat" | "hil_lost" | "gps_lost" | "battery_low" | "cpu_high" | "frames_damaged" | "parameter_not_confirmed" | "card_failed" | "recorder_failed";
+            id: "heartbeat_lost" | "no_heartbeat" | "hil_lost" | "stick_lost" | "gps_lost" | "battery_low" | "cpu_high" | "frames_damaged" | "parameter_not_confirmed" | "card_failed" | "recorder_failed";
             /**
              * Level
              * @enum {string}
@@ -1902,7 +1913,7 @@ export interface components {
              * Code
              * @enum {string}
              */
-            code: "ahrs_test_in_flight" | "ahrs_test_lost" | "ahrs_test_running" | "alarm_not_active" | "bad_json" | "board_line_full" | "board_not_open" | "body_too_large" | "client_unknown" | "command_unknown" | "control_held" | "datagram_malformed" | "datagram_stranger" | "emulation_running" | "foreign_host" | "foreign_origin" | "http_error" | "internal" | "invalid_request" | "journal_not_written" | "journal_unreadable" | "line_garbage" | "link_address_invalid" | "link_busy" | "link_failed" | "link_lost" | "link_no_device" | "link_not_serial" | "link_permission" | "link_refused" | "link_timeout" | "link_unknown_host" | "link_unreachable" | "listen_failed" | "listen_unknown_host" | "map_cache_not_written" | "map_disk_full" | "map_exists" | "map_file_damaged" | "map_file_empty" | "map_file_no_layer_json" | "map_file_not_mesh" | "map_file_vector" | "map_folder_unreadable" | "map_import_incomplete" | "map_import_unknown" | "map_imports_busy" | "map_kind_unknown" | "map_layer_unknown" | "map_name_invalid" | "map_raster_converting" | "map_raster_failed" | "map_raster_no_place" | "map_raster_not_height" | "map_not_written" | "map_source_invalid" | "map_source_refused" | "map_source_silent" | "map_tile_missing" | "memory_not_written" | "memory_unreadable" | "method_not_allowed" | "mission_differs" | "mission_file_archive" | "mission_file_damaged" | "mission_file_empty" | "mission_file_forbidden" | "mission_file_frame" | "mission_file_header" | "mission_file_no_home" | "mission_file_no_waypoints" | "mission_file_out_of_range" | "mission_file_too_long" | "mission_file_unknown" | "mission_file_unreadable" | "mission_invalid" | "mission_not_read" | "mission_refused" | "no_such_address" | "not_supported" | "nothing_to_redo" | "nothing_to_undo" | "parameter_out_of_range" | "parameter_unknown" | "parameters_not_read" | "port_taken" | "rate_invalid" | "recording_unknown" | "simulator_unknown_host" | "source_not_taken" | "stream_message_invalid" | "threshold_out_of_range" | "threshold_unknown" | "track_not_kept" | "value_not_allowed";
+            code: "ahrs_test_in_flight" | "ahrs_test_lost" | "ahrs_test_running" | "alarm_not_active" | "bad_json" | "board_line_full" | "board_not_open" | "body_too_large" | "client_unknown" | "command_unknown" | "control_held" | "datagram_malformed" | "datagram_stranger" | "emulation_running" | "foreign_host" | "foreign_origin" | "http_error" | "internal" | "invalid_request" | "journal_not_written" | "journal_unreadable" | "line_garbage" | "link_address_invalid" | "link_busy" | "link_failed" | "link_lost" | "link_no_device" | "link_not_serial" | "link_permission" | "link_refused" | "link_timeout" | "link_unknown_host" | "link_unreachable" | "listen_failed" | "listen_unknown_host" | "map_cache_not_written" | "map_disk_full" | "map_exists" | "map_file_damaged" | "map_file_empty" | "map_file_no_layer_json" | "map_file_not_mesh" | "map_file_vector" | "map_folder_unreadable" | "map_import_incomplete" | "map_import_unknown" | "map_imports_busy" | "map_kind_unknown" | "map_layer_unknown" | "map_name_invalid" | "map_raster_converting" | "map_raster_failed" | "map_raster_no_place" | "map_raster_not_height" | "map_not_written" | "map_source_invalid" | "map_source_refused" | "map_source_silent" | "map_tile_missing" | "memory_not_written" | "memory_unreadable" | "method_not_allowed" | "mission_differs" | "mission_file_archive" | "mission_file_damaged" | "mission_file_empty" | "mission_file_forbidden" | "mission_file_frame" | "mission_file_header" | "mission_file_no_home" | "mission_file_no_waypoints" | "mission_file_out_of_range" | "mission_file_too_long" | "mission_file_unknown" | "mission_file_unreadable" | "mission_invalid" | "mission_not_read" | "mission_refused" | "no_such_address" | "not_supported" | "nothing_to_redo" | "nothing_to_undo" | "parameter_out_of_range" | "parameter_unknown" | "parameters_not_read" | "port_taken" | "rate_invalid" | "recording_unknown" | "simulator_unknown_host" | "source_not_taken" | "stick_invalid" | "stick_needs_control" | "stick_silent" | "stream_message_invalid" | "threshold_out_of_range" | "threshold_unknown" | "track_not_kept" | "value_not_allowed";
             /** Detail */
             detail: string;
             /** Params */
@@ -2084,6 +2095,32 @@ export interface components {
             version: string;
             /** Viewers */
             viewers: number;
+        };
+        /**
+         * StickState
+         * @description Where the pilot's stick comes from: the simulator's rows 8 and 25, or a browser's gamepad.
+         *
+         *     `state`: whether its samples come; while they are `lost` the stick counts as let go. `client` and `name` are those
+         *     of the browser. `samples` counts what came: `taken`, `late`, `not_operator`, `invalid`.
+         */
+        StickState: {
+            /** Client */
+            client: string | null;
+            /** Gamepad */
+            gamepad: string | null;
+            /** Name */
+            name: string | null;
+            /** Samples */
+            samples: {
+                [key: string]: number;
+            };
+            /**
+             * Source
+             * @enum {string}
+             */
+            source: "simulator" | "gamepad";
+            /** State */
+            state: ("live" | "lost") | null;
         };
         /**
          * TaskPeriod

@@ -23,6 +23,7 @@ from gateway.codec.messages_gen import COMMANDS
 from gateway.codec.tables import Message
 from gateway.errors import BoardError, ConflictError, InvalidInputError, NotFoundError
 from gateway.services.station import Station
+from gateway.services.status import hil_state
 from gateway.vehicle.arguments import ArgumentFault, read_arguments
 
 router = APIRouter(tags=["commands"])
@@ -71,14 +72,18 @@ async def post_command(
 
 @router.get("/hil", responses=reading_problems())
 async def get_hil(station: StationDep) -> HilState:
-    """The two switches."""
-    return HilState(source=station.hil.source, path=station.hil.path)
+    """The two switches, and where the stick comes from."""
+    return HilState.model_validate(hil_state(station))
 
 
 @router.put("/hil", responses=problems(409, 502))
 async def put_hil(body: HilInput, station: StationDep, operator: OperatorDep) -> HilState:
-    """Set one or both switches; the source is the board's and is confirmed by it."""
-    station.board.check_commandable()
+    """Set any of the switches; the source is the board's and is confirmed by it.
+
+    A gamepad is that of the caller, who needs control and sends its samples on the stream before it is taken.
+    """
+    if body.stick != "simulator" or body.source is not None or body.path is not None:
+        station.board.check_commandable()
     if body.source is not None and body.source != station.hil.source:
         result = await station.commands.run("control_source", (int(body.source == "joystick"),), client=operator)
         if not result.done:
@@ -90,7 +95,9 @@ async def put_hil(body: HilInput, station: StationDep, operator: OperatorDep) ->
             )
     if body.path is not None:
         station.set_path(body.path)
-    return HilState(source=body.source or station.hil.source, path=station.hil.path)
+    if body.stick is not None:
+        await station.set_stick(body.stick, operator, body.gamepad)
+    return HilState.model_validate(hil_state(station) | ({"source": body.source} if body.source else {}))
 
 
 @router.post("/console", responses=problems(409))

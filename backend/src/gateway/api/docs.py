@@ -39,10 +39,17 @@ Answer each batch with `{"type": "ack", "seq": n}`: at most four are under way, 
 newest state at once. `rate=0` sends every sample; `{"type": "rate", "rate": n}` changes it. Commands go over REST with
 the header `X-Client: <client of the hello>`.
 
+**Stick**: the page that has control may send `{"type": "stick", "elevator": -1..1, "aileron": -1..1, "rudder": -1..1,
+"throttle": 0..1, "t_ms": its own steady clock}` on its stream, up to 50 times a second: the positions of its gamepad
+(elevator + nose up, aileron + right wing down, rudder + nose right). With `PUT /hil` `{"stick": "gamepad"}` they take
+the place of the simulator's rows 8 and 25. A sample is used for 0.3 s; without a newer one the surfaces are centred
+then, and the throttle is closed after 2 s. The choice ends with that page's control.
+
 **Events**: `alarm` (an alarm that came, went or was acknowledged), `command` (pending, and what became of it),
 `console`, `control`, `error`, `journal` (a new entry, and what undo and redo would write now), `link`, `map_import` (as
 `GET /map/imports/{id}`, at most four a second), `mission`,
-`parameter` (the gains that changed, each with value, state and loaded value), `recording` and `track`.
+`parameter` (the gains that changed, each with value, state and loaded value), `recording`, `stick` (where the stick
+comes from, whether it is `live` or `lost`, and the `reason`: `chosen`, `control_lost`, `lost`, `back`) and `track`.
 """
 
 router = APIRouter(include_in_schema=False)

@@ -136,11 +136,28 @@ class SimulatorStatus(Output):
     hil_round_trip_ms: RoundTripMs
 
 
+class StickState(Output):
+    """Where the pilot's stick comes from: the simulator's rows 8 and 25, or a browser's gamepad.
+
+    `state`: whether its samples come; while they are `lost` the stick counts as let go. `client` and `name` are those
+    of the browser. `samples` counts what came: `taken`, `late`, `not_operator`, `invalid`.
+    """
+
+    source: Literal["simulator", "gamepad"]
+    state: Literal["live", "lost"] | None
+    client: str | None
+    name: str | None
+    gamepad: str | None
+    samples: dict[str, int]
+
+
 class HilState(Output):
-    """Who holds the stick, as the board reports it (null: not heard), and who moves the simulator's surfaces."""
+    """Who holds the stick, as the board reports it (null: not heard), who moves the simulator's surfaces, and where
+    the stick comes from."""
 
     source: Literal["joystick", "rc"] | None
     path: Literal["manual", "assisted"]
+    stick: StickState
 
 
 class ControlState(Output):
@@ -311,10 +328,12 @@ class Mission(Output):
 
 
 class HilInput(Input):
-    """Either or both."""
+    """Any of them. With the stick from a gamepad, `gamepad` is its name for people."""
 
     source: Literal["joystick", "rc"] | None = None
     path: Literal["manual", "assisted"] | None = None
+    stick: Literal["simulator", "gamepad"] | None = None
+    gamepad: str = Field("gamepad", min_length=1, max_length=200)
 
 
 class ConsoleLine(Input):

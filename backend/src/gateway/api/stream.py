@@ -1,4 +1,4 @@
-"""/api/v1/stream: hello, then batches, events and status to a browser; acknowledgements and its rate back."""
+"""/api/v1/stream: hello, then batches, events and status to a browser; acknowledgements, rate and stick back."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from gateway.api.guard import Access
 from gateway.api.socket import Conversation, Refusal, SocketConnection
 from gateway.api.state import status_json
 from gateway.codec.messages_gen import TELEMETRY
-from gateway.errors import GatewayError
+from gateway.errors import ErrorCode, GatewayError
 from gateway.services.control import Client
 from gateway.services.station import Station
 from gateway.services.viewer import MAX_RATE_HZ, Viewer
@@ -26,6 +26,7 @@ TOPICS: Final = sorted(
 )
 _CLIENT_ID: Final = re.compile(r"[0-9a-f]{16}")
 _MAX_NAME: Final = 40
+_INVALID: Final = "stream_message_invalid"
 _RATE_SENTENCE: Final = f"rate must be 0 (every sample) or 1..{MAX_RATE_HZ} batches a second."
 
 
@@ -84,6 +85,7 @@ class StreamConversation:
         station = self._station
         self._greeted = True
         station.control.connect(self._client)
+        station.stick.gone(self._client.id)
         holder = station.control.holder
         hello = {
             "type": "hello",
@@ -100,13 +102,12 @@ class StreamConversation:
         station.changed()
 
     def on_text(self, text: str) -> None:
-        """An acknowledgement or another rate; anything else is counted and answered with an error event."""
+        """An acknowledgement, a rate or a stick; anything else is counted and answered with an error event."""
         fault = self._take(text)
         if fault is not None:
-            self._station.errors.count("stream_message_invalid")
-            event = self._station.hub.event_text(
-                "error", {"code": "stream_message_invalid", "detail": fault, "params": {}, "count": 1}
-            )
+            code, detail = fault
+            self._station.errors.count(code)
+            event = self._station.hub.event_text("error", {"code": code, "detail": detail, "params": {}, "count": 1})
             self._viewer.offer_event(event)
             self._station.hub.serve(self._viewer)
 
@@ -114,28 +115,33 @@ class StreamConversation:
         """The browser went."""
         self._station.hub.remove(self._viewer)
         if self._greeted:
+            self._station.stick.gone(self._client.id)
             self._station.control.disconnect(self._client)
             self._station.changed()
 
-    def _take(self, text: str) -> str | None:
+    def _take(self, text: str) -> tuple[ErrorCode, str] | None:
+        """Code and sentence of what is wrong with a message; None where nothing is."""
         try:
             message: Any = orjson.loads(text)
         except orjson.JSONDecodeError:
-            return 'A message on the stream was not JSON: send {"type": "ack", "seq": n} or a rate.'
+            return _INVALID, 'A message on the stream was not JSON: send {"type": "ack", "seq": n} or a rate.'
         match message:
             case {"type": "ack", "seq": int(seq)} if self._viewer.acknowledge(seq):
                 if self._viewer.waiting:
                     self._station.hub.serve(self._viewer)
                 return None
             case {"type": "ack"}:
-                return "An acknowledgement named a batch that is not under way: send the seq of a batch."
+                return _INVALID, "An acknowledgement named a batch that is not under way: send the seq of a batch."
             case {"type": "rate", "rate": int(rate)} if 0 <= rate <= MAX_RATE_HZ:
                 self._station.hub.change_rate(self._viewer, rate)
                 return None
             case {"type": "rate"}:
-                return _RATE_SENTENCE
+                return _INVALID, _RATE_SENTENCE
+            case {"type": "stick"}:
+                fault = self._station.stick.take(self._client.id, message)
+                return None if fault is None else ("stick_invalid", fault)
             case _:
-                return "A message on the stream has no known type: send an ack or a rate."
+                return _INVALID, "A message on the stream has no known type: send an ack, a rate or a stick."
 
 
 def _read_rate(text: str) -> int | None:

@@ -18,6 +18,7 @@ from gateway.links.udp import UdpLink
 from gateway.services.board import Board
 from gateway.services.clock import Clock
 from gateway.services.hub import Hub
+from gateway.services.stick import Stick
 from gateway.services.telemetry import Telemetry
 from gateway.vehicle.arrivals import Arrivals
 from gateway.vehicle.round_trip import RoundTrip
@@ -44,12 +45,13 @@ _RAW_EVERY_S: Final = 0.2
 class Hil:
     """Told of datagrams and of the board's urgent frames. `path` says who moves the simulator's surfaces."""
 
-    def __init__(self, board: Board, telemetry: Telemetry, hub: Hub, clock: Clock) -> None:
+    def __init__(self, board: Board, telemetry: Telemetry, hub: Hub, clock: Clock, stick: Stick) -> None:
         self._loop = asyncio.get_running_loop()
         self._board = board
         self._telemetry = telemetry
         self._hub = hub
         self._clock = clock
+        self.stick = stick
         self._gatherer = Gatherer("xp10")
         self._whole_frames = WholeFrames("xp10")
         self._profile = "xp10"
@@ -120,6 +122,7 @@ class Hil:
         now_s = self._clock.steady_s()
         info = self._whole_frames.read(datagram)
         if info is not None:
+            info = self._with_stick(info, now_s)
             self._act_on(info, now_s)
             self._unparsed.append((now_s, datagram))
         else:
@@ -128,6 +131,7 @@ class Hil:
                 return False
             info = self._gatherer.take(records, now_s)
             if info is not None:
+                info = self._with_stick(info, now_s)
                 self._act_on(info, now_s)
             self._keep_rows(records, now_s)
         if info is not None:
@@ -162,6 +166,14 @@ class Hil:
     def _live(self, now_s: float) -> dict[int, Eight]:
         oldest_s = now_s - _ROW_AGE_S
         return {row: one.values for row, one in self._rows.items() if (one.last_s or 0.0) >= oldest_s}
+
+    def _with_stick(self, info: XplaneInfo, now_s: float) -> XplaneInfo:
+        """A gamepad that is chosen takes the place of the simulator's joystick, but in examples."""
+        chosen = None if self._board.is_emulated else self.stick.now(now_s)
+        if chosen is None:
+            return info
+        elevator, aileron, rudder, throttle = chosen
+        return info._replace(elevator=elevator, aileron=aileron, rudder=rudder, throttle=throttle)
 
     def _act_on(self, info: XplaneInfo, now_s: float) -> None:
         """A whole frame of the simulator is known: everything that waits for it, and nothing else."""

@@ -33,6 +33,7 @@ from gateway.services.missions import Missions
 from gateway.services.parameters import Parameters
 from gateway.services.recorder import Recorder
 from gateway.services.simulator import Simulator, SimulatorAddress
+from gateway.services.stick import Stick
 from gateway.services.supervisor import Supervisor
 from gateway.services.telemetry import Telemetry
 from gateway.services.tracks import Tracks
@@ -80,7 +81,8 @@ class Station:
         )
         self.parameters = Parameters(self.board, self.commands, self.hub, journal)
         self.missions = Missions(self.board, self.commands, self.hub)
-        self.hil = Hil(self.board, self.telemetry, self.hub, self.clock)
+        self.stick = Stick(self.control, self.hub, self.clock, self.changed)
+        self.hil = Hil(self.board, self.telemetry, self.hub, self.clock, self.stick)
         self.supervisor = Supervisor(self.board, taps[0], self._report, self._on_link, self._open_link)
         self.simulator = Simulator(self.hil, self.clock, taps[1], self._report, self._on_link)
         self.ahrs_test = AhrsTestRun(
@@ -201,6 +203,15 @@ class Station:
         self.memory.update(hil_path=self.hil.path)
         self.changed()
 
+    async def set_stick(self, source: str, client: str | None, gamepad: str) -> None:
+        """Where the pilot's stick comes from. Raises ConflictError where that gamepad cannot be flown with."""
+        if source == "gamepad":
+            await self.stick.choose_gamepad(client, gamepad)
+            self._note("stick", {"source": source, "gamepad": gamepad})
+        else:
+            self.stick.choose_simulator()
+            self._note("stick", {"source": source})
+
     async def _open_link(self, address: LinkAddress) -> Link:
         if address != EMULATION:
             return await open_link(address)
@@ -266,6 +277,7 @@ class Station:
             await asyncio.sleep(_TICK_S)
             self.board.tick()
             self.ahrs_test.tick()
+            self.stick.tick()
             ticks += 1
             if ticks % _STATUS_EVERY_TICKS == 0:
                 self.rates.note(self.clock.steady_s(), self.board, self.simulator)
@@ -312,6 +324,7 @@ class Station:
     def _on_control(self, holder: Client | None) -> None:
         data: dict[str, Any] = {"client": holder.id if holder else None, "name": holder.name if holder else None}
         self.hub.event("control", data)
+        self.stick.control_changed(holder)
         self.changed()
 
     def _on_opened(self) -> None:

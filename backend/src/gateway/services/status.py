@@ -20,13 +20,31 @@ def build_status(station: Station) -> dict[str, Any]:
         "server_time_s": station.clock.now_s(),
         "board": _board(station),
         "simulator": _simulator(station),
-        "hil": {"source": station.hil.source, "path": station.hil.path},
+        "hil": hil_state(station),
         "control": {"client": holder.id if holder else None, "name": holder.name if holder else None},
         "recording": _recording(station),
         "alarms": [alarm.as_dict() for alarm in station.alarms.active],
         "errors": station.errors.counts,
         "topics": station.telemetry.summary(),
         "viewers": len(station.hub.viewers),
+    }
+
+
+def hil_state(station: Station) -> dict[str, Any]:
+    """The two switches, and where the stick comes from; its shape is `gateway.api.schemas.HilState`."""
+    stick = station.stick
+    pilot = stick.pilot
+    return {
+        "source": station.hil.source,
+        "path": station.hil.path,
+        "stick": {
+            "source": stick.source,
+            "state": stick.state,
+            "client": None if pilot is None else pilot.id,
+            "name": None if pilot is None else pilot.name,
+            "gamepad": stick.gamepad,
+            "samples": stick.counts,
+        },
     }
 
 

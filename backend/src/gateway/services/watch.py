@@ -25,6 +25,7 @@ from gateway.vehicle.alarms import (
     judge_hil,
     judge_parameters,
     judge_recording,
+    judge_stick,
 )
 
 
@@ -71,6 +72,7 @@ class Watch:
         found = (
             judge_heartbeat(self._line(now_s), limits["heartbeat_lost_s"]),
             judge_hil(self._loop(now_s), limits["hil_lost_s"]),
+            judge_stick(self._hil.stick.gamepad, self._hil.stick.state, flies=self._hil.source != "rc"),
             self._battery.look(now_s, self._live("analog"), limits["battery_low_v"]),
             self._look_at_gps(now_s),
             self._cpu.look(now_s, self._live("statistics"), limits["cpu_high_percent"]),

@@ -11,6 +11,7 @@ AlarmId = Literal[
     "heartbeat_lost",
     "no_heartbeat",
     "hil_lost",
+    "stick_lost",
     "gps_lost",
     "battery_low",
     "cpu_high",
@@ -236,6 +237,17 @@ def judge_hil(loop: Loop | None, lost_s: float) -> Finding | None:
     if loop.surfaces_age_s is None or loop.surfaces_age_s > lost_s:
         return Finding("hil_lost", "critical", "The HIL loop is open: the board does not answer the simulator's data.")
     return None
+
+
+def judge_stick(gamepad: str | None, state: Literal["live", "lost"] | None, *, flies: bool) -> Finding | None:
+    """`gamepad` is the one that was chosen as the pilot's stick; `flies`: the stick is the control source."""
+    if gamepad is None or state != "lost":
+        return None
+    text = (
+        f"Nothing arrives from the gamepad {gamepad}: the stick counts as let go, surfaces centred and then no "
+        "throttle. Connect it, or go back to the simulator's joystick."
+    )
+    return Finding("stick_lost", "critical" if flies else "warning", text, {"gamepad": gamepad})
 
 
 def judge_parameters(unconfirmed: Sequence[str]) -> Finding | None:
