@@ -1,5 +1,5 @@
 import type { StreamEvent } from "../protocol/envelope";
-import { isMapImport, isMapLayers, isMapOnline, type MapLayer } from "../protocol/mapLayers";
+import { isConverting, isMapImport, isMapLayers, isMapOnline, type MapLayer } from "../protocol/mapLayers";
 import {
   createMapLayers,
   forgetImport,
@@ -8,6 +8,7 @@ import {
   noteImport,
 } from "../store/mapLayers";
 import { failureMessage } from "../store/messages";
+import type { Timers } from "../transport/socket";
 import { type AskingParts, createAsking, info } from "./asking";
 
 const LAYERS = "/api/v1/map/layers";
@@ -15,19 +16,23 @@ const ONLINE = "/api/v1/map/online";
 const IMPORTS = "/api/v1/map/imports";
 /** Gigabytes over a field's radio link. */
 const SEND_MS = 6 * 3600_000;
+/** How often it is asked how far the station is with a file that somebody put into its folder. */
+const CONVERTING_MS = 2000;
 
 type Named = Pick<MapLayer, "id" | "name">;
 
 /** What a person can ask about map layers, as questions to the gateway with their outcome in the stores. */
-export function createMapLayerActions(parts: AskingParts): {
+export function createMapLayerActions(parts: AskingParts & { readonly timers: Timers }): {
   readonly mapLayers: MapLayerActions;
   readonly takeMapEvent: (event: StreamEvent) => void;
 } {
-  const { rest } = parts;
+  const { rest, timers } = parts;
   const { run } = createAsking(parts);
   const store: MapLayerStore = createMapLayers();
+  let cancelNext: () => void = () => undefined;
 
   async function read(): Promise<void> {
+    cancelNext();
     const asked = rest.ask("GET", ONLINE, isMapOnline);
     const answer = await rest.ask("GET", LAYERS, isMapLayers);
     const online = await asked;
@@ -37,6 +42,10 @@ export function createMapLayerActions(parts: AskingParts): {
     store.setState(
       answer.ok ? { ...answer.value, failure: null } : { failure: failureMessage(answer.problem) },
     );
+    if (answer.ok && answer.value.layers.some(isConverting)) {
+      cancelNext();
+      cancelNext = timers.after(CONVERTING_MS, () => void read());
+    }
   }
 
   function takeMapEvent({ event, data }: StreamEvent): void {

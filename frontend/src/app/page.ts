@@ -21,6 +21,7 @@ import { createAhrs3d } from "./ahrs3dActions";
 import { createAlarmBook } from "./alarmBook";
 import { createBoardConsole } from "./boardConsole";
 import { createFrameActions } from "./frameActions";
+import { createGamepadDesk, type GamepadReader } from "./gamepadDesk";
 import { createInspector } from "./inspector";
 import { createMapLayerActions } from "./mapLayerActions";
 import { createParameterActions, takeParameterEvent } from "./parameterActions";
@@ -42,6 +43,7 @@ export interface World {
   readonly tabShelf: Shelf | null;
   readonly sounder: Sounder;
   readonly speaker: Speaker;
+  readonly gamepads: GamepadReader;
   /** Gives the person a file to keep. */
   readonly saveFile: (name: string, content: Blob) => void;
 }
@@ -123,6 +125,7 @@ export function createPage(world: World): {
     takePlanEvent(plans, message, client());
     takeMapEvent(message);
     takeTrackEvent(message);
+    gamepads.takeEvent(message);
     if (event === "alarm") {
       alarmBook.store.setState(({ reported }) => ({ reported: reported + 1 }));
     } else if (event === "error" && isErrorEvent(data)) {
@@ -184,6 +187,16 @@ export function createPage(world: World): {
   const { boardConsole, takeEvent: takeConsole } = createBoardConsole({ rest, wall_ms: world.wall_ms });
   const actions = createActions({ ...asking, client });
   const frame = createFrameActions(asking);
+  const gamepads = createGamepadDesk({
+    reader: world.gamepads,
+    timers: world.timers,
+    connection,
+    commands,
+    settings,
+    setStick: actions.setStick,
+    send: (text) => socket.offer(text),
+    tell,
+  });
   const alarmBook = createAlarmBook({
     ...asking,
     connection,
@@ -196,7 +209,7 @@ export function createPage(world: World): {
   const parameters = createParameterActions(book, asking);
   const ahrs3d = createAhrs3d(asking);
   const missions = createPlanActions(plans, world.saveFile, asking);
-  const { mapLayers, takeMapEvent } = createMapLayerActions(asking);
+  const { mapLayers, takeMapEvent } = createMapLayerActions({ ...asking, timers: world.timers });
   const { trackBook, takeTrackEvent } = createTrackBook({ rest, timers: world.timers });
   const stores = { telemetry, pump, connection, commands, messages, settings };
   return {
@@ -211,13 +224,20 @@ export function createPage(world: World): {
       mapSelection: createMapSelection(),
       mapLayers,
       servos: servos.desk,
+      gamepads: gamepads.desk,
       boardConsole,
       trackBook,
       inspector: createInspector(rest),
       saveFile: world.saveFile,
     },
-    start: () => socket.start(),
-    stop: () => socket.stop(),
+    start: () => {
+      socket.start();
+      gamepads.start();
+    },
+    stop: () => {
+      gamepads.stop();
+      socket.stop();
+    },
   };
 }
 

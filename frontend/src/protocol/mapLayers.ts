@@ -25,6 +25,11 @@ const isMapLayer = shape({
 });
 export type MapLayer = Checked<typeof isMapLayer>;
 
+/** Heights that are being turned into terrain: it is no fault that they cannot be shown yet. */
+export function isConverting({ problem_code }: Pick<MapLayer, "problem_code">): boolean {
+  return problem_code === "map_raster_converting";
+}
+
 /** The layers that the gateway has, and where their files lie. */
 export const isMapLayers = shape({ folder: isText, layers: list(isMapLayer) });
 

@@ -9,11 +9,10 @@ import { Button } from "../../ui/Button";
 import { FileButton } from "../../ui/FileButton";
 import { Notice } from "../../ui/Notice";
 import { Panel } from "../../ui/Panel";
-import { Select } from "../../ui/Select";
-import { useFlat } from "./flat/useFlat";
 import { ImportList } from "./layers/ImportList";
 import { LayerRow } from "./layers/LayerRow";
 import { RemovedList } from "./layers/RemovedList";
+import { TerrainList } from "./layers/TerrainList";
 import { useGround } from "./layers/useGround";
 import "./layers/layers.css";
 
@@ -22,7 +21,6 @@ export function LayersSection() {
   const { t } = useTranslation();
   const { mapLayers } = usePage();
   const ground = useGround();
-  const flat = useFlat();
   const folder = useMapLayers((layers) => layers.folder);
   const blocked = useGatewayBlocked();
   const isConnected = blocked === undefined;
@@ -47,20 +45,7 @@ export function LayersSection() {
           />
         ))}
       </ul>
-      <Select
-        label={t("map.layers.terrain")}
-        placeholder={t("map.layers.noTerrain")}
-        value={ground.terrain ?? ""}
-        onChange={(id) => ground.chooseTerrain(id === "" ? null : id)}
-        options={[
-          { value: "", label: t("map.layers.noTerrain") },
-          ...ground.terrains.map(({ id, name }) => ({ value: id, label: name })),
-        ]}
-        disabledReason={flat.isShown ? t("map.flat.globeOnly") : undefined}
-      />
-      {ground.terrainFailed && !flat.isShown && (
-        <Notice level="warning">{t("map.layers.terrainFailed")}</Notice>
-      )}
+      <TerrainList {...ground} />
       <ImportList />
       <RemovedList />
       <FileButton

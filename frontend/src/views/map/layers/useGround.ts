@@ -16,6 +16,7 @@ export interface GroundChoice {
   readonly layerOf: (id: string) => MapLayer | undefined;
   readonly change: (id: string, change: Partial<Omit<Stacked, "id">>) => void;
   readonly move: (id: string, by: -1 | 1) => void;
+  /** All of them, also those that cannot be shown, or not yet. */
   readonly terrains: readonly MapLayer[];
   readonly terrain: string | null;
   readonly terrainFailed: boolean;
@@ -29,8 +30,8 @@ export function useGround(): GroundChoice {
   const remembered = useSettings(({ choices }) => choices[STACK]);
   const wanted = useSettings(({ choices }) => choices[TERRAIN] ?? "");
   const stack = useMemo(() => stackOfLayers(layers, remembered), [layers, remembered]);
-  const terrains = layers.filter(({ kind, problem }) => kind === "terrain" && problem === null);
-  const terrain = terrains.some(({ id }) => id === wanted) ? wanted : null;
+  const terrains = layers.filter(({ kind }) => kind === "terrain");
+  const terrain = terrains.some(({ id, problem }) => id === wanted && problem === null) ? wanted : null;
   const layerOf = (id: string): MapLayer | undefined => layers.find((layer) => layer.id === id);
   const put = (next: readonly Stacked[]): void => choose(settings, STACK, rememberedStack(next, remembered));
   const terrainFailed = useOnGlobe(layers, stack, terrain);
