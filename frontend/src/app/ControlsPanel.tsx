@@ -3,6 +3,8 @@ import { useTranslation } from "react-i18next";
 import { ControlCross, type ControlCrossHandle } from "../instruments/controls/ControlCross";
 import { hundredths } from "../live/formats";
 import { LiveFlag } from "../live/LiveFlag";
+import { stickKind, useStickKind } from "../live/useStick";
+import { usePage } from "../store/hooks";
 import type { TelemetryStore } from "../store/telemetry";
 import { usePaint } from "../store/usePaint";
 import { Panel } from "../ui/Panel";
@@ -14,11 +16,18 @@ import { useSource } from "./useSource";
 export function ControlsPanel() {
   const { t } = useTranslation();
   const source = useSource() ?? "unknown";
+  const stick = useStickKind();
   return (
     <Panel
       title={t("controls.title")}
       className="left-controls"
-      badge={<span className="left-source">{t(`source.${source}`)}</span>}
+      badge={
+        <span className="left-source" data-lost={source === "joystick" && stick === "lost"}>
+          {source === "joystick" && (stick === "gamepad" || stick === "lost")
+            ? t(`gamepad.badge.${stick}`)
+            : t(`source.${source}`)}
+        </span>
+      }
     >
       <Cross />
       <ReadoutGrid>
@@ -36,20 +45,24 @@ export function ControlsPanel() {
 
 function Cross() {
   const { t } = useTranslation();
+  const { connection } = usePage();
   const cross = useRef<ControlCrossHandle>(null);
-  const paint = useCallback((telemetry: TelemetryStore, now_ms: number) => {
-    const live = (axis: Axis): number | null =>
-      axisState(telemetry, now_ms) === "live" ? axisNumber(telemetry, axis) : null;
-    cross.current?.paint(
-      {
-        aileron: live("aileron"),
-        elevator: live("elevator"),
-        rudder: live("rudder"),
-        throttle: live("throttle"),
-      },
-      now_ms,
-    );
-  }, []);
+  const paint = useCallback(
+    (telemetry: TelemetryStore, now_ms: number) => {
+      const state = axisState(telemetry, now_ms, stickKind(connection.getState()));
+      const live = (axis: Axis): number | null => (state === "live" ? axisNumber(telemetry, axis) : null);
+      cross.current?.paint(
+        {
+          aileron: live("aileron"),
+          elevator: live("elevator"),
+          rudder: live("rudder"),
+          throttle: live("throttle"),
+        },
+        now_ms,
+      );
+    },
+    [connection],
+  );
   usePaint("frame", paint);
   return (
     <div className="left-cross">
@@ -59,11 +72,15 @@ function Cross() {
 }
 
 function AxisReadout({ axis, label }: { axis: Axis; label: string }) {
+  const { connection } = usePage();
   const readout = useRef<ReadoutHandle>(null);
   const paint = useCallback(
     (telemetry: TelemetryStore, now_ms: number) =>
-      readout.current?.paint(hundredths(axisNumber(telemetry, axis)), axisState(telemetry, now_ms)),
-    [axis],
+      readout.current?.paint(
+        hundredths(axisNumber(telemetry, axis)),
+        axisState(telemetry, now_ms, stickKind(connection.getState())),
+      ),
+    [axis, connection],
   );
   usePaint("text", paint);
   return <Readout ref={readout} label={label} chars={5} />;

@@ -1,6 +1,7 @@
 import { useMemo } from "react";
 import { useTranslation } from "react-i18next";
 import { ControlPath } from "../instruments/path/ControlPath";
+import { useStickKind } from "../live/useStick";
 import { useConnection, useTelemetry } from "../store/hooks";
 import { readAutopilot } from "./controls";
 import { useSource } from "./useSource";
@@ -9,6 +10,8 @@ import { useSource } from "./useSource";
 export function LiveControlPath() {
   const { t } = useTranslation();
   const source = useSource();
+  const stick = useStickKind();
+  const gamepad = stick === "gamepad" || stick === "lost" ? stick : null;
   // Where no heartbeat tells the source, no signal is known to take any way.
   const chosenPath = useConnection(({ status, phase }) =>
     phase === "open" ? (status?.hil.path ?? null) : null,
@@ -19,7 +22,7 @@ export function LiveControlPath() {
   );
   const labels = useMemo(
     () => ({
-      joystick: t("path.joystick"),
+      joystick: gamepad === null ? t("path.joystick") : t(`gamepad.badge.${gamepad}`),
       rc: t("path.rc"),
       manual: t("path.manual"),
       assisted: t("path.assistedShort"),
@@ -29,13 +32,16 @@ export function LiveControlPath() {
       ignored: t("path.ignored"),
       unknown: t("words.unknown"),
     }),
-    [t],
+    [t, gamepad],
   );
   const isAutomatic = path === "assisted" && autopilot === true;
   const description = isAutomatic
     ? t("path.sentenceAutomatic")
     : t("path.sentence", {
-        source: t(`source.${source ?? "unknown"}`),
+        source:
+          source === "joystick" && gamepad !== null
+            ? t(`gamepad.badge.${gamepad}`)
+            : t(`source.${source ?? "unknown"}`),
         path: t(`path.${path ?? "unknown"}`),
       });
   return (

@@ -28,6 +28,15 @@ export function createActions(parts: ActionParts): Actions {
       return simply(asker, ["PUT", "/api/v1/hil", change], info("said.confirmed", { what }));
     },
 
+    setStick: (change, asker) =>
+      simply(
+        asker,
+        ["PUT", "/api/v1/hil", change],
+        "gamepad" in change
+          ? info("stickSaid.taken", { gamepad: change.gamepad })
+          : info("stickSaid.simulator"),
+      ),
+
     openBoard: (url, asker) =>
       simply(asker, ["PUT", "/api/v1/links/board", { url }], info("said.boardOpening", { url })),
     closeBoard: (asker) => simply(asker, ["DELETE", "/api/v1/links/board"], info("said.boardClosed")),

@@ -1,5 +1,6 @@
 import type { Shelf } from "../store/settings";
 import { browserSounder, browserSpeaker } from "./browserAlarms";
+import { browserGamepads } from "./browserGamepads";
 import type { World } from "./page";
 
 /** How often the page is painted at most, in hertz. */
@@ -26,7 +27,11 @@ export function browserWorld(window: Window & typeof globalThis): World {
       const socket = new WebSocket(address);
       socket.addEventListener("message", ({ data }) => onMessage(data));
       socket.addEventListener("close", onClose);
-      return { send: (text) => socket.send(text), close: () => socket.close() };
+      return {
+        send: (text) => socket.send(text),
+        unsent_bytes: () => socket.bufferedAmount,
+        close: () => socket.close(),
+      };
     },
     fetch: (path, init) => window.fetch(path, init),
     requestFrame: (callback) => window.requestAnimationFrame(callback),
@@ -41,6 +46,7 @@ export function browserWorld(window: Window & typeof globalThis): World {
       // Only once the browser has begun to read it.
       window.setTimeout(() => URL.revokeObjectURL(address), 10_000);
     },
+    gamepads: browserGamepads(window),
     shelf: shelfOf(() => window.localStorage),
     tabShelf: shelfOf(() => window.sessionStorage),
     sounder: browserSounder(window),

@@ -31,7 +31,21 @@ describe("with the joystick as source", () => {
   test("a stick that is not heard any more is stale whatever the RC says", () => {
     hear("servos_in", { channel_0: 0 }, 1400);
     hear("heartbeat", { ...flags, source_joystick: true }, 1400);
-    expect(axisState(telemetry, 1400)).toBe("stale");
+    expect(axisState(telemetry, 1400, "simulator")).toBe("stale");
+  });
+});
+
+describe("with a gamepad as the stick", () => {
+  beforeEach(() => hear("heartbeat", { ...flags, source_joystick: true }, 0));
+
+  test("the controls are what the board is told, and none at all while nothing arrives from the gamepad", () => {
+    expect(axisState(telemetry, 100, "gamepad")).toBe("live");
+    expect(axisState(telemetry, 100, "lost")).toBe("none");
+  });
+
+  test("the RC's channels are live all the same", () => {
+    hear("heartbeat", { ...flags, source_joystick: false }, 50);
+    expect(axisState(telemetry, 100, "lost")).toBe("live");
   });
 });
 
@@ -48,11 +62,11 @@ describe("with RC as source", () => {
 
 test("without a live heartbeat no source is known, so no control counts as live", () => {
   hear("heartbeat", { ...flags, source_joystick: true }, 0);
-  expect(axisState(telemetry, 100)).toBe("live");
+  expect(axisState(telemetry, 100, "simulator")).toBe("live");
   hear("xplane_info", { elevator: 0.1 }, 1400);
-  expect(axisState(telemetry, 1400)).toBe("stale");
+  expect(axisState(telemetry, 1400, "simulator")).toBe("stale");
 });
 
 test("nothing heard of the source is no data", () => {
-  expect(axisState(new TelemetryStore(), 0)).toBe("none");
+  expect(axisState(new TelemetryStore(), 0, "simulator")).toBe("none");
 });

@@ -1,3 +1,4 @@
+import type { StickKind } from "../live/useStick";
 import type { NumberField } from "../protocol/topics";
 import type { DataState, TelemetryStore } from "../store/telemetry";
 
@@ -19,9 +20,14 @@ function isJoystick(telemetry: TelemetryStore): boolean {
 
 /**
  * State of the chosen source's controls: the stick is heard in the simulator's information, the RC in its channels.
+ * A gamepad that was chosen and says nothing has no position.
  * Without a live heartbeat nobody knows which of the two is the source, so neither counts as live.
  */
-export function axisState(telemetry: TelemetryStore, now_ms: number): DataState {
+export function axisState(telemetry: TelemetryStore, now_ms: number, stick: StickKind | null): DataState {
+  if (stick === "lost" && isJoystick(telemetry)) {
+    // What the board is told then is a stick that is let go, and no position of anybody's.
+    return "none";
+  }
   const state = telemetry.state(isJoystick(telemetry) ? "xplane_info" : "servos_in", now_ms);
   return state === "live" && telemetry.state("heartbeat", now_ms) !== "live" ? "stale" : state;
 }

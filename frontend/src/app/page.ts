@@ -191,7 +191,6 @@ export function createPage(world: World): {
     reader: world.gamepads,
     timers: world.timers,
     connection,
-    commands,
     settings,
     setStick: actions.setStick,
     send: (text) => socket.offer(text),

@@ -5,6 +5,7 @@ import en from "./en.json";
 import enAhrs3d from "./en-ahrs3d.json";
 import enAlarms from "./en-alarms.json";
 import enFrame from "./en-frame.json";
+import enGamepad from "./en-gamepad.json";
 import enHelp from "./en-help.json";
 import enMap from "./en-map.json";
 import enMessages from "./en-messages.json";
@@ -16,6 +17,7 @@ import es from "./es.json";
 import esAhrs3d from "./es-ahrs3d.json";
 import esAlarms from "./es-alarms.json";
 import esFrame from "./es-frame.json";
+import esGamepad from "./es-gamepad.json";
 import esHelp from "./es-help.json";
 import esMap from "./es-map.json";
 import esMessages from "./es-messages.json";
@@ -30,6 +32,7 @@ export const CATALOGUES = {
     ...es,
     ...esSaid,
     ...esFrame,
+    ...esGamepad,
     ...esSix,
     ...esParams,
     ...esPlans,
@@ -43,6 +46,7 @@ export const CATALOGUES = {
     ...en,
     ...enSaid,
     ...enFrame,
+    ...enGamepad,
     ...enSix,
     ...enParams,
     ...enPlans,

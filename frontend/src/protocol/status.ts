@@ -55,7 +55,17 @@ export const isStatus = shape({
     percent: isNumber,
     hil_round_trip_ms: isRoundTrip,
   }),
-  hil: shape({ source: nullable(oneOf("joystick", "rc")), path: oneOf("manual", "assisted") }),
+  hil: shape({
+    source: nullable(oneOf("joystick", "rc")),
+    path: oneOf("manual", "assisted"),
+    stick: shape({
+      source: oneOf("simulator", "gamepad"),
+      state: nullable(oneOf("live", "lost")),
+      client: nullable(isText),
+      name: nullable(isText),
+      gamepad: nullable(isText),
+    }),
+  }),
   control: shape({ client: nullable(isText), name: nullable(isText) }),
   recording: shape({ active: isFlag, file: nullable(isText), bytes: isNumber, failure: nullable(isText) }),
   topics: dictionary(shape({ count: isNumber, stale_after_s: nullable(isNumber) })),

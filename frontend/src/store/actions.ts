@@ -33,6 +33,11 @@ export interface Actions {
     change: { readonly source: "joystick" | "rc" } | { readonly path: "manual" | "assisted" },
     asker: Asker,
   ) => Promise<void>;
+  /** Where the pilot's stick comes from: the simulator, or this page's gamepad by its name. */
+  readonly setStick: (
+    change: { readonly stick: "simulator" } | { readonly stick: "gamepad"; readonly gamepad: string },
+    asker: Asker,
+  ) => Promise<void>;
   readonly openBoard: (url: string, asker: Asker) => Promise<void>;
   readonly closeBoard: (asker: Asker) => Promise<void>;
   readonly openSimulator: (link: SimulatorLink, asker: Asker) => Promise<void>;

@@ -8,6 +8,7 @@ import { type CommandEntry, type CommandStore, shown } from "./commands";
 import type { Connection, ConnectionStore } from "./connection";
 import type { BoardConsole, ConsoleLog } from "./console";
 import type { FrameActions } from "./frame";
+import type { GamepadDesk, Gamepads } from "./gamepads";
 import type { Inspector } from "./inspector";
 import type { MapLayerActions, MapLayers } from "./mapLayers";
 import type { MapSelectionStore } from "./mapSelection";
@@ -33,6 +34,7 @@ export interface Page {
   readonly frame: FrameActions;
   readonly alarmBook: AlarmBook;
   readonly servos: ServoDesk;
+  readonly gamepads: GamepadDesk;
   readonly boardConsole: BoardConsole;
   readonly inspector: Inspector;
   readonly parameters: ParameterActions;
@@ -74,6 +76,11 @@ export function usePlans<T>(select: (plans: Plans) => T): T {
 
 export function useTracks<T>(select: (tracks: Tracks) => T): T {
   return useSelected(usePage().trackBook.store, select);
+}
+
+/** The gamepads of this browser; their positions are painted, see `GamepadDesk.watch`. */
+export function useGamepads<T>(select: (gamepads: Gamepads) => T): T {
+  return useSelected(usePage().gamepads.store, select);
 }
 
 /** What is chosen on the map. */

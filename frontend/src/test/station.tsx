@@ -12,6 +12,7 @@ import { type Page, PageContext } from "../store/hooks";
 import type { Shelf } from "../store/settings";
 import { installCanvas } from "./canvas";
 import { HandFrames } from "./frames";
+import { HandGamepads } from "./gamepads";
 import { HandSounder, HandSpeaker } from "./sound";
 import { aStatus } from "./status";
 import { HandTimers, HandWire } from "./wire";
@@ -43,6 +44,7 @@ export class Station {
   readonly frames = new HandFrames();
   readonly sounder = new HandSounder();
   readonly speaker = new HandSpeaker();
+  readonly gamepads = new HandGamepads();
   readonly wires: HandWire[] = [];
   readonly asked: Asked[] = [];
   readonly clients: Array<string | null> = [];
@@ -70,6 +72,7 @@ export class Station {
       tabShelf: new MemoryShelf(),
       sounder: this.sounder,
       speaker: this.speaker,
+      gamepads: this.gamepads,
       saveFile: (name, content) => this.saved.push({ name, content }),
     };
     const { page, start } = createPage(world);

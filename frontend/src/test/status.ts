@@ -41,7 +41,11 @@ export function aStatus(parts: Partial<Status> = {}): Status {
       percent: 22.4,
       hil_round_trip_ms: { newest: 9.8, p50: 9.9, p99: 12.5 },
     },
-    hil: { source: "joystick", path: "assisted" },
+    hil: {
+      source: "joystick",
+      path: "assisted",
+      stick: { source: "simulator", state: null, client: null, name: null, gamepad: null },
+    },
     control: { client: "c1", name: "127.0.0.1" },
     recording: { active: true, failure: null, file: "data/recordings/flight.mcap", bytes: 61_500_000 },
     topics: { ahrs: { count: 100, stale_after_s: 0.3 }, heartbeat: { count: 100, stale_after_s: 0.3 } },

@@ -4,6 +4,8 @@ import type { Timers, Wire, WireListener } from "../transport/socket";
 export class HandWire implements Wire {
   readonly sent: string[] = [];
   closed = false;
+  /** Bytes that wait in the browser. */
+  waiting_bytes = 0;
   readonly #listener: WireListener;
 
   constructor(listener: WireListener) {
@@ -13,6 +15,8 @@ export class HandWire implements Wire {
   readonly send = (text: string): void => {
     this.sent.push(text);
   };
+
+  readonly unsent_bytes = (): number => this.waiting_bytes;
 
   readonly close = (): void => {
     this.closed = true;

@@ -4,6 +4,8 @@ import { parseMessage } from "../protocol/envelope";
 /** One connection, as a browser's WebSocket is. */
 export interface Wire {
   readonly send: (text: string) => void;
+  /** Bytes that were sent and have not left this computer's browser. */
+  readonly unsent_bytes: () => number;
   readonly close: () => void;
 }
 
@@ -70,6 +72,14 @@ export class StreamSocket {
   stop(): void {
     this.#stopped = true;
     this.#hangUp();
+  }
+
+  /** Send what is worth nothing later: where something waits already, or the line is not well, it is left out. */
+  offer(text: string): void {
+    const wire = this.#wire;
+    if (wire !== null && this.#state.kind === "open" && wire.unsent_bytes() === 0) {
+      wire.send(text);
+    }
   }
 
   #dial(): void {

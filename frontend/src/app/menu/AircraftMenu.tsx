@@ -1,6 +1,8 @@
 import { useTranslation } from "react-i18next";
-import { useBoardBlocked } from "../../live/useBlocked";
+import { useBoardBlocked, useGatewayBlocked } from "../../live/useBlocked";
+import { useGamepadBlocked, useStickIsMine, useStickKind } from "../../live/useStick";
 import { usePage, useTelemetry } from "../../store/hooks";
+import { choose } from "../../store/settings";
 import { Menu, MenuAction, MenuGroup, MenuRule } from "../../ui/MenuBar";
 import { type Source, useSource } from "../useSource";
 import { CommandItem, useOutcome } from "./items";
@@ -15,6 +17,10 @@ export function AircraftMenu() {
     <Menu label={t("menu.aircraft")}>
       <SourceItem source="rc" label={t("menu.planeRc")} />
       <SourceItem source="joystick" label={t("menu.planeJoystick")} />
+      <MenuRule />
+      <MenuGroup label={t("gamepad.stick")}>
+        <StickItems />
+      </MenuGroup>
       <MenuRule />
       <MenuGroup label={t("menu.servosOut")}>
         <ServosMode />
@@ -34,6 +40,33 @@ function SourceItem({ source, label }: { source: Source; label: string }) {
       onChoose={() => void actions.setHil({ source }, { control: "source", asked: source })}
       {...useOutcome("source", source)}
     />
+  );
+}
+
+/** Where the stick comes from while the source is the joystick. */
+function StickItems() {
+  const { t } = useTranslation();
+  const { gamepads, settings } = usePage();
+  const kind = useStickKind();
+  const isMine = useStickIsMine();
+  return (
+    <>
+      <MenuAction
+        label={t("gamepad.simulator")}
+        isCurrent={kind === "simulator"}
+        disabledReason={useGatewayBlocked()}
+        onChoose={() => void gamepads.flySimulator({ control: "stick", asked: "simulator" })}
+        {...useOutcome("stick", "simulator")}
+      />
+      <MenuAction
+        label={t("gamepad.browser")}
+        isCurrent={isMine}
+        disabledReason={useGamepadBlocked()}
+        onChoose={() => void gamepads.fly({ control: "stick", asked: "gamepad" })}
+        {...useOutcome("stick", "gamepad")}
+      />
+      <MenuAction label={t("gamepad.adjust")} onChoose={() => choose(settings, "tab", "setup")} />
+    </>
   );
 }
 

@@ -18,7 +18,7 @@ const manual = { source: "joystick", path: "manual" } as const;
 
 function status(ahrs_test: "off" | "running" = "off") {
   const before = aStatus();
-  return aStatus({ hil: manual, board: { ...before.board, ahrs_test } });
+  return aStatus({ hil: { ...before.hil, ...manual }, board: { ...before.board, ahrs_test } });
 }
 
 /** The tab alone: nothing of the window round it is needed. */
@@ -119,7 +119,7 @@ describe("the AHRS test", () => {
     ["an autopilot is on", { autopilot_hil: true }, "manual"],
     ["the board moves the simulator", {}, "assisted"],
   ] as const)("is not offered while %s", (_, flags, path) => {
-    station.status(aStatus({ hil: { source: "joystick", path } }));
+    station.status(aStatus({ hil: { ...aStatus().hil, source: "joystick", path } }));
     station.send({ heartbeat: { ahrs: true, ...flags } });
     const start = button("Empezar la prueba AHRS");
     expect(start.getAttribute("aria-disabled")).toBe("true");

@@ -3,6 +3,7 @@ import { RawLine } from "./RawLine";
 import { RowTable } from "./RowTable";
 import "./setup.css";
 import { SimulatorLink } from "./SimulatorLink";
+import { StickPanel } from "./StickPanel";
 
 /** "Setup": the two lines of the station, to the board and to the simulator, and what goes over them as it is. */
 export function SetupView() {
@@ -10,6 +11,7 @@ export function SetupView() {
     <div className="setup">
       <BoardLink />
       <SimulatorLink />
+      <StickPanel />
       <RawLine />
       <RowTable />
     </div>
