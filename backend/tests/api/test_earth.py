@@ -121,7 +121,7 @@ def test_a_client_that_follows_the_link_sees_the_aircraft_fly_each_second(emulat
 
 
 def test_everything_that_the_link_leads_to_is_in_its_language(emulated: Gateway) -> None:
-    for lang, aircraft, track in (("es", "Aeronave", "Track HIL"), ("en", "Aircraft", "HIL track")):
+    for lang, aircraft, track in (("es", "Aeronave", "Recorrido HIL"), ("en", "Aircraft", "HIL track")):
         data = get(emulated, f"/earth.kml?lang={lang}")
         found = texts(data, "name")
         for href in texts(data, "href"):

@@ -27,8 +27,8 @@ class Words(NamedTuple):
 WORDS: Final[dict[Language, Words]] = {
     "es": Words(
         station="EPF GCS",
-        track="Track",
-        hil_track="Track HIL",
+        track="Recorrido",
+        hil_track="Recorrido HIL",
         plan="Plan de vuelo",
         hil_plan="Plan de vuelo HIL",
         aircraft="Aeronave",
