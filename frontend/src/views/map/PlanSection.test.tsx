@@ -172,6 +172,9 @@ test("an aircraft's values are in its card, stale when they are old; one never h
   station.show();
   const card = screen.getByRole("region", { name: "Avión HIL" });
   expect(card.textContent).toContain("27.900000");
+  // Where it flies to and where its nose points are two angles.
+  expect(card.textContent).toContain("Rumbo sobre el suelo");
+  expect(card.textContent).toContain("Heading");
   const latitude = within(card).getByText("Latitud").closest(".ui-readout");
   expect(latitude?.getAttribute("data-state")).toBe("live");
   station.pass(5000);

@@ -111,7 +111,7 @@ function FlightValues() {
           topic="gps"
           field="heading_deg"
           format={heading}
-          label={t("plans.bearing")}
+          label={t("map.plan.course")}
           unit={t("unit.deg")}
         />
         <LiveReadout topic="gps" field="satellites" format={whole} label={t("map.plan.satellites")} />
@@ -185,7 +185,7 @@ function HilValues() {
           topic="simulator"
           field="horizontal_path_deg"
           format={heading}
-          label={t("plans.bearing")}
+          label={t("map.plan.course")}
           unit={t("unit.deg")}
         />
         <LiveReadout
