@@ -71,7 +71,7 @@ export function createGamepadDesk(parts: Parts): {
   /** The gateway takes this page's gamepad for the stick. */
   function flies(): boolean {
     const { phase, status, client } = connection.getState();
-    return phase === "open" && client !== null && status?.hil.stick.client === client;
+    return phase === "open" && client !== null && status?.hil.stick?.client === client;
   }
 
   function mappingOf(pad: Pad): StickMapping {
@@ -81,7 +81,7 @@ export function createGamepadDesk(parts: Parts): {
   /** The selected one where it is there; another takes its place only while none flies. */
   function choosePad(pads: readonly Pad[]): Pad | null {
     const { selected } = store.getState();
-    const flown = flies() ? connection.getState().status?.hil.stick.gamepad : null;
+    const flown = flies() ? connection.getState().status?.hil.stick?.gamepad : null;
     const wanted = selected?.id ?? flown;
     const same = pads.filter(({ id }) => id === wanted);
     const found = same.find(({ index }) => index === selected?.index) ?? same[0];

@@ -1,5 +1,16 @@
 import { expect, test } from "vitest";
-import { dictionary, isFlag, isNumber, isObject, isText, list, nullable, oneOf, shape } from "./check";
+import {
+  dictionary,
+  isFlag,
+  isNumber,
+  isObject,
+  isText,
+  list,
+  nullable,
+  oneOf,
+  optional,
+  shape,
+} from "./check";
 
 const isPort = shape({
   device: isText,
@@ -8,6 +19,7 @@ const isPort = shape({
   tags: list(isText),
   counts: dictionary(isNumber),
   open: isFlag,
+  added: optional(isText),
 });
 const port = {
   device: "/dev/ttyUSB0",
@@ -21,6 +33,11 @@ const port = {
 test("a value with all its fields passes, with fields of a newer gateway too", () => {
   expect(isPort(port)).toBe(true);
   expect(isPort({ ...port, baud: null, added_later: 1 })).toBe(true);
+});
+
+test("what an older gateway does not tell may be missing, and is of its type where it is there", () => {
+  expect(isPort({ ...port, added: "since then" })).toBe(true);
+  expect(isPort({ ...port, added: 1 })).toBe(false);
 });
 
 test.each([

@@ -23,7 +23,8 @@ export function useStickKind(): StickKind | null {
 /** The stick is a gamepad at this page. */
 export function useStickIsMine(): boolean {
   return useConnection(
-    ({ phase, status, client }) => phase === "open" && client !== null && status?.hil.stick.client === client,
+    ({ phase, status, client }) =>
+      phase === "open" && client !== null && status?.hil.stick?.client === client,
   );
 }
 

@@ -7,6 +7,7 @@ import {
   list,
   nullable,
   oneOf,
+  optional,
   shape,
 } from "../lib/check";
 import type { components } from "./api.gen";
@@ -58,13 +59,16 @@ export const isStatus = shape({
   hil: shape({
     source: nullable(oneOf("joystick", "rc")),
     path: oneOf("manual", "assisted"),
-    stick: shape({
-      source: oneOf("simulator", "gamepad"),
-      state: nullable(oneOf("live", "lost")),
-      client: nullable(isText),
-      name: nullable(isText),
-      gamepad: nullable(isText),
-    }),
+    // A gateway that runs on while its page is brought up to date may not know of it.
+    stick: optional(
+      shape({
+        source: oneOf("simulator", "gamepad"),
+        state: nullable(oneOf("live", "lost")),
+        client: nullable(isText),
+        name: nullable(isText),
+        gamepad: nullable(isText),
+      }),
+    ),
   }),
   control: shape({ client: nullable(isText), name: nullable(isText) }),
   recording: shape({ active: isFlag, file: nullable(isText), bytes: isNumber, failure: nullable(isText) }),

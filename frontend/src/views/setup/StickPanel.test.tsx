@@ -12,10 +12,12 @@ import { StickPanel } from "./StickPanel";
 let station: Station;
 const user = userEvent.setup();
 
+type Stick = NonNullable<Status["hil"]["stick"]>;
+const SIMULATOR: Stick = { source: "simulator", state: null, client: null, name: null, gamepad: null };
+
 /** The gateway's word on the stick. */
-function withStick(stick: Partial<Status["hil"]["stick"]>, others: Partial<Status> = {}): Status {
-  const { hil } = aStatus();
-  return aStatus({ hil: { ...hil, stick: { ...hil.stick, ...stick } }, ...others });
+function withStick(stick: Partial<Stick>, others: Partial<Status> = {}): Status {
+  return aStatus({ hil: { ...aStatus().hil, stick: { ...SIMULATOR, ...stick } }, ...others });
 }
 
 const MINE = { source: "gamepad", state: "live", client: "c1", name: "Torre", gamepad: "Test Pad" } as const;

@@ -90,8 +90,8 @@ function StickNotice() {
   const sentence = useSentence();
   const kind = useStickKind();
   const isMine = useStickIsMine();
-  const gamepad = useConnection(({ status }) => status?.hil.stick.gamepad ?? "");
-  const name = useConnection(({ status }) => status?.hil.stick.name ?? "");
+  const gamepad = useConnection(({ status }) => status?.hil.stick?.gamepad ?? "");
+  const name = useConnection(({ status }) => status?.hil.stick?.name ?? "");
   const blocked = useGamepadBlocked();
   const refusal = useCommandEntry("stick")?.message ?? null;
   if (refusal?.level === "error") {
