@@ -35,6 +35,9 @@ export const MENUS: readonly Menu[] = [
       item("Plane RC", "actionPlane_RC"),
       // Last of the two: with RC as source the transmitter's own switches decide, and the autopilot's entries are off.
       item("Plane Joystick", "actionPlane_Joystick"),
+      { role: "menuitem", name: "Joystick de X-Plane (filas 8 y 25)" },
+      { role: "menuitem", name: "Mando de este navegador" },
+      { role: "menuitem", name: "Ajustar el mando…" },
       { ...item("Fly-by-wire", "actionServos_Control_Mode_FBW"), group: "Control ServosOut" },
       { ...item("HIL", "actionServos_Control_Mode_HIL"), group: "Control ServosOut" },
     ],

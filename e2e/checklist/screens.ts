@@ -205,6 +205,7 @@ export const SCREENS: readonly Screen[] = [
       { role: "textbox", name: "Puerto Rx" },
       { role: "button", name: "Open", count: 2 },
       { role: "button", name: "Close", count: 2 },
+      { role: "region", name: "Palanca del piloto", reads: ["Joystick de X-Plane", "Mando de este navegador"] },
       { role: "region", name: "Envío y recepción de mensajes por el puerto serie" },
       { role: "textbox", name: "Línea para la placa" },
       { role: "button", name: "Enviar" },

@@ -88,6 +88,12 @@ export class Station {
     return (await this.request("GET", "telemetry"))[topic].values[name];
   }
 
+  /** Elevator, aileron and rudder as the simulator has them, to two decimals. */
+  async surfaces(): Promise<number[]> {
+    const { rows } = (await this.request("GET", "telemetry")).xplane_rows.values;
+    return rows["11"].slice(0, 3).map((value: number) => Number(value.toFixed(2)));
+  }
+
   async killGateway(): Promise<void> {
     await this.programs.gateway.stop("SIGKILL");
   }
