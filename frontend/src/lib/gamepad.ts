@@ -33,7 +33,7 @@ export type StickMapping = Readonly<Record<StickAxis, AxisMapping>>;
 
 export const MAX_DEAD_ZONE = 0.5;
 /** Further out than this no axis rests: somebody holds it. */
-const FARTHEST_REST = 0.3;
+const FARTHEST_REST = 0.2;
 /** So far an axis must be moved to be meant: more than a hand trembles, less than a worn stick can do. */
 const MEANT = 0.5;
 

@@ -34,7 +34,7 @@ export function StickAxisRow({ axis }: { axis: StickAxis }) {
       <Button
         onPress={() => gamepads.assign(isAssigning ? null : axis)}
         pressed={isAssigning}
-        label={t("gamepad.assignAxis", { axis: name })}
+        label={t(isAssigning ? "gamepad.cancelAxis" : "gamepad.assignAxis", { axis: name })}
       >
         {isAssigning ? t("dialog.cancel") : t("gamepad.assign")}
       </Button>
@@ -53,7 +53,7 @@ export function StickAxisRow({ axis }: { axis: StickAxis }) {
         placeholder={t("gamepad.percent", { percent })}
         onChange={(value) => gamepads.change(axis, { deadZone: Number(value) / 100 })}
       />
-      {axis === "throttle" && input?.startsWith("a") ? (
+      {axis === "throttle" && input?.startsWith("a") === true && (
         <Select
           label={t("gamepad.way")}
           options={[
@@ -64,8 +64,6 @@ export function StickAxisRow({ axis }: { axis: StickAxis }) {
           placeholder={t("gamepad.lever")}
           onChange={(value) => gamepads.change(axis, { springs: value === "springs" })}
         />
-      ) : (
-        <span />
       )}
     </fieldset>
   );
