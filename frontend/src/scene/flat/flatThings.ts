@@ -47,12 +47,10 @@ export function drawPlan(
   words: Words,
 ): void {
   const pens = pensOf(whose);
-  for (const { kind, points } of linesOf(plan)) {
+  for (const { kind, places } of linesOf(plan)) {
     const pen = pens[kind];
     if (pen !== undefined) {
-      const seen = points.map(([longitude_deg, latitude_deg]) =>
-        toScreen(view, { latitude_deg, longitude_deg }),
-      );
+      const seen = places.map((place) => toScreen(view, place));
       drawLine(context, seen, pen);
     }
   }

@@ -15,7 +15,7 @@ import { FrameBudget } from "../frameBudget";
 import { drawsInSoftware, FrameCost } from "../graphics";
 import { globeLimits, softwareScale } from "./budget";
 import { Ground } from "./ground";
-import { setQuality, setScale } from "./quality";
+import { hastenTiles, setQuality, setScale } from "./quality";
 
 /** The one day that the globe shows: without day and night there is nothing to fetch for another. */
 const NOON = "2026-06-21T13:00:00Z";
@@ -91,6 +91,9 @@ export class Globe {
     this.scene.backgroundColor = Color.fromCssColorString(SKY);
     this.scene.canvas.classList.add("globe-picture");
     this.#copied = this.isSoftware ? this.#seenBy(this.scene.canvas) : null;
+    if (this.isSoftware) {
+      hastenTiles(this.scene);
+    }
     this.#cost = new FrameCost(this.scene.canvas.getContext("webgl2"), "globe.frame");
     this.#budget = new FrameBudget(this.isSoftware, globeLimits(this.isSoftware));
     this.ground = new Ground(this);
@@ -110,6 +113,11 @@ export class Globe {
   /** Frames drawn since it was made. */
   get drawn(): number {
     return this.#drawn;
+  }
+
+  /** Something has just been moving in it: drawn by the processor alone, it is coarser than at rest. */
+  get isMoving(): boolean {
+    return this.#isCoarse;
   }
 
   /** Show it in `host`; it is drawn only while it is shown. */

@@ -5,22 +5,14 @@ import {
   HorizontalOrigin,
   LabelCollection,
   PointPrimitiveCollection,
-  PolylineCollection,
   VerticalOrigin,
 } from "@cesium/engine";
 import { METRES_PER_FOOT } from "../../lib/units";
 import type { Globe } from "../globe/Globe";
 import { LETTERING, STRONG_FONT, THROUGH_GROUND_M } from "../lettering";
+import { RibbonLines } from "../ribbon/RibbonLines";
 import { type Dot, type DrawnPlan, dotsOf, linesOf } from "./shape";
-import {
-  ACTIVE_COLOUR,
-  EDGE_COLOUR,
-  type MakeMaterial,
-  materialsOf,
-  PLAN_COLOUR,
-  type PlanKind,
-  UNSENT_COLOUR,
-} from "./style";
+import { ACTIVE_COLOUR, EDGE_COLOUR, looksOf, PLAN_COLOUR, type PlanKind, UNSENT_COLOUR } from "./style";
 
 const LABEL = {
   ...LETTERING,
@@ -33,8 +25,8 @@ const LABEL = {
 export class PlanLayer {
   readonly #globe: Globe;
   readonly #colour: Color;
-  readonly #materialOf: MakeMaterial;
-  readonly #lines = new PolylineCollection();
+  readonly #looks: ReturnType<typeof looksOf>;
+  readonly #lines: RibbonLines;
   readonly #dots = new PointPrimitiveCollection();
   readonly #labels = new LabelCollection();
   #plan: DrawnPlan | null = null;
@@ -42,9 +34,9 @@ export class PlanLayer {
   constructor(globe: Globe, kind: PlanKind) {
     this.#globe = globe;
     this.#colour = PLAN_COLOUR[kind];
-    this.#materialOf = materialsOf(kind);
+    this.#looks = looksOf(kind);
+    this.#lines = new RibbonLines(globe);
     const { primitives } = globe.scene;
-    primitives.add(this.#lines);
     primitives.add(this.#dots);
     primitives.add(this.#labels);
   }
@@ -59,29 +51,20 @@ export class PlanLayer {
       return;
     }
     this.#plan = plan;
-    this.#lines.removeAll();
     this.#dots.removeAll();
     this.#labels.removeAll();
-    for (const { kind, width, points } of plan === null ? [] : linesOf(plan)) {
-      this.#lines.add({
-        positions: points.map(([longitude, latitude, altitude_m]) =>
-          Cartesian3.fromDegrees(longitude, latitude, altitude_m),
-        ),
-        width,
-        material: this.#materialOf(kind),
-      });
-    }
+    const lines = plan === null ? [] : linesOf(plan);
+    this.#lines.show(lines.map(({ kind, places }) => ({ look: this.#looks[kind], places })));
     for (const dot of plan === null ? [] : dotsOf(plan)) {
       this.#mark(dot);
     }
-    this.#globe.requestRender();
   }
 
   dispose(): void {
     const { primitives } = this.#globe.scene;
-    for (const part of [this.#lines, this.#dots, this.#labels]) {
-      primitives.remove(part);
-    }
+    this.#lines.dispose();
+    primitives.remove(this.#dots);
+    primitives.remove(this.#labels);
     this.#globe.requestRender();
   }
 

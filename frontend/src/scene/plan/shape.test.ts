@@ -32,17 +32,17 @@ describe("the lines of a plan", () => {
 
   test("lie at the waypoints' altitudes in metres; stems go down to the sea", () => {
     const lines = linesOf(drawn());
-    expect(lines[0]?.points[0]).toEqual([-15.37, 27.95, 700 * 0.3048]);
-    expect(lines[2]?.points.every(([, , altitude_m]) => altitude_m === 700 * 0.3048)).toBe(true);
-    expect(lines[5]?.points).toEqual([
-      [-15.37, 27.95, 0],
-      [-15.37, 27.95, 700 * 0.3048],
-    ]);
+    const top = { longitude_deg: -15.37, latitude_deg: 27.95, altitude_m: 700 * 0.3048 };
+    expect(lines[0]?.places[0]).toEqual(top);
+    expect(lines[2]?.places.every(({ altitude_m }) => altitude_m === top.altitude_m)).toBe(true);
+    expect(lines[5]?.places).toEqual([{ ...top, altitude_m: 0 }, top]);
   });
 
   test("lead from the last waypoint to the first where the plan is a loop", () => {
     const [closing] = linesOf(drawn({ loops: true }));
-    expect([closing?.points[0]?.[0], closing?.points.at(-1)?.[0]]).toEqual([-15.39, -15.37]);
+    expect([closing?.places[0], closing?.places.at(-1)].map((place) => place?.longitude_deg)).toEqual([
+      -15.39, -15.37,
+    ]);
   });
 
   test("make the leg that is flown stand out, with the circle at its end", () => {

@@ -1,6 +1,6 @@
-import type { Position } from "../../lib/geodesy";
 import { captureRadius_m, type Waypoint } from "../../lib/plan";
 import { METRES_PER_FOOT } from "../../lib/units";
+import type { Place } from "../ribbon/vertices";
 import { legPoints, type Point, ring } from "./geometry";
 
 /** A plan as it is to be seen on the globe. */
@@ -30,11 +30,9 @@ export type LineKind =
   | "stem"
   | "selectedStem";
 
-/** A line in space: degrees, and metres above mean sea level. */
 export interface Line {
   readonly kind: LineKind;
-  readonly width: number;
-  readonly points: ReadonlyArray<readonly [longitude_deg: number, latitude_deg: number, altitude_m: number]>;
+  readonly places: readonly Place[];
 }
 
 export interface Dot {
@@ -47,16 +45,6 @@ export interface Dot {
 
 /** Corners of a capture circle: a chord is nowhere more than half a metre in 200 inside of it. */
 const CORNERS = 48;
-const WIDTH: Readonly<Record<LineKind, number>> = {
-  leg: 3,
-  unsentLeg: 3,
-  activeLeg: 8,
-  oldLeg: 2,
-  ring: 1.5,
-  activeRing: 3,
-  stem: 1.5,
-  selectedStem: 4,
-};
 
 /** Every line of a plan. Where a plan is being edited, the board's is drawn too, and what is flown to belongs to it. */
 export function linesOf(plan: DrawnPlan): readonly Line[] {
@@ -111,24 +99,20 @@ function legsOf(waypoints: readonly Waypoint[], loops: boolean): readonly LegEnd
 }
 
 function leg(kind: LineKind, from: Waypoint, to: Waypoint): Line {
-  return { kind, width: WIDTH[kind], points: legPoints(from, to).map(inSpace) };
+  return { kind, places: legPoints(from, to).map(inSpace) };
 }
 
 function circle(waypoint: Waypoint, kind: "ring" | "activeRing"): Line {
-  const places = ring(waypoint, captureRadius_m(waypoint.speed_kt), CORNERS);
+  const around = ring(waypoint, captureRadius_m(waypoint.speed_kt), CORNERS);
   const { altitude_ft } = waypoint;
-  return { kind, width: WIDTH[kind], points: places.map((place) => inSpace({ ...place, altitude_ft })) };
+  return { kind, places: around.map((place) => inSpace({ ...place, altitude_ft })) };
 }
 
 /** Down to the sea: with terrain the ground itself hides what is below it. */
 function stem(waypoint: Waypoint, kind: "stem" | "selectedStem"): Line {
-  return { kind, width: WIDTH[kind], points: [onTheSea(waypoint), inSpace(waypoint)] };
+  return { kind, places: [inSpace({ ...waypoint, altitude_ft: 0 }), inSpace(waypoint)] };
 }
 
-function onTheSea({ longitude_deg, latitude_deg }: Position): readonly [number, number, number] {
-  return [longitude_deg, latitude_deg, 0];
-}
-
-function inSpace({ longitude_deg, latitude_deg, altitude_ft }: Point): readonly [number, number, number] {
-  return [longitude_deg, latitude_deg, altitude_ft * METRES_PER_FOOT];
+function inSpace({ longitude_deg, latitude_deg, altitude_ft }: Point): Place {
+  return { longitude_deg, latitude_deg, altitude_m: altitude_ft * METRES_PER_FOOT };
 }

@@ -1,6 +1,7 @@
-import { Color, Material } from "@cesium/engine";
+import { Color } from "@cesium/engine";
 import type { Whose } from "../../lib/mapThing";
 import { EDGE, PLAN, STRONG, UNSENT } from "../colours";
+import type { LineLook } from "../ribbon/RibbonLines";
 import type { LineKind } from "./shape";
 
 export type PlanKind = Whose;
@@ -12,35 +13,20 @@ export const PLAN_COLOUR: Readonly<Record<PlanKind, Color>> = {
 export const UNSENT_COLOUR = Color.fromCssColorString(UNSENT);
 export const ACTIVE_COLOUR = Color.fromCssColorString(STRONG);
 export const EDGE_COLOUR = Color.fromCssColorString(EDGE);
+const DASH_PX = 9;
 
-/** Makes the material of a kind of line: a line owns its own, and takes it along when it goes. */
-export type MakeMaterial = (kind: LineKind) => Material;
-
-/** The real plan is drawn through, the simulator's is dashed: told apart without colours too. */
-export function materialsOf(plan: PlanKind): MakeMaterial {
+/** How each kind of line looks: the real plan is drawn through, the simulator's is dashed, told apart without colours too. */
+export function looksOf(plan: PlanKind): Readonly<Record<LineKind, LineLook>> {
   const colour = PLAN_COLOUR[plan];
-  const line = (color: Color): Material =>
-    plan === "hil"
-      ? Material.fromType(Material.PolylineDashType, { color, gapColor: Color.TRANSPARENT, dashLength: 18 })
-      : plain(color);
-  const made: Readonly<Record<LineKind, () => Material>> = {
-    leg: () => line(colour),
-    unsentLeg: () => line(UNSENT_COLOUR),
-    activeLeg: () =>
-      Material.fromType(Material.PolylineOutlineType, {
-        color: colour,
-        outlineColor: ACTIVE_COLOUR,
-        outlineWidth: 2,
-      }),
-    oldLeg: () => line(colour.withAlpha(0.45)),
-    ring: () => plain(colour.withAlpha(0.7)),
-    activeRing: () => plain(ACTIVE_COLOUR),
-    stem: () => plain(colour.withAlpha(0.55)),
-    selectedStem: () => plain(ACTIVE_COLOUR),
+  const dashes = plan === "hil" && { dash_px: DASH_PX };
+  return {
+    leg: { colour, width_px: 3, ...dashes },
+    unsentLeg: { colour: UNSENT_COLOUR, width_px: 3, ...dashes },
+    activeLeg: { colour, width_px: 8, edge: { colour: ACTIVE_COLOUR, width_px: 1.5 } },
+    oldLeg: { colour: colour.withAlpha(0.45), width_px: 2, ...dashes },
+    ring: { colour: colour.withAlpha(0.7), width_px: 1.5 },
+    activeRing: { colour: ACTIVE_COLOUR, width_px: 3 },
+    stem: { colour: colour.withAlpha(0.55), width_px: 1.5 },
+    selectedStem: { colour: ACTIVE_COLOUR, width_px: 4 },
   };
-  return (kind) => made[kind]();
-}
-
-function plain(color: Color): Material {
-  return Material.fromType(Material.ColorType, { color });
 }

@@ -1,16 +1,11 @@
-import {
-  Cartesian2,
-  Cartesian3,
-  Color,
-  LabelCollection,
-  Material,
-  PointPrimitiveCollection,
-  PolylineCollection,
-} from "@cesium/engine";
+import { Cartesian2, Cartesian3, Color, LabelCollection, PointPrimitiveCollection } from "@cesium/engine";
+import type { Position } from "../../lib/geodesy";
 import { EDGE, MEASURE } from "../colours";
 import type { Globe } from "../globe/Globe";
 import { LETTERING, THROUGH_GROUND_M } from "../lettering";
 import { legPoints } from "../plan/geometry";
+import { type LineLook, type RibbonLine, RibbonLines } from "../ribbon/RibbonLines";
+import type { Place } from "../ribbon/vertices";
 import type { GroundPlace } from "./MapPointer";
 
 export interface MeasuredPlace extends GroundPlace {
@@ -18,6 +13,7 @@ export interface MeasuredPlace extends GroundPlace {
 }
 
 const COLOUR = Color.fromCssColorString(MEASURE);
+const LOOK: LineLook = { colour: COLOUR, width_px: 3 };
 const EDGE_COLOUR = Color.fromCssColorString(EDGE);
 /** So far over the ground the line is drawn, metres: in it, it would flicker. */
 const OVER_GROUND_M = 3;
@@ -26,33 +22,29 @@ const OFFSET = new Cartesian2(10, -12);
 /** The line of the distance tool along the ground, with its length at each corner. */
 export class DistanceLine {
   readonly #globe: Globe;
-  readonly #lines = new PolylineCollection();
+  readonly #lines: RibbonLines;
   readonly #dots = new PointPrimitiveCollection();
   readonly #labels = new LabelCollection();
 
   constructor(globe: Globe) {
     this.#globe = globe;
-    for (const part of [this.#lines, this.#dots, this.#labels]) {
-      globe.scene.primitives.add(part);
-    }
+    this.#lines = new RibbonLines(globe);
+    globe.scene.primitives.add(this.#dots);
+    globe.scene.primitives.add(this.#labels);
   }
 
   show(places: readonly MeasuredPlace[]): void {
-    this.#lines.removeAll();
+    const lines: RibbonLine[] = [];
     this.#dots.removeAll();
     this.#labels.removeAll();
     for (const [index, to] of places.entries()) {
       const from = places[index - 1];
-      const position = inSpace(to.longitude_deg, to.latitude_deg, to.height_m);
+      const place = overGround(to, to.height_m);
+      const position = Cartesian3.fromDegrees(place.longitude_deg, place.latitude_deg, place.altitude_m);
       if (from !== undefined) {
         const way = legPoints({ ...from, altitude_ft: 0 }, { ...to, altitude_ft: 0 });
-        this.#lines.add({
-          positions: way.map((place, step) =>
-            inSpace(place.longitude_deg, place.latitude_deg, step === 0 ? from.height_m : to.height_m),
-          ),
-          width: 3,
-          material: Material.fromType(Material.ColorType, { color: COLOUR }),
-        });
+        const places = way.map((on, step) => overGround(on, step === 0 ? from.height_m : to.height_m));
+        lines.push({ look: LOOK, places });
       }
       this.#dots.add({
         position,
@@ -70,17 +62,16 @@ export class DistanceLine {
         pixelOffset: OFFSET,
       });
     }
-    this.#globe.requestRender();
+    this.#lines.show(lines);
   }
 
   dispose(): void {
-    for (const part of [this.#lines, this.#dots, this.#labels]) {
-      this.#globe.scene.primitives.remove(part);
-    }
-    this.#globe.requestRender();
+    this.#lines.dispose();
+    this.#globe.scene.primitives.remove(this.#dots);
+    this.#globe.scene.primitives.remove(this.#labels);
   }
 }
 
-function inSpace(longitude_deg: number, latitude_deg: number, height_m: number | null): Cartesian3 {
-  return Cartesian3.fromDegrees(longitude_deg, latitude_deg, (height_m ?? 0) + OVER_GROUND_M);
+function overGround({ longitude_deg, latitude_deg }: Position, height_m: number | null): Place {
+  return { longitude_deg, latitude_deg, altitude_m: (height_m ?? 0) + OVER_GROUND_M };
 }

@@ -1,13 +1,24 @@
-import { BoundingSphere, Cartesian3, Cartesian4, type RendererFrame } from "@cesium/engine";
+import { BoundingSphere, Cartesian3, Cartesian4, Intersect, type RendererFrame } from "@cesium/engine";
 import { tellTiming } from "../../lib/timing";
-import { COLOURINGS, type Colouring, type Range, rgb, SCALES, UNKNOWN_COLOUR } from "../../lib/track/colours";
+import { METRES_PER_UNIT } from "../../lib/track/block";
+import {
+  COLOURINGS,
+  type Colouring,
+  rgb,
+  SCALES,
+  type Range as Scale,
+  UNKNOWN_COLOUR,
+} from "../../lib/track/colours";
 import type { TrackPoints } from "../../lib/track/points";
 import { ThinnedTrack } from "../../lib/track/thinnedTrack";
+import type { Thinned } from "../../lib/track/thinning";
 import type { Globe } from "../globe/Globe";
+import { downToTheSea } from "../ribbon/ball";
+import { Ribbon, type RibbonStyle } from "../ribbon/Ribbon";
+import { type Range, rangesOf } from "../ribbon/ranges";
+import { boundsOf } from "../ribbon/vertices";
 import { type Eye, TrackBody } from "./body";
-import { Ribbon, type RibbonStyle } from "./Ribbon";
 import { type Tip, TrackTail } from "./tail";
-import { ballOf } from "./vertices";
 
 /** A track on the globe: its own colour where values do not colour it, and that of its edge. */
 export interface TrackKind {
@@ -20,13 +31,21 @@ export interface TrackKind {
 export interface TrackLook {
   readonly colouring: Colouring;
   /** What the scale stands for, metres or metres a second; null while nothing is known. */
-  readonly range: Range | null;
+  readonly range: Scale | null;
   readonly hasCurtain: boolean;
 }
 
-const WIDTH_PX = 3;
-const CASING_PX = 5;
+const CORE_PX = 3;
+const WIDTH_PX = 5;
 const CURTAIN_OPACITY = 0.3;
+/**
+ * Where the processor draws alone, a picture that moves has a curtain under so many of the newest complete blocks: under
+ * the rounds of hours, curtains stand ten deep in every point of it. At rest all of it is drawn.
+ */
+const CURTAIN_BLOCKS = 8;
+/** So much of a pixel a line may stray from what was flown. */
+const STRAY_PX = 0.8;
+const SOFTWARE_STRAY_PX = 1.6;
 /** Share of its distance by which a rank brings a line nearer. */
 const RANK_STEP = 0.002;
 /** Levels of detail are made for so long between two frames of the instruments, and then they have their turn. */
@@ -34,8 +53,6 @@ const SLICE_MS = 4;
 const REST_MS = 12;
 /** Levels are chosen for so long in a frame; what is wrong by little has its turn in the next one. */
 const CHOOSE_MS = 0.7;
-/** From the ground to above everything that is flown. */
-const ROOM_M = 30_000;
 
 /** Tracks on the globe: each a line of frozen blocks and one of the newest points, with a curtain to the sea's level. */
 export class TrackLayer {
@@ -111,18 +128,28 @@ export class TrackLayer {
     const { camera, drawingBufferHeight } = this.#globe.scene;
     const { x, y, z } = camera.positionWC;
     const fovy = (camera.frustum as { readonly fovy?: number }).fovy ?? 1;
-    const eye = { x, y, z, pixel_rad: (2 * Math.tan(fovy / 2)) / Math.max(1, drawingBufferHeight) };
+    const pixel_rad = (2 * Math.tan(fovy / 2)) / Math.max(1, drawingBufferHeight);
+    const stray_rad = pixel_rad * (this.#globe.isSoftware ? SOFTWARE_STRAY_PX : STRAY_PX);
+    const eye = { x, y, z, stray_rad };
     const started_ms = performance.now();
     for (const drawn of this.#drawn.values()) {
       if (drawn.isVisible) {
         drawn.update(eye);
-        drawn.draw(frame, this.#look.hasCurtain);
+        drawn.draw(frame, this.#curtainBlocks());
       }
     }
     tellTiming("track.update", started_ms);
     if (this.#isThinning()) {
       this.#thinning ??= setTimeout(this.#thin, 0);
     }
+  }
+
+  /** Under how many of the newest complete blocks there is a curtain. */
+  #curtainBlocks(): number {
+    if (!this.#look.hasCurtain) {
+      return 0;
+    }
+    return this.#globe.isSoftware && this.#globe.isMoving ? CURTAIN_BLOCKS : Number.POSITIVE_INFINITY;
   }
 
   #isThinning(): boolean {
@@ -167,7 +194,7 @@ class DrawnTrack {
   readonly #body: TrackBody;
   readonly #tail: TrackTail;
   readonly #ribbons: { readonly body: Ribbon; readonly tail: Ribbon };
-  #surrounded: TrackBody["blocks"] | null = null;
+  readonly #balls = new WeakMap<Thinned, BoundingSphere>();
   readonly #spheres = { body: new BoundingSphere(), tail: new BoundingSphere() };
 
   constructor(points: TrackPoints, kind: TrackKind, look: () => TrackLook) {
@@ -211,25 +238,30 @@ class DrawnTrack {
     const end_ms = performance.now() + CHOOSE_MS;
     if (this.#body.choose(eye, () => performance.now() > end_ms)) {
       this.#ribbons.body.set(this.#body.vertices, this.#body.count);
-      this.#surround();
+      const balls = this.#body.blocks.map((block) => this.#ballOf(block));
+      BoundingSphere.fromBoundingSpheres(balls, this.#spheres.body);
     }
     if (this.#tail.update(this.tip)) {
       this.#ribbons.tail.set(this.#tail.vertices, this.#tail.count, this.#tail.changed);
-      this.#surroundTail();
+      downToTheSea(boundsOf(this.#tail.vertices, this.#tail.count), this.#spheres.tail);
     }
   }
 
-  draw(frame: RendererFrame, hasCurtain: boolean): void {
+  /** `curtainBlocks`: under so many of its newest complete blocks there is a curtain; 0: under nothing of it. */
+  draw(frame: RendererFrame, curtainBlocks: number): void {
     const { body, tail } = this.#ribbons;
-    // Part by part, so that no edge lies over the line where the two meet.
-    for (const part of ["casing", "line"] as const) {
-      body.draw(frame, part);
-      tail.draw(frame, part);
-    }
-    if (hasCurtain) {
+    const { blocks, starts, count } = this.#body;
+    const seen = blocks.map(
+      (block) => frame.cullingVolume.computeVisibility(this.#ballOf(block)) !== Intersect.OUTSIDE,
+    );
+    const rangesFrom = (first: number): readonly Range[] =>
+      rangesOf(starts, count, (index) => index >= first && seen[index] === true);
+    body.draw(frame, "line", rangesFrom(0));
+    tail.draw(frame, "line");
+    if (curtainBlocks > 0) {
       // Of curtains over each other the one drawn first is seen: the newest.
       tail.draw(frame, "curtain");
-      body.draw(frame, "curtain");
+      body.draw(frame, "curtain", rangesFrom(blocks.length - curtainBlocks));
     }
   }
 
@@ -238,27 +270,17 @@ class DrawnTrack {
     this.#ribbons.tail.destroy();
   }
 
-  #surround(): void {
-    if (this.#body.blocks === this.#surrounded) {
-      return;
+  #ballOf(thinned: Thinned): BoundingSphere {
+    const made = this.#balls.get(thinned);
+    if (made !== undefined) {
+      return made;
     }
-    this.#surrounded = this.#body.blocks;
-    const balls = this.#body.blocks.map(
-      ({ centre: [x, y, z], radius_m }) => new BoundingSphere(new Cartesian3(x, y, z), radius_m),
-    );
-    grow(this.#spheres.body, BoundingSphere.fromBoundingSpheres(balls));
+    const { block, centre, radius_m } = thinned;
+    const top_m = block.altitude_mm.reduce((one, other) => Math.max(one, other)) * METRES_PER_UNIT;
+    const ball = downToTheSea({ centre, radius_m, top_m });
+    this.#balls.set(thinned, ball);
+    return ball;
   }
-
-  #surroundTail(): void {
-    const { centre, radius_m } = ballOf(this.#tail.vertices, this.#tail.count);
-    grow(this.#spheres.tail, new BoundingSphere(new Cartesian3(...centre), radius_m));
-  }
-}
-
-/** The curtain reaches down to the ground. */
-function grow(into: BoundingSphere, sphere: BoundingSphere): void {
-  BoundingSphere.clone(sphere, into);
-  into.radius += ROOM_M;
 }
 
 function styleOf({ plain, casing, rank }: TrackKind, look: () => TrackLook): RibbonStyle {
@@ -269,9 +291,7 @@ function styleOf({ plain, casing, rank }: TrackKind, look: () => TrackLook): Rib
     return Cartesian4.fromElements(by, range?.least ?? 0, range?.most ?? 1, opacity, scale);
   };
   const vector = (colour: string): Cartesian3 => new Cartesian3(...rgb(colour));
-  const edge = new Cartesian4(...rgb(casing), 1);
-  const noEdge = new Cartesian4();
-  const [own, unknown] = [vector(plain), vector(UNKNOWN_COLOUR)];
+  const [own, edge, unknown] = [vector(plain), vector(casing), vector(UNKNOWN_COLOUR)];
   const scales = new Map(
     COLOURINGS.map((name) => [name, SCALES[name === "none" ? "height" : name].map(vector)] as const),
   );
@@ -283,9 +303,15 @@ function styleOf({ plain, casing, rank }: TrackKind, look: () => TrackLook): Rib
     u_colours: () => scales.get(look().colouring),
   };
   return {
-    line: { ...colours, u_width: () => WIDTH_PX, u_casing: () => noEdge },
-    casing: { ...colours, u_width: () => CASING_PX, u_casing: () => edge },
-    curtain: { ...colours, u_scale: scaleNow(CURTAIN_OPACITY) },
-    veil: 1 << rank,
+    line: {
+      ...colours,
+      u_width: () => WIDTH_PX,
+      u_core: () => CORE_PX,
+      u_edge: () => edge,
+      u_opacity: () => 1,
+      u_dash: () => 0,
+    },
+    isTranslucent: false,
+    curtain: { uniforms: { ...colours, u_scale: scaleNow(CURTAIN_OPACITY) }, veil: 1 << rank },
   };
 }

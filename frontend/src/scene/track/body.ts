@@ -1,20 +1,19 @@
 import type { ThinnedTrack } from "../../lib/track/thinnedTrack";
 import { PIECE_POINTS, type Thinned } from "../../lib/track/thinning";
-import { POINT_FLOATS, writePoint } from "./vertices";
+import { POINT_FLOATS } from "../ribbon/vertices";
+import { writePoint } from "./points";
 
-/** From where the track is seen: earth-centred metres, and the angle of one pixel of the picture in radians. */
+/** From where the track is seen: earth-centred metres, and the angle, radians, by which a line may stray from what was flown. */
 export interface Eye {
   readonly x: number;
   readonly y: number;
   readonly z: number;
-  readonly pixel_rad: number;
+  readonly stray_rad: number;
 }
 
 /** What the finest level strays; each further one may stray twice as much. */
 const FINEST_M = 0.05;
 const COARSEST = 24;
-/** So much of a pixel a line may stray from what was flown. */
-const SCREEN_ERROR_PX = 0.8;
 /** More points than this are not drawn of one track: levels grow coarser all over instead. */
 export const MAX_BODY_POINTS = 60_000;
 
@@ -37,6 +36,7 @@ export class TrackBody {
   #blocks: readonly Thinned[] = [];
   #vertices = new Float32Array(0);
   #count = 0;
+  #starts: readonly number[] = [];
   #isComplete = true;
   /** Added to every level while the whole has too many points. */
   #coarser = 0;
@@ -52,6 +52,11 @@ export class TrackBody {
 
   get count(): number {
     return this.#count;
+  }
+
+  /** Of each block its first point in the line. */
+  get starts(): readonly number[] {
+    return this.#starts;
   }
 
   /** The blocks that are in the line, in its order. */
@@ -134,14 +139,17 @@ export class TrackBody {
       // Half as much again: a growing track must not need another array with each block.
       this.#vertices = new Float32Array(Math.ceil(this.#count * 1.5) * POINT_FLOATS);
     }
+    const starts: number[] = [];
     let at = 0;
     for (const block of this.#blocks) {
+      starts.push(at / POINT_FLOATS);
       const vertices = this.#chosen.get(block)?.vertices;
       if (vertices !== undefined) {
         this.#vertices.set(vertices, at);
         at += vertices.length;
       }
     }
+    this.#starts = starts;
   }
 }
 
@@ -149,11 +157,11 @@ export class TrackBody {
 function levelsOf(
   [atX, atY, atZ]: readonly [number, number, number],
   radius_m: number,
-  { x, y, z, pixel_rad }: Eye,
+  { x, y, z, stray_rad }: Eye,
 ): readonly [number, number] {
   const distance_m = Math.hypot(atX - x, atY - y, atZ - z);
   const level = (far_m: number): number => {
-    const error_m = Math.max(0, far_m) * pixel_rad * SCREEN_ERROR_PX;
+    const error_m = Math.max(0, far_m) * stray_rad;
     return Math.max(0, Math.min(COARSEST, Math.floor(Math.log2(error_m / FINEST_M))));
   };
   return [level(distance_m - radius_m), level(distance_m + radius_m)];

@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 import { TrackPoints } from "../../lib/track/points";
+import { POINT_FLOATS, placeOf } from "../ribbon/vertices";
 import { type Tip, TrackTail } from "./tail";
-import { POINT_FLOATS, placeOf } from "./vertices";
 
 const METRE_DEG = 1 / 111_195;
 

@@ -11,35 +11,40 @@ import {
   type RendererFrame,
   RenderState,
   ShaderProgram,
+  ShaderSource,
   StencilFunction,
   StencilOperation,
   VertexArray,
 } from "@cesium/engine";
 import { CORNERS, cornerIndices, INDICES, spread } from "./quads";
-import { CURTAIN_FRAGMENT, CURTAIN_VERTEX, LINE_FRAGMENT, LINE_VERTEX } from "./shaders";
+import type { Range } from "./ranges";
+import { CURTAIN_DEFINES, CURTAIN_FRAGMENT, CURTAIN_VERTEX, LINE_FRAGMENT, LINE_VERTEX } from "./shaders";
 import { POINT_BYTES, POINT_FLOATS } from "./vertices";
 
 type Uniforms = Readonly<Record<string, () => unknown>>;
 
-/** What all lines look like. */
+/** What a line looks like. */
 export interface RibbonStyle {
-  readonly casing: Uniforms;
   readonly line: Uniforms;
-  readonly curtain: Uniforms;
-  /** A bit of the picture's stencil, for this track alone. */
-  readonly veil: number;
+  /** What is behind it shines through. */
+  readonly isTranslucent: boolean;
+  /** Null: it has none. */
+  readonly curtain: {
+    readonly uniforms: Uniforms;
+    /** A bit of the picture's stencil, for this curtain alone. */
+    readonly veil: number;
+  } | null;
 }
 
-/** What is drawn of a line, in this order. */
-export type RibbonPart = "casing" | "line" | "curtain";
+export type RibbonPart = "line" | "curtain";
 
 const LOCATIONS = { fromCoarse: 0, fromFine: 1, fromRates: 2, toCoarse: 3, toFine: 4, toRates: 5 };
 const CORNER_BYTES = CORNERS * POINT_BYTES;
 
 /**
- * A line of points with its curtain. The points lie in one buffer on the graphics processor, each once for every corner
- * of the rectangle from it to the next one, and all rectangles are drawn at once. (As copies of one rectangle they took
- * a quarter of the room, but where the processor draws alone each copy is a drawing of its own.)
+ * A line of points, with a curtain where it has one. The points lie in one buffer on the graphics processor, each once
+ * for every corner of the rectangle from it to the next one, and all rectangles are drawn at once. (As copies of one
+ * rectangle they took a quarter of the room, but where the processor draws alone each copy is a drawing of its own.)
  */
 export class Ribbon {
   readonly #style: RibbonStyle;
@@ -50,6 +55,7 @@ export class Ribbon {
   /** From this point on they are not on the graphics processor yet. */
   #waiting = Number.POSITIVE_INFINITY;
 
+  /** `sphere`: holds all that is drawn of it; may change. */
   constructor(style: RibbonStyle, sphere: BoundingSphere) {
     this.#style = style;
     this.#sphere = sphere;
@@ -62,14 +68,20 @@ export class Ribbon {
     this.#count = count;
   }
 
-  draw(frame: RendererFrame, part: RibbonPart): void {
+  /** Only these stretches of it, counted by the points they begin with; all where nothing is said. */
+  draw(frame: RendererFrame, part: RibbonPart, ranges?: readonly Range[]): void {
     if (this.#count < 2) {
       return;
     }
-    const command = this.#upload(frame.context).commands[part];
-    command.count = (this.#count - 1) * INDICES;
-    command.boundingVolume = this.#sphere;
-    frame.commandList.push(command);
+    const parts = this.#upload(frame.context);
+    for (const [index, { begin, end }] of (ranges ?? [{ begin: 0, end: this.#count - 1 }]).entries()) {
+      const command = parts.command(part, index);
+      if (command !== null) {
+        command.offset = begin * INDICES;
+        command.count = (end - begin) * INDICES;
+        frame.commandList.push(command);
+      }
+    }
   }
 
   destroy(): void {
@@ -99,64 +111,95 @@ export class Ribbon {
 const PIECE = 512;
 const piece = new Float32Array(PIECE * CORNERS * POINT_FLOATS);
 
+/** How one part is drawn, and the commands for it: one for each stretch of a frame, kept for the next. */
+interface Drawing {
+  readonly program: ShaderProgram;
+  readonly uniformMap: Uniforms;
+  readonly renderState: RenderState;
+  readonly commands: DrawCommand[];
+}
+
 /** What lies on the graphics processor for a line of at most so many points. */
 class Parts {
   readonly capacity: number;
   readonly points: Buffer;
-  readonly commands: Readonly<Record<RibbonPart, DrawCommand>>;
+  readonly #sphere: BoundingSphere;
   readonly #vertexArray: VertexArray;
-  readonly #programs: readonly ShaderProgram[];
+  readonly #drawings: Readonly<Record<RibbonPart, Drawing | null>>;
 
   constructor(context: RendererContext, capacity: number, style: RibbonStyle, sphere: BoundingSphere) {
     this.capacity = capacity;
+    this.#sphere = sphere;
     this.points = Buffer.createVertexBuffer({
       context,
       sizeInBytes: capacity * CORNER_BYTES,
       usage: BufferUsage.DYNAMIC_DRAW,
     });
     this.#vertexArray = vertexArrayOf(context, this.points, capacity);
-    const program = (vertexShaderSource: string, fragmentShaderSource: string): ShaderProgram =>
-      ShaderProgram.fromCache({
+    const drawing = (vertexShaderSource: string, fragmentShaderSource: ShaderSource | string) => ({
+      program: ShaderProgram.fromCache({
         context,
         vertexShaderSource,
         fragmentShaderSource,
         attributeLocations: LOCATIONS,
-      });
-    const line = program(LINE_VERTEX, LINE_FRAGMENT);
-    const curtain = program(CURTAIN_VERTEX, CURTAIN_FRAGMENT);
-    this.#programs = [line, curtain];
-    const command = (shaderProgram: ShaderProgram, uniformMap: Uniforms, state: object) =>
-      new DrawCommand({
-        owner: this,
-        primitiveType: PrimitiveType.TRIANGLES,
-        vertexArray: this.#vertexArray,
-        count: 0,
-        shaderProgram,
-        uniformMap,
-        renderState: RenderState.fromCache(state),
-        // Also the curtain: names are written over it, and what is drawn after it is seen through it unveiled.
-        pass: Pass.OPAQUE,
-        boundingVolume: sphere,
-      });
-    const depthTest = { enabled: true };
-    this.commands = {
-      // Leaves no depth: the line itself is drawn over it.
-      casing: command(line, style.casing, { depthTest, depthMask: false }),
-      line: command(line, style.line, { depthTest, depthMask: true }),
-      curtain: command(curtain, style.curtain, {
-        depthTest,
-        depthMask: false,
-        blending: BlendingState.ALPHA_BLEND,
-        ...onceEach(style.veil),
       }),
+      commands: [],
+    });
+    const depthTest = { enabled: true };
+    const blending = BlendingState.ALPHA_BLEND;
+    const { line, isTranslucent, curtain } = style;
+    this.#drawings = {
+      line: {
+        ...drawing(LINE_VERTEX, LINE_FRAGMENT),
+        uniformMap: line,
+        renderState: RenderState.fromCache({
+          depthTest,
+          depthMask: true,
+          ...(isTranslucent && { blending }),
+        }),
+      },
+      curtain: curtain && {
+        ...drawing(
+          CURTAIN_VERTEX,
+          new ShaderSource({ sources: [CURTAIN_FRAGMENT], defines: CURTAIN_DEFINES }),
+        ),
+        uniformMap: curtain.uniforms,
+        renderState: RenderState.fromCache({
+          depthTest,
+          depthMask: false,
+          blending,
+          ...onceEach(curtain.veil),
+        }),
+      },
     };
+  }
+
+  /** That of the frame's `index`-th stretch; null where the line has no such part. */
+  command(part: RibbonPart, index: number): DrawCommand | null {
+    const drawing = this.#drawings[part];
+    if (drawing === null) {
+      return null;
+    }
+    drawing.commands[index] ??= new DrawCommand({
+      owner: this,
+      primitiveType: PrimitiveType.TRIANGLES,
+      vertexArray: this.#vertexArray,
+      count: 0,
+      shaderProgram: drawing.program,
+      uniformMap: drawing.uniformMap,
+      renderState: drawing.renderState,
+      // Also the curtain: names are written over it, and what is drawn after it is seen through it unveiled.
+      pass: Pass.OPAQUE,
+      boundingVolume: this.#sphere,
+    });
+    return drawing.commands[index];
   }
 
   destroy(): void {
     // Takes its buffers along.
     this.#vertexArray.destroy();
-    for (const program of this.#programs) {
-      program.destroy();
+    for (const drawing of Object.values(this.#drawings)) {
+      drawing?.program.destroy();
     }
   }
 }

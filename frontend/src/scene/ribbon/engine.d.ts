@@ -1,5 +1,5 @@
 /**
- * The part of Cesium's renderer that draws the track. The engine exports it and leaves it out of its own types, for it
+ * The part of Cesium's renderer that draws lines. The engine exports it and leaves it out of its own types, for it
  * may change with a version; ours is pinned, and the layer's test in a browser draws with it.
  */
 declare module "@cesium/engine" {
@@ -11,6 +11,8 @@ declare module "@cesium/engine" {
   export interface RendererFrame {
     readonly context: RendererContext;
     readonly passes: { readonly render: boolean };
+    /** What the camera sees. */
+    readonly cullingVolume: CullingVolume;
     readonly commandList: DrawCommand[];
   }
 
@@ -51,11 +53,15 @@ declare module "@cesium/engine" {
     destroy(): void;
   }
 
+  export class ShaderSource {
+    constructor(options: { sources: readonly string[]; defines?: readonly string[] });
+  }
+
   export class ShaderProgram {
     static fromCache(options: {
       context: RendererContext;
       vertexShaderSource: string;
-      fragmentShaderSource: string;
+      fragmentShaderSource: ShaderSource | string;
       attributeLocations: Readonly<Record<string, number>>;
     }): ShaderProgram;
     destroy(): void;
@@ -78,8 +84,7 @@ declare module "@cesium/engine" {
       pass: number;
       boundingVolume: BoundingSphere;
     });
+    offset: number;
     count: number;
-    boundingVolume: BoundingSphere;
-    vertexArray: VertexArray;
   }
 }

@@ -1,0 +1,122 @@
+import { BoundingSphere, Cartesian3, Cartesian4, type Color, type RendererFrame } from "@cesium/engine";
+import type { Globe } from "../globe/Globe";
+import { downToTheSea } from "./ball";
+import { Ribbon, type RibbonStyle } from "./Ribbon";
+import { SCALE_COLOURS } from "./shaders";
+import { beginPiece, boundsOf, type Place, POINT_FLOATS, writePlace } from "./vertices";
+
+/** What a line looks like; lengths in pixels of the page. */
+export interface LineLook {
+  readonly colour: Color;
+  readonly width_px: number;
+  /** Round the line, within its width. */
+  readonly edge?: { readonly colour: Color; readonly width_px: number };
+  /** Length of a dash and of the room between two; a line without it is drawn through. */
+  readonly dash_px?: number;
+}
+
+export interface RibbonLine {
+  /** One object for all lines that look alike: they are drawn together. */
+  readonly look: LineLook;
+  readonly places: readonly Place[];
+}
+
+/** Lines in the air that stay as they are for a while. */
+export class RibbonLines {
+  readonly #globe: Globe;
+  /** Kept while there are no lines of a look: its shaders need not be made again. */
+  readonly #drawn = new Map<LineLook, { readonly ribbon: Ribbon; readonly sphere: BoundingSphere }>();
+  readonly #primitive = {
+    update: (frame: RendererFrame): void => {
+      if (frame.passes.render) {
+        for (const { ribbon } of this.#drawn.values()) {
+          ribbon.draw(frame, "line");
+        }
+      }
+    },
+    isDestroyed: (): boolean => false,
+    destroy: (): void => {
+      for (const { ribbon } of this.#drawn.values()) {
+        ribbon.destroy();
+      }
+      this.#drawn.clear();
+    },
+  };
+
+  constructor(globe: Globe) {
+    this.#globe = globe;
+    globe.scene.primitives.add(this.#primitive);
+  }
+
+  /** These lines and no others. */
+  show(lines: readonly RibbonLine[]): void {
+    for (const { ribbon } of this.#drawn.values()) {
+      ribbon.set(new Float32Array(0), 0);
+    }
+    for (const look of new Set(lines.map((line) => line.look))) {
+      const vertices = verticesOf(lines.filter((line) => line.look === look));
+      const count = vertices.length / POINT_FLOATS;
+      const { ribbon, sphere } = this.#ribbonOf(look);
+      downToTheSea(boundsOf(vertices, count), sphere);
+      ribbon.set(vertices, count);
+    }
+    this.#globe.requestRender();
+  }
+
+  dispose(): void {
+    this.#globe.scene.primitives.remove(this.#primitive);
+    this.#globe.requestRender();
+  }
+
+  #ribbonOf(look: LineLook): { readonly ribbon: Ribbon; readonly sphere: BoundingSphere } {
+    const sphere = new BoundingSphere();
+    const drawn = this.#drawn.get(look) ?? { ribbon: new Ribbon(styleOf(look), sphere), sphere };
+    this.#drawn.set(look, drawn);
+    return drawn;
+  }
+}
+
+/** The colours by which a track's values are told say nothing here. */
+const byNothing = new Cartesian4();
+const noColours = Array.from({ length: SCALE_COLOURS }, () => Cartesian3.ZERO);
+const uncoloured = {
+  u_scale: () => byNothing,
+  u_unknown: () => Cartesian3.ZERO,
+  u_colours: () => noColours,
+};
+
+/** One line after another, each a piece of its own. */
+function verticesOf(lines: readonly RibbonLine[]): Float32Array {
+  const vertices = new Float32Array(lines.reduce((sum, { places }) => sum + places.length, 0) * POINT_FLOATS);
+  let at = 0;
+  for (const { places } of lines) {
+    for (const [index, place] of places.entries()) {
+      writePlace(vertices, at, place);
+      if (index === 0) {
+        beginPiece(vertices, at);
+      }
+      at += 1;
+    }
+  }
+  return vertices;
+}
+
+function styleOf({ colour, width_px, edge, dash_px = 0 }: LineLook): RibbonStyle {
+  const vector = ({ red, green, blue }: Color): Cartesian3 => new Cartesian3(red, green, blue);
+  const [plain, round] = [vector(colour), vector(edge?.colour ?? colour)];
+  const core_px = width_px - 2 * (edge?.width_px ?? 0);
+  return {
+    line: {
+      ...uncoloured,
+      u_plain: () => plain,
+      u_width: () => width_px,
+      u_core: () => core_px,
+      u_edge: () => round,
+      u_opacity: () => colour.alpha,
+      u_dash: () => dash_px,
+      u_nearer: () => 1,
+    },
+    isTranslucent: colour.alpha < 1,
+    curtain: null,
+  };
+}

@@ -1,0 +1,17 @@
+import { BoundingSphere, Cartesian3 } from "@cesium/engine";
+import type { Bounds } from "./vertices";
+
+/** The ground under a place lies by so much of its height off the line to the earth's centre, which is not quite upright. */
+const ASLANT = 0.005;
+
+/** Round a ball of the air and what is below it, down to the sea; `into`, where given, becomes it. */
+export function downToTheSea(
+  { centre: [x, y, z], radius_m, top_m }: Bounds,
+  into = new BoundingSphere(),
+): BoundingSphere {
+  const height_m = Math.max(0, top_m);
+  const share = 1 - height_m / 2 / Math.max(1, Math.hypot(x, y, z));
+  Cartesian3.fromElements(x * share, y * share, z * share, into.center);
+  into.radius = radius_m + height_m * (0.5 + ASLANT);
+  return into;
+}
