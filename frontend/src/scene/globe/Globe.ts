@@ -91,9 +91,6 @@ export class Globe {
     this.scene.backgroundColor = Color.fromCssColorString(SKY);
     this.scene.canvas.classList.add("globe-picture");
     this.#copied = this.isSoftware ? this.#seenBy(this.scene.canvas) : null;
-    if (this.isSoftware) {
-      hastenTiles(this.scene);
-    }
     this.#cost = new FrameCost(this.scene.canvas.getContext("webgl2"), "globe.frame");
     this.#budget = new FrameBudget(this.isSoftware, globeLimits(this.isSoftware));
     this.ground = new Ground(this);
@@ -198,7 +195,10 @@ export class Globe {
     if (cost_ms === null) {
       return;
     }
-    this.#copied?.copy();
+    if (this.#copied !== null) {
+      this.#copied.copy();
+      hastenTiles(this.scene, cost_ms);
+    }
     // A fine picture of all at rest says nothing of the next that moves.
     if (this.#isCoarse || !this.isSoftware) {
       this.#budget.observe(Math.min(cost_ms, MOST_MS));

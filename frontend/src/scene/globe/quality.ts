@@ -7,17 +7,22 @@ const DEAR_ERROR_PX = 3;
 const CHEAP_ERROR_PX = 1.6;
 const CHEAP_SAMPLES = 4;
 
-/** In a frame, tiles of the ground are made ready for so long; with its five the engine takes half a minute where frames are few. */
-const SOFTWARE_TILES_MS = 10;
+/** In each frame the engine makes tiles of the ground ready for five milliseconds: minutes, where frames are few. */
+const TILES_SHARE = 0.06;
+const LEAST_TILES_MS = 10;
+const MOST_TILES_MS = 30;
 
-/** Ground that the processor draws alone is there twice as soon. Throws where another version of the engine has no such thing. */
-export function hastenTiles({ globe }: Scene): void {
+/**
+ * Ground that the processor draws alone: the longer a frame takes, the longer its tiles are worked on in each. Throws
+ * where another version of the engine has no such time.
+ */
+export function hastenTiles({ globe }: Scene, frame_ms: number): void {
   // Not in its published types, and nothing that is says as much.
   const { _surface: surface } = globe as unknown as { _surface: { _loadQueueTimeSlice: number } };
   if (typeof surface._loadQueueTimeSlice !== "number") {
-    throw new Error("the engine's ground has no time slice for its tiles");
+    throw new Error("the engine's ground has no time for its tiles");
   }
-  surface._loadQueueTimeSlice = SOFTWARE_TILES_MS;
+  surface._loadQueueTimeSlice = Math.max(LEAST_TILES_MS, Math.min(MOST_TILES_MS, TILES_SHARE * frame_ms));
 }
 
 /** A picture that the processor draws alone, in so many points to each side of a CSS pixel: the ground's tiles stay the same. */
