@@ -18,7 +18,14 @@ import {
 } from "@cesium/engine";
 import { CORNERS, cornerIndices, INDICES, spread } from "./quads";
 import type { Range } from "./ranges";
-import { CURTAIN_DEFINES, CURTAIN_FRAGMENT, CURTAIN_VERTEX, LINE_FRAGMENT, LINE_VERTEX } from "./shaders";
+import {
+  CURTAIN_DEFINES,
+  CURTAIN_FRAGMENT,
+  CURTAIN_VERTEX,
+  DASHED_DEFINES,
+  LINE_FRAGMENT,
+  LINE_VERTEX,
+} from "./shaders";
 import { POINT_BYTES, POINT_FLOATS } from "./vertices";
 
 type Uniforms = Readonly<Record<string, () => unknown>>;
@@ -26,6 +33,7 @@ type Uniforms = Readonly<Record<string, () => unknown>>;
 /** What a line looks like. */
 export interface RibbonStyle {
   readonly line: Uniforms;
+  readonly isDashed: boolean;
   /** What is behind it shines through. */
   readonly isTranslucent: boolean;
   /** Null: it has none. */
@@ -136,21 +144,21 @@ class Parts {
       usage: BufferUsage.DYNAMIC_DRAW,
     });
     this.#vertexArray = vertexArrayOf(context, this.points, capacity);
-    const drawing = (vertexShaderSource: string, fragmentShaderSource: ShaderSource | string) => ({
+    const drawing = (vertexShaderSource: string, fragment: string, defines: readonly string[]) => ({
       program: ShaderProgram.fromCache({
         context,
         vertexShaderSource,
-        fragmentShaderSource,
+        fragmentShaderSource: new ShaderSource({ sources: [fragment], defines }),
         attributeLocations: LOCATIONS,
       }),
       commands: [],
     });
     const depthTest = { enabled: true };
     const blending = BlendingState.ALPHA_BLEND;
-    const { line, isTranslucent, curtain } = style;
+    const { line, isDashed, isTranslucent, curtain } = style;
     this.#drawings = {
       line: {
-        ...drawing(LINE_VERTEX, LINE_FRAGMENT),
+        ...drawing(LINE_VERTEX, LINE_FRAGMENT, isDashed ? DASHED_DEFINES : []),
         uniformMap: line,
         renderState: RenderState.fromCache({
           depthTest,
@@ -159,10 +167,7 @@ class Parts {
         }),
       },
       curtain: curtain && {
-        ...drawing(
-          CURTAIN_VERTEX,
-          new ShaderSource({ sources: [CURTAIN_FRAGMENT], defines: CURTAIN_DEFINES }),
-        ),
+        ...drawing(CURTAIN_VERTEX, CURTAIN_FRAGMENT, CURTAIN_DEFINES),
         uniformMap: curtain.uniforms,
         renderState: RenderState.fromCache({
           depthTest,

@@ -116,6 +116,7 @@ function styleOf({ colour, width_px, edge, dash_px = 0 }: LineLook): RibbonStyle
       u_dash: () => dash_px,
       u_nearer: () => 1,
     },
+    isDashed: dash_px > 0,
     isTranslucent: colour.alpha < 1,
     curtain: null,
   };

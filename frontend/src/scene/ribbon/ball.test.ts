@@ -1,6 +1,6 @@
-import { Cartesian3 } from "@cesium/engine";
+import { BoundingSphere, Cartesian3, Intersect, PerspectiveFrustum } from "@cesium/engine";
 import { expect, test } from "vitest";
-import { downToTheSea } from "./ball";
+import { downToTheSea, isWithin } from "./ball";
 import { boundsOf, POINT_FLOATS, writePlace } from "./vertices";
 
 const PLACES = [
@@ -28,4 +28,18 @@ test("what flies below the sea's level has a ball of its own size", () => {
   const ball = downToTheSea({ centre: [6_378_000, 0, 0], radius_m: 50, top_m: -20 });
   expect(ball.radius).toBe(50);
   expect(ball.center.x).toBe(6_378_000);
+});
+
+test("a ball is within what the camera sees where the engine says so", () => {
+  const frustum = new PerspectiveFrustum({ fov: 1, aspectRatio: 1.5, near: 1, far: 1e6 });
+  const volume = frustum.computeCullingVolume(Cartesian3.ZERO, Cartesian3.UNIT_X, Cartesian3.UNIT_Z);
+  const answers = new Set<boolean>();
+  for (let step = 0; step < 400; step += 1) {
+    const at = new Cartesian3(300 * Math.sin(step), 300 * Math.sin(2.3 * step), 300 * Math.cos(1.7 * step));
+    const ball = new BoundingSphere(at, 10 + (step % 60));
+    const isSeen = isWithin(ball, volume);
+    expect(isSeen, `${step}`).toBe(volume.computeVisibility(ball) !== Intersect.OUTSIDE);
+    answers.add(isSeen);
+  }
+  expect(answers.size).toBe(2);
 });

@@ -54,14 +54,14 @@ declare module "@cesium/engine" {
   }
 
   export class ShaderSource {
-    constructor(options: { sources: readonly string[]; defines?: readonly string[] });
+    constructor(options: { sources: readonly string[]; defines: readonly string[] });
   }
 
   export class ShaderProgram {
     static fromCache(options: {
       context: RendererContext;
       vertexShaderSource: string;
-      fragmentShaderSource: ShaderSource | string;
+      fragmentShaderSource: ShaderSource;
       attributeLocations: Readonly<Record<string, number>>;
     }): ShaderProgram;
     destroy(): void;

@@ -37,7 +37,8 @@ float pointsOfPixel() { return max(czm_pixelRatio, 1.0); }
 `;
 
 /**
- * A ribbon of so many pixels between two points. Its round ends let stretches join without a notch.
+ * A ribbon of so many pixels between two points. Stretches overlap by a pixel, so that a bend has no gap; round ends would
+ * have to be cut out of each pixel, which costs the processor as much as all the rest of a line.
  *
  * What lies far beside the picture is cut off first: of a stretch that goes past the eye one end is a hundred thousand
  * pixels away, and the graphics lose the line between two such ends, all of it or in parts.
@@ -45,12 +46,12 @@ float pointsOfPixel() { return max(czm_pixelRatio, 1.0); }
 export const LINE_VERTEX = `${COMMON}${POINTS}
 uniform float u_width; // pixels of the page
 uniform float u_nearer; // towards the eye: of two tracks over each other one is seen, not a mixture
-out vec3 v_place; // along and across in pixels of the picture, times w, and w: straight on the screen
-out float v_length;
+out float v_across; // pixels of the picture, times w: straight on the screen
 out vec3 v_colour;
 flat out vec2 v_along;
 
 const float BESIDE = 1.5; // of half the picture
+const float OVERLAP = 0.5; // pixels
 
 // Inside where all four are positive: clip coordinates within the picture and some room beside it.
 vec4 inside(vec4 clip) {
@@ -84,8 +85,7 @@ void main() {
   vec4 fromClip = czm_projection * from;
   vec4 toClip = czm_projection * to;
   vec2 part = seenPart(fromClip, toClip, max(czm_currentFrustum.x, 0.1));
-  v_place = vec3(0.0, 0.0, 1.0);
-  v_length = 0.0;
+  v_across = 0.0;
   v_colour = u_plain;
   v_along = vec2(1.0, 0.0);
   if (isGap() || part.x >= part.y) {
@@ -100,11 +100,10 @@ void main() {
   float size = length(course);
   vec2 along = size > 1e-4 ? course / size : vec2(1.0, 0.0);
   float reach = 0.5 * u_width * pointsOfPixel();
-  vec2 offset = reach * ((isEnd ? along : -along) + corner.y * vec2(-along.y, along.x));
+  vec2 offset = OVERLAP * (isEnd ? along : -along) + reach * corner.y * vec2(-along.y, along.x);
   gl_Position = isEnd ? end : begin;
   gl_Position.xy += offset / screen * gl_Position.w;
-  v_place = vec3(isEnd ? size + reach : -reach, corner.y * reach, 1.0) * gl_Position.w;
-  v_length = size;
+  v_across = corner.y * reach * gl_Position.w;
   v_along = along;
   v_colour = mix(colourOf(fromCoarse.w, fromRates), colourOf(toCoarse.w, toRates), isEnd ? part.y : part.x);
 }
@@ -114,28 +113,22 @@ void main() {
  * The line and its edge in one: where lines meet or cross, the edge is a little farther away than all of them, so that
  * it lies round them together and over none.
  */
-export const LINE_FRAGMENT = `${POINTS}uniform float u_width;
-uniform float u_core; // pixels of the page: what is beyond is the edge
+export const LINE_FRAGMENT = `${POINTS}uniform float u_core; // pixels of the page: what is beyond is the edge
 uniform vec3 u_edge;
 uniform float u_opacity;
-uniform float u_dash; // pixels of the page: length of a dash and of the room between two; 0: drawn through
-in vec3 v_place;
-in float v_length;
+uniform float u_dash; // pixels of the page: length of a dash and of the room between two
+in float v_across;
 in vec3 v_colour;
 flat in vec2 v_along;
 
 const float FARTHER = 1.004;
 
 void main() {
-  vec2 place = v_place.xy / v_place.z;
-  float beyond = max(max(-place.x, place.x - v_length), 0.0);
-  float away = length(vec2(beyond, place.y));
-  float core = 0.5 * u_core * pointsOfPixel();
-  // The ends have no edge: it would lie over the stretch before.
-  if (beyond > 0.0 && away > core) { discard; }
+#ifdef DASHED
   float dash = u_dash * pointsOfPixel();
-  if (dash > 0.0 && mod(dot(gl_FragCoord.xy, v_along), 2.0 * dash) > dash) { discard; }
-  bool isEdge = away > core;
+  if (mod(dot(gl_FragCoord.xy, v_along), 2.0 * dash) > dash) { discard; }
+#endif
+  bool isEdge = abs(v_across) * gl_FragCoord.w > 0.5 * u_core * pointsOfPixel();
   out_FragColor = vec4(isEdge ? u_edge : v_colour, u_opacity);
 #ifdef LOG_DEPTH
   czm_writeLogDepth(v_depthFromNearPlusOne * (isEdge ? FARTHER : 1.0));
@@ -194,5 +187,7 @@ void main() {
 }
 `;
 
+/** Of a line that is not drawn through. */
+export const DASHED_DEFINES = ["DASHED"];
 /** Tells the engine that a shader's depth is right as it is. */
 export const CURTAIN_DEFINES = ["LOG_DEPTH_WRITE"];

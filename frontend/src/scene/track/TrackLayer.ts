@@ -1,4 +1,4 @@
-import { BoundingSphere, Cartesian3, Cartesian4, Intersect, type RendererFrame } from "@cesium/engine";
+import { BoundingSphere, Cartesian3, Cartesian4, type RendererFrame } from "@cesium/engine";
 import { tellTiming } from "../../lib/timing";
 import { METRES_PER_UNIT } from "../../lib/track/block";
 import {
@@ -13,7 +13,7 @@ import type { TrackPoints } from "../../lib/track/points";
 import { ThinnedTrack } from "../../lib/track/thinnedTrack";
 import type { Thinned } from "../../lib/track/thinning";
 import type { Globe } from "../globe/Globe";
-import { downToTheSea } from "../ribbon/ball";
+import { downToTheSea, isWithin } from "../ribbon/ball";
 import { Ribbon, type RibbonStyle } from "../ribbon/Ribbon";
 import { type Range, rangesOf } from "../ribbon/ranges";
 import { boundsOf } from "../ribbon/vertices";
@@ -251,9 +251,7 @@ class DrawnTrack {
   draw(frame: RendererFrame, curtainBlocks: number): void {
     const { body, tail } = this.#ribbons;
     const { blocks, starts, count } = this.#body;
-    const seen = blocks.map(
-      (block) => frame.cullingVolume.computeVisibility(this.#ballOf(block)) !== Intersect.OUTSIDE,
-    );
+    const seen = blocks.map((block) => isWithin(this.#ballOf(block), frame.cullingVolume));
     const rangesFrom = (first: number): readonly Range[] =>
       rangesOf(starts, count, (index) => index >= first && seen[index] === true);
     body.draw(frame, "line", rangesFrom(0));
@@ -309,8 +307,8 @@ function styleOf({ plain, casing, rank }: TrackKind, look: () => TrackLook): Rib
       u_core: () => CORE_PX,
       u_edge: () => edge,
       u_opacity: () => 1,
-      u_dash: () => 0,
     },
+    isDashed: false,
     isTranslucent: false,
     curtain: { uniforms: { ...colours, u_scale: scaleNow(CURTAIN_OPACITY) }, veil: 1 << rank },
   };

@@ -37,6 +37,7 @@ export class TrackBody {
   #vertices = new Float32Array(0);
   #count = 0;
   #starts: readonly number[] = [];
+  #eye: Eye | null = null;
   #isComplete = true;
   /** Added to every level while the whole has too many points. */
   #coarser = 0;
@@ -75,6 +76,10 @@ export class TrackBody {
    */
   choose(eye: Eye, isEnough: () => boolean = () => false): boolean {
     const isOther = this.#track.blocks !== this.#blocks;
+    if (!isOther && this.#isComplete && isSame(eye, this.#eye)) {
+      return false;
+    }
+    this.#eye = eye;
     this.#blocks = this.#track.blocks;
     const wrong = this.#blocks.filter((block) => this.#isWrong(block, eye, 0));
     this.#isComplete = true;
@@ -151,6 +156,10 @@ export class TrackBody {
     }
     this.#starts = starts;
   }
+}
+
+function isSame(one: Eye, other: Eye | null): boolean {
+  return one.x === other?.x && one.y === other.y && one.z === other.z && one.stray_rad === other.stray_rad;
 }
 
 /** The coarsest level whose error is not seen, of a ball's nearest and of its farthest place from the eye. */
