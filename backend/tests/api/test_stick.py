@@ -160,25 +160,26 @@ def test_only_the_page_that_has_control_may_choose_and_only_with_a_gamepad_that_
 
 
 @pytest.mark.parametrize(
-    "text",
-    [
-        '{"type": "stick"}',
-        orjson.dumps(sample(TURN, aileron=None)).decode(),
-        orjson.dumps(sample(TURN, throttle="full")).decode(),
-        orjson.dumps(sample(TURN, rudder=True)).decode(),
-        orjson.dumps(sample(TURN, t_ms=[])).decode(),
-        orjson.dumps(sample(TURN, t_ms=1e300)).decode(),
-    ],
+    "wrong",
+    [{"aileron": None}, {"throttle": "full"}, {"rudder": True}, {"t_ms": []}, {"t_ms": 1e300}],
+    ids=["nothing", "word", "flag", "list", "endless"],
 )
-def test_a_sample_that_is_none_is_answered_counted_and_not_used(gateway: Gateway, text: str) -> None:
+def test_a_sample_that_is_none_is_answered_counted_and_not_used(gateway: Gateway, wrong: dict[str, Any]) -> None:
     with gateway.stream() as stream:
-        stream.connection.send(text)
+        stream.send(sample(TURN, **wrong))
         error = stream.event("error")
         assert error["code"] == "stick_invalid"
         assert error["detail"].endswith(".")
         status = gateway.status()
         assert status["errors"] == {"stick_invalid": 1}
         assert status["hil"]["stick"]["samples"] == {"invalid": 1}
+
+
+def test_a_sample_without_a_position_is_answered_and_counted(gateway: Gateway) -> None:
+    with gateway.stream() as stream:
+        stream.send({"type": "stick"})
+        assert stream.event("error")["code"] == "stick_invalid"
+        assert gateway.status()["errors"] == {"stick_invalid": 1}
 
 
 @pytest.mark.parametrize("number", ["NaN", "Infinity", "-Infinity", "1e999"])
