@@ -92,8 +92,8 @@ export const MENUS: readonly Menu[] = [
   {
     name: "Google Earth",
     entries: [
-      { ...item("Reset", "actionGoogleReset"), confirm: "Borrar el track" },
-      { role: "menuitem", name: "Recuperar el track borrado" },
+      { ...item("Reset", "actionGoogleReset"), confirm: "Borrar el recorrido" },
+      { role: "menuitem", name: "Recuperar el recorrido borrado" },
       { role: "menuitem", name: "Abrir en Google Earth" },
       { role: "menuitem", name: "Exportar KML" },
     ],

@@ -116,11 +116,12 @@ def test_the_serial_ports_are_listed(gateway: Gateway) -> None:
 
 
 def test_the_switches_are_set_and_confirmed(gateway: Gateway, board: FakeBoard) -> None:
-    assert gateway.http.get("/hil").json() == {"source": None, "path": "manual"}
+    before = gateway.http.get("/hil").json()
+    assert (before["source"], before["path"], before["stick"]["source"]) == (None, "manual", "simulator")
     gateway.open_board(board.url)
-    assert gateway.http.get("/hil").json() == {"source": "rc", "path": "manual"}
+    assert gateway.http.get("/hil").json() == before | {"source": "rc"}
     answer = gateway.http.put("/hil", json={"source": "joystick", "path": "assisted"}).raise_for_status().json()
-    assert answer == {"source": "joystick", "path": "assisted"}
+    assert answer == before | {"source": "joystick", "path": "assisted"}
     eventually(lambda: gateway.http.get("/hil").json() == answer, "the board reports it")
     board.refuse["control_source"] = 2
     refused = gateway.http.put("/hil", json={"source": "rc"})

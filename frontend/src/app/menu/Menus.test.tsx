@@ -202,9 +202,9 @@ describe("what does not come back by itself", () => {
     await open(user, station, "Google Earth");
     await user.click(entry("Reset"));
     expect(asked(station)).toEqual([]);
-    await user.click(screen.getByRole("button", { name: "Borrar el track" }));
+    await user.click(screen.getByRole("button", { name: "Borrar el recorrido" }));
     await open(user, station, "Google Earth");
-    await user.click(entry("Recuperar el track borrado"));
+    await user.click(entry("Recuperar el recorrido borrado"));
     expect(asked(station)).toEqual(["POST track/reset {}", "POST track/restore {}"]);
   });
 });
