@@ -9,7 +9,7 @@ test("the autopilot is switched off and on, each time with the board's proof", a
   await autopilot.getByText("Off", { exact: true }).click();
   await expect(page.getByRole("status", { name: "Último mensaje" })).toContainText(/Autopilot Off: confirmado/);
   await expect(autopilot.getByRole("radio", { name: "Off" })).toBeChecked();
-  expect((await flying.status()).hil).toEqual({ source: "joystick", path: "assisted" });
+  expect((await flying.status()).hil).toMatchObject({ source: "joystick", path: "assisted" });
   await expect.poll(async () => await flying.value("heartbeat", "autopilot_hil")).toBe(false);
   await expect(picture).not.toContainText("ignorado");
 
