@@ -10,6 +10,8 @@ export interface Entry {
   readonly confirm?: string;
   /** Only a board with extensions takes it; a legacy one leaves it disabled, with the reason. */
   readonly extension?: true;
+  /** Why it is disabled, which stands in it behind its name. */
+  readonly reason?: string;
 }
 
 export interface Menu {
@@ -36,7 +38,11 @@ export const MENUS: readonly Menu[] = [
       // Last of the two: with RC as source the transmitter's own switches decide, and the autopilot's entries are off.
       item("Plane Joystick", "actionPlane_Joystick"),
       { role: "menuitem", name: "Joystick de X-Plane (filas 8 y 25)" },
-      { role: "menuitem", name: "Mando de este navegador" },
+      {
+        role: "menuitem",
+        name: "Mando de este navegador",
+        reason: "Ningún mando a la vista: conéctalo y pulsa uno de sus botones.",
+      },
       { role: "menuitem", name: "Ajustar el mando…" },
       { ...item("Fly-by-wire", "actionServos_Control_Mode_FBW"), group: "Control ServosOut" },
       { ...item("HIL", "actionServos_Control_Mode_HIL"), group: "Control ServosOut" },

@@ -58,7 +58,11 @@ test("everything of the check list is there, enabled or with the reason why not"
       for (const entry of menu.entries) {
         const found = entryOf(page, entry);
         await there(found, `${menu.name}: ${entry.name}`).toBeVisible();
-        await saysWhyItIsDisabled(found, `${menu.name}: ${entry.name}`);
+        if (entry.reason !== undefined) {
+          await there(found, `${menu.name}: ${entry.name}`).toBeDisabled();
+        } else if ((await found.count()) > 0) {
+          await saysWhyItIsDisabled(found, `${menu.name}: ${entry.name}`);
+        }
       }
       await closeMenu(page);
     });

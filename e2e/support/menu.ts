@@ -8,10 +8,10 @@ export async function openMenu(page: Page, name: string): Promise<void> {
 }
 
 /** An entry of the open menu. */
-export function entryOf(page: Page, { role, name, group }: Entry): Locator {
+export function entryOf(page: Page, { role, name, group, reason }: Entry): Locator {
   const menu = page.getByRole("menu");
   return (group === undefined ? menu : menu.getByRole("group", { name: group, exact: true })).getByRole(role, {
-    name,
+    name: reason === undefined ? name : `${name} ${reason}`,
     exact: true,
   });
 }
