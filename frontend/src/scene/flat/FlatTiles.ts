@@ -1,14 +1,7 @@
+import type { ImagerySource } from "../globe/imagery";
 import { type FlatView, TILE_PX, worldSize_px, worldX, worldY } from "./projection";
 
-/** A layer of pictures in tiles of Web Mercator, `{z}`, `{x}` and `{y}` (from the north) in its address, and what it covers. */
-export interface FlatLayer {
-  readonly url: string;
-  readonly west_deg: number;
-  readonly south_deg: number;
-  readonly east_deg: number;
-  readonly north_deg: number;
-  readonly minimum_zoom: number;
-  readonly maximum_zoom: number;
+export interface FlatLayer extends ImagerySource {
   readonly opacity: number;
 }
 

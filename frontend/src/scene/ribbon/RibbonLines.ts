@@ -69,8 +69,12 @@ export class RibbonLines {
   }
 
   #ribbonOf(look: LineLook): { readonly ribbon: Ribbon; readonly sphere: BoundingSphere } {
+    const known = this.#drawn.get(look);
+    if (known !== undefined) {
+      return known;
+    }
     const sphere = new BoundingSphere();
-    const drawn = this.#drawn.get(look) ?? { ribbon: new Ribbon(styleOf(look), sphere), sphere };
+    const drawn = { ribbon: new Ribbon(styleOf(look), sphere), sphere };
     this.#drawn.set(look, drawn);
     return drawn;
   }
