@@ -88,7 +88,7 @@ images: $(DONE)/tools $(DONE)/arm ## build the board's firmware for its processo
 
 generate: $(DONE)/venv $(DONE)/frontend ## write every generated file again from protocol/definition
 	cd protocol && ../$(BIN)/python -m generator
-	$(BIN)/python -m gateway --print-openapi > $(DONE)/openapi.json
+	$(BIN)/python -m epf_gcs.web --print-openapi > $(DONE)/openapi.json
 	cd frontend && npm run --silent generate -- ../$(DONE)/openapi.json
 
 # ---- running --------------------------------------------------------------------------------------
@@ -105,7 +105,7 @@ FIRMWARE = $(MAKE) --no-print-directory -C firmware RESULTS=$(abspath $(RESULTS)
 
 check: $(DONE)/venv-dev $(DONE)/frontend $(DONE)/e2e ## format, lint, types, import rules, generated files up to date
 	cd protocol && ../$(BIN)/python -m generator --check
-	$(BIN)/python -m gateway --print-openapi > $(DONE)/openapi.json
+	$(BIN)/python -m epf_gcs.web --print-openapi > $(DONE)/openapi.json
 	cd frontend && npm run --silent generate:check -- ../$(DONE)/openapi.json
 	$(BIN)/ruff format --check backend protocol
 	$(BIN)/ruff check backend protocol

@@ -10,7 +10,7 @@ import select
 import socket
 import sys
 
-from gateway.codec.encode import encode_command
+from epf_gcs.codec.encode import encode_command
 
 _FRAME = encode_command("xplane_info", *([0.0] * 15))
 

@@ -16,9 +16,9 @@ from collections.abc import Callable, Iterator
 from typing import Final
 
 from bench.table import Row
-from gateway.codec.encode import encode_command
-from gateway.codec.messages_gen import TO_BOARD_HEADER
-from tests.board.station import LEVEL_FLIGHT, Board, Station
+from board_tests.line.station import LEVEL_FLIGHT, Board, Station
+from epf_gcs.codec.encode import encode_command
+from epf_gcs.codec.messages_gen import TO_BOARD_HEADER
 from tests.support.firmware import make
 
 LINE_BYTES_PER_S: Final = 11520

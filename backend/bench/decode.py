@@ -7,7 +7,7 @@ from collections.abc import Callable
 
 from bench import mavlink
 from bench.table import Row
-from gateway.codec.frame import Frame, FrameDecoder
+from epf_gcs.codec.frame import Frame, FrameDecoder
 from tests.codec.streams import mixed_frames
 
 FRAMES = 250

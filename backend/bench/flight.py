@@ -7,12 +7,9 @@ flies all four routes, 2 h 50 min of simulated time.
 from __future__ import annotations
 
 from bench.table import Row, table
-from gateway.codec.messages_gen import ROUTES
-from simulator.link import LinkQuality
-from simulator.simulation import SimulationOptions
-from tests.flight.closed_loop import ClosedLoop, Sample
-from tests.flight.figures import Figures, measure, settling_s
-from tests.flight.manoeuvres import (
+from board_tests.closed_loop.closed_loop import ClosedLoop, Sample
+from board_tests.closed_loop.figures import Figures, measure, settling_s
+from board_tests.closed_loop.manoeuvres import (
     CLIMB,
     FASTER,
     TURN,
@@ -23,7 +20,7 @@ from tests.flight.manoeuvres import (
     step,
     turn_error_deg,
 )
-from tests.flight.reference import (
+from board_tests.closed_loop.reference import (
     ALTITUDE_LIMIT_FT,
     CLIMB_OVERSHOOT_FT,
     CLIMB_SETTLING_S,
@@ -36,6 +33,9 @@ from tests.flight.reference import (
     TURN_SETTLING_S,
     WITHIN,
 )
+from epf_gcs.codec.messages_gen import ROUTES
+from epf_gcs.simulator.link import LinkQuality
+from epf_gcs.simulator.simulation import SimulationOptions
 
 _SHORT_ROUTES = ("gando", "vuelo")
 _LONGEST_SHARE = 1.3  # of the reference time; a flight that takes longer has lost its way

@@ -14,8 +14,8 @@ import foxglove
 from foxglove import Channel, Schema
 
 from bench.station import WebSocket
-from gateway.codec.frame import Frame, FrameDecoder
-from gateway.codec.values import meaning
+from epf_gcs.codec.frame import Frame, FrameDecoder
+from epf_gcs.codec.values import meaning
 
 NAME = "foxglove-sdk"
 _PROTOCOLS = ("foxglove.sdk.v1", "foxglove.websocket.v1")

@@ -19,9 +19,9 @@ from typing import Final
 
 from bench.station import HEARTBEAT, Gateway, Line, percentile, station
 from bench.table import Row
-from gateway.codec.encode import encode_telemetry
-from gateway.codec.messages_gen import TO_BOARD_HEADER
-from gateway.xplane.datagram import Record, build
+from epf_gcs.codec.encode import encode_telemetry
+from epf_gcs.codec.messages_gen import TO_BOARD_HEADER
+from epf_gcs.xplane.datagram import Record, build
 from tests.support.ports import free_udp_port
 
 PERIOD_S: Final = 0.02

@@ -16,10 +16,10 @@ from typing import Any, Final
 import httpx
 
 from bench.table import Row
-from gateway.codec.messages_gen import ROUTES
-from launcher.ports import LOOPBACK, free_tcp_port
-from tests.flight.figures import RouteEnd, measure
-from tests.flight.reference import ALTITUDE_LIMIT_FT, CROSS_TRACK_LIMIT_M, ROUTE_REFERENCES
+from board_tests.closed_loop.figures import RouteEnd, measure
+from board_tests.closed_loop.reference import ALTITUDE_LIMIT_FT, CROSS_TRACK_LIMIT_M, ROUTE_REFERENCES
+from epf_gcs.codec.messages_gen import ROUTES
+from epf_gcs.launcher.ports import LOOPBACK, free_tcp_port
 from tests.support.firmware import make
 
 ROUTE: Final = "gando"
@@ -113,7 +113,7 @@ def _station() -> Iterator[httpx.Client]:
     """The demonstration with the image as its board, the route loaded and the loop closed."""
     port = free_tcp_port()
     with tempfile.TemporaryDirectory() as data:
-        words = [sys.executable, "-m", "launcher", "--board", "qemu", "--port", str(port), "--data", data]
+        words = [sys.executable, "-m", "epf_gcs.launcher", "--board", "qemu", "--port", str(port), "--data", data]
         with subprocess.Popen(words, stdout=subprocess.PIPE, text=True) as launcher:
             try:
                 assert launcher.stdout is not None

@@ -15,7 +15,7 @@ from typing import Final
 from bench import foxglove_peer
 from bench.station import HEARTBEAT, Gateway, Line, WebSocket, percentile, station
 from bench.table import Row
-from gateway.codec.encode import encode_telemetry
+from epf_gcs.codec.encode import encode_telemetry
 
 ROUNDS: Final = 8
 SAMPLES: Final = 250

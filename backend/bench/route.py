@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from gateway.xplane.datagram import Record, build
+from epf_gcs.xplane.datagram import Record, build
 
 _LATITUDE_DEG = 27.93
 _LONGITUDE_DEG = -15.38

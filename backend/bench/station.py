@@ -21,8 +21,8 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any, Final
 
-from gateway.codec.encode import encode_telemetry
-from gateway.codec.messages_gen import OPEN_BINARY_MODE
+from epf_gcs.codec.encode import encode_telemetry
+from epf_gcs.codec.messages_gen import OPEN_BINARY_MODE
 
 HEARTBEAT: Final = encode_telemetry("heartbeat", *([1] * 10), 3, 0)
 _DEADLINE_S: Final = 20.0
@@ -160,7 +160,7 @@ def station() -> Iterator[tuple[Gateway, Line]]:
     with tempfile.TemporaryDirectory() as folder:
         line = Line(Path(folder))
         process = subprocess.Popen(
-            [sys.executable, "-m", "gateway", "--port", "0", "--data-dir", folder],
+            [sys.executable, "-m", "epf_gcs.web", "--port", "0", "--data-dir", folder],
             stderr=subprocess.PIPE,
             text=True,
         )

@@ -40,24 +40,22 @@ def test_the_tree_keeps_its_rules() -> None:
 @pytest.mark.parametrize(
     ("file", "line"),
     [
-        ("gateway/codec/checksum.py", "import asyncio"),
-        ("gateway/codec/checksum.py", "import time"),
-        ("gateway/xplane/datagram.py", "import socket"),
-        ("gateway/vehicle/health.py", "from gateway.services import clock"),
-        ("gateway/vehicle/health.py", "from gateway.links import address"),
-        ("gateway/links/tcp.py", "from gateway.services import clock"),
-        ("gateway/formats/kml.py", "import pathlib"),
-        ("gateway/formats/kml.py", "import time"),
-        ("gateway/formats/kml.py", "from gateway.vehicle import health"),
-        ("gateway/services/clock.py", "from gateway.api import schemas"),
-        ("gateway/services/clock.py", "import fastapi"),
-        ("gateway/services/clock.py", "import simulator"),
-        ("simulator/__init__.py", "from gateway.services import clock"),
-        ("launcher/__init__.py", "import gateway"),
+        ("codec/checksum.py", "import asyncio"),
+        ("codec/checksum.py", "import time"),
+        ("xplane/datagram.py", "import socket"),
+        ("link/tcp.py", "from epf_gcs.vehicle import health"),
+        ("vehicle/health.py", "from epf_gcs.flight import memory"),
+        ("formats/kml.py", "import pathlib"),
+        ("formats/kml.py", "import time"),
+        ("formats/kml.py", "from epf_gcs.vehicle import health"),
+        ("clock.py", "from epf_gcs.web import schemas"),
+        ("flight/memory.py", "import epf_gcs.simulator"),
+        ("simulator/__init__.py", "from epf_gcs.flight import memory"),
+        ("launcher/__init__.py", "import epf_gcs.web"),
     ],
 )
 def test_a_forbidden_import_breaks_them(copy: Path, file: str, line: str) -> None:
-    path = copy / "src" / file
+    path = copy / "src" / "epf_gcs" / file
     path.write_text(f"{path.read_text()}\n{line}\n")
     answer = lint(copy)
     assert answer.returncode != 0, answer.stdout
@@ -65,6 +63,6 @@ def test_a_forbidden_import_breaks_them(copy: Path, file: str, line: str) -> Non
 
 
 def test_a_folder_without_a_place_in_the_layers_breaks_them(copy: Path) -> None:
-    (copy / "src" / "gateway" / "misc").mkdir()
-    (copy / "src" / "gateway" / "misc" / "__init__.py").write_text("")
+    (copy / "src" / "epf_gcs" / "misc").mkdir()
+    (copy / "src" / "epf_gcs" / "misc" / "__init__.py").write_text("")
     assert lint(copy).returncode != 0

@@ -18,7 +18,7 @@ from mcap.exceptions import EndOfFile
 from mcap.records import Message
 from mcap.stream_reader import StreamReader
 
-from gateway.xplane.datagram import Record, build, release_datagram
+from epf_gcs.xplane.datagram import Record, build, release_datagram
 from tests.support.fake_board import FakeBoard
 from tests.support.programs import Program, gateway_process
 from tests.support.waiting import DEADLINE_S, eventually
@@ -132,7 +132,7 @@ def test_after_a_polite_end_every_byte_that_was_sent_is_in_the_file(tmp_path: Pa
 def test_a_port_that_is_taken_ends_it_with_one_sentence(tmp_path: Path) -> None:
     with socket.create_server(("127.0.0.1", 0)) as other:
         port = str(other.getsockname()[1])
-        program = Program([sys.executable, "-m", "gateway", "--port", port, "--data-dir", str(tmp_path)])
+        program = Program([sys.executable, "-m", "epf_gcs.web", "--port", port, "--data-dir", str(tmp_path)])
         assert program.process.wait(DEADLINE_S) != 0
         program.end()
     assert f"TCP port {port} of 127.0.0.1 is taken by another program" in program.said
@@ -142,7 +142,7 @@ def test_a_port_that_is_taken_ends_it_with_one_sentence(tmp_path: Path) -> None:
 
 def run(*arguments: str) -> subprocess.CompletedProcess[str]:
     return subprocess.run(
-        [sys.executable, "-m", "gateway", *arguments], capture_output=True, text=True, timeout=60, check=False
+        [sys.executable, "-m", "epf_gcs.web", *arguments], capture_output=True, text=True, timeout=60, check=False
     )
 
 

@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from gateway.codec.messages_gen import ROUTES
+from epf_gcs.codec.messages_gen import ROUTES
 from tests.support.gateway import Gateway
 from tests.support.programs import board_process
 from tests.support.waiting import eventually

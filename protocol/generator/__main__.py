@@ -20,7 +20,7 @@ ROOT = Path(__file__).resolve().parent.parent.parent
 def outputs(definition: Definition) -> dict[str, str]:
     """Path from the root of the tree -> text."""
     return {
-        "backend/src/gateway/codec/messages_gen.py": emit_python.messages(definition),
+        "backend/src/epf_gcs/codec/messages_gen.py": emit_python.messages(definition),
         "firmware/src/comms/protocol_gen.h": emit_c.protocol_header(definition),
         "firmware/src/comms/protocol_gen.c": emit_c.protocol_source(definition),
         "firmware/src/params/parameters_gen.h": emit_c.parameters_header(definition),

@@ -1,4 +1,4 @@
-"""Model -> backend/src/gateway/codec/messages_gen.py: tables of the types of codec/tables.py."""
+"""Model -> backend/src/epf_gcs/codec/messages_gen.py: tables of the types of codec/tables.py."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from struct import Struct
 from types import MappingProxyType
 from typing import Final
 
-from gateway.codec.tables import Confirm, Message, Parameter, Route, Row, RowValue, Value, Waypoint
+from epf_gcs.codec.tables import Confirm, Message, Parameter, Route, Row, RowValue, Value, Waypoint
 """
 
 

@@ -6,10 +6,10 @@ import random
 from dataclasses import dataclass
 from itertools import accumulate
 
-from gateway.codec.encode import frame_bytes
-from gateway.codec.frame import FROM_BOARD, TO_BOARD, Damage, Direction, Frame
-from gateway.codec.messages_gen import COMMANDS, TELEMETRY
-from gateway.codec.tables import Message, Value
+from epf_gcs.codec.encode import frame_bytes
+from epf_gcs.codec.frame import FROM_BOARD, TO_BOARD, Damage, Direction, Frame
+from epf_gcs.codec.messages_gen import COMMANDS, TELEMETRY
+from epf_gcs.codec.tables import Message, Value
 
 
 def mixed_frames(count: int, seed: int, way: Direction = FROM_BOARD) -> list[bytes]:

@@ -6,7 +6,7 @@ import struct
 
 import pytest
 
-from gateway.codec.ahrs_test import AhrsTest, AhrsTestState, Attitude
+from epf_gcs.codec.ahrs_test import AhrsTest, AhrsTestState, Attitude
 
 MARK = b"\xaa" * 4
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gateway.codec.checksum import checksum
+from epf_gcs.codec.checksum import checksum
 
 
 def test_captured_checksums() -> None:

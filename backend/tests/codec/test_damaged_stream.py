@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from gateway.codec.frame import FROM_BOARD, Damage, Direction, Frame, FrameDecoder
+from epf_gcs.codec.frame import FROM_BOARD, Damage, Direction, Frame, FrameDecoder
 from tests.codec.streams import BOTH, DamagedStream, damage, mixed_frames, placed
 from tests.codec.vectors import CHUNKS, decode, direction, failures, frames, load
 from tests.support.firmware import FIRMWARE, make

@@ -7,8 +7,8 @@ from typing import Any
 
 import pytest
 
-from gateway.codec.encode import EMPTY_COMMANDS, encode_command, encode_telemetry
-from gateway.codec.messages_gen import COMMANDS, OPEN_BINARY_MODE
+from epf_gcs.codec.encode import EMPTY_COMMANDS, encode_command, encode_telemetry
+from epf_gcs.codec.messages_gen import COMMANDS, OPEN_BINARY_MODE
 from tests.codec.vectors import load
 
 COMMAND_VECTORS = load("commands.jsonl")

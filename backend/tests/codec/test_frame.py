@@ -8,9 +8,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gateway.codec.encode import encode_command, encode_telemetry
-from gateway.codec.frame import FROM_BOARD, TO_BOARD, Damage, Frame, FrameDecoder
-from gateway.codec.messages_gen import TO_PC_HEADER
+from epf_gcs.codec.encode import encode_command, encode_telemetry
+from epf_gcs.codec.frame import FROM_BOARD, TO_BOARD, Damage, Frame, FrameDecoder
+from epf_gcs.codec.messages_gen import TO_PC_HEADER
 from tests.codec.vectors import decode, direction, dropped, failures, frames, good_frames, load
 
 STREAMS = load("stream.jsonl")

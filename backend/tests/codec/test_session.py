@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from gateway.codec.encode import encode_command, encode_telemetry
-from gateway.codec.frame import Frame, FrameDecoder
-from gateway.codec.session import Session, SessionState
+from epf_gcs.codec.encode import encode_command, encode_telemetry
+from epf_gcs.codec.frame import Frame, FrameDecoder
+from epf_gcs.codec.session import Session, SessionState
 
 OPEN = b"#QT\n"
 ASK = encode_command("capabilities")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import struct
 
-from gateway.codec.messages_gen import (
+from epf_gcs.codec.messages_gen import (
     COMMANDS,
     COMMANDS_BY_ID,
     PARAMETERS,

@@ -9,11 +9,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gateway.codec.encode import encode_telemetry
-from gateway.codec.frame import Frame, FrameDecoder
-from gateway.codec.messages_gen import TELEMETRY
-from gateway.codec.tables import Value
-from gateway.codec.values import Meaning, _step, meaning, shortest, single
+from epf_gcs.codec.encode import encode_telemetry
+from epf_gcs.codec.frame import Frame, FrameDecoder
+from epf_gcs.codec.messages_gen import TELEMETRY
+from epf_gcs.codec.tables import Value
+from epf_gcs.codec.values import Meaning, _step, meaning, shortest, single
 from tests.codec.vectors import load
 
 ACCEPTED = [vector for vector in load("telemetry.jsonl") if "message" in vector]

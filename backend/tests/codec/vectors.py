@@ -7,7 +7,7 @@ from collections import Counter
 from pathlib import Path
 from typing import Any
 
-from gateway.codec.frame import FROM_BOARD, TO_BOARD, Damage, Direction, Frame, FrameDecoder
+from epf_gcs.codec.frame import FROM_BOARD, TO_BOARD, Damage, Direction, Frame, FrameDecoder
 
 FOLDER = Path(__file__).parents[3] / "protocol" / "vectors"
 CHUNKS = (1, 2, 3, 8, 64, 4096)

@@ -7,10 +7,10 @@ from typing import Any
 import pytest
 from hypothesis import strategies as st
 
-from gateway.codec.tables import Waypoint
-from gateway.errors import InvalidInputError
-from gateway.formats.mission_file import MissionFile
-from gateway.formats.recognise import read_mission_file
+from epf_gcs.codec.tables import Waypoint
+from epf_gcs.errors import InvalidInputError
+from epf_gcs.formats.mission_file import MissionFile
+from epf_gcs.formats.recognise import read_mission_file
 
 WAYPOINTS = st.builds(
     Waypoint,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from lxml import etree
 
-from gateway.formats.aircraft_model import aircraft_dae
+from epf_gcs.formats.aircraft_model import aircraft_dae
 
 ROOT = etree.fromstring(aircraft_dae())
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from gateway.codec.tables import Waypoint
-from gateway.formats.csv_plan import write_csv
+from epf_gcs.codec.tables import Waypoint
+from epf_gcs.formats.csv_plan import write_csv
 from tests.formats.plans import TWO, notes, read, refusal
 
 HEADER = "latitude_deg,longitude_deg,altitude_ft,speed_kt"

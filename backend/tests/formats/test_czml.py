@@ -9,8 +9,8 @@ import numpy as np
 import orjson
 import pytest
 
-from gateway.formats.czml import MovingTrack, czml_pieces, earth_quaternions
-from gateway.formats.samples import Samples
+from epf_gcs.formats.czml import MovingTrack, czml_pieces, earth_quaternions
+from epf_gcs.formats.samples import Samples
 
 YELLOW = (255, 255, 0, 255)
 

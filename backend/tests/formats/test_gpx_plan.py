@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 from lxml import etree
 
-from gateway.codec.tables import Waypoint
-from gateway.formats.gpx_plan import write_gpx
+from epf_gcs.codec.tables import Waypoint
+from epf_gcs.formats.gpx_plan import write_gpx
 from tests.formats.plans import TWO, notes, read, refusal
 
 # As a hand-held writes it: marks, a route, and the track of a walk with times and measured speeds.

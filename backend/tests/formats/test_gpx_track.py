@@ -7,8 +7,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from lxml import etree
 
-from gateway.formats.gpx_track import TimedTrack, gpx_track_pieces
-from gateway.formats.samples import Samples
+from epf_gcs.formats.gpx_track import TimedTrack, gpx_track_pieces
+from epf_gcs.formats.samples import Samples
 
 GPX = "{http://www.topografix.com/GPX/1/1}"
 

@@ -6,8 +6,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from gateway.formats.kml import Position
-from gateway.formats.kml_live import Aircraft, Link, NamedTrack, link_document, live_document, track_document
+from epf_gcs.formats.kml import Position
+from epf_gcs.formats.kml_live import Aircraft, Link, NamedTrack, link_document, live_document, track_document
 from tests.support.kml import child_texts, element, schema_faults, texts
 
 HERE: Position = (27.93, -15.38, 300.0)

@@ -6,8 +6,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from gateway.codec.tables import Waypoint
-from gateway.formats.kml_plan import write_kml
+from epf_gcs.codec.tables import Waypoint
+from epf_gcs.formats.kml_plan import write_kml
 from tests.formats.plans import PLANS, TWO, notes, read, refusal
 from tests.support.kml import schema_faults, texts
 

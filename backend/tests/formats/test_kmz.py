@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gateway.formats.kmz import kmz_pieces
+from epf_gcs.formats.kmz import kmz_pieces
 
 
 @given(st.lists(st.binary(max_size=3000), max_size=8), st.binary(max_size=100))

@@ -7,8 +7,8 @@ from typing import Any
 import orjson
 import pytest
 
-from gateway.codec.tables import Waypoint
-from gateway.formats.qgc_plan import write_plan
+from epf_gcs.codec.tables import Waypoint
+from epf_gcs.formats.qgc_plan import write_plan
 from tests.formats.plans import TWO, notes, read, refusal
 
 HOME = [27.9319, -15.3866, 24.384]

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gateway.formats.quantized_mesh import CELLS, earth_points, encode_tile, tile_bounds, tile_nodes
+from epf_gcs.formats.quantized_mesh import CELLS, earth_points, encode_tile, tile_bounds, tile_nodes
 from tests.support.maps import Mesh, decode_mesh
 
 GANDO = (12, 1875, 1342)

@@ -10,12 +10,12 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from gateway.codec.messages_gen import ROUTES
-from gateway.codec.tables import Waypoint
-from gateway.errors import InvalidInputError
-from gateway.formats.mission_file import Format
-from gateway.formats.recognise import MAX_FILE_BYTES, WRITERS, read_mission_file
-from gateway.vehicle.mission import mission_fault
+from epf_gcs.codec.messages_gen import ROUTES
+from epf_gcs.codec.tables import Waypoint
+from epf_gcs.errors import InvalidInputError
+from epf_gcs.formats.mission_file import Format
+from epf_gcs.formats.recognise import MAX_FILE_BYTES, WRITERS, read_mission_file
+from epf_gcs.vehicle.mission import mission_fault
 from tests.formats.plans import PLANS, TWO, notes, read, refusal
 
 FORMATS = list(WRITERS)

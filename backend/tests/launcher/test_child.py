@@ -9,8 +9,8 @@ from pathlib import Path
 
 import pytest
 
-from launcher.child import Child
-from launcher.errors import LaunchError
+from epf_gcs.launcher.child import Child
+from epf_gcs.launcher.errors import LaunchError
 
 DEADLINE_S = 20.0
 
@@ -115,7 +115,7 @@ def test_a_program_that_is_not_there_is_named(tmp_path: Path) -> None:
 
 def test_the_children_end_when_the_launcher_is_killed(tmp_path: Path) -> None:
     code = (
-        "import sys, time; from pathlib import Path; from launcher.child import Child;"
+        "import sys, time; from pathlib import Path; from epf_gcs.launcher.child import Child;"
         f"c = Child('program', [sys.executable, '-c', 'import time; time.sleep(60)'], Path({str(tmp_path)!r}));"
         "c.start(); print(c.pid, flush=True); time.sleep(60)"
     )

@@ -16,8 +16,8 @@ import httpx
 import pytest
 from websockets.sync.client import connect
 
-from launcher.options import BOARD_PROGRAM
-from launcher.ports import LOOPBACK, free_tcp_port, listener_of
+from epf_gcs.launcher.options import BOARD_PROGRAM
+from epf_gcs.launcher.ports import LOOPBACK, free_tcp_port, listener_of
 from tests.support.ports import free_udp_port
 
 DEADLINE_S = 60.0
@@ -34,7 +34,7 @@ class Run:
         self.url = f"http://{LOOPBACK}:{self.port}"
         self.data = data
         self.process = subprocess.Popen(
-            [sys.executable, "-m", "launcher", "--port", str(self.port), "--data", str(data), *arguments],
+            [sys.executable, "-m", "epf_gcs.launcher", "--port", str(self.port), "--data", str(data), *arguments],
             stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,
             text=True,
@@ -275,7 +275,15 @@ def has_heartbeat(status: Status) -> bool:
 
 @contextmanager
 def x_plane_of_somebody(listens_on: int, sends_to: int) -> Iterator[None]:
-    command = [sys.executable, "-m", "simulator", "--listen", str(listens_on), "--send-to", f"{LOOPBACK}:{sends_to}"]
+    command = [
+        sys.executable,
+        "-m",
+        "epf_gcs.simulator",
+        "--listen",
+        str(listens_on),
+        "--send-to",
+        f"{LOOPBACK}:{sends_to}",
+    ]
     with subprocess.Popen(command, stdout=subprocess.DEVNULL) as simulator:
         try:
             yield

@@ -4,9 +4,9 @@ from pathlib import Path
 
 import pytest
 
-from launcher.emulated import EmulatedBoard
-from launcher.errors import LaunchError
-from launcher.options import Options
+from epf_gcs.launcher.emulated import EmulatedBoard
+from epf_gcs.launcher.errors import LaunchError
+from epf_gcs.launcher.options import Options
 
 ON_A_LINE = EmulatedBoard("stm32f405", "netduinoplus2", 40123)
 

@@ -8,8 +8,8 @@ from typing import Any
 
 import pytest
 
-from launcher.errors import LaunchError
-from launcher.gateway_client import GatewayClient, RefusedError, UnreachableError
+from epf_gcs.launcher.errors import LaunchError
+from epf_gcs.launcher.gateway_client import GatewayClient, RefusedError, UnreachableError
 
 HELD = {
     "status": 409,

@@ -4,8 +4,8 @@ from pathlib import Path
 
 import pytest
 
-from launcher.errors import LaunchError
-from launcher.options import EVERY_INTERFACE, Options, XPlane
+from epf_gcs.launcher.errors import LaunchError
+from epf_gcs.launcher.options import EVERY_INTERFACE, Options, XPlane
 
 DEMONSTRATION = Options(data=Path("/somewhere/data"))
 

@@ -5,8 +5,8 @@ from collections.abc import Iterator
 
 import pytest
 
-from launcher.errors import LaunchError
-from launcher.ports import LOOPBACK, free_udp_port, listener_of, require_tcp_port
+from epf_gcs.launcher.errors import LaunchError
+from epf_gcs.launcher.ports import LOOPBACK, free_udp_port, listener_of, require_tcp_port
 
 
 @pytest.fixture

@@ -4,11 +4,11 @@ from dataclasses import replace
 
 import pytest
 
-from simulator.airframe import STEP_HZ, Airframe, AirframeError
-from simulator.models import AIRCRAFT, AircraftModel
-from simulator.situation import RUNWAY_HEADING_DEG, Situation, Start, Turbulence, Wind
-from simulator.state import Controls, FlightState
-from simulator.trim import trimmed
+from epf_gcs.simulator.airframe import STEP_HZ, Airframe, AirframeError
+from epf_gcs.simulator.models import AIRCRAFT, AircraftModel
+from epf_gcs.simulator.situation import RUNWAY_HEADING_DEG, Situation, Start, Turbulence, Wind
+from epf_gcs.simulator.state import Controls, FlightState
+from epf_gcs.simulator.trim import trimmed
 
 RC = AIRCRAFT["rc"]
 

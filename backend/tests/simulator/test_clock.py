@@ -4,7 +4,7 @@ import random
 
 import pytest
 
-from simulator.clock import Schedule
+from epf_gcs.simulator.clock import Schedule
 
 
 def test_small_delays_do_not_add_up() -> None:

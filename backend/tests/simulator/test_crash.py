@@ -5,12 +5,12 @@ from dataclasses import replace
 
 import pytest
 
-from simulator.airframe import Airframe
-from simulator.crash import crash_cause
-from simulator.models import AIRCRAFT
-from simulator.situation import Situation, Start
-from simulator.state import FlightState
-from simulator.trim import trimmed
+from epf_gcs.simulator.airframe import Airframe
+from epf_gcs.simulator.crash import crash_cause
+from epf_gcs.simulator.models import AIRCRAFT
+from epf_gcs.simulator.situation import Situation, Start
+from epf_gcs.simulator.state import FlightState
+from epf_gcs.simulator.trim import trimmed
 
 
 @pytest.fixture(scope="module")

@@ -6,8 +6,8 @@ from dataclasses import astuple
 
 import pytest
 
-from simulator.inputs import Inputs
-from simulator.state import Controls
+from epf_gcs.simulator.inputs import Inputs
+from epf_gcs.simulator.state import Controls
 
 TRIM = Controls(-0.16, 0.03, 0.0, 0.71)
 GIVE_BACK = -999.0

@@ -2,7 +2,7 @@
 
 import pytest
 
-from simulator.link import Link, LinkQuality
+from epf_gcs.simulator.link import Link, LinkQuality
 
 
 def delivered(link: Link[int], count: int, period_s: float = 0.02) -> dict[int, float]:

@@ -15,7 +15,7 @@ DEADLINE_S = 30.0
 
 def epf_sim(*arguments: str) -> subprocess.CompletedProcess[str]:
     return subprocess.run(
-        [sys.executable, "-m", "simulator", *arguments],
+        [sys.executable, "-m", "epf_gcs.simulator", *arguments],
         capture_output=True,
         text=True,
         timeout=DEADLINE_S,
@@ -97,7 +97,15 @@ def test_a_signal_ends_it_with_its_summary(number: signal.Signals) -> None:
     with closing(udp_socket()) as there:
         port = there.getsockname()[1]
         process = subprocess.Popen(
-            [sys.executable, "-m", "simulator", "--send-to", f"{LOOPBACK}:{port}", "--listen", str(free_port())],
+            [
+                sys.executable,
+                "-m",
+                "epf_gcs.simulator",
+                "--send-to",
+                f"{LOOPBACK}:{port}",
+                "--listen",
+                str(free_port()),
+            ],
             stdout=subprocess.PIPE,
             text=True,
         )

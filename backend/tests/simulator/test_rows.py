@@ -4,10 +4,10 @@ import math
 
 import pytest
 
-from gateway.codec.messages_gen import XPLANE_ROWS
-from gateway.xplane.datagram import build, parse
-from simulator.rows import RowWriter
-from simulator.state import Controls, FlightState
+from epf_gcs.codec.messages_gen import XPLANE_ROWS
+from epf_gcs.simulator.rows import RowWriter
+from epf_gcs.simulator.state import Controls, FlightState
+from epf_gcs.xplane.datagram import build, parse
 
 # Every quantity is a number of its own, so that no two can be mistaken for each other.
 STATE = FlightState(

@@ -7,10 +7,10 @@ from contextlib import contextmanager
 
 import pytest
 
-from gateway.xplane.datagram import Surfaces, parse, surfaces_datagram
-from simulator.link import LinkQuality
-from simulator.server import Pace, Server
-from simulator.simulation import Simulation, SimulationOptions
+from epf_gcs.simulator.link import LinkQuality
+from epf_gcs.simulator.server import Pace, Server
+from epf_gcs.simulator.simulation import Simulation, SimulationOptions
+from epf_gcs.xplane.datagram import Surfaces, parse, surfaces_datagram
 
 LOOPBACK = "127.0.0.1"
 DEADLINE_S = 20.0

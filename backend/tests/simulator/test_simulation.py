@@ -4,10 +4,10 @@ from dataclasses import replace
 
 import pytest
 
-from gateway.xplane.datagram import Surfaces, parse, release_datagram, surfaces_datagram
-from simulator.link import LinkQuality
-from simulator.simulation import Simulation, SimulationOptions
-from simulator.situation import Situation, Start, Turbulence, Wind
+from epf_gcs.simulator.link import LinkQuality
+from epf_gcs.simulator.simulation import Simulation, SimulationOptions
+from epf_gcs.simulator.situation import Situation, Start, Turbulence, Wind
+from epf_gcs.xplane.datagram import Surfaces, parse, release_datagram, surfaces_datagram
 
 ROUGH = SimulationOptions(
     situation=Situation(wind=Wind(300.0, 20.0), turbulence=Turbulence.MODERATE, seed=5),

@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from simulator.situation import (
+from epf_gcs.simulator.situation import (
     FINAL_ALTITUDE_FT,
     RUNWAY_HEADING_DEG,
     Situation,

@@ -4,10 +4,10 @@ from dataclasses import asdict
 
 import pytest
 
-from simulator.airframe import STEP_HZ, Airframe
-from simulator.models import AIRCRAFT
-from simulator.situation import AIR_ALTITUDE_FT, Situation, Start
-from simulator.trim import fly_trim, trimmed
+from epf_gcs.simulator.airframe import STEP_HZ, Airframe
+from epf_gcs.simulator.models import AIRCRAFT
+from epf_gcs.simulator.situation import AIR_ALTITUDE_FT, Situation, Start
+from epf_gcs.simulator.trim import fly_trim, trimmed
 
 EVERY_START = [(name, start) for name in AIRCRAFT for start in Start]
 

@@ -17,10 +17,10 @@ from pathlib import Path
 from types import TracebackType
 from typing import Self
 
-from gateway.codec.ahrs_test import BEGIN, QUIT, SYNCHRONISE, SYNCHRONISED
-from gateway.codec.encode import encode_telemetry
-from gateway.codec.frame import TO_BOARD, Frame, FrameDecoder
-from gateway.codec.messages_gen import OPEN_BINARY_MODE, PARAMETERS
+from epf_gcs.codec.ahrs_test import BEGIN, QUIT, SYNCHRONISE, SYNCHRONISED
+from epf_gcs.codec.encode import encode_telemetry
+from epf_gcs.codec.frame import TO_BOARD, Frame, FrameDecoder
+from epf_gcs.codec.messages_gen import OPEN_BINARY_MODE, PARAMETERS
 
 HEARTBEAT_PERIOD_S = 0.02
 _FLAGS = (

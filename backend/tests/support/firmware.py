@@ -9,7 +9,7 @@ import subprocess
 from pathlib import Path
 from typing import Final
 
-from launcher.emulated import QEMU
+from epf_gcs.launcher.emulated import QEMU
 
 FIRMWARE: Final = Path(__file__).resolve().parents[3] / "firmware"
 _ARM_COMPILER: Final = "arm-none-eabi-gcc"

@@ -12,10 +12,10 @@ import httpx
 import orjson
 from websockets.sync.client import ClientConnection, connect
 
-from gateway.logs import set_up_logging
-from gateway.server import Server
-from gateway.services.station import Station
-from gateway.settings import Settings
+from epf_gcs.flight.station import Station
+from epf_gcs.logs import set_up_logging
+from epf_gcs.web.server import Server
+from epf_gcs.web.settings import Settings
 from tests.support.waiting import DEADLINE_S, eventually
 
 

@@ -6,7 +6,7 @@ import socket
 from types import TracebackType
 from typing import Self
 
-from gateway.xplane.datagram import Record, build
+from epf_gcs.xplane.datagram import Record, build
 
 NO = -999.0
 ROWS = {

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gateway.vehicle.advice import MissingRow, Observed, Stream, advice
+from epf_gcs.vehicle.advice import MissingRow, Observed, Stream, advice
 
 GOOD = Observed(
     rx_percent=82.0,

@@ -1,254 +1,167 @@
-"""Judgements of what is wrong; time is a number."""
+"""Alarms from coming to going: told, acknowledged, kept."""
 
 from __future__ import annotations
 
-from dataclasses import replace
+import asyncio
+from collections.abc import Mapping
+from typing import Any
 
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 
-from gateway.vehicle.alarms import (
-    HICCUP_S,
-    BatteryJudge,
-    CpuJudge,
-    DamageJudge,
-    GpsJudge,
-    Lasting,
-    Line,
-    Loop,
-    judge_card,
-    judge_heartbeat,
-    judge_hil,
-    judge_parameters,
-    judge_recording,
-)
+from epf_gcs.errors import InvalidInputError, NotFoundError
+from epf_gcs.vehicle.alarms import Alarms
+from epf_gcs.vehicle.judges import AlarmId, Finding, Level
+from epf_gcs.vehicle.thresholds import THRESHOLDS
+from epf_gcs.web.stream.hub import Hub
 
-VALID = {"fix": 3, "valid": True}
-NO_FIX = {"fix": 0, "valid": True}
-VOID = {"fix": 3, "valid": False}
+pytestmark = pytest.mark.anyio
 
 
-@given(st.lists(st.tuples(st.floats(0.01, 2.0), st.sampled_from((True, False, None)))))
-def test_a_condition_counts_only_once_it_has_lasted(looks: list[tuple[float, bool | None]]) -> None:
-    lasting = Lasting(3.0)
-    now_s, held, same_since_s, previous = 0.0, False, 0.0, None
-    for after_s, condition in looks:
-        now_s += after_s
-        if condition != previous:
-            same_since_s, previous = now_s, condition
-        lasted_s = now_s - same_since_s
-        holds = lasting.look(now_s, condition=condition)
-        if condition is None:
-            assert holds == (held and lasted_s < HICCUP_S)
-        elif holds != held:
-            assert holds == condition
-            assert lasted_s >= 3.0
-        elif lasted_s >= 3.0:
-            assert holds == condition
-        held = holds
+class Told(Hub):
+    """A hub that remembers its events."""
+
+    def __init__(self) -> None:
+        super().__init__(asyncio.get_running_loop(), lambda: 0.0)
+        self.events: list[tuple[str, bool, bool]] = []
+
+    def event(self, kind: str, data: dict[str, Any]) -> None:
+        assert kind == "alarm"
+        self.events.append((data["id"], data["active"], data["acknowledged"]))
 
 
-def test_what_nobody_knows_for_a_moment_changes_nothing_and_for_longer_does_not_hold() -> None:
-    lasting = Lasting(3.0)
-    lasting.look(0.0, condition=True)
-    assert lasting.look(3.0, condition=True)
-    assert lasting.look(3.5, condition=None)
-    assert lasting.look(4.4, condition=None)
-    assert lasting.look(4.5, condition=True)
-    assert lasting.look(5.0, condition=None)
-    assert not lasting.look(6.0, condition=None)
-    lasting.look(6.1, condition=True)
-    assert not lasting.look(9.0, condition=True)
+class World:
+    """What is wrong, as the test says."""
+
+    def __init__(self, kept: Mapping[str, Any] | None = None) -> None:
+        self.wrong: list[Finding] = []
+        self.limits: list[Mapping[str, float]] = []
+        self.chosen: list[dict[str, float]] = []
+        self.hub = Told()
+        self.alarms = Alarms(self._watch, self.hub, kept or {}, self.chosen.append)
+
+    def _watch(self, limits: Mapping[str, float]) -> list[Finding]:
+        self.limits.append(limits)
+        return self.wrong
+
+    def goes_wrong(self, *names: AlarmId, level: Level = "warning") -> None:
+        self.wrong = [Finding(name, level, f"{name}.") for name in names]
 
 
-def battery(judge: BatteryJudge, *samples: tuple[float, float | None]) -> list[bool]:
-    return [judge.look(now_s, {"battery_v": battery_v}, 10.5) is not None for now_s, battery_v in samples]
+async def test_an_alarm_is_told_once_when_it_comes_and_once_when_it_goes() -> None:
+    world = World()
+    assert not world.alarms.look(1.0)
+    world.goes_wrong("battery_low")
+    assert [world.alarms.look(t_s) for t_s in (2.0, 3.0)] == [True, False]
+    assert [alarm.since_s for alarm in world.alarms.active] == [2.0]
+    world.goes_wrong()
+    assert [world.alarms.look(t_s) for t_s in (4.0, 5.0)] == [True, False]
+    assert world.alarms.active == []
+    (past,) = world.alarms.past
+    assert (past.finding.id, past.since_s, past.until_s, past.acknowledged) == ("battery_low", 2.0, 4.0, False)
+    assert world.hub.events == [("battery_low", True, False), ("battery_low", False, False)]
 
 
-def test_a_battery_is_low_after_three_seconds_below_its_limit() -> None:
-    assert battery(BatteryJudge(), (0, 10.4), (2.9, 10.4), (3.0, 10.3)) == [False, False, True]
-    assert battery(BatteryJudge(), (0, 10.5), (9, 10.5)) == [False, False], "at the limit it is not below"
+async def test_an_alarm_keeps_its_beginning_and_shows_its_newest_words() -> None:
+    world = World()
+    world.wrong = [Finding("cpu_high", "warning", "91 %.", {"percent": 91})]
+    world.alarms.look(1.0)
+    world.wrong = [Finding("cpu_high", "warning", "95 %.", {"percent": 95})]
+    assert not world.alarms.look(2.0)
+    (alarm,) = world.alarms.active
+    assert (alarm.since_s, alarm.finding.text) == (1.0, "95 %.")
 
 
-def test_a_battery_that_sags_for_a_moment_is_no_alarm_and_a_spike_is_no_rescue() -> None:
-    assert battery(BatteryJudge(), (0, 9.0), (2, 11.0), (3, 9.0), (5, 9.0), (6, 9.0)) == [False] * 4 + [True]
-    assert battery(BatteryJudge(), (0, 9.0), (3, 9.0), (4, 11.0), (6, 9.0), (8, 11.0)) == [False] + [True] * 4
+async def test_the_oldest_is_first_and_of_the_past_the_newest() -> None:
+    world = World()
+    world.goes_wrong("hil_lost")
+    world.alarms.look(1.0)
+    world.goes_wrong("heartbeat_lost", "hil_lost")
+    world.alarms.look(2.0)
+    assert [alarm.finding.id for alarm in world.alarms.active] == ["hil_lost", "heartbeat_lost"]
+    world.goes_wrong("heartbeat_lost")
+    world.alarms.look(3.0)
+    world.goes_wrong()
+    world.alarms.look(4.0)
+    assert [alarm.finding.id for alarm in world.alarms.past] == ["heartbeat_lost", "hil_lost"]
 
 
-def test_a_battery_that_nobody_measures_is_no_alarm() -> None:
-    judge = BatteryJudge()
-    assert battery(judge, (0, 9.0), (4, 9.0), (5, None), (6, None), (7, 9.0)) == [False, True, True, False, False]
-    assert judge.look(60, None, 10.5) is None
+async def test_an_acknowledged_alarm_stays_until_it_goes_and_is_new_when_it_comes_again() -> None:
+    world = World()
+    heard: list[str] = []
+    world.alarms.on_acknowledged = heard.append
+    world.goes_wrong("battery_low")
+    world.alarms.look(1.0)
+    assert world.alarms.acknowledge("battery_low").acknowledged
+    world.alarms.acknowledge("battery_low")
+    assert heard == ["battery_low"], "told once"
+    assert not world.alarms.look(2.0)
+    assert [alarm.acknowledged for alarm in world.alarms.active] == [True]
+    world.goes_wrong()
+    world.alarms.look(3.0)
+    world.goes_wrong("battery_low")
+    world.alarms.look(4.0)
+    assert [alarm.acknowledged for alarm in world.alarms.active] == [False]
+    assert [alarm.acknowledged for alarm in world.alarms.past] == [True]
+    assert world.hub.events == [
+        ("battery_low", True, False),
+        ("battery_low", True, True),
+        ("battery_low", False, True),
+        ("battery_low", True, False),
+    ]
 
 
-def test_the_battery_says_the_low_voltage_also_while_a_spike_lasts() -> None:
-    judge = BatteryJudge()
-    battery(judge, (0, 9.04), (3, 9.04))
-    found = judge.look(4, {"battery_v": 12.0}, 10.5)
-    assert found is not None
-    assert (found.level, found.params) == ("critical", {"battery_v": 9.0})
-    assert "9.0 V" in found.text
+async def test_an_alarm_that_becomes_worse_is_new_to_whoever_knew_the_milder_one() -> None:
+    world = World()
+    world.goes_wrong("gps_lost")
+    world.alarms.look(1.0)
+    world.alarms.acknowledge("gps_lost")
+    world.goes_wrong("gps_lost", level="critical")
+    assert world.alarms.look(2.0)
+    assert [alarm.acknowledged for alarm in world.alarms.active] == [False]
+    world.alarms.acknowledge("gps_lost")
+    world.goes_wrong("gps_lost", level="warning")
+    assert not world.alarms.look(3.0)
+    assert [alarm.acknowledged for alarm in world.alarms.active] == [True], "milder is nothing new"
 
 
-@pytest.mark.parametrize("busy", ["sensor_dsc_percent", "control_dsc_percent"])
-def test_either_processor_can_be_too_busy(busy: str) -> None:
-    judge = CpuJudge()
-    load = {"sensor_dsc_percent": 5, "control_dsc_percent": 5, busy: 91}
-    assert judge.look(0, load, 90) is None
-    found = judge.look(3, load, 90)
-    assert found is not None
-    assert (found.id, found.level, found.params) == ("cpu_high", "warning", {"percent": 91})
-    judge.look(4, None, 90)
-    assert judge.look(5, None, 90) is None, "a load that is not live is none"
+@pytest.mark.parametrize("name", ["battery_low", "no_such_alarm", ""])
+async def test_what_is_not_active_cannot_be_acknowledged(name: str) -> None:
+    with pytest.raises(NotFoundError) as refused:
+        World().alarms.acknowledge(name)
+    assert refused.value.code == "alarm_not_active"
 
 
-def test_a_processor_at_its_limit_or_without_a_value_is_not_busy() -> None:
-    judge = CpuJudge()
-    for now_s in range(9):
-        assert judge.look(now_s, {"sensor_dsc_percent": None, "control_dsc_percent": 90}, 90) is None
-        assert judge.look(now_s, {"sensor_dsc_percent": None, "control_dsc_percent": None}, 90) is None
+async def test_only_the_newest_two_hundred_are_kept() -> None:
+    world = World()
+    for t_s in range(500):
+        world.goes_wrong(*(("battery_low",) if t_s % 2 == 0 else ()))
+        world.alarms.look(float(t_s))
+    assert [alarm.since_s for alarm in world.alarms.past] == [float(t_s) for t_s in range(498, 98, -2)]
 
 
-@pytest.mark.parametrize("lost", [NO_FIX, VOID, {"fix": None, "valid": None}])
-def test_a_gps_without_a_position_is_a_warning_at_first_and_critical_once_there_was_one(
-    lost: dict[str, object],
-) -> None:
-    judge = GpsJudge()
-    assert judge.look(0, lost, is_wanted=True) is None
-    found = judge.look(1, lost, is_wanted=True)
-    assert found is not None
-    assert (found.id, found.level, found.params) == ("gps_lost", "warning", {"reason": "no_fix"})
-    judge.look(2, VALID, is_wanted=True)
-    assert judge.look(3, VALID, is_wanted=True) is None
-    judge.look(4, lost, is_wanted=True)
-    again = judge.look(5, lost, is_wanted=True)
-    assert again is not None
-    assert again.level == "critical"
-
-
-def test_a_gps_whose_stream_stopped_is_lost_only_where_it_is_wanted_and_was_there() -> None:
-    never = GpsJudge()
-    assert [never.look(now_s, None, is_wanted=True) for now_s in (0, 5)] == [None, None]
-    judge = GpsJudge()
-    judge.look(0, VALID, is_wanted=True)
-    assert [judge.look(now_s, None, is_wanted=False) for now_s in (1, 5)] == [None, None]
-    judge.look(6, None, is_wanted=True)
-    found = judge.look(7, None, is_wanted=True)
-    assert found is not None
-    assert (found.level, found.params) == ("critical", {"reason": "silent"})
-    judge.forget()
-    assert judge.look(8, None, is_wanted=True) is None
-    assert judge.look(20, None, is_wanted=True) is None
-
-
-def test_after_a_silence_of_the_whole_board_the_gps_has_its_time_again() -> None:
-    judge = GpsJudge()
-    judge.look(0, VALID, is_wanted=True)
-    assert judge.look(1, None, is_wanted=True) is None
-    judge.wait()
-    assert judge.look(9, None, is_wanted=True) is None
-    found = judge.look(10, None, is_wanted=True)
-    assert found is not None
-    assert found.level == "critical"
-
-
-def test_a_gps_that_nobody_wants_any_more_is_no_alarm_at_once() -> None:
-    judge = GpsJudge()
-    judge.look(0, NO_FIX, is_wanted=True)
-    assert judge.look(1, NO_FIX, is_wanted=True) is not None
-    assert judge.look(1.1, None, is_wanted=False) is None
-
-
-def test_a_hiccup_of_the_stream_makes_a_missing_position_neither_worse_nor_better() -> None:
-    judge = GpsJudge()
-    judge.look(0, NO_FIX, is_wanted=True)
-    before = judge.look(1, NO_FIX, is_wanted=True)
-    assert before is not None
-    assert judge.look(1.5, None, is_wanted=True) == before
-    assert judge.look(1.6, NO_FIX, is_wanted=True) == before
-
-
-def test_more_damaged_frames_than_allowed_are_an_alarm_until_the_window_is_past_them() -> None:
-    judge = DamageJudge(0.0)
-    assert judge.look(1, 1000, 0, 1.0) is None
-    assert judge.look(2, 1980, 20, 1.0) is None, "one in a hundred is allowed"
-    found = judge.look(3, 1980, 40, 1.0)
-    assert found is not None
-    assert found.params == {"percent": 2.0}
-    assert judge.look(3, 1980, 40, 2.5) is None
-    assert judge.look(14, 2000, 40, 1.0) is None
-    assert judge.percent == 0.0
-
-
-def test_a_few_bad_frames_on_a_quiet_line_are_no_bad_line() -> None:
-    judge = DamageJudge(0.0)
-    assert judge.look(1, 0, 4, 1.0) is None
-    assert judge.look(2, 0, 5, 1.0) is not None
-
-
-LINE = Line("/dev/ttyUSB0", 100.0, False, True, 0.1, 0.3, None)
+async def test_chosen_limits_are_used_and_kept() -> None:
+    world = World({"battery_low_v": 11.1, "hil_lost_s": 1000})
+    world.alarms.look(1.0)
+    assert world.limits[-1]["battery_low_v"] == 11.1
+    assert world.limits[-1]["hil_lost_s"] == 0.5, "one that is not allowed is the default"
+    world.alarms.choose({"cpu_high_percent": 80})
+    world.alarms.look(2.0)
+    assert world.limits[-1] == world.chosen[-1] == world.alarms.thresholds
+    assert (world.limits[-1]["cpu_high_percent"], world.limits[-1]["battery_low_v"]) == (80, 11.1)
 
 
 @pytest.mark.parametrize(
-    ("line", "limit_s", "found"),
+    ("wrong", "kind", "code"),
     [
-        (None, 1.0, None),
-        (LINE, 1.0, None),
-        (replace(LINE, heartbeat_age_s=1.1), 1.0, "heartbeat_lost"),
-        (replace(LINE, heartbeat_age_s=1.1), 2.0, None),
-        (replace(LINE, heartbeat_age_s=2.9, stale_after_s=3.0), 1.0, None),
-        (replace(LINE, heartbeat_age_s=3.1, stale_after_s=3.0), 1.0, "heartbeat_lost"),
-        (replace(LINE, failure="Gone."), 1.0, "heartbeat_lost"),
-        (replace(LINE, failure="Gone.", was_heard=False, is_lost=True), 1.0, "heartbeat_lost"),
-        (replace(LINE, was_heard=False, heartbeat_age_s=None), 1.0, "no_heartbeat"),
-        (replace(LINE, was_heard=False, heartbeat_age_s=None, wanted_for_s=4.0), 1.0, None),
+        ({"battery_low_v": 61.0}, InvalidInputError, "threshold_out_of_range"),
+        ({"battery_low_v": float("nan")}, InvalidInputError, "threshold_out_of_range"),
+        ({"battery_high_v": 1.0}, NotFoundError, "threshold_unknown"),
     ],
 )
-def test_the_heartbeat(line: Line | None, limit_s: float, found: str | None) -> None:
-    finding = judge_heartbeat(line, limit_s)
-    assert (None if finding is None else finding.id) == found
-
-
-LOOP = Loop(0.1, 0.1, True, True, ())
-
-
-@pytest.mark.parametrize(
-    ("loop", "words"),
-    [
-        (None, None),
-        (LOOP, None),
-        (replace(LOOP, to_board_age_s=0.6, is_board_open=False), "Check the board's link"),
-        (replace(LOOP, to_board_age_s=0.6, missing_rows=[17, 20]), "rows [17, 20] are missing"),
-        (replace(LOOP, to_board_age_s=0.6, is_simulator_open=False, missing_rows=[17]), "the simulator sends nothing"),
-        (replace(LOOP, surfaces_age_s=0.6), "the board does not answer"),
-        (replace(LOOP, surfaces_age_s=None), "the board does not answer"),
-    ],
-)
-def test_the_loop_says_where_it_is_open(loop: Loop | None, words: str | None) -> None:
-    finding = judge_hil(loop, 0.5)
-    assert (finding is None) == (words is None)
-    assert finding is None or words is None or words in finding.text
-
-
-def test_a_longer_patience_with_the_loop() -> None:
-    assert judge_hil(replace(LOOP, to_board_age_s=0.6, surfaces_age_s=0.6), 0.7) is None
-
-
-def test_the_card_is_judged_by_what_the_board_tells_of_it() -> None:
-    assert judge_card({}) is None
-    assert judge_card({"has_store": True, "has_card_alarm": False}) is None
-    found = judge_card({"has_store": True, "has_card_alarm": True})
-    assert found is not None
-    assert (found.id, found.level) == ("card_failed", "critical")
-
-
-def test_parameters_and_recording() -> None:
-    assert judge_parameters(()) is None
-    found = judge_parameters(("k_pitch", "k_roll"))
-    assert found is not None
-    assert found.params == {"names": "k_pitch, k_roll"}
-    assert judge_recording(None) is None
-    failed = judge_recording("no space")
-    assert failed is not None
-    assert (failed.id, failed.params) == ("recorder_failed", {"reason": "no space"})
+async def test_one_wrong_limit_and_none_is_changed(wrong: dict[str, float], kind: type[Exception], code: str) -> None:
+    world = World()
+    with pytest.raises(kind) as refused:
+        world.alarms.choose({"cpu_high_percent": 80, **wrong})
+    assert getattr(refused.value, "code", None) == code
+    assert world.alarms.thresholds == {threshold.name: threshold.default for threshold in THRESHOLDS}
+    assert world.chosen == []

@@ -9,8 +9,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gateway.codec.messages_gen import COMMANDS
-from gateway.vehicle.arguments import ArgumentFault, read_arguments
+from epf_gcs.codec.messages_gen import COMMANDS
+from epf_gcs.vehicle.arguments import ArgumentFault, read_arguments
 
 
 @pytest.mark.parametrize(

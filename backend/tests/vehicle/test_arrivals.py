@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gateway.vehicle.arrivals import Arrivals
+from epf_gcs.vehicle.arrivals import Arrivals
 
 
 def heard(*times_s: float) -> Arrivals:

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gateway.vehicle.example_flight import RADIUS_M, SPEED_KT, TURN_RATE_RAD_S, moment
+from epf_gcs.vehicle.example_flight import RADIUS_M, SPEED_KT, TURN_RATE_RAD_S, moment
 
 TIMES = st.floats(0, 86400, allow_nan=False)
 M_PER_DEG = math.pi * 6371000.0 / 180.0

@@ -6,11 +6,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gateway.codec.checksum import checksum
-from gateway.codec.encode import encode_telemetry
-from gateway.codec.frame import Damage, FrameDecoder
-from gateway.codec.messages_gen import END, TELEMETRY, TO_PC_HEADER
-from gateway.vehicle.frame_books import FrameBooks
+from epf_gcs.codec.checksum import checksum
+from epf_gcs.codec.encode import encode_telemetry
+from epf_gcs.codec.frame import Damage, FrameDecoder
+from epf_gcs.codec.messages_gen import END, TELEMETRY, TO_PC_HEADER
+from epf_gcs.vehicle.frame_books import FrameBooks
 
 AHRS = encode_telemetry("ahrs", 10.0, 5.0, -3.0)
 GPS = encode_telemetry("gps", 27.9, -15.4, 30.0, 0.0, 0.0, 0x38, 0x31, 0x41)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from gateway.vehicle.health import TopicHealth
+from epf_gcs.vehicle.health import TopicHealth
 
 
 def _heard_every(period_s: float, samples: int) -> TopicHealth:

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gateway.vehicle.journal import Change, Entry, Move, Outcome, Step, Steps, entry_from, moves_as_dicts
+from epf_gcs.vehicle.journal import Change, Entry, Move, Outcome, Step, Steps, entry_from, moves_as_dicts
 
 NAMES = ("k_pitch", "k_roll", "k_elev")
 values = st.floats(0, 99.5, width=32)

@@ -7,10 +7,10 @@ from dataclasses import replace
 
 import pytest
 
-from gateway.codec.messages_gen import ROUTES
-from gateway.codec.tables import Waypoint
-from gateway.codec.values import single
-from gateway.vehicle.mission import MAX_WAYPOINTS, item_arguments, mission_fault, same_plan, waypoint_from
+from epf_gcs.codec.messages_gen import ROUTES
+from epf_gcs.codec.tables import Waypoint
+from epf_gcs.codec.values import single
+from epf_gcs.vehicle.mission import MAX_WAYPOINTS, item_arguments, mission_fault, same_plan, waypoint_from
 
 GANDO = ROUTES["gando"].waypoints
 

@@ -6,9 +6,9 @@ import math
 
 import pytest
 
-from gateway.codec.messages_gen import PARAMETERS
-from gateway.codec.values import single
-from gateway.vehicle.parameters import (
+from epf_gcs.codec.messages_gen import PARAMETERS
+from epf_gcs.codec.values import single
+from epf_gcs.vehicle.parameters import (
     BY_NAME,
     UNKNOWN,
     after_read,

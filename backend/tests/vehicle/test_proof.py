@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from gateway.codec.messages_gen import COMMANDS
-from gateway.vehicle.proof import NOT_REPEATABLE, heartbeat_proves, plan_proves
+from epf_gcs.codec.messages_gen import COMMANDS
+from epf_gcs.vehicle.proof import NOT_REPEATABLE, heartbeat_proves, plan_proves
 
 ALL_ON = dict.fromkeys(("ahrs", "inertial", "analog", "statistics", "gps", "servos", "fly_by_wire"), True)
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from gateway.vehicle.rates import ByteRate
+from epf_gcs.vehicle.rates import ByteRate
 
 
 def test_a_steady_line_has_its_rate() -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from gateway.vehicle.round_trip import RoundTrip
+from epf_gcs.vehicle.round_trip import RoundTrip
 
 
 def _fly(trip: RoundTrip, frames: int, delay_s: float, *, lost: frozenset[int] = frozenset()) -> None:

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gateway.vehicle.thresholds import BY_NAME, THRESHOLDS, chosen, threshold_fault
+from epf_gcs.vehicle.thresholds import BY_NAME, THRESHOLDS, chosen, threshold_fault
 
 DEFAULTS = {threshold.name: threshold.default for threshold in THRESHOLDS}
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from gateway.codec.messages_gen import COMMANDS
-from gateway.vehicle.wanted import RATE_COMMANDS, STREAM_FLAGS, Wanted
+from epf_gcs.codec.messages_gen import COMMANDS
+from epf_gcs.vehicle.wanted import RATE_COMMANDS, STREAM_FLAGS, Wanted
 
 ALL_OFF = {flag: False for flag in STREAM_FLAGS.values() if flag is not None} | {"source_joystick": False}
 

@@ -9,9 +9,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gateway.codec.frame import Frame, FrameDecoder
-from gateway.xplane.datagram import Record, Surfaces, build, parse, release_datagram, surfaces_datagram
-from gateway.xplane.mapping import surfaces_from_servos_in
+from epf_gcs.codec.frame import Frame, FrameDecoder
+from epf_gcs.xplane.datagram import Record, Surfaces, build, parse, release_datagram, surfaces_datagram
+from epf_gcs.xplane.mapping import surfaces_from_servos_in
 from tests.codec.vectors import load
 
 VECTORS = load("simulator.jsonl")

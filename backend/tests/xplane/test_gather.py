@@ -8,9 +8,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gateway.xplane.datagram import Record
-from gateway.xplane.gather import Gatherer
-from gateway.xplane.mapping import XplaneInfo
+from epf_gcs.xplane.datagram import Record
+from epf_gcs.xplane.gather import Gatherer
+from epf_gcs.xplane.mapping import XplaneInfo
 
 ORDER = (3, 4, 6, 8, 11, 16, 17, 18, 20, 25)
 PERIOD_S = 0.02

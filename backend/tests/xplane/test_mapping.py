@@ -7,11 +7,11 @@ from typing import Any
 
 import pytest
 
-from gateway.codec.encode import encode_command
-from gateway.codec.messages_gen import COMMANDS, XPLANE_ROWS
-from gateway.codec.values import single
-from gateway.xplane.datagram import Surfaces, parse
-from gateway.xplane.mapping import (
+from epf_gcs.codec.encode import encode_command
+from epf_gcs.codec.messages_gen import COMMANDS, XPLANE_ROWS
+from epf_gcs.codec.values import single
+from epf_gcs.xplane.datagram import Surfaces, parse
+from epf_gcs.xplane.mapping import (
     INFO_SOURCES,
     NEEDED_ROWS,
     XplaneInfo,

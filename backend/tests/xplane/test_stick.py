@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from gateway.xplane.datagram import Surfaces
-from gateway.xplane.stick import SAMPLE_LASTS_S, THROTTLE_LASTS_S, Hand
+from epf_gcs.xplane.datagram import Surfaces
+from epf_gcs.xplane.stick import SAMPLE_LASTS_S, THROTTLE_LASTS_S, Hand
 
 TURN = Surfaces(0.25, -0.5, 0.125, 0.75)
 LET_GO = Surfaces(0.0, 0.0, 0.0, 0.75)

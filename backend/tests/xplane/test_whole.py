@@ -8,11 +8,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gateway.codec.messages_gen import NO_VALUE
-from gateway.xplane.datagram import Record, build, parse
-from gateway.xplane.gather import Gatherer
-from gateway.xplane.mapping import XplaneInfo
-from gateway.xplane.whole import WholeFrames
+from epf_gcs.codec.messages_gen import NO_VALUE
+from epf_gcs.xplane.datagram import Record, build, parse
+from epf_gcs.xplane.gather import Gatherer
+from epf_gcs.xplane.mapping import XplaneInfo
+from epf_gcs.xplane.whole import WholeFrames
 
 ORDER = (3, 4, 6, 8, 11, 16, 17, 18, 20, 25)
 PROFILES = ("xp10", "xp12")

@@ -1,0 +1,144 @@
+"""The closed loop in one process: JSBSim, X-Plane's datagrams, command 50, and the board's own C code.
+
+What flies here is what flies in the real processes: the simulator without its socket, the gateway's
+decoders, and `libepf-flight.so`, the firmware's pure part (`make -C firmware flight-lib`).
+"""
+
+import ctypes
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Final, Self
+
+from epf_gcs.codec.encode import encode_command
+from epf_gcs.codec.frame import Damage, Frame, FrameDecoder
+from epf_gcs.simulator.simulation import Simulation, SimulationOptions
+from epf_gcs.simulator.state import FlightState
+from epf_gcs.xplane.datagram import Surfaces, parse, surfaces_datagram
+from epf_gcs.xplane.gather import Gatherer
+
+LIBRARY: Final = Path(__file__).resolve().parents[3] / "firmware" / "build" / "posix" / "libepf-flight.so"
+
+_FMS_TASK: Final = 1
+_FMS_PERIOD_S: Final = 0.1
+_OUT_BYTES: Final = 16384
+
+
+class Firmware:
+    """The board's pure C in this process: bytes of the line in, bytes out."""
+
+    def __init__(self, hil_period_s: float) -> None:
+        assert LIBRARY.exists(), f"{LIBRARY} is missing: build it with `make -C firmware flight-lib`"
+        library = ctypes.CDLL(str(LIBRARY))
+        library.epf_flight_new.restype = ctypes.c_void_p
+        library.epf_flight_new.argtypes = (ctypes.c_float,)
+        library.epf_flight_free.argtypes = (ctypes.c_void_p,)
+        library.epf_flight_feed.restype = ctypes.c_size_t
+        library.epf_flight_feed.argtypes = (
+            ctypes.c_void_p,
+            ctypes.c_char_p,
+            ctypes.c_size_t,
+            ctypes.c_char_p,
+            ctypes.c_size_t,
+        )
+        library.epf_flight_send_streams.argtypes = (ctypes.c_void_p, ctypes.c_uint32)
+        library.epf_flight_lost_bytes.restype = ctypes.c_size_t
+        library.epf_flight_lost_bytes.argtypes = (ctypes.c_void_p,)
+        self._library = library
+        self._board = library.epf_flight_new(hil_period_s)
+        self._out = ctypes.create_string_buffer(_OUT_BYTES)
+
+    def close(self) -> None:
+        """Free the board."""
+        self._library.epf_flight_free(self._board)
+
+    def feed(self, data: bytes) -> bytes:
+        """Give the board bytes; returns what it sends."""
+        size = self._library.epf_flight_feed(self._board, data, len(data), self._out, _OUT_BYTES)
+        assert self._library.epf_flight_lost_bytes(self._board) == 0
+        return self._out.raw[:size]
+
+    def send_fms_streams(self) -> bytes:
+        """Let the board's FMS task send its streams; returns them."""
+        self._library.epf_flight_send_streams(self._board, _FMS_TASK)
+        return self.feed(b"")
+
+
+@dataclass(frozen=True, slots=True)
+class Sample:
+    """One frame of a flight: the truth of the simulator, and what the board made of it."""
+
+    time_s: float
+    state: FlightState
+    waypoint: int  # -1 without a plan
+    surfaces: Surfaces | None  # the board's newest answer
+
+
+class ClosedLoop:
+    """A simulator and a board, wired as the gateway wires them, on the assisted path."""
+
+    def __init__(self, options: SimulationOptions) -> None:
+        self.crashes: list[str] = []
+        self.simulation = Simulation(options, self.crashes.append)
+        self.firmware = Firmware(1.0 / options.rate_hz)
+        self._gatherer = Gatherer(options.profile)
+        self._decoder = FrameDecoder()
+        self._fms_every = round(_FMS_PERIOD_S * options.rate_hz)
+        self._frames = 0
+        self.waypoint = -1
+        self.surfaces: Surfaces | None = None
+        self.samples: list[Sample] = []
+        self.bytes_to_station: list[bytes] = []
+        for command in ("fms_hil_plan_on", "autotrim_on"):
+            self.command(command)
+        self.command("control_source", 1)
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.firmware.close()
+
+    def command(self, name: str, *values: float) -> None:
+        """Give the board a command."""
+        self._take(self.firmware.feed(encode_command(name, *values)))
+
+    def fly(self, seconds: float, until: Callable[[Sample], bool] = lambda _: False) -> list[Sample]:
+        """Fly on, at most so long; returns the samples of that time."""
+        first = len(self.samples)
+        end_s = self.simulation.time_s + seconds
+        while self.simulation.time_s < end_s:
+            self._frame()
+            if until(self.samples[-1]):
+                break
+        return self.samples[first:]
+
+    def _frame(self) -> None:
+        simulation = self.simulation
+        simulation.advance()
+        simulation.send()
+        for datagram in simulation.arrived(simulation.time_s):
+            self.bytes_to_station.append(datagram)
+            info = self._gatherer.take(parse(datagram) or [], simulation.time_s)
+            if info is not None:
+                self._take(self.firmware.feed(encode_command("xplane_info", *info)))
+        self._frames += 1
+        if self._frames % self._fms_every == 0:
+            self._take(self.firmware.send_fms_streams())
+        self.samples.append(Sample(simulation.time_s, simulation.state, self.waypoint, self.surfaces))
+
+    def _take(self, data: bytes) -> None:
+        """What the station does with the board's frames."""
+        for found in self._decoder.feed(data):
+            match found:
+                case Frame(message=message) if message.name == "hil_surfaces":
+                    self.surfaces = Surfaces(*found.values)
+                    datagram = surfaces_datagram(self.surfaces)
+                    assert datagram is not None, f"the board sent {self.surfaces}"
+                    self.simulation.receive(datagram)
+                case Frame(message=message) if message.name == "fms_hil_plan":
+                    self.waypoint = int(found.values[-1])
+                case Frame():
+                    pass
+                case Damage():
+                    raise AssertionError(f"the board sent {found}")

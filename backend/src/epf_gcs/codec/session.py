@@ -1,0 +1,127 @@
+"""The life of one connection to a board: text mode, binary mode, what the board can do, and the end.
+
+States and what moves them:
+
+    closed  --open-->  opening  --first heartbeat-->  asking  --capabilities-->  extended
+                          ^                              |
+                          |                              +--500 ms without answer-->  legacy
+                          +--heartbeat silent for 3 s (the board restarted in text mode)--+
+
+In `opening` the line that opens binary mode is repeated each second. In every state `close` gives the bytes
+that leave the board quiet and in text mode. The clock is the caller's: each call is told the time.
+"""
+
+from __future__ import annotations
+
+from enum import StrEnum
+from typing import Final
+
+from epf_gcs.codec.encode import EMPTY_COMMANDS
+from epf_gcs.codec.frame import Frame
+from epf_gcs.codec.messages_gen import OPEN_BINARY_MODE
+from epf_gcs.codec.values import Json, meaning
+
+CAPABILITIES_TIMEOUT_S: Final = 0.5
+OPEN_REPEAT_S: Final = 1.0
+HEARTBEAT_SILENCE_S: Final = 3.0
+"""Silence after which the board is taken to be in text mode again. A heartbeat may be rarer when the
+parameter task was made slower than this: see `expect_heartbeat_every`."""
+
+
+class SessionState(StrEnum):
+    """Where the dialogue stands; `legacy` and `extended` are the open states."""
+
+    CLOSED = "closed"
+    OPENING = "opening"
+    ASKING = "asking"
+    LEGACY = "legacy"
+    EXTENDED = "extended"
+
+
+class Session:
+    """Opening, watching and closing the dialogue with one board."""
+
+    def __init__(self) -> None:
+        self.state = SessionState.CLOSED
+        self.capabilities: dict[str, Json] | None = None
+        self.heartbeat_s: float | None = None
+        self._silence_s = HEARTBEAT_SILENCE_S
+        self._next_s: float | None = None
+
+    @property
+    def is_open(self) -> bool:
+        """The board is in binary mode and it is known which extensions it has."""
+        return self.state in (SessionState.LEGACY, SessionState.EXTENDED)
+
+    @property
+    def is_extended(self) -> bool:
+        """Extension frames may be sent."""
+        return self.state is SessionState.EXTENDED
+
+    @property
+    def deadline_s(self) -> float | None:
+        """When `tick` has something to do next; None when never."""
+        return self._next_s
+
+    def heartbeat_age_s(self, now_s: float) -> float | None:
+        """Time since the last heartbeat, None before the first of this connection."""
+        return None if self.heartbeat_s is None else now_s - self.heartbeat_s
+
+    def expect_heartbeat_every(self, period_s: float) -> None:
+        """The parameter task's period was changed: three missed heartbeats count as silence, 3 s at the least."""
+        self._silence_s = max(HEARTBEAT_SILENCE_S, 3 * period_s)
+
+    def open(self, now_s: float) -> bytes:
+        """Start the dialogue; returns the bytes to send."""
+        self.heartbeat_s = None
+        self._silence_s = HEARTBEAT_SILENCE_S
+        return self._reopen(now_s)
+
+    def on_frame(self, frame: Frame, now_s: float) -> bytes:
+        """Take a frame from the board; returns the bytes to send."""
+        if self.state is SessionState.CLOSED:
+            return b""
+        if frame.message.name == "heartbeat":
+            return self._on_heartbeat(now_s)
+        if frame.message.name == "capabilities" and self.state is not SessionState.OPENING:
+            self.capabilities = meaning(frame).values
+            self.state = SessionState.EXTENDED
+            self._watch_heartbeat(now_s)
+        return b""
+
+    def tick(self, now_s: float) -> bytes:
+        """Do what is due at `now_s`; returns the bytes to send."""
+        if self._next_s is None or now_s < self._next_s:
+            return b""
+        if self.state is SessionState.ASKING:
+            self.state = SessionState.LEGACY
+            self._watch_heartbeat(now_s)
+            return b""
+        return self._reopen(now_s)
+
+    def close(self) -> bytes:
+        """End the dialogue; returns the bytes that stop all streams and leave binary mode."""
+        was_closed = self.state is SessionState.CLOSED
+        self.state = SessionState.CLOSED
+        self._next_s = None
+        return b"" if was_closed else EMPTY_COMMANDS["stop"] + EMPTY_COMMANDS["exit_binary_mode"]
+
+    def _reopen(self, now_s: float) -> bytes:
+        self.state = SessionState.OPENING
+        self.capabilities = None
+        self._next_s = now_s + OPEN_REPEAT_S
+        return OPEN_BINARY_MODE
+
+    def _on_heartbeat(self, now_s: float) -> bytes:
+        self.heartbeat_s = now_s
+        if self.state is SessionState.OPENING:
+            self.state = SessionState.ASKING
+            self._next_s = now_s + CAPABILITIES_TIMEOUT_S
+            return EMPTY_COMMANDS["capabilities"]
+        if self.is_open:
+            self._watch_heartbeat(now_s)
+        return b""
+
+    def _watch_heartbeat(self, now_s: float) -> None:
+        heard_s = now_s if self.heartbeat_s is None else self.heartbeat_s
+        self._next_s = heard_s + self._silence_s

@@ -1,0 +1,153 @@
+"""Values of the wire -> their meaning, with what is not plausible taken out; and arguments checked."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from struct import Struct
+from typing import Any, Final, NamedTuple
+
+from epf_gcs.codec.frame import Frame
+from epf_gcs.codec.messages_gen import COMMANDS, TELEMETRY
+from epf_gcs.codec.tables import Message, Value
+
+Json = float | int | bool | str | None
+
+_SINGLE: Final = Struct("<f")
+_SHORTEST_DIGITS: Final = range(6, 10)  # nine digits always tell two single-precision numbers apart
+
+
+class Meaning(NamedTuple):
+    """The values of one frame by name, None for "no data", and the names whose value was not plausible."""
+
+    values: dict[str, Json]
+    implausible: tuple[str, ...]
+
+
+def meaning(frame: Frame) -> Meaning:
+    """What a frame says. A value that is not finite or outside its range becomes None and is named.
+
+    What a field holds where the board has nothing to say is None too, but is no fault and is not named.
+    """
+    wire = frame.values
+    values: dict[str, Json] = {}
+    implausible: list[str] = []
+    for name, slot, minimum, maximum, absent, read in _PLANS[frame.message]:
+        raw = wire[slot]
+        if read is None:
+            if minimum <= raw <= maximum:
+                values[name] = raw
+                continue
+            values[name] = None
+            if not _says_nothing(raw, absent):
+                implausible.append(name)
+        else:
+            values[name] = read(raw)
+            if values[name] is None:
+                implausible.append(name)
+    return Meaning(values, tuple(implausible))
+
+
+def argument_fault(value: Value, given: float) -> str | None:
+    """Why a number cannot be this argument of a command, in a clear sentence; None where it can."""
+    if not math.isfinite(given):
+        return f"{value.name} must be a number"
+    if value.kind == "integer" and given != int(given):
+        return f"{value.name} must be a whole number, not {given:g}"
+    if value.minimum is not None and value.maximum is not None and not value.minimum <= given <= value.maximum:
+        return f"{value.name} must be in {value.minimum:g}..{value.maximum:g}, not {given:g}"
+    return None
+
+
+def single(value: float) -> float:
+    """The single-precision number that the wire will carry for `value`."""
+    rounded: float = _SINGLE.unpack(_SINGLE.pack(value))[0]
+    return rounded
+
+
+def shortest(value: float) -> float:
+    """The shortest decimal that is the same single-precision number: 0.6 for 0.6000000238418579."""
+    for digits in _SHORTEST_DIGITS:
+        candidate = float(f"{value:.{digits}g}")
+        if single(candidate) == value:
+            return candidate
+    return value
+
+
+class _Step(NamedTuple):
+    """How one value is read: by comparing with its limits, or by `read` where the wire holds it otherwise."""
+
+    name: str
+    slot: int
+    minimum: float
+    maximum: float
+    absent: float | None
+    read: Callable[[Any], Json] | None
+
+
+def _says_nothing(raw: float, absent: float | None) -> bool:
+    """The field holds its "no data"; where that is NaN, any NaN is it."""
+    return raw == absent or (absent is not None and math.isnan(absent) and math.isnan(raw))
+
+
+def _flag(raw: int) -> bool | None:
+    return bool(raw) if raw in (0, 1) else None
+
+
+def _text(raw: bytes) -> str | None:
+    """Zero-padded ASCII; anything unprintable is no text."""
+    text = raw.split(b"\0", 1)[0].decode("ascii", "replace")
+    return text if text.isascii() and text.isprintable() else None
+
+
+def _ascii_digits(value: Value) -> Callable[[int], int | None]:
+    """Digits as received, units in the low byte; as many as the range has."""
+    size = len(str(int(value.maximum or 0)))
+
+    def read(raw: int) -> int | None:
+        letters = raw.to_bytes(4, "big", signed=True).lstrip(b"\0")
+        return int(letters) if letters.isdigit() and len(letters) <= size else None
+
+    return read
+
+
+def _bit(value: Value) -> Callable[[int], bool | None]:
+    minimum, maximum, bit = value.minimum or 0, value.maximum or 0, value.bit or 0
+
+    def read(raw: int) -> bool | None:
+        return bool(raw >> bit & 1) if minimum <= raw <= maximum else None
+
+    return read
+
+
+def _ascii_flag(value: Value) -> Callable[[int], bool | None]:
+    yes, no = value.letters or ("", "")
+    meanings = {ord(yes): True, ord(no): False}
+    return meanings.get
+
+
+def _step(value: Value) -> _Step:
+    read: Callable[[Any], Json] | None = None
+    match value.encoding:
+        case "flag":
+            read = _flag
+        case "text":
+            read = _text
+        case "bit":
+            read = _bit(value)
+        case "ascii_digits":
+            read = _ascii_digits(value)
+        case "ascii_flag":
+            read = _ascii_flag(value)
+        case "plain":
+            pass
+    minimum = -math.inf if value.minimum is None else value.minimum
+    maximum = math.inf if value.maximum is None else value.maximum
+    if value.kind == "number":  # a limit such as 99.99 is on the wire as the single-precision number next to it
+        minimum, maximum = min(minimum, single(minimum)), max(maximum, single(maximum))
+    return _Step(value.name, value.slot, minimum, maximum, value.absent, read)
+
+
+_PLANS: Final[Mapping[Message, tuple[_Step, ...]]] = {
+    message: tuple(_step(value) for value in message.values) for message in (*TELEMETRY.values(), *COMMANDS.values())
+}

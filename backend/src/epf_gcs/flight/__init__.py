@@ -1,0 +1,1 @@
+"""The flight process: lines, HIL, commands with proof, recorder. It knows no web."""

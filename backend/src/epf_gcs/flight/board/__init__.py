@@ -1,0 +1,1 @@
+"""What is asked of the board: commands with proof, parameters, plans, the AHRS test."""

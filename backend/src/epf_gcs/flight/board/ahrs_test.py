@@ -1,0 +1,168 @@
+"""The AHRS test: the board leaves its frames for a stream of bare attitudes, and comes back to them afterwards.
+
+While it runs the board hears no command and sends no heartbeat, so it is refused to a board that flies. It is proved
+by its first record, and its end by the heartbeat that follows.
+"""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Callable
+from typing import Final, Literal
+
+from epf_gcs.clock import Clock
+from epf_gcs.codec.ahrs_test import AhrsTest
+from epf_gcs.error_log import ErrorLog
+from epf_gcs.errors import ConflictError, LinkError
+from epf_gcs.flight.board.commands import CommandResult
+from epf_gcs.vehicle.board import Board
+from epf_gcs.vehicle.telemetry import Telemetry
+from epf_gcs.web.stream.hub import Hub
+
+TOPIC: Final = "ahrs_test"
+
+Stage = Literal["off", "starting", "running", "ending"]
+
+# The dialogue is tried twice: 0.2 s and 2 s each.
+_BEGIN_S: Final = 4.6
+# Opening takes a heartbeat and, on a deployed board, half a second without an answer; the line is greeted each second.
+_END_S: Final = 4.0
+# Records come fifty times a second: this long without one and the board was switched off or left the test by itself.
+_SILENCE_S: Final = 2.0
+
+
+class AhrsTestRun:
+    """Borrows the board's line. `flies` tells whether the board must not be left alone; `changed`: the stage did."""
+
+    def __init__(
+        self,
+        *,
+        board: Board,
+        telemetry: Telemetry,
+        hub: Hub,
+        clock: Clock,
+        errors: ErrorLog,
+        flies: Callable[[], bool],
+        changed: Callable[[], None],
+    ) -> None:
+        self._board = board
+        self._telemetry = telemetry
+        self._hub = hub
+        self._clock = clock
+        self._errors = errors
+        self._flies = flies
+        self._changed = changed
+        self._lock = asyncio.Lock()
+        self._test = AhrsTest()
+        self._heard_s = 0.0
+        self._has_record = False
+        self._news = asyncio.Event()
+        self._is_ending = False
+
+    @property
+    def stage(self) -> Stage:
+        """Where the test stands. It runs once an attitude was heard: the board's word that it will come is no proof."""
+        if self._board.guest is self:
+            return "running" if self._has_record else "starting"
+        return "ending" if self._is_ending else "off"
+
+    async def start(self) -> CommandResult:
+        """Begin and wait for the first record. Raises ConflictError where the board cannot be left to it now."""
+        async with self._lock:
+            started_s = self._clock.steady_s()
+            if self.stage != "running":
+                self._check_startable()
+                self._heard_s = started_s
+                self._has_record = False
+                self._board.lend(self)
+                self._board.write(self._test.start(started_s))
+                self._changed()
+                await self._wait(lambda: self.stage != "starting", _BEGIN_S)
+            done = self.stage == "running"
+            if not done and self._board.guest is self:
+                self._give_back()
+            self._changed()
+            return self._result(started_s, done=done, by="read_back")
+
+    async def stop(self) -> CommandResult:
+        """End and wait until the board speaks frames again."""
+        async with self._lock:
+            started_s = self._clock.steady_s()
+            if self._board.guest is self:
+                self._give_back()
+            self._is_ending = True
+            self._changed()
+            try:
+                await self._wait(lambda: self._board.is_open or self._board.link is None, _END_S)
+            finally:
+                self._is_ending = False
+                self._changed()
+            return self._result(started_s, done=self._board.is_open, by="heartbeat")
+
+    def tick(self) -> None:
+        """Do what is due; called some times a second."""
+        if self._board.guest is not self:
+            self._news.set()
+            return
+        now_s = self._clock.steady_s()
+        due = self._test.tick(now_s)
+        if due:
+            self._board.write(due)
+        if self.stage == "running" and now_s - self._heard_s > _SILENCE_S:
+            self._errors.report(
+                LinkError(
+                    "ahrs_test_lost",
+                    "The AHRS test is over because the board sent no attitude any more: check its power and cable.",
+                )
+            )
+            self._give_back()
+            self._changed()
+        self._news.set()
+
+    def on_bytes(self, data: bytes) -> None:
+        """Bytes of the lent line."""
+        was = self.stage
+        attitudes = self._test.feed(data)
+        if attitudes:
+            self._has_record = True
+            self._heard_s = self._clock.steady_s()
+            # They came in one piece: the newest is the present, the others are no older than it.
+            self._telemetry.show(TOPIC, self._clock.now_s(), dict(attitudes[-1]._asdict()))
+            self._hub.flush()
+            self._news.set()
+        if self.stage != was:
+            self._changed()
+
+    def goodbye(self) -> bytes:
+        """What ends the test on the board; from here on it is over."""
+        self._news.set()
+        return self._test.stop()
+
+    def _check_startable(self) -> None:
+        self._board.check_commandable()
+        if not self._board.is_open:
+            raise ConflictError(
+                "board_not_open", "The AHRS test was not started because no board is connected: open its link first."
+            )
+        if self._flies():
+            raise ConflictError(
+                "ahrs_test_in_flight",
+                "The AHRS test was not started because the board is flying: it hears no command during the test. "
+                "Switch its autopilot off, and the simulator to manual.",
+            )
+
+    def _give_back(self) -> None:
+        self._board.take_back()
+
+    async def _wait(self, condition: Callable[[], bool], at_most_s: float) -> None:
+        try:
+            async with asyncio.timeout(at_most_s):
+                while not condition():
+                    self._news.clear()
+                    await self._news.wait()
+        except TimeoutError:
+            return
+
+    def _result(self, started_s: float, *, done: bool, by: Literal["read_back", "heartbeat"]) -> CommandResult:
+        ms = round((self._clock.steady_s() - started_s) * 1000.0, 1)
+        return CommandResult("confirmed" if done else "timed_out", by, ms)

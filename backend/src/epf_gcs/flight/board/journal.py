@@ -1,0 +1,104 @@
+"""Who wrote what to the gains when, kept over restarts; and what can be undone while the same board is there."""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Callable, Iterable
+from pathlib import Path
+from typing import Any, Final
+
+import orjson
+
+from epf_gcs.clock import Clock
+from epf_gcs.errors import GatewayError
+from epf_gcs.flight.lines_file import LinesFile
+from epf_gcs.vehicle.journal import Change, Entry, Kind, Steps, entry_from, moves_as_dicts
+from epf_gcs.web.stream.hub import Hub
+
+_KEPT: Final = 1000
+
+
+class Journal:
+    """`name_of` tells what a browser is called. Each entry goes to the file and to the viewers."""
+
+    def __init__(
+        self,
+        path: Path,
+        *,
+        clock: Clock,
+        hub: Hub,
+        report: Callable[[GatewayError], None],
+        name_of: Callable[[str], str | None],
+    ) -> None:
+        self._path = path
+        self._clock = clock
+        self._hub = hub
+        self._report = report
+        self._name_of = name_of
+        self._file = LinesFile(path, _KEPT, report)
+        self._entries: deque[Entry] = deque(maxlen=_KEPT)
+        self.steps = Steps()
+        self._load()
+
+    @property
+    def entries(self) -> list[Entry]:
+        """Newest first."""
+        return list(reversed(self._entries))
+
+    def note(self, kind: Kind, changes: Iterable[Change], client: str | None, *, undoable: bool) -> None:
+        """These changes were tried. `undoable` is false where the board that was asked is not there any more."""
+        newest = self._entries[-1].id if self._entries else 0
+        name = None if client is None else self._name_of(client)
+        entry = Entry(newest + 1, self._clock.now_s(), client, name, kind, tuple(changes))
+        self._entries.append(entry)
+        if undoable:
+            self.steps = self.steps.after(kind, entry.changes)
+        self._file.append(orjson.dumps(entry.as_dict()))
+        self._tell(entry)
+
+    def forget_steps(self) -> None:
+        """Another board may be there, with other values: nothing that was written can be undone."""
+        if self.steps != Steps():
+            self.steps = Steps()
+            self._tell(None)
+
+    def close(self) -> None:
+        """Wait until all is on the disk."""
+        self._file.close()
+
+    def _tell(self, entry: Entry | None) -> None:
+        data: dict[str, Any] = {
+            "entry": None if entry is None else entry.as_dict(),
+            "undo": moves_as_dicts(self.steps.undo),
+            "redo": moves_as_dicts(self.steps.redo),
+        }
+        self._hub.event("journal", data)
+
+    def _load(self) -> None:
+        try:
+            lines = self._file.read()
+        except OSError as error:
+            self._complain(error.strerror or str(error))
+            return
+        good: list[bytes] = []
+        for line in lines:
+            try:
+                self._entries.append(entry_from(orjson.loads(line)))
+            except (ValueError, TypeError, KeyError, AttributeError):
+                continue
+            good.append(line)
+        bad = len(lines) - len(good)
+        if bad:
+            self._complain(f"{bad} of {len(lines)} lines make no sense")
+        self._file.begin_with(good, damaged=bad > 0)
+
+    def _complain(self, why: str) -> None:
+        self._report(
+            GatewayError(
+                "journal_unreadable",
+                f"The parameter journal in {self._path} could not be read whole ({why}): "
+                "the gateway starts with what could be read.",
+                path=str(self._path),
+                reason=why,
+            )
+        )

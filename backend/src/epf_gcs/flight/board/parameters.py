@@ -1,0 +1,224 @@
+"""The 17 gains on the board: read, set with read-back, undone, stored. A load only reads."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Iterable, Mapping
+from dataclasses import replace
+from typing import Any, Final
+
+from epf_gcs.codec.frame import Frame
+from epf_gcs.codec.messages_gen import COMMANDS_BY_ID
+from epf_gcs.codec.tables import Message
+from epf_gcs.codec.values import Json, Meaning, single
+from epf_gcs.errors import BoardError, ConflictError, InvalidInputError, NotFoundError
+from epf_gcs.flight.board.commands import CommandResult, Commands
+from epf_gcs.flight.board.journal import Journal
+from epf_gcs.vehicle import parameters as gains
+from epf_gcs.vehicle.board import Board
+from epf_gcs.vehicle.journal import Change, Kind, Outcome
+from epf_gcs.vehicle.parameters import BY_NAME, UNKNOWN, Held17
+from epf_gcs.web.stream.hub import Hub
+
+_READ_S: Final = 1.0
+
+
+class Parameters:
+    """What is held here is what the board said last, never what somebody hoped to have set.
+
+    `unconfirmed` are the gains whose last write the board refused or did not answer.
+    """
+
+    def __init__(self, board: Board, commands: Commands, hub: Hub, journal: Journal) -> None:
+        self._board = board
+        self._commands = commands
+        self._hub = hub
+        self._lock = asyncio.Lock()
+        self._session = 0
+        self.journal = journal
+        self.held: Held17 = UNKNOWN
+        self.unconfirmed: tuple[str, ...] = ()
+        board.listen(self._on_frame)
+
+    def forget(self) -> None:
+        """The board is gone or started anew: what it has is not known any more, and nothing can be undone."""
+        self._session += 1
+        self._replace(UNKNOWN)
+        self.journal.forget_steps()
+
+    def accept_unconfirmed(self) -> None:
+        """The operator knows which gains were not confirmed."""
+        self.unconfirmed = ()
+
+    async def load(self, client: str | None) -> None:
+        """Read all from the board. Raises BoardError where it does not answer."""
+        async with self._lock:
+            await self._read(client)
+            self._replace(gains.loaded_now(self.held))
+
+    async def set(self, changes: Mapping[str, float], client: str | None) -> None:
+        """Set some and read all back. Raises InvalidInputError before anything is sent, BoardError without answer."""
+        self._check(changes)
+        async with self._lock:
+            await self._write("write", changes, client)
+
+    async def undo(self, client: str | None) -> None:
+        """Take the newest step back, with read-back. Raises ConflictError where there is none."""
+        async with self._lock:
+            step = self.journal.steps.undo
+            if step is None:
+                raise ConflictError(
+                    "nothing_to_undo", "Nothing was undone because nothing was written to this board since it opened."
+                )
+            await self._write("undo", {move.name: move.after for move in step}, client)
+
+    async def redo(self, client: str | None) -> None:
+        """Do again what was undone last, with read-back. Raises ConflictError where there is nothing."""
+        async with self._lock:
+            step = self.journal.steps.redo
+            if step is None:
+                raise ConflictError(
+                    "nothing_to_redo", "Nothing was done again because nothing was undone since the last write."
+                )
+            await self._write("redo", {move.name: move.after for move in step}, client)
+
+    async def set_by_command(self, command: Message, value: float, client: str | None) -> CommandResult:
+        """Send one set command as it is, without a read-back of our own; the journal hears of it all the same."""
+        name = command.parameter
+        async with self._lock:
+            session, before = self._session, self._before(name)
+            result = await self._commands.run(command.name, (value,), client=client)
+            outcome: Outcome = "confirmed" if result.done else "rejected" if result.state == "rejected" else "timed_out"
+            if session == self._session:
+                self._replace(self._after_command(name, value, outcome))
+            self._note("write", [Change(name, before, gains.as_held(name, value), outcome)], client, session)
+            return result
+
+    async def store(self, client: str | None) -> CommandResult:
+        """Write them to the board's card."""
+        return await self._commands.run("store_parameters", client=client)
+
+    async def _write(self, kind: Kind, changes: Mapping[str, float], client: str | None) -> None:
+        self._commands.check_ready(COMMANDS_BY_ID[BY_NAME[next(iter(changes))].set_id])
+        session = self._session
+        if any(self.held[name].value is None for name in changes):
+            # What they were is part of the journal, and without it nothing could be undone.
+            await self._read(client)
+        before = {name: self._before(name) for name in changes}
+        self._replace(gains.with_state(self.held, changes, "pending"))
+        results: dict[str, CommandResult | None] = {}
+        try:
+            for name, value in changes.items():
+                parameter = BY_NAME[name]
+                argument = int(value) if parameter.is_integer else value
+                results[name] = None
+                results[name] = await self._commands.run(
+                    COMMANDS_BY_ID[parameter.set_id].name, (argument,), client=client
+                )
+            values = await self._read(client)
+        except BaseException:
+            self._replace(gains.forgotten(self.held, changes))
+            lost = [Change(name, before[name], gains.as_held(name, changes[name]), "timed_out") for name in results]
+            self._note(kind, lost, client, session)
+            raise
+        refused = dict.fromkeys(gains.differing(changes, values))
+        taken = {name: None for name in changes if name not in refused}
+        self._replace(gains.with_state(gains.with_state(self.held, refused, "rejected"), taken, "confirmed"))
+        tried = [
+            Change(
+                name,
+                before[name],
+                gains.as_held(name, value),
+                "confirmed" if name in taken else _why_not(results[name]),
+            )
+            for name, value in changes.items()
+        ]
+        self._note(kind, tried, client, session)
+
+    def _note(self, kind: Kind, changes: Iterable[Change], client: str | None, session: int) -> None:
+        changes = list(changes)
+        if not changes:
+            return
+        failed = dict.fromkeys(self.unconfirmed)
+        for change in changes:
+            if change.state == "confirmed":
+                failed.pop(change.name, None)
+            else:
+                failed[change.name] = None
+        self.unconfirmed = tuple(failed)
+        self.journal.note(kind, changes, client, undoable=session == self._session)
+
+    def _before(self, name: str) -> float | None:
+        value = self.held[name].value
+        return None if value is None else gains.shown(name, value)
+
+    def _after_command(self, name: str, value: float, outcome: Outcome) -> Held17:
+        if outcome == "timed_out":
+            return gains.forgotten(self.held, [name])
+        if outcome == "rejected":
+            return gains.with_state(self.held, {name: None}, "rejected")
+        on_the_wire = value if BY_NAME[name].is_integer else single(value)
+        return {**self.held, name: replace(self.held[name], value=on_the_wire, state="confirmed")}
+
+    async def _read(self, client: str | None) -> Mapping[str, Json]:
+        heard: asyncio.Future[Mapping[str, Json]] = asyncio.get_running_loop().create_future()
+
+        def listen(frame: Frame, meant: Meaning) -> None:
+            if frame.message.name == "autopilot_parameters" and not heard.done():
+                heard.set_result(meant.values)
+
+        with self._board.listening(listen):
+            result = await self._commands.run("load_autopilot_parameters", client=client)
+            try:
+                async with asyncio.timeout(_READ_S):
+                    return await heard
+            except TimeoutError:
+                raise BoardError(
+                    "parameters_not_read",
+                    f"The parameters were not read because the board did not send them ({result.state}): try again.",
+                    state=result.state,
+                ) from None
+
+    def _check(self, changes: Mapping[str, float]) -> None:
+        for name, value in changes.items():
+            if name not in BY_NAME:
+                raise NotFoundError(
+                    "parameter_unknown",
+                    f"There is no parameter '{name}': GET /api/v1/parameters lists the 17.",
+                    field=name,
+                )
+            fault = gains.fault(name, value)
+            if fault is not None:
+                parameter = BY_NAME[name]
+                raise InvalidInputError(
+                    "parameter_out_of_range",
+                    fault,
+                    field=name,
+                    value=value,
+                    minimum=parameter.minimum,
+                    maximum=parameter.maximum,
+                )
+
+    def _on_frame(self, frame: Frame, meant: Meaning) -> None:
+        if frame.message.name == "autopilot_parameters":
+            self._replace(gains.after_read(self.held, meant.values))
+
+    def _replace(self, held: Held17) -> None:
+        """Take the new state and tell what changed in it."""
+        changed: dict[str, Any] = {
+            name: {
+                "value": None if one.value is None else gains.shown(name, one.value),
+                "state": one.state,
+                "loaded": None if one.loaded is None else gains.shown(name, one.loaded),
+            }
+            for name, one in held.items()
+            if one != self.held[name]
+        }
+        self.held = held
+        if changed:
+            self._hub.event("parameter", {"parameters": changed})
+
+
+def _why_not(result: CommandResult | None) -> Outcome:
+    """The read-back shows another value: refused, or the command never arrived."""
+    return "timed_out" if result is None or result.state == "timed_out" else "rejected"

@@ -1,0 +1,1 @@
+"""The loop between the simulator and the board, and the pilot's stick."""

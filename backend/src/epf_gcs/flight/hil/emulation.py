@@ -1,0 +1,223 @@
+"""A link without a board: example values as real frames and real datagrams, through the whole path.
+
+Nobody can command it; it answers only what opens a session. What it brings is never recorded, and never moves a
+simulator: see `Board.is_emulated`.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import math
+from collections.abc import Callable, Iterator
+from typing import Final
+
+from epf_gcs.codec.encode import encode_telemetry
+from epf_gcs.codec.frame import TO_BOARD, Frame, FrameDecoder
+from epf_gcs.codec.messages_gen import COMMANDS, NO_VALUE, PARAMETERS, TELEMETRY_BY_NAME, VALUES_PER_ROW, XPLANE_ROWS
+from epf_gcs.link.address import DEFAULT_BAUD
+from epf_gcs.link.base import LinkCallbacks
+from epf_gcs.vehicle.example_flight import (
+    ALPHA_DEG,
+    MEAN_ALTITUDE_FT,
+    SPEED_KT,
+    TEMPERATURE_DEGC,
+    ExampleMoment,
+    moment,
+)
+from epf_gcs.vehicle.wanted import RATE_COMMANDS
+from epf_gcs.xplane.datagram import Record, build
+
+PROFILE: Final = "xp10"
+_PARAMETER_MS, _FMS_MS, _SERVOS_MS = (int(COMMANDS[name].values[0].default or 0) for name in RATE_COMMANDS)
+_STATUS_MS: Final = 1000
+_PROTOCOL_VERSION: Final = 1
+_NO_FEATURES: Final = 0
+_HEARTBEAT_FLAGS: Final = TELEMETRY_BY_NAME["heartbeat"].size
+_BATTERY_V: Final = 11.8
+_SWAY_PERIOD_S: Final = 7.0
+
+_Frames = Iterator[tuple[str, tuple[float, ...]]]
+
+
+class EmulationLink:
+    """Implements `Link`. `on_datagram` is told what the simulator would have sent. Made on a running loop."""
+
+    def __init__(self, on_datagram: Callable[[bytes], object]) -> None:
+        self._loop = asyncio.get_running_loop()
+        self._on_datagram = on_datagram
+        self._callbacks: LinkCallbacks | None = None
+        self._commands = FrameDecoder(TO_BOARD)
+        self._timer: asyncio.Handle | None = None
+        self._started_s = 0.0
+        self._last_ms = -1
+        self._next_ms = 0
+
+    @property
+    def baud(self) -> int:
+        """As the line of a deployed board."""
+        return DEFAULT_BAUD
+
+    @property
+    def backlog(self) -> int:
+        """Nothing waits."""
+        return 0
+
+    def start(self, callbacks: LinkCallbacks) -> None:
+        """Take off."""
+        self._callbacks = callbacks
+        self._started_s = self._loop.time()
+        self._timer = self._loop.call_soon(self._step)
+
+    def write(self, data: bytes) -> bool:
+        """A session may be opened; everything else was refused before it came here."""
+        for found in self._commands.feed(data):
+            if isinstance(found, Frame) and found.message.name == "capabilities":
+                self._loop.call_soon(self._answer_capabilities)
+        return True
+
+    def close(self) -> None:
+        """Gone, and silent from now on."""
+        self._callbacks = None
+        if self._timer is not None:
+            self._timer.cancel()
+
+    def _answer_capabilities(self) -> None:
+        """Who it is, and the gains that a new board has."""
+        uptime_ms = int(1000.0 * (self._loop.time() - self._started_s))
+        self._bring(
+            encode_telemetry("capabilities", _PROTOCOL_VERSION, _NO_FEATURES, b"emulation", b"examples", uptime_ms),
+            encode_telemetry(
+                "autopilot_parameters",
+                *(int(gain.default) if gain.is_integer else gain.default for gain in PARAMETERS),
+            ),
+        )
+
+    def _step(self) -> None:
+        """One period of the fastest task."""
+        if self._callbacks is None:
+            return
+        t_ms = self._next_ms
+        now = moment(t_ms / 1000.0)
+        due = [frames for period_ms, frames in _TASKS if t_ms // period_ms != self._last_ms // period_ms]
+        self._bring(*(encode_telemetry(name, *values) for frames in due for name, values in frames(now)))
+        self._on_datagram(simulator_datagram(now))
+        # A loop that was away goes on from now: nobody wants to hear what it missed.
+        elapsed_ms = int(1000.0 * (self._loop.time() - self._started_s))
+        self._last_ms, self._next_ms = t_ms, max(t_ms, elapsed_ms // _SERVOS_MS * _SERVOS_MS) + _SERVOS_MS
+        self._timer = self._loop.call_at(self._started_s + self._next_ms / 1000.0, self._step)
+
+    def _bring(self, *frames: bytes) -> None:
+        if self._callbacks is not None and frames:
+            self._callbacks.on_bytes(b"".join(frames))
+
+
+def simulator_datagram(now: ExampleMoment) -> bytes:
+    """The rows of a simulator at this moment."""
+    p_rad_s, q_rad_s, r_rad_s = now.rates_rad_s
+    aileron, elevator, rudder, throttle = _controls(now)
+    values = {
+        "indicated_airspeed_kt": SPEED_KT,
+        "mach": SPEED_KT / 661.5,
+        "vvi_ft_min": now.vvi_ft_min,
+        "g_normal": -now.forces_m_s2[2] / 9.80665,
+        "g_axial": now.forces_m_s2[0] / 9.80665,
+        "g_side": 0.0,
+        "ambient_pressure_inhg": now.pressure_hpa / 33.8639,
+        "ambient_temperature_degc": TEMPERATURE_DEGC,
+        "stick_elevator": elevator,
+        "stick_aileron": aileron,
+        "stick_rudder": rudder,
+        "surface_elevator": elevator,
+        "surface_aileron": aileron,
+        "surface_rudder": rudder,
+        "q_rad_s": q_rad_s,
+        "p_rad_s": p_rad_s,
+        "r_rad_s": r_rad_s,
+        "pitch_deg": now.pitch_deg,
+        "roll_deg": now.roll_deg,
+        "true_heading_deg": now.heading_deg,
+        "alpha_deg": ALPHA_DEG,
+        "beta_deg": 0.0,
+        "horizontal_path_deg": now.heading_deg,
+        "vertical_path_deg": now.pitch_deg - ALPHA_DEG,
+        "latitude_deg": now.latitude_deg,
+        "longitude_deg": now.longitude_deg,
+        "altitude_msl_ft": now.altitude_ft,
+        "altitude_indicated_ft": now.altitude_ft,
+        "throttle_command": throttle,
+    }
+    records = []
+    for row in XPLANE_ROWS[PROFILE].values():
+        eight = [NO_VALUE] * VALUES_PER_ROW
+        for wanted in row.values:
+            eight[wanted.index] = values[wanted.name]
+        records.append(Record(row.id, tuple(eight)))
+    return build(records)
+
+
+def _controls(now: ExampleMoment) -> tuple[float, float, float, float]:
+    """Aileron, elevator, rudder, throttle: a hand that holds the turn."""
+    sway = math.sin(2.0 * math.pi * now.t_s / _SWAY_PERIOD_S)
+    return 0.05 + 0.04 * sway, -0.1 - 0.03 * sway, 0.02, 0.6 + 0.05 * sway
+
+
+def _parameter_task(now: ExampleMoment) -> _Frames:
+    yield "heartbeat", (1,) * _HEARTBEAT_FLAGS
+    yield "ahrs", (now.heading_deg, now.pitch_deg, now.roll_deg)
+    yield "inertial", (*now.rates_rad_s, *now.forces_m_s2, *now.field)
+    yield (
+        "analog",
+        (
+            now.pressure_hpa,
+            now.altitude_m,
+            math.nan,
+            now.pitot_pa,
+            SPEED_KT,
+            ALPHA_DEG,
+            0.0,
+            TEMPERATURE_DEGC,
+            _BATTERY_V,
+            now.vvi_ft_min,
+        ),
+    )
+
+
+def _fms_task(now: ExampleMoment) -> _Frames:
+    for name, ahead in (("fms_plan", 0), ("fms_hil_plan", 1)):
+        bearing_deg, distance_m, index = now.to_waypoint(ahead)
+        yield name, (bearing_deg, MEAN_ALTITUDE_FT, SPEED_KT, round(distance_m), index)
+    load = round(5.0 * math.sin(2.0 * math.pi * now.t_s / _SWAY_PERIOD_S))
+    yield "statistics", (35 + load, 45 - load)
+    yield (
+        "gps",
+        (
+            now.latitude_deg,
+            now.longitude_deg,
+            now.altitude_m,
+            SPEED_KT,
+            now.heading_deg,
+            int.from_bytes(b"11", "big"),
+            ord("3"),
+            ord("A"),
+        ),
+    )
+
+
+def _servos_task(now: ExampleMoment) -> _Frames:
+    aileron, elevator, rudder, throttle = _controls(now)
+    yield "servos_in", (aileron, elevator, throttle, rudder, *(0.0,) * 8)
+    yield "fly_by_wire", (aileron, throttle, elevator, rudder)
+    yield "hil_surfaces", (elevator, aileron, rudder, throttle)
+
+
+def _status_task(_: ExampleMoment) -> _Frames:
+    yield "board_status", (0, 0, 0, 0, 0, 0)
+
+
+# Each with its period; all that are due come in one piece, as from a line.
+_TASKS: Final = (
+    (_SERVOS_MS, _servos_task),
+    (_PARAMETER_MS, _parameter_task),
+    (_FMS_MS, _fms_task),
+    (_STATUS_MS, _status_task),
+)

@@ -1,0 +1,1 @@
+"""Every byte of both lines into files."""

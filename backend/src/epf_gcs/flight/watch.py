@@ -1,0 +1,131 @@
+"""Gathers what is known of the running parts, and has it judged."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+from epf_gcs.flight.board.board_link import Supervisor
+from epf_gcs.flight.board.parameters import Parameters
+from epf_gcs.flight.hil.hil import Hil
+from epf_gcs.flight.hil.simulator import Simulator
+from epf_gcs.flight.recording.recorder import Recorder
+from epf_gcs.vehicle.board import Board
+from epf_gcs.vehicle.judges import (
+    BatteryJudge,
+    CpuJudge,
+    DamageJudge,
+    Finding,
+    GpsJudge,
+    Line,
+    Loop,
+    judge_card,
+    judge_heartbeat,
+    judge_hil,
+    judge_parameters,
+    judge_recording,
+    judge_stick,
+)
+from epf_gcs.vehicle.telemetry import Telemetry
+from epf_gcs.web.stream.hub_state import Values
+
+
+class Watch:
+    """Called some times a second with the thresholds; `wants` tells whether a stream was asked for."""
+
+    def __init__(
+        self,
+        *,
+        supervisor: Supervisor,
+        board: Board,
+        telemetry: Telemetry,
+        parameters: Parameters,
+        simulator: Simulator,
+        hil: Hil,
+        recorder: Recorder | None,
+        steady_s: Callable[[], float],
+        wants: Callable[[str], bool],
+    ) -> None:
+        self._supervisor = supervisor
+        self._board = board
+        self._telemetry = telemetry
+        self._parameters = parameters
+        self._simulator = simulator
+        self._hil = hil
+        self._recorder = recorder
+        self._steady_s = steady_s
+        self._wants = wants
+        self._wanted_since_s: float | None = None
+        self._battery = BatteryJudge()
+        self._cpu = CpuJudge()
+        self._gps = GpsJudge()
+        self._damage = DamageJudge(steady_s())
+
+    @property
+    def damaged_percent(self) -> float:
+        """Share of damaged frames of the last ten seconds; 0 where there are too few to tell."""
+        return self._damage.percent
+
+    def __call__(self, limits: Mapping[str, float]) -> list[Finding]:
+        """All that is wrong now, the most urgent kinds first."""
+        now_s = self._steady_s()
+        recorder = self._recorder
+        found = (
+            judge_heartbeat(self._line(now_s), limits["heartbeat_lost_s"]),
+            judge_hil(self._loop(now_s), limits["hil_lost_s"]),
+            judge_stick(self._hil.stick.gamepad, self._hil.stick.state, flies=self._hil.source != "rc"),
+            self._battery.look(now_s, self._live("analog"), limits["battery_low_v"]),
+            self._look_at_gps(now_s),
+            self._cpu.look(now_s, self._live("statistics"), limits["cpu_high_percent"]),
+            self._damage.look(
+                now_s, self._board.frames_received, self._board.frames_damaged, limits["frames_damaged_percent"]
+            ),
+            judge_parameters(self._parameters.unconfirmed),
+            judge_card(self._board.capabilities()),
+            judge_recording(None if recorder is None else recorder.failure),
+        )
+        return [finding for finding in found if finding is not None]
+
+    def _live(self, topic: str) -> Values | None:
+        return self._telemetry.newest(topic) if self._telemetry.is_live(topic) else None
+
+    def _line(self, now_s: float) -> Line | None:
+        supervisor = self._supervisor
+        if supervisor.address is None or self._board.guest is not None:
+            # With a guest on the line the board's silence is what was asked for.
+            self._wanted_since_s = None
+            return None
+        if self._wanted_since_s is None:
+            self._wanted_since_s = now_s
+        return Line(
+            target=supervisor.address.target,
+            wanted_for_s=now_s - self._wanted_since_s,
+            is_lost=supervisor.state == "lost",
+            was_heard=self._board.session.heartbeat_s is not None,
+            heartbeat_age_s=self._telemetry.age_s("heartbeat"),
+            stale_after_s=self._telemetry.stale_after_s("heartbeat"),
+            failure=None if supervisor.failure is None else supervisor.failure.detail,
+        )
+
+    def _loop(self, now_s: float) -> Loop | None:
+        hil = self._hil
+        if self._simulator.address is None or hil.last_to_board_s is None or self._supervisor.address is None:
+            return None
+        return Loop(
+            to_board_age_s=now_s - hil.last_to_board_s,
+            surfaces_age_s=None if hil.last_surfaces_s is None else now_s - hil.last_surfaces_s,
+            is_board_open=self._board.is_open,
+            is_simulator_open=self._simulator.state == "open",
+            missing_rows=hil.missing_rows,
+        )
+
+    def _look_at_gps(self, now_s: float) -> Finding | None:
+        """A board that is silent as a whole has an alarm of its own."""
+        if self._supervisor.address is None:
+            self._gps.forget()
+            return None
+        heartbeat = self._live("heartbeat")
+        if heartbeat is None:
+            self._gps.wait()
+            return None
+        is_wanted = self._wants("gps") or heartbeat.get("gps") is True
+        return self._gps.look(now_s, self._live("gps"), is_wanted=is_wanted)

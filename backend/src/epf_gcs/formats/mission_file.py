@@ -1,0 +1,151 @@
+"""What a reader of plan files finds, and the one way from there to a plan that a board can be given."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Final, Literal, NamedTuple
+
+from epf_gcs.codec.messages_gen import COMMANDS
+from epf_gcs.codec.tables import Waypoint
+from epf_gcs.codec.values import argument_fault
+from epf_gcs.errors import ErrorCode, Params
+
+Format = Literal["kml", "gpx", "csv", "plan"]
+NoteCode = Literal[
+    "altitude_above_ground",
+    "altitude_clamped",
+    "altitude_from_home",
+    "altitude_missing",
+    "columns_skipped",
+    "items_skipped",
+    "shapes_skipped",
+    "speed_missing",
+]
+
+# What a waypoint gets where its file has no such thing, as most files of other programs: the speed at which the
+# board's own routes cruise, and an altitude from which a person sees that it was not in the file.
+DEFAULT_SPEED_KT: Final = 55.0
+DEFAULT_ALTITUDE_FT: Final = 1000.0
+
+_ITEM: Final = {value.name: value for value in COMMANDS["mission_item"].values}
+_FIELDS: Final = ("latitude_deg", "longitude_deg", "altitude_ft", "speed_kt")
+MAX_WAYPOINTS: Final = int({value.name: value for value in COMMANDS["mission_begin"].values}["count"].maximum or 0)
+# 0.03 mm and 0.2 mm/s: takes away what a conversion and back leaves of 1000 ft (1000.0000000000001), and nothing else.
+_DECIMALS: Final = 4
+# float() takes more: "1_000", "infinity", "nan", digits of other scripts.
+_NUMBER: Final = re.compile(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
+
+
+class Place(NamedTuple):
+    """Where in the file: a line, an item of a list, the n-th element of a name; counted from 1 as people do."""
+
+    kind: str
+    nth: int
+
+    def __str__(self) -> str:
+        return f"{self.kind} {self.nth}"
+
+
+class Note(NamedTuple):
+    """Something about the file that a person should know before flying it."""
+
+    code: NoteCode
+    params: Params
+
+
+class Point(NamedTuple):
+    """A waypoint as far as the file has it; None is not in the file."""
+
+    place: Place
+    latitude_deg: float
+    longitude_deg: float
+    altitude_ft: float | None
+    speed_kt: float | None
+
+
+@dataclass(frozen=True, slots=True)
+class MissionFile:
+    """A file that could be read."""
+
+    format: Format
+    waypoints: tuple[Waypoint, ...]
+    notes: tuple[Note, ...]
+
+
+class FileFault(Exception):  # noqa: N818 - a fault of the file, told to its owner as a GatewayError with the name
+    """Why a file is no plan: "'name' cannot be read because `why`." `params` are the values in it."""
+
+    def __init__(self, code: ErrorCode, why: str, **params: str | float | bool | None) -> None:
+        super().__init__(why)
+        self.code: ErrorCode = code
+        self.why = why
+        self.params: Params = params
+
+
+def number(text: str | None, field: str, place: Place) -> float:
+    """A finite number. Raises FileFault naming field and place."""
+    stripped = (text or "").strip()
+    value = float(stripped) if _NUMBER.fullmatch(stripped) else math.nan
+    if not math.isfinite(value):
+        raise not_a_number(field, stripped, place)
+    return value
+
+
+def not_a_number(field: str, found: str, place: Place) -> FileFault:
+    """The fault of a value that is missing or no number."""
+    why = f"{field} of {place} is missing" if not found else f"{field} of {place} is no number ({found[:30]!r})"
+    return FileFault("mission_file_unreadable", why, field=field, value=found[:30], **place_params(place))
+
+
+def place_params(place: Place) -> dict[str, str | float]:
+    """Where it was, for a sentence in another language; the page knows the kinds by their keys."""
+    return {"place": f"@problem.place_{place.kind}", "nth": place.nth}
+
+
+def settle(format_name: Format, points: Sequence[Point], notes: Sequence[Note] = ()) -> MissionFile:
+    """The whole file as a plan. Raises FileFault, naming the place, where one point could not be flown.
+
+    What no point says is filled in and noted.
+    """
+    if not points:
+        raise FileFault("mission_file_no_waypoints", "there are no waypoints in it", format=format_name)
+    if len(points) > MAX_WAYPOINTS:
+        raise FileFault(
+            "mission_file_too_long",
+            f"it has more than {MAX_WAYPOINTS} waypoints, which is what a plan takes",
+            maximum=MAX_WAYPOINTS,
+        )
+    found = list(notes)
+    without_altitude = sum(point.altitude_ft is None for point in points)
+    if without_altitude:
+        found.append(Note("altitude_missing", {"count": without_altitude, "altitude_ft": DEFAULT_ALTITUDE_FT}))
+    without_speed = sum(point.speed_kt is None for point in points)
+    if without_speed:
+        found.append(Note("speed_missing", {"count": without_speed, "speed_kt": DEFAULT_SPEED_KT}))
+    return MissionFile(format_name, tuple(_waypoint(point) for point in points), tuple(found))
+
+
+def _waypoint(point: Point) -> Waypoint:
+    waypoint = Waypoint(
+        point.latitude_deg,
+        point.longitude_deg,
+        DEFAULT_ALTITUDE_FT if point.altitude_ft is None else round(point.altitude_ft, _DECIMALS),
+        DEFAULT_SPEED_KT if point.speed_kt is None else round(point.speed_kt, _DECIMALS),
+    )
+    for field in _FIELDS:
+        value, given = _ITEM[field], getattr(waypoint, field)
+        fault = argument_fault(value, given)
+        if fault is not None:
+            raise FileFault(
+                "mission_file_out_of_range",
+                f"in {point.place} {fault}",
+                field=field,
+                value=given,
+                minimum=value.minimum,
+                maximum=value.maximum,
+                **place_params(point.place),
+            )
+    return waypoint

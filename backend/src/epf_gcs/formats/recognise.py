@@ -1,0 +1,86 @@
+"""From a file of any of the formats to a plan, and back."""
+
+from __future__ import annotations
+
+import codecs
+import io
+import zipfile
+import zlib
+from collections.abc import Callable, Mapping, Sequence
+from typing import Final
+from xml.etree.ElementTree import Element
+
+from epf_gcs.codec.tables import Waypoint
+from epf_gcs.errors import InvalidInputError
+from epf_gcs.formats.csv_plan import read_csv, write_csv
+from epf_gcs.formats.gpx_plan import read_gpx, write_gpx
+from epf_gcs.formats.kml_plan import read_kml, write_kml
+from epf_gcs.formats.mission_file import FileFault, Format, MissionFile
+from epf_gcs.formats.qgc_plan import read_plan, write_plan
+from epf_gcs.formats.xml_tree import local, parse_xml
+
+MAX_FILE_BYTES: Final = 1_000_000
+"""A hundred waypoints are 50 kB in the longest of the formats; a recorded track of a day is larger, and no plan."""
+
+_ZIP: Final = b"PK\x03\x04"
+
+WRITERS: Final[Mapping[Format, Callable[[str, Sequence[Waypoint]], bytes]]] = {
+    "kml": write_kml,
+    "gpx": write_gpx,
+    "csv": lambda _, waypoints: write_csv(waypoints),
+    "plan": lambda _, waypoints: write_plan(waypoints),
+}
+
+
+def read_mission_file(name: str, data: bytes) -> MissionFile:
+    """The plan in a file; what it is, its first letters say. Raises InvalidInputError with the file's name."""
+    try:
+        return _read(data)
+    except FileFault as fault:
+        raise InvalidInputError(
+            fault.code, f"'{name}' cannot be read as a flight plan because {fault.why}.", name=name, **fault.params
+        ) from fault
+
+
+def _read(data: bytes) -> MissionFile:
+    if data.startswith(_ZIP):
+        data = _unpacked(data)
+    start = data.removeprefix(codecs.BOM_UTF8).lstrip()[:8]
+    if data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
+        start = data[2:16].replace(b"\0", b"").lstrip()
+    if not start:
+        raise FileFault("mission_file_empty", "it is empty")
+    if start.startswith(b"<"):
+        return _read_xml(parse_xml(data))
+    if start.startswith(b"{"):
+        return read_plan(data)
+    return read_csv(data)
+
+
+def _read_xml(root: Element) -> MissionFile:
+    reader = {"kml": read_kml, "gpx": read_gpx}.get(local(root))
+    if reader is None:
+        raise FileFault("mission_file_unknown", f"it is XML, but neither KML nor GPX (<{local(root)[:30]}>)")
+    return reader(root)
+
+
+def _unpacked(data: bytes) -> bytes:
+    """The first KML of a KMZ, as Google Earth saves places. No more of it is unpacked than a plan may have."""
+    try:
+        with zipfile.ZipFile(io.BytesIO(data)) as archive:
+            inside = next(entry for entry in archive.infolist() if entry.filename.lower().endswith(".kml"))
+            with archive.open(inside) as file:
+                unpacked = file.read(MAX_FILE_BYTES + 1)
+    except (
+        StopIteration,
+        zipfile.BadZipFile,
+        zlib.error,
+        OSError,
+        RuntimeError,
+        NotImplementedError,
+        ValueError,
+    ) as error:
+        raise FileFault("mission_file_archive", "it is an archive without a KML that can be read") from error
+    if len(unpacked) > MAX_FILE_BYTES:
+        raise FileFault("mission_file_archive", f"its KML is longer than {MAX_FILE_BYTES} bytes")
+    return unpacked

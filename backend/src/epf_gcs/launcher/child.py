@@ -1,0 +1,98 @@
+"""One program of the demonstration: started in a process group of its own, logged, and surely stopped."""
+
+import contextlib
+import ctypes
+import os
+import signal
+import subprocess
+import sys
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Final
+
+from epf_gcs.launcher.errors import LaunchError
+
+STOP_TIMEOUT_S: Final = 5.0
+_TAIL_LINES: Final = 8
+_TAIL_BYTES: Final = 4096
+_PR_SET_PDEATHSIG: Final = 1
+
+
+class Child:
+    """A child process by pid. Its output goes to `<name>.log`, that of the run before to `<name>.1.log`."""
+
+    def __init__(self, name: str, command: Sequence[str], logs: Path, again: Sequence[str] | None = None) -> None:
+        """`again` is the command of every start but the first, where it is another."""
+        self.name = name
+        self._command = tuple(command)
+        self._again = self._command if again is None else tuple(again)
+        self.log_path = logs / f"{name}.log"
+        self._process: subprocess.Popen[bytes] | None = None
+        if self.log_path.exists():
+            self.log_path.replace(logs / f"{name}.1.log")
+
+    def start(self) -> None:
+        """Start the program; raises LaunchError where it cannot be run at all."""
+        command = self._command if self._process is None else self._again
+        # Append: the lines of a program that died and is started again stay.
+        with self.log_path.open("ab") as log:
+            try:
+                self._process = subprocess.Popen(
+                    command,
+                    stdin=subprocess.DEVNULL,
+                    stdout=log,
+                    stderr=subprocess.STDOUT,
+                    # A terminal's Ctrl-C must not reach it: the launcher stops the programs in their order.
+                    process_group=0,
+                    preexec_fn=_die_with_launcher(),  # noqa: PLW1509 (the launcher has one thread)
+                )
+            except OSError as error:
+                raise LaunchError(f"The {self.name} ({command[0]}) cannot be started: {error.strerror}.") from error
+
+    @property
+    def pid(self) -> int | None:
+        """Process number, None before the first start."""
+        return self._process.pid if self._process else None
+
+    @property
+    def ended(self) -> int | None:
+        """Exit status once it has ended (negative: the signal), None while it runs or was never started."""
+        return self._process.poll() if self._process else None
+
+    def stop(self, timeout_s: float = STOP_TIMEOUT_S) -> bool:
+        """Stop the group, by force when it hangs; returns whether it went by itself."""
+        if self._process is None:
+            return True
+        self._signal(signal.SIGTERM)
+        try:
+            self._process.wait(timeout_s)
+        except subprocess.TimeoutExpired:
+            self._signal(signal.SIGKILL)
+            self._process.wait()
+            return False
+        # The program is gone, but a process that it started may still be there.
+        self._signal(signal.SIGKILL)
+        return True
+
+    def last_lines(self) -> str:
+        """The end of its log, to be shown where it failed."""
+        with contextlib.suppress(OSError):
+            with self.log_path.open("rb") as log:
+                log.seek(max(0, self.log_path.stat().st_size - _TAIL_BYTES))
+                lines = log.read().decode(errors="replace").splitlines()
+            return "\n".join(f"    {line}" for line in lines[-_TAIL_LINES:])
+        return ""
+
+    def _signal(self, number: signal.Signals) -> None:
+        if self._process is not None:
+            # The group may be gone; the process itself is not reaped before `poll`, so its number is not another's.
+            with contextlib.suppress(ProcessLookupError, PermissionError):
+                os.killpg(self._process.pid, number)
+
+
+def _die_with_launcher() -> Callable[[], None] | None:
+    """Linux: have the kernel stop the child when the launcher is killed and cannot do it itself."""
+    if sys.platform != "linux":
+        return None
+    prctl = ctypes.CDLL(None).prctl
+    return lambda: prctl(_PR_SET_PDEATHSIG, signal.SIGTERM)

@@ -1,0 +1,158 @@
+"""The demonstration's life: start the programs, close the loop, keep them running, stop them all."""
+
+import time
+from collections import deque
+from collections.abc import Callable
+from typing import Final
+
+from epf_gcs.launcher.child import Child
+from epf_gcs.launcher.errors import LaunchError
+from epf_gcs.launcher.gateway_client import GatewayClient, Status
+from epf_gcs.launcher.options import PAGE, SIMULATOR_PORT, STATION_PORT, Options, XPlane
+from epf_gcs.launcher.ports import LOOPBACK, free_udp_port, require_tcp_port
+
+_START_TIMEOUT_S: Final = 60.0
+_WATCH_S: Final = 0.1
+_DEATHS_ALLOWED: Final = 5
+_DEATHS_WINDOW_S: Final = 60.0
+
+Say = Callable[[str], None]
+
+
+class Stopped(Exception):  # noqa: N818 (no error: somebody asked for it)
+    """The person asked to stop."""
+
+
+class Demonstration:
+    """Board, simulator and gateway of one run. `say` shows progress; `asked_to_stop` is polled."""
+
+    def __init__(self, options: Options, say: Say, asked_to_stop: Callable[[], bool]) -> None:
+        self._options = options
+        self._say = say
+        self._asked_to_stop = asked_to_stop
+        self._gateway = GatewayClient(options.url)
+        self._children: list[Child] = []
+        self._deaths: deque[float] = deque()
+
+    def start(self) -> None:
+        """Start everything and close the loop; raises LaunchError with what failed, Stopped when asked to."""
+        require_tcp_port(self._options.host, self._options.port)
+        if not PAGE.exists():
+            self._say(f"The page has not been built ({PAGE} is missing): `make run` builds it. The interface works.")
+        if self._options.xplane is not None:
+            self._start_with(self._options.xplane)
+            return
+        simulator = self._embedded()
+        try:
+            self._start_with(simulator)
+        except LaunchError:
+            self.stop()
+            # Two that start at the same moment see the same ports free, and one of them comes too late.
+            if all(free_udp_port(port) == port for port in (simulator.port, simulator.receive_port)):
+                raise
+            self._start_with(self._embedded())
+
+    def _start_with(self, simulator: XPlane) -> None:
+        options = self._options
+        logs = options.data / "logs"
+        logs.mkdir(parents=True, exist_ok=True)
+        # In the order of starting; they are stopped the other way round, the gateway first, because it
+        # hands the controls back to the simulator and closes the board's binary mode.
+        if options.board is None:
+            self._children.append(Child("board", options.board_command(), logs))
+        if options.xplane is None:
+            self._children.append(Child("simulator", options.simulator_command(simulator), logs))
+        gateway = [options.gateway_command(first=first) for first in (True, False)]
+        self._children.append(Child("gateway", gateway[0], logs, again=gateway[1]))
+        self._say("Starting " + ", ".join(f"the {child.name}" for child in self._children) + " ...")
+        for child in self._children:
+            child.start()
+        self._wait("the gateway answers", lambda _: True)
+        self._gateway.open_board(options.board_url())
+        self._gateway.open_simulator(simulator)
+        if options.board is None:
+            self._close_loop()
+        else:
+            self._say("The board is a real one: its streams, plans and autopilot are left as they are.")
+
+    def watch(self) -> None:
+        """Keep everything running until asked to stop; raises LaunchError where a program cannot be kept alive."""
+        while not self._asked_to_stop():
+            for child in self._children:
+                if (status := child.ended) is not None:
+                    self._revive(child, status)
+            time.sleep(_WATCH_S)
+
+    def stop(self) -> None:
+        """Stop every child, the gateway first; a child that hangs is killed."""
+        for child in reversed(self._children):
+            if not child.stop():
+                self._say(f"The {child.name} did not stop within 5 s and was killed.")
+        self._children.clear()
+
+    def _embedded(self) -> XPlane:
+        """The embedded simulator on the usual ports, or on others where those are taken: both ends are ours."""
+        ports = free_udp_port(SIMULATOR_PORT), free_udp_port(STATION_PORT)
+        for wanted, chosen in zip((SIMULATOR_PORT, STATION_PORT), ports, strict=True):
+            if chosen != wanted:
+                self._say(f"UDP port {wanted} is taken (by X-Plane?): the demonstration uses {chosen} in its place.")
+        return XPlane(LOOPBACK, *ports)
+
+    def _close_loop(self) -> None:
+        """Streams on, Gando loaded, and the board's autopilot flies the simulator."""
+        gateway = self._gateway
+        self._wait("the board answers", lambda status: status["board"]["state"] == "open" and _has_heartbeat(status))
+        self._say("Loading the Gando route and closing the loop ...")
+        gateway.select_hil("joystick", "assisted")
+        gateway.command("start")
+        gateway.command("hil_load_gando")
+        gateway.command("autotrim_on")
+        gateway.command("autopilot_on")
+        xplane = self._options.xplane
+        if xplane is None:
+            self._wait("the board's surfaces reach the simulator", _loop_is_closed)
+        else:
+            port = xplane.receive_port
+            self._say(f"The loop closes as soon as X-Plane on {xplane.host} sends its data to UDP port {port} here.")
+
+    def _wait(self, what: str, condition: Callable[[Status], bool]) -> None:
+        self._gateway.wait(what, condition, _START_TIMEOUT_S, self._check)
+
+    def _check(self) -> None:
+        """In every wait: nobody asked to stop, and nobody died."""
+        if self._asked_to_stop():
+            raise Stopped
+        for child in self._children:
+            if (status := child.ended) is not None:
+                raise LaunchError(f"The {child.name} ended at once {_how(status)}; its log says:\n{child.last_lines()}")
+
+    def _revive(self, child: Child, status: int) -> None:
+        now_s = time.monotonic()
+        self._deaths.append(now_s)
+        while now_s - self._deaths[0] > _DEATHS_WINDOW_S:
+            self._deaths.popleft()
+        if len(self._deaths) > _DEATHS_ALLOWED:
+            raise LaunchError(
+                f"The {child.name} ends again and again {_how(status)}; its log says:\n{child.last_lines()}"
+            )
+        self._say(f"The {child.name} ended {_how(status)}: starting it again.")
+        child.start()
+        if child.name == "board":
+            # A board that was off has no plan and no autopilot; the gateway reopens the line by itself, unless
+            # somebody has closed it in the page: then there is nothing to command, and nothing to end a run for.
+            try:
+                self._close_loop()
+            except LaunchError as error:
+                self._say(str(error))
+
+
+def _has_heartbeat(status: Status) -> bool:
+    return status["board"]["heartbeat_age_s"] is not None
+
+
+def _loop_is_closed(status: Status) -> bool:
+    return status["simulator"]["hil_round_trip_ms"]["newest"] is not None
+
+
+def _how(status: int) -> str:
+    return f"by signal {-status}" if status < 0 else f"with status {status}"

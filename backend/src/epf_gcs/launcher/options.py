@@ -1,0 +1,116 @@
+"""What the launcher was asked to run, and with which programs."""
+
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Final, Self
+
+from epf_gcs.launcher.emulated import EmulatedBoard
+from epf_gcs.launcher.errors import LaunchError
+from epf_gcs.launcher.ports import LOOPBACK
+
+# backend/src/launcher/options.py: the tree's root is three folders above the package.
+ROOT: Final = Path(__file__).resolve().parents[4]
+FIRMWARE: Final = ROOT / "firmware"
+BOARD_PROGRAM: Final = FIRMWARE / "build" / "posix" / "epf-board"
+PAGE: Final = ROOT / "frontend" / "dist" / "index.html"
+
+STATION_PORT: Final = 49003
+SIMULATOR_PORT: Final = 49000
+_LINK_KINDS: Final = ("serial", "tcp", "pty")
+EVERY_INTERFACE: Final = "0.0.0.0"  # noqa: S104 (only with --lan, which asks for it)
+
+
+@dataclass(frozen=True, slots=True)
+class XPlane:
+    """An X-Plane of somebody's: where it receives, where this computer does, and its generation."""
+
+    host: str
+    port: int = SIMULATOR_PORT
+    receive_port: int = STATION_PORT
+    profile: str = "xp10"
+
+    @classmethod
+    def at(cls, address: str, receive_port: int, profile: str) -> Self:
+        """From `HOST` or `HOST:PORT`; raises LaunchError for what is neither."""
+        host, colon, port = address.partition(":")
+        if not host or (colon and not (port.isdecimal() and 0 < int(port) < 65536)):
+            raise LaunchError(f"{address} is not the address of X-Plane: give HOST or HOST:PORT, as in 192.168.1.20.")
+        return cls(host, int(port) if colon else SIMULATOR_PORT, receive_port, profile)
+
+
+@dataclass(frozen=True, slots=True)
+class Options:
+    """One run. `board` and `xplane` are the real ones that take a demonstration part's place.
+
+    `emulated` is the demonstration's board too, as the image of its processor.
+    """
+
+    board: str | None = None
+    emulated: EmulatedBoard | None = None
+    xplane: XPlane | None = None
+    port: int = 8000
+    lan: bool = False
+    data: Path = Path("data")
+
+    @property
+    def host(self) -> str:
+        """The address the page is served on."""
+        return EVERY_INTERFACE if self.lan else LOOPBACK
+
+    @property
+    def url(self) -> str:
+        """Where the page is."""
+        return f"http://{LOOPBACK}:{self.port}"
+
+    @property
+    def board_line(self) -> Path:
+        """The demonstration board's pseudo-terminal."""
+        return self.data / "board.pty"
+
+    def board_url(self) -> str:
+        """What the gateway is to open: the demonstration's line, or the real board's device or address.
+
+        Raises LaunchError for what can be neither.
+        """
+        if self.emulated is not None:
+            return self.emulated.url
+        if self.board is None:
+            return f"pty://{self.board_line}"
+        kind, separator, _ = self.board.partition("://")
+        if not separator:
+            return f"serial://{self.board}"
+        if kind not in _LINK_KINDS:
+            raise LaunchError(
+                f"{self.board} is not the address of a board: give a device like /dev/ttyUSB0, or an address like "
+                "serial:///dev/ttyUSB0?baud=115200, tcp://192.168.1.5:4000 or pty:///run/board."
+            )
+        return self.board
+
+    def board_command(self) -> list[str]:
+        """Raises LaunchError where the firmware has not been built, or cannot be run."""
+        card = self.data / "card"
+        if self.emulated is not None:
+            return self.emulated.command(FIRMWARE, card)
+        if not BOARD_PROGRAM.exists():
+            raise LaunchError(f"The board's program {BOARD_PROGRAM} is missing: build it with `make board`.")
+        return [str(BOARD_PROGRAM), "--pty", str(self.board_line), "--card", str(card)]
+
+    def simulator_command(self, simulator: XPlane) -> list[str]:
+        """The embedded simulator, which listens where the gateway sends and the other way round."""
+        return [
+            *(sys.executable, "-m", "epf_gcs.simulator", "--profile", simulator.profile),
+            *("--listen", f"{LOOPBACK}:{simulator.port}", "--send-to", f"{LOOPBACK}:{simulator.receive_port}"),
+        ]
+
+    def gateway_command(self, *, first: bool) -> list[str]:
+        """The gateway, which serves the page too.
+
+        It remembers its links. Only its first start is told the board, lest it opens for a moment the one of
+        another day; started again, it opens what was open when it died.
+        """
+        return [
+            *(sys.executable, "-m", "epf_gcs.web"),
+            *("--host", self.host, "--port", str(self.port), "--data-dir", str(self.data)),
+            *(("--board", self.board_url()) if first else ()),
+        ]

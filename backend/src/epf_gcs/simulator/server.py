@@ -1,0 +1,125 @@
+"""The simulator's socket: X-Plane's UDP, in real time or in lock-step with the station."""
+
+import select
+import socket
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Final
+
+from epf_gcs.simulator.clock import Schedule
+from epf_gcs.simulator.simulation import Simulation
+
+Address = tuple[str, int]
+
+# More than any datagram of ours; a longer one is cut by the system and then refused as damaged.
+_LONGEST_DATAGRAM: Final = 4096
+# Of a flood of datagrams so many are taken before the next frame is looked at.
+_AT_ONCE: Final = 64
+# Lock-step: without an answer for so long the rows are sent again, for one of the two may have been lost.
+_ANSWER_TIMEOUT_S: Final = 1.0
+# How long the loop may sleep without looking whether it is asked to stop.
+_LONGEST_WAIT_S: Final = 0.2
+
+
+@dataclass(frozen=True, slots=True)
+class Pace:
+    """How simulated time goes by. `duration_s`: when to stop, None: never."""
+
+    period_s: float  # of a frame, simulated
+    speed_up: float = 1.0
+    lockstep: bool = False
+    duration_s: float | None = None
+
+
+class Server:
+    """Runs a simulation on an open UDP socket until its duration is over or `asked_to_stop` says so."""
+
+    def __init__(
+        self,
+        simulation: Simulation,
+        sock: socket.socket,
+        station: Address,
+        pace: Pace,
+        asked_to_stop: Callable[[], bool],
+    ) -> None:
+        self._simulation = simulation
+        self._socket = sock
+        self._station = station
+        self._pace = pace
+        self._asked_to_stop = asked_to_stop
+        self.datagrams_sent = 0
+        self.send_failures = 0
+        self.stalls = 0
+
+    def run(self) -> None:
+        """Fly."""
+        if self._pace.lockstep:
+            self._run_in_lockstep()
+        else:
+            self._run_in_real_time()
+
+    def _over(self) -> bool:
+        duration_s = self._pace.duration_s
+        return self._asked_to_stop() or (duration_s is not None and self._simulation.time_s >= duration_s)
+
+    def _run_in_real_time(self) -> None:
+        simulation, speed_up = self._simulation, self._pace.speed_up
+        frame_s = time.monotonic()
+        schedule = Schedule(self._pace.period_s / speed_up, frame_s)
+        while not self._over():
+            now_s = time.monotonic()
+            if now_s >= schedule.due_s:
+                simulation.advance()
+                simulation.send()
+                frame_s = now_s
+                schedule.done(time.monotonic())
+                self.stalls = schedule.shifts
+            # What the link still holds goes out at its own instant, not only at the next frame.
+            self._send(simulation.arrived(simulation.time_s + (now_s - frame_s) * speed_up))
+            wake_s = schedule.due_s
+            if (due_s := simulation.downlink.next_due_s) is not None:
+                wake_s = min(wake_s, frame_s + (due_s - simulation.time_s) / speed_up)
+            self._receive(wake_s - time.monotonic())
+
+    def _run_in_lockstep(self) -> None:
+        simulation = self._simulation
+        while not self._over():
+            simulation.advance()
+            simulation.send()
+            frame = simulation.arrived(simulation.time_s)
+            self._send(frame)
+            # Where delay or loss has left nothing to answer, nobody will: fly on.
+            answered = not frame
+            deadline_s = time.monotonic() + _ANSWER_TIMEOUT_S
+            while not answered and not self._asked_to_stop():
+                answered = self._receive(deadline_s - time.monotonic()) > 0
+                if not answered and time.monotonic() >= deadline_s:
+                    self._send(frame)
+                    deadline_s = time.monotonic() + _ANSWER_TIMEOUT_S
+
+    def _send(self, datagrams: list[bytes]) -> None:
+        for datagram in datagrams:
+            try:
+                self._socket.sendto(datagram, self._station)
+                self.datagrams_sent += 1
+            except OSError:
+                # Nobody listens yet, or the network is away: X-Plane does not mind either.
+                self.send_failures += 1
+
+    def _receive(self, timeout_s: float) -> int:
+        """Wait for datagrams up to `timeout_s`; returns how many commands were among those taken."""
+        wait_s = min(max(timeout_s, 0.0), _LONGEST_WAIT_S)
+        ready, _, _ = select.select([self._socket], [], [], wait_s)
+        commands = 0
+        for _ in range(_AT_ONCE if ready else 0):
+            try:
+                datagram = self._socket.recv(_LONGEST_DATAGRAM)
+            except BlockingIOError:
+                break
+            except OSError:
+                # An ICMP answer to a datagram of ours: the station is not there.
+                self.send_failures += 1
+                continue
+            commands += self._simulation.receive(datagram)
+        return commands

@@ -1,0 +1,110 @@
+"""The simulator without its socket: control datagrams in, frames of X-Plane datagrams out.
+
+Time is simulated time, counted in frames: the same options and the same datagrams at the same
+frames give the same bytes, whoever runs it (the real-time process, lock-step, or a test).
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass, field, replace
+from typing import Final
+
+from epf_gcs.simulator.airframe import STEP_HZ, Airframe, AirframeError
+from epf_gcs.simulator.crash import crash_cause
+from epf_gcs.simulator.inputs import Command, Inputs
+from epf_gcs.simulator.link import Link, LinkQuality
+from epf_gcs.simulator.models import AIRCRAFT
+from epf_gcs.simulator.rows import RowWriter
+from epf_gcs.simulator.situation import Situation
+from epf_gcs.simulator.state import FlightState
+from epf_gcs.simulator.trim import trimmed
+from epf_gcs.xplane.datagram import build
+
+LOWEST_RATE_HZ: Final = 20
+HIGHEST_RATE_HZ: Final = 100
+
+
+@dataclass(frozen=True, slots=True)
+class SimulationOptions:
+    """What is flown and how it is sent. `throttle` is the pilot's lever where it is not the trimmed one."""
+
+    aircraft: str = "rc"
+    situation: Situation = field(default_factory=Situation)
+    throttle: float | None = None
+    profile: str = "xp10"
+    rate_hz: int = 50
+    one_row_per_datagram: bool = False
+    link: LinkQuality = field(default_factory=LinkQuality)
+
+
+class Simulation:
+    """One flight. `report` is told of each crash in a sentence."""
+
+    def __init__(self, options: SimulationOptions, report: Callable[[str], None]) -> None:
+        self._options = options
+        self._report = report
+        self._trim = trimmed(AIRCRAFT[options.aircraft], options.situation.start)
+        neutral = self._trim.controls
+        if options.throttle is not None:
+            neutral = replace(neutral, throttle=options.throttle)
+        self.inputs = Inputs(neutral)
+        seed = options.situation.seed
+        self.uplink: Link[Command] = Link(options.link, f"{seed} to the simulator")
+        self.downlink: Link[bytes] = Link(options.link, f"{seed} from the simulator")
+        self._writer = RowWriter(options.profile)
+        self._frames = 0
+        self.crashes = 0
+        self._craft = self._begin()
+        self.state = self._craft.state()
+
+    @property
+    def time_s(self) -> float:
+        """Simulated time since the start."""
+        return self._frames / self._options.rate_hz
+
+    def receive(self, datagram: bytes) -> bool:
+        """A datagram from the station enters the link now; returns whether it is a command."""
+        command = self.inputs.parse(datagram)
+        if command is None:
+            return False
+        self.uplink.send(command, self.time_s)
+        return True
+
+    def advance(self) -> None:
+        """Fly one frame on with the commands that have arrived."""
+        for command in self.uplink.due(self.time_s):
+            self.inputs.apply(command)
+        rate_hz = self._options.rate_hz
+        # Rates that do not divide 200 Hz get frames of unequal length that keep the mean.
+        steps = (self._frames + 1) * STEP_HZ // rate_hz - self._frames * STEP_HZ // rate_hz
+        self._frames += 1
+        self._craft.command(self.inputs.controls())
+        try:
+            self._craft.step(steps)
+            self.state = self._craft.state()
+            cause = crash_cause(self.state)
+        except AirframeError as error:
+            cause = str(error)
+        if cause is not None:
+            self.crashes += 1
+            self._report(f"Crash after {self.time_s:.1f} s: {cause}. The aircraft is put back to its start.")
+            self._craft = self._begin()
+            self.state = self._craft.state()
+
+    def send(self) -> None:
+        """Put this instant's rows on the link to the station."""
+        for datagram in self._datagrams(self.state):
+            self.downlink.send(datagram, self.time_s)
+
+    def arrived(self, time_s: float) -> list[bytes]:
+        """The datagrams that reach the station by `time_s`."""
+        return self.downlink.due(time_s)
+
+    def _datagrams(self, state: FlightState) -> list[bytes]:
+        rows = self._writer.rows(state, self.inputs.stick())
+        if self._options.one_row_per_datagram:
+            return [build([row]) for row in rows]
+        return [build(rows)]
+
+    def _begin(self) -> Airframe:
+        options = self._options
+        return Airframe(AIRCRAFT[options.aircraft], options.situation, self._trim.motion, self._trim.controls)

@@ -1,0 +1,142 @@
+"""What the operator must know at once, on whatever tab: found, acknowledged, and kept in a history."""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, replace
+from typing import Any, Final
+
+from epf_gcs.errors import InvalidInputError, NotFoundError
+from epf_gcs.vehicle.judges import AlarmId, Finding
+from epf_gcs.vehicle.thresholds import BY_NAME, chosen, threshold_fault
+from epf_gcs.web.stream.hub import Hub
+
+_KEPT: Final = 200
+
+
+@dataclass(frozen=True, slots=True)
+class Alarm:
+    """One thing that is or was wrong. Unix times; `until_s` is None while it lasts."""
+
+    finding: Finding
+    since_s: float
+    acknowledged: bool = False
+    until_s: float | None = None
+
+    def as_dict(self) -> dict[str, Any]:
+        """Plain values of one that is active."""
+        return {
+            "id": self.finding.id,
+            "level": self.finding.level,
+            "since_s": self.since_s,
+            "text": self.finding.text,
+            "params": self.finding.params,
+            "acknowledged": self.acknowledged,
+        }
+
+
+class Alarms:
+    """Asks `watch` some times a second; tells the viewers of each alarm that comes, goes or is acknowledged.
+
+    `thresholds` are those that were chosen; `on_thresholds` keeps new ones.
+    """
+
+    def __init__(
+        self,
+        watch: Callable[[Mapping[str, float]], Iterable[Finding]],
+        hub: Hub,
+        thresholds: Mapping[str, Any],
+        on_thresholds: Callable[[dict[str, float]], None],
+    ) -> None:
+        self._watch = watch
+        self._hub = hub
+        self._on_thresholds = on_thresholds
+        self._active: dict[AlarmId, Alarm] = {}
+        self._past: deque[Alarm] = deque(maxlen=_KEPT)
+        self.thresholds = chosen(thresholds)
+        # Set by the composition: hears which alarm was acknowledged.
+        self.on_acknowledged: Callable[[AlarmId], None] | None = None
+
+    @property
+    def active(self) -> list[Alarm]:
+        """All that is wrong now, oldest first."""
+        return sorted(self._active.values(), key=lambda alarm: alarm.since_s)
+
+    @property
+    def past(self) -> list[Alarm]:
+        """What was wrong, the one that ended last first."""
+        return list(reversed(self._past))
+
+    def look(self, t_s: float) -> bool:
+        """See what is wrong at Unix time `t_s`. True where an alarm came or went, or where one became worse."""
+        before = self._active
+        self._active = {
+            finding.id: _follow(before.get(finding.id), finding, t_s) for finding in self._watch(self.thresholds)
+        }
+        gone = [replace(alarm, until_s=t_s) for alarm in before.values() if alarm.finding.id not in self._active]
+        news = [alarm for alarm in self._active.values() if _is_news(before.get(alarm.finding.id), alarm)]
+        self._past.extend(gone)
+        for alarm in news:
+            self._tell(alarm, active=True)
+        for alarm in gone:
+            self._tell(alarm, active=False)
+        return bool(news or gone)
+
+    def acknowledge(self, name: str) -> Alarm:
+        """The operator knows: it is shown quietly until it goes. Raises NotFoundError where it is not active."""
+        alarm = next((alarm for alarm in self._active.values() if alarm.finding.id == name), None)
+        if alarm is None:
+            raise NotFoundError(
+                "alarm_not_active",
+                f"There is no active alarm '{name}': it went, or there is none of this name. "
+                "GET /api/v1/alarms lists them.",
+                alarm=name,
+            )
+        known = self._active[alarm.finding.id] = replace(alarm, acknowledged=True)
+        if not alarm.acknowledged:
+            self._tell(known, active=True)
+            if self.on_acknowledged is not None:
+                self.on_acknowledged(alarm.finding.id)
+        return known
+
+    def choose(self, thresholds: Mapping[str, float]) -> None:
+        """Other limits from now on. Raises NotFoundError or InvalidInputError, and then none is changed."""
+        for name, value in thresholds.items():
+            if name not in BY_NAME:
+                raise NotFoundError(
+                    "threshold_unknown",
+                    f"There is no alarm threshold '{name}': GET /api/v1/alarms/thresholds lists them.",
+                    field=name,
+                )
+            threshold = BY_NAME[name]
+            fault = threshold_fault(threshold, value)
+            if fault is not None:
+                raise InvalidInputError(
+                    "threshold_out_of_range",
+                    fault,
+                    field=name,
+                    value=value,
+                    minimum=threshold.minimum,
+                    maximum=threshold.maximum,
+                )
+        self.thresholds = {**self.thresholds, **thresholds}
+        self._on_thresholds(self.thresholds)
+
+    def _tell(self, alarm: Alarm, *, active: bool) -> None:
+        self._hub.event("alarm", {**alarm.as_dict(), "active": active})
+
+
+def _follow(before: Alarm | None, finding: Finding, t_s: float) -> Alarm:
+    """The alarm of a finding; one that became worse is new to whoever acknowledged the milder one."""
+    if before is None:
+        return Alarm(finding, t_s)
+    return replace(before, finding=finding, acknowledged=before.acknowledged and not _is_worse(before, finding))
+
+
+def _is_worse(before: Alarm, finding: Finding) -> bool:
+    return (before.finding.level, finding.level) == ("warning", "critical")
+
+
+def _is_news(before: Alarm | None, now: Alarm) -> bool:
+    return before is None or _is_worse(before, now.finding)

@@ -1,0 +1,278 @@
+"""One board: bytes -> frames -> state and viewers, and frames back. Knows nothing of devices or of HTTP."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import Final, Protocol
+
+from epf_gcs.clock import Clock
+from epf_gcs.codec.frame import Damage, Frame, FrameDecoder
+from epf_gcs.codec.session import Session, SessionState
+from epf_gcs.codec.values import Json, Meaning, meaning
+from epf_gcs.error_log import ErrorLog
+from epf_gcs.errors import ConflictError, LinkError
+from epf_gcs.link.base import Link
+from epf_gcs.vehicle.frame_books import FrameBooks
+from epf_gcs.vehicle.telemetry import Telemetry
+from epf_gcs.web.stream.hub import Hub
+
+_URGENT: Final = frozenset({"hil_surfaces", "servos_in"})
+# Pieces of noise that no shell and no plugging in of a cable makes.
+_RUBBISH: Final = 20
+_HANDSHAKE: Final = frozenset({"heartbeat", "capabilities"})
+
+Listener = Callable[[Frame, Meaning], None]
+
+
+class Guest(Protocol):
+    """Has the line for a while, with a stream that is no frames."""
+
+    def on_bytes(self, data: bytes) -> None:
+        """Bytes of the line."""
+
+    def goodbye(self) -> bytes:
+        """What brings the board back to text mode; the guest is out from here on."""
+
+
+class Board:
+    """Told of links and bytes; tells the hub, the listeners, and first of all the simulator's bridge."""
+
+    def __init__(self, clock: Clock, hub: Hub, telemetry: Telemetry, errors: ErrorLog) -> None:
+        self._clock = clock
+        self._hub = hub
+        self._put = hub.state.put
+        self._telemetry = telemetry
+        self._errors = errors
+        self._decoder = FrameDecoder()
+        self._link: Link | None = None
+        self._listeners: list[Listener] = []
+        self._bytes_at_tick = 0
+        self._damage_before: Counter[str] = Counter()
+        self._was_open = False
+        self.guest: Guest | None = None
+        self.session = Session()
+        self.frames_received = 0
+        self.damage: Counter[str] = Counter()
+        self.books = FrameBooks()
+        self._arrivals = self.books.heard
+        self.bytes_in = 0
+        self.bytes_out = 0
+        self.baud = 0
+        # The link brings example values: nothing of it may reach a simulator, and nobody can command it.
+        self.is_emulated = False
+        # Set by the composition: the bridge that must hear first, and who re-arms an opened board.
+        self.on_urgent: Callable[[Frame], None] | None = None
+        self.on_opened: Callable[[], None] | None = None
+
+    @property
+    def link(self) -> Link | None:
+        """The open link, if any."""
+        return self._link
+
+    @property
+    def is_open(self) -> bool:
+        """Commands can be sent, and it is known how they are proved."""
+        return self._link is not None and self.session.is_open
+
+    @property
+    def frames_damaged(self) -> int:
+        """Candidates that did not hold; bytes that never looked like a frame are counted as noise alone."""
+        return sum(count for kind, count in self.damage.items() if kind not in ("noise", "remains", "text"))
+
+    @property
+    def hears_only_rubbish(self) -> bool:
+        """Much came on this link, and nothing of it was a heartbeat or a line of text: as at a wrong baud rate."""
+        noise = self.damage["noise"] - self._damage_before["noise"]
+        text = self.damage["text"] - self._damage_before["text"]
+        return self._link is not None and self.session.heartbeat_s is None and noise > _RUBBISH and noise > 10 * text
+
+    def heartbeat_age_s(self) -> float | None:
+        """Time since the board's last heartbeat on this link."""
+        return self.session.heartbeat_age_s(self._clock.steady_s())
+
+    def attach(self, link: Link, *, is_emulated: bool = False) -> None:
+        """A link is open: begin the dialogue."""
+        self._link = link
+        self.is_emulated = is_emulated
+        if is_emulated:
+            self.books.clear()
+        self.baud = link.baud
+        self._decoder = FrameDecoder()
+        self._was_open = False
+        self._damage_before = Counter(self.damage)
+        self.write(self.session.open(self._clock.steady_s()))
+
+    def detach(self) -> None:
+        """The link is gone."""
+        self._link = None
+        self._dismiss()
+        self._take(self._decoder.finish())
+        self._was_open = False
+        self.session.close()
+        if self.is_emulated:
+            self.is_emulated = False
+            self.books.clear()
+            self._telemetry.blank()
+            self._hub.flush()
+
+    def say_goodbye(self) -> None:
+        """Leave the board quiet and in text mode, as long as the link still is there."""
+        farewell = self._dismiss() + self.session.close()
+        if farewell:
+            self.write(farewell)
+
+    def lend(self, guest: Guest) -> None:
+        """Leave binary mode and give the line to `guest`: nothing can be commanded until `take_back`."""
+        self.write(self.session.close())
+        self._take(self._decoder.finish())
+        self._decoder = FrameDecoder()
+        self._was_open = False
+        self.guest = guest
+
+    def take_back(self) -> None:
+        """The guest's stream is over: begin the dialogue anew."""
+        farewell = self._dismiss()
+        if self._link is not None:
+            self.write(farewell + self.session.open(self._clock.steady_s()))
+
+    def _dismiss(self) -> bytes:
+        guest, self.guest = self.guest, None
+        return b"" if guest is None else guest.goodbye()
+
+    def check_commandable(self) -> None:
+        """Raise ConflictError where there is no board that could do anything, or where it does not listen."""
+        if self.guest is not None:
+            raise ConflictError(
+                "ahrs_test_running", "Nothing was sent because the AHRS test is running: stop the test first."
+            )
+        if self.is_emulated:
+            raise ConflictError(
+                "emulation_running", "Nothing was sent because this is the emulation, not a board: stop it first."
+            )
+
+    def write(self, data: bytes) -> bool:
+        """Send bytes as they are. False where they could not even be queued."""
+        if self._link is None or not self._link.write(data):
+            return False
+        self.bytes_out += len(data)
+        return True
+
+    def listen(self, listener: Listener) -> None:
+        """From now on every good frame is handed to `listener` too."""
+        self._listeners.append(listener)
+
+    @contextmanager
+    def listening(self, listener: Listener) -> Iterator[None]:
+        """While inside, every good frame is handed to `listener` too."""
+        self._listeners.append(listener)
+        try:
+            yield
+        finally:
+            self._listeners.remove(listener)
+
+    def on_bytes(self, data: bytes) -> None:
+        """Bytes of the line."""
+        self.bytes_in += len(data)
+        if self.guest is not None:
+            self.guest.on_bytes(data)
+            return
+        found = self._decoder.feed(data)
+        if found:
+            self._take(found)
+
+    def tick(self) -> None:
+        """Do what is due; called some times a second."""
+        if self.bytes_in == self._bytes_at_tick:
+            # Silent since the last look: text waits for its line end no longer, the board's prompt has none.
+            self._take(self._decoder.flush())
+        self._bytes_at_tick = self.bytes_in
+        if self._link is not None:
+            answer = self.session.tick(self._clock.steady_s())
+            if answer:
+                self.write(answer)
+            self._notice_opening()
+
+    def _take(self, found: list[Frame | Damage]) -> None:
+        """What the line brought, in the order of who waits for it: the simulator, the viewers, the books."""
+        if not found:
+            return
+        t_s = self._clock.now_s()
+        heard: list[tuple[Frame, Meaning]] = []
+        for item in found:
+            if isinstance(item, Frame):
+                if item.message.name in _URGENT and self.on_urgent is not None:
+                    self.on_urgent(item)
+                meant = meaning(item)
+                heard.append((item, meant))
+                if item.message.topic:
+                    self._put(item.message.name, t_s, meant.values)
+        self._hub.flush()
+        for frame, meant in heard:
+            self._take_frame(frame, meant, t_s)
+        if len(heard) < len(found):
+            self._take_damages(found, t_s)
+
+    def _take_frame(self, frame: Frame, meant: Meaning, t_s: float) -> None:
+        self.frames_received += 1
+        message = frame.message
+        self._arrivals[message.name].heard(t_s, meant.values)
+        if message.name in _HANDSHAKE:
+            answer = self.session.on_frame(frame, self._clock.steady_s())
+            if answer:
+                self.write(answer)
+        if message.topic:
+            self._telemetry.heard(message.name, t_s, meant.values, meant.implausible)
+        if self._listeners:
+            for listener in tuple(self._listeners):
+                listener(frame, meant)
+        if not self._was_open:
+            self._notice_opening()
+
+    def _take_damages(self, found: list[Frame | Damage], t_s: float) -> None:
+        for item in found:
+            if isinstance(item, Damage):
+                self.books.on_damage(item, t_s)
+                self._take_damage(item)
+
+    def _take_damage(self, damage: Damage) -> None:
+        text = _as_text(damage)
+        if text is not None:
+            self.damage["text"] += 1
+            if text:
+                self._hub.event("console", {"direction": "received", "text": text})
+            return
+        self.damage[damage.kind] += 1
+        if damage.kind != "remains":
+            self._errors.report(
+                LinkError(
+                    "line_garbage",
+                    f"The board's line brought bytes that are no frame ({damage.kind}): check baud rate and cable.",
+                    kind=damage.kind,
+                )
+            )
+
+    def _notice_opening(self) -> None:
+        """The session became open, or the board started anew and it is not any more."""
+        is_open = self.is_open
+        if is_open and not self._was_open and self.on_opened is not None:
+            self._was_open = True
+            self.on_opened()
+        elif not is_open and self.session.state is SessionState.OPENING:
+            self._was_open = False
+
+    def capabilities(self) -> dict[str, Json]:
+        """What an extended board said of itself; empty for a legacy board."""
+        return self.session.capabilities or {}
+
+
+def _as_text(damage: Damage) -> str | None:
+    """A line of the board's shell, as against rubbish."""
+    if damage.kind != "noise":
+        return None
+    data = damage.data.strip(b"\r\n\t ")
+    if not data or not data.isascii():
+        return "" if not data and damage.data else None
+    text = data.decode("ascii")
+    return text if text.isprintable() else None

@@ -1,0 +1,95 @@
+"""The 17 gains: what the board has, what was asked for, and what is allowed."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
+from typing import Final, Literal
+
+from epf_gcs.codec.messages_gen import PARAMETERS
+from epf_gcs.codec.tables import Parameter
+from epf_gcs.codec.values import Json, shortest, single
+from epf_gcs.vehicle.limits import limit_fault
+
+State = Literal["unknown", "loaded", "pending", "confirmed", "rejected"]
+
+BY_NAME: Final[Mapping[str, Parameter]] = {parameter.name: parameter for parameter in PARAMETERS}
+
+
+@dataclass(frozen=True, slots=True)
+class Held:
+    """One gain as far as it is known. `value` is the board's, None until it was read.
+
+    `loaded` is what the board had when it was read first, or when the operator asked for all of them.
+    """
+
+    value: float | None = None
+    state: State = "unknown"
+    loaded: float | None = None
+
+
+Held17 = Mapping[str, Held]
+UNKNOWN: Final[Held17] = dict.fromkeys(BY_NAME, Held())
+
+
+def after_read(held: Held17, values: Mapping[str, Json]) -> Held17:
+    """The board told its values. What waits for its own proof keeps its state."""
+    return {name: _after_read(held[name], values.get(name)) for name in BY_NAME}
+
+
+def loaded_now(held: Held17) -> Held17:
+    """The operator asked for all: from here on it counts what was changed."""
+    return {name: replace(one, loaded=one.value) for name, one in held.items()}
+
+
+def forgotten(held: Held17, names: Iterable[str]) -> Held17:
+    """The same, but what the board has for these is not known any more."""
+    gone = frozenset(names)
+    return {name: replace(one, value=None, state="unknown") if name in gone else one for name, one in held.items()}
+
+
+def with_state(held: Held17, names: Mapping[str, object], state: State) -> Held17:
+    """The same values with another state for some."""
+    return {name: replace(one, state=state) if name in names else one for name, one in held.items()}
+
+
+def differing(wanted: Mapping[str, float], values: Mapping[str, Json]) -> list[str]:
+    """Names whose value on the board is not the one asked for, as far as single precision can tell."""
+    return [name for name, value in wanted.items() if not _same(BY_NAME[name], value, values.get(name))]
+
+
+def as_held(name: str, value: float) -> float:
+    """The value as a person writes what the board holds once it took `value`."""
+    return value if BY_NAME[name].is_integer else shortest(single(value))
+
+
+def shown(name: str, value: float) -> float:
+    """The value as a person wrote it: 0.6, not 0.6000000238418579."""
+    return value if BY_NAME[name].is_integer else shortest(value)
+
+
+def fault(name: str, value: float) -> str | None:
+    """Why this value is not allowed, in a clear sentence; None where it is."""
+    parameter = BY_NAME[name]
+    if parameter.is_integer and math.isfinite(value) and value != int(value):
+        return f"{name} must be a whole number, not {value:g}."
+    # The limit is compared as the wire will carry it: 99.99 is allowed although its nearest single is above it.
+    return limit_fault(name, value, parameter.minimum, parameter.maximum)
+
+
+def _after_read(held: Held, value: Json) -> Held:
+    if value is None or isinstance(value, str):
+        return Held(loaded=held.loaded)
+    loaded = float(value) if held.loaded is None else held.loaded
+    if held.state == "pending":
+        return replace(held, value=float(value), loaded=loaded)
+    # A confirmed value stays so while the board still has it; a refused one stays refused until it is set again.
+    keeps = held.state == "confirmed" and held.value == float(value)
+    return Held(float(value), "confirmed" if keeps else "loaded", loaded)
+
+
+def _same(parameter: Parameter, wanted: float, found: Json) -> bool:
+    if not isinstance(found, int | float):
+        return False
+    return found == (wanted if parameter.is_integer else single(wanted))

@@ -1,0 +1,1 @@
+"""Versions, licences and the packages in use."""

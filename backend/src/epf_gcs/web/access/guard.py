@@ -1,0 +1,183 @@
+"""Who may ask: no foreign page, no foreign name, no endless body; and what a browser may do with our answers."""
+
+from __future__ import annotations
+
+import ipaddress
+from collections.abc import Iterable, Mapping, MutableMapping
+from http import HTTPStatus
+from types import MappingProxyType
+from typing import Any, Final
+from urllib.parse import urlsplit
+
+import structlog
+from starlette.datastructures import Headers, MutableHeaders
+from starlette.types import ASGIApp, Message, Receive, Scope, Send
+
+from epf_gcs.error_log import ErrorLog
+from epf_gcs.errors import GatewayError
+from epf_gcs.web.problems import problem_response
+
+_READING: Final = frozenset({"GET", "HEAD", "OPTIONS"})
+_CONTENT_POLICY: Final = (
+    "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; img-src 'self' data: blob:; "
+    "worker-src 'self' blob:; object-src 'none'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'"
+)
+# Swagger UI writes style attributes into its markup.
+_DOCS_CONTENT_POLICY: Final = _CONTENT_POLICY.replace("style-src 'self'", "style-src 'self' 'unsafe-inline'")
+_DOCS_PATH: Final = "/api/docs"
+
+log = structlog.get_logger("gateway")
+
+
+class Access:
+    """The rules. A browser tells the name it asked for (Host) and the page that asks (Origin).
+
+    The Host keeps out pages that point a name of their own at this machine; the Origin keeps out pages of others
+    that send here. Programs that are no browser send no Origin and may.
+    """
+
+    def __init__(self, hosts: Iterable[str], origins: Iterable[str]) -> None:
+        self._hosts = frozenset(host.lower() for host in hosts) | {"localhost"}
+        self._origins = frozenset(origins)
+
+    def check_host(self, host: str | None) -> None:
+        """Raise GatewayError where this server was asked for under a foreign name."""
+        name = urlsplit(f"//{host or ''}").hostname or ""
+        if name not in self._hosts and not _is_number(name):
+            raise GatewayError(
+                "foreign_host",
+                f"This station does not answer to the name '{name}': use its number, or allow the name by "
+                "GCS_ALLOWED_HOSTS.",
+                host=name,
+            )
+
+    def check_origin(self, origin: str | None, host: str | None) -> None:
+        """Raise GatewayError where a page of another server asks."""
+        if origin is None or origin in self._origins:
+            return
+        parts = urlsplit(origin)
+        if parts.scheme in ("http", "https") and parts.netloc.lower() == (host or "").lower():
+            return
+        raise GatewayError(
+            "foreign_origin",
+            f"The page {origin} may not command this station: open the station's own page.",
+            origin=origin[:200],
+        )
+
+
+class Guard:
+    """ASGI middleware around everything that is HTTP."""
+
+    def __init__(
+        self,
+        app: ASGIApp,
+        access: Access,
+        errors: ErrorLog,
+        max_body_bytes: int,
+        longer_bodies: Mapping[str, int] = MappingProxyType({}),
+        streamed_bodies: frozenset[str] = frozenset(),
+    ) -> None:
+        """`longer_bodies`: path -> bytes, for the addresses that take files. `streamed_bodies`: paths whose own code
+        takes the body as it comes, and bounds it."""
+        self._app = app
+        self._access = access
+        self._errors = errors
+        self._max_body_bytes = max_body_bytes
+        self._longer_bodies = longer_bodies
+        self._streamed_bodies = streamed_bodies
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """Check, then hand on."""
+        if scope["type"] != "http":
+            await self._app(scope, receive, send)
+            return
+        path: str = scope["path"]
+        started = False
+
+        async def send_guarded(message: Message) -> None:
+            nonlocal started
+            if message["type"] == "http.response.start":
+                started = True
+                _add_headers(message, path)
+            await send(message)
+
+        try:
+            await self._check_and_hand_on(scope, receive, send_guarded)
+        except Exception as error:
+            log.exception("a request failed", method=scope["method"], path=path)
+            if started:
+                raise
+            fault = GatewayError(
+                "internal",
+                f"{scope['method']} {path} failed inside the station ({type(error).__name__}): see its log.",
+            )
+            await self._refuse(HTTPStatus.INTERNAL_SERVER_ERROR, fault, scope, receive, send_guarded)
+
+    async def _check_and_hand_on(self, scope: Scope, receive: Receive, send: Send) -> None:
+        headers = Headers(scope=scope)
+        reading = scope["method"] in _READING
+        try:
+            self._access.check_host(headers.get("host"))
+            if not reading:
+                self._access.check_origin(headers.get("origin"), headers.get("host"))
+        except GatewayError as error:
+            await self._refuse(HTTPStatus.FORBIDDEN, error, scope, receive, send)
+            return
+        if reading or scope["path"] in self._streamed_bodies:
+            await self._app(scope, receive, send)
+            return
+        most_bytes = self._longer_bodies.get(scope["path"], self._max_body_bytes)
+        body = await _read_body(receive, most_bytes)
+        if body is None:
+            too_large = GatewayError(
+                "body_too_large", f"The body is longer than {most_bytes} bytes: send less.", limit=most_bytes
+            )
+            await self._refuse(HTTPStatus.REQUEST_ENTITY_TOO_LARGE, too_large, scope, receive, send)
+            return
+        await self._app(scope, _replay(body, receive), send)
+
+    async def _refuse(
+        self, status: HTTPStatus, error: GatewayError, scope: Scope, receive: Receive, send: Send
+    ) -> None:
+        self._errors.count(error.code)
+        await problem_response(status, error.code, error.detail, error.params)(scope, receive, send)
+
+
+async def _read_body(receive: Receive, most_bytes: int) -> bytes | None:
+    """The whole body; None where it is too long. Bodies here are small, so they are read before anything else."""
+    body = bytearray()
+    while True:
+        message = await receive()
+        body += message.get("body", b"")
+        if len(body) > most_bytes:
+            return None
+        if message["type"] != "http.request" or not message.get("more_body", False):
+            return bytes(body)
+
+
+def _replay(body: bytes, receive: Receive) -> Receive:
+    pending: list[MutableMapping[str, Any]] = [{"type": "http.request", "body": body, "more_body": False}]
+
+    async def replay() -> Message:
+        return pending.pop() if pending else await receive()
+
+    return replay
+
+
+def _add_headers(message: Message, path: str) -> None:
+    headers = MutableHeaders(scope=message)
+    headers["Content-Security-Policy"] = _DOCS_CONTENT_POLICY if path == _DOCS_PATH else _CONTENT_POLICY
+    headers["X-Content-Type-Options"] = "nosniff"
+    headers["Referrer-Policy"] = "no-referrer"
+    headers["Cross-Origin-Resource-Policy"] = "same-origin"
+    headers["Cross-Origin-Opener-Policy"] = "same-origin"
+    if path.startswith("/api/v1/"):
+        headers.setdefault("Cache-Control", "no-store")
+
+
+def _is_number(name: str) -> bool:
+    try:
+        ipaddress.ip_address(name)
+    except ValueError:
+        return False
+    return True

@@ -1,0 +1,96 @@
+"""The composition root: builds the parts, and owns their life."""
+
+from __future__ import annotations
+
+import contextlib
+import gc
+from collections.abc import AsyncIterator
+from pathlib import Path
+from typing import Any, Final
+
+from fastapi import FastAPI
+
+from epf_gcs import __version__
+from epf_gcs.error_log import ErrorLog
+from epf_gcs.flight.station import Station
+from epf_gcs.formats.recognise import MAX_FILE_BYTES
+from epf_gcs.web import docs
+from epf_gcs.web.about import routes as about
+from epf_gcs.web.access.guard import Access, Guard
+from epf_gcs.web.alarms import routes as alarms
+from epf_gcs.web.commands import ahrs_test_routes as ahrs_test
+from epf_gcs.web.commands import routes as commands
+from epf_gcs.web.earth import routes as earth
+from epf_gcs.web.inspector import routes as inspector
+from epf_gcs.web.links import routes as links
+from epf_gcs.web.maps import online_routes as online_maps
+from epf_gcs.web.maps import routes as maps
+from epf_gcs.web.missions import file_routes as mission_files
+from epf_gcs.web.page import install_page
+from epf_gcs.web.parameters import routes as parameters
+from epf_gcs.web.problems import install_error_handlers
+from epf_gcs.web.recordings import routes as recordings
+from epf_gcs.web.settings import Settings
+from epf_gcs.web.state import routes as state
+from epf_gcs.web.stream.endpoint import StreamEndpoint
+from epf_gcs.web.track import routes as track
+
+_PAGE_IN_TREE: Final = Path(__file__).parents[4] / "frontend" / "dist"
+_PREFIX: Final = "/api/v1"
+
+
+def create_app(settings: Settings) -> FastAPI:
+    """The whole gateway as an ASGI application; the stream needs `web.server`, which hands it the transports."""
+    access = Access((settings.host, *settings.allowed_hosts), settings.allowed_origins)
+    errors = ErrorLog()
+
+    @contextlib.asynccontextmanager
+    async def lifespan(app: FastAPI) -> AsyncIterator[dict[str, Any]]:
+        station = Station(settings.data_dir, errors, record=settings.recording, board_url=settings.board)
+        station.status_text = state.status_message(station)
+        app.state.station = station
+        async with station.running():
+            # What was made until now lives as long as the process: the collector need not look at it again, and
+            # does not stop the loop for milliseconds to do so.
+            gc.collect()
+            gc.freeze()
+            yield {"socket_endpoint": StreamEndpoint(station, access)}
+
+    app = FastAPI(
+        title="EPF GCS gateway",
+        version=__version__,
+        lifespan=lifespan,
+        openapi_url=docs.OPENAPI_PATH,
+        docs_url=None,
+        redoc_url=None,
+    )
+    app.openapi = lambda: docs.describe(app)  # type: ignore[method-assign]
+    for part in (
+        state,
+        links,
+        commands,
+        ahrs_test,
+        parameters,
+        mission_files,
+        earth,
+        track,
+        maps,
+        online_maps,
+        alarms,
+        recordings,
+        about,
+        inspector,
+    ):
+        app.include_router(part.router, prefix=_PREFIX)
+    app.include_router(docs.router)
+    install_error_handlers(app, errors)
+    install_page(app, settings.page_dir or _PAGE_IN_TREE)
+    app.add_middleware(
+        Guard,
+        access=access,
+        errors=errors,
+        max_body_bytes=settings.max_body_bytes,
+        longer_bodies={_PREFIX + mission_files.IMPORT_PATH: MAX_FILE_BYTES},
+        streamed_bodies=frozenset({_PREFIX + maps.IMPORTS_PATH}),
+    )
+    return app

@@ -1,0 +1,1 @@
+"""Commands, the HIL switches, the console and the AHRS test over HTTP."""

@@ -1,0 +1,100 @@
+"""The browsable documentation, from files in this machine: no network is needed."""
+
+from __future__ import annotations
+
+from importlib.resources import files
+from typing import Any, Final
+
+from fastapi import APIRouter, FastAPI
+from fastapi.openapi.utils import get_openapi
+from fastapi.responses import HTMLResponse, Response
+
+from epf_gcs import __version__
+from epf_gcs.web.problems import MEDIA_TYPE
+from epf_gcs.web.schemas import Problem
+
+OPENAPI_PATH: Final = "/api/v1/openapi.json"
+_ASSETS: Final = {"swagger-ui-bundle.js": "text/javascript", "swagger-ui.css": "text/css"}
+_PAGE: Final = """<!doctype html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<title>EPF GCS interface</title>
+<link rel="icon" href="data:,">
+<link rel="stylesheet" href="/api/docs/swagger-ui.css">
+</head>
+<body>
+<div id="docs"></div>
+<script src="/api/docs/swagger-ui-bundle.js"></script>
+<script src="/api/docs/start.js"></script>
+</body>
+</html>
+"""
+_START: Final = f'SwaggerUIBundle({{url: "{OPENAPI_PATH}", dom_id: "#docs", deepLinking: true, validatorUrl: null}});\n'
+_DESCRIPTION: Final = """
+The gateway of EPF GCS. Errors are problem documents (RFC 9457) whose `code` is stable.
+
+**Stream**: WebSocket `/api/v1/stream?rate=60` sends `hello`, then `batch`, `event` and `status` messages as JSON.
+Answer each batch with `{"type": "ack", "seq": n}`: at most four are under way, and a viewer which stalled gets the
+newest state at once. `rate=0` sends every sample; `{"type": "rate", "rate": n}` changes it. Commands go over REST with
+the header `X-Client: <client of the hello>`.
+
+**Stick**: the page that has control may send `{"type": "stick", "elevator": -1..1, "aileron": -1..1, "rudder": -1..1,
+"throttle": 0..1, "t_ms": its own steady clock}` on its stream, up to 50 times a second: the positions of its gamepad
+(elevator + nose up, aileron + right wing down, rudder + nose right). With `PUT /hil` `{"stick": "gamepad"}` they take
+the place of the simulator's rows 8 and 25. A sample is used for 0.3 s; without a newer one the surfaces are centred
+then, and the throttle is closed after 2 s. The choice ends with that page's control.
+
+**Events**: `alarm` (an alarm that came, went or was acknowledged), `command` (pending, and what became of it),
+`console`, `control`, `error`, `journal` (a new entry, and what undo and redo would write now), `link`, `map_import` (as
+`GET /map/imports/{id}`, at most four a second), `mission`,
+`parameter` (the gains that changed, each with value, state and loaded value), `recording`, `stick` (where the stick
+comes from, whether it is `live` or `lost`, and the `reason`: `chosen`, `control_lost`, `lost`, `back`) and `track`.
+"""
+
+router = APIRouter(include_in_schema=False)
+
+
+@router.get("/api/docs")
+async def docs_page() -> HTMLResponse:
+    """The page."""
+    return HTMLResponse(_PAGE)
+
+
+@router.get("/api/docs/start.js")
+async def docs_start() -> Response:
+    """Starts the page; a file of its own because scripts inside the page are not allowed."""
+    return Response(_START, media_type="text/javascript")
+
+
+@router.get("/api/docs/{name}")
+async def docs_asset(name: str) -> Response:
+    """Swagger UI's own files."""
+    if name not in _ASSETS:
+        return Response(status_code=404)
+    content = (files("fastapi_offline") / "static" / name).read_bytes()
+    return Response(content, media_type=_ASSETS[name], headers={"Cache-Control": "max-age=3600"})
+
+
+def describe(app: FastAPI) -> dict[str, Any]:
+    """The OpenAPI document, with problems under their own media type."""
+    if app.openapi_schema is None:
+        schema = get_openapi(
+            title="EPF GCS gateway", version=__version__, description=_DESCRIPTION.strip(), routes=app.routes
+        )
+        for path in schema["paths"].values():
+            for operation in path.values():
+                _name_problems(operation["responses"])
+        schemas = schema["components"]["schemas"]
+        schemas.pop("HTTPValidationError", None)
+        schemas.pop("ValidationError", None)
+        schemas.setdefault("Problem", Problem.model_json_schema())
+        app.openapi_schema = schema
+    return app.openapi_schema
+
+
+def _name_problems(responses: dict[str, Any]) -> None:
+    for status, response in responses.items():
+        content = response.get("content", {})
+        if status.startswith(("4", "5")) and "application/json" in content:
+            response["content"] = {MEDIA_TYPE: content["application/json"]}

@@ -1,0 +1,1 @@
+"""Google Earth: live link and plans as KML."""

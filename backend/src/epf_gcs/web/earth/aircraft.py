@@ -1,0 +1,112 @@
+"""The two aircraft as they are now: the board's own, and the simulator's."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any, Final, Literal
+
+from epf_gcs.flight.station import Station
+from epf_gcs.formats.kml_live import Aircraft
+from epf_gcs.formats.kml_words import Words
+from epf_gcs.formats.units import ft_from_m, m_from_ft
+from epf_gcs.web.stream.hub_state import Values
+
+Which = Literal["real", "hil"]
+_ATTITUDE: Final = ("yaw_deg", "pitch_deg", "roll_deg")
+
+
+def aircraft_now(station: Station, words: Words) -> dict[Which, Aircraft]:
+    """Those whose place is known; without an attitude where what they last said is old."""
+    found: dict[Which, Aircraft] = {}
+    real = _real(station, words)
+    if real is not None:
+        found["real"] = real
+    hil = _hil(station, words)
+    if hil is not None:
+        found["hil"] = hil
+    return found
+
+
+def followed_of(station: Station, found: Mapping[Which, Aircraft], wanted: Which | None) -> Aircraft | None:
+    """Whom the view stays behind: the one that was asked for, else the simulator's while it flies."""
+    if wanted is not None:
+        return found.get(wanted)
+    if "hil" in found and (station.telemetry.is_live("simulator") or "real" not in found):
+        return found["hil"]
+    return found.get("real")
+
+
+def _real(station: Station, words: Words) -> Aircraft | None:
+    """By its GPS, with the attitude of its AHRS."""
+    gps = station.telemetry.newest("gps")
+    if gps is None or gps["valid"] is not True or not gps["fix"]:
+        return None
+    place = _numbers(gps, "latitude_deg", "longitude_deg", "altitude_m")
+    if place is None:
+        return None
+    is_live = station.telemetry.is_live("gps")
+    ahrs = station.telemetry.newest("ahrs") if is_live and station.telemetry.is_live("ahrs") else None
+    altitude_ft = ft_from_m(place[2])
+    return _aircraft(
+        station,
+        words,
+        words.aircraft,
+        place,
+        is_live=is_live,
+        attitude=None if ahrs is None else _numbers(ahrs, *_ATTITUDE),
+        description=_description(words, altitude_ft, gps["speed_kt"], gps["heading_deg"]),
+    )
+
+
+def _hil(station: Station, words: Words) -> Aircraft | None:
+    """As the simulator says."""
+    values = station.telemetry.newest("simulator")
+    place = None if values is None else _numbers(values, "latitude_deg", "longitude_deg", "altitude_msl_ft")
+    if values is None or place is None:
+        return None
+    is_live = station.telemetry.is_live("simulator")
+    return _aircraft(
+        station,
+        words,
+        words.hil_aircraft,
+        (place[0], place[1], m_from_ft(place[2])),
+        is_live=is_live,
+        attitude=_numbers(values, "true_heading_deg", "pitch_deg", "roll_deg") if is_live else None,
+        description=_description(words, place[2], values["indicated_airspeed_kt"], values["true_heading_deg"]),
+    )
+
+
+def _aircraft(
+    station: Station,
+    words: Words,
+    name: str,
+    place: tuple[float, float, float],
+    *,
+    is_live: bool,
+    attitude: tuple[float, float, float] | None,
+    description: str,
+) -> Aircraft:
+    remarks = [
+        *([words.examples] if station.board.is_emulated else []),
+        *([] if is_live else [words.last_known]),
+    ]
+    shown = f"{name} ({', '.join(remarks)})" if remarks else name
+    heading_deg, pitch_deg, roll_deg = attitude if attitude is not None else (None, None, None)
+    return Aircraft(shown, place, heading_deg, pitch_deg, roll_deg, description if is_live else "")
+
+
+def _numbers(values: Values, first: str, second: str, third: str) -> tuple[float, float, float] | None:
+    """Three values, or None where one of them is no data."""
+    found = (values.get(first), values.get(second), values.get(third))
+    if any(value is None for value in found):
+        return None
+    return float(found[0] or 0.0), float(found[1] or 0.0), float(found[2] or 0.0)
+
+
+def _description(words: Words, altitude_ft: float, speed_kt: Any, heading_deg: Any) -> str:
+    parts = [f"{words.altitude}: {altitude_ft:.0f} ft"]
+    if speed_kt is not None:
+        parts.append(f"{words.speed}: {speed_kt:.0f} kt")
+    if heading_deg is not None:
+        parts.append(f"{words.heading}: {heading_deg % 360.0:.0f}°")
+    return "\n".join(parts)

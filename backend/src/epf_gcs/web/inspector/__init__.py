@@ -1,0 +1,1 @@
+"""Every message of both lines, measured."""

@@ -1,0 +1,239 @@
+"""What goes over the lines, counted and measured: made when somebody asks, from counters kept on the way.
+
+In two steps: `take_snapshot` only copies, on the event loop, where the HIL loop waits its turn; `build_inspector`
+calculates, and may do so in a thread.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass, replace
+from typing import Any, Final
+
+from epf_gcs.codec.messages_gen import TELEMETRY, TELEMETRY_BY_NAME, XPLANE_ROWS
+from epf_gcs.flight.hil.simulator import CHANNEL_BYTES_PER_S
+from epf_gcs.flight.station import Station
+from epf_gcs.vehicle.advice import MissingRow, Observed, Stream, advice
+from epf_gcs.vehicle.arrivals import Arrivals
+from epf_gcs.vehicle.health import TASK_OF_TOPIC
+from epf_gcs.vehicle.wanted import RATE_COMMANDS, STREAM_FLAGS
+from epf_gcs.xplane.datagram import Eight
+from epf_gcs.xplane.mapping import NEEDED_ROWS, TRACK_ROW
+
+_EXPECTED_ROWS: Final = NEEDED_ROWS | {TRACK_ROW}
+_SERVO_STREAMS: Final = ("servos_in", "fly_by_wire")
+_FRAME_BYTES: Final = 16  # header, type, checksum and end
+_LOOP_ALIVE_S: Final = 1.0
+_SILENT_S: Final = 3.0
+_STRANGERS_S: Final = 10.0
+
+
+@dataclass(frozen=True, slots=True)
+class _Frame:
+    """The books on one type of frame, as they were."""
+
+    id: int
+    name: str
+    damaged: int
+    stale_after_s: float | None
+    arrivals: Arrivals
+
+
+@dataclass(frozen=True, slots=True)
+class Snapshot:
+    """All that an answer is made from. `expected_hz` is what each stream that is on should reach.
+
+    `now_s` is the Unix time of the board's frames, `steady_s` the time of the simulator's rows.
+    """
+
+    now_s: float
+    steady_s: float
+    frames: Sequence[_Frame]
+    rows: Mapping[int, Arrivals]
+    profile: str
+    link: Mapping[str, Any]
+    observed: Observed
+    expected_hz: Mapping[str, float]
+
+
+def take_snapshot(station: Station) -> Snapshot:
+    """Copy what is known now."""
+    link = _link(station)
+    return Snapshot(
+        now_s=station.clock.now_s(),
+        steady_s=station.clock.steady_s(),
+        frames=_frames(station),
+        rows={row: arrivals.copy() for row, arrivals in station.hil.arrivals.items()},
+        profile=station.hil.profile,
+        link=link,
+        observed=_observed(station, link),
+        expected_hz=_expected_hz(station) if station.board.is_open else {},
+    )
+
+
+def build_inspector(snapshot: Snapshot) -> dict[str, Any]:
+    """Plain values, ready for JSON; its shape is `epf_gcs.web.inspector.routes.Inspector`."""
+    board = [
+        {
+            "id": frame.id,
+            "name": frame.name,
+            "damaged": frame.damaged,
+            "stale_after_s": frame.stale_after_s,
+            "values": frame.arrivals.values,
+            **_measured(frame.arrivals, snapshot.now_s),
+        }
+        for frame in snapshot.frames
+    ]
+    rate_hz: dict[str, float] = {frame["name"]: frame["rate_hz"] for frame in board}
+    observed = replace(
+        snapshot.observed,
+        streams=[Stream(topic, rate_hz[topic], hz) for topic, hz in snapshot.expected_hz.items()],
+        servos_percent=_percent(_servo_bytes_per_s(rate_hz), snapshot.link["capacity_bytes_per_s"]),
+    )
+    return {
+        "t_s": snapshot.now_s,
+        "board": board,
+        "rows": _rows(snapshot),
+        "link": snapshot.link,
+        "advice": [asdict(one) for one in advice(observed)],
+    }
+
+
+def _frames(station: Station) -> list[_Frame]:
+    books, telemetry = station.board.books, station.telemetry
+    known = [
+        _Frame(
+            type_id,
+            message.name,
+            books.damaged[message.name],
+            telemetry.stale_after_s(message.name) if message.topic else None,
+            books.heard[message.name].copy(),
+        )
+        for type_id, message in TELEMETRY.items()
+    ]
+    unknown = [
+        _Frame(type_id, f"unknown_0x{type_id:x}", books.unknown_damaged[type_id], None, arrivals.copy())
+        for type_id, arrivals in sorted(books.unknown.items())
+    ]
+    return known + unknown
+
+
+def _rows(snapshot: Snapshot) -> list[dict[str, Any]]:
+    definitions = XPLANE_ROWS[snapshot.profile]
+    heard = snapshot.rows
+    return [
+        {
+            "row": row,
+            "name": definitions[row].name if row in definitions else f"row_{row}",
+            "expected": row in _EXPECTED_ROWS,
+            "values": _finite(heard[row].values) if row in heard else None,
+            **_measured(heard[row] if row in heard else Arrivals(), snapshot.steady_s),
+        }
+        for row in sorted({*definitions, *heard})
+    ]
+
+
+def _link(station: Station) -> dict[str, Any]:
+    rates, board = station.rates, station.board
+    capacity = board.baud / 10.0 if board.link is not None else None
+    rx, tx, simulator = rates.board_in.per_s(), rates.board_out.per_s(), rates.simulator_in.per_s()
+    return {
+        "rx_bytes_per_s": round(rx, 1),
+        "tx_bytes_per_s": round(tx, 1),
+        "capacity_bytes_per_s": capacity,
+        "rx_percent": _percent(rx, capacity),
+        "tx_percent": _percent(tx, capacity),
+        "simulator_bytes_per_s": round(simulator, 1),
+        "simulator_percent": _percent(simulator, CHANNEL_BYTES_PER_S),
+        "round_trip_ms": asdict(station.hil.round_trip.summary()),
+        "round_trips": station.hil.round_trip.answers,
+    }
+
+
+def _observed(station: Station, link: Mapping[str, Any]) -> Observed:
+    """What can be told without calculating any rate."""
+    surfaces_s = station.hil.last_surfaces_s
+    is_alive = surfaces_s is not None and station.clock.steady_s() - surfaces_s < _LOOP_ALIVE_S
+    return Observed(
+        silent_target=_silent_target(station),
+        rubbish_at_baud=_rubbish_at_baud(station),
+        rx_percent=link["rx_percent"],
+        tx_percent=link["tx_percent"],
+        servos_ms=round(1000.0 * station.memory.now.wanted.period_s(RATE_COMMANDS[2])),
+        damaged_percent=station.watch.damaged_percent,
+        damaged_limit_percent=station.alarms.thresholds["frames_damaged_percent"],
+        silent_port=_silent_port(station),
+        missing_rows=_missing_rows(station) if station.simulator.state == "open" else (),
+        strangers=_strangers(station),
+        round_trip_p99_ms=link["round_trip_ms"]["p99"] if is_alive else None,
+    )
+
+
+def _silent_target(station: Station) -> str | None:
+    address = station.supervisor.address
+    if address is None:
+        return None
+    age_s = station.board.heartbeat_age_s()
+    limit_s = max(_SILENT_S, station.telemetry.stale_after_s("heartbeat") or 0.0)
+    is_heard = station.board.link is not None and age_s is not None and age_s <= limit_s
+    return None if is_heard else address.target
+
+
+def _rubbish_at_baud(station: Station) -> int | None:
+    address = station.supervisor.address
+    is_rubbish = address is not None and address.scheme == "serial" and station.board.hears_only_rubbish
+    return station.board.baud if is_rubbish else None
+
+
+def _silent_port(station: Station) -> int | None:
+    address = station.simulator.address
+    is_silent = address is not None and station.simulator.state in ("opening", "lost")
+    return address.receive_port if address is not None and is_silent else None
+
+
+def _missing_rows(station: Station) -> list[MissingRow]:
+    definitions = XPLANE_ROWS[station.hil.profile]
+    return [MissingRow(row, definitions[row].name) for row in sorted(_EXPECTED_ROWS - set(station.hil.rows))]
+
+
+def _strangers(station: Station) -> int:
+    """How many datagrams of others came so far, as long as they keep coming."""
+    last_s = station.simulator.last_stranger_s
+    is_recent = last_s is not None and station.clock.steady_s() - last_s < _STRANGERS_S
+    return station.simulator.dropped["stranger"] if is_recent else 0
+
+
+def _expected_hz(station: Station) -> dict[str, float]:
+    """The streams that the board says, or that we asked, to be on, and what they should reach."""
+    heartbeat = station.telemetry.newest("heartbeat") or {}
+    wanted = station.memory.now.wanted.streams
+    expected: dict[str, float] = {}
+    for topic in TASK_OF_TOPIC:
+        flag = STREAM_FLAGS.get(topic)
+        is_on = topic == "heartbeat" or (topic in wanted if flag is None else heartbeat.get(flag) is True)
+        period_s = station.telemetry.commanded_s(topic)
+        if is_on and period_s:
+            expected[topic] = 1.0 / period_s
+    return expected
+
+
+def _servo_bytes_per_s(rate_hz: Mapping[str, float]) -> float:
+    return sum(rate_hz[name] * (TELEMETRY_BY_NAME[name].size + _FRAME_BYTES) for name in _SERVO_STREAMS)
+
+
+def _measured(arrivals: Arrivals, now_s: float) -> dict[str, Any]:
+    summary = arrivals.summary(now_s)
+    return {
+        "count": summary.count,
+        "rate_hz": round(summary.rate_hz, 2),
+        "jitter_ms": None if summary.jitter_ms is None else round(summary.jitter_ms, 3),
+        "age_s": None if summary.age_s is None else round(summary.age_s, 3),
+    }
+
+
+def _finite(eight: Eight) -> list[float | None]:
+    return [value if abs(value) < float("inf") else None for value in eight]
+
+
+def _percent(bytes_per_s: float, full: float | None) -> float | None:
+    return round(100.0 * bytes_per_s / full, 1) if full else None

@@ -1,0 +1,1 @@
+"""The two links and the serial ports over HTTP."""

@@ -1,0 +1,83 @@
+"""Why a map file cannot be shown, in one sentence each; `name` is the file's."""
+
+from __future__ import annotations
+
+from epf_gcs.errors import InvalidInputError
+
+
+def damaged(name: str, why: str) -> InvalidInputError:
+    """It is not what its name says, or not whole."""
+    return InvalidInputError(
+        "map_file_damaged", f"'{name}' cannot be read ({why}): it is damaged or of another kind.", name=name, why=why
+    )
+
+
+def vector(name: str, found: str) -> InvalidInputError:
+    """Lines and names in place of pictures."""
+    return InvalidInputError(
+        "map_file_vector",
+        f"'{name}' holds tiles of the kind '{found}', which are no pictures: export it with PNG, JPEG or WebP tiles.",
+        name=name,
+        found=found,
+    )
+
+
+def empty(name: str) -> InvalidInputError:
+    """No tile in it."""
+    return InvalidInputError("map_file_empty", f"'{name}' holds no tiles: export it again.", name=name)
+
+
+def no_layer_json(name: str) -> InvalidInputError:
+    """Terrain without its table of contents."""
+    return InvalidInputError(
+        "map_file_no_layer_json",
+        f"'{name}' has no layer.json that can be read: terrain comes with one beside its folders of levels.",
+        name=name,
+    )
+
+
+def not_mesh(name: str, found: str) -> InvalidInputError:
+    """Terrain of another format."""
+    return InvalidInputError(
+        "map_file_not_mesh",
+        f"'{name}' holds terrain of the format '{found}': only quantized-mesh-1.0 can be shown.",
+        name=name,
+        found=found,
+    )
+
+
+def no_place(name: str) -> InvalidInputError:
+    """A raster that does not say where it is."""
+    return InvalidInputError(
+        "map_raster_no_place",
+        f"'{name}' does not say where on the Earth it is: a GeoTIFF needs a coordinate system and a place, an HGT file "
+        "a name such as N28W016.hgt.",
+        name=name,
+    )
+
+
+def not_height(name: str, bands: int) -> InvalidInputError:
+    """A picture in place of heights."""
+    return InvalidInputError(
+        "map_raster_not_height",
+        f"'{name}' has {bands} bands and is a picture: heights are one band. Export pictures as MBTiles or PMTiles.",
+        name=name,
+        bands=bands,
+    )
+
+
+def converting(name: str, percent: int) -> InvalidInputError:
+    """Not yet."""
+    return InvalidInputError(
+        "map_raster_converting",
+        f"'{name}' is being turned into terrain ({percent} %): wait a little.",
+        name=name,
+        percent=percent,
+    )
+
+
+def not_converted(name: str, why: str) -> InvalidInputError:
+    """The worker failed."""
+    return InvalidInputError(
+        "map_raster_failed", f"'{name}' could not be turned into terrain ({why}).", name=name, why=why
+    )

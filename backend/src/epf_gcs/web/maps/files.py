@@ -1,0 +1,116 @@
+"""Names in the maps' folder: what a file is by its name, its id in the interface, and which names are taken."""
+
+from __future__ import annotations
+
+import hashlib
+import re
+import zipfile
+from functools import lru_cache
+from pathlib import Path
+from typing import Final, NamedTuple
+
+from epf_gcs.errors import InvalidInputError
+from epf_gcs.formats.xml_tree import plain
+from epf_gcs.web.maps.layer import LayerFormat
+from epf_gcs.web.maps.mesh_files import LAYER_JSON, is_mesh_zip, only_raster
+from epf_gcs.web.maps.open_files import Stamp
+
+RASTERS: Final = frozenset[LayerFormat]({"geotiff", "hgt"})
+"""Formats of heights, which are turned into terrain before they can be shown."""
+
+_FORMATS: Final[dict[str, LayerFormat]] = {
+    ".mbtiles": "mbtiles",
+    ".pmtiles": "pmtiles",
+    ".tif": "geotiff",
+    ".tiff": "geotiff",
+    ".hgt": "hgt",
+    ".zip": "quantized_mesh",
+}
+_LONGEST_NAME_BYTES: Final = 120
+_NOT_IN_NAMES: Final = re.compile(r'[/\\:*?"<>|]')
+_NOT_IN_IDS: Final = re.compile(r"[^a-z0-9]+")
+
+
+class MapFile(NamedTuple):
+    """A file, or a folder of terrain. `inside`: the raster in an archive."""
+
+    id: str
+    path: Path
+    format: LayerFormat
+    size_bytes: int
+    stamp: Stamp
+    inside: str | None = None
+
+
+def safe_name(name: str) -> str:
+    """A name that every system takes and that leads nowhere else. Raises InvalidInputError with what is accepted."""
+    cleaned = _NOT_IN_NAMES.sub("_", plain(name)).strip(" .")
+    if not cleaned or len(cleaned.encode()) > _LONGEST_NAME_BYTES:
+        raise InvalidInputError(
+            "map_name_invalid",
+            f"The file's name is empty or longer than {_LONGEST_NAME_BYTES} bytes: give it another.",
+            limit=_LONGEST_NAME_BYTES,
+        )
+    if Path(cleaned).suffix.lower() not in _FORMATS:
+        raise InvalidInputError(
+            "map_kind_unknown",
+            f"'{cleaned}' is no map file: MBTiles, PMTiles, GeoTIFF (.tif), .hgt and terrain in a .zip are taken.",
+            name=cleaned,
+        )
+    return cleaned
+
+
+def id_of(name: str) -> str:
+    """The id of the file with this name: readable, and another for each name."""
+    words = _NOT_IN_IDS.sub("-", name.lower()).strip("-")[:40].strip("-")
+    return f"{words or 'map'}-{hashlib.blake2s(name.encode(), digest_size=4).hexdigest()}"
+
+
+def look_at(path: Path) -> MapFile | None:
+    """What this is; None where it is no map. Raises OSError."""
+    if path.name.startswith("."):
+        return None
+    if path.is_dir():
+        return _look_at_folder(path)
+    form = _FORMATS.get(path.suffix.lower())
+    if form is None:
+        return None
+    about = path.stat()
+    stamp = (about.st_size, about.st_mtime_ns)
+    inside = None
+    if form == "quantized_mesh":
+        inside = _raster_inside(path, *stamp)
+        if inside is not None:
+            form = "hgt" if inside.lower().endswith(".hgt") else "geotiff"
+    return MapFile(id_of(path.name), path, form, about.st_size, stamp, inside)
+
+
+def _look_at_folder(path: Path) -> MapFile | None:
+    try:
+        about = (path / LAYER_JSON).stat()
+    except FileNotFoundError:
+        return None
+    return MapFile(id_of(path.name), path, "quantized_mesh", 0, (about.st_size, about.st_mtime_ns))
+
+
+@lru_cache(maxsize=64)
+def _raster_inside(path: Path, _size_bytes: int, _modified_ns: int) -> str | None:
+    """Elevation models are handed out as archives with one raster in each. Remembered until the file changes."""
+    try:
+        return None if is_mesh_zip(path) else only_raster(path)
+    except (OSError, zipfile.BadZipFile, ValueError, NotImplementedError):
+        return None  # it is found out, and said, when it is opened
+
+
+def folder_bytes(path: Path) -> int:
+    """What the files of a folder of terrain take. Raises OSError."""
+    return sum(file.stat().st_size for file in path.rglob("*") if file.is_file())
+
+
+def free_name(folder: Path, name: str) -> Path:
+    """A path in this folder that is not taken: the name, or the name with a number."""
+    path, number = folder / name, 2
+    while path.exists():
+        path = folder / f"{Path(name).stem}-{number}{Path(name).suffix}"
+        number += 1
+    return path

@@ -1,0 +1,131 @@
+"""What a map layer is, and what gives its tiles. Everything here may block: it is called from the maps' own threads."""
+
+from __future__ import annotations
+
+import html
+import re
+from dataclasses import dataclass
+from typing import Final, Literal, NamedTuple, Protocol
+
+from epf_gcs.errors import GatewayError
+
+LayerKind = Literal["imagery", "terrain"]
+LayerFormat = Literal["mbtiles", "pmtiles", "quantized_mesh", "geotiff", "hgt", "online"]
+
+MAX_TILE_BYTES: Final = 8_000_000
+"""A larger one is no tile: nothing draws it."""
+
+_MOST_CREDIT: Final = 300
+_MARKUP: Final = re.compile(r"<[^<>]*>")
+_GZIP: Final = b"\x1f\x8b"
+_MESH_TYPE: Final = "application/vnd.quantized-mesh"
+
+
+class Bounds(NamedTuple):
+    """What a layer covers."""
+
+    west_deg: float = -180.0
+    south_deg: float = -90.0
+    east_deg: float = 180.0
+    north_deg: float = 90.0
+
+
+class Tile(NamedTuple):
+    """One tile as it goes to the page. `encoding` is how it is packed, None where it is not."""
+
+    data: bytes
+    media_type: str
+    encoding: str | None = None
+
+
+class Range(NamedTuple):
+    """A rectangle of tiles of one zoom level, ends included, rows from the south."""
+
+    start_x: int
+    start_y: int
+    end_x: int
+    end_y: int
+
+
+@dataclass(frozen=True, slots=True)
+class Description:
+    """What a file says of itself. `available`: for terrain, which tiles there are at each level."""
+
+    title: str
+    kind: LayerKind
+    bounds: Bounds
+    minimum_zoom: int
+    maximum_zoom: int
+    attribution: str
+    scheme: Literal["tms", "slippyMap"] = "tms"
+    projection: Literal["EPSG:4326", "EPSG:3857"] = "EPSG:4326"
+    available: tuple[tuple[Range, ...], ...] | None = None
+    extensions: tuple[str, ...] = ()
+
+
+class TileSource(Protocol):
+    """An opened file."""
+
+    @property
+    def description(self) -> Description:
+        """What it holds."""
+
+    def tile(self, zoom: int, column: int, row: int) -> Tile | None:
+        """One tile; None where there is none. Rows from the north for imagery, as in the file's scheme for terrain.
+
+        Raises GatewayError where the file cannot be read.
+        """
+
+    def close(self) -> None:
+        """Let the file go."""
+
+
+@dataclass(frozen=True, slots=True)
+class Layer:
+    """One entry of the list. `problem` says why it cannot be shown, or what is still being done with it."""
+
+    id: str
+    name: str
+    format: LayerFormat
+    description: Description
+    size_bytes: int
+    problem: GatewayError | None = None
+
+
+UNKNOWN: Final = Description("", "imagery", Bounds(), 0, 0, "")
+"""What is said of a file that cannot be read."""
+
+
+def checked_bounds(west_deg: float, south_deg: float, east_deg: float, north_deg: float) -> Bounds | None:
+    """What a file says that it covers; None where that is no rectangle of the Earth."""
+    fits = -180 <= west_deg < east_deg <= 180 and -90 <= south_deg < north_deg <= 90
+    return Bounds(west_deg, south_deg, east_deg, north_deg) if fits else None
+
+
+def credit(said: object) -> str:
+    """Whose work a map is, as words: files say it with the markup of a web page."""
+    words = html.unescape(_MARKUP.sub("", str(said)))
+    return " ".join(words.split())[:_MOST_CREDIT]
+
+
+def picture(data: bytes) -> Tile | None:
+    """A tile with the type that its first bytes tell; None where it is no picture."""
+    media_type = _picture_type(data)
+    return None if media_type is None or len(data) > MAX_TILE_BYTES else Tile(data, media_type)
+
+
+def mesh(data: bytes) -> Tile | None:
+    """A tile of terrain, packed or not."""
+    if not data or len(data) > MAX_TILE_BYTES:
+        return None
+    return Tile(data, _MESH_TYPE, "gzip" if data.startswith(_GZIP) else None)
+
+
+def _picture_type(data: bytes) -> str | None:
+    if data.startswith(b"\x89PNG\r\n\x1a\n"):
+        return "image/png"
+    if data.startswith(b"\xff\xd8\xff"):
+        return "image/jpeg"
+    if data.startswith(b"RIFF") and data[8:12] == b"WEBP":
+        return "image/webp"
+    return None

@@ -1,0 +1,105 @@
+"""All that has to do with maps, put together: the folder, what becomes terrain, what is sent in, online sources."""
+
+from __future__ import annotations
+
+import asyncio
+import shutil
+from collections.abc import Awaitable, Callable
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from typing import Any, Final
+
+from epf_gcs.clock import Clock
+from epf_gcs.errors import GatewayError
+from epf_gcs.flight.memory import Memory
+from epf_gcs.web.maps.folder import MapFolder
+from epf_gcs.web.maps.imports import INCOMING, Imports
+from epf_gcs.web.maps.layer import Description, Layer, Tile
+from epf_gcs.web.maps.online import Online
+from epf_gcs.web.maps.open_files import Stamp
+from epf_gcs.web.maps.sources import OnlineChoice
+from epf_gcs.web.maps.terrain_jobs import T, TerrainJobs
+from epf_gcs.web.stream.hub import Hub
+
+# Their own threads: a slow stick with maps holds up other maps, and nothing else.
+_THREADS: Final = 3
+TILES: Final = ".online-tiles.sqlite"
+
+
+class Maps:
+    """Made on the running loop."""
+
+    def __init__(
+        self, path: Path, hub: Hub, clock: Clock, memory: Memory, report: Callable[[GatewayError], None]
+    ) -> None:
+        self._loop = asyncio.get_running_loop()
+        self._threads = ThreadPoolExecutor(_THREADS, thread_name_prefix="maps")
+        self.folder = MapFolder(path, lambda error: self._tell(report, error))
+        self._jobs = TerrainJobs(self.folder, self._in_thread, report)
+        self.imports = Imports(self.folder, self._jobs, self._in_thread, hub)
+        self.online = Online(
+            path / TILES,
+            OnlineChoice.from_dict(memory.now.online),
+            lambda choice: memory.update(online=choice.as_dict()),
+            report,
+            clock.now_s,
+        )
+
+    async def run(self) -> None:
+        """Clear away what an earlier run left unfinished, then turn rasters into terrain for ever."""
+        await self._in_thread(self._prepare)
+        await self._jobs.run()
+
+    async def layers(self) -> list[Layer]:
+        """Everything that can be chosen."""
+        found = await self._in_thread(self.folder.layers)
+        if any(layer.problem is not None and layer.problem.code == "map_raster_converting" for layer in found):
+            self._jobs.wake()
+        return [*found, *self.online.layers()]
+
+    async def picture(self, layer_id: str, zoom: int, column: int, row: int) -> tuple[Tile | None, Stamp]:
+        """One picture, rows from the north; or None. Raises NotFoundError, or why it cannot be read."""
+        if self.online.has(layer_id):
+            return await self.online.tile(layer_id, zoom, column, row)
+        tile, description, stamp = await self._in_thread(self.folder.tile, layer_id, zoom, column, row)
+        return (tile if description.kind == "imagery" else None), stamp
+
+    async def terrain(self, layer_id: str, zoom: int, column: int, row: int) -> tuple[Tile | None, Stamp]:
+        """One piece of terrain, rows as its layer.json counts them. Raises as `picture`."""
+        tile, description, stamp = await self._in_thread(self.folder.tile, layer_id, zoom, column, row)
+        return (tile if description.kind == "terrain" else None), stamp
+
+    async def description(self, layer_id: str) -> Description:
+        """What a layer says of itself. Raises NotFoundError, or why it cannot be read."""
+        return await self._in_thread(self.folder.description, layer_id)
+
+    async def remove(self, layer_id: str) -> None:
+        """Take a map out of the list; it can be restored. Raises NotFoundError."""
+        await self._in_thread(self.folder.remove, layer_id)
+
+    async def restore(self, layer_id: str) -> None:
+        """Bring a removed map back. Raises NotFoundError, ConflictError."""
+        await self._in_thread(self.folder.restore, layer_id)
+
+    async def close(self) -> None:
+        """Let everything go; waits for what is being read."""
+        await self.online.close()
+        await asyncio.to_thread(self._threads.shutdown)
+        self.folder.close()
+
+    def _in_thread(self, work: Callable[..., T], /, *values: Any) -> Awaitable[T]:
+        return self._loop.run_in_executor(self._threads, work, *values)
+
+    def _prepare(self) -> None:
+        """The folder is there, so that its owner finds where to put files."""
+        try:
+            self.folder.path.mkdir(parents=True, exist_ok=True)
+            shutil.rmtree(self.folder.path / INCOMING, ignore_errors=True)
+            self.folder.drop_orphans()
+        except OSError:
+            # Said when the list is asked for.
+            return
+
+    def _tell(self, report: Callable[[GatewayError], None], error: GatewayError) -> None:
+        if not self._loop.is_closed():
+            self._loop.call_soon_threadsafe(report, error)

@@ -1,0 +1,259 @@
+"""Tiles of online sources, only while the operator wants them: what is asked for, one tile at a time, and kept."""
+
+from __future__ import annotations
+
+import asyncio
+import sqlite3
+from collections.abc import Awaitable, Callable
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Final
+
+import httpx
+
+from epf_gcs import __version__
+from epf_gcs.errors import ConflictError, GatewayError
+from epf_gcs.web.maps.folder import unknown
+from epf_gcs.web.maps.layer import MAX_TILE_BYTES, Bounds, Description, Layer, Tile, picture
+from epf_gcs.web.maps.open_files import Stamp
+from epf_gcs.web.maps.sources import OnlineChoice, Source, checked, expiry_s
+from epf_gcs.web.maps.terrain_jobs import T
+from epf_gcs.web.maps.tile_cache import Kept, TileCache
+
+PREFIX: Final = "online-"
+USER_AGENT: Final = f"EPF-GCS/{__version__} (ground control station; tiles on demand, no bulk download)"
+
+# The Mercator map ends here.
+_WORLD: Final = Bounds(-180.0, -85.0511, 180.0, 85.0511)
+_AT_ONCE_PER_HOST: Final = 2
+_MOST_WAITING_PER_HOST: Final = 200
+_TIMEOUT: Final = httpx.Timeout(10.0, connect=5.0)
+_NO_TILE_S: Final = 86400.0
+_FIRST_PAUSE_S: Final = 10.0
+_LONGEST_PAUSE_S: Final = 300.0
+
+
+@dataclass(slots=True)
+class _Host:
+    """Two requests at a time, and a pause that grows while it does not answer."""
+
+    turns: asyncio.Semaphore
+    waiting: int = 0
+    pause_s: float = _FIRST_PAUSE_S
+    quiet_until_s: float = 0.0
+
+
+class Online:
+    """Owned by the event loop; the kept tiles are read and written by a thread of its own."""
+
+    def __init__(
+        self,
+        path: Path,
+        choice: OnlineChoice,
+        remember: Callable[[OnlineChoice], None],
+        report: Callable[[GatewayError], None],
+        now_s: Callable[[], float],
+    ) -> None:
+        self._loop = asyncio.get_running_loop()
+        self._path = path
+        self._remember = remember
+        self._report = report
+        self._now_s = now_s
+        self._thread = ThreadPoolExecutor(1, thread_name_prefix="online maps")
+        self._cache: TileCache | None = None
+        self._client: httpx.AsyncClient | None = None
+        self._hosts: dict[str, _Host] = {}
+        self._under_way: dict[tuple[str, int, int, int], asyncio.Future[Kept | None]] = {}
+        self._problems: dict[str, GatewayError] = {}
+        self.choice = choice
+
+    def layers(self) -> list[Layer]:
+        """The sources, while they are switched on."""
+        return [self._layer(source) for source in self.choice.sources] if self.choice.enabled else []
+
+    def problem_of(self, source_id: str) -> GatewayError | None:
+        """Why a source gives nothing now."""
+        return self._problems.get(source_id)
+
+    def has(self, layer_id: str) -> bool:
+        """The layer is one of these."""
+        return any(layer_id == PREFIX + source.id for source in self.choice.sources)
+
+    async def cached_bytes(self) -> int:
+        """How much is kept."""
+        return await self._in_thread(lambda: self._opened().size_bytes if self._path.exists() else 0)
+
+    async def choose(self, choice: OnlineChoice) -> None:
+        """From now on these. Raises InvalidInputError where an address is none, and changes nothing then."""
+        for source in choice.sources:
+            checked(source)
+        self.choice = choice
+        self._problems.clear()
+        self._hosts.clear()
+        self._remember(choice)
+        if self._path.exists():
+            await self._in_thread(lambda: self._opened().trim(choice.limit_bytes))
+
+    async def clear(self) -> None:
+        """Forget every kept tile."""
+        if self._path.exists():
+            await self._in_thread(lambda: self._opened().clear())
+
+    async def tile(self, layer_id: str, zoom: int, column: int, row: int) -> tuple[Tile | None, Stamp]:
+        """A kept tile, or a fetched one; None where there is none or nobody answers. Raises NotFoundError."""
+        source = next((one for one in self.choice.sources if PREFIX + one.id == layer_id), None)
+        if source is None:
+            raise unknown(layer_id)
+        inside = zoom <= source.maximum_zoom and max(column, row) < 1 << zoom
+        if not self.choice.enabled or not inside:
+            return None, ()
+        key = (source.key, zoom, column, row)
+        kept = await self._kept(key)
+        if kept is None or kept.expires_s <= self._now_s():
+            kept = await self._fetched_once(source, key, kept)
+        return (None if kept is None else picture(kept.data)), (int(kept.expires_s) if kept else 0,)
+
+    async def close(self) -> None:
+        """Ask nobody any more, and let the file go."""
+        client, self._client = self._client, None
+        if client is not None:
+            await client.aclose()
+        await asyncio.to_thread(self._thread.shutdown)
+        if self._cache is not None:
+            self._cache.close()
+
+    async def _fetched_once(self, source: Source, key: tuple[str, int, int, int], kept: Kept | None) -> Kept | None:
+        """Several viewers that look at the same place make one request."""
+        under_way = self._under_way.get(key)
+        if under_way is not None:
+            return await asyncio.shield(under_way)
+        mine: asyncio.Future[Kept | None] = self._loop.create_future()
+        self._under_way[key] = mine
+        found = kept
+        try:
+            found = await self._ask_in_turn(source, key, kept)
+        finally:
+            del self._under_way[key]
+            mine.set_result(found)
+        return found
+
+    async def _ask_in_turn(self, source: Source, key: tuple[str, int, int, int], kept: Kept | None) -> Kept | None:
+        host = self._hosts.setdefault(source.host, _Host(asyncio.Semaphore(_AT_ONCE_PER_HOST)))
+        if host.waiting >= _MOST_WAITING_PER_HOST or self._now_s() < host.quiet_until_s:
+            return kept
+        host.waiting += 1
+        try:
+            async with host.turns:
+                # It may have been found silent, or been switched off, while this one waited.
+                if self._now_s() < host.quiet_until_s or source not in self.choice.sources or not self.choice.enabled:
+                    return kept
+                return await self._ask(source, host, key, kept)
+        finally:
+            host.waiting -= 1
+
+    async def _ask(self, source: Source, host: _Host, key: tuple[str, int, int, int], kept: Kept | None) -> Kept | None:
+        headers = {} if kept is None or kept.etag is None or not kept.data else {"If-None-Match": kept.etag}
+        try:
+            client = await self._asking()
+            async with client.stream("GET", source.address(*key[1:]), headers=headers) as answer:
+                data = await _body(answer)
+        except (httpx.HTTPError, httpx.InvalidURL, OSError) as error:
+            self._fails(source, host, _silent(source, error))
+            return kept
+        if answer.status_code == httpx.codes.NOT_MODIFIED and kept is not None:
+            return await self._keep(source, key, kept._replace(expires_s=0.0), answer.headers)
+        is_missing = answer.status_code in (httpx.codes.NOT_FOUND, httpx.codes.NO_CONTENT, httpx.codes.GONE)
+        if is_missing:
+            self._answers(source, host)
+            return await self._put(key, Kept(b"", None, self._now_s() + _NO_TILE_S))
+        if answer.status_code != httpx.codes.OK or data is None or picture(data) is None:
+            self._fails(source, host, _refused(source, answer.status_code))
+            return kept
+        self._answers(source, host)
+        return await self._keep(source, key, Kept(data, answer.headers.get("etag"), 0.0), answer.headers)
+
+    async def _keep(self, source: Source, key: tuple[str, int, int, int], tile: Kept, headers: httpx.Headers) -> Kept:
+        until_s = expiry_s(source, headers, self._now_s())
+        return tile if until_s is None else await self._put(key, tile._replace(expires_s=until_s))
+
+    async def _kept(self, key: tuple[str, int, int, int]) -> Kept | None:
+        try:
+            return await self._in_thread(lambda: self._opened().get(key))
+        except (OSError, sqlite3.Error):
+            return None
+
+    async def _put(self, key: tuple[str, int, int, int], tile: Kept) -> Kept:
+        try:
+            await self._in_thread(lambda: self._opened().put(key, tile, self.choice.limit_bytes))
+        except (OSError, sqlite3.Error) as error:
+            self._report(
+                ConflictError(
+                    "map_cache_not_written",
+                    f"Tiles cannot be kept in {self._path.parent} ({error}): free the disk or correct its permissions.",
+                    path=str(self._path.parent),
+                )
+            )
+        return tile
+
+    async def _asking(self) -> httpx.AsyncClient:
+        """Made with the first request, by a thread: reading the certificates takes long."""
+        if self._client is None:
+            made = await self._in_thread(
+                lambda: httpx.AsyncClient(headers={"User-Agent": USER_AGENT}, timeout=_TIMEOUT, follow_redirects=False)
+            )
+            if self._client is None:
+                self._client = made
+        return self._client
+
+    def _opened(self) -> TileCache:
+        """In the thread alone."""
+        if self._cache is None:
+            self._cache = TileCache(self._path, self._now_s)
+        return self._cache
+
+    def _answers(self, source: Source, host: _Host) -> None:
+        host.pause_s = _FIRST_PAUSE_S
+        self._problems.pop(source.id, None)
+
+    def _fails(self, source: Source, host: _Host, problem: GatewayError) -> None:
+        host.quiet_until_s = self._now_s() + host.pause_s
+        host.pause_s = min(2 * host.pause_s, _LONGEST_PAUSE_S)
+        if source.id not in self._problems:
+            self._report(problem)
+        self._problems[source.id] = problem
+
+    def _layer(self, source: Source) -> Layer:
+        about = Description(source.name, "imagery", _WORLD, 0, source.maximum_zoom, source.attribution)
+        return Layer(PREFIX + source.id, source.name, "online", about, 0, self._problems.get(source.id))
+
+    def _in_thread(self, work: Callable[..., T], /, *values: Any) -> Awaitable[T]:
+        return self._loop.run_in_executor(self._thread, work, *values)
+
+
+async def _body(answer: httpx.Response) -> bytes | None:
+    """The whole of it; None where it is too long for a tile."""
+    data = bytearray()
+    async for chunk in answer.aiter_bytes():
+        data += chunk
+        if len(data) > MAX_TILE_BYTES:
+            return None
+    return bytes(data)
+
+
+def _silent(source: Source, error: Exception) -> GatewayError:
+    return ConflictError(
+        "map_source_silent",
+        f"'{source.name}' does not answer ({type(error).__name__}): what was kept is shown. "
+        "Check the connection to the internet.",
+        name=source.name,
+    )
+
+
+def _refused(source: Source, status: int) -> GatewayError:
+    return ConflictError(
+        "map_source_refused",
+        f"'{source.name}' answered with status {status} and no picture: check its address and its terms.",
+        name=source.name,
+        status=status,
+    )

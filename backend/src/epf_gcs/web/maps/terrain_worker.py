@@ -1,0 +1,138 @@
+"""Turns a raster of heights into terrain tiles: a process of its own, so that neither its memory nor its work nor a
+file that brings the library down comes near the flight. `python -m epf_gcs.web.maps.terrain_worker`.
+
+Prints a line of JSON for each percent, and one with the problem where it ends with one.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import gzip
+import math
+import os
+import sqlite3
+import sys
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Final
+
+import orjson
+
+from epf_gcs.errors import GatewayError
+from epf_gcs.formats.quantized_mesh import CELLS, encode_tile, tile_nodes
+from epf_gcs.web.maps.heights import Heights
+from epf_gcs.web.maps.layer import Bounds
+
+MOST_TILES: Final = 400_000
+"""About 3 GB. What is finer than this is not kept."""
+_HIGHEST_ZOOM: Final = 18
+_NICE: Final = 10
+_MOST_MEMORY_BYTES: Final = 4_000_000_000
+_PER_COMMIT: Final = 200
+_PACKING: Final = 6
+
+
+def main(arguments: list[str]) -> int:
+    """Arguments: raster, tiles to write, the raster's name in sentences, and the file inside an archive or nothing."""
+    raster, target, name, inside = arguments
+    _be_modest()
+    try:
+        convert(Path(raster), Path(target), name, inside or None, lambda percent: _say({"percent": percent}))
+    except GatewayError as error:
+        _say({"code": error.code, "detail": error.detail, "params": error.params})
+        return 1
+    return 0
+
+
+def convert(raster: Path, target: Path, name: str, inside: str | None, told: Callable[[int], None]) -> None:
+    """Write the tiles; `target` is there in the end, whole, or not at all. Raises GatewayError, OSError."""
+    heights = Heights(raster, name, inside)
+    part = target.with_suffix(".part")
+    part.unlink(missing_ok=True)
+    try:
+        with contextlib.closing(sqlite3.connect(part)) as output:
+            _write(heights, output, told)
+        with part.open("rb") as file:
+            os.fsync(file.fileno())
+        part.replace(target)
+    finally:
+        heights.close()
+        part.unlink(missing_ok=True)
+
+
+def highest_zoom(bounds: Bounds, pixel_deg: float) -> int:
+    """The level whose points are about as far apart as the raster's, or the finest whose tiles are not too many."""
+    zoom = min(_HIGHEST_ZOOM, max(0, round(math.log2(180.0 / CELLS / pixel_deg))))
+    while zoom > 0 and math.prod(map(len, _touched_at(bounds, zoom))) > MOST_TILES:
+        zoom -= 1
+    return zoom
+
+
+def _write(heights: Heights, output: sqlite3.Connection, told: Callable[[int], None]) -> None:
+    output.executescript(
+        "PRAGMA journal_mode = OFF; PRAGMA synchronous = OFF;"
+        "CREATE TABLE metadata (name TEXT, value TEXT);"
+        "CREATE TABLE tiles (zoom_level INTEGER, tile_column INTEGER, tile_row INTEGER, tile_data BLOB,"
+        " PRIMARY KEY (zoom_level, tile_column, tile_row)) WITHOUT ROWID;"
+    )
+    highest = highest_zoom(heights.bounds, heights.pixel_deg)
+    # Cesium begins with both tiles of level 0, wherever the raster is.
+    tiles = [(0, 0, 0), (0, 1, 0), *(tile for zoom in range(1, highest + 1) for tile in _level(heights.bounds, zoom))]
+    percent = -1
+    for index, (zoom, column, row) in enumerate(tiles):
+        if index * 100 // len(tiles) > percent:
+            percent = index * 100 // len(tiles)
+            told(percent)
+        data = gzip.compress(_tile(heights, zoom, column, row), _PACKING, mtime=0)
+        output.execute("INSERT INTO tiles VALUES (?, ?, ?, ?)", (zoom, column, row, data))
+        if index % _PER_COMMIT == 0:
+            output.commit()
+    metadata = {
+        "format": "quantized-mesh-1.0",
+        "bounds": ",".join(str(value) for value in heights.bounds),
+        "minzoom": "0",
+        "maxzoom": str(highest),
+    }
+    output.executemany("INSERT INTO metadata VALUES (?, ?)", metadata.items())
+    output.commit()
+
+
+def _tile(heights: Heights, zoom: int, column: int, row: int) -> bytes:
+    longitudes_deg, latitudes_deg = tile_nodes(zoom, column, row)
+    found = heights.at(longitudes_deg, latitudes_deg, 180.0 / (1 << zoom) / CELLS)
+    return encode_tile(zoom, column, row, found)
+
+
+def _level(bounds: Bounds, zoom: int) -> Iterator[tuple[int, int, int]]:
+    """The tiles of a level that touch the raster."""
+    columns, rows = _touched_at(bounds, zoom)
+    return ((zoom, column, row) for column in columns for row in rows)
+
+
+def _touched_at(bounds: Bounds, zoom: int) -> tuple[range, range]:
+    """Their columns, and their rows from the south."""
+    size_deg = 180.0 / (1 << zoom)
+    columns = _touched((bounds.west_deg + 180.0) / size_deg, (bounds.east_deg + 180.0) / size_deg, 2 << zoom)
+    rows = _touched((bounds.south_deg + 90.0) / size_deg, (bounds.north_deg + 90.0) / size_deg, 1 << zoom)
+    return columns, rows
+
+
+def _touched(first: float, last: float, count: int) -> range:
+    return range(max(0, math.floor(first)), min(count, max(math.floor(first) + 1, math.ceil(last))))
+
+
+def _be_modest() -> None:
+    os.nice(_NICE)
+    with contextlib.suppress(ImportError, ValueError, OSError):
+        import resource  # noqa: PLC0415 - not on every system
+
+        resource.setrlimit(resource.RLIMIT_AS, (_MOST_MEMORY_BYTES, _MOST_MEMORY_BYTES))
+
+
+def _say(message: dict[str, object]) -> None:
+    sys.stdout.buffer.write(orjson.dumps(message) + b"\n")
+    sys.stdout.buffer.flush()
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,1 @@
+"""Flight plans over HTTP and as files."""

@@ -1,0 +1,1 @@
+"""The 17 gains over HTTP."""

@@ -1,0 +1,364 @@
+"""The shapes of the REST interface. They stop here: inside the gateway are plain values."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import BaseModel, ConfigDict, Field
+
+from epf_gcs.codec.messages_gen import RECEIVE_PORT, SEND_PORT
+from epf_gcs.errors import ErrorCode
+from epf_gcs.vehicle.judges import AlarmId
+
+LinkState = Literal["closed", "opening", "open", "lost"]
+ParamValue = str | float | bool | None
+Port = Annotated[int, Field(ge=1, le=65535)]
+PlanName = Literal["flight", "hil"]
+
+
+class Output(BaseModel):
+    """What we send: every field is always there."""
+
+    model_config = ConfigDict(extra="forbid", json_schema_serialization_defaults_required=True)
+
+
+class Input(BaseModel):
+    """What others send: a misspelt field is an error, not a wish that gets lost."""
+
+    model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
+
+
+class Problem(BaseModel):
+    """RFC 9457. `code` is stable and translated by the page; `detail` says which, why and what to do."""
+
+    type: str
+    title: str
+    status: int
+    detail: str
+    code: ErrorCode
+    params: dict[str, ParamValue]
+
+
+class Failure(Output):
+    """Why a link is not open."""
+
+    code: ErrorCode
+    detail: str
+    params: dict[str, ParamValue]
+
+
+class Features(Output):
+    """What an extended board can do."""
+
+    acknowledgements: bool
+    store: bool
+    sources: bool
+    missions: bool
+
+
+class Firmware(Output):
+    """What an extended board calls itself."""
+
+    name: str | None
+    version: str | None
+
+
+class TaskPeriod(Output):
+    """Period of a task of the board: as this station commanded it, else the board's own."""
+
+    ms: int
+    chosen: bool
+
+
+class TaskPeriods(Output):
+    """The three tasks whose period can be commanded."""
+
+    parameters: TaskPeriod
+    fms: TaskPeriod
+    servos: TaskPeriod
+
+
+class BoardStatus(Output):
+    """The board's link. `open`: commands work, but during the AHRS test. Percentages are of baud / 10 bytes a second.
+
+    `emulated`: these are example values and no board; the link `before_emulation_url` comes back when it is closed.
+    """
+
+    state: LinkState
+    url: str | None
+    failure: Failure | None
+    reopened: int
+    mode: Literal["legacy", "extended"] | None
+    features: Features
+    firmware: Firmware | None
+    ahrs_test: Literal["off", "starting", "running", "ending"]
+    emulated: bool
+    before_emulation_url: str | None
+    periods_ms: TaskPeriods
+    heartbeat_age_s: float | None
+    frames_received: int
+    frames_damaged: int
+    damage: dict[str, int]
+    bytes_in: int
+    bytes_out: int
+    rx_percent: float
+    tx_percent: float
+
+
+class RoundTripMs(Output):
+    """Simulator frame to the board until its surfaces came back; of the last 512."""
+
+    newest: float | None
+    p50: float | None
+    p99: float | None
+
+
+class SimulatorStatus(Output):
+    """The simulator's socket. `opening`: nothing heard yet; `lost`: it stopped sending, or the port is taken."""
+
+    state: LinkState
+    receive_port: int | None
+    send_host: str | None
+    send_port: int | None
+    profile: Literal["xp10", "xp12"] | None
+    failure: Failure | None
+    rows: list[int]
+    missing_rows: list[int]
+    advice: str | None
+    datagrams_received: int
+    datagrams_dropped: int
+    drop_reasons: dict[str, int]
+    bytes_in: int
+    percent: float
+    frames_to_board: int
+    frames_to_simulator: int
+    frames_skipped: dict[str, int]
+    hil_round_trip_ms: RoundTripMs
+
+
+class StickState(Output):
+    """Where the pilot's stick comes from: the simulator's rows 8 and 25, or a browser's gamepad.
+
+    `state`: whether its samples come; while they are `lost` the stick counts as let go. `client` and `name` are those
+    of the browser. `samples` counts what came: `taken`, `late`, `not_operator`, `invalid`.
+    """
+
+    source: Literal["simulator", "gamepad"]
+    state: Literal["live", "lost"] | None
+    client: str | None
+    name: str | None
+    gamepad: str | None
+    samples: dict[str, int]
+
+
+class HilState(Output):
+    """Who holds the stick, as the board reports it (null: not heard), who moves the simulator's surfaces, and where
+    the stick comes from."""
+
+    source: Literal["joystick", "rc"] | None
+    path: Literal["manual", "assisted"]
+    stick: StickState
+
+
+class ControlState(Output):
+    """The one browser that may command, null while nobody has control."""
+
+    client: str | None
+    name: str | None
+
+
+class RecordingState(Output):
+    """The file being written."""
+
+    active: bool
+    file: str | None
+    bytes: int
+    bytes_lost: int
+    failure: str | None
+
+
+class AlarmState(Output):
+    """Something that is wrong now; an acknowledged one is shown quietly until its cause goes."""
+
+    id: AlarmId
+    level: Literal["warning", "critical"]
+    since_s: float
+    text: str
+    params: dict[str, ParamValue]
+    acknowledged: bool
+
+
+class TopicHealth(Output):
+    """How well a topic arrives; older than `stale_after_s` its value is not live."""
+
+    count: int
+    rate_hz: float
+    age_s: float | None
+    stale_after_s: float | None
+    implausible: dict[str, int]
+
+
+class Status(Output):
+    """The whole state of the station."""
+
+    version: str
+    server_time_s: float
+    board: BoardStatus
+    simulator: SimulatorStatus
+    hil: HilState
+    control: ControlState
+    recording: RecordingState
+    alarms: list[AlarmState]
+    errors: dict[str, int]
+    topics: dict[str, TopicHealth]
+    viewers: int
+
+
+class Sample(Output):
+    """The newest sample of a topic; null is no data."""
+
+    t_s: float
+    age_s: float
+    stale: bool
+    values: dict[str, float | int | bool | str | dict[str, list[float | None]] | None]
+
+
+class PortState(Output):
+    """A serial port. `identity` is the same wherever the device is plugged in."""
+
+    path: str
+    url: str
+    description: str
+    identity: str | None
+
+
+class Ports(Output):
+    """All serial ports now."""
+
+    ports: list[PortState]
+
+
+class BoardLink(Input):
+    """serial:///dev/ttyUSB0?baud=115200, tcp://host:port or pty:///path."""
+
+    url: str = Field(min_length=1, max_length=500)
+
+
+class SimulatorLink(Input):
+    """Where we listen, and where the simulator is."""
+
+    receive_port: Port = RECEIVE_PORT
+    send_host: str = Field("127.0.0.1", min_length=1, max_length=253, pattern=r"^[A-Za-z0-9._:\-]+$")
+    send_port: Port = SEND_PORT
+    profile: Literal["xp10", "xp12"] = "xp10"
+
+
+class LinkResult(Output):
+    """A link after it was opened."""
+
+    state: LinkState
+    url: str
+
+
+class Argument(Output):
+    """One argument of a command. Where it has `names`, these may be sent in place of the number."""
+
+    name: str
+    unit: str
+    minimum: float | None
+    maximum: float | None
+    default: float | None
+    is_integer: bool
+    names: dict[str, int]
+    doc: str
+
+
+class CommandInfo(Output):
+    """A command; `supported` is null while no board is connected."""
+
+    name: str
+    id: int
+    doc: str
+    extension: bool
+    supported: bool | None
+    arguments: list[Argument]
+
+
+class CommandList(Output):
+    """All commands that may be sent."""
+
+    commands: list[CommandInfo]
+
+
+class CommandValue(Input):
+    """Nothing, one number or name, a list in order, or an object by name."""
+
+    value: float | str | list[float | str] | dict[str, float | str] | None = None
+
+
+class CommandOutcome(Output):
+    """What became of a command; `reason` is the board's where it refused."""
+
+    state: Literal["confirmed", "rejected", "timed_out", "sent"]
+    by: Literal["acknowledgement", "heartbeat", "read_back", "none"]
+    ms: float
+    reason: Literal["bad_value", "bad_state", "unknown", "storage_failed", "not_taken"] | None
+
+
+class WaypointModel(Input):
+    """WGS84 degrees, feet above mean sea level, knots indicated."""
+
+    latitude_deg: float = Field(ge=-90, le=90)
+    longitude_deg: float = Field(ge=-180, le=180)
+    altitude_ft: float = Field(ge=-2000, le=60000)
+    speed_kt: float = Field(ge=0, le=500)
+
+
+class MissionInput(Input):
+    """A whole plan."""
+
+    waypoints: list[WaypointModel] = Field(min_length=1, max_length=100)
+
+
+class Mission(Output):
+    """The plan that the board has."""
+
+    plan: PlanName
+    waypoints: list[WaypointModel]
+
+
+class HilInput(Input):
+    """Any of them. With the stick from a gamepad, `gamepad` is its name for people."""
+
+    source: Literal["joystick", "rc"] | None = None
+    path: Literal["manual", "assisted"] | None = None
+    stick: Literal["simulator", "gamepad"] | None = None
+    gamepad: str = Field("gamepad", min_length=1, max_length=200)
+
+
+class ConsoleLine(Input):
+    """A line for the board; a line end is added."""
+
+    text: str = Field(min_length=1, max_length=200, pattern=r"^[\x20-\x7e]+$")
+
+
+class RecordingInfo(Output):
+    """A file with everything that went over the lines."""
+
+    id: str
+    started_s: float
+    bytes: int
+    active: bool
+
+
+class RecordingList(Output):
+    """All recordings, newest first."""
+
+    recordings: list[RecordingInfo]
+
+
+class ControlInput(Input):
+    """`client` is the id of the stream's hello."""
+
+    client: str = Field(min_length=1, max_length=64)
+    action: Literal["take", "release"]

@@ -1,0 +1,1 @@
+"""Status, newest telemetry and control over HTTP."""

@@ -1,0 +1,1 @@
+"""The WebSocket stream: newest state and events to any number of viewers."""

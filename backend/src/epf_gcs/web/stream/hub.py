@@ -1,0 +1,139 @@
+"""State and events to any number of viewers, none of which can slow down anything else."""
+
+from __future__ import annotations
+
+import asyncio
+from collections import deque
+from collections.abc import Callable
+from typing import Any, Final
+
+import orjson
+
+from epf_gcs.web.stream.hub_state import HubState
+from epf_gcs.web.stream.viewer import Viewer
+
+# Viewers served in one turn of the event loop. Between turns the loop looks at the board and the simulator, so
+# fifty viewers delay a control frame by the time of a few, not of all.
+_VIEWERS_PER_TURN: Final = 4
+
+
+class _Pacer:
+    """All viewers of one rate: their batches leave together, at most `rate_hz` times a second."""
+
+    def __init__(self, rate_hz: int) -> None:
+        self.period_s = 1.0 / rate_hz
+        self.viewers: list[Viewer] = []
+        self.due_s = 0.0
+        self.armed = False
+
+
+class Hub:
+    """Owned by the event loop. Put any number of samples into `state`, then `flush` once."""
+
+    def __init__(self, loop: asyncio.AbstractEventLoop, now_s: Callable[[], float]) -> None:
+        self.state = HubState()
+        self._loop = loop
+        self._now_s = now_s
+        self._pacers: dict[int, _Pacer] = {}
+        self._every_sample: list[Viewer] = []
+        self._queue: deque[Viewer] = deque()
+        self._turn_due = False
+
+    @property
+    def viewers(self) -> list[Viewer]:
+        """Everybody on the stream."""
+        return [*self._every_sample, *(viewer for pacer in self._pacers.values() for viewer in pacer.viewers)]
+
+    def flush(self) -> None:
+        """Send what is new to those whose turn it is, and set a timer for the others."""
+        if self._every_sample:
+            self._send(self._every_sample)
+        if self._pacers:
+            now = self._loop.time()
+            for pacer in self._pacers.values():
+                if pacer.armed:
+                    continue
+                if now >= pacer.due_s:
+                    self._release(pacer, now)
+                else:
+                    pacer.armed = True
+                    self._loop.call_at(pacer.due_s, self._timer, pacer)
+
+    def event(self, kind: str, data: dict[str, Any]) -> None:
+        """Something happened that every viewer should hear of."""
+        text = self.event_text(kind, data)
+        for viewer in self.viewers:
+            viewer.offer_event(text)
+            self.serve(viewer)
+
+    def event_text(self, kind: str, data: dict[str, Any]) -> bytes:
+        """The JSON of an event that happens now."""
+        return orjson.dumps({"type": "event", "event": kind, "t_s": self._now_s(), "data": data})
+
+    def status(self, text: bytes) -> None:
+        """The newest status, for everybody."""
+        for viewer in self.viewers:
+            viewer.offer_status(text)
+            self.serve(viewer)
+
+    def add(self, viewer: Viewer) -> None:
+        """A viewer begins with the newest sample of every topic."""
+        if viewer.rate_hz:
+            self._pacers.setdefault(viewer.rate_hz, _Pacer(viewer.rate_hz)).viewers.append(viewer)
+        else:
+            self._every_sample.append(viewer)
+            self.state.keep_all = True
+        self.serve(viewer)
+
+    def remove(self, viewer: Viewer) -> None:
+        """Forget a viewer; nothing is sent to it any more."""
+        pacer = self._pacers.get(viewer.rate_hz)
+        if pacer is not None and viewer in pacer.viewers:
+            pacer.viewers.remove(viewer)
+            if not pacer.viewers:
+                del self._pacers[viewer.rate_hz]
+        elif viewer in self._every_sample:
+            self._every_sample.remove(viewer)
+            if not self._every_sample:
+                self.state.drop_log()
+
+    def change_rate(self, viewer: Viewer, rate_hz: int) -> None:
+        """From now on this viewer gets `rate_hz` batches a second; 0: every sample."""
+        self.remove(viewer)
+        viewer.rate_hz = rate_hz
+        self.add(viewer)
+
+    def serve(self, viewer: Viewer) -> None:
+        """Put a viewer in the queue of those to be sent to."""
+        if not viewer.queued:
+            viewer.queued = True
+            self._queue.append(viewer)
+        if not self._turn_due:
+            self._turn_due = True
+            self._loop.call_soon(self._turn)
+
+    def _timer(self, pacer: _Pacer) -> None:
+        pacer.armed = False
+        self._release(pacer, self._loop.time())
+
+    def _release(self, pacer: _Pacer, now: float) -> None:
+        # From a fixed grid, so that the mean rate is the rate asked for; after a pause the grid starts again.
+        pacer.due_s = max(pacer.due_s + pacer.period_s, now + 0.5 * pacer.period_s)
+        self._send(pacer.viewers)
+
+    def _send(self, viewers: list[Viewer]) -> None:
+        # The first goes at once, for the shortest way from the board to a lone browser.
+        for place, viewer in enumerate(viewers):
+            if place == 0:
+                viewer.flush()
+            else:
+                self.serve(viewer)
+
+    def _turn(self) -> None:
+        for _ in range(min(_VIEWERS_PER_TURN, len(self._queue))):
+            viewer = self._queue.popleft()
+            viewer.queued = False
+            viewer.flush()
+        self._turn_due = bool(self._queue)
+        if self._turn_due:
+            self._loop.call_soon(self._turn)

@@ -1,0 +1,109 @@
+"""One browser on the stream: what it has, what it is owed, and what it missed."""
+
+from __future__ import annotations
+
+from collections import deque
+from typing import Final, Protocol
+
+from epf_gcs.web.stream.hub_state import HubState
+
+# A batch is under way until the browser says that it has shown it. With four of them a browser 60 ms away still
+# gets 60 a second; a browser that stopped has four, and the newest state at once when it goes on.
+MAX_UNDER_WAY: Final = 4
+# Enough for the events of a mission upload; a browser that is further behind is told how many it missed.
+_MAX_EVENTS: Final = 256
+_MAX_UNSENT_BYTES: Final = 262144
+MAX_RATE_HZ: Final = 60
+
+
+class Outlet(Protocol):
+    """Where the messages of one viewer go."""
+
+    def send(self, messages: list[bytes]) -> None:
+        """Send JSON texts, without waiting."""
+
+    def unsent_bytes(self) -> int:
+        """Bytes that the system has not taken yet."""
+
+
+class Viewer:
+    """Latest wins for state, a bounded queue for events, and never more than a few batches under way.
+
+    `rate_hz` 0 means every sample as it arrives.
+    """
+
+    def __init__(self, client: str, name: str, outlet: Outlet, state: HubState, rate_hz: int) -> None:
+        self.client = client
+        self.name = name
+        self.rate_hz = rate_hz
+        self._outlet = outlet
+        self._state = state
+        self._seq = 0
+        self._acknowledged = 0
+        self._version = 0
+        self._events: deque[bytes] = deque()
+        self._status: bytes | None = None
+        self._missed = 0
+        self._missed_events = 0
+        self.waiting = False
+        self.queued = False
+
+    def greet(self, hello: bytes) -> None:
+        """The first message."""
+        self._outlet.send([hello])
+
+    def offer_event(self, event: bytes) -> None:
+        """An event that should arrive; the oldest gives way, counted, where the browser does not keep up."""
+        if len(self._events) >= _MAX_EVENTS:
+            self._events.popleft()
+            self._missed_events += 1
+        self._events.append(event)
+
+    def offer_status(self, status: bytes) -> None:
+        """The newest status takes the place of one that was not sent yet."""
+        self._status = status
+
+    def acknowledge(self, seq: int) -> bool:
+        """The browser has shown this batch and all before it. False: it was never sent."""
+        if not self._acknowledged <= seq <= self._seq:
+            return False
+        self._acknowledged = seq
+        return True
+
+    @property
+    def blocked(self) -> bool:
+        """As much is under way as may be."""
+        return self._seq - self._acknowledged >= MAX_UNDER_WAY or self._outlet.unsent_bytes() > _MAX_UNSENT_BYTES
+
+    def flush(self) -> None:
+        """Send what is owed, or note that it had to wait."""
+        if self._seq != self._acknowledged and self.blocked:
+            self.waiting = True
+            if self.rate_hz and self._version != self._state.version:
+                self._missed += 1
+            return
+        self.waiting = False
+        messages: list[bytes] = []
+        if self._events:
+            messages += self._events
+            self._events.clear()
+        if self._status is not None:
+            messages.append(self._status)
+            self._status = None
+        body, missed = b"", 0
+        since, self._version = self._version, self._state.version
+        if since != self._version:
+            if self.rate_hz or since == 0:
+                body = self._state.changed_since(since)
+            else:
+                body, missed = self._state.every_since(since)
+        # Events and status count as under way through the batch that follows them, an empty one if need be.
+        if body or messages:
+            self._seq += 1
+            messages.append(
+                b'{"type":"batch","seq":%d,"t_s":%.6f,"missed":%d,"missed_events":%d,"samples":[%b]}'
+                % (self._seq, self._state.newest_s, self._missed + missed, self._missed_events, body)
+            )
+            self._missed = 0
+            self._missed_events = 0
+            self._outlet.send(messages)

@@ -1,0 +1,1 @@
+"""The flown tracks: kept, drawn and exported."""

@@ -1,0 +1,126 @@
+"""The flown tracks: of the aircraft by its GPS, and of the simulator's. Drawn, cleared, and brought back."""
+
+from __future__ import annotations
+
+import secrets
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, Final
+
+from epf_gcs.clock import Clock
+from epf_gcs.errors import ConflictError
+from epf_gcs.formats.units import m_from_ft
+from epf_gcs.vehicle.telemetry import Telemetry
+from epf_gcs.vehicle.track import Attitude, Position, Track
+from epf_gcs.web.stream.hub import Hub
+from epf_gcs.web.stream.hub_state import Values
+
+_AHRS: Final = ("yaw_deg", "pitch_deg", "roll_deg")
+_SIMULATOR: Final = ("true_heading_deg", "pitch_deg", "roll_deg")
+
+
+@dataclass(frozen=True, slots=True)
+class Pair:
+    """Both tracks; each only grows."""
+
+    real: Track
+    hil: Track
+
+
+class Tracks:
+    """Listens to the topics with a position. `is_emulated`: what comes now are examples, with tracks of their own."""
+
+    def __init__(self, telemetry: Telemetry, hub: Hub, clock: Clock, is_emulated: Callable[[], bool]) -> None:
+        self._telemetry = telemetry
+        self._hub = hub
+        self._clock = clock
+        self._is_emulated = is_emulated
+        self._flown = self._new_pair()
+        self._examples = self._new_pair()
+        self._cleared: Pair | None = None
+        telemetry.listen("gps", self._on_gps)
+        telemetry.listen("simulator", self._on_simulator)
+
+    @property
+    def now(self) -> Pair:
+        """What is drawn."""
+        return self._examples if self._is_emulated() else self._flown
+
+    @property
+    def can_restore(self) -> bool:
+        """There is a cleared track to bring back."""
+        return self._cleared is not None and not self._is_emulated()
+
+    def reset(self) -> None:
+        """Draw anew from now on. The last track that was cleared is kept; recordings are another matter."""
+        if self._is_emulated():
+            self._examples = self._new_pair()
+        else:
+            if len(self._flown.real) or len(self._flown.hil):
+                self._cleared = self._flown
+            self._flown = self._new_pair()
+        self._tell()
+
+    def restore(self) -> None:
+        """The track that was cleared last, and what was flown since. Raises ConflictError where there is none."""
+        if self._cleared is None or self._is_emulated():
+            raise ConflictError(
+                "track_not_kept",
+                "There is no cleared track to bring back: only the last one is kept, until it is back.",
+            )
+        cleared, self._cleared = self._cleared, None
+        cleared.real.append(self._flown.real)
+        cleared.hil.append(self._flown.hil)
+        self._flown = cleared
+        self._tell()
+
+    def forget_examples(self) -> None:
+        """The emulation is over."""
+        self._examples = self._new_pair()
+        self._tell()
+
+    def as_dict(self) -> dict[str, Any]:
+        """Plain values."""
+        return {"real_points": len(self.now.real), "hil_points": len(self.now.hil), "can_restore": self.can_restore}
+
+    def _on_gps(self, t_s: float, values: Values) -> None:
+        """A receiver without a fix sends its last position, or the Gulf of Guinea."""
+        if values["valid"] is True and values["fix"]:
+            ahrs = self._telemetry.newest("ahrs") if self._telemetry.is_live("ahrs") else None
+            attitude = None if ahrs is None else _attitude(ahrs, _AHRS)
+            _add(self.now.real, t_s, values["latitude_deg"], values["longitude_deg"], values["altitude_m"], attitude)
+
+    def _on_simulator(self, t_s: float, values: Values) -> None:
+        altitude_ft = values["altitude_msl_ft"]
+        altitude_m = None if altitude_ft is None else m_from_ft(altitude_ft)
+        attitude = _attitude(values, _SIMULATOR)
+        _add(self.now.hil, t_s, values["latitude_deg"], values["longitude_deg"], altitude_m, attitude)
+
+    def _new_pair(self) -> Pair:
+        """Tracks that nobody can take for others: their epochs are drawn, also over a restart of the gateway."""
+        now_s = self._clock.now_s()
+        return Pair(Track(now_s, secrets.randbits(32)), Track(now_s, secrets.randbits(32)))
+
+    def _tell(self) -> None:
+        self._hub.event("track", self.as_dict())
+
+
+def _attitude(values: Values, names: tuple[str, str, str]) -> Attitude | None:
+    heading_deg, pitch_deg, roll_deg = (values.get(name) for name in names)
+    if heading_deg is None or pitch_deg is None or roll_deg is None:
+        return None
+    return heading_deg, pitch_deg, roll_deg
+
+
+def _add(
+    track: Track,
+    t_s: float,
+    latitude_deg: float | None,
+    longitude_deg: float | None,
+    altitude_m: float | None,
+    attitude: Attitude | None,
+) -> None:
+    if latitude_deg is None or longitude_deg is None or altitude_m is None:
+        return
+    position: Position = (latitude_deg, longitude_deg, altitude_m)
+    track.add(t_s, position, attitude)

@@ -1,0 +1,101 @@
+"""Rows, however they are spread over datagrams -> one XplaneInfo for each frame of the simulator."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable
+from typing import Final
+
+from epf_gcs.xplane.datagram import Record
+from epf_gcs.xplane.mapping import NEEDED_ROWS, TRACK_ROW, XplaneInfo, info_from_rows, row_meaning
+
+MAX_AGE_S: Final = 0.2
+"""A frame whose rows take longer than this to arrive is old: at the slowest rate, 20 Hz, frames are 0.05 s apart."""
+
+_RELEVANT: Final = NEEDED_ROWS | {TRACK_ROW}
+_DESCENTS_BEFORE_DOUBT: Final = 12
+_PAUSE_DECAY: Final = 0.999  # each datagram: one long stall of ours does not name the leader for ever
+
+
+class Gatherer:
+    """Collects the rows of one simulator frame and never mixes two frames.
+
+    A new frame begins with a row that this frame already has, with a row number lower than the last one (the
+    simulator sends rows in ascending order, so a lost datagram cannot shift the frames), or when the frame
+    is too old. A simulator that sends rows in another order never completes a frame by the second rule: after
+    enough vain descents frames begin with their leader instead, the row that came after the longest pause.
+
+    The ground track wins over the heading wherever its row comes: a simulator that sent it in the last frame
+    is waited for.
+    """
+
+    def __init__(self, profile: str) -> None:
+        self.profile = profile
+        self.implausible: Counter[str] = Counter()
+        self.incomplete_frames = 0
+        self._rows: dict[int, dict[str, float | None]] = {}
+        self._started_s = 0.0
+        self._last_row = -1
+        self._sent = False
+        self._track_expected = False
+        self._descents = 0
+        self._leader = -1
+        self._longest_pause_s = -1.0
+        self._heard_s = 0.0
+
+    def take(self, records: Iterable[Record], now_s: float) -> XplaneInfo | None:
+        """Take one datagram's rows; returns the frame's values when this datagram completes it."""
+        relevant = [record for record in records if record.row in _RELEVANT]
+        if not relevant:
+            return None
+        self._watch_pauses(relevant[0].row, now_s)
+        if self._begins_frame(relevant, now_s):
+            self._begin(now_s)
+        for record in relevant:
+            self._take_row(record)
+        self._last_row = relevant[-1].row
+        if self._sent or not self._is_complete():
+            return None
+        info = info_from_rows(self._rows)
+        if info is not None:
+            self._sent = True
+            if self._descents < _DESCENTS_BEFORE_DOUBT:
+                self._descents = 0
+        return info
+
+    def _take_row(self, record: Record) -> None:
+        meaning = row_meaning(record.row, record.values, self.profile)
+        self._rows[record.row] = meaning.values
+        self.implausible.update(meaning.implausible)
+
+    def _begins_frame(self, relevant: list[Record], now_s: float) -> bool:
+        if not self._rows or now_s - self._started_s > MAX_AGE_S:
+            return True
+        if any(record.row in self._rows for record in relevant):
+            return True
+        if self._descents >= _DESCENTS_BEFORE_DOUBT:
+            return relevant[0].row == self._leader
+        descends = relevant[0].row < self._last_row
+        self._descents += descends
+        return descends
+
+    def _watch_pauses(self, row: int, now_s: float) -> None:
+        pause_s = now_s - self._heard_s if self._leader >= 0 else 0.0
+        self._longest_pause_s *= _PAUSE_DECAY
+        if pause_s > self._longest_pause_s:
+            self._leader = row
+            self._longest_pause_s = pause_s
+        self._heard_s = now_s
+
+    def _begin(self, now_s: float) -> None:
+        if self._rows:
+            self._track_expected = TRACK_ROW in self._rows
+            self.incomplete_frames += not self._sent
+        self._rows = {}
+        self._sent = False
+        self._started_s = now_s
+
+    def _is_complete(self) -> bool:
+        if not self._rows.keys() >= NEEDED_ROWS:
+            return False
+        return TRACK_ROW in self._rows or not self._track_expected

@@ -1,0 +1,118 @@
+"""The simulator's rows -> our names, units and axes; and what the board or a pilot wants -> surfaces."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from typing import Final, NamedTuple
+
+from epf_gcs.codec.messages_gen import NO_VALUE, XPLANE_ROWS
+from epf_gcs.codec.tables import RowValue
+from epf_gcs.xplane.datagram import Eight, Surfaces
+
+_RAD_PER_DEG: Final = math.pi / 180.0
+_CLAMPED_ROWS: Final = (8, 11, 25)
+"""Sticks, surfaces and throttle: a joystick or an engine a little beyond its end is at its end, not absent."""
+
+
+class XplaneInfo(NamedTuple):
+    """The 15 values of command 50, in its order."""
+
+    elevator: float
+    aileron: float
+    rudder: float
+    throttle: float
+    gx_rad_s: float
+    gy_rad_s: float
+    gz_rad_s: float
+    yaw_deg: float
+    pitch_deg: float
+    roll_deg: float
+    altitude_ft: float
+    vvi_ft_min: float
+    speed_kt: float
+    latitude_deg: float
+    longitude_deg: float
+
+    @property
+    def stick(self) -> Surfaces:
+        """The pilot's controls, as they go straight to the surfaces on the manual path."""
+        return Surfaces(self.elevator, self.aileron, self.rudder, self.throttle)
+
+
+INFO_SOURCES: Final[Mapping[str, tuple[int, str]]] = {
+    "elevator": (8, "stick_elevator"),
+    "aileron": (8, "stick_aileron"),
+    "rudder": (8, "stick_rudder"),
+    "throttle": (25, "throttle_command"),
+    "gx_rad_s": (16, "p_rad_s"),
+    "gy_rad_s": (16, "q_rad_s"),
+    "gz_rad_s": (16, "r_rad_s"),
+    "yaw_deg": (17, "true_heading_deg"),
+    "pitch_deg": (17, "pitch_deg"),
+    "roll_deg": (17, "roll_deg"),
+    "altitude_ft": (20, "altitude_indicated_ft"),
+    "vvi_ft_min": (4, "vvi_ft_min"),
+    "speed_kt": (3, "indicated_airspeed_kt"),
+    "latitude_deg": (20, "latitude_deg"),
+    "longitude_deg": (20, "longitude_deg"),
+}
+"""Where each value of command 50 comes from: row and name. The ground track, row 18, wins over the heading."""
+
+TRACK_ROW: Final = 18
+TRACK_NAME: Final = "horizontal_path_deg"
+NEEDED_ROWS: Final = frozenset(row for row, _ in INFO_SOURCES.values())
+
+
+class RowMeaning(NamedTuple):
+    """The used values of one row by name, None for "no data", and the names whose value was not plausible."""
+
+    values: dict[str, float | None]
+    implausible: tuple[str, ...]
+
+
+def row_meaning(row: int, eight: Eight, profile: str) -> RowMeaning:
+    """Names and units of a row's values; angular rates are rad/s in every profile. Unknown rows are empty.
+
+    "No value" (-999) is None and no fault; a value that is not finite or not plausible is None and named.
+    """
+    definition = XPLANE_ROWS[profile].get(row)
+    values: dict[str, float | None] = {}
+    implausible: list[str] = []
+    for wanted in definition.values if definition else ():
+        name, scale = in_our_unit(wanted)
+        raw = eight[wanted.index]
+        if raw == NO_VALUE:
+            values[name] = None
+            continue
+        if row in _CLAMPED_ROWS and math.isfinite(raw):
+            raw = min(wanted.maximum, max(wanted.minimum, raw))
+        if wanted.minimum <= raw <= wanted.maximum:
+            values[name] = raw * scale if scale != 1.0 else raw
+        else:
+            values[name] = None
+            implausible.append(name)
+    return RowMeaning(values, tuple(implausible))
+
+
+def info_from_rows(rows: Mapping[int, Mapping[str, float | None]]) -> XplaneInfo | None:
+    """Command 50 from the meanings of the rows of one simulator frame; None where one of its values is missing."""
+    values = {field: rows.get(row, {}).get(name) for field, (row, name) in INFO_SOURCES.items()}
+    track = rows.get(TRACK_ROW, {}).get(TRACK_NAME)
+    if track is not None:
+        values["yaw_deg"] = track
+    known = {field: value for field, value in values.items() if value is not None}
+    return XplaneInfo(**known) if len(known) == len(values) else None
+
+
+def surfaces_from_servos_in(channels: Sequence[float]) -> Surfaces:
+    """The RC receiver's channels as surfaces: 0 aileron, 1 elevator, 2 throttle, 3 rudder."""
+    aileron, elevator, throttle, rudder = channels[:4]
+    return Surfaces(elevator, aileron, rudder, throttle)
+
+
+def in_our_unit(wanted: RowValue) -> tuple[str, float]:
+    """Our name of a row's value, and what one of its units is in ours."""
+    if wanted.unit == "deg/s":
+        return wanted.name.removesuffix("_deg_s") + "_rad_s", _RAD_PER_DEG
+    return wanted.name, 1.0

@@ -1,1 +1,0 @@
-"""HTTP and WebSocket: thin, and the only place that knows the web framework."""

@@ -1,1 +1,0 @@
-"""The running parts: the only code with tasks and timers."""

@@ -1,0 +1,151 @@
+"""The board's link through everything that happens to a cable."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from epf_gcs.error_log import ErrorLog
+from epf_gcs.errors import LinkError
+from epf_gcs.flight.station import Station
+from epf_gcs.link.address import parse_address
+from tests.support.fake_board import FakeBoard
+from tests.support.waiting import eventually_async
+
+pytestmark = pytest.mark.anyio
+
+
+def a_station(folder: Path) -> Station:
+    return Station(folder / "data", ErrorLog(), record=False)
+
+
+def reason(station: Station) -> str:
+    return "" if station.supervisor.failure is None else station.supervisor.failure.detail
+
+
+async def test_a_line_that_is_pulled_and_plugged_in_is_opened_again(tmp_path: Path, board: FakeBoard) -> None:
+    station = a_station(tmp_path)
+    async with station.running():
+        await station.open_board(parse_address(board.url))
+        await eventually_async(lambda: station.supervisor.state == "open", "it opens")
+        board.unplug()
+        await eventually_async(lambda: station.supervisor.state == "lost", "the loss is noticed")
+        assert str(board.path) in reason(station)
+        board.plug_in()
+        await eventually_async(lambda: station.supervisor.state == "open", "it opens again")
+        assert reason(station) == ""
+        assert station.supervisor.reopened == 1
+        assert board.in_binary_mode
+
+
+async def test_the_streams_come_back_with_the_board(tmp_path: Path, board: FakeBoard) -> None:
+    station = a_station(tmp_path)
+    async with station.running():
+        await station.open_board(parse_address(board.url))
+        await eventually_async(lambda: station.supervisor.state == "open", "it opens")
+        for command, arguments in (("ahrs_on", ()), ("control_source", (1,)), ("autopilot_on", ())):
+            assert (await station.commands.run(command, arguments)).state == "confirmed"
+        board.unplug()
+        board.plug_in()
+        await eventually_async(lambda: board.flags["ahrs"] == 1, "the stream is on again")
+        await eventually_async(lambda: board.flags["autopilot_hil"] & 2 == 2, "the source is the joystick again")
+        assert board.flags["autopilot_hil"] & 1 == 0, "nobody but the operator switches an autopilot on"
+
+
+async def test_a_board_that_restarts_while_the_cable_stays_is_armed_again(tmp_path: Path, board: FakeBoard) -> None:
+    station = a_station(tmp_path)
+    async with station.running():
+        await station.open_board(parse_address(board.url))
+        await eventually_async(lambda: station.supervisor.state == "open", "it opens")
+        await station.commands.run("ahrs_on")
+        board.restart()
+        # The silence between is too short to be sure of seeing it; the restarted board has every stream off.
+        await eventually_async(lambda: board.flags["ahrs"] == 1, "the stream is on again")
+        assert station.supervisor.reopened == 0
+
+
+async def test_a_device_that_came_back_under_another_name_is_found(tmp_path: Path) -> None:
+    places = {"usb-1": str(tmp_path / "ttyUSB0")}
+    station = a_station(tmp_path)
+    station.supervisor.find_devices_by(lambda _: "usb-1", places.get)
+    first = FakeBoard(tmp_path / "ttyUSB0")
+    async with station.running():
+        with first:
+            await station.open_board(parse_address(f"serial://{first.path}"))
+            await eventually_async(lambda: station.supervisor.state == "open", "it opens")
+        await eventually_async(lambda: station.supervisor.state == "lost", "it is gone")
+        places["usb-1"] = str(tmp_path / "ttyUSB7")
+        with FakeBoard(tmp_path / "ttyUSB7"):
+            await eventually_async(lambda: station.supervisor.state == "open", "it opens under the new name")
+            assert station.supervisor.address == parse_address(f"serial://{tmp_path}/ttyUSB7")
+
+
+async def test_closing_leaves_the_board_quiet_and_forgets_the_streams(tmp_path: Path, board: FakeBoard) -> None:
+    station = a_station(tmp_path)
+    async with station.running():
+        await station.open_board(parse_address(board.url))
+        await eventually_async(lambda: station.supervisor.state == "open", "it opens")
+        await station.commands.run("ahrs_on")
+        await station.close_board()
+        await eventually_async(lambda: board.received[-2:] == ["stop", "exit_binary_mode"], "the farewell arrives")
+        assert station.supervisor.state == "closed"
+        assert station.memory.now.wanted.streams == set()
+        assert station.memory.now.board_url is None
+
+
+async def test_a_link_that_cannot_be_opened_changes_nothing(tmp_path: Path, board: FakeBoard) -> None:
+    station = a_station(tmp_path)
+    async with station.running():
+        await station.open_board(parse_address(board.url))
+        await eventually_async(lambda: station.supervisor.state == "open", "it opens")
+        with pytest.raises(LinkError):
+            await station.open_board(parse_address(f"pty://{tmp_path}/nothing"))
+        assert station.supervisor.address == parse_address(board.url)
+        assert station.supervisor.state == "open"
+        assert (await station.commands.run("ahrs_on")).state == "confirmed"
+
+
+async def test_the_same_device_can_be_opened_again(tmp_path: Path, board: FakeBoard) -> None:
+    station = a_station(tmp_path)
+    async with station.running():
+        await station.open_board(parse_address(board.url))
+        await eventually_async(lambda: station.supervisor.state == "open", "it opens")
+        await station.open_board(parse_address(board.url))
+        await eventually_async(lambda: station.supervisor.state == "open", "it opens again")
+        assert board.count("exit_binary_mode") == 1
+
+
+async def test_another_board_takes_the_place_of_the_first(tmp_path: Path, board: FakeBoard) -> None:
+    station = a_station(tmp_path)
+    async with station.running():
+        with FakeBoard(tmp_path / "other") as other:
+            await station.open_board(parse_address(board.url))
+            await eventually_async(lambda: station.supervisor.state == "open", "it opens")
+            await station.open_board(parse_address(other.url))
+            await eventually_async(lambda: station.supervisor.state == "open", "the other opens")
+            assert (await station.commands.run("ahrs_on")).state == "confirmed"
+            assert other.flags["ahrs"] == 1
+            assert board.count("exit_binary_mode") == 1
+            assert board.flags["ahrs"] == 0
+
+
+async def test_the_end_of_the_gateway_leaves_the_board_quiet_and_remembers_it(tmp_path: Path, board: FakeBoard) -> None:
+    station = a_station(tmp_path)
+    async with station.running():
+        await station.open_board(parse_address(board.url))
+        await eventually_async(lambda: station.supervisor.state == "open", "it opens")
+        await station.commands.run("ahrs_on")
+    await eventually_async(lambda: board.received[-2:] == ["stop", "exit_binary_mode"], "the farewell arrives")
+    again = a_station(tmp_path)
+    async with again.running():
+        await eventually_async(lambda: board.flags["ahrs"] == 1, "the next gateway carries on")
+
+
+async def test_a_remembered_board_that_is_not_there_yet_is_waited_for(tmp_path: Path) -> None:
+    station = Station(tmp_path / "data", ErrorLog(), record=False, board_url=f"pty://{tmp_path}/board")
+    async with station.running():
+        await eventually_async(lambda: station.supervisor.state == "lost", "it is missed")
+        assert station.errors.counts["link_no_device"] == 1
+        with FakeBoard(tmp_path / "board"):
+            await eventually_async(lambda: station.supervisor.state == "open", "it opens when it comes")

@@ -1,0 +1,241 @@
+"""Writing gains: what the journal says, what can be undone, and what an interrupted write leaves behind."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import AsyncIterator
+from contextlib import asynccontextmanager
+from pathlib import Path
+
+import pytest
+
+from epf_gcs.codec.messages_gen import COMMANDS
+from epf_gcs.error_log import ErrorLog
+from epf_gcs.errors import BoardError, ConflictError
+from epf_gcs.flight.station import Station
+from epf_gcs.link.address import parse_address
+from epf_gcs.vehicle.journal import Move
+from tests.support.fake_board import FakeBoard
+from tests.support.waiting import eventually_async
+
+pytestmark = pytest.mark.anyio
+
+
+@asynccontextmanager
+async def a_station(folder: Path, board: FakeBoard) -> AsyncIterator[Station]:
+    station = Station(folder / "data", ErrorLog(), record=False)
+    async with station.running():
+        await station.open_board(parse_address(board.url))
+        await eventually_async(lambda: station.supervisor.state == "open", "the board opens")
+        yield station
+
+
+def story(station: Station) -> list[tuple[str, str, list[tuple[str, float | None, float, str]]]]:
+    """Kind, state and changes of all entries, oldest first."""
+    return [
+        (entry.kind, entry.state, [(one.name, one.before, one.after, one.state) for one in entry.changes])
+        for entry in reversed(station.parameters.journal.entries)
+    ]
+
+
+@pytest.mark.parametrize("kind", ["board", "legacy_board"])
+async def test_what_was_written_can_be_undone_and_done_again(
+    tmp_path: Path, request: pytest.FixtureRequest, kind: str
+) -> None:
+    board: FakeBoard = request.getfixturevalue(kind)
+    async with a_station(tmp_path, board) as station:
+        parameters = station.parameters
+        await parameters.set({"k_pitch": 2.5, "k_div_velocidad": 800}, "c1")
+        await parameters.undo("c1")
+        assert (board.gains["k_pitch"], board.gains["k_div_velocidad"]) == (2.0, 700)
+        assert parameters.held["k_pitch"].state == "confirmed"
+        await parameters.redo("c1")
+        assert (board.gains["k_pitch"], board.gains["k_div_velocidad"]) == (2.5, 800)
+        both = [("k_pitch", 2.0, 2.5, "confirmed"), ("k_div_velocidad", 700.0, 800.0, "confirmed")]
+        back = [("k_pitch", 2.5, 2.0, "confirmed"), ("k_div_velocidad", 800.0, 700.0, "confirmed")]
+        assert story(station) == [
+            ("write", "confirmed", both),
+            ("undo", "confirmed", back),
+            ("redo", "confirmed", both),
+        ]
+
+
+async def test_an_undo_gives_exactly_what_was_there(tmp_path: Path, board: FakeBoard) -> None:
+    board.gains["k_int_pitch"] = 0.1
+    async with a_station(tmp_path, board) as station:
+        await station.parameters.load(None)
+        exactly = station.parameters.held["k_int_pitch"].value
+        await station.parameters.set({"k_int_pitch": 0.7}, None)
+        await station.parameters.undo(None)
+        assert station.parameters.held["k_int_pitch"].value == exactly
+
+
+async def test_with_nothing_to_undo_nothing_is_sent(tmp_path: Path, board: FakeBoard) -> None:
+    async with a_station(tmp_path, board) as station:
+        await station.parameters.load(None)
+        sent = list(board.received)
+        for action, code in (
+            (station.parameters.undo, "nothing_to_undo"),
+            (station.parameters.redo, "nothing_to_redo"),
+        ):
+            with pytest.raises(ConflictError) as refused:
+                await action(None)
+            assert refused.value.code == code
+        assert board.received == sent
+
+
+async def test_before_the_first_write_the_gains_are_read_for_what_they_were(tmp_path: Path, board: FakeBoard) -> None:
+    async with a_station(tmp_path, board) as station:
+        await station.parameters.set({"k_pitch": 2.5}, None)
+        assert board.received[-3:] == ["load_autopilot_parameters", "set_k_pitch", "load_autopilot_parameters"]
+        assert station.parameters.held["k_pitch"].loaded == 2.0
+        sent = len(board.received)
+        await station.parameters.set({"k_pitch": 2.6}, None)
+        assert board.received[sent:] == ["set_k_pitch", "load_autopilot_parameters"], "known gains are not read first"
+
+
+async def test_a_load_sets_the_mark_from_which_changes_count(tmp_path: Path, board: FakeBoard) -> None:
+    async with a_station(tmp_path, board) as station:
+        await station.parameters.set({"k_pitch": 2.5}, None)
+        assert station.parameters.held["k_pitch"].loaded == 2.0
+        await station.parameters.load(None)
+        assert station.parameters.held["k_pitch"].loaded == 2.5
+
+
+async def test_a_refused_gain_is_in_the_journal_and_not_to_undo(tmp_path: Path, board: FakeBoard) -> None:
+    async with a_station(tmp_path, board) as station:
+        board.refuse["set_k_pitch"] = 1
+        await station.parameters.set({"k_pitch": 2.5, "k_roll": 3.0}, None)
+        assert story(station) == [
+            ("write", "rejected", [("k_pitch", 2.0, 2.5, "rejected"), ("k_roll", 2.0, 3.0, "confirmed")])
+        ]
+        assert station.parameters.journal.steps.undo == (Move("k_roll", 3.0, 2.0),)
+        assert station.parameters.unconfirmed == ("k_pitch",)
+
+
+async def test_a_lost_set_command_is_timed_out_and_a_later_write_settles_it(tmp_path: Path, board: FakeBoard) -> None:
+    async with a_station(tmp_path, board) as station:
+        board.ignore["set_k_pitch"] = 2
+        await station.parameters.set({"k_pitch": 2.5}, None)
+        assert story(station) == [("write", "timed_out", [("k_pitch", 2.0, 2.5, "timed_out")])]
+        assert station.parameters.unconfirmed == ("k_pitch",)
+        await station.parameters.set({"k_pitch": 2.5}, None)
+        assert not station.parameters.unconfirmed
+
+
+async def test_a_write_without_a_read_back_is_timed_out_and_can_be_undone(tmp_path: Path, board: FakeBoard) -> None:
+    async with a_station(tmp_path, board) as station:
+        await station.parameters.load(None)
+        board.ignore["load_autopilot_parameters"] = 2
+        with pytest.raises(BoardError):
+            await station.parameters.set({"k_pitch": 2.5}, None)
+        held = station.parameters.held["k_pitch"]
+        assert (held.value, held.state, held.loaded) == (None, "unknown", 2.0)
+        assert story(station) == [("write", "timed_out", [("k_pitch", 2.0, 2.5, "timed_out")])]
+        await station.parameters.undo(None)
+        assert board.gains["k_pitch"] == 2.0
+        assert not station.parameters.unconfirmed
+
+
+async def test_a_board_that_is_lost_during_a_write_leaves_an_entry_and_nothing_to_undo(
+    tmp_path: Path, board: FakeBoard
+) -> None:
+    async with a_station(tmp_path, board) as station:
+        await station.parameters.set({"k_roll": 3.0}, None)
+        board.ignore["set_k_pitch"] = 99
+        writing = asyncio.create_task(station.parameters.set({"k_pitch": 2.5}, "c1"))
+        await eventually_async(lambda: board.count("set_k_pitch") > 0, "the command is on its way")
+        board.unplug()
+        with pytest.raises((ConflictError, BoardError)):
+            await writing
+        assert story(station)[-1] == ("write", "timed_out", [("k_pitch", 2.0, 2.5, "timed_out")])
+        assert station.parameters.journal.steps.undo is None
+        assert station.parameters.held["k_pitch"].state == "unknown"
+        board.plug_in()
+        await eventually_async(lambda: station.supervisor.state == "open", "the board is back")
+        with pytest.raises(ConflictError):
+            await station.parameters.undo("c1")
+        assert len(story(station)) == 2
+
+
+async def test_a_board_that_started_anew_has_nothing_to_undo(tmp_path: Path, board: FakeBoard) -> None:
+    async with a_station(tmp_path, board) as station:
+        await station.parameters.set({"k_pitch": 2.5}, None)
+        board.restart()
+        await eventually_async(lambda: board.count("capabilities") == 2, "the silence is noticed")
+        await eventually_async(lambda: station.supervisor.state == "open", "it is opened anew")
+        await eventually_async(lambda: station.parameters.journal.steps.undo is None, "nothing can be undone")
+        assert station.parameters.held["k_pitch"].value is None
+        assert len(story(station)) == 1
+
+
+async def test_what_is_loaded_from_a_board_that_just_opened_stays_while_it_is_still_being_re_armed(
+    tmp_path: Path, board: FakeBoard
+) -> None:
+    async with a_station(tmp_path, board) as station:
+        await station.commands.run("ahrs_on")
+        board.ignore["ahrs_on"] = 1000
+        for _ in range(2):
+            board.unplug()
+            await eventually_async(lambda: station.supervisor.state == "lost", "the cable is out")
+            board.plug_in()
+            await eventually_async(lambda: station.supervisor.state == "open", "the board is back")
+        await station.parameters.load(None)
+        asked = board.count("ahrs_on")
+        await eventually_async(lambda: board.count("ahrs_on") > asked + 1, "it is asked for its stream")
+        assert station.parameters.held["k_pitch"].state == "loaded"
+
+
+async def test_two_writers_follow_each_other_and_each_sees_what_the_other_left(
+    tmp_path: Path, board: FakeBoard
+) -> None:
+    async with a_station(tmp_path, board) as station:
+        await asyncio.gather(
+            station.parameters.set({"k_pitch": 2.5}, "c1"), station.parameters.set({"k_pitch": 2.6}, "c2")
+        )
+        first, second = story(station)
+        assert first == ("write", "confirmed", [("k_pitch", 2.0, 2.5, "confirmed")])
+        assert second == ("write", "confirmed", [("k_pitch", 2.5, 2.6, "confirmed")])
+        await asyncio.gather(station.parameters.undo("c1"), station.parameters.undo("c2"))
+        assert board.gains["k_pitch"] == 2.0
+
+
+@pytest.mark.parametrize("kind", ["board", "legacy_board"])
+async def test_a_set_command_by_itself_is_in_the_journal_too(
+    tmp_path: Path, request: pytest.FixtureRequest, kind: str
+) -> None:
+    board: FakeBoard = request.getfixturevalue(kind)
+    async with a_station(tmp_path, board) as station:
+        await station.parameters.load(None)
+        result = await station.parameters.set_by_command(COMMANDS["set_k_pitch"], 2.5, "c1")
+        assert result.state == "confirmed"
+        assert station.parameters.held["k_pitch"].value == 2.5
+        assert story(station) == [("write", "confirmed", [("k_pitch", 2.0, 2.5, "confirmed")])]
+        await station.parameters.undo(None)
+        assert board.gains["k_pitch"] == 2.0
+
+
+async def test_a_set_command_that_is_refused_or_lost_claims_nothing(tmp_path: Path, board: FakeBoard) -> None:
+    async with a_station(tmp_path, board) as station:
+        await station.parameters.load(None)
+        board.refuse["set_k_pitch"] = 1
+        board.ignore["set_k_roll"] = 99
+        await station.parameters.set_by_command(COMMANDS["set_k_pitch"], 2.5, None)
+        await station.parameters.set_by_command(COMMANDS["set_k_roll"], 3.0, None)
+        held = station.parameters.held
+        assert (held["k_pitch"].value, held["k_pitch"].state) == (2.0, "rejected")
+        assert (held["k_roll"].value, held["k_roll"].state) == (None, "unknown")
+        assert [state for _, state, _ in story(station)] == ["rejected", "timed_out"]
+        assert station.parameters.unconfirmed == ("k_pitch", "k_roll")
+
+
+async def test_a_journal_on_a_bad_disk_is_counted_and_the_write_counts_all_the_same(
+    tmp_path: Path, board: FakeBoard
+) -> None:
+    (tmp_path / "data").mkdir()
+    (tmp_path / "data" / "parameter-journal.jsonl").mkdir()
+    async with a_station(tmp_path, board) as station:
+        assert station.errors.counts["journal_unreadable"] == 1
+        await station.parameters.set({"k_pitch": 2.5}, None)
+        assert board.gains["k_pitch"] == 2.5
+        await eventually_async(lambda: station.errors.counts["journal_not_written"] == 1, "the failure is counted")

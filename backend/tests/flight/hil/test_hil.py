@@ -1,0 +1,175 @@
+"""The HIL loop over a real socket and a real line: who moves the simulator, when, and with what."""
+
+from __future__ import annotations
+
+import math
+import socket
+import struct
+from collections.abc import AsyncIterator, Iterator
+from pathlib import Path
+
+import pytest
+
+from epf_gcs.codec.encode import encode_telemetry
+from epf_gcs.error_log import ErrorLog
+from epf_gcs.flight.hil.simulator import SimulatorAddress
+from epf_gcs.flight.station import Station
+from epf_gcs.link.address import parse_address
+from epf_gcs.xplane.datagram import Record, Surfaces, build, release_datagram, surfaces_datagram
+from tests.support.fake_board import FakeBoard
+from tests.support.ports import free_udp_port
+from tests.support.simulator import ROWS, WHOLE, Simulator
+from tests.support.waiting import eventually_async
+
+pytestmark = pytest.mark.anyio
+
+FROM_BOARD = surfaces_datagram(Surfaces(0.25, -0.5, 0.125, 0.75))
+STICK = surfaces_datagram(Surfaces(0.25, -0.5, 0.125, 0.75))
+
+
+@pytest.fixture
+def simulator() -> Iterator[Simulator]:
+    with Simulator() as end:
+        yield end
+
+
+@pytest.fixture
+async def station(tmp_path: Path, simulator: Simulator) -> AsyncIterator[Station]:
+    made = Station(tmp_path / "data", ErrorLog(), record=False)
+    async with made.running():
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
+            probe.bind(("127.0.0.1", 0))
+            simulator.port = probe.getsockname()[1]
+        await made.open_simulator(SimulatorAddress(simulator.port, "127.0.0.1", simulator.own_port, "xp10"))
+        yield made
+
+
+async def connect(station: Station, board: FakeBoard, source: str) -> None:
+    await station.open_board(parse_address(board.url))
+    await eventually_async(lambda: station.supervisor.state == "open", "the board opens")
+    await station.commands.run("control_source", (int(source == "joystick"),))
+    await eventually_async(lambda: station.hil.source == source, "the source is known")
+
+
+async def test_a_frame_of_the_simulator_becomes_command_50(
+    station: Station, simulator: Simulator, board: FakeBoard
+) -> None:
+    await connect(station, board, "joystick")
+    simulator.send(WHOLE)
+    await eventually_async(lambda: board.count("xplane_info") == 1, "the command arrives")
+    info = board.arguments[board.received.index("xplane_info")]
+    expected = (0.25, -0.5, 0.125, 0.75, -0.02, 0.01, 0.03, 270.0, 2.5, -10.25, 1235.75, 512.0, 95.5, 27.9319, -15.3866)
+    assert info == struct.unpack("<15f", struct.pack("<15f", *expected))
+    assert station.hil.rows == sorted(ROWS)
+    assert station.hil.missing_rows == []
+
+
+async def test_rows_in_ten_datagrams_become_one_command(
+    station: Station, simulator: Simulator, board: FakeBoard
+) -> None:
+    await connect(station, board, "joystick")
+    for _ in range(3):
+        for row, values in ROWS.items():
+            simulator.send(build([Record(row, values)]))
+    await eventually_async(lambda: station.simulator.datagrams == 30, "all rows arrive")
+    await eventually_async(lambda: board.count("xplane_info") >= 2, "the commands arrive")
+    assert board.count("xplane_info") <= 3
+
+
+async def test_without_a_row_nothing_goes_to_the_board(
+    station: Station, simulator: Simulator, board: FakeBoard
+) -> None:
+    await connect(station, board, "joystick")
+    simulator.send(build(Record(row, values) for row, values in ROWS.items() if row != 16))
+    await eventually_async(lambda: station.simulator.datagrams == 1, "it arrives")
+    assert station.hil.missing_rows == [16]
+    assert station.hil.frames_to_board == 0
+
+
+async def test_assisted_the_boards_surfaces_move_the_simulator(
+    station: Station, simulator: Simulator, board: FakeBoard
+) -> None:
+    await connect(station, board, "joystick")
+    station.set_path("assisted")
+    simulator.send(WHOLE)
+    await eventually_async(lambda: simulator.heard(FROM_BOARD), "the surfaces arrive")
+    assert len(simulator.got) == 1
+    assert station.hil.round_trip.summary().newest is not None
+
+
+async def test_manual_the_stick_moves_the_simulator_as_each_datagram_arrives(
+    station: Station, simulator: Simulator, board: FakeBoard
+) -> None:
+    await connect(station, board, "joystick")
+    simulator.send(WHOLE)
+    await eventually_async(lambda: simulator.heard(STICK), "the stick arrives")
+    await eventually_async(lambda: station.hil.last_surfaces_s is not None, "the board answers too")
+    assert len(simulator.got) == 1, "the board's surfaces are not sent on this path"
+
+
+async def test_manual_the_rc_channels_move_the_simulator_as_each_frame_arrives(
+    station: Station, simulator: Simulator, board: FakeBoard
+) -> None:
+    await connect(station, board, "rc")
+    channels = [-0.5, 0.25, 0.75, 0.125] + [0.0] * 8
+    board.send(encode_telemetry("servos_in", *channels))
+    await eventually_async(lambda: simulator.heard(surfaces_datagram(Surfaces(0.25, -0.5, 0.125, 0.75))), "they arrive")
+    simulator.send(WHOLE)
+    await eventually_async(lambda: board.count("xplane_info") == 1, "the board is told all the same")
+    assert len(simulator.got) == 1, "the stick is ignored on this source"
+
+
+async def test_surfaces_beyond_their_limits_are_clamped_and_no_number_is_not_sent(
+    station: Station, simulator: Simulator, board: FakeBoard
+) -> None:
+    await connect(station, board, "joystick")
+    station.set_path("assisted")
+    board.send(encode_telemetry("hil_surfaces", math.nan, 0.0, 0.0, 0.0))
+    await eventually_async(lambda: station.hil.skipped["surfaces_not_finite"] == 1, "it is counted")
+    board.send(encode_telemetry("hil_surfaces", 5.0, -5.0, 0.0, 9.0))
+    await eventually_async(lambda: simulator.heard(surfaces_datagram(Surfaces(1.0, -1.0, 0.0, 1.0))), "clamped")
+    assert len(simulator.got) == 1
+
+
+async def test_without_a_board_frames_are_counted_and_dropped_not_kept(
+    station: Station, simulator: Simulator, board: FakeBoard
+) -> None:
+    for _ in range(5):
+        simulator.send(WHOLE)
+    await eventually_async(lambda: station.hil.skipped["board_not_open"] == 5, "they are counted")
+    await connect(station, board, "joystick")
+    assert board.count("xplane_info") == 0, "old data is never sent"
+
+
+async def test_the_viewers_see_every_row_by_name_and_raw(station: Station, simulator: Simulator) -> None:
+    simulator.send(WHOLE)
+    await eventually_async(lambda: station.telemetry.newest("xplane_rows") is not None, "it is shown")
+    named = station.telemetry.newest("simulator")
+    raw = station.telemetry.newest("xplane_rows")
+    assert named is not None
+    assert raw is not None
+    assert named["mach"] == pytest.approx(0.148)
+    assert named["alpha_deg"] == 3.25
+    assert raw["rows"]["17"][:3] == [2.5, -10.25, 135.0]
+
+
+async def test_a_row_that_never_came_has_no_values(station: Station, simulator: Simulator) -> None:
+    simulator.send(build([Record(3, ROWS[3])]))
+    await eventually_async(lambda: station.telemetry.newest("simulator") is not None, "it is shown")
+    named = station.telemetry.newest("simulator")
+    assert named is not None
+    assert named["indicated_airspeed_kt"] == 95.5
+    assert named["mach"] is None
+
+
+async def test_closing_hands_the_controls_back(station: Station, simulator: Simulator) -> None:
+    await station.close_simulator()
+    await eventually_async(lambda: simulator.heard(release_datagram()), "the release arrives")
+    assert station.simulator.state == "closed"
+
+
+async def test_the_end_of_the_gateway_hands_the_controls_back(tmp_path: Path, simulator: Simulator) -> None:
+    station = Station(tmp_path / "data", ErrorLog(), record=False)
+    async with station.running():
+        await station.open_simulator(SimulatorAddress(free_udp_port(), "127.0.0.1", simulator.own_port, "xp10"))
+    await eventually_async(lambda: simulator.heard(release_datagram()), "the release arrives")

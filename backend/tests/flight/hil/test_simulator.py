@@ -1,0 +1,107 @@
+"""The simulator's socket: what is no datagram of it, and a port that is not free."""
+
+from __future__ import annotations
+
+import socket
+from pathlib import Path
+
+import pytest
+
+from epf_gcs.error_log import ErrorLog
+from epf_gcs.errors import LinkError
+from epf_gcs.flight.hil.simulator import SimulatorAddress
+from epf_gcs.flight.station import Station
+from tests.support.waiting import eventually_async
+
+pytestmark = pytest.mark.anyio
+
+
+def taken_port() -> socket.socket:
+    sock = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+    sock.bind(("127.0.0.1", 0))
+    return sock
+
+
+def an_address(port: int, send_port: int = 49000) -> SimulatorAddress:
+    return SimulatorAddress(port, "127.0.0.1", send_port, "xp10")
+
+
+def free_port() -> int:
+    with taken_port() as probe:
+        return int(probe.getsockname()[1])
+
+
+def state(station: Station) -> str:
+    return station.simulator.state
+
+
+async def test_rubbish_and_strangers_are_counted_and_told(tmp_path: Path) -> None:
+    station = Station(tmp_path, ErrorLog(), record=False)
+    async with station.running():
+        port = free_port()
+        await station.open_simulator(an_address(port))
+        with taken_port() as sender:
+            for datagram in (b"", b"DATA", b"DATA@", b"DATA@" + b"x" * 35, b"RREF,xxxx", b"x" * 1000):
+                sender.sendto(datagram, ("127.0.0.1", port))
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as stranger:
+            stranger.bind(("127.0.0.2", 0))
+            stranger.sendto(b"DATA@" + b"\0" * 36, ("127.0.0.1", port))
+        await eventually_async(lambda: sum(station.simulator.dropped.values()) == 7, "all are counted")
+        assert station.simulator.dropped == {"malformed": 6, "stranger": 1}
+        assert station.simulator.datagrams == 0
+        assert state(station) == "opening"
+        assert station.errors.counts == {"datagram_malformed": 6, "datagram_stranger": 1}
+
+
+async def test_a_taken_port_leaves_everything_as_it_was(tmp_path: Path) -> None:
+    station = Station(tmp_path, ErrorLog(), record=False)
+    async with station.running():
+        with taken_port() as other:
+            with pytest.raises(LinkError, match="is taken by another program"):
+                await station.open_simulator(an_address(other.getsockname()[1]))
+            assert state(station) == "closed"
+            good = an_address(free_port())
+            await station.open_simulator(good)
+            with pytest.raises(LinkError):
+                await station.open_simulator(an_address(other.getsockname()[1]))
+            assert station.simulator.address == good
+            assert state(station) == "opening"
+
+
+async def test_the_same_port_can_be_opened_with_another_simulator(tmp_path: Path) -> None:
+    station = Station(tmp_path, ErrorLog(), record=False)
+    async with station.running():
+        port = free_port()
+        await station.open_simulator(an_address(port, 49000))
+        await station.open_simulator(an_address(port, 49010))
+        assert station.simulator.address == an_address(port, 49010)
+        with pytest.raises(LinkError):
+            await station.open_simulator(SimulatorAddress(port, "no.such.host.invalid", 49000, "xp10"))
+        assert station.simulator.address == an_address(port, 49010)
+        assert state(station) == "opening"
+
+
+async def test_a_remembered_port_that_is_taken_is_opened_when_it_is_free(tmp_path: Path) -> None:
+    other = taken_port()
+    first = Station(tmp_path, ErrorLog(), record=False)
+    first.memory.update(simulator=an_address(other.getsockname()[1]).as_dict())
+    station = Station(tmp_path, ErrorLog(), record=False)
+    async with station.running():
+        await eventually_async(lambda: state(station) == "lost", "the port is missed")
+        assert station.simulator.failure is not None
+        assert station.simulator.failure.code == "port_taken"
+        other.close()
+        await eventually_async(lambda: state(station) == "opening", "it is opened when it is free")
+
+
+async def test_a_simulator_that_stops_is_lost_and_comes_back(tmp_path: Path) -> None:
+    station = Station(tmp_path, ErrorLog(), record=False)
+    async with station.running():
+        port = free_port()
+        await station.open_simulator(an_address(port))
+        with taken_port() as sender:
+            sender.sendto(b"DATA@" + b"\0" * 36, ("127.0.0.1", port))
+            await eventually_async(lambda: state(station) == "open", "it is heard")
+            await eventually_async(lambda: state(station) == "lost", "its silence is noticed")
+            sender.sendto(b"DATA@" + b"\0" * 36, ("127.0.0.1", port))
+            await eventually_async(lambda: state(station) == "open", "it is heard again")

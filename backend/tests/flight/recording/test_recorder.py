@@ -1,0 +1,157 @@
+"""The recorder on a real disk, a full one too."""
+
+from __future__ import annotations
+
+import contextlib
+import resource
+import struct
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from mcap.exceptions import EndOfFile
+from mcap.records import Message, Metadata
+from mcap.stream_reader import StreamReader
+
+from epf_gcs.clock import Clock
+from epf_gcs.flight.recording.recorder import TOPICS, Recorder
+from tests.support.waiting import eventually
+
+
+def messages(path: Path) -> list[tuple[str, bytes]]:
+    """What is in a file, also where it ends in the middle of a record: there the library stops with an error."""
+    found: list[tuple[str, bytes]] = []
+    with path.open("rb") as file, contextlib.suppress(EndOfFile, struct.error):
+        records = (record for record in StreamReader(file).records if isinstance(record, Message))
+        found.extend((TOPICS[record.channel_id], record.data) for record in records)
+    return found
+
+
+@contextlib.contextmanager
+def recording(folder: Path, *, retry_s: float = 0.0) -> Iterator[Recorder]:
+    recorder = Recorder(folder, Clock(), "test", retry_s=retry_s)
+    recorder.start()
+    try:
+        yield recorder
+    finally:
+        recorder.stop()
+
+
+@pytest.fixture
+def small_disk(tmp_path: Path) -> Iterator[Path]:
+    """A folder where no file gets longer than 64 kB."""
+    soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (65536, hard))
+    yield tmp_path
+    resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
+
+
+def test_every_byte_of_both_lines_is_in_the_file_in_order(tmp_path: Path) -> None:
+    with recording(tmp_path) as recorder:
+        recorder.board_tap.sent(b"#QT\n")
+        recorder.board_tap.received(b"\x00\xff")
+        recorder.simulator_tap.received(b"DATA@")
+        recorder.simulator_tap.sent(b"DATA\x00")
+        recorder.board_tap.received(b"")
+    (file,) = tmp_path.glob("*.mcap")
+    assert messages(file) == [
+        ("board/sent", b"#QT\n"),
+        ("board/received", b"\x00\xff"),
+        ("simulator/received", b"DATA@"),
+        ("simulator/sent", b"DATA\x00"),
+        ("board/received", b""),
+    ]
+    assert recorder.bytes_lost == 0
+
+
+def test_without_a_byte_there_is_no_file(tmp_path: Path) -> None:
+    with recording(tmp_path):
+        pass
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_what_was_recorded_is_on_the_disk_while_the_flight_goes_on(tmp_path: Path) -> None:
+    with recording(tmp_path) as recorder:
+        recorder.board_tap.received(b"in flight")
+        eventually(lambda: recorder.bytes_written > 0 and recorder.file is not None, "the file is begun")
+        file = recorder.file
+        assert file is not None
+        eventually(lambda: messages(file) == [("board/received", b"in flight")], "the byte is readable")
+
+
+def test_a_file_cut_anywhere_is_read_up_to_the_cut(tmp_path: Path) -> None:
+    with recording(tmp_path) as recorder:
+        for index in range(20):
+            recorder.board_tap.received(b"frame %d" % index)
+    (file,) = tmp_path.glob("*.mcap")
+    whole = messages(file)
+    data = file.read_bytes()
+    cut = tmp_path / "cut"
+    counts = []
+    for size in range(len(data) // 2, len(data), 7):
+        cut.write_bytes(data[:size])
+        read = messages(cut)
+        # The library hands out the beginning of a message that was cut; all before it are whole.
+        assert read[:-1] == whole[: len(read) - 1]
+        assert whole[len(read) - 1][1].startswith(read[-1][1])
+        counts.append(len(read))
+    assert counts == sorted(counts)
+    assert counts[-1] == 20
+
+
+def test_a_session_that_ended_is_followed_by_a_file_of_its_own(tmp_path: Path) -> None:
+    with recording(tmp_path) as recorder:
+        recorder.board_tap.received(b"one")
+        recorder.end_session()
+        recorder.board_tap.received(b"two")
+    first, second = sorted(tmp_path.glob("*.mcap"), key=lambda file: file.stat().st_mtime_ns)
+    contents = sorted([messages(first), messages(second)])
+    assert contents == [[("board/received", b"one")], [("board/received", b"two")]]
+
+
+def test_notes_are_in_the_file(tmp_path: Path) -> None:
+    with recording(tmp_path) as recorder:
+        recorder.note("board_link", {"url": "tcp://h:1"})
+        recorder.board_tap.received(b"x")
+    (file,) = tmp_path.glob("*.mcap")
+    with file.open("rb") as stream:
+        notes = [record for record in StreamReader(stream).records if isinstance(record, Metadata)]
+    assert [note.metadata for note in notes] == [{"url": "tcp://h:1"}]
+
+
+def test_a_folder_that_cannot_be_written_is_told_and_counted_and_tried_again(tmp_path: Path) -> None:
+    folder = tmp_path / "recordings"
+    folder.write_text("a file where the folder should be")
+    with recording(folder) as recorder:
+        recorder.board_tap.received(b"lost")
+        eventually(lambda: recorder.failure is not None, "the failure is told")
+        eventually(lambda: recorder.bytes_lost == 4, "the bytes are counted")
+        folder.unlink()
+        recorder.board_tap.received(b"kept")
+        eventually(lambda: recorder.failure is None and recorder.file is not None, "it records again")
+    (file,) = folder.glob("*.mcap")
+    assert messages(file) == [("board/received", b"kept")]
+
+
+def test_a_full_disk_is_told_and_what_is_on_it_stays_readable(small_disk: Path) -> None:
+    with recording(small_disk, retry_s=3600.0) as recorder:
+        recorder.board_tap.received(b"before")
+        eventually(lambda: recorder.file is not None and recorder.bytes_written > 100, "it records")
+        file = recorder.file
+        assert file is not None
+        for _ in range(100):
+            recorder.board_tap.received(b"x" * 1000)
+        eventually(lambda: recorder.failure is not None, "the failure is told")
+        assert recorder.failure == "File too large"
+        recorder.board_tap.received(b"after")
+        eventually(lambda: recorder.bytes_lost >= 5, "what came after is counted")
+        assert messages(file)[0] == ("board/received", b"before")
+
+
+def test_a_disk_that_does_not_keep_up_costs_bytes_and_no_memory(tmp_path: Path) -> None:
+    recorder = Recorder(tmp_path, Clock(), "test")  # its thread is not started: it writes nothing
+    for _ in range(100_500):
+        recorder.board_tap.received(b"x")
+    assert recorder.bytes_lost == 500
+    recorder.start()
+    recorder.stop()

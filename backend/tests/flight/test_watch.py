@@ -1,0 +1,264 @@
+"""What the operator must see at once, found on a real line."""
+
+from __future__ import annotations
+
+import math
+import socket
+from pathlib import Path
+
+import pytest
+
+from epf_gcs.codec.encode import encode_telemetry
+from epf_gcs.error_log import ErrorLog
+from epf_gcs.flight.hil.simulator import SimulatorAddress
+from epf_gcs.flight.station import Station
+from epf_gcs.link.address import parse_address
+from epf_gcs.xplane.datagram import Record, build
+from tests.support.fake_board import FakeBoard
+from tests.support.waiting import eventually_async
+
+pytestmark = pytest.mark.anyio
+
+
+def ids(station: Station) -> set[str]:
+    return {alarm.finding.id for alarm in station.alarms.active}
+
+
+def analog(battery_v: float) -> bytes:
+    nan = math.nan
+    return encode_telemetry("analog", 1013.0, 10.0, nan, nan, nan, nan, nan, 20.0, battery_v, nan)
+
+
+def gps(fix: str, status: str) -> bytes:
+    return encode_telemetry("gps", 27.9, -15.4, 30.0, 0.0, 0.0, ord("8"), ord(fix), ord(status))
+
+
+async def open_board(station: Station, board: FakeBoard) -> None:
+    await station.open_board(parse_address(board.url))
+    await eventually_async(lambda: station.supervisor.state == "open", "the board opens")
+
+
+async def test_a_pulled_cable_is_an_alarm_until_it_is_back(tmp_path: Path, board: FakeBoard) -> None:
+    station = Station(tmp_path / "data", ErrorLog(), record=False)
+    async with station.running():
+        await open_board(station, board)
+        assert ids(station) == set()
+        board.unplug()
+        await eventually_async(lambda: ids(station) == {"heartbeat_lost"}, "the alarm comes")
+        (alarm,) = station.alarms.active
+        assert alarm.finding.level == "critical"
+        assert abs(alarm.since_s - station.clock.now_s()) < 20
+        board.plug_in()
+        await eventually_async(lambda: ids(station) == set(), "the alarm goes")
+
+
+async def test_a_silent_board_is_an_alarm_although_the_line_is_there(tmp_path: Path, board: FakeBoard) -> None:
+    station = Station(tmp_path / "data", ErrorLog(), record=False)
+    async with station.running():
+        await open_board(station, board)
+        board.silent = True
+        await eventually_async(lambda: ids(station) == {"heartbeat_lost"}, "the alarm comes")
+        board.silent = False
+        await eventually_async(lambda: ids(station) == set(), "the alarm goes")
+
+
+async def test_a_port_where_no_board_speaks_is_a_warning(tmp_path: Path, board: FakeBoard) -> None:
+    station = Station(tmp_path / "data", ErrorLog(), record=False)
+    board.silent = True
+    async with station.running():
+        await station.open_board(parse_address(board.url))
+        await eventually_async(lambda: ids(station) == {"no_heartbeat"}, "the warning comes")
+        assert station.alarms.active[0].finding.level == "warning"
+
+
+async def test_a_board_that_was_closed_is_no_alarm(tmp_path: Path, board: FakeBoard) -> None:
+    station = Station(tmp_path / "data", ErrorLog(), record=False)
+    async with station.running():
+        await open_board(station, board)
+        board.unplug()
+        await eventually_async(lambda: ids(station) == {"heartbeat_lost"}, "the alarm comes")
+        await station.close_board()
+        await eventually_async(lambda: ids(station) == set(), "the alarm goes")
+
+
+async def test_a_line_with_more_than_one_bad_frame_in_a_hundred_is_a_warning(tmp_path: Path, board: FakeBoard) -> None:
+    station = Station(tmp_path / "data", ErrorLog(), record=False)
+    async with station.running():
+        await open_board(station, board)
+        bad = bytearray(encode_telemetry("ahrs", 1.0, 2.0, 3.0))
+        bad[-5] ^= 0x40
+        for _ in range(20):
+            board.send(bytes(bad))
+        await eventually_async(lambda: ids(station) == {"frames_damaged"}, "the warning comes")
+
+
+async def test_an_open_loop_is_an_alarm(tmp_path: Path, board: FakeBoard) -> None:
+    station = Station(tmp_path / "data", ErrorLog(), record=False)
+    whole = build(Record(row, (0.0,) * 8) for row in (3, 4, 8, 16, 17, 20, 25))
+    async with station.running():
+        await open_board(station, board)
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as simulator:
+            simulator.bind(("127.0.0.1", 0))
+            with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
+                probe.bind(("127.0.0.1", 0))
+                port = probe.getsockname()[1]
+            await station.open_simulator(SimulatorAddress(port, "127.0.0.1", simulator.getsockname()[1], "xp10"))
+            assert ids(station) == set(), "a loop that never was closed is not lost"
+
+            def fly() -> bool:
+                simulator.sendto(whole, ("127.0.0.1", port))
+                return station.hil.last_surfaces_s is not None
+
+            await eventually_async(fly, "the loop is closed")
+            await eventually_async(lambda: ids(station) == {"hil_lost"}, "the simulator's silence is an alarm")
+            assert "the simulator sends nothing" in station.alarms.active[0].finding.text
+            board.ignore["xplane_info"] = 10_000
+
+            def fly_unanswered() -> bool:
+                simulator.sendto(whole, ("127.0.0.1", port))
+                return any("does not answer" in alarm.finding.text for alarm in station.alarms.active)
+
+            await eventually_async(fly_unanswered, "the board's silence is an alarm")
+
+
+async def test_a_recorder_that_failed_is_an_alarm_and_the_flight_goes_on(tmp_path: Path, board: FakeBoard) -> None:
+    (tmp_path / "data").mkdir()
+    (tmp_path / "data" / "recordings").write_text("a file where the folder should be")
+    station = Station(tmp_path / "data", ErrorLog(), record=True)
+    async with station.running():
+        await open_board(station, board)
+        await eventually_async(lambda: ids(station) == {"recorder_failed"}, "the alarm comes")
+        assert (await station.commands.run("ahrs_on")).state == "confirmed"
+        await eventually_async(lambda: station.telemetry.newest("ahrs") is not None, "telemetry goes on")
+
+
+async def test_a_low_battery_is_critical_while_it_is_measured(tmp_path: Path, board: FakeBoard) -> None:
+    station = Station(tmp_path / "data", ErrorLog(), record=False)
+    async with station.running():
+        await open_board(station, board)
+
+        def drain() -> bool:
+            board.send(analog(9.9))
+            return ids(station) == {"battery_low"}
+
+        await eventually_async(drain, "the alarm comes")
+        assert station.alarms.active[0].finding.level == "critical"
+        assert station.alarms.active[0].finding.params == {"battery_v": 9.9}
+        await eventually_async(lambda: ids(station) == set(), "a battery that is not measured any more is no alarm")
+
+        def lower_limit() -> bool:
+            board.send(analog(9.9))
+            return ids(station) == {"battery_low"}
+
+        await eventually_async(lower_limit, "it comes again")
+        station.alarms.choose({"battery_low_v": 9.5})
+
+        def keep_measuring() -> bool:
+            board.send(analog(9.9))
+            return ids(station) == set()
+
+        await eventually_async(keep_measuring, "under the lower limit it is no alarm")
+
+
+async def test_a_busy_processor_is_a_warning(tmp_path: Path, board: FakeBoard) -> None:
+    station = Station(tmp_path / "data", ErrorLog(), record=False)
+    async with station.running():
+        await open_board(station, board)
+
+        def work() -> bool:
+            board.send(encode_telemetry("statistics", 12, 97))
+            return ids(station) == {"cpu_high"}
+
+        await eventually_async(work, "the warning comes")
+        assert station.alarms.active[0].finding.params == {"percent": 97}
+
+
+async def test_a_gps_that_loses_its_position_is_an_alarm_until_it_is_back(tmp_path: Path, board: FakeBoard) -> None:
+    station = Station(tmp_path / "data", ErrorLog(), record=False)
+    async with station.running():
+        await open_board(station, board)
+
+        def says(fix: str, status: str, found: set[str]) -> bool:
+            board.send(gps(fix, status))
+            return station.telemetry.is_live("gps") and ids(station) == found
+
+        await eventually_async(lambda: says("3", "A", set()), "it has a position")
+        await eventually_async(lambda: says("0", "V", {"gps_lost"}), "the position is lost")
+        assert station.alarms.active[0].finding.params == {"reason": "no_fix"}
+        await eventually_async(lambda: says("3", "A", set()), "it is back")
+
+
+async def gets_a_position(station: Station, board: FakeBoard) -> None:
+    """The receiver has a fix, and the station has heard of it."""
+
+    def live() -> bool:
+        board.send(gps("3", "A"))
+        return station.telemetry.is_live("gps")
+
+    await eventually_async(live, "it has a position")
+
+
+async def test_a_gps_stream_that_dies_is_an_alarm_only_where_it_is_wanted(tmp_path: Path, board: FakeBoard) -> None:
+    station = Station(tmp_path / "data", ErrorLog(), record=False)
+    async with station.running():
+        await open_board(station, board)
+        await station.commands.run("gps_on")
+        await gets_a_position(station, board)
+        await eventually_async(lambda: ids(station) == {"gps_lost"}, "the stream died")
+        assert station.alarms.active[0].finding.params == {"reason": "silent"}
+        await station.commands.run("gps_off")
+        await eventually_async(lambda: ids(station) == set(), "nobody wants it any more")
+
+
+async def test_with_the_board_gone_the_gps_is_not_an_alarm_of_its_own(tmp_path: Path, board: FakeBoard) -> None:
+    station = Station(tmp_path / "data", ErrorLog(), record=False)
+    async with station.running():
+        await open_board(station, board)
+        await station.commands.run("gps_on")
+        await gets_a_position(station, board)
+        board.silent = True
+        await eventually_async(lambda: (station.telemetry.age_s("heartbeat") or 0) > 3, "the board is silent")
+        assert ids(station) == {"heartbeat_lost"}
+        board.silent = False
+
+        def alive() -> bool:
+            board.send(gps("3", "A"))
+            return ids(station) == set()
+
+        await eventually_async(alive, "it is back")
+        assert {alarm.finding.id for alarm in station.alarms.past} == {"heartbeat_lost"}
+
+
+async def test_a_board_whose_card_failed_is_an_alarm_until_it_says_otherwise(tmp_path: Path, board: FakeBoard) -> None:
+    station = Station(tmp_path / "data", ErrorLog(), record=False)
+    async with station.running():
+        await open_board(station, board)
+        assert ids(station) == set()
+        # By itself, as when a plan cannot be stored.
+        board.send(encode_telemetry("capabilities", 1, 0x1F, b"fake", b"1.0", 5))
+        await eventually_async(lambda: ids(station) == {"card_failed"}, "the alarm comes")
+        assert station.supervisor.state == "open"
+        board.send(encode_telemetry("capabilities", 1, 0x0F, b"fake", b"1.0", 5))
+        await eventually_async(lambda: ids(station) == set(), "the alarm goes")
+
+
+async def test_a_gain_that_was_not_confirmed_is_an_alarm_until_it_is_or_somebody_knows(
+    tmp_path: Path, board: FakeBoard
+) -> None:
+    station = Station(tmp_path / "data", ErrorLog(), record=False)
+    async with station.running():
+        await open_board(station, board)
+        board.refuse["set_k_pitch"] = 1
+        await station.parameters.set({"k_pitch": 2.5}, None)
+        await eventually_async(lambda: ids(station) == {"parameter_not_confirmed"}, "the warning comes")
+        assert station.alarms.active[0].finding.params == {"names": "k_pitch"}
+        board.refuse["set_k_pitch"] = 0
+        await station.parameters.set({"k_pitch": 2.5}, None)
+        await eventually_async(lambda: ids(station) == set(), "a later write settles it")
+        board.refuse["set_k_roll"] = 1
+        await station.parameters.set({"k_roll": 2.5}, None)
+        await eventually_async(lambda: ids(station) == {"parameter_not_confirmed"}, "it comes again")
+        assert not station.alarms.active[0].acknowledged
+        assert station.alarms.acknowledge("parameter_not_confirmed").acknowledged
+        await eventually_async(lambda: ids(station) == set(), "whoever acknowledged it knows")
+        assert [alarm.acknowledged for alarm in station.alarms.past] == [True, False]

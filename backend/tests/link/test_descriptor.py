@@ -1,0 +1,144 @@
+"""Bytes over a real pseudo-terminal, however the other side behaves."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import pty
+import tty
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from epf_gcs.errors import LinkError
+from epf_gcs.link.address import parse_address
+from epf_gcs.link.base import LinkCallbacks
+from epf_gcs.link.descriptor import DescriptorLink
+from epf_gcs.link.open import open_link
+from tests.support.waiting import eventually_async
+
+pytestmark = pytest.mark.anyio
+
+
+class Tape:
+    """Keeps what a tap is told, in order."""
+
+    def __init__(self) -> None:
+        self.entries: list[tuple[str, bytes]] = []
+
+    def received(self, data: bytes) -> None:
+        self.entries.append(("received", data))
+
+    def sent(self, data: bytes) -> None:
+        self.entries.append(("sent", data))
+
+
+class Ends:
+    """Both ends of a line, and what the link told."""
+
+    def __init__(self) -> None:
+        self.master, slave = pty.openpty()
+        tty.setraw(slave)
+        self.path = os.ttyname(slave)
+        self._slave = slave
+        self.got = b""
+        self.lost: list[LinkError] = []
+        self.tape = Tape()
+
+    async def open(self) -> DescriptorLink:
+        link = await open_link(parse_address(f"pty://{self.path}"))
+        link.start(LinkCallbacks(self._take, self.lost.append, self.tape))
+        return link
+
+    def pull(self) -> None:
+        os.close(self.master)
+        self.master = -1
+
+    def close(self) -> None:
+        for fd in (self.master, self._slave):
+            with contextlib.suppress(OSError):
+                os.close(fd)
+
+    def _take(self, data: bytes) -> None:
+        assert self.tape.entries[-1] == ("received", data), "the tap must hear it first"
+        self.got += data
+
+
+@pytest.fixture
+def ends() -> Iterator[Ends]:
+    both = Ends()
+    yield both
+    both.close()
+
+
+async def test_bytes_arrive_both_ways_and_the_tap_hears_all(ends: Ends) -> None:
+    link = await ends.open()
+    os.write(ends.master, b"from the board")
+    await eventually_async(lambda: ends.got == b"from the board", "the bytes arrive")
+    assert link.write(b"to the board")
+    assert os.read(ends.master, 100) == b"to the board"
+    assert ("sent", b"to the board") in ends.tape.entries
+    link.close()
+
+
+async def test_what_the_system_does_not_take_at_once_follows_in_order(ends: Ends) -> None:
+    link = await ends.open()
+    message = bytes(range(256)) * 256
+    assert link.write(message)
+    assert link.write(b"the end")
+    assert link.backlog > 0
+    got = b""
+    os.set_blocking(ends.master, False)
+
+    def drained() -> bool:
+        nonlocal got
+        with contextlib.suppress(BlockingIOError):
+            got += os.read(ends.master, 65536)
+        return got == message + b"the end"
+
+    await eventually_async(drained, "everything comes out")
+    await eventually_async(lambda: link.backlog == 0, "nothing is left")
+    link.close()
+
+
+async def test_a_full_queue_takes_whole_messages_or_nothing(ends: Ends) -> None:
+    link = await ends.open()
+    accepted = 0
+    while link.write(b"x" * 4096):
+        accepted += 1
+        assert accepted < 1000, "the queue has no bound"
+    assert link.backlog <= 131072 + 65536
+    assert len([entry for entry in ends.tape.entries if entry[0] == "sent"]) == accepted
+    link.close()
+
+
+async def test_a_pulled_cable_is_told_once_with_a_reason(ends: Ends) -> None:
+    link = await ends.open()
+    ends.pull()
+    await eventually_async(lambda: bool(ends.lost), "the loss is noticed")
+    assert not link.write(b"into the void")
+    assert link.backlog == 0
+    link.close()
+    assert len(ends.lost) == 1
+    assert ends.lost[0].code == "link_lost"
+    assert ends.path in ends.lost[0].detail
+
+
+async def test_nothing_is_told_after_a_close(ends: Ends) -> None:
+    link = await ends.open()
+    link.close()
+    link.close()
+    os.write(ends.master, b"too late")
+    assert not link.write(b"too late")
+    ends.pull()
+    assert (ends.got, ends.lost) == (b"", [])
+
+
+async def test_bytes_that_came_before_the_start_are_not_lost(ends: Ends, tmp_path: Path) -> None:
+    link = await open_link(parse_address(f"pty://{ends.path}"))
+    os.write(ends.master, b"early")
+    got: list[bytes] = []
+    link.start(LinkCallbacks(got.append, ends.lost.append))
+    await eventually_async(lambda: b"".join(got) == b"early", "the early bytes arrive")
+    link.close()

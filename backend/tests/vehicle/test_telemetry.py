@@ -1,0 +1,83 @@
+"""The books on the topics."""
+
+from __future__ import annotations
+
+import asyncio
+
+import pytest
+
+from epf_gcs.clock import Clock
+from epf_gcs.vehicle.telemetry import Telemetry
+from epf_gcs.web.stream.hub import Hub
+
+pytestmark = pytest.mark.anyio
+
+
+class SetClock(Clock):
+    """A clock that stands where it is put."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.at_s = 1000.0
+
+    def now_s(self) -> float:
+        return self.at_s
+
+
+class Books:
+    def __init__(self) -> None:
+        self.clock = SetClock()
+        self.period_s = 0.1
+        hub = Hub(asyncio.get_running_loop(), self.clock.now_s)
+        self.telemetry = Telemetry(hub, self.clock, lambda _: self.period_s)
+
+    def hear(self, topic: str, count: int, every_s: float) -> None:
+        for _ in range(count):
+            self.clock.at_s += every_s
+            self.telemetry.show(topic, self.clock.at_s, {"n": 1})
+
+
+async def test_a_topic_is_live_for_three_periods() -> None:
+    books = Books()
+    assert not books.telemetry.is_live("ahrs")
+    books.hear("ahrs", 10, 0.1)
+    books.clock.at_s += 0.29
+    assert books.telemetry.is_live("ahrs")
+    assert not books.telemetry.snapshot()["ahrs"]["stale"]
+    books.clock.at_s += 0.02
+    assert not books.telemetry.is_live("ahrs")
+    assert books.telemetry.snapshot()["ahrs"]["stale"]
+    assert books.telemetry.snapshot()["ahrs"]["age_s"] == pytest.approx(0.31)
+
+
+async def test_an_answer_that_was_asked_for_does_not_grow_stale() -> None:
+    books = Books()
+    books.hear("autopilot_parameters", 1, 0.1)
+    books.clock.at_s += 3600.0
+    assert not books.telemetry.snapshot()["autopilot_parameters"]["stale"]
+    assert books.telemetry.stale_after_s("autopilot_parameters") is None
+
+
+async def test_a_slower_task_makes_its_topics_live_longer_at_once() -> None:
+    books = Books()
+    books.hear("ahrs", 10, 0.1)
+    books.hear("gps", 10, 0.1)
+    books.period_s = 10.0
+    books.telemetry.rate_changed("set_parameter_task_rate")
+    assert books.telemetry.stale_after_s("ahrs") == pytest.approx(30.0)
+    assert books.telemetry.stale_after_s("gps") == pytest.approx(0.3)
+
+
+async def test_a_topic_that_nobody_commands_is_measured() -> None:
+    books = Books()
+    books.hear("simulator", 1, 0.02)
+    assert books.telemetry.stale_after_s("simulator") is None
+    books.hear("simulator", 10, 0.5)
+    assert books.telemetry.stale_after_s("simulator") == pytest.approx(1.5)
+
+
+async def test_what_was_never_heard_has_no_age() -> None:
+    books = Books()
+    assert books.telemetry.age_s("ahrs") is None
+    assert books.telemetry.newest("ahrs") is None
+    assert books.telemetry.stale_after_s("ahrs") is None

@@ -1,0 +1,201 @@
+"""State and events to viewers that keep up, that lag, and that stopped."""
+
+from __future__ import annotations
+
+import asyncio
+from typing import Any
+
+import orjson
+import pytest
+
+from epf_gcs.web.stream.hub import Hub
+from epf_gcs.web.stream.viewer import MAX_UNDER_WAY, Viewer
+from tests.support.waiting import eventually_async
+
+pytestmark = pytest.mark.anyio
+
+
+class Screen:
+    """Takes messages as a browser would; acknowledges when told to."""
+
+    def __init__(self, hub: Hub, rate_hz: int) -> None:
+        self.messages: list[dict[str, Any]] = []
+        self.stopped = False
+        self.unsent = 0
+        self.hub = hub
+        self.viewer = Viewer("id", "name", self, hub.state, rate_hz)
+
+    def send(self, messages: list[bytes]) -> None:
+        self.messages += [orjson.loads(message) for message in messages]
+        if not self.stopped and self.messages[-1]["type"] == "batch":
+            self.viewer.acknowledge(self.messages[-1]["seq"])
+
+    def unsent_bytes(self) -> int:
+        return self.unsent
+
+    @property
+    def batches(self) -> list[dict[str, Any]]:
+        return [message for message in self.messages if message["type"] == "batch"]
+
+    def values(self, topic: str) -> list[Any]:
+        return [
+            sample["values"]["n"] for batch in self.batches for sample in batch["samples"] if sample["topic"] == topic
+        ]
+
+
+@pytest.fixture
+async def hub() -> Hub:
+    return Hub(asyncio.get_running_loop(), lambda: 1000.0)
+
+
+def a_screen(hub: Hub, rate_hz: int = 60) -> Screen:
+    screen = Screen(hub, rate_hz)
+    hub.add(screen.viewer)
+    return screen
+
+
+async def test_a_viewer_begins_with_the_newest_of_every_topic(hub: Hub) -> None:
+    hub.state.put("ahrs", 1.0, {"n": 1})
+    hub.state.put("ahrs", 2.0, {"n": 2})
+    hub.state.put("gps", 2.5, {"n": 7})
+    screen = a_screen(hub)
+    await eventually_async(lambda: bool(screen.batches), "the first batch")
+    assert screen.batches[0]["samples"] == [
+        {"topic": "ahrs", "t_s": 2.0, "values": {"n": 2}},
+        {"topic": "gps", "t_s": 2.5, "values": {"n": 7}},
+    ]
+    assert (screen.batches[0]["seq"], screen.batches[0]["missed"], screen.batches[0]["t_s"]) == (1, 0, 2.5)
+
+
+async def test_only_what_changed_is_sent_again(hub: Hub) -> None:
+    screen = a_screen(hub)
+    hub.state.put("ahrs", 1.0, {"n": 1})
+    hub.state.put("gps", 1.0, {"n": 7})
+    hub.flush()
+    await eventually_async(lambda: screen.values("gps") == [7], "both arrive")
+    hub.state.put("ahrs", 2.0, {"n": 2})
+    hub.flush()
+    await eventually_async(lambda: screen.values("ahrs") == [1, 2], "the change arrives")
+    assert screen.values("gps") == [7]
+
+
+async def test_a_rate_is_kept_and_the_newest_is_never_left_behind(hub: Hub) -> None:
+    screen = a_screen(hub, 20)
+    for number in range(200):
+        hub.state.put("ahrs", float(number), {"n": number})
+        hub.flush()
+        await asyncio.sleep(0.001)
+    await eventually_async(lambda: screen.values("ahrs")[-1:] == [199], "the newest arrives")
+    assert len(screen.batches) < 100
+    assert screen.values("ahrs") == sorted(set(screen.values("ahrs")))
+
+
+async def test_rate_zero_brings_every_sample(hub: Hub) -> None:
+    screen = a_screen(hub, 0)
+    for number in range(50):
+        hub.state.put("ahrs", float(number), {"n": number})
+        hub.flush()
+    await eventually_async(lambda: len(screen.values("ahrs")) == 50, "all arrive")
+    assert screen.values("ahrs") == list(range(50))
+
+
+async def test_a_stopped_viewer_gets_the_newest_at_once_and_a_count_of_what_it_missed(hub: Hub) -> None:
+    screen = a_screen(hub, 0)
+    screen.stopped = True
+    for number in range(1000):
+        hub.state.put("ahrs", float(number), {"n": number})
+        hub.flush()
+    assert len(screen.batches) == MAX_UNDER_WAY
+    screen.stopped = False
+    assert screen.viewer.acknowledge(MAX_UNDER_WAY)
+    hub.serve(screen.viewer)
+    await eventually_async(lambda: screen.values("ahrs")[-1] == 999, "the newest arrives")
+    got, missed = len(screen.values("ahrs")), screen.batches[-1]["missed"]
+    assert got + missed == 1000
+    assert got < 300
+
+
+async def test_a_stopped_viewer_harms_nobody(hub: Hub) -> None:
+    stopped = a_screen(hub)
+    stopped.stopped = True
+    others = [a_screen(hub) for _ in range(10)]
+    for number in range(30):
+        hub.state.put("ahrs", float(number), {"n": number})
+        hub.flush()
+        await asyncio.sleep(0.02)
+    await eventually_async(lambda: all(other.values("ahrs")[-1] == 29 for other in others), "all others see the newest")
+    assert len(stopped.batches) == MAX_UNDER_WAY
+    assert all(not batch["missed"] for other in others for batch in other.batches)
+
+
+async def test_a_viewer_whose_network_is_stuck_is_not_sent_more(hub: Hub) -> None:
+    screen = a_screen(hub, 0)
+    screen.stopped, screen.unsent = True, 10_000_000
+    hub.state.put("ahrs", 1.0, {"n": 1})
+    hub.flush()
+    hub.state.put("ahrs", 2.0, {"n": 2})
+    hub.flush()
+    assert screen.values("ahrs") == [1]
+
+
+async def test_events_are_kept_in_order_and_too_many_are_counted(hub: Hub) -> None:
+    screen = a_screen(hub)
+    screen.stopped = True
+    for number in range(MAX_UNDER_WAY):
+        hub.state.put("ahrs", float(number), {"n": number})
+        screen.viewer.flush()
+    for number in range(300):
+        hub.event("console", {"number": number})
+    screen.stopped = False
+    screen.viewer.acknowledge(MAX_UNDER_WAY)
+    hub.serve(screen.viewer)
+    await eventually_async(lambda: screen.messages[-1]["type"] == "batch" and len(screen.messages) > 10, "they arrive")
+    numbers = [message["data"]["number"] for message in screen.messages if message["type"] == "event"]
+    assert numbers == list(range(44, 300))
+    assert screen.batches[-1]["missed_events"] == 44
+
+
+async def test_an_event_and_a_status_are_followed_by_a_batch_that_counts_for_them(hub: Hub) -> None:
+    screen = a_screen(hub)
+    hub.event("link", {"board": "open"})
+    hub.status(b'{"type":"status","data":{}}')
+    await eventually_async(lambda: len(screen.messages) >= 3, "they arrive")
+    assert [message["type"] for message in screen.messages] == ["event", "status", "batch"]
+    assert screen.batches[0]["samples"] == []
+
+
+async def test_an_old_status_is_not_sent_after_a_newer_one(hub: Hub) -> None:
+    screen = a_screen(hub)
+    hub.status(b'{"type":"status","data":{"n":1}}')
+    hub.status(b'{"type":"status","data":{"n":2}}')
+    await eventually_async(lambda: bool(screen.batches), "it arrives")
+    assert [message["data"]["n"] for message in screen.messages if message["type"] == "status"] == [2]
+
+
+async def test_the_rate_can_be_changed_and_a_viewer_can_go(hub: Hub) -> None:
+    screen = a_screen(hub, 60)
+    hub.change_rate(screen.viewer, 0)
+    for number in range(5):
+        hub.state.put("ahrs", float(number), {"n": number})
+        hub.flush()
+    await eventually_async(lambda: screen.values("ahrs")[-1:] == [4], "they arrive")
+    assert screen.values("ahrs")[-4:] == [1, 2, 3, 4]
+    hub.remove(screen.viewer)
+    hub.remove(screen.viewer)
+    assert hub.viewers == []
+    hub.state.put("ahrs", 9.0, {"n": 9})
+    hub.flush()
+    assert screen.values("ahrs")[-1] == 4
+
+
+async def test_an_acknowledgement_of_nothing_is_refused(hub: Hub) -> None:
+    screen = a_screen(hub)
+    assert not screen.viewer.acknowledge(1)
+    assert not screen.viewer.acknowledge(-1)
+
+
+async def test_a_value_that_is_no_data_is_null(hub: Hub) -> None:
+    screen = a_screen(hub, 0)
+    hub.state.put("ahrs", 1.0, {"n": None})
+    hub.flush()
+    assert screen.values("ahrs") == [None]

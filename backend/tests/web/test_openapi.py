@@ -1,0 +1,64 @@
+"""The whole interface against its own description, with requests that nobody would think of."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+import schemathesis
+from hypothesis import HealthCheck, Phase, given, settings
+from schemathesis.specs.openapi.checks import positive_data_acceptance
+
+from epf_gcs.web.app import create_app
+from epf_gcs.web.settings import Settings
+from tests.support.fake_board import FakeBoard
+from tests.support.gateway import Gateway, running_gateway
+
+EXAMPLES = 15
+# What closes a link or keeps the board from listening comes last, so that all else is asked of a station with a board.
+OPERATIONS = sorted(
+    (
+        (method.upper(), path)
+        for path, operations in create_app(Settings(data_dir=Path("unused"))).openapi()["paths"].items()
+        for method in operations
+    ),
+    key=lambda operation: (operation[0] == "DELETE" or operation[1].endswith("/ahrs-test"), operation),
+)
+# The range of a value depends on the command's name, and an address on what is plugged in: no schema can say that.
+BEYOND_A_SCHEMA = [positive_data_acceptance]
+
+
+@pytest.fixture(scope="module")
+def flying(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Gateway]:
+    """One gateway with a board for all requests."""
+    folder: Path = tmp_path_factory.mktemp("openapi")
+    with FakeBoard(folder / "board") as board, running_gateway(folder / "data") as gateway:
+        gateway.open_board(board.url)
+        yield gateway
+
+
+@pytest.fixture(scope="module")
+def described(flying: Gateway) -> Any:
+    return schemathesis.openapi.from_url(f"{flying.base}/api/v1/openapi.json")
+
+
+@pytest.mark.parametrize(("method", "path"), OPERATIONS)
+def test_every_answer_is_as_described(described: Any, method: str, path: str) -> None:
+    @settings(
+        max_examples=EXAMPLES,
+        deadline=None,
+        derandomize=True,
+        suppress_health_check=list(HealthCheck),
+        phases=[Phase.explicit, Phase.generate],
+    )
+    @given(case=described[path][method].as_strategy())
+    def ask(case: Any) -> None:
+        case.call_and_validate(excluded_checks=BEYOND_A_SCHEMA)
+
+    ask()
+
+
+def test_the_board_is_still_there_after_all_that(flying: Gateway) -> None:
+    assert flying.http.get("/status").json()["errors"].get("internal", 0) == 0
