@@ -130,7 +130,7 @@ class _Flight:
         """The track is as after so many points of 50 Hz that end now."""
         was_on, self._is_on = self._is_on, False
         # The page has the control; a flight begins without asking it.
-        self._gateway.server.servers[0].get_loop().call_soon_threadsafe(self._gateway.station.tracks.reset)
+        self._gateway.server.servers[0].get_loop().call_soon_threadsafe(self._gateway.web.tracks.reset)
         self._add(time.time() - PERIOD_S * points, points, 0.0)
         self._is_on = was_on
 
@@ -140,7 +140,7 @@ class _Flight:
 
     def _add(self, begin_s: float, points: int, pause_s: float) -> None:
         async def add() -> None:
-            track = self._gateway.station.tracks.now.hil
+            track = self._gateway.web.tracks.now.hil
             for first in range(0, points, _CHUNK):
                 for step in range(first, min(points, first + _CHUNK)):
                     t_s = begin_s + PERIOD_S * step

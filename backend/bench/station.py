@@ -160,7 +160,7 @@ def station() -> Iterator[tuple[Gateway, Line]]:
     with tempfile.TemporaryDirectory() as folder:
         line = Line(Path(folder))
         process = subprocess.Popen(
-            [sys.executable, "-m", "epf_gcs.web", "--port", "0", "--data-dir", folder],
+            [sys.executable, "-m", "epf_gcs.launcher.gateway", "--port", "0", "--data-dir", folder],
             stderr=subprocess.PIPE,
             text=True,
         )

@@ -132,7 +132,9 @@ def test_after_a_polite_end_every_byte_that_was_sent_is_in_the_file(tmp_path: Pa
 def test_a_port_that_is_taken_ends_it_with_one_sentence(tmp_path: Path) -> None:
     with socket.create_server(("127.0.0.1", 0)) as other:
         port = str(other.getsockname()[1])
-        program = Program([sys.executable, "-m", "epf_gcs.web", "--port", port, "--data-dir", str(tmp_path)])
+        program = Program(
+            [sys.executable, "-m", "epf_gcs.launcher.gateway", "--port", port, "--data-dir", str(tmp_path)]
+        )
         assert program.process.wait(DEADLINE_S) != 0
         program.end()
     assert f"TCP port {port} of 127.0.0.1 is taken by another program" in program.said
@@ -142,7 +144,11 @@ def test_a_port_that_is_taken_ends_it_with_one_sentence(tmp_path: Path) -> None:
 
 def run(*arguments: str) -> subprocess.CompletedProcess[str]:
     return subprocess.run(
-        [sys.executable, "-m", "epf_gcs.web", *arguments], capture_output=True, text=True, timeout=60, check=False
+        [sys.executable, "-m", "epf_gcs.launcher.gateway", *arguments],
+        capture_output=True,
+        text=True,
+        timeout=60,
+        check=False,
     )
 
 

@@ -120,7 +120,7 @@ def test_board_gateway_and_simulator_fly_the_same_bytes_as_the_pure_parts(tmp_pa
         stack.enter_context(program(BOARD, "--pty", line, "--card", tmp_path / "card", "--hil-period-ms", "20"))
         stack.enter_context(
             program(
-                *(sys.executable, "-m", "epf_gcs.web", "--port", str(http_port)),
+                *(sys.executable, "-m", "epf_gcs.launcher.gateway", "--port", str(http_port)),
                 *("--data-dir", tmp_path / "data", "--board", f"pty://{line}"),
             )
         )

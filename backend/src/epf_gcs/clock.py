@@ -11,6 +11,16 @@ class Clock:
     def __init__(self) -> None:
         self._offset_ns = time.time_ns() - time.monotonic_ns()
 
+    @property
+    def offset_ns(self) -> int:
+        """Unix nanoseconds minus the system's steady clock."""
+        return self._offset_ns
+
+    def follow(self, offset_ns: int) -> None:
+        """Take over another process's offset, so that both stamp alike even where the system's time was set between
+        their starts. The steady clock is the same for all processes of a machine."""
+        self._offset_ns = offset_ns
+
     def now_ns(self) -> int:
         """Unix nanoseconds."""
         return self._offset_ns + time.monotonic_ns()

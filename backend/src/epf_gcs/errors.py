@@ -22,6 +22,7 @@ ErrorCode = Literal[
     "datagram_malformed",
     "datagram_stranger",
     "emulation_running",
+    "flight_away",
     "foreign_host",
     "foreign_origin",
     "http_error",

@@ -9,9 +9,8 @@ from pathlib import Path
 import pytest
 
 from epf_gcs.codec.encode import encode_telemetry
-from epf_gcs.error_log import ErrorLog
+from epf_gcs.flight.flight import Flight
 from epf_gcs.flight.hil.simulator import SimulatorAddress
-from epf_gcs.flight.station import Station
 from epf_gcs.link.address import parse_address
 from epf_gcs.xplane.datagram import Record, build
 from tests.support.fake_board import FakeBoard
@@ -20,7 +19,7 @@ from tests.support.waiting import eventually_async
 pytestmark = pytest.mark.anyio
 
 
-def ids(station: Station) -> set[str]:
+def ids(station: Flight) -> set[str]:
     return {alarm.finding.id for alarm in station.alarms.active}
 
 
@@ -33,13 +32,13 @@ def gps(fix: str, status: str) -> bytes:
     return encode_telemetry("gps", 27.9, -15.4, 30.0, 0.0, 0.0, ord("8"), ord(fix), ord(status))
 
 
-async def open_board(station: Station, board: FakeBoard) -> None:
-    await station.open_board(parse_address(board.url))
+async def open_board(station: Flight, board: FakeBoard) -> None:
+    await station.lines.open_board(parse_address(board.url))
     await eventually_async(lambda: station.supervisor.state == "open", "the board opens")
 
 
 async def test_a_pulled_cable_is_an_alarm_until_it_is_back(tmp_path: Path, board: FakeBoard) -> None:
-    station = Station(tmp_path / "data", ErrorLog(), record=False)
+    station = Flight(tmp_path / "data", record=False)
     async with station.running():
         await open_board(station, board)
         assert ids(station) == set()
@@ -53,7 +52,7 @@ async def test_a_pulled_cable_is_an_alarm_until_it_is_back(tmp_path: Path, board
 
 
 async def test_a_silent_board_is_an_alarm_although_the_line_is_there(tmp_path: Path, board: FakeBoard) -> None:
-    station = Station(tmp_path / "data", ErrorLog(), record=False)
+    station = Flight(tmp_path / "data", record=False)
     async with station.running():
         await open_board(station, board)
         board.silent = True
@@ -63,26 +62,26 @@ async def test_a_silent_board_is_an_alarm_although_the_line_is_there(tmp_path: P
 
 
 async def test_a_port_where_no_board_speaks_is_a_warning(tmp_path: Path, board: FakeBoard) -> None:
-    station = Station(tmp_path / "data", ErrorLog(), record=False)
+    station = Flight(tmp_path / "data", record=False)
     board.silent = True
     async with station.running():
-        await station.open_board(parse_address(board.url))
+        await station.lines.open_board(parse_address(board.url))
         await eventually_async(lambda: ids(station) == {"no_heartbeat"}, "the warning comes")
         assert station.alarms.active[0].finding.level == "warning"
 
 
 async def test_a_board_that_was_closed_is_no_alarm(tmp_path: Path, board: FakeBoard) -> None:
-    station = Station(tmp_path / "data", ErrorLog(), record=False)
+    station = Flight(tmp_path / "data", record=False)
     async with station.running():
         await open_board(station, board)
         board.unplug()
         await eventually_async(lambda: ids(station) == {"heartbeat_lost"}, "the alarm comes")
-        await station.close_board()
+        await station.lines.close_board()
         await eventually_async(lambda: ids(station) == set(), "the alarm goes")
 
 
 async def test_a_line_with_more_than_one_bad_frame_in_a_hundred_is_a_warning(tmp_path: Path, board: FakeBoard) -> None:
-    station = Station(tmp_path / "data", ErrorLog(), record=False)
+    station = Flight(tmp_path / "data", record=False)
     async with station.running():
         await open_board(station, board)
         bad = bytearray(encode_telemetry("ahrs", 1.0, 2.0, 3.0))
@@ -93,7 +92,7 @@ async def test_a_line_with_more_than_one_bad_frame_in_a_hundred_is_a_warning(tmp
 
 
 async def test_an_open_loop_is_an_alarm(tmp_path: Path, board: FakeBoard) -> None:
-    station = Station(tmp_path / "data", ErrorLog(), record=False)
+    station = Flight(tmp_path / "data", record=False)
     whole = build(Record(row, (0.0,) * 8) for row in (3, 4, 8, 16, 17, 20, 25))
     async with station.running():
         await open_board(station, board)
@@ -102,7 +101,7 @@ async def test_an_open_loop_is_an_alarm(tmp_path: Path, board: FakeBoard) -> Non
             with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
                 probe.bind(("127.0.0.1", 0))
                 port = probe.getsockname()[1]
-            await station.open_simulator(SimulatorAddress(port, "127.0.0.1", simulator.getsockname()[1], "xp10"))
+            await station.lines.open_simulator(SimulatorAddress(port, "127.0.0.1", simulator.getsockname()[1], "xp10"))
             assert ids(station) == set(), "a loop that never was closed is not lost"
 
             def fly() -> bool:
@@ -124,7 +123,7 @@ async def test_an_open_loop_is_an_alarm(tmp_path: Path, board: FakeBoard) -> Non
 async def test_a_recorder_that_failed_is_an_alarm_and_the_flight_goes_on(tmp_path: Path, board: FakeBoard) -> None:
     (tmp_path / "data").mkdir()
     (tmp_path / "data" / "recordings").write_text("a file where the folder should be")
-    station = Station(tmp_path / "data", ErrorLog(), record=True)
+    station = Flight(tmp_path / "data", record=True)
     async with station.running():
         await open_board(station, board)
         await eventually_async(lambda: ids(station) == {"recorder_failed"}, "the alarm comes")
@@ -133,7 +132,7 @@ async def test_a_recorder_that_failed_is_an_alarm_and_the_flight_goes_on(tmp_pat
 
 
 async def test_a_low_battery_is_critical_while_it_is_measured(tmp_path: Path, board: FakeBoard) -> None:
-    station = Station(tmp_path / "data", ErrorLog(), record=False)
+    station = Flight(tmp_path / "data", record=False)
     async with station.running():
         await open_board(station, board)
 
@@ -161,7 +160,7 @@ async def test_a_low_battery_is_critical_while_it_is_measured(tmp_path: Path, bo
 
 
 async def test_a_busy_processor_is_a_warning(tmp_path: Path, board: FakeBoard) -> None:
-    station = Station(tmp_path / "data", ErrorLog(), record=False)
+    station = Flight(tmp_path / "data", record=False)
     async with station.running():
         await open_board(station, board)
 
@@ -174,7 +173,7 @@ async def test_a_busy_processor_is_a_warning(tmp_path: Path, board: FakeBoard) -
 
 
 async def test_a_gps_that_loses_its_position_is_an_alarm_until_it_is_back(tmp_path: Path, board: FakeBoard) -> None:
-    station = Station(tmp_path / "data", ErrorLog(), record=False)
+    station = Flight(tmp_path / "data", record=False)
     async with station.running():
         await open_board(station, board)
 
@@ -188,7 +187,7 @@ async def test_a_gps_that_loses_its_position_is_an_alarm_until_it_is_back(tmp_pa
         await eventually_async(lambda: says("3", "A", set()), "it is back")
 
 
-async def gets_a_position(station: Station, board: FakeBoard) -> None:
+async def gets_a_position(station: Flight, board: FakeBoard) -> None:
     """The receiver has a fix, and the station has heard of it."""
 
     def live() -> bool:
@@ -199,7 +198,7 @@ async def gets_a_position(station: Station, board: FakeBoard) -> None:
 
 
 async def test_a_gps_stream_that_dies_is_an_alarm_only_where_it_is_wanted(tmp_path: Path, board: FakeBoard) -> None:
-    station = Station(tmp_path / "data", ErrorLog(), record=False)
+    station = Flight(tmp_path / "data", record=False)
     async with station.running():
         await open_board(station, board)
         await station.commands.run("gps_on")
@@ -211,7 +210,7 @@ async def test_a_gps_stream_that_dies_is_an_alarm_only_where_it_is_wanted(tmp_pa
 
 
 async def test_with_the_board_gone_the_gps_is_not_an_alarm_of_its_own(tmp_path: Path, board: FakeBoard) -> None:
-    station = Station(tmp_path / "data", ErrorLog(), record=False)
+    station = Flight(tmp_path / "data", record=False)
     async with station.running():
         await open_board(station, board)
         await station.commands.run("gps_on")
@@ -230,7 +229,7 @@ async def test_with_the_board_gone_the_gps_is_not_an_alarm_of_its_own(tmp_path: 
 
 
 async def test_a_board_whose_card_failed_is_an_alarm_until_it_says_otherwise(tmp_path: Path, board: FakeBoard) -> None:
-    station = Station(tmp_path / "data", ErrorLog(), record=False)
+    station = Flight(tmp_path / "data", record=False)
     async with station.running():
         await open_board(station, board)
         assert ids(station) == set()
@@ -245,7 +244,7 @@ async def test_a_board_whose_card_failed_is_an_alarm_until_it_says_otherwise(tmp
 async def test_a_gain_that_was_not_confirmed_is_an_alarm_until_it_is_or_somebody_knows(
     tmp_path: Path, board: FakeBoard
 ) -> None:
-    station = Station(tmp_path / "data", ErrorLog(), record=False)
+    station = Flight(tmp_path / "data", record=False)
     async with station.running():
         await open_board(station, board)
         board.refuse["set_k_pitch"] = 1

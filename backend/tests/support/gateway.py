@@ -1,7 +1,8 @@
-"""The whole gateway in this process: a real server on a free port, real sockets, real WebSockets."""
+"""The whole gateway in this process: flight and web as two threads, a real server on a free port, real sockets."""
 
 from __future__ import annotations
 
+import asyncio
 import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -12,25 +13,68 @@ import httpx
 import orjson
 from websockets.sync.client import ClientConnection, connect
 
-from epf_gcs.flight.station import Station
+from epf_gcs.flight.flight import Flight
 from epf_gcs.logs import set_up_logging
 from epf_gcs.web.server import Server
 from epf_gcs.web.settings import Settings
 from tests.support.waiting import DEADLINE_S, eventually
 
 
+class FlightThread:
+    """A flight process as a thread, with a loop of its own."""
+
+    def __init__(self, data_dir: Path, **options: Any) -> None:
+        self.loop = asyncio.new_event_loop()
+        self._data_dir = data_dir
+        self._options = options
+        self._ready = threading.Event()
+        self._end = asyncio.Event()
+        self._thread = threading.Thread(target=self._run, name="flight", daemon=True)
+        self.flight: Flight | None = None
+
+    def start(self) -> None:
+        """Up, with its socket open."""
+        self._thread.start()
+        assert self._ready.wait(DEADLINE_S), "the flight does not start"
+
+    def stop(self) -> None:
+        """As on SIGTERM."""
+        self.loop.call_soon_threadsafe(self._end.set)
+        self._thread.join(DEADLINE_S)
+        assert not self._thread.is_alive(), "the flight did not end"
+
+    def _run(self) -> None:
+        asyncio.set_event_loop(self.loop)
+        self.loop.run_until_complete(self._fly())
+        self.loop.run_until_complete(self.loop.shutdown_default_executor())
+        self.loop.close()
+
+    async def _fly(self) -> None:
+        self.flight = Flight(self._data_dir, **self._options)
+        async with self.flight.running():
+            self._ready.set()
+            await self._end.wait()
+
+
 class Gateway:
     """A running gateway and a client of it."""
 
-    def __init__(self, server: Server) -> None:
+    def __init__(self, server: Server, flight: FlightThread) -> None:
         self.server = server
+        self.flight_thread = flight
         self.base = f"http://127.0.0.1:{server.port}"
         self.http = httpx.Client(base_url=f"{self.base}/api/v1", timeout=DEADLINE_S)
 
     @property
-    def station(self) -> Station:
-        """The parts inside; only to look at."""
-        return cast(Station, cast(Any, self.server.config.app).state.station)
+    def flight(self) -> Flight:
+        """The parts of the flight; only to look at."""
+        assert self.flight_thread.flight is not None
+        return self.flight_thread.flight
+
+    @property
+    def web(self) -> Any:
+        """The parts of the web process, by their names; only to look at."""
+        return cast(Any, self.server.config.app).state
 
     def status(self) -> dict[str, Any]:
         """GET /status."""
@@ -92,18 +136,23 @@ class Stream:
 
 
 @contextmanager
-def running_gateway(data_dir: Path, **settings: Any) -> Iterator[Gateway]:
+def running_gateway(
+    data_dir: Path, *, recording: bool = True, board: str | None = None, **settings: Any
+) -> Iterator[Gateway]:
     """A gateway that is up, and that ends as on SIGTERM."""
     set_up_logging(verbose=False)
+    flight = FlightThread(data_dir, record=recording, board_url=board)
+    flight.start()
     server = Server(Settings(data_dir=data_dir, port=0, **settings))
-    thread = threading.Thread(target=server.fly, name="gateway", daemon=True)
+    thread = threading.Thread(target=server.serve_until_signal, name="web", daemon=True)
     thread.start()
     eventually(lambda: server.started or not thread.is_alive(), "the gateway starts")
-    gateway = Gateway(server)
+    gateway = Gateway(server, flight)
     try:
         yield gateway
     finally:
         gateway.http.close()
         server.should_exit = True
         thread.join(DEADLINE_S)
+        flight.stop()
         assert not thread.is_alive(), "the gateway did not end"

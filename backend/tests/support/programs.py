@@ -53,7 +53,9 @@ class Program:
 @contextmanager
 def gateway_process(data_dir: Path, *arguments: str) -> Iterator[Program]:
     """`epf-gcs` on a free port."""
-    program = Program([sys.executable, "-m", "epf_gcs.web", "--port", "0", "--data-dir", str(data_dir), *arguments])
+    program = Program(
+        [sys.executable, "-m", "epf_gcs.launcher.gateway", "--port", "0", "--data-dir", str(data_dir), *arguments]
+    )
     try:
         yield program
     finally:

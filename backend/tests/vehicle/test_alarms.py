@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import asyncio
 from collections.abc import Mapping
 from typing import Any
 
@@ -12,19 +11,19 @@ from epf_gcs.errors import InvalidInputError, NotFoundError
 from epf_gcs.vehicle.alarms import Alarms
 from epf_gcs.vehicle.judges import AlarmId, Finding, Level
 from epf_gcs.vehicle.thresholds import THRESHOLDS
-from epf_gcs.web.stream.hub import Hub
+from tests.support.outlet import KeptOutlet
 
 pytestmark = pytest.mark.anyio
 
 
-class Told(Hub):
-    """A hub that remembers its events."""
+class Told(KeptOutlet):
+    """An outlet that remembers its events."""
 
     def __init__(self) -> None:
-        super().__init__(asyncio.get_running_loop(), lambda: 0.0)
+        super().__init__()
         self.events: list[tuple[str, bool, bool]] = []
 
-    def event(self, kind: str, data: dict[str, Any]) -> None:
+    def event(self, kind: str, data: Mapping[str, Any]) -> None:
         assert kind == "alarm"
         self.events.append((data["id"], data["active"], data["acknowledged"]))
 

@@ -7,8 +7,7 @@ from pathlib import Path
 import pytest
 
 from epf_gcs.codec.encode import encode_telemetry
-from epf_gcs.error_log import ErrorLog
-from epf_gcs.flight.station import Station
+from epf_gcs.flight.flight import Flight
 from epf_gcs.link.address import parse_address
 from tests.support.fake_board import FakeBoard
 from tests.support.waiting import eventually_async
@@ -16,13 +15,13 @@ from tests.support.waiting import eventually_async
 pytestmark = pytest.mark.anyio
 
 
-async def an_open_station(folder: Path, board: FakeBoard) -> Station:
-    station = Station(folder / "data", ErrorLog(), record=False)
+async def an_open_station(folder: Path, board: FakeBoard) -> Flight:
+    station = Flight(folder / "data", record=False)
     await station.supervisor.open(parse_address(board.url))
     return station
 
 
-async def opened(station: Station) -> None:
+async def opened(station: Flight) -> None:
     def look() -> bool:
         station.board.tick()
         return station.board.is_open
@@ -98,7 +97,7 @@ async def test_text_without_a_line_end_is_read_after_a_silence(tmp_path: Path, b
 
 
 async def test_nothing_is_written_without_a_line(tmp_path: Path) -> None:
-    station = Station(tmp_path / "data", ErrorLog(), record=False)
+    station = Flight(tmp_path / "data", record=False)
     assert not station.board.write(b"#QT\n")
     assert station.board.bytes_out == 0
     assert not station.board.is_open

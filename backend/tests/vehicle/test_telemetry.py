@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import asyncio
-
 import pytest
 
 from epf_gcs.clock import Clock
 from epf_gcs.vehicle.telemetry import Telemetry
-from epf_gcs.web.stream.hub import Hub
+from tests.support.outlet import KeptOutlet
 
 pytestmark = pytest.mark.anyio
 
@@ -28,13 +26,12 @@ class Books:
     def __init__(self) -> None:
         self.clock = SetClock()
         self.period_s = 0.1
-        hub = Hub(asyncio.get_running_loop(), self.clock.now_s)
-        self.telemetry = Telemetry(hub, self.clock, lambda _: self.period_s)
+        self.telemetry = Telemetry(KeptOutlet(), self.clock, lambda _: self.period_s)
 
     def hear(self, topic: str, count: int, every_s: float) -> None:
         for _ in range(count):
             self.clock.at_s += every_s
-            self.telemetry.show(topic, self.clock.at_s, {"n": 1})
+            self.telemetry.take(topic, self.clock.at_s, {"n": 1})
 
 
 async def test_a_topic_is_live_for_three_periods() -> None:

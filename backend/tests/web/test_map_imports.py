@@ -169,7 +169,7 @@ def test_an_import_is_cancelled_while_it_becomes_terrain(gateway: Gateway, maps:
 
 
 def test_a_disk_without_room_is_said_so_before_anything_is_written(gateway: Gateway, maps: Path) -> None:
-    gateway.station.maps.imports._free_bytes = lambda _: RESERVE_BYTES + 50
+    gateway.web.maps.imports._free_bytes = lambda _: RESERVE_BYTES + 50
     answer = send(gateway, "a.mbtiles", bytes(51))
     assert (answer.status_code, answer.json()["code"]) == (409, "map_disk_full")
     assert answer.json()["params"]["free_mb"] == 200

@@ -11,7 +11,7 @@ def test_a_fault_of_ours_is_a_problem_too_and_is_counted(gateway: Gateway, monke
     def fail() -> None:
         raise RuntimeError("a fault of ours")
 
-    monkeypatch.setattr(gateway.station.telemetry, "snapshot", fail)
+    monkeypatch.setattr(gateway.flight.telemetry, "snapshot", fail)
     answer = gateway.http.get("/telemetry")
     assert (answer.status_code, answer.json()["code"]) == (500, "internal")
     assert "a fault of ours" not in answer.text
@@ -27,7 +27,7 @@ def test_a_part_that_fails_begins_again(gateway: Gateway, monkeypatch: pytest.Mo
             raise RuntimeError("a fault of ours")
         return False
 
-    monkeypatch.setattr(gateway.station.alarms, "look", fail_once)
+    monkeypatch.setattr(gateway.flight.alarms, "look", fail_once)
     with gateway.stream() as stream:
         while len(calls) < 3:
             stream.next("status")

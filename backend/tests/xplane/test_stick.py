@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from epf_gcs.xplane.datagram import Surfaces
-from epf_gcs.xplane.stick import SAMPLE_LASTS_S, THROTTLE_LASTS_S, Hand
+from epf_gcs.xplane.stick import SAMPLE_LASTS_S, THROTTLE_LASTS_S, GamepadInput
 
 TURN = Surfaces(0.25, -0.5, 0.125, 0.75)
 LET_GO = Surfaces(0.0, 0.0, 0.0, 0.75)
@@ -15,7 +15,7 @@ AHEAD_S = 5000.0
 
 
 def test_before_the_first_sample_the_stick_is_let_go_and_the_throttle_closed() -> None:
-    hand = Hand()
+    hand = GamepadInput()
     assert not hand.is_live(0.0)
     assert hand.position(0.0) == NOBODY
 
@@ -23,7 +23,7 @@ def test_before_the_first_sample_the_stick_is_let_go_and_the_throttle_closed() -
 def test_a_sample_is_flown_by_until_it_is_old_then_the_surfaces_are_centred_and_at_last_the_throttle_is_closed() -> (
     None
 ):
-    hand = Hand()
+    hand = GamepadInput()
     assert hand.take(TURN, 100.0 + AHEAD_S, 100.0)
     assert hand.position(100.0 + SAMPLE_LASTS_S - 0.01) == TURN
     assert hand.position(100.0 + SAMPLE_LASTS_S + 0.01) == LET_GO
@@ -32,7 +32,7 @@ def test_a_sample_is_flown_by_until_it_is_old_then_the_surfaces_are_centred_and_
 
 
 def test_samples_that_return_count_again() -> None:
-    hand = Hand()
+    hand = GamepadInput()
     hand.take(TURN, 100.0, 100.0)
     assert not hand.is_live(110.0)
     assert hand.take(TURN, 110.0, 110.0)
@@ -40,7 +40,7 @@ def test_samples_that_return_count_again() -> None:
 
 
 def test_what_was_held_up_by_the_line_is_not_used_and_what_follows_it_in_time_is() -> None:
-    hand = Hand()
+    hand = GamepadInput()
     hand.take(LET_GO, 100.0 + AHEAD_S, 100.0)
     for sent_s in (100.02, 100.5, 101.6):
         assert not hand.take(TURN, sent_s + AHEAD_S, 102.0)
@@ -50,7 +50,7 @@ def test_what_was_held_up_by_the_line_is_not_used_and_what_follows_it_in_time_is
 
 
 def test_the_age_of_a_sample_counts_from_where_it_was_taken() -> None:
-    hand = Hand()
+    hand = GamepadInput()
     hand.take(LET_GO, 100.0, 100.0)
     hand.take(TURN, 100.1, 100.3)
     assert hand.is_live(100.1 + SAMPLE_LASTS_S - 0.01)
@@ -59,13 +59,13 @@ def test_the_age_of_a_sample_counts_from_where_it_was_taken() -> None:
 
 @pytest.mark.parametrize("drift", [-1e-4, 1e-4])
 def test_two_clocks_that_drift_apart_make_no_sample_late_in_hours(drift: float) -> None:
-    hand = Hand()
+    hand = GamepadInput()
     assert all(hand.take(TURN, s * (1.0 + drift), float(s)) for s in range(4 * 3600))
     assert hand.is_live(4 * 3600 - 1 + SAMPLE_LASTS_S - 0.05)
 
 
 def test_a_sender_that_is_gone_is_let_go_at_once_and_may_come_back_with_another_clock() -> None:
-    hand = Hand()
+    hand = GamepadInput()
     hand.take(TURN, 100.0, 100.0)
     hand.let_go()
     assert hand.position(100.01) == LET_GO

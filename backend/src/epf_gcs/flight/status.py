@@ -1,42 +1,67 @@
-"""The whole state of the station in one object; the same for REST and for the stream."""
+"""The state of a flight in one object: links, HIL, recording, alarms, errors and topics."""
 
 from __future__ import annotations
 
-from dataclasses import asdict
+from dataclasses import asdict, dataclass
 from typing import Any
 
-from epf_gcs import __version__
+from epf_gcs.clock import Clock
+from epf_gcs.error_log import ErrorLog
 from epf_gcs.errors import GatewayError
-from epf_gcs.flight.hil.simulator import CHANNEL_BYTES_PER_S
-from epf_gcs.flight.station import Station
+from epf_gcs.flight.board.ahrs_test import AhrsTestRun
+from epf_gcs.flight.board.board_link import Supervisor
+from epf_gcs.flight.hil.hil import Hil
+from epf_gcs.flight.hil.simulator import CHANNEL_BYTES_PER_S, Simulator
+from epf_gcs.flight.line_rates import LineRates
+from epf_gcs.flight.lines import Lines
+from epf_gcs.flight.memory import Memory
+from epf_gcs.flight.recording.recorder import Recorder
+from epf_gcs.vehicle.alarms import Alarms
+from epf_gcs.vehicle.board import Board
+from epf_gcs.vehicle.telemetry import Telemetry
 from epf_gcs.vehicle.wanted import RATE_COMMANDS, Wanted
 
 
-def build_status(station: Station) -> dict[str, Any]:
-    """Plain values, ready for JSON; its shape is `epf_gcs.web.schemas.Status`."""
-    holder = station.control.holder
+@dataclass(frozen=True, slots=True)
+class Shown:
+    """The parts whose state is shown."""
+
+    clock: Clock
+    errors: ErrorLog
+    memory: Memory
+    board: Board
+    telemetry: Telemetry
+    supervisor: Supervisor
+    lines: Lines
+    simulator: Simulator
+    hil: Hil
+    rates: LineRates
+    ahrs_test: AhrsTestRun
+    recorder: Recorder | None
+    alarms: Alarms
+
+
+def build_status(parts: Shown) -> dict[str, Any]:
+    """Plain values, ready for JSON. Version, control and viewers are the station's to add."""
     return {
-        "version": __version__,
-        "server_time_s": station.clock.now_s(),
-        "board": _board(station),
-        "simulator": _simulator(station),
-        "hil": hil_state(station),
-        "control": {"client": holder.id if holder else None, "name": holder.name if holder else None},
-        "recording": _recording(station),
-        "alarms": [alarm.as_dict() for alarm in station.alarms.active],
-        "errors": station.errors.counts,
-        "topics": station.telemetry.summary(),
-        "viewers": len(station.hub.viewers),
+        "server_time_s": parts.clock.now_s(),
+        "board": _board(parts),
+        "simulator": _simulator(parts),
+        "hil": hil_state(parts.hil),
+        "recording": _recording(parts),
+        "alarms": [alarm.as_dict() for alarm in parts.alarms.active],
+        "errors": parts.errors.counts,
+        "topics": parts.telemetry.summary(),
     }
 
 
-def hil_state(station: Station) -> dict[str, Any]:
+def hil_state(hil: Hil) -> dict[str, Any]:
     """The two switches, and where the stick comes from; its shape is `epf_gcs.web.schemas.HilState`."""
-    stick = station.stick
+    stick = hil.stick
     pilot = stick.pilot
     return {
-        "source": station.hil.source,
-        "path": station.hil.path,
+        "source": hil.source,
+        "path": hil.path,
         "stick": {
             "source": stick.source,
             "state": stick.state,
@@ -48,8 +73,8 @@ def hil_state(station: Station) -> dict[str, Any]:
     }
 
 
-def _board(station: Station) -> dict[str, Any]:
-    board, supervisor = station.board, station.supervisor
+def _board(parts: Shown) -> dict[str, Any]:
+    board, supervisor = parts.board, parts.supervisor
     capabilities = board.capabilities()
     known = board.session.is_open
     bytes_per_s = board.baud / 10.0
@@ -65,18 +90,18 @@ def _board(station: Station) -> dict[str, Any]:
         "firmware": None
         if not capabilities
         else {"name": capabilities["firmware_name"], "version": capabilities["firmware_version"]},
-        "ahrs_test": station.ahrs_test.stage,
+        "ahrs_test": parts.ahrs_test.stage,
         "emulated": board.is_emulated,
-        "before_emulation_url": None if station.before_emulation is None else station.before_emulation.url,
-        "periods_ms": _periods(station.memory.now.wanted),
-        "heartbeat_age_s": station.telemetry.age_s("heartbeat"),
+        "before_emulation_url": None if parts.lines.before_emulation is None else parts.lines.before_emulation.url,
+        "periods_ms": _periods(parts.memory.now.wanted),
+        "heartbeat_age_s": parts.telemetry.age_s("heartbeat"),
         "frames_received": board.frames_received,
         "frames_damaged": board.frames_damaged,
         "damage": board.damage,
         "bytes_in": board.bytes_in,
         "bytes_out": board.bytes_out,
-        "rx_percent": _percent(station.rates.board_in.per_s(), bytes_per_s),
-        "tx_percent": _percent(station.rates.board_out.per_s(), bytes_per_s),
+        "rx_percent": _percent(parts.rates.board_in.per_s(), bytes_per_s),
+        "tx_percent": _percent(parts.rates.board_out.per_s(), bytes_per_s),
     }
 
 
@@ -87,8 +112,8 @@ def _periods(wanted: Wanted) -> dict[str, Any]:
     }
 
 
-def _simulator(station: Station) -> dict[str, Any]:
-    simulator, hil = station.simulator, station.hil
+def _simulator(parts: Shown) -> dict[str, Any]:
+    simulator, hil = parts.simulator, parts.hil
     address = simulator.address
     return {
         "state": simulator.state,
@@ -99,12 +124,12 @@ def _simulator(station: Station) -> dict[str, Any]:
         "failure": _failure(simulator.failure),
         "rows": hil.rows,
         "missing_rows": hil.missing_rows if simulator.state == "open" else [],
-        "advice": _advice(station),
+        "advice": _advice(parts),
         "datagrams_received": simulator.datagrams,
         "datagrams_dropped": sum(simulator.dropped.values()),
         "drop_reasons": simulator.dropped,
         "bytes_in": simulator.bytes_in,
-        "percent": _percent(station.rates.simulator_in.per_s(), CHANNEL_BYTES_PER_S),
+        "percent": _percent(parts.rates.simulator_in.per_s(), CHANNEL_BYTES_PER_S),
         "frames_to_board": hil.frames_to_board,
         "frames_to_simulator": hil.frames_to_simulator,
         "frames_skipped": hil.skipped,
@@ -112,19 +137,19 @@ def _simulator(station: Station) -> dict[str, Any]:
     }
 
 
-def _advice(station: Station) -> str | None:
+def _advice(parts: Shown) -> str | None:
     """What to do about a simulator that does not fly with us yet, where we can tell."""
-    state, missing = station.simulator.state, station.hil.missing_rows
-    address = station.simulator.address
-    if state in ("opening", "lost") and address is not None and station.simulator.failure is None:
+    state, missing = parts.simulator.state, parts.hil.missing_rows
+    address = parts.simulator.address
+    if state in ("opening", "lost") and address is not None and parts.simulator.failure is None:
         return f"Nothing comes: let the simulator send its data output to UDP port {address.receive_port} here."
     if state == "open" and missing:
         return f"Rows {', '.join(map(str, missing))} are missing: tick them in the simulator's data output."
     return None
 
 
-def _recording(station: Station) -> dict[str, Any]:
-    recorder = station.recorder
+def _recording(parts: Shown) -> dict[str, Any]:
+    recorder = parts.recorder
     if recorder is None:
         return {"active": False, "file": None, "bytes": 0, "bytes_lost": 0, "failure": None}
     file = recorder.file

@@ -25,8 +25,8 @@ from epf_gcs.vehicle.judges import (
     judge_recording,
     judge_stick,
 )
+from epf_gcs.vehicle.outside import Values
 from epf_gcs.vehicle.telemetry import Telemetry
-from epf_gcs.web.stream.hub_state import Values
 
 
 class Watch:

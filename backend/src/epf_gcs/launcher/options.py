@@ -110,7 +110,7 @@ class Options:
         another day; started again, it opens what was open when it died.
         """
         return [
-            *(sys.executable, "-m", "epf_gcs.web"),
+            *(sys.executable, "-m", "epf_gcs.launcher.gateway"),
             *("--host", self.host, "--port", str(self.port), "--data-dir", str(self.data)),
             *(("--board", self.board_url()) if first else ()),
         ]

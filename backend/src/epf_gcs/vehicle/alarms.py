@@ -9,8 +9,8 @@ from typing import Any, Final
 
 from epf_gcs.errors import InvalidInputError, NotFoundError
 from epf_gcs.vehicle.judges import AlarmId, Finding
+from epf_gcs.vehicle.outside import Outlet
 from epf_gcs.vehicle.thresholds import BY_NAME, chosen, threshold_fault
-from epf_gcs.web.stream.hub import Hub
 
 _KEPT: Final = 200
 
@@ -45,7 +45,7 @@ class Alarms:
     def __init__(
         self,
         watch: Callable[[Mapping[str, float]], Iterable[Finding]],
-        hub: Hub,
+        hub: Outlet,
         thresholds: Mapping[str, Any],
         on_thresholds: Callable[[dict[str, float]], None],
     ) -> None:

@@ -1,4 +1,4 @@
-"""One board: bytes -> frames -> state and viewers, and frames back. Knows nothing of devices or of HTTP."""
+"""One board: bytes in; samples, console lines and damage out; frames back. Knows no device and no clock of its own."""
 
 from __future__ import annotations
 
@@ -7,16 +7,14 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Final, Protocol
 
-from epf_gcs.clock import Clock
 from epf_gcs.codec.frame import Damage, Frame, FrameDecoder
 from epf_gcs.codec.session import Session, SessionState
 from epf_gcs.codec.values import Json, Meaning, meaning
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.errors import ConflictError, LinkError
-from epf_gcs.link.base import Link
 from epf_gcs.vehicle.frame_books import FrameBooks
+from epf_gcs.vehicle.outside import Clock, Line, Outlet
 from epf_gcs.vehicle.telemetry import Telemetry
-from epf_gcs.web.stream.hub import Hub
 
 _URGENT: Final = frozenset({"hil_surfaces", "servos_in"})
 # Pieces of noise that no shell and no plugging in of a cable makes.
@@ -37,16 +35,15 @@ class Guest(Protocol):
 
 
 class Board:
-    """Told of links and bytes; tells the hub, the listeners, and first of all the simulator's bridge."""
+    """Told of lines and bytes; tells the telemetry and the listeners, and first of all whoever is `urgent`."""
 
-    def __init__(self, clock: Clock, hub: Hub, telemetry: Telemetry, errors: ErrorLog) -> None:
+    def __init__(self, clock: Clock, outlet: Outlet, telemetry: Telemetry, errors: ErrorLog) -> None:
         self._clock = clock
-        self._hub = hub
-        self._put = hub.state.put
+        self._event = outlet.event
         self._telemetry = telemetry
         self._errors = errors
         self._decoder = FrameDecoder()
-        self._link: Link | None = None
+        self._link: Line | None = None
         self._listeners: list[Listener] = []
         self._bytes_at_tick = 0
         self._damage_before: Counter[str] = Counter()
@@ -67,8 +64,8 @@ class Board:
         self.on_opened: Callable[[], None] | None = None
 
     @property
-    def link(self) -> Link | None:
-        """The open link, if any."""
+    def link(self) -> Line | None:
+        """The open line, if any."""
         return self._link
 
     @property
@@ -92,7 +89,7 @@ class Board:
         """Time since the board's last heartbeat on this link."""
         return self.session.heartbeat_age_s(self._clock.steady_s())
 
-    def attach(self, link: Link, *, is_emulated: bool = False) -> None:
+    def attach(self, link: Line, *, is_emulated: bool = False) -> None:
         """A link is open: begin the dialogue."""
         self._link = link
         self.is_emulated = is_emulated
@@ -115,7 +112,6 @@ class Board:
             self.is_emulated = False
             self.books.clear()
             self._telemetry.blank()
-            self._hub.flush()
 
     def say_goodbye(self) -> None:
         """Leave the board quiet and in text mode, as long as the link still is there."""
@@ -207,8 +203,8 @@ class Board:
                 meant = meaning(item)
                 heard.append((item, meant))
                 if item.message.topic:
-                    self._put(item.message.name, t_s, meant.values)
-        self._hub.flush()
+                    self._telemetry.take(item.message.name, t_s, meant.values, meant.implausible)
+        self._telemetry.flush()
         for frame, meant in heard:
             self._take_frame(frame, meant, t_s)
         if len(heard) < len(found):
@@ -222,8 +218,6 @@ class Board:
             answer = self.session.on_frame(frame, self._clock.steady_s())
             if answer:
                 self.write(answer)
-        if message.topic:
-            self._telemetry.heard(message.name, t_s, meant.values, meant.implausible)
         if self._listeners:
             for listener in tuple(self._listeners):
                 listener(frame, meant)
@@ -241,7 +235,7 @@ class Board:
         if text is not None:
             self.damage["text"] += 1
             if text:
-                self._hub.event("console", {"direction": "received", "text": text})
+                self._event("console", {"direction": "received", "text": text})
             return
         self.damage[damage.kind] += 1
         if damage.kind != "remains":

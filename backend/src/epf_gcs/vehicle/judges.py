@@ -18,6 +18,7 @@ AlarmId = Literal[
     "frames_damaged",
     "parameter_not_confirmed",
     "card_failed",
+    "flight_lost",
     "recorder_failed",
 ]
 Level = Literal["warning", "critical"]

@@ -1,46 +1,44 @@
-"""What was heard: every sample to the hub, and how well each topic arrives."""
+"""The one door for samples: the newest of each topic, how well it arrives, and on to the viewers."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
 from typing import Any, Final
 
-from epf_gcs.clock import Clock
 from epf_gcs.vehicle.health import ANSWERS, TASK_OF_TOPIC, TopicHealth
-from epf_gcs.web.stream.hub import Hub
-from epf_gcs.web.stream.hub_state import Values
+from epf_gcs.vehicle.outside import Clock, Outlet, Values
 
 _TASK_TOPICS: Final = frozenset(TASK_OF_TOPIC)
 
 
-class Telemetry:
-    """The books on all topics. `commanded_period_s` tells the period of a task of the board."""
+@dataclass(frozen=True, slots=True)
+class Sample:
+    """The newest values of a topic and their Unix time."""
 
-    def __init__(self, hub: Hub, clock: Clock, commanded_period_s: Callable[[str], float]) -> None:
-        self._state = hub.state
+    t_s: float
+    values: Values
+
+
+class Telemetry:
+    """Every topic of one vehicle. `commanded_period_s` tells the period of a task of the board."""
+
+    def __init__(self, outlet: Outlet, clock: Clock, commanded_period_s: Callable[[str], float]) -> None:
+        self._send = outlet.sample
         self._clock = clock
         self._commanded_period_s = commanded_period_s
-        self._listeners: dict[str, Callable[[float, Values], None]] = {}
+        self._newest: dict[str, Sample] = {}
         self.health: dict[str, TopicHealth] = {}
+        self.flush = outlet.flush
 
-    def listen(self, topic: str, listener: Callable[[float, Values], None]) -> None:
-        """From now on each sample of this topic is handed to `listener` too, with its Unix time."""
-        self._listeners[topic] = listener
-
-    def heard(self, topic: str, t_s: float, values: Values, implausible: Iterable[str] = ()) -> None:
-        """A sample of this topic came at `t_s` and was put into the hub."""
+    def take(self, topic: str, t_s: float, values: Values, implausible: Iterable[str] = ()) -> None:
+        """A sample of this topic, heard at Unix time `t_s`. Call `flush` when all that came together is taken."""
+        self._newest[topic] = Sample(t_s, values)
+        self._send(topic, t_s, values)
         health = self.health.get(topic)
         if health is None:
             health = self.health[topic] = TopicHealth()
         health.heard(t_s, implausible)
-        listener = self._listeners.get(topic)
-        if listener is not None:
-            listener(t_s, values)
-
-    def show(self, topic: str, t_s: float, values: Values, implausible: Iterable[str] = ()) -> None:
-        """Put a sample into the hub and keep the books on it."""
-        self._state.put(topic, t_s, values)
-        self.heard(topic, t_s, values, implausible)
 
     def rate_changed(self, rate_command: str) -> None:
         """A task of the board has another period now."""
@@ -49,16 +47,22 @@ class Telemetry:
                 self.health[topic].forget_rate()
 
     def blank(self) -> None:
-        """What was heard was an example and is over: every topic has no data until it is heard again."""
+        """The examples are over: every topic has no data until it is heard again."""
         now_s = self._clock.now_s()
-        for topic, sample in list(self._state.samples().items()):
+        for topic, sample in list(self._newest.items()):
             values: Values = {name: {} if isinstance(value, dict) else None for name, value in sample.values.items()}
-            self._state.put(topic, now_s, values)
+            self._newest[topic] = Sample(now_s, values)
+            self._send(topic, now_s, values)
         self.health.clear()
+        self.flush()
+
+    def samples(self) -> Mapping[str, Sample]:
+        """The newest sample of every topic heard so far."""
+        return self._newest
 
     def newest(self, topic: str) -> Values | None:
         """The newest values of a topic, however old."""
-        sample = self._state.samples().get(topic)
+        sample = self._newest.get(topic)
         return None if sample is None else sample.values
 
     def is_live(self, topic: str) -> bool:
@@ -92,7 +96,7 @@ class Telemetry:
                 "stale": self._is_stale(topic, self.health[topic], now_s),
                 "values": sample.values,
             }
-            for topic, sample in self._state.samples().items()
+            for topic, sample in self._newest.items()
             if topic in self.health
         }
 

@@ -1,93 +1,71 @@
-"""Command line -> settings -> server."""
+"""`epf-web`: the web process. `epf-gcs` starts it beside the flight process."""
 
 from __future__ import annotations
 
+import argparse
+import os
 import sys
+import threading
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Any
 
 import orjson
-import typer
-from pydantic import ValidationError
 
 from epf_gcs.errors import GatewayError
-from epf_gcs.link.address import parse_address
 from epf_gcs.logs import set_up_logging
 from epf_gcs.web.app import create_app
 from epf_gcs.web.server import Server
 from epf_gcs.web.settings import Settings
 
-app = typer.Typer(add_completion=False, context_settings={"help_option_names": ["-h", "--help"]})
 
-
-@app.command()
-def run(
-    *,
-    host: Annotated[
-        str | None, typer.Option(help="Address to listen on. Beyond 127.0.0.1 anybody there can fly the aircraft.")
-    ] = None,
-    port: Annotated[int | None, typer.Option(help="TCP port of page and interface; 0 takes any free one.")] = None,
-    board: Annotated[
-        str | None,
-        typer.Option(
-            help="Board to connect to: serial:///dev/ttyUSB0?baud=115200, tcp://host:port or pty:///path; "
-            "emulation: plays example values without one."
-        ),
-    ] = None,
-    data_dir: Annotated[Path | None, typer.Option(help="Folder of the recordings and the remembered links.")] = None,
-    page_dir: Annotated[Path | None, typer.Option(help="Folder of the built page.")] = None,
-    recording: Annotated[bool | None, typer.Option(help="Record every byte of the lines.")] = None,
-    verbose: Annotated[bool, typer.Option(help="Log more.")] = False,
-    print_openapi: Annotated[bool, typer.Option(help="Print the OpenAPI document and end.")] = False,
-) -> None:
-    """The gateway of EPF GCS: connects a board and a flight simulator with browsers.
-
-    Without --board it opens the links of its last run. Every option is also a variable: GCS_HOST, GCS_PORT,
-    GCS_BOARD, GCS_DATA_DIR, GCS_PAGE_DIR, GCS_RECORDING; GCS_ALLOWED_HOSTS and GCS_ALLOWED_ORIGINS (JSON lists) let
-    more names and pages in.
-    """
-    given: dict[str, Any] = {
-        "host": host,
-        "port": port,
-        "board": board,
-        "data_dir": data_dir,
-        "page_dir": page_dir,
-        "recording": recording,
-    }
+def main() -> None:
+    """Entry point of `epf-web`."""
+    options = _options()
+    given = {name: getattr(options, name) for name in ("host", "port", "data_dir", "page_dir", "fd")}
     try:
         settings = Settings(**{name: value for name, value in given.items() if value is not None})
     except ValueError as error:
-        raise typer.BadParameter(_first_fault(error)) from error
-    if print_openapi:
+        print(f"epf-web: {error}", file=sys.stderr)
+        sys.exit(2)
+    if options.print_openapi:
         _print_openapi(settings)
         return
-    if settings.board is not None:
-        try:
-            parse_address(settings.board)
-        except GatewayError as error:
-            raise typer.BadParameter(error.detail, param_hint="--board") from error
-    set_up_logging(verbose=verbose)
+    set_up_logging(verbose=options.verbose)
+    if options.with_parent:
+        threading.Thread(target=_wait_for_parent, daemon=True).start()
     try:
-        Server(settings).fly()
+        Server(settings).serve_until_signal()
     except GatewayError as error:
-        print(f"epf-gcs: {error.detail}", file=sys.stderr)
-        raise typer.Exit(1) from error
+        sys.exit(f"epf-web: {error.detail}")
 
 
-def main() -> None:
-    """Entry point of `epf-gcs`."""
-    app()
+def _options() -> argparse.Namespace:
+    parser = argparse.ArgumentParser(
+        prog="epf-web",
+        description="The web process of EPF GCS: page, interface and stream of the flight process of its data folder. "
+        "The variables GCS_... of epf-gcs hold here too.",
+    )
+    parser.add_argument("--host", help="Address to listen on.")
+    parser.add_argument("--port", type=int, help="TCP port; 0 takes any free one.")
+    parser.add_argument("--fd", type=int, help="A listening socket that was inherited, in place of host and port.")
+    parser.add_argument("--data-dir", type=Path, help="Folder of the flight process, the recordings and the maps.")
+    parser.add_argument("--page-dir", type=Path, help="Folder of the built page.")
+    parser.add_argument("--with-parent", action="store_true", help="End when standard input closes.")
+    parser.add_argument("--verbose", action="store_true", help="Log more.")
+    parser.add_argument("--print-openapi", action="store_true", help="Print the OpenAPI document and end.")
+    return parser.parse_args()
 
 
-def _first_fault(error: ValueError) -> str:
-    if not isinstance(error, ValidationError):
-        return str(error)
-    fault = error.errors()[0]
-    return f"{'.'.join(map(str, fault['loc']))}: {fault['msg']}"
+def _wait_for_parent() -> None:
+    """The parent holds the other end of our standard input. Without it there is nobody to start us again: let the
+    port go at once. Nothing of a flight is lost, for none of it is here."""
+    while os.read(0, 1):
+        pass
+    os._exit(0)
 
 
 def _print_openapi(settings: Settings) -> None:
-    document = create_app(settings).openapi()
+    document: dict[str, Any] = create_app(settings).openapi()
     sys.stdout.buffer.write(orjson.dumps(document, option=orjson.OPT_INDENT_2 | orjson.OPT_SORT_KEYS) + b"\n")
 
 

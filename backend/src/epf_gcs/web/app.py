@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import contextlib
-import gc
 from collections.abc import AsyncIterator
 from pathlib import Path
 from typing import Any, Final
@@ -12,7 +11,6 @@ from fastapi import FastAPI
 
 from epf_gcs import __version__
 from epf_gcs.error_log import ErrorLog
-from epf_gcs.flight.station import Station
 from epf_gcs.formats.recognise import MAX_FILE_BYTES
 from epf_gcs.web import docs
 from epf_gcs.web.about import routes as about
@@ -26,12 +24,14 @@ from epf_gcs.web.links import routes as links
 from epf_gcs.web.maps import online_routes as online_maps
 from epf_gcs.web.maps import routes as maps
 from epf_gcs.web.missions import file_routes as mission_files
+from epf_gcs.web.missions import routes as missions
 from epf_gcs.web.page import install_page
 from epf_gcs.web.parameters import routes as parameters
 from epf_gcs.web.problems import install_error_handlers
 from epf_gcs.web.recordings import routes as recordings
 from epf_gcs.web.settings import Settings
 from epf_gcs.web.state import routes as state
+from epf_gcs.web.station import Station
 from epf_gcs.web.stream.endpoint import StreamEndpoint
 from epf_gcs.web.track import routes as track
 
@@ -46,15 +46,11 @@ def create_app(settings: Settings) -> FastAPI:
 
     @contextlib.asynccontextmanager
     async def lifespan(app: FastAPI) -> AsyncIterator[dict[str, Any]]:
-        station = Station(settings.data_dir, errors, record=settings.recording, board_url=settings.board)
-        station.status_text = state.status_message(station)
-        app.state.station = station
+        station = Station(settings.data_dir, errors)
+        for name, part in station.parts.items():
+            setattr(app.state, name, part)
         async with station.running():
-            # What was made until now lives as long as the process: the collector need not look at it again, and
-            # does not stop the loop for milliseconds to do so.
-            gc.collect()
-            gc.freeze()
-            yield {"socket_endpoint": StreamEndpoint(station, access)}
+            yield {"socket_endpoint": StreamEndpoint(station.stream_parts, access)}
 
     app = FastAPI(
         title="EPF GCS gateway",
@@ -72,6 +68,7 @@ def create_app(settings: Settings) -> FastAPI:
         ahrs_test,
         parameters,
         mission_files,
+        missions,
         earth,
         track,
         maps,

@@ -1,32 +1,89 @@
-"""What the routes ask for."""
+"""What a route may ask for: each the one part that it needs."""
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Annotated, cast
 
 from fastapi import Depends, Header, Request
 
-from epf_gcs.flight.station import Station
+from epf_gcs.bus.definition import Asker
+from epf_gcs.bus.station_end import StationEnd
+from epf_gcs.clock import Clock
+from epf_gcs.web.access.control import Control
+from epf_gcs.web.inspector.shared import SharedInspector
+from epf_gcs.web.maps.maps import Maps
+from epf_gcs.web.state.whole import WholeStatus
+from epf_gcs.web.track.tracks import Tracks
+from epf_gcs.web.vehicle.mirror import VehicleMirror
 
 
-def get_station(request: Request) -> Station:
-    """The running parts."""
-    return cast(Station, request.app.state.station)
+def get_vehicle(request: Request) -> StationEnd:
+    """The vehicle, to be asked."""
+    return cast(StationEnd, request.app.state.vehicle)
 
 
-StationDep = Annotated[Station, Depends(get_station)]
+def get_mirror(request: Request) -> VehicleMirror:
+    """What the vehicle said last."""
+    return cast(VehicleMirror, request.app.state.mirror)
+
+
+def get_status(request: Request) -> WholeStatus:
+    """How everything stands."""
+    return cast(WholeStatus, request.app.state.status)
+
+
+def get_control(request: Request) -> Control:
+    """Who may command."""
+    return cast(Control, request.app.state.control)
+
+
+def get_tracks(request: Request) -> Tracks:
+    """The flown tracks."""
+    return cast(Tracks, request.app.state.tracks)
+
+
+def get_maps(request: Request) -> Maps:
+    """The maps."""
+    return cast(Maps, request.app.state.maps)
+
+
+def get_inspector(request: Request) -> SharedInspector:
+    """The message inspector."""
+    return cast(SharedInspector, request.app.state.inspector)
+
+
+def get_recordings_dir(request: Request) -> Path:
+    """The folder of the recordings."""
+    return cast(Path, request.app.state.recordings_dir)
+
+
+def get_clock(request: Request) -> Clock:
+    """The flight's clock."""
+    return cast(Clock, request.app.state.clock)
+
+
+VehicleDep = Annotated[StationEnd, Depends(get_vehicle)]
+MirrorDep = Annotated[VehicleMirror, Depends(get_mirror)]
+StatusDep = Annotated[WholeStatus, Depends(get_status)]
+ControlDep = Annotated[Control, Depends(get_control)]
+TracksDep = Annotated[Tracks, Depends(get_tracks)]
+MapsDep = Annotated[Maps, Depends(get_maps)]
+InspectorDep = Annotated[SharedInspector, Depends(get_inspector)]
+RecordingsDirDep = Annotated[Path, Depends(get_recordings_dir)]
+ClockDep = Annotated[Clock, Depends(get_clock)]
 
 
 def get_operator(
-    station: StationDep,
+    control: ControlDep,
     x_client: Annotated[
         str | None,
         Header(max_length=64, description="Id of the stream's hello; not needed while nobody has control."),
     ] = None,
-) -> str | None:
+) -> Asker:
     """The caller, who may command now. Raises ConflictError while another has control."""
-    station.control.check(x_client)
-    return x_client
+    control.check(x_client)
+    return Asker(x_client, None if x_client is None else control.name_of(x_client))
 
 
-OperatorDep = Annotated[str | None, Depends(get_operator)]
+OperatorDep = Annotated[Asker, Depends(get_operator)]

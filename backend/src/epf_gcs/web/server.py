@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
-import errno
 import signal
 import socket
 import sys
@@ -13,7 +12,7 @@ from typing import Any, Final, cast
 import structlog
 import uvicorn
 
-from epf_gcs.errors import LinkError
+from epf_gcs.listening import listen
 from epf_gcs.web.app import create_app
 from epf_gcs.web.settings import Settings
 from epf_gcs.web.stream.socket import SocketConnection
@@ -44,11 +43,16 @@ class Server(uvicorn.Server):
         )
         self._settings = settings
 
-    def fly(self) -> None:
-        """Run until a signal. Raises LinkError where the port cannot be taken; nothing else was begun then."""
+    def serve_until_signal(self) -> None:
+        """Raises LinkError where the port cannot be taken; nothing else was begun then."""
         sys.setswitchinterval(_SWITCH_INTERVAL_S)
-        with listen(self._settings.host, self._settings.port) as listener:
+        with self._listener() as listener:
             self.run([listener])
+
+    def _listener(self) -> socket.socket:
+        if self._settings.fd is None:
+            return listen(self._settings.host, self._settings.port)
+        return socket.socket(fileno=self._settings.fd)
 
     async def serve(self, sockets: list[Any] | None = None) -> None:
         """Run until a signal."""
@@ -70,21 +74,3 @@ class Server(uvicorn.Server):
 
     def _hang_up(self) -> None:
         self.should_exit = True
-
-
-def listen(host: str, port: int) -> socket.socket:
-    """A listening socket. Raises LinkError with what to do where there can be none."""
-    try:
-        return socket.create_server((host, port), family=socket.AF_INET6 if ":" in host else socket.AF_INET)
-    except socket.gaierror as error:
-        raise LinkError(
-            "listen_unknown_host", f"'{host}' is no address of this machine: choose another with --host.", host=host
-        ) from error
-    except OSError as error:
-        reasons = {
-            errno.EADDRINUSE: "is taken by another program: close that program, or choose another with --port",
-            errno.EACCES: "is not for this user: choose one above 1023 with --port",
-            errno.EADDRNOTAVAIL: "is at no address of this machine: choose another with --host",
-        }
-        reason = reasons.get(error.errno or 0, f"cannot be taken ({error.strerror}): choose another with --port")
-        raise LinkError("listen_failed", f"TCP port {port} of {host} {reason}.", host=host, port=port) from error

@@ -1,4 +1,4 @@
-"""Every knob of the gateway, read once from GCS_* variables; the command line has the last word."""
+"""Every setting of the web process, read once from GCS_* variables; the command line has the last word."""
 
 from __future__ import annotations
 
@@ -17,8 +17,7 @@ class Settings(BaseSettings):
     port: int = Field(default=8000, ge=0, le=65535, description="TCP port to listen on; 0 takes any free one.")
     data_dir: Path = Field(default=Path("data"), description="Where recordings and the remembered links live.")
     page_dir: Path | None = Field(default=None, description="The built page; by default this tree's frontend/dist.")
-    board: str | None = Field(default=None, description="Board link to open at start, in place of the remembered one.")
-    recording: bool = Field(default=True, description="Record every byte of the lines while a link is open.")
+    fd: int | None = Field(default=None, description="An inherited listening socket, in place of host and port.")
     allowed_hosts: tuple[str, ...] = Field(default=(), description="More names under which browsers may ask.")
     allowed_origins: tuple[str, ...] = Field(default=(), description="More web origins which may command.")
     max_body_bytes: int = Field(default=65536, ge=1024, description="Largest request body.")

@@ -1,8 +1,9 @@
-"""The pilot's hand on a stick that is far away: its newest sample, for as long as that may be flown by."""
+"""A gamepad at a browser as the pilot's stick: its newest sample, and for how long that may be flown."""
 
 from __future__ import annotations
 
-from typing import Final
+from collections.abc import Mapping
+from typing import Any, Final
 
 from epf_gcs.xplane.datagram import Surfaces
 
@@ -15,11 +16,27 @@ THROTTLE_LASTS_S: Final = 2.0
 # Two clocks drift apart by less than this; a line whose delay creeps up more slowly is not noticed.
 _DRIFT: Final = 0.001
 
+FIELDS: Final = (*Surfaces._fields, "t_ms")
+SAMPLE_FAULT: Final = (
+    "A sample of the stick was dropped: send elevator, aileron, rudder (-1..1), throttle (0..1) and t_ms, "
+    "each a finite number."
+)
+_MOST_MS: Final = 1e15
 _NEVER_S: Final = -1e9
 
 
-class Hand:
-    """Keeps one sample. Times are seconds of one steady clock, but `sent_s`, which is the sender's own."""
+def read_sample(message: Mapping[str, Any]) -> tuple[Surfaces, float] | None:
+    """Positions, clamped to their ranges, and the sender's time in seconds; None where a field is no finite number."""
+    values = [message.get(name) for name in FIELDS]
+    if not all(isinstance(value, int | float) and not isinstance(value, bool) for value in values):
+        return None
+    *position, t_ms = (float(value) for value in values if value is not None)
+    surfaces = Surfaces(*position).clamped()
+    return None if surfaces is None or not abs(t_ms) < _MOST_MS else (surfaces, t_ms / 1000.0)
+
+
+class GamepadInput:
+    """Keeps one sample. Times are seconds of one steady clock, except `sent_s`, which is the sender's own."""
 
     def __init__(self) -> None:
         self._surfaces = Surfaces(0.0, 0.0, 0.0, 0.0)
@@ -52,13 +69,13 @@ class Hand:
         return now_s - self._sampled_s <= SAMPLE_LASTS_S
 
     def position(self, now_s: float) -> Surfaces:
-        """What the aircraft shall do: the newest sample; without one the stick let go, and some time later no power."""
+        """Positions to fly with: the newest sample; without a live one, centred surfaces and soon a closed throttle."""
         if self.is_live(now_s):
             return self._surfaces
         holds = now_s - self._throttle_s <= THROTTLE_LASTS_S
         return Surfaces(0.0, 0.0, 0.0, self._surfaces.throttle if holds else 0.0)
 
     def let_go(self) -> None:
-        """The sender is known to be gone: its sample does not last any longer, and its clock may be another one."""
+        """The sender is gone: its sample is void, and the next sender may have another clock."""
         self._sampled_s = _NEVER_S
         self._shortest_s = None

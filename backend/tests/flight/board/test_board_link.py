@@ -6,9 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from epf_gcs.error_log import ErrorLog
 from epf_gcs.errors import LinkError
-from epf_gcs.flight.station import Station
+from epf_gcs.flight.flight import Flight
 from epf_gcs.link.address import parse_address
 from tests.support.fake_board import FakeBoard
 from tests.support.waiting import eventually_async
@@ -16,18 +15,18 @@ from tests.support.waiting import eventually_async
 pytestmark = pytest.mark.anyio
 
 
-def a_station(folder: Path) -> Station:
-    return Station(folder / "data", ErrorLog(), record=False)
+def a_station(folder: Path) -> Flight:
+    return Flight(folder / "data", record=False)
 
 
-def reason(station: Station) -> str:
+def reason(station: Flight) -> str:
     return "" if station.supervisor.failure is None else station.supervisor.failure.detail
 
 
 async def test_a_line_that_is_pulled_and_plugged_in_is_opened_again(tmp_path: Path, board: FakeBoard) -> None:
     station = a_station(tmp_path)
     async with station.running():
-        await station.open_board(parse_address(board.url))
+        await station.lines.open_board(parse_address(board.url))
         await eventually_async(lambda: station.supervisor.state == "open", "it opens")
         board.unplug()
         await eventually_async(lambda: station.supervisor.state == "lost", "the loss is noticed")
@@ -42,7 +41,7 @@ async def test_a_line_that_is_pulled_and_plugged_in_is_opened_again(tmp_path: Pa
 async def test_the_streams_come_back_with_the_board(tmp_path: Path, board: FakeBoard) -> None:
     station = a_station(tmp_path)
     async with station.running():
-        await station.open_board(parse_address(board.url))
+        await station.lines.open_board(parse_address(board.url))
         await eventually_async(lambda: station.supervisor.state == "open", "it opens")
         for command, arguments in (("ahrs_on", ()), ("control_source", (1,)), ("autopilot_on", ())):
             assert (await station.commands.run(command, arguments)).state == "confirmed"
@@ -56,7 +55,7 @@ async def test_the_streams_come_back_with_the_board(tmp_path: Path, board: FakeB
 async def test_a_board_that_restarts_while_the_cable_stays_is_armed_again(tmp_path: Path, board: FakeBoard) -> None:
     station = a_station(tmp_path)
     async with station.running():
-        await station.open_board(parse_address(board.url))
+        await station.lines.open_board(parse_address(board.url))
         await eventually_async(lambda: station.supervisor.state == "open", "it opens")
         await station.commands.run("ahrs_on")
         board.restart()
@@ -72,7 +71,7 @@ async def test_a_device_that_came_back_under_another_name_is_found(tmp_path: Pat
     first = FakeBoard(tmp_path / "ttyUSB0")
     async with station.running():
         with first:
-            await station.open_board(parse_address(f"serial://{first.path}"))
+            await station.lines.open_board(parse_address(f"serial://{first.path}"))
             await eventually_async(lambda: station.supervisor.state == "open", "it opens")
         await eventually_async(lambda: station.supervisor.state == "lost", "it is gone")
         places["usb-1"] = str(tmp_path / "ttyUSB7")
@@ -84,10 +83,10 @@ async def test_a_device_that_came_back_under_another_name_is_found(tmp_path: Pat
 async def test_closing_leaves_the_board_quiet_and_forgets_the_streams(tmp_path: Path, board: FakeBoard) -> None:
     station = a_station(tmp_path)
     async with station.running():
-        await station.open_board(parse_address(board.url))
+        await station.lines.open_board(parse_address(board.url))
         await eventually_async(lambda: station.supervisor.state == "open", "it opens")
         await station.commands.run("ahrs_on")
-        await station.close_board()
+        await station.lines.close_board()
         await eventually_async(lambda: board.received[-2:] == ["stop", "exit_binary_mode"], "the farewell arrives")
         assert station.supervisor.state == "closed"
         assert station.memory.now.wanted.streams == set()
@@ -97,10 +96,10 @@ async def test_closing_leaves_the_board_quiet_and_forgets_the_streams(tmp_path: 
 async def test_a_link_that_cannot_be_opened_changes_nothing(tmp_path: Path, board: FakeBoard) -> None:
     station = a_station(tmp_path)
     async with station.running():
-        await station.open_board(parse_address(board.url))
+        await station.lines.open_board(parse_address(board.url))
         await eventually_async(lambda: station.supervisor.state == "open", "it opens")
         with pytest.raises(LinkError):
-            await station.open_board(parse_address(f"pty://{tmp_path}/nothing"))
+            await station.lines.open_board(parse_address(f"pty://{tmp_path}/nothing"))
         assert station.supervisor.address == parse_address(board.url)
         assert station.supervisor.state == "open"
         assert (await station.commands.run("ahrs_on")).state == "confirmed"
@@ -109,9 +108,9 @@ async def test_a_link_that_cannot_be_opened_changes_nothing(tmp_path: Path, boar
 async def test_the_same_device_can_be_opened_again(tmp_path: Path, board: FakeBoard) -> None:
     station = a_station(tmp_path)
     async with station.running():
-        await station.open_board(parse_address(board.url))
+        await station.lines.open_board(parse_address(board.url))
         await eventually_async(lambda: station.supervisor.state == "open", "it opens")
-        await station.open_board(parse_address(board.url))
+        await station.lines.open_board(parse_address(board.url))
         await eventually_async(lambda: station.supervisor.state == "open", "it opens again")
         assert board.count("exit_binary_mode") == 1
 
@@ -120,9 +119,9 @@ async def test_another_board_takes_the_place_of_the_first(tmp_path: Path, board:
     station = a_station(tmp_path)
     async with station.running():
         with FakeBoard(tmp_path / "other") as other:
-            await station.open_board(parse_address(board.url))
+            await station.lines.open_board(parse_address(board.url))
             await eventually_async(lambda: station.supervisor.state == "open", "it opens")
-            await station.open_board(parse_address(other.url))
+            await station.lines.open_board(parse_address(other.url))
             await eventually_async(lambda: station.supervisor.state == "open", "the other opens")
             assert (await station.commands.run("ahrs_on")).state == "confirmed"
             assert other.flags["ahrs"] == 1
@@ -133,7 +132,7 @@ async def test_another_board_takes_the_place_of_the_first(tmp_path: Path, board:
 async def test_the_end_of_the_gateway_leaves_the_board_quiet_and_remembers_it(tmp_path: Path, board: FakeBoard) -> None:
     station = a_station(tmp_path)
     async with station.running():
-        await station.open_board(parse_address(board.url))
+        await station.lines.open_board(parse_address(board.url))
         await eventually_async(lambda: station.supervisor.state == "open", "it opens")
         await station.commands.run("ahrs_on")
     await eventually_async(lambda: board.received[-2:] == ["stop", "exit_binary_mode"], "the farewell arrives")
@@ -143,7 +142,7 @@ async def test_the_end_of_the_gateway_leaves_the_board_quiet_and_remembers_it(tm
 
 
 async def test_a_remembered_board_that_is_not_there_yet_is_waited_for(tmp_path: Path) -> None:
-    station = Station(tmp_path / "data", ErrorLog(), record=False, board_url=f"pty://{tmp_path}/board")
+    station = Flight(tmp_path / "data", record=False, board_url=f"pty://{tmp_path}/board")
     async with station.running():
         await eventually_async(lambda: station.supervisor.state == "lost", "it is missed")
         assert station.errors.counts["link_no_device"] == 1

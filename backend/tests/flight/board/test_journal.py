@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import asyncio
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -13,21 +13,21 @@ from epf_gcs.clock import Clock
 from epf_gcs.errors import GatewayError
 from epf_gcs.flight.board.journal import Journal
 from epf_gcs.vehicle.journal import Change, Steps
-from epf_gcs.web.stream.hub import Hub
+from tests.support.outlet import KeptOutlet
 
 pytestmark = pytest.mark.anyio
 
 CHANGE = Change("k_pitch", 2.0, 2.5, "confirmed")
 
 
-class Told(Hub):
-    """A hub that remembers its events."""
+class Told(KeptOutlet):
+    """An outlet that remembers its events."""
 
     def __init__(self) -> None:
-        super().__init__(asyncio.get_running_loop(), lambda: 0.0)
+        super().__init__()
         self.events: list[dict[str, Any]] = []
 
-    def event(self, kind: str, data: dict[str, Any]) -> None:
+    def event(self, kind: str, data: Mapping[str, Any]) -> None:
         assert kind == "journal"
         self.events.append(orjson.loads(orjson.dumps(data)))
 

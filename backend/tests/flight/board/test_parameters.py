@@ -10,9 +10,8 @@ from pathlib import Path
 import pytest
 
 from epf_gcs.codec.messages_gen import COMMANDS
-from epf_gcs.error_log import ErrorLog
 from epf_gcs.errors import BoardError, ConflictError
-from epf_gcs.flight.station import Station
+from epf_gcs.flight.flight import Flight
 from epf_gcs.link.address import parse_address
 from epf_gcs.vehicle.journal import Move
 from tests.support.fake_board import FakeBoard
@@ -22,15 +21,15 @@ pytestmark = pytest.mark.anyio
 
 
 @asynccontextmanager
-async def a_station(folder: Path, board: FakeBoard) -> AsyncIterator[Station]:
-    station = Station(folder / "data", ErrorLog(), record=False)
+async def a_station(folder: Path, board: FakeBoard) -> AsyncIterator[Flight]:
+    station = Flight(folder / "data", record=False)
     async with station.running():
-        await station.open_board(parse_address(board.url))
+        await station.lines.open_board(parse_address(board.url))
         await eventually_async(lambda: station.supervisor.state == "open", "the board opens")
         yield station
 
 
-def story(station: Station) -> list[tuple[str, str, list[tuple[str, float | None, float, str]]]]:
+def story(station: Flight) -> list[tuple[str, str, list[tuple[str, float | None, float, str]]]]:
     """Kind, state and changes of all entries, oldest first."""
     return [
         (entry.kind, entry.state, [(one.name, one.before, one.after, one.state) for one in entry.changes])

@@ -11,9 +11,8 @@ from pathlib import Path
 import pytest
 
 from epf_gcs.codec.encode import encode_telemetry
-from epf_gcs.error_log import ErrorLog
+from epf_gcs.flight.flight import Flight
 from epf_gcs.flight.hil.simulator import SimulatorAddress
-from epf_gcs.flight.station import Station
 from epf_gcs.link.address import parse_address
 from epf_gcs.xplane.datagram import Record, Surfaces, build, release_datagram, surfaces_datagram
 from tests.support.fake_board import FakeBoard
@@ -34,25 +33,25 @@ def simulator() -> Iterator[Simulator]:
 
 
 @pytest.fixture
-async def station(tmp_path: Path, simulator: Simulator) -> AsyncIterator[Station]:
-    made = Station(tmp_path / "data", ErrorLog(), record=False)
+async def station(tmp_path: Path, simulator: Simulator) -> AsyncIterator[Flight]:
+    made = Flight(tmp_path / "data", record=False)
     async with made.running():
         with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
             probe.bind(("127.0.0.1", 0))
             simulator.port = probe.getsockname()[1]
-        await made.open_simulator(SimulatorAddress(simulator.port, "127.0.0.1", simulator.own_port, "xp10"))
+        await made.lines.open_simulator(SimulatorAddress(simulator.port, "127.0.0.1", simulator.own_port, "xp10"))
         yield made
 
 
-async def connect(station: Station, board: FakeBoard, source: str) -> None:
-    await station.open_board(parse_address(board.url))
+async def connect(station: Flight, board: FakeBoard, source: str) -> None:
+    await station.lines.open_board(parse_address(board.url))
     await eventually_async(lambda: station.supervisor.state == "open", "the board opens")
     await station.commands.run("control_source", (int(source == "joystick"),))
     await eventually_async(lambda: station.hil.source == source, "the source is known")
 
 
 async def test_a_frame_of_the_simulator_becomes_command_50(
-    station: Station, simulator: Simulator, board: FakeBoard
+    station: Flight, simulator: Simulator, board: FakeBoard
 ) -> None:
     await connect(station, board, "joystick")
     simulator.send(WHOLE)
@@ -65,7 +64,7 @@ async def test_a_frame_of_the_simulator_becomes_command_50(
 
 
 async def test_rows_in_ten_datagrams_become_one_command(
-    station: Station, simulator: Simulator, board: FakeBoard
+    station: Flight, simulator: Simulator, board: FakeBoard
 ) -> None:
     await connect(station, board, "joystick")
     for _ in range(3):
@@ -76,9 +75,7 @@ async def test_rows_in_ten_datagrams_become_one_command(
     assert board.count("xplane_info") <= 3
 
 
-async def test_without_a_row_nothing_goes_to_the_board(
-    station: Station, simulator: Simulator, board: FakeBoard
-) -> None:
+async def test_without_a_row_nothing_goes_to_the_board(station: Flight, simulator: Simulator, board: FakeBoard) -> None:
     await connect(station, board, "joystick")
     simulator.send(build(Record(row, values) for row, values in ROWS.items() if row != 16))
     await eventually_async(lambda: station.simulator.datagrams == 1, "it arrives")
@@ -87,10 +84,10 @@ async def test_without_a_row_nothing_goes_to_the_board(
 
 
 async def test_assisted_the_boards_surfaces_move_the_simulator(
-    station: Station, simulator: Simulator, board: FakeBoard
+    station: Flight, simulator: Simulator, board: FakeBoard
 ) -> None:
     await connect(station, board, "joystick")
-    station.set_path("assisted")
+    station.switches.choose_path("assisted")
     simulator.send(WHOLE)
     await eventually_async(lambda: simulator.heard(FROM_BOARD), "the surfaces arrive")
     assert len(simulator.got) == 1
@@ -98,7 +95,7 @@ async def test_assisted_the_boards_surfaces_move_the_simulator(
 
 
 async def test_manual_the_stick_moves_the_simulator_as_each_datagram_arrives(
-    station: Station, simulator: Simulator, board: FakeBoard
+    station: Flight, simulator: Simulator, board: FakeBoard
 ) -> None:
     await connect(station, board, "joystick")
     simulator.send(WHOLE)
@@ -108,7 +105,7 @@ async def test_manual_the_stick_moves_the_simulator_as_each_datagram_arrives(
 
 
 async def test_manual_the_rc_channels_move_the_simulator_as_each_frame_arrives(
-    station: Station, simulator: Simulator, board: FakeBoard
+    station: Flight, simulator: Simulator, board: FakeBoard
 ) -> None:
     await connect(station, board, "rc")
     channels = [-0.5, 0.25, 0.75, 0.125] + [0.0] * 8
@@ -120,10 +117,10 @@ async def test_manual_the_rc_channels_move_the_simulator_as_each_frame_arrives(
 
 
 async def test_surfaces_beyond_their_limits_are_clamped_and_no_number_is_not_sent(
-    station: Station, simulator: Simulator, board: FakeBoard
+    station: Flight, simulator: Simulator, board: FakeBoard
 ) -> None:
     await connect(station, board, "joystick")
-    station.set_path("assisted")
+    station.switches.choose_path("assisted")
     board.send(encode_telemetry("hil_surfaces", math.nan, 0.0, 0.0, 0.0))
     await eventually_async(lambda: station.hil.skipped["surfaces_not_finite"] == 1, "it is counted")
     board.send(encode_telemetry("hil_surfaces", 5.0, -5.0, 0.0, 9.0))
@@ -132,7 +129,7 @@ async def test_surfaces_beyond_their_limits_are_clamped_and_no_number_is_not_sen
 
 
 async def test_without_a_board_frames_are_counted_and_dropped_not_kept(
-    station: Station, simulator: Simulator, board: FakeBoard
+    station: Flight, simulator: Simulator, board: FakeBoard
 ) -> None:
     for _ in range(5):
         simulator.send(WHOLE)
@@ -141,7 +138,7 @@ async def test_without_a_board_frames_are_counted_and_dropped_not_kept(
     assert board.count("xplane_info") == 0, "old data is never sent"
 
 
-async def test_the_viewers_see_every_row_by_name_and_raw(station: Station, simulator: Simulator) -> None:
+async def test_the_viewers_see_every_row_by_name_and_raw(station: Flight, simulator: Simulator) -> None:
     simulator.send(WHOLE)
     await eventually_async(lambda: station.telemetry.newest("xplane_rows") is not None, "it is shown")
     named = station.telemetry.newest("simulator")
@@ -153,7 +150,7 @@ async def test_the_viewers_see_every_row_by_name_and_raw(station: Station, simul
     assert raw["rows"]["17"][:3] == [2.5, -10.25, 135.0]
 
 
-async def test_a_row_that_never_came_has_no_values(station: Station, simulator: Simulator) -> None:
+async def test_a_row_that_never_came_has_no_values(station: Flight, simulator: Simulator) -> None:
     simulator.send(build([Record(3, ROWS[3])]))
     await eventually_async(lambda: station.telemetry.newest("simulator") is not None, "it is shown")
     named = station.telemetry.newest("simulator")
@@ -162,14 +159,14 @@ async def test_a_row_that_never_came_has_no_values(station: Station, simulator: 
     assert named["mach"] is None
 
 
-async def test_closing_hands_the_controls_back(station: Station, simulator: Simulator) -> None:
-    await station.close_simulator()
+async def test_closing_hands_the_controls_back(station: Flight, simulator: Simulator) -> None:
+    await station.lines.close_simulator()
     await eventually_async(lambda: simulator.heard(release_datagram()), "the release arrives")
     assert station.simulator.state == "closed"
 
 
 async def test_the_end_of_the_gateway_hands_the_controls_back(tmp_path: Path, simulator: Simulator) -> None:
-    station = Station(tmp_path / "data", ErrorLog(), record=False)
+    station = Flight(tmp_path / "data", record=False)
     async with station.running():
-        await station.open_simulator(SimulatorAddress(free_udp_port(), "127.0.0.1", simulator.own_port, "xp10"))
+        await station.lines.open_simulator(SimulatorAddress(free_udp_port(), "127.0.0.1", simulator.own_port, "xp10"))
     await eventually_async(lambda: simulator.heard(release_datagram()), "the release arrives")

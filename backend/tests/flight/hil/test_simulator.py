@@ -7,10 +7,9 @@ from pathlib import Path
 
 import pytest
 
-from epf_gcs.error_log import ErrorLog
 from epf_gcs.errors import LinkError
+from epf_gcs.flight.flight import Flight
 from epf_gcs.flight.hil.simulator import SimulatorAddress
-from epf_gcs.flight.station import Station
 from tests.support.waiting import eventually_async
 
 pytestmark = pytest.mark.anyio
@@ -31,15 +30,15 @@ def free_port() -> int:
         return int(probe.getsockname()[1])
 
 
-def state(station: Station) -> str:
+def state(station: Flight) -> str:
     return station.simulator.state
 
 
 async def test_rubbish_and_strangers_are_counted_and_told(tmp_path: Path) -> None:
-    station = Station(tmp_path, ErrorLog(), record=False)
+    station = Flight(tmp_path, record=False)
     async with station.running():
         port = free_port()
-        await station.open_simulator(an_address(port))
+        await station.lines.open_simulator(an_address(port))
         with taken_port() as sender:
             for datagram in (b"", b"DATA", b"DATA@", b"DATA@" + b"x" * 35, b"RREF,xxxx", b"x" * 1000):
                 sender.sendto(datagram, ("127.0.0.1", port))
@@ -54,38 +53,38 @@ async def test_rubbish_and_strangers_are_counted_and_told(tmp_path: Path) -> Non
 
 
 async def test_a_taken_port_leaves_everything_as_it_was(tmp_path: Path) -> None:
-    station = Station(tmp_path, ErrorLog(), record=False)
+    station = Flight(tmp_path, record=False)
     async with station.running():
         with taken_port() as other:
             with pytest.raises(LinkError, match="is taken by another program"):
-                await station.open_simulator(an_address(other.getsockname()[1]))
+                await station.lines.open_simulator(an_address(other.getsockname()[1]))
             assert state(station) == "closed"
             good = an_address(free_port())
-            await station.open_simulator(good)
+            await station.lines.open_simulator(good)
             with pytest.raises(LinkError):
-                await station.open_simulator(an_address(other.getsockname()[1]))
+                await station.lines.open_simulator(an_address(other.getsockname()[1]))
             assert station.simulator.address == good
             assert state(station) == "opening"
 
 
 async def test_the_same_port_can_be_opened_with_another_simulator(tmp_path: Path) -> None:
-    station = Station(tmp_path, ErrorLog(), record=False)
+    station = Flight(tmp_path, record=False)
     async with station.running():
         port = free_port()
-        await station.open_simulator(an_address(port, 49000))
-        await station.open_simulator(an_address(port, 49010))
+        await station.lines.open_simulator(an_address(port, 49000))
+        await station.lines.open_simulator(an_address(port, 49010))
         assert station.simulator.address == an_address(port, 49010)
         with pytest.raises(LinkError):
-            await station.open_simulator(SimulatorAddress(port, "no.such.host.invalid", 49000, "xp10"))
+            await station.lines.open_simulator(SimulatorAddress(port, "no.such.host.invalid", 49000, "xp10"))
         assert station.simulator.address == an_address(port, 49010)
         assert state(station) == "opening"
 
 
 async def test_a_remembered_port_that_is_taken_is_opened_when_it_is_free(tmp_path: Path) -> None:
     other = taken_port()
-    first = Station(tmp_path, ErrorLog(), record=False)
+    first = Flight(tmp_path, record=False)
     first.memory.update(simulator=an_address(other.getsockname()[1]).as_dict())
-    station = Station(tmp_path, ErrorLog(), record=False)
+    station = Flight(tmp_path, record=False)
     async with station.running():
         await eventually_async(lambda: state(station) == "lost", "the port is missed")
         assert station.simulator.failure is not None
@@ -95,10 +94,10 @@ async def test_a_remembered_port_that_is_taken_is_opened_when_it_is_free(tmp_pat
 
 
 async def test_a_simulator_that_stops_is_lost_and_comes_back(tmp_path: Path) -> None:
-    station = Station(tmp_path, ErrorLog(), record=False)
+    station = Flight(tmp_path, record=False)
     async with station.running():
         port = free_port()
-        await station.open_simulator(an_address(port))
+        await station.lines.open_simulator(an_address(port))
         with taken_port() as sender:
             sender.sendto(b"DATA@" + b"\0" * 36, ("127.0.0.1", port))
             await eventually_async(lambda: state(station) == "open", "it is heard")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from epf_gcs.web.schemas import Sample, Status
+from epf_gcs.web.state.schemas import Sample, Status
 from tests.support.fake_board import FakeBoard
 from tests.support.gateway import Gateway
 from tests.support.waiting import eventually

@@ -14,7 +14,7 @@ from websockets.exceptions import ConnectionClosed, InvalidStatus
 from websockets.sync.client import connect
 from websockets.typing import Origin
 
-from epf_gcs.web.schemas import Status
+from epf_gcs.web.state.schemas import Status
 from tests.support.fake_board import FakeBoard
 from tests.support.gateway import Gateway, Stream
 from tests.support.waiting import eventually
@@ -87,7 +87,7 @@ def test_a_browser_that_stops_acknowledging_is_not_sent_more_and_then_gets_the_n
             if message["type"] == "batch":
                 batches.append(message)
         assert "batch" not in [message["type"] for message in everything_within(stream, 1.0)]
-        asked_s = gateway.station.clock.now_s()
+        asked_s = gateway.flight.clock.now_s()
         stream.acknowledge(batches[-1])
         newest = stream.next("batch")
         assert newest["missed"] > 0
@@ -128,7 +128,7 @@ def test_a_page_that_is_loaded_again_keeps_its_name_and_control(gateway: Gateway
     with gateway.stream() as first, gateway.stream() as watching:
         client = first.hello["client"]
         first.connection.close()
-        eventually(lambda: not gateway.station.control.is_connected(client), "it is gone")
+        eventually(lambda: not gateway.web.control.is_connected(client), "it is gone")
         with gateway.stream(f"?client={client}") as again:
             assert (again.hello["client"], again.hello["role"]) == (client, "operator")
         assert watching.hello["role"] == "viewer"
@@ -181,7 +181,7 @@ def test_a_message_that_is_too_long_ends_only_its_own_stream(gateway: Gateway) -
 def test_a_split_message_is_put_together(gateway: Gateway) -> None:
     with gateway.stream("?rate=1") as stream:
         stream.connection.send(iter(['{"type": "ra', 'te", "rate"', ": 0}"]))
-        eventually(lambda: [v.rate_hz for v in gateway.station.hub.viewers] == [0], "the rate is changed")
+        eventually(lambda: [v.rate_hz for v in gateway.web.status._hub.viewers] == [0], "the rate is changed")
 
 
 @pytest.mark.parametrize("rate", ["61", "-1", "fast", "1.5", ""])

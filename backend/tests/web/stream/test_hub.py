@@ -54,10 +54,14 @@ def a_screen(hub: Hub, rate_hz: int = 60) -> Screen:
     return screen
 
 
+def put(hub: Hub, topic: str, t_s: float, values: dict[str, Any]) -> None:
+    hub.state.put(topic, t_s, orjson.dumps({"topic": topic, "t_s": t_s, "values": values}))
+
+
 async def test_a_viewer_begins_with_the_newest_of_every_topic(hub: Hub) -> None:
-    hub.state.put("ahrs", 1.0, {"n": 1})
-    hub.state.put("ahrs", 2.0, {"n": 2})
-    hub.state.put("gps", 2.5, {"n": 7})
+    put(hub, "ahrs", 1.0, {"n": 1})
+    put(hub, "ahrs", 2.0, {"n": 2})
+    put(hub, "gps", 2.5, {"n": 7})
     screen = a_screen(hub)
     await eventually_async(lambda: bool(screen.batches), "the first batch")
     assert screen.batches[0]["samples"] == [
@@ -69,11 +73,11 @@ async def test_a_viewer_begins_with_the_newest_of_every_topic(hub: Hub) -> None:
 
 async def test_only_what_changed_is_sent_again(hub: Hub) -> None:
     screen = a_screen(hub)
-    hub.state.put("ahrs", 1.0, {"n": 1})
-    hub.state.put("gps", 1.0, {"n": 7})
+    put(hub, "ahrs", 1.0, {"n": 1})
+    put(hub, "gps", 1.0, {"n": 7})
     hub.flush()
     await eventually_async(lambda: screen.values("gps") == [7], "both arrive")
-    hub.state.put("ahrs", 2.0, {"n": 2})
+    put(hub, "ahrs", 2.0, {"n": 2})
     hub.flush()
     await eventually_async(lambda: screen.values("ahrs") == [1, 2], "the change arrives")
     assert screen.values("gps") == [7]
@@ -82,7 +86,7 @@ async def test_only_what_changed_is_sent_again(hub: Hub) -> None:
 async def test_a_rate_is_kept_and_the_newest_is_never_left_behind(hub: Hub) -> None:
     screen = a_screen(hub, 20)
     for number in range(200):
-        hub.state.put("ahrs", float(number), {"n": number})
+        put(hub, "ahrs", float(number), {"n": number})
         hub.flush()
         await asyncio.sleep(0.001)
     await eventually_async(lambda: screen.values("ahrs")[-1:] == [199], "the newest arrives")
@@ -93,7 +97,7 @@ async def test_a_rate_is_kept_and_the_newest_is_never_left_behind(hub: Hub) -> N
 async def test_rate_zero_brings_every_sample(hub: Hub) -> None:
     screen = a_screen(hub, 0)
     for number in range(50):
-        hub.state.put("ahrs", float(number), {"n": number})
+        put(hub, "ahrs", float(number), {"n": number})
         hub.flush()
     await eventually_async(lambda: len(screen.values("ahrs")) == 50, "all arrive")
     assert screen.values("ahrs") == list(range(50))
@@ -103,7 +107,7 @@ async def test_a_stopped_viewer_gets_the_newest_at_once_and_a_count_of_what_it_m
     screen = a_screen(hub, 0)
     screen.stopped = True
     for number in range(1000):
-        hub.state.put("ahrs", float(number), {"n": number})
+        put(hub, "ahrs", float(number), {"n": number})
         hub.flush()
     assert len(screen.batches) == MAX_UNDER_WAY
     screen.stopped = False
@@ -120,7 +124,7 @@ async def test_a_stopped_viewer_harms_nobody(hub: Hub) -> None:
     stopped.stopped = True
     others = [a_screen(hub) for _ in range(10)]
     for number in range(30):
-        hub.state.put("ahrs", float(number), {"n": number})
+        put(hub, "ahrs", float(number), {"n": number})
         hub.flush()
         await asyncio.sleep(0.02)
     await eventually_async(lambda: all(other.values("ahrs")[-1] == 29 for other in others), "all others see the newest")
@@ -131,9 +135,9 @@ async def test_a_stopped_viewer_harms_nobody(hub: Hub) -> None:
 async def test_a_viewer_whose_network_is_stuck_is_not_sent_more(hub: Hub) -> None:
     screen = a_screen(hub, 0)
     screen.stopped, screen.unsent = True, 10_000_000
-    hub.state.put("ahrs", 1.0, {"n": 1})
+    put(hub, "ahrs", 1.0, {"n": 1})
     hub.flush()
-    hub.state.put("ahrs", 2.0, {"n": 2})
+    put(hub, "ahrs", 2.0, {"n": 2})
     hub.flush()
     assert screen.values("ahrs") == [1]
 
@@ -142,7 +146,7 @@ async def test_events_are_kept_in_order_and_too_many_are_counted(hub: Hub) -> No
     screen = a_screen(hub)
     screen.stopped = True
     for number in range(MAX_UNDER_WAY):
-        hub.state.put("ahrs", float(number), {"n": number})
+        put(hub, "ahrs", float(number), {"n": number})
         screen.viewer.flush()
     for number in range(300):
         hub.event("console", {"number": number})
@@ -176,14 +180,14 @@ async def test_the_rate_can_be_changed_and_a_viewer_can_go(hub: Hub) -> None:
     screen = a_screen(hub, 60)
     hub.change_rate(screen.viewer, 0)
     for number in range(5):
-        hub.state.put("ahrs", float(number), {"n": number})
+        put(hub, "ahrs", float(number), {"n": number})
         hub.flush()
     await eventually_async(lambda: screen.values("ahrs")[-1:] == [4], "they arrive")
     assert screen.values("ahrs")[-4:] == [1, 2, 3, 4]
     hub.remove(screen.viewer)
     hub.remove(screen.viewer)
     assert hub.viewers == []
-    hub.state.put("ahrs", 9.0, {"n": 9})
+    put(hub, "ahrs", 9.0, {"n": 9})
     hub.flush()
     assert screen.values("ahrs")[-1] == 4
 
@@ -196,6 +200,6 @@ async def test_an_acknowledgement_of_nothing_is_refused(hub: Hub) -> None:
 
 async def test_a_value_that_is_no_data_is_null(hub: Hub) -> None:
     screen = a_screen(hub, 0)
-    hub.state.put("ahrs", 1.0, {"n": None})
+    put(hub, "ahrs", 1.0, {"n": None})
     hub.flush()
     assert screen.values("ahrs") == [None]

@@ -64,7 +64,7 @@ def test_what_was_flown_comes_in_one_piece_and_then_only_what_is_missing(gateway
     found = read_points(gateway)
     assert [latitude for _, latitude, _, _ in found.records] == pytest.approx([279000000, 279001000, 279002000], abs=20)
     assert {(longitude, altitude) for _, _, longitude, altitude in found.records} == {(-153800001, 300000)}
-    assert found.t0_s + found.records[-1][0] / 1e3 == pytest.approx(gateway.station.clock.now_s(), abs=20)
+    assert found.t0_s + found.records[-1][0] / 1e3 == pytest.approx(gateway.flight.clock.now_s(), abs=20)
     fly(gateway, board, [27.9003])
     further = read_points(gateway, f"source=real&after=3&epoch={found.epoch}")
     assert (further.epoch, further.first, further.total, len(further.records)) == (found.epoch, 3, 4, 1)
@@ -93,7 +93,7 @@ def test_who_has_points_of_another_track_gets_all_of_this_one(gateway: Gateway, 
 
 def test_every_file_holds_every_point_of_a_flight_that_is_over(gateway: Gateway) -> None:
     """Thousands of points, so that more than one piece is sent; the same in KML, KMZ, GPX and CZML."""
-    track = gateway.station.tracks.now.hil
+    track = gateway.web.tracks.now.hil
     for step in range(9000):
         track.add(1e9 + 0.02 * step, (28.0 + 2e-6 * step, -15.4, 100.0 + 0.01 * step), (10.0, 5.0, -20.0))
     line = texts(get_kml(gateway, "/track.kml"), "coordinates")[0].split()
@@ -155,7 +155,7 @@ def test_an_empty_track_is_a_file_too(gateway: Gateway, kind: str) -> None:
 
 def test_the_board_is_heard_while_a_long_track_is_being_sent(gateway: Gateway, board: FakeBoard) -> None:
     gateway.open_board(board.url)
-    track = gateway.station.tracks.now.real
+    track = gateway.web.tracks.now.real
     for step in range(300_000):
         track.add(1e9 + 0.02 * step, (27.0 + 1e-6 * step, -15.0, 300.0))
     before = gateway.status()["board"]["frames_received"]

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from epf_gcs.vehicle.track import Track
+from epf_gcs.web.track.track import Track
 from epf_gcs.web.track.track_lines import lines_of
 
 STEP_DEG = 0.0001

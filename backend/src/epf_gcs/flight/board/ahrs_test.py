@@ -17,7 +17,6 @@ from epf_gcs.errors import ConflictError, LinkError
 from epf_gcs.flight.board.commands import CommandResult
 from epf_gcs.vehicle.board import Board
 from epf_gcs.vehicle.telemetry import Telemetry
-from epf_gcs.web.stream.hub import Hub
 
 TOPIC: Final = "ahrs_test"
 
@@ -39,7 +38,6 @@ class AhrsTestRun:
         *,
         board: Board,
         telemetry: Telemetry,
-        hub: Hub,
         clock: Clock,
         errors: ErrorLog,
         flies: Callable[[], bool],
@@ -47,7 +45,6 @@ class AhrsTestRun:
     ) -> None:
         self._board = board
         self._telemetry = telemetry
-        self._hub = hub
         self._clock = clock
         self._errors = errors
         self._flies = flies
@@ -127,8 +124,8 @@ class AhrsTestRun:
             self._has_record = True
             self._heard_s = self._clock.steady_s()
             # They came in one piece: the newest is the present, the others are no older than it.
-            self._telemetry.show(TOPIC, self._clock.now_s(), dict(attitudes[-1]._asdict()))
-            self._hub.flush()
+            self._telemetry.take(TOPIC, self._clock.now_s(), dict(attitudes[-1]._asdict()))
+            self._telemetry.flush()
             self._news.set()
         if self.stage != was:
             self._changed()

@@ -18,10 +18,10 @@ from epf_gcs.codec.values import Meaning
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.errors import ConflictError
 from epf_gcs.vehicle.board import Board
+from epf_gcs.vehicle.outside import Outlet
 from epf_gcs.vehicle.parameters import differing
 from epf_gcs.vehicle.proof import NOT_REPEATABLE, heartbeat_proves, plan_proves
 from epf_gcs.vehicle.telemetry import Telemetry
-from epf_gcs.web.stream.hub import Hub
 
 State = Literal["confirmed", "rejected", "timed_out", "sent"]
 By = Literal["acknowledgement", "heartbeat", "read_back", "none"]
@@ -64,7 +64,7 @@ class CommandResult:
 class Commands:
     """Sends commands one at a time of each type, for an acknowledgement names nothing but the type."""
 
-    def __init__(self, board: Board, telemetry: Telemetry, hub: Hub, clock: Clock, errors: ErrorLog) -> None:
+    def __init__(self, board: Board, telemetry: Telemetry, hub: Outlet, clock: Clock, errors: ErrorLog) -> None:
         self._loop = asyncio.get_running_loop()
         self._board = board
         self._telemetry = telemetry

@@ -13,7 +13,7 @@ from epf_gcs.clock import Clock
 from epf_gcs.errors import GatewayError
 from epf_gcs.flight.lines_file import LinesFile
 from epf_gcs.vehicle.journal import Change, Entry, Kind, Steps, entry_from, moves_as_dicts
-from epf_gcs.web.stream.hub import Hub
+from epf_gcs.vehicle.outside import Outlet
 
 _KEPT: Final = 1000
 
@@ -26,7 +26,7 @@ class Journal:
         path: Path,
         *,
         clock: Clock,
-        hub: Hub,
+        hub: Outlet,
         report: Callable[[GatewayError], None],
         name_of: Callable[[str], str | None],
     ) -> None:

@@ -14,7 +14,7 @@ from epf_gcs.errors import BoardError, ConflictError, InvalidInputError
 from epf_gcs.flight.board.commands import Commands
 from epf_gcs.vehicle.board import Board
 from epf_gcs.vehicle.mission import PLAN_NUMBERS, Plan, item_arguments, mission_fault, same_plan, waypoint_from
-from epf_gcs.web.stream.hub import Hub
+from epf_gcs.vehicle.outside import Outlet
 
 # 100 waypoints are 4.8 kB: half a second of a 115200 line.
 _READ_S: Final = 5.0
@@ -23,7 +23,7 @@ _READ_S: Final = 5.0
 class Missions:
     """One transfer at a time."""
 
-    def __init__(self, board: Board, commands: Commands, hub: Hub) -> None:
+    def __init__(self, board: Board, commands: Commands, hub: Outlet) -> None:
         self._board = board
         self._commands = commands
         self._hub = hub

@@ -17,8 +17,8 @@ from epf_gcs.flight.board.journal import Journal
 from epf_gcs.vehicle import parameters as gains
 from epf_gcs.vehicle.board import Board
 from epf_gcs.vehicle.journal import Change, Kind, Outcome
+from epf_gcs.vehicle.outside import Outlet
 from epf_gcs.vehicle.parameters import BY_NAME, UNKNOWN, Held17
-from epf_gcs.web.stream.hub import Hub
 
 _READ_S: Final = 1.0
 
@@ -29,7 +29,7 @@ class Parameters:
     `unconfirmed` are the gains whose last write the board refused or did not answer.
     """
 
-    def __init__(self, board: Board, commands: Commands, hub: Hub, journal: Journal) -> None:
+    def __init__(self, board: Board, commands: Commands, hub: Outlet, journal: Journal) -> None:
         self._board = board
         self._commands = commands
         self._hub = hub

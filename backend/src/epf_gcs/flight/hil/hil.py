@@ -21,7 +21,6 @@ from epf_gcs.vehicle.arrivals import Arrivals
 from epf_gcs.vehicle.board import Board
 from epf_gcs.vehicle.round_trip import RoundTrip
 from epf_gcs.vehicle.telemetry import Telemetry
-from epf_gcs.web.stream.hub import Hub
 from epf_gcs.xplane.datagram import Eight, Record, Surfaces, parse, surfaces_datagram
 from epf_gcs.xplane.gather import Gatherer
 from epf_gcs.xplane.mapping import NEEDED_ROWS, XplaneInfo, row_meaning, surfaces_from_servos_in
@@ -45,11 +44,10 @@ _RAW_EVERY_S: Final = 0.2
 class Hil:
     """Told of datagrams and of the board's urgent frames. `path` says who moves the simulator's surfaces."""
 
-    def __init__(self, board: Board, telemetry: Telemetry, hub: Hub, clock: Clock, stick: Stick) -> None:
+    def __init__(self, board: Board, telemetry: Telemetry, clock: Clock, stick: Stick) -> None:
         self._loop = asyncio.get_running_loop()
         self._board = board
         self._telemetry = telemetry
-        self._hub = hub
         self._clock = clock
         self.stick = stick
         self._gatherer = Gatherer("xp10")
@@ -218,15 +216,15 @@ class Hil:
             meaning = row_meaning(row, values, self._profile)
             named.update(meaning.values)
             implausible += meaning.implausible
-        self._telemetry.show("simulator", t_s, named, implausible)
+        self._telemetry.take("simulator", t_s, named, implausible)
         info, self._info = self._info, None
         if info is not None:
-            self._telemetry.show("xplane_info", t_s, info._asdict())
+            self._telemetry.take("xplane_info", t_s, info._asdict())
         if self._shown_s - self._raw_shown_s >= _RAW_EVERY_S:
             self._raw_shown_s = self._shown_s
             raw = {str(row): list(values) for row, values in sorted(live.items())}
-            self._telemetry.show("xplane_rows", t_s, {"rows": raw})
-        self._hub.flush()
+            self._telemetry.take("xplane_rows", t_s, {"rows": raw})
+        self._telemetry.flush()
 
 
 _NO_VALUES: Final[dict[str, Any]] = {

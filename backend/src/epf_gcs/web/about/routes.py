@@ -11,7 +11,7 @@ from fastapi import APIRouter
 
 from epf_gcs import __version__
 from epf_gcs.web.about.packages import packages
-from epf_gcs.web.deps import StationDep
+from epf_gcs.web.deps import MirrorDep
 from epf_gcs.web.problems import reading_problems
 from epf_gcs.web.schemas import Output
 
@@ -45,23 +45,17 @@ class About(Output):
 
 
 @router.get("/about", responses=reading_problems())
-async def get_about(station: StationDep) -> About:
+async def get_about(mirror: MirrorDep) -> About:
     """Versions of the gateway, of Python and of the board, and the packages in use with their licences."""
     found = await asyncio.to_thread(packages)
-    board = station.board
-    said = board.capabilities()
+    board = mirror.status["board"]
+    firmware = board["firmware"] or {"name": None, "version": None}
     return About.model_validate(
         {
             "version": __version__,
             "python": platform.python_version(),
             "platform": f"{platform.system()} {platform.machine()}",
-            "board": {
-                "name": said.get("firmware_name"),
-                "version": said.get("firmware_version"),
-                "mode": "extended" if board.session.is_extended else "legacy",
-            }
-            if board.is_open
-            else None,
+            "board": {**firmware, "mode": board["mode"]} if board["state"] == "open" and board["mode"] else None,
             "packages": [asdict(package) for package in found],
         }
     )

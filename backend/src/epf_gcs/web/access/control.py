@@ -43,6 +43,12 @@ class Control:
         client = self._connected.get(client_id)
         return None if client is None else client.name
 
+    def restore(self, holder: Client) -> None:
+        """This browser had control before the web process started, and keeps it where it comes back in time."""
+        if self.holder is None and not self._connected:
+            self._give(holder)
+            self._timer = self._loop.call_later(self._grace_s, self._grace_over)
+
     def connect(self, client: Client) -> None:
         """A browser came: it gets control where nobody has it, or where it was its own a moment ago."""
         self._connected[client.id] = client

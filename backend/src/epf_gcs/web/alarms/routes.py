@@ -6,29 +6,25 @@ from typing import Annotated
 
 from fastapi import APIRouter, Body, Path
 
-from epf_gcs.flight.station import Station
 from epf_gcs.vehicle.thresholds import THRESHOLDS
-from epf_gcs.web.alarms.schemas import AlarmBook, PastAlarm, ThresholdList, ThresholdState
-from epf_gcs.web.deps import OperatorDep, StationDep
+from epf_gcs.web.alarms.schemas import AlarmBook, ThresholdList, ThresholdState
+from epf_gcs.web.deps import OperatorDep, VehicleDep
 from epf_gcs.web.problems import problems, reading_problems
-from epf_gcs.web.schemas import AlarmState
+from epf_gcs.web.state.schemas import AlarmState
 
 router = APIRouter(prefix="/alarms", tags=["alarms"])
 
 
 @router.get("", responses=reading_problems())
-async def get_alarms(station: StationDep) -> AlarmBook:
+async def get_alarms(vehicle: VehicleDep) -> AlarmBook:
     """What is wrong now, and what was wrong since the gateway started."""
-    return AlarmBook(
-        active=[AlarmState.model_validate(alarm.as_dict()) for alarm in station.alarms.active],
-        past=[PastAlarm.model_validate({**alarm.as_dict(), "until_s": alarm.until_s}) for alarm in station.alarms.past],
-    )
+    return AlarmBook.model_validate(await vehicle.request("alarms.read"))
 
 
 @router.get("/thresholds", responses=reading_problems())
-async def get_thresholds(station: StationDep) -> ThresholdList:
+async def get_thresholds(vehicle: VehicleDep) -> ThresholdList:
     """From when on something is an alarm."""
-    return _thresholds(station)
+    return _thresholds(await vehicle.request("alarms.thresholds"))
 
 
 @router.put("/thresholds", responses=problems(404, 409))
@@ -36,28 +32,27 @@ async def put_thresholds(
     changes: Annotated[
         dict[str, float], Body(examples=[{"battery_low_v": 11.1}], min_length=1, max_length=len(THRESHOLDS))
     ],
-    station: StationDep,
-    _: OperatorDep,
+    vehicle: VehicleDep,
+    operator: OperatorDep,
 ) -> ThresholdList:
     """Change some limits; all of them or none. They are kept over restarts."""
-    station.alarms.choose(changes)
-    return _thresholds(station)
+    return _thresholds(await vehicle.request("alarms.choose", operator, **changes))
 
 
 @router.post("/{alarm_id}/acknowledge", responses=problems(404, 409))
 async def acknowledge_alarm(
-    alarm_id: Annotated[str, Path(max_length=64, examples=["battery_low"])], station: StationDep, _: OperatorDep
+    alarm_id: Annotated[str, Path(max_length=64, examples=["battery_low"])], vehicle: VehicleDep, operator: OperatorDep
 ) -> AlarmState:
     """The operator knows: the alarm is shown quietly until its cause goes."""
-    return AlarmState.model_validate(station.alarms.acknowledge(alarm_id).as_dict())
+    return AlarmState.model_validate(await vehicle.request("alarms.acknowledge", operator, id=alarm_id))
 
 
-def _thresholds(station: Station) -> ThresholdList:
+def _thresholds(values: dict[str, float]) -> ThresholdList:
     return ThresholdList(
         thresholds=[
             ThresholdState(
                 name=threshold.name,
-                value=station.alarms.thresholds[threshold.name],
+                value=values[threshold.name],
                 default=threshold.default,
                 minimum=threshold.minimum,
                 maximum=threshold.maximum,

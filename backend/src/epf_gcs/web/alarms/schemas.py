@@ -5,7 +5,8 @@ from __future__ import annotations
 from typing import Literal
 
 from epf_gcs.vehicle.judges import AlarmId
-from epf_gcs.web.schemas import AlarmState, Output, ParamValue
+from epf_gcs.web.schemas import Output, ParamValue
+from epf_gcs.web.state.schemas import AlarmState
 
 
 class PastAlarm(Output):

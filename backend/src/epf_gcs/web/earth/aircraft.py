@@ -5,50 +5,50 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any, Final, Literal
 
-from epf_gcs.flight.station import Station
 from epf_gcs.formats.kml_live import Aircraft
 from epf_gcs.formats.kml_words import Words
 from epf_gcs.formats.units import ft_from_m, m_from_ft
-from epf_gcs.web.stream.hub_state import Values
+from epf_gcs.vehicle.outside import Values
+from epf_gcs.web.vehicle.mirror import VehicleMirror
 
 Which = Literal["real", "hil"]
 _ATTITUDE: Final = ("yaw_deg", "pitch_deg", "roll_deg")
 
 
-def aircraft_now(station: Station, words: Words) -> dict[Which, Aircraft]:
+def aircraft_now(mirror: VehicleMirror, words: Words) -> dict[Which, Aircraft]:
     """Those whose place is known; without an attitude where what they last said is old."""
     found: dict[Which, Aircraft] = {}
-    real = _real(station, words)
+    real = _real(mirror, words)
     if real is not None:
         found["real"] = real
-    hil = _hil(station, words)
+    hil = _hil(mirror, words)
     if hil is not None:
         found["hil"] = hil
     return found
 
 
-def followed_of(station: Station, found: Mapping[Which, Aircraft], wanted: Which | None) -> Aircraft | None:
+def followed_of(mirror: VehicleMirror, found: Mapping[Which, Aircraft], wanted: Which | None) -> Aircraft | None:
     """Whom the view stays behind: the one that was asked for, else the simulator's while it flies."""
     if wanted is not None:
         return found.get(wanted)
-    if "hil" in found and (station.telemetry.is_live("simulator") or "real" not in found):
+    if "hil" in found and (mirror.is_live("simulator") or "real" not in found):
         return found["hil"]
     return found.get("real")
 
 
-def _real(station: Station, words: Words) -> Aircraft | None:
+def _real(mirror: VehicleMirror, words: Words) -> Aircraft | None:
     """By its GPS, with the attitude of its AHRS."""
-    gps = station.telemetry.newest("gps")
+    gps = mirror.newest("gps")
     if gps is None or gps["valid"] is not True or not gps["fix"]:
         return None
     place = _numbers(gps, "latitude_deg", "longitude_deg", "altitude_m")
     if place is None:
         return None
-    is_live = station.telemetry.is_live("gps")
-    ahrs = station.telemetry.newest("ahrs") if is_live and station.telemetry.is_live("ahrs") else None
+    is_live = mirror.is_live("gps")
+    ahrs = mirror.newest("ahrs") if is_live and mirror.is_live("ahrs") else None
     altitude_ft = ft_from_m(place[2])
     return _aircraft(
-        station,
+        mirror,
         words,
         words.aircraft,
         place,
@@ -58,15 +58,15 @@ def _real(station: Station, words: Words) -> Aircraft | None:
     )
 
 
-def _hil(station: Station, words: Words) -> Aircraft | None:
+def _hil(mirror: VehicleMirror, words: Words) -> Aircraft | None:
     """As the simulator says."""
-    values = station.telemetry.newest("simulator")
+    values = mirror.newest("simulator")
     place = None if values is None else _numbers(values, "latitude_deg", "longitude_deg", "altitude_msl_ft")
     if values is None or place is None:
         return None
-    is_live = station.telemetry.is_live("simulator")
+    is_live = mirror.is_live("simulator")
     return _aircraft(
-        station,
+        mirror,
         words,
         words.hil_aircraft,
         (place[0], place[1], m_from_ft(place[2])),
@@ -77,7 +77,7 @@ def _hil(station: Station, words: Words) -> Aircraft | None:
 
 
 def _aircraft(
-    station: Station,
+    mirror: VehicleMirror,
     words: Words,
     name: str,
     place: tuple[float, float, float],
@@ -87,7 +87,7 @@ def _aircraft(
     description: str,
 ) -> Aircraft:
     remarks = [
-        *([words.examples] if station.board.is_emulated else []),
+        *([words.examples] if mirror.is_emulated else []),
         *([] if is_live else [words.last_known]),
     ]
     shown = f"{name} ({', '.join(remarks)})" if remarks else name

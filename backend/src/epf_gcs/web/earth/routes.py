@@ -7,12 +7,14 @@ from typing import Final, Literal
 from fastapi import APIRouter, Request
 from fastapi.responses import Response
 
+from epf_gcs.bus.station_end import StationEnd
+from epf_gcs.codec.tables import Waypoint
 from epf_gcs.formats import aircraft_model, kmz
 from epf_gcs.formats.kml import MEDIA_TYPE
 from epf_gcs.formats.kml_live import Link, NamedTrack, link_document, live_document
 from epf_gcs.formats.kml_plan import write_kml
 from epf_gcs.formats.kml_words import WORDS
-from epf_gcs.web.deps import StationDep
+from epf_gcs.web.deps import ClockDep, MirrorDep, TracksDep, VehicleDep
 from epf_gcs.web.earth.aircraft import Which, aircraft_now, followed_of
 from epf_gcs.web.missions.file_routes import attachment
 from epf_gcs.web.problems import reading_problems
@@ -31,10 +33,10 @@ _TAIL_POINTS: Final = 300
 
 
 @router.get("/plan.kml", response_class=Response, responses={**file_answer(MEDIA_TYPE), **reading_problems(409, 502)})
-async def get_plan_kml(station: StationDep, plan: PlanName = "flight", lang: Lang = "es") -> Response:
+async def get_plan_kml(vehicle: VehicleDep, plan: PlanName = "flight", lang: Lang = "es") -> Response:
     """A plan as the board has it now."""
     name = WORDS[lang].hil_plan if plan == "hil" else WORDS[lang].plan
-    data = write_kml(name, await station.missions.read(plan))
+    data = write_kml(name, await _read(vehicle, plan))
     return Response(data, media_type=MEDIA_TYPE, headers={"Content-Disposition": attachment(name, "kml")})
 
 
@@ -43,10 +45,10 @@ async def get_plan_kml(station: StationDep, plan: PlanName = "flight", lang: Lan
     response_class=Response,
     responses={**file_answer(kmz.MEDIA_TYPE), **reading_problems(409, 502)},
 )
-async def get_plan_kmz(station: StationDep, plan: PlanName = "flight", lang: Lang = "es") -> Response:
+async def get_plan_kmz(vehicle: VehicleDep, plan: PlanName = "flight", lang: Lang = "es") -> Response:
     """The same, packed."""
     name = WORDS[lang].hil_plan if plan == "hil" else WORDS[lang].plan
-    document = write_kml(name, await station.missions.read(plan))
+    document = write_kml(name, await _read(vehicle, plan))
     data = b"".join(kmz.kmz_pieces([(kmz.DOCUMENT, [document])]))
     return Response(data, media_type=kmz.MEDIA_TYPE, headers={"Content-Disposition": attachment(name, "kmz")})
 
@@ -54,7 +56,7 @@ async def get_plan_kmz(station: StationDep, plan: PlanName = "flight", lang: Lan
 @router.get("/earth.kml", response_class=Response, responses=file_answer(MEDIA_TYPE))
 async def get_earth_kml(
     request: Request,
-    station: StationDep,
+    mirror: MirrorDep,
     follow: Which | None = None,
     camera: Literal["follow", "free"] = "follow",
     lang: Lang = "es",
@@ -70,7 +72,7 @@ async def get_earth_kml(
         Link(words.aircraft, f"{base}/earth/live.kml?lang={lang}{chosen}", _LIVE_S, moves_view=camera == "follow"),
         Link(words.track, f"{base}/track.kml?lang={lang}&points={_EARTH_POINTS}", _TRACK_S),
     ]
-    if station.board.capabilities().get("has_missions"):
+    if mirror.status["board"]["features"]["missions"]:
         # Asked for once: each time is a transfer over the board's line.
         links += [
             Link(words.plan, f"{base}/plan.kml?plan=flight&lang={lang}", None),
@@ -82,19 +84,24 @@ async def get_earth_kml(
 
 @router.get("/earth/live.kml", response_class=Response, responses=file_answer(MEDIA_TYPE))
 async def get_live_kml(
-    request: Request, station: StationDep, follow: Which | None = None, lang: Lang = "es"
+    request: Request,
+    mirror: MirrorDep,
+    flown: TracksDep,
+    clock: ClockDep,
+    follow: Which | None = None,
+    lang: Lang = "es",
 ) -> Response:
     """The aircraft with their attitude, the view, and the last minute of the tracks."""
     words = WORDS[lang]
-    since_s = station.clock.now_s() - _TAIL_S
-    pair = station.tracks.now
+    since_s = clock.now_s() - _TAIL_S
+    pair = flown.now
     tracks = [
         NamedTrack(name, [line.positions() for line in lines_of(track, _TAIL_POINTS, since_s)])
         for name, track in ((words.track, pair.real), (words.hil_track, pair.hil))
     ]
-    found = aircraft_now(station, words)
+    found = aircraft_now(mirror, words)
     model_url = f"{_base(request)}/earth/aircraft.dae"
-    pieces = live_document(words.station, list(found.values()), followed_of(station, found, follow), tracks, model_url)
+    pieces = live_document(words.station, list(found.values()), followed_of(mirror, found, follow), tracks, model_url)
     return Response(b"".join(pieces), media_type=MEDIA_TYPE)
 
 
@@ -106,6 +113,10 @@ async def get_live_kml(
 async def get_aircraftmodel_bytes() -> Response:
     """The aircraft's shape."""
     return Response(model_bytes(), media_type=aircraft_model.MEDIA_TYPE, headers={"Cache-Control": "max-age=3600"})
+
+
+async def _read(vehicle: StationEnd, plan: PlanName) -> list[Waypoint]:
+    return [Waypoint(**waypoint) for waypoint in await vehicle.request("missions.read", plan=plan)]
 
 
 def _base(request: Request) -> str:

@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-import asyncio
 from typing import Literal
 
-import orjson
 from fastapi import APIRouter, Response
 
 from epf_gcs.vehicle.advice import Code
-from epf_gcs.web.deps import StationDep
-from epf_gcs.web.inspector.inspector import build_inspector, take_snapshot
+from epf_gcs.web.deps import InspectorDep
 from epf_gcs.web.problems import reading_problems
-from epf_gcs.web.schemas import Output, ParamValue, RoundTripMs
+from epf_gcs.web.schemas import Output, ParamValue
+from epf_gcs.web.state.schemas import RoundTripMs
 
 router = APIRouter(tags=["inspector"])
 
@@ -80,9 +78,7 @@ class Inspector(Output):
     advice: list[AdviceState]
 
 
-@router.get("/inspector", response_model=Inspector, responses=reading_problems())
-async def get_inspector(station: StationDep) -> Response:
+@router.get("/inspector", response_model=Inspector, responses=reading_problems(409))
+async def get_inspector(inspector: InspectorDep) -> Response:
     """Every type of frame and row with rate, jitter, count and last values; the load of the lines; and advice."""
-    snapshot = take_snapshot(station)
-    body = await asyncio.to_thread(lambda: orjson.dumps(build_inspector(snapshot)))
-    return Response(body, media_type="application/json")
+    return Response(await inspector.text(), media_type="application/json")

@@ -2,59 +2,40 @@
 
 from __future__ import annotations
 
-import asyncio
-
 from fastapi import APIRouter, status
 
-from epf_gcs.flight.hil.simulator import SimulatorAddress
-from epf_gcs.link.address import LinkAddress, parse_address
-from epf_gcs.link.ports import list_serial_ports
-from epf_gcs.web.deps import OperatorDep, StationDep
+from epf_gcs.web.deps import OperatorDep, VehicleDep
+from epf_gcs.web.links.schemas import BoardLink, LinkResult, Ports, SimulatorLink
 from epf_gcs.web.problems import problems, reading_problems
-from epf_gcs.web.schemas import BoardLink, LinkResult, Ports, PortState, SimulatorLink
 
 router = APIRouter(tags=["links"])
 
 
-@router.get("/ports", responses=reading_problems())
-async def get_ports() -> Ports:
+@router.get("/ports", responses=reading_problems(409))
+async def get_ports(vehicle: VehicleDep) -> Ports:
     """The serial ports of the machine that the gateway runs on."""
-    found = await asyncio.to_thread(list_serial_ports)
-    return Ports(
-        ports=[
-            PortState(
-                path=port.path,
-                url=LinkAddress("serial", port.path).url,
-                description=port.description,
-                identity=port.identity,
-            )
-            for port in found
-        ]
-    )
+    return Ports.model_validate({"ports": await vehicle.request("lines.ports")})
 
 
 @router.put("/links/board", responses=problems(409))
-async def put_board(body: BoardLink, station: StationDep, _: OperatorDep) -> LinkResult:
+async def put_board(body: BoardLink, vehicle: VehicleDep, operator: OperatorDep) -> LinkResult:
     """Open the board's link; it is reopened by itself until it is closed here."""
-    address = parse_address(body.url)
-    await station.open_board(address)
-    return LinkResult(state=station.supervisor.state, url=address.url)
+    return LinkResult.model_validate(await vehicle.request("lines.open_board", operator, url=body.url))
 
 
 @router.delete("/links/board", status_code=status.HTTP_204_NO_CONTENT, responses=problems(409))
-async def delete_board(station: StationDep, _: OperatorDep) -> None:
+async def delete_board(vehicle: VehicleDep, operator: OperatorDep) -> None:
     """Leave the board quiet and close its link."""
-    await station.close_board()
+    await vehicle.request("lines.close_board", operator)
 
 
 @router.put("/links/simulator", responses=problems(409))
-async def put_simulator(body: SimulatorLink, station: StationDep, _: OperatorDep) -> LinkResult:
+async def put_simulator(body: SimulatorLink, vehicle: VehicleDep, operator: OperatorDep) -> LinkResult:
     """Listen to the simulator."""
-    await station.open_simulator(SimulatorAddress(body.receive_port, body.send_host, body.send_port, body.profile))
-    return LinkResult(state=station.simulator.state, url=f"udp://{body.send_host}:{body.send_port}")
+    return LinkResult.model_validate(await vehicle.request("lines.open_simulator", operator, **body.model_dump()))
 
 
 @router.delete("/links/simulator", status_code=status.HTTP_204_NO_CONTENT, responses=problems(409))
-async def delete_simulator(station: StationDep, _: OperatorDep) -> None:
+async def delete_simulator(vehicle: VehicleDep, operator: OperatorDep) -> None:
     """Hand the simulator its controls back and close the port."""
-    await station.close_simulator()
+    await vehicle.request("lines.close_simulator", operator)

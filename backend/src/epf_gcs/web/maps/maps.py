@@ -11,11 +11,11 @@ from typing import Any, Final
 
 from epf_gcs.clock import Clock
 from epf_gcs.errors import GatewayError
-from epf_gcs.flight.memory import Memory
 from epf_gcs.web.maps.folder import MapFolder
 from epf_gcs.web.maps.imports import INCOMING, Imports
 from epf_gcs.web.maps.layer import Description, Layer, Tile
 from epf_gcs.web.maps.online import Online
+from epf_gcs.web.maps.online_file import OnlineFile
 from epf_gcs.web.maps.open_files import Stamp
 from epf_gcs.web.maps.sources import OnlineChoice
 from epf_gcs.web.maps.terrain_jobs import T, TerrainJobs
@@ -30,7 +30,7 @@ class Maps:
     """Made on the running loop."""
 
     def __init__(
-        self, path: Path, hub: Hub, clock: Clock, memory: Memory, report: Callable[[GatewayError], None]
+        self, path: Path, hub: Hub, clock: Clock, chosen: OnlineFile, report: Callable[[GatewayError], None]
     ) -> None:
         self._loop = asyncio.get_running_loop()
         self._threads = ThreadPoolExecutor(_THREADS, thread_name_prefix="maps")
@@ -39,8 +39,8 @@ class Maps:
         self.imports = Imports(self.folder, self._jobs, self._in_thread, hub)
         self.online = Online(
             path / TILES,
-            OnlineChoice.from_dict(memory.now.online),
-            lambda choice: memory.update(online=choice.as_dict()),
+            OnlineChoice.from_dict(chosen.read()),
+            lambda choice: chosen.write(choice.as_dict()),
             report,
             clock.now_s,
         )

@@ -11,7 +11,7 @@ from fastapi.responses import Response
 from starlette.requests import ClientDisconnect
 
 from epf_gcs.errors import ConflictError
-from epf_gcs.web.deps import OperatorDep, StationDep
+from epf_gcs.web.deps import MapsDep, OperatorDep
 from epf_gcs.web.maps.imports import Import
 from epf_gcs.web.maps.layer import Description, Layer, Tile
 from epf_gcs.web.maps.open_files import Stamp
@@ -39,10 +39,10 @@ FileName = Annotated[str, Query(min_length=1, max_length=255, description="The f
 
 
 @router.get("/layers", responses=reading_problems())
-async def get_map_layers(station: StationDep) -> MapLayers:
+async def get_map_layers(maps: MapsDep) -> MapLayers:
     """What lies in the maps' folder; what cannot be shown says why."""
-    layers = await station.maps.layers()
-    return MapLayers(folder=str(station.maps.folder.path.absolute()), layers=[_layer(layer) for layer in layers])
+    layers = await maps.layers()
+    return MapLayers(folder=str(maps.folder.path.absolute()), layers=[_layer(layer) for layer in layers])
 
 
 @router.get(
@@ -51,21 +51,21 @@ async def get_map_layers(station: StationDep) -> MapLayers:
     responses={200: {"content": dict.fromkeys(_PICTURES, _FILE)}, **_GONE, **reading_problems(404)},
 )
 async def get_map_tile(
-    request: Request, station: StationDep, layer_id: LayerId, zoom: Zoom, column: Place, row: Place
+    request: Request, maps: MapsDep, layer_id: LayerId, zoom: Zoom, column: Place, row: Place
 ) -> Response:
     """One picture; rows count from the north."""
-    tile, stamp = await station.maps.picture(layer_id, zoom, column, row)
+    tile, stamp = await maps.picture(layer_id, zoom, column, row)
     if tile is None:
         # An online source may have it in a moment.
-        is_online = station.maps.online.has(layer_id)
+        is_online = maps.online.has(layer_id)
         return Response(status_code=204, headers={"Cache-Control": "no-cache" if is_online else _CACHE})
     return _tile_answer(request, tile, stamp)
 
 
 @router.get("/layers/{layer_id}/terrain/layer.json", response_class=Response, responses=reading_problems(404))
-async def get_terrain_contents(station: StationDep, layer_id: LayerId) -> Response:
+async def get_terrain_contents(maps: MapsDep, layer_id: LayerId) -> Response:
     """What Cesium's terrain provider reads first."""
-    found = await station.maps.description(layer_id)
+    found = await maps.description(layer_id)
     if found.kind != "terrain":
         return _no_terrain(layer_id)
     contents: dict[str, Any] = {
@@ -97,27 +97,27 @@ async def get_terrain_contents(station: StationDep, layer_id: LayerId) -> Respon
     },
 )
 async def get_terrain_tile(
-    request: Request, station: StationDep, layer_id: LayerId, zoom: Zoom, column: Place, row: Place
+    request: Request, maps: MapsDep, layer_id: LayerId, zoom: Zoom, column: Place, row: Place
 ) -> Response:
     """One piece of terrain, quantized-mesh 1.0; rows as its layer.json counts them. Heights are above the sea."""
-    tile, stamp = await station.maps.terrain(layer_id, zoom, column, row)
+    tile, stamp = await maps.terrain(layer_id, zoom, column, row)
     if tile is None:
         return _no_terrain(layer_id)
     return _tile_answer(request, tile, stamp)
 
 
 @router.delete("/layers/{layer_id}", responses=problems(404, 409))
-async def remove_map_layer(station: StationDep, layer_id: LayerId, _: OperatorDep) -> MapLayers:
+async def remove_map_layer(maps: MapsDep, layer_id: LayerId, _: OperatorDep) -> MapLayers:
     """Take a layer out of the list. Its file moves into the folder `removed` and can be restored."""
-    await station.maps.remove(layer_id)
-    return await get_map_layers(station)
+    await maps.remove(layer_id)
+    return await get_map_layers(maps)
 
 
 @router.post("/layers/{layer_id}/restore", responses=problems(404, 409))
-async def restore_map_layer(station: StationDep, layer_id: LayerId, _: OperatorDep) -> MapLayers:
+async def restore_map_layer(maps: MapsDep, layer_id: LayerId, _: OperatorDep) -> MapLayers:
     """Bring a removed layer back."""
-    await station.maps.restore(layer_id)
-    return await get_map_layers(station)
+    await maps.restore(layer_id)
+    return await get_map_layers(maps)
 
 
 @router.post(
@@ -125,25 +125,25 @@ async def restore_map_layer(station: StationDep, layer_id: LayerId, _: OperatorD
     responses=problems(409),
     openapi_extra={"requestBody": {"required": True, "content": {"application/octet-stream": _FILE}}},
 )
-async def import_map(request: Request, station: StationDep, name: FileName, _: OperatorDep) -> MapImport:
+async def import_map(request: Request, maps: MapsDep, name: FileName, _: OperatorDep) -> MapImport:
     """Take a map file into the folder, whole or not at all. The answer comes when all of it is there; heights are being
     turned into terrain then. The event `map_import` tells how far it is."""
     length = request.headers.get("content-length", "")
     total_bytes = int(length) if length.isdecimal() else None
-    one = await station.maps.imports.receive(name, total_bytes, _chunks(request, name))
+    one = await maps.imports.receive(name, total_bytes, _chunks(request, name))
     return _import(one)
 
 
 @router.get("/imports/{import_id}", responses=reading_problems(404))
-async def get_map_import(station: StationDep, import_id: ImportId) -> MapImport:
+async def get_map_import(maps: MapsDep, import_id: ImportId) -> MapImport:
     """How far an import is."""
-    return _import(station.maps.imports.get(import_id))
+    return _import(maps.imports.get(import_id))
 
 
 @router.delete("/imports/{import_id}", responses=problems(404, 409))
-async def cancel_map_import(station: StationDep, import_id: ImportId, _: OperatorDep) -> MapImport:
+async def cancel_map_import(maps: MapsDep, import_id: ImportId, _: OperatorDep) -> MapImport:
     """Cancel an import: nothing of the file is kept. One that is over stays as it is."""
-    return _import(await station.maps.imports.cancel(import_id))
+    return _import(await maps.imports.cancel(import_id))
 
 
 async def _chunks(request: Request, name: str) -> AsyncIterator[bytes]:

@@ -14,8 +14,8 @@ from epf_gcs.formats.mission_file import Format
 from epf_gcs.formats.recognise import MAX_FILE_BYTES, WRITERS, read_mission_file
 from epf_gcs.formats.xml_tree import plain
 from epf_gcs.web.missions.file_schemas import MissionExport, MissionImport, MissionNote
+from epf_gcs.web.missions.schemas import WaypointModel
 from epf_gcs.web.problems import problems
-from epf_gcs.web.schemas import WaypointModel
 
 router = APIRouter(prefix="/missions", tags=["missions"])
 

@@ -5,7 +5,8 @@ from __future__ import annotations
 from pydantic import Field
 
 from epf_gcs.formats.mission_file import Format, NoteCode
-from epf_gcs.web.schemas import MissionInput, Output, ParamValue, WaypointModel
+from epf_gcs.web.missions.schemas import MissionInput, WaypointModel
+from epf_gcs.web.schemas import Output, ParamValue
 
 
 class MissionExport(MissionInput):

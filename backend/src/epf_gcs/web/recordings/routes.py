@@ -11,10 +11,10 @@ from fastapi import APIRouter, Path
 from fastapi.responses import FileResponse
 
 from epf_gcs.errors import NotFoundError
-from epf_gcs.flight.station import Station
-from epf_gcs.web.deps import StationDep
+from epf_gcs.web.deps import MirrorDep, RecordingsDirDep
 from epf_gcs.web.problems import reading_problems
-from epf_gcs.web.schemas import RecordingInfo, RecordingList
+from epf_gcs.web.recordings.schemas import RecordingInfo, RecordingList
+from epf_gcs.web.vehicle.mirror import VehicleMirror
 
 router = APIRouter(tags=["recordings"])
 
@@ -22,15 +22,15 @@ RecordingId = Annotated[str, Path(pattern=r"^[0-9]{8}T[0-9]{6}Z(-[0-9]{1,4})?$",
 
 
 @router.get("/recordings", responses=reading_problems())
-async def get_recordings(station: StationDep) -> RecordingList:
+async def get_recordings(folder: RecordingsDirDep, mirror: MirrorDep) -> RecordingList:
     """All recordings, newest first."""
-    return RecordingList(recordings=await asyncio.to_thread(_list, station))
+    return RecordingList(recordings=await asyncio.to_thread(_list, folder, _active(mirror)))
 
 
 @router.get("/recordings/{recording_id}", responses=reading_problems(404))
-async def get_recording(recording_id: RecordingId, station: StationDep) -> RecordingInfo:
+async def get_recording(recording_id: RecordingId, folder: RecordingsDirDep, mirror: MirrorDep) -> RecordingInfo:
     """One recording."""
-    return _find(recording_id, station)
+    return _find(recording_id, folder, _active(mirror))
 
 
 @router.get(
@@ -43,22 +43,29 @@ async def get_recording(recording_id: RecordingId, station: StationDep) -> Recor
 )
 async def export_recording(
     recording_id: RecordingId,
-    station: StationDep,
+    folder: RecordingsDirDep,
+    mirror: MirrorDep,
     format: Literal["mcap"] = "mcap",  # noqa: A002 - the name of the query parameter
 ) -> FileResponse:
     """The file itself; one that is still being written is given as far as it is."""
-    _find(recording_id, station)
+    _find(recording_id, folder, _active(mirror))
     name = f"{recording_id}.{format}"
-    return FileResponse(station.recordings_dir / name, media_type="application/octet-stream", filename=name)
+    return FileResponse(folder / name, media_type="application/octet-stream", filename=name)
 
 
-def _list(station: Station) -> list[RecordingInfo]:
-    files = sorted(station.recordings_dir.glob("*.mcap"), reverse=True)
-    return [info for file in files if (info := _info(file, station)) is not None]
+def _active(mirror: VehicleMirror) -> str | None:
+    """Name of the file that is being written."""
+    file: str | None = mirror.status["recording"]["file"]
+    return file
 
 
-def _find(recording_id: str, station: Station) -> RecordingInfo:
-    info = _info(station.recordings_dir / f"{recording_id}.mcap", station)
+def _list(folder: FilePath, active: str | None) -> list[RecordingInfo]:
+    files = sorted(folder.glob("*.mcap"), reverse=True)
+    return [info for file in files if (info := _info(file, active)) is not None]
+
+
+def _find(recording_id: str, folder: FilePath, active: str | None) -> RecordingInfo:
+    info = _info(folder / f"{recording_id}.mcap", active)
     if info is None:
         raise NotFoundError(
             "recording_unknown",
@@ -68,12 +75,11 @@ def _find(recording_id: str, station: Station) -> RecordingInfo:
     return info
 
 
-def _info(file: FilePath, station: Station) -> RecordingInfo | None:
+def _info(file: FilePath, active: str | None) -> RecordingInfo | None:
     """None where the file is gone, or where it is none of ours."""
     try:
         started = datetime.strptime(file.stem.split("-")[0], "%Y%m%dT%H%M%SZ").replace(tzinfo=UTC)
         size = file.stat().st_size
     except (ValueError, OSError):
         return None
-    active = station.recorder is not None and station.recorder.file == file
-    return RecordingInfo(id=file.stem, started_s=started.timestamp(), bytes=size, active=active)
+    return RecordingInfo(id=file.stem, started_s=started.timestamp(), bytes=size, active=file.name == active)

@@ -2,54 +2,42 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 import orjson
 from fastapi import APIRouter, Response
 
-from epf_gcs.flight.station import Station
-from epf_gcs.flight.status import build_status
-from epf_gcs.web.deps import StationDep
+from epf_gcs.web.deps import ControlDep, StatusDep, VehicleDep
 from epf_gcs.web.problems import problems, reading_problems
-from epf_gcs.web.schemas import ControlInput, ControlState, Sample, Status
+from epf_gcs.web.state.schemas import ControlInput, ControlState, Sample, Status
 
 router = APIRouter(tags=["state"])
 
 
-def status_json(station: Station) -> bytes:
-    """The status as JSON; not validated again, the tests do that."""
-    return orjson.dumps(build_status(station))
-
-
-def status_message(station: Station) -> Callable[[], bytes]:
-    """What the stream sends."""
-    return lambda: b'{"type":"status","data":%b}' % status_json(station)
-
-
 @router.get("/status", response_model=Status, responses=reading_problems())
-async def get_status(station: StationDep) -> Response:
+async def get_status(status: StatusDep, vehicle: VehicleDep) -> Response:
     """The whole state of the station."""
-    return Response(status_json(station), media_type="application/json")
+    # Fresh from the flight where it is there: who has just changed something sees it. Not validated, the tests do that.
+    flight = await vehicle.request("status") if vehicle.is_connected else None
+    return Response(orjson.dumps(status.build(flight)), media_type="application/json")
 
 
-@router.get("/telemetry", response_model=dict[str, Sample], responses=reading_problems())
-async def get_telemetry(station: StationDep) -> Response:
+@router.get("/telemetry", response_model=dict[str, Sample], responses=reading_problems(409))
+async def get_telemetry(vehicle: VehicleDep) -> Response:
     """The newest sample of every topic, with its age."""
-    return Response(orjson.dumps(station.telemetry.snapshot()), media_type="application/json")
+    return Response(orjson.dumps(await vehicle.request("telemetry")), media_type="application/json")
 
 
 @router.get("/control", responses=reading_problems())
-async def get_control(station: StationDep) -> ControlState:
+async def get_control(control: ControlDep) -> ControlState:
     """Who may command."""
-    holder = station.control.holder
+    holder = control.holder
     return ControlState(client=holder.id if holder else None, name=holder.name if holder else None)
 
 
 @router.post("/control", responses=problems(404, 409))
-async def post_control(body: ControlInput, station: StationDep) -> ControlState:
+async def post_control(body: ControlInput, control: ControlDep) -> ControlState:
     """Take control where nobody has it, or give it back."""
     if body.action == "take":
-        station.control.take(body.client)
+        control.take(body.client)
     else:
-        station.control.release(body.client)
-    return await get_control(station)
+        control.release(body.client)
+    return await get_control(control)

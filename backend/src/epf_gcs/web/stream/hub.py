@@ -60,8 +60,11 @@ class Hub:
                     self._loop.call_at(pacer.due_s, self._timer, pacer)
 
     def event(self, kind: str, data: dict[str, Any]) -> None:
-        """Something happened that every viewer should hear of."""
-        text = self.event_text(kind, data)
+        """Something happened in the web process that every viewer should hear of."""
+        self.send_event(self.event_text(kind, data))
+
+    def send_event(self, text: bytes) -> None:
+        """An event that is text already."""
         for viewer in self.viewers:
             viewer.offer_event(text)
             self.serve(viewer)

@@ -1,4 +1,4 @@
-"""The newest value of every topic, serialised at most once for all viewers."""
+"""The newest value of every topic, as text that all viewers share."""
 
 from __future__ import annotations
 
@@ -18,23 +18,21 @@ Values = Mapping[str, Any]
 
 @dataclass(slots=True)
 class Newest:
-    """The newest sample of a topic; `text` is its JSON once somebody needed it."""
+    """The newest sample of a topic. `text` is JSON as viewers get it: {"topic": ..., "t_s": ..., "values": {...}}."""
 
-    topic: str
     t_s: float
-    values: Values
+    text: bytes
     version: int
-    text: bytes | None = None
+    _values: Values | None = None
 
-    def json(self) -> bytes:
-        """{"topic": ..., "t_s": ..., "values": {...}}, made once."""
-        if self.text is None:
-            self.text = b'{"topic":"%b","t_s":%.6f,"values":%b}' % (
-                self.topic.encode(),
-                self.t_s,
-                orjson.dumps(self.values),
-            )
-        return self.text
+    @property
+    def values(self) -> Values:
+        """The values, read from the text once somebody needs them."""
+        if self._values is None:
+            values: Values = orjson.loads(self.text)["values"]
+            self._values = values
+            return values
+        return self._values
 
 
 class HubState:
@@ -48,16 +46,17 @@ class HubState:
         self._log: deque[Newest] = deque(maxlen=_LOG_SAMPLES)
         self._bodies: dict[int, bytes] = {}
 
-    def put(self, topic: str, t_s: float, values: Values) -> None:
+    def put(self, topic: str, t_s: float, text: bytes) -> Newest:
         """Take a new sample; the old one of this topic is forgotten."""
         self.version += 1
-        sample = Newest(topic, t_s, values, self.version)
+        sample = Newest(t_s, text, self.version)
         self._newest[topic] = sample
         self.newest_s = t_s
         if self.keep_all:
             self._log.append(sample)
         if self._bodies:
             self._bodies.clear()
+        return sample
 
     def drop_log(self) -> None:
         """Nobody wants every sample any more."""
@@ -72,7 +71,7 @@ class HubState:
         """JSON of the newest sample of each topic that changed after `version`, separated by commas."""
         body = self._bodies.get(version)
         if body is None:
-            changed = [sample.json() for sample in self._newest.values() if sample.version > version]
+            changed = [sample.text for sample in self._newest.values() if sample.version > version]
             body = self._bodies[version] = b",".join(changed)
         return body
 
@@ -81,6 +80,6 @@ class HubState:
         wanted = self.version - version
         kept = len(self._log)
         if wanted == 1 and kept:
-            return self._log[-1].json(), 0
+            return self._log[-1].text, 0
         samples = islice(self._log, max(0, kept - wanted), kept)
-        return b",".join(sample.json() for sample in samples), max(0, wanted - kept)
+        return b",".join(sample.text for sample in samples), max(0, wanted - kept)

@@ -10,7 +10,6 @@ from typing import Annotated, Any, Final
 from fastapi import APIRouter, Query
 from fastapi.responses import Response, StreamingResponse
 
-from epf_gcs.flight.station import Station
 from epf_gcs.formats import aircraft_model, czml, gpx_track, kml, kmz
 from epf_gcs.formats.czml import MovingTrack, czml_pieces
 from epf_gcs.formats.gpx_track import TimedTrack, gpx_track_pieces
@@ -18,13 +17,14 @@ from epf_gcs.formats.kml_live import Aircraft, NamedTrack, track_document
 from epf_gcs.formats.kml_words import WORDS, Language, Words
 from epf_gcs.formats.kmz import kmz_pieces
 from epf_gcs.formats.track_points import HEADER_BYTES, MEDIA_TYPE, points_header
-from epf_gcs.vehicle.track import MAX_POINTS, POINT
-from epf_gcs.web.deps import OperatorDep, StationDep
+from epf_gcs.web.deps import OperatorDep, TracksDep
 from epf_gcs.web.earth.aircraft import Which
 from epf_gcs.web.missions.file_routes import attachment
 from epf_gcs.web.problems import problems, reading_problems
 from epf_gcs.web.track.schemas import TrackState
+from epf_gcs.web.track.track import MAX_POINTS, POINT
 from epf_gcs.web.track.track_lines import Line, lines_of
+from epf_gcs.web.track.tracks import Tracks
 
 router = APIRouter(tags=["track"])
 
@@ -54,7 +54,7 @@ def model_bytes() -> bytes:
 
 @router.get("/track/points", response_class=Response, responses=file_answer(MEDIA_TYPE))
 async def get_track_points(
-    station: StationDep,
+    tracks: TracksDep,
     source: Which = "hil",
     after: Annotated[Index, Query(description="How many points the caller has already.")] = 0,
     epoch: Annotated[Index | None, Query(description="The epoch of the answer from which it has them.")] = None,
@@ -65,7 +65,7 @@ async def get_track_points(
     Then `count` records of 16: u32 ms since t0, i32 latitude and i32 longitude in 1e-7 deg, i32 altitude in mm above
     mean sea level. Where the epoch is another than the caller's, or `after` is beyond the end, all points come.
     """
-    pair = station.tracks.now
+    pair = tracks.now
     track = pair.real if source == "real" else pair.hil
     total = len(track)
     first = after if after <= total and epoch in (None, track.epoch) else 0
@@ -77,18 +77,18 @@ async def get_track_points(
 
 
 @router.get("/track.kml", response_class=Response, responses=file_answer(kml.MEDIA_TYPE))
-async def get_track_kml(station: StationDep, points: MostPoints = None, lang: Lang = "es") -> StreamingResponse:
+async def get_track_kml(flown: TracksDep, points: MostPoints = None, lang: Lang = "es") -> StreamingResponse:
     """The flown tracks, real and HIL, with their curtains: every point, unless fewer are asked for."""
     words = WORDS[lang]
-    tracks = [_drawn(name, lines) for name, lines in _named(station, words, points)]
+    tracks = [_drawn(name, lines) for name, lines in _named(flown, words, points)]
     return _streamed(track_document(_title(words), tracks), kml.MEDIA_TYPE, words.track, "kml")
 
 
 @router.get("/track.kmz", response_class=Response, responses=file_answer(kmz.MEDIA_TYPE))
-async def get_track_kmz(station: StationDep, points: MostPoints = None, lang: Lang = "es") -> StreamingResponse:
+async def get_track_kmz(flown: TracksDep, points: MostPoints = None, lang: Lang = "es") -> StreamingResponse:
     """The same in one packed file with the aircraft's model, which stands where each track ends."""
     words = WORDS[lang]
-    named = _named(station, words, points)
+    named = _named(flown, words, points)
     tracks = [_drawn(name, lines) for name, lines in named]
     shown = (words.aircraft, words.hil_aircraft)
     aircraft = [_at_the_end(name, lines[-1]) for name, (_, lines) in zip(shown, named, strict=True) if lines]
@@ -98,10 +98,10 @@ async def get_track_kmz(station: StationDep, points: MostPoints = None, lang: La
 
 
 @router.get("/track.gpx", response_class=Response, responses=file_answer(gpx_track.MEDIA_TYPE))
-async def get_track_gpx(station: StationDep, points: MostPoints = None, lang: Lang = "es") -> StreamingResponse:
+async def get_track_gpx(flown: TracksDep, points: MostPoints = None, lang: Lang = "es") -> StreamingResponse:
     """The flown tracks as GPX 1.1, with the time of every point."""
     words = WORDS[lang]
-    tracks = [TimedTrack(name, lines) for name, lines in _named(station, words, points)]
+    tracks = [TimedTrack(name, lines) for name, lines in _named(flown, words, points)]
     return _streamed(gpx_track_pieces(tracks), gpx_track.MEDIA_TYPE, words.track, "gpx")
 
 
@@ -113,39 +113,39 @@ async def get_track_gpx(station: StationDep, points: MostPoints = None, lang: La
         **reading_problems(),
     },
 )
-async def get_track_czml(station: StationDep, points: MostPoints = None, lang: Lang = "es") -> StreamingResponse:
+async def get_track_czml(flown: TracksDep, points: MostPoints = None, lang: Lang = "es") -> StreamingResponse:
     """The flown tracks as CZML: place and time of every point, and the attitude where it was live."""
     words = WORDS[lang]
     ids = (("real", _REAL_COLOUR), ("hil", _HIL_COLOUR))
     tracks = [
         MovingTrack(which, name, colour, [line.span_s() for line in lines], lines)
-        for (which, colour), (name, lines) in zip(ids, _named(station, words, points), strict=True)
+        for (which, colour), (name, lines) in zip(ids, _named(flown, words, points), strict=True)
     ]
     return _streamed(czml_pieces(_title(words), tracks), czml.MEDIA_TYPE, words.track, "czml")
 
 
 @router.get("/track", responses=reading_problems())
-async def get_track(station: StationDep) -> TrackState:
+async def get_track(tracks: TracksDep) -> TrackState:
     """How long the drawn tracks are."""
-    return TrackState(**station.tracks.as_dict())
+    return TrackState(**tracks.as_dict())
 
 
 @router.post("/track/reset", responses=problems(409))
-async def reset_track(station: StationDep, _: OperatorDep) -> TrackState:
+async def reset_track(tracks: TracksDep, _: OperatorDep) -> TrackState:
     """Clear the drawn tracks; what is recorded stays."""
-    station.tracks.reset()
-    return TrackState(**station.tracks.as_dict())
+    tracks.reset()
+    return TrackState(**tracks.as_dict())
 
 
 @router.post("/track/restore", responses=problems(409))
-async def restore_track(station: StationDep, _: OperatorDep) -> TrackState:
+async def restore_track(tracks: TracksDep, _: OperatorDep) -> TrackState:
     """Bring the track back that was cleared last, before what was flown since."""
-    station.tracks.restore()
-    return TrackState(**station.tracks.as_dict())
+    tracks.restore()
+    return TrackState(**tracks.as_dict())
 
 
-def _named(station: Station, words: Words, most_points: int | None) -> list[tuple[str, list[Line]]]:
-    pair = station.tracks.now
+def _named(tracks: Tracks, words: Words, most_points: int | None) -> list[tuple[str, list[Line]]]:
+    pair = tracks.now
     return [(words.track, lines_of(pair.real, most_points)), (words.hil_track, lines_of(pair.hil, most_points))]
 
 

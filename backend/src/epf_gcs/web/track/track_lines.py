@@ -11,7 +11,7 @@ import numpy as np
 
 from epf_gcs.formats.kml import Position
 from epf_gcs.formats.samples import Samples
-from epf_gcs.vehicle.track import ATTITUDE, POINT, UNKNOWN_HEADING, Block, Track
+from epf_gcs.web.track.track import ATTITUDE, POINT, UNKNOWN_HEADING, Block, Track
 
 _DEG: Final = 1e-7
 

@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 import secrets
-from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, Final
 
 from epf_gcs.clock import Clock
 from epf_gcs.errors import ConflictError
 from epf_gcs.formats.units import m_from_ft
-from epf_gcs.vehicle.telemetry import Telemetry
-from epf_gcs.vehicle.track import Attitude, Position, Track
+from epf_gcs.vehicle.outside import Values
 from epf_gcs.web.stream.hub import Hub
-from epf_gcs.web.stream.hub_state import Values
+from epf_gcs.web.track.track import Attitude, Position, Track
+from epf_gcs.web.vehicle.mirror import VehicleMirror
 
 _AHRS: Final = ("yaw_deg", "pitch_deg", "roll_deg")
 _SIMULATOR: Final = ("true_heading_deg", "pitch_deg", "roll_deg")
@@ -28,32 +27,32 @@ class Pair:
 
 
 class Tracks:
-    """Listens to the topics with a position. `is_emulated`: what comes now are examples, with tracks of their own."""
+    """Listens to the topics with a position. Examples have tracks of their own, which end with them."""
 
-    def __init__(self, telemetry: Telemetry, hub: Hub, clock: Clock, is_emulated: Callable[[], bool]) -> None:
-        self._telemetry = telemetry
+    def __init__(self, mirror: VehicleMirror, hub: Hub, clock: Clock) -> None:
+        self._mirror = mirror
         self._hub = hub
         self._clock = clock
-        self._is_emulated = is_emulated
+        self._was_emulated = False
         self._flown = self._new_pair()
         self._examples = self._new_pair()
         self._cleared: Pair | None = None
-        telemetry.listen("gps", self._on_gps)
-        telemetry.listen("simulator", self._on_simulator)
+        mirror.listen("gps", self._on_gps)
+        mirror.listen("simulator", self._on_simulator)
 
     @property
     def now(self) -> Pair:
         """What is drawn."""
-        return self._examples if self._is_emulated() else self._flown
+        return self._examples if self._mirror.is_emulated else self._flown
 
     @property
     def can_restore(self) -> bool:
         """There is a cleared track to bring back."""
-        return self._cleared is not None and not self._is_emulated()
+        return self._cleared is not None and not self._mirror.is_emulated
 
     def reset(self) -> None:
         """Draw anew from now on. The last track that was cleared is kept; recordings are another matter."""
-        if self._is_emulated():
+        if self._mirror.is_emulated:
             self._examples = self._new_pair()
         else:
             if len(self._flown.real) or len(self._flown.hil):
@@ -63,7 +62,7 @@ class Tracks:
 
     def restore(self) -> None:
         """The track that was cleared last, and what was flown since. Raises ConflictError where there is none."""
-        if self._cleared is None or self._is_emulated():
+        if self._cleared is None or self._mirror.is_emulated:
             raise ConflictError(
                 "track_not_kept",
                 "There is no cleared track to bring back: only the last one is kept, until it is back.",
@@ -74,10 +73,12 @@ class Tracks:
         self._flown = cleared
         self._tell()
 
-    def forget_examples(self) -> None:
-        """The emulation is over."""
-        self._examples = self._new_pair()
-        self._tell()
+    def status_changed(self) -> None:
+        """Forget the examples when the emulation is over."""
+        was, self._was_emulated = self._was_emulated, self._mirror.is_emulated
+        if was and not self._was_emulated:
+            self._examples = self._new_pair()
+            self._tell()
 
     def as_dict(self) -> dict[str, Any]:
         """Plain values."""
@@ -86,7 +87,7 @@ class Tracks:
     def _on_gps(self, t_s: float, values: Values) -> None:
         """A receiver without a fix sends its last position, or the Gulf of Guinea."""
         if values["valid"] is True and values["fix"]:
-            ahrs = self._telemetry.newest("ahrs") if self._telemetry.is_live("ahrs") else None
+            ahrs = self._mirror.newest("ahrs") if self._mirror.is_live("ahrs") else None
             attitude = None if ahrs is None else _attitude(ahrs, _AHRS)
             _add(self.now.real, t_s, values["latitude_deg"], values["longitude_deg"], values["altitude_m"], attitude)
 

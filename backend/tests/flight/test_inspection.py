@@ -12,11 +12,10 @@ import pytest
 from epf_gcs.codec.checksum import checksum
 from epf_gcs.codec.encode import encode_telemetry
 from epf_gcs.codec.messages_gen import END, TELEMETRY, TO_PC_HEADER
-from epf_gcs.error_log import ErrorLog
+from epf_gcs.flight.flight import Flight
 from epf_gcs.flight.hil.simulator import SimulatorAddress
-from epf_gcs.flight.station import Station
+from epf_gcs.flight.inspection import Inspected, build_inspector, take_snapshot
 from epf_gcs.link.address import EMULATION, parse_address
-from epf_gcs.web.inspector.inspector import build_inspector, take_snapshot
 from epf_gcs.xplane.datagram import Record, build
 from tests.support.fake_board import FakeBoard
 from tests.support.waiting import eventually_async
@@ -30,7 +29,7 @@ ROWS = dict.fromkeys((3, 4, 6, 8, 11, 16, 17, 18, 20, 25), (0.0, 0.0, 0.0, 0.0, 
 class Simulator:
     """X-Plane's side; `port` is where the station listens."""
 
-    def __init__(self, station: Station) -> None:
+    def __init__(self, station: Flight) -> None:
         self.station = station
         self.socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
         self.socket.bind(("127.0.0.1", 0))
@@ -39,48 +38,60 @@ class Simulator:
             self.port = probe.getsockname()[1]
 
     async def open(self, host: str = "127.0.0.1") -> None:
-        await self.station.open_simulator(SimulatorAddress(self.port, host, self.socket.getsockname()[1], "xp10"))
+        await self.station.lines.open_simulator(SimulatorAddress(self.port, host, self.socket.getsockname()[1], "xp10"))
 
     def send(self, *rows: int) -> None:
         self.socket.sendto(build(Record(row, ROWS.get(row, (7.5,) * 8)) for row in rows), ("127.0.0.1", self.port))
 
 
 @pytest.fixture
-async def station(tmp_path: Path) -> AsyncIterator[Station]:
-    made = Station(tmp_path / "data", ErrorLog(), record=False)
+async def station(tmp_path: Path) -> AsyncIterator[Flight]:
+    made = Flight(tmp_path / "data", record=False)
     async with made.running():
         yield made
 
 
 @pytest.fixture
-def simulator(station: Station) -> Iterator[Simulator]:
+def simulator(station: Flight) -> Iterator[Simulator]:
     end = Simulator(station)
     yield end
     end.socket.close()
 
 
-async def open_board(station: Station, board: FakeBoard) -> None:
-    await station.open_board(parse_address(board.url))
+async def open_board(station: Flight, board: FakeBoard) -> None:
+    await station.lines.open_board(parse_address(board.url))
     await eventually_async(lambda: station.supervisor.state == "open", "the board opens")
 
 
-def inspect(station: Station) -> dict[str, Any]:
-    return build_inspector(take_snapshot(station))
+def inspect(station: Flight) -> dict[str, Any]:
+    parts = Inspected(
+        station.clock,
+        station.board,
+        station.telemetry,
+        station.supervisor,
+        station.simulator,
+        station.hil,
+        station.rates,
+        station.memory,
+        station.watch,
+        station.alarms,
+    )
+    return build_inspector(take_snapshot(parts))
 
 
-def frames(station: Station) -> dict[str, dict[str, Any]]:
+def frames(station: Flight) -> dict[str, dict[str, Any]]:
     return {frame["name"]: frame for frame in inspect(station)["board"]}
 
 
-def rows(station: Station) -> dict[int, dict[str, Any]]:
+def rows(station: Flight) -> dict[int, dict[str, Any]]:
     return {row["row"]: row for row in inspect(station)["rows"]}
 
 
-def advised(station: Station) -> dict[str, dict[str, Any]]:
+def advised(station: Flight) -> dict[str, dict[str, Any]]:
     return {one["code"]: one["params"] for one in inspect(station)["advice"]}
 
 
-async def test_every_frame_type_is_listed_before_it_is_heard(station: Station) -> None:
+async def test_every_frame_type_is_listed_before_it_is_heard(station: Flight) -> None:
     found = inspect(station)
     assert [(frame["id"], frame["name"]) for frame in found["board"]] == [
         (message.id, message.name) for message in TELEMETRY.values()
@@ -93,7 +104,7 @@ async def test_every_frame_type_is_listed_before_it_is_heard(station: Station) -
     assert found["advice"] == []
 
 
-async def test_a_heard_frame_has_rate_jitter_age_and_values(station: Station, board: FakeBoard) -> None:
+async def test_a_heard_frame_has_rate_jitter_age_and_values(station: Flight, board: FakeBoard) -> None:
     await open_board(station, board)
     await station.commands.run("ahrs_on")
     await eventually_async(lambda: frames(station)["ahrs"]["count"] > 20, "frames arrive")
@@ -109,7 +120,7 @@ async def test_a_heard_frame_has_rate_jitter_age_and_values(station: Station, bo
     assert acknowledgement["stale_after_s"] is None
 
 
-async def test_damaged_and_unknown_frames_are_counted_where_they_belong(station: Station, board: FakeBoard) -> None:
+async def test_damaged_and_unknown_frames_are_counted_where_they_belong(station: Flight, board: FakeBoard) -> None:
     await open_board(station, board)
     good = encode_telemetry("gps", 27.9, -15.4, 30.0, 0.0, 0.0, 0x38, 0x31, 0x41)
     body = (0x80000042).to_bytes(4, "little") + b"\1\0\0\0"
@@ -121,7 +132,7 @@ async def test_damaged_and_unknown_frames_are_counted_where_they_belong(station:
     assert (unknown["id"], unknown["count"], unknown["damaged"], unknown["values"]) == (0x42, 1, 0, None)
 
 
-async def test_rows_are_counted_however_they_come(station: Station, simulator: Simulator) -> None:
+async def test_rows_are_counted_however_they_come(station: Flight, simulator: Simulator) -> None:
     await simulator.open()
     for _ in range(5):
         simulator.send(*ROWS)
@@ -135,7 +146,7 @@ async def test_rows_are_counted_however_they_come(station: Station, simulator: S
     assert (rows(station)[20]["name"], rows(station)[20]["values"]) == ("position", list(ROWS[20]))
 
 
-async def test_rows_that_no_simulator_has_do_not_fill_the_memory(station: Station, simulator: Simulator) -> None:
+async def test_rows_that_no_simulator_has_do_not_fill_the_memory(station: Flight, simulator: Simulator) -> None:
     await simulator.open()
 
     def flood() -> bool:
@@ -147,7 +158,7 @@ async def test_rows_that_no_simulator_has_do_not_fill_the_memory(station: Statio
     assert len([row for row in rows(station) if row >= 1000]) <= 256
 
 
-async def test_a_value_that_is_no_number_is_none(station: Station, simulator: Simulator) -> None:
+async def test_a_value_that_is_no_number_is_none(station: Flight, simulator: Simulator) -> None:
     await simulator.open()
     values = (float("nan"), float("inf"), -float("inf"), 1.0, 2.0, 3.0, 4.0, 5.0)
     simulator.socket.sendto(build([Record(99, values)]), ("127.0.0.1", simulator.port))
@@ -155,8 +166,8 @@ async def test_a_value_that_is_no_number_is_none(station: Station, simulator: Si
     assert rows(station)[99]["values"] == [None, None, None, 1.0, 2.0, 3.0, 4.0, 5.0]
 
 
-async def test_the_link_is_measured_against_its_baud_rate(station: Station, board: FakeBoard) -> None:
-    await station.open_board(parse_address(f"{board.url}?baud=57600"))
+async def test_the_link_is_measured_against_its_baud_rate(station: Flight, board: FakeBoard) -> None:
+    await station.lines.open_board(parse_address(f"{board.url}?baud=57600"))
 
     def measured() -> bool:
         link = inspect(station)["link"]
@@ -167,7 +178,7 @@ async def test_the_link_is_measured_against_its_baud_rate(station: Station, boar
     assert inspect(station)["link"]["capacity_bytes_per_s"] == 5760.0
 
 
-async def test_the_loop_is_measured(station: Station, board: FakeBoard, simulator: Simulator) -> None:
+async def test_the_loop_is_measured(station: Flight, board: FakeBoard, simulator: Simulator) -> None:
     await open_board(station, board)
     await simulator.open()
 
@@ -180,7 +191,7 @@ async def test_the_loop_is_measured(station: Station, board: FakeBoard, simulato
     assert 0 < round_trip_ms["p50"] <= round_trip_ms["p99"]
 
 
-async def test_missing_rows_and_a_silent_simulator_are_advised(station: Station, simulator: Simulator) -> None:
+async def test_missing_rows_and_a_silent_simulator_are_advised(station: Flight, simulator: Simulator) -> None:
     await simulator.open()
     assert advised(station) == {"simulator_silent": {"port": simulator.port}}
 
@@ -191,7 +202,7 @@ async def test_missing_rows_and_a_silent_simulator_are_advised(station: Station,
     await eventually_async(all_but_one, "the row is named")
 
 
-async def test_a_stranger_is_advised(station: Station, simulator: Simulator) -> None:
+async def test_a_stranger_is_advised(station: Flight, simulator: Simulator) -> None:
     await simulator.open("192.0.2.1")
 
     def intrude() -> bool:
@@ -201,20 +212,20 @@ async def test_a_stranger_is_advised(station: Station, simulator: Simulator) -> 
     await eventually_async(intrude, "it is told")
 
 
-async def test_a_silent_board_is_advised(station: Station, board: FakeBoard) -> None:
+async def test_a_silent_board_is_advised(station: Flight, board: FakeBoard) -> None:
     board.silent = True
-    await station.open_board(parse_address(board.url))
+    await station.lines.open_board(parse_address(board.url))
     assert advised(station) == {"no_heartbeat": {"target": str(board.path)}}
     board.silent = False
     await eventually_async(lambda: station.supervisor.state == "open", "it speaks")
     await eventually_async(lambda: "no_heartbeat" not in advised(station), "that is over")
-    await station.close_board()
+    await station.lines.close_board()
     assert advised(station) == {}
 
 
-async def test_rubbish_on_a_serial_line_is_advised_as_a_wrong_baud_rate(station: Station, board: FakeBoard) -> None:
+async def test_rubbish_on_a_serial_line_is_advised_as_a_wrong_baud_rate(station: Flight, board: FakeBoard) -> None:
     board.silent = True
-    await station.open_board(parse_address(f"serial://{board.path}?baud=9600"))
+    await station.lines.open_board(parse_address(f"serial://{board.path}?baud=9600"))
 
     def rubbish() -> bool:
         board.send(b"\x80\xf8\x07\n\xfe\x1f\n")
@@ -223,7 +234,7 @@ async def test_rubbish_on_a_serial_line_is_advised_as_a_wrong_baud_rate(station:
     await eventually_async(rubbish, "it is told")
 
 
-async def test_a_stream_that_is_on_and_does_not_come_is_advised(station: Station, board: FakeBoard) -> None:
+async def test_a_stream_that_is_on_and_does_not_come_is_advised(station: Flight, board: FakeBoard) -> None:
     await open_board(station, board)
     await station.commands.run("gps_on")
 
@@ -236,7 +247,7 @@ async def test_a_stream_that_is_on_and_does_not_come_is_advised(station: Station
     await eventually_async(lambda: not told(), "nobody wants it any more")
 
 
-async def test_another_rate_counts_from_the_moment_it_was_commanded(station: Station, board: FakeBoard) -> None:
+async def test_another_rate_counts_from_the_moment_it_was_commanded(station: Flight, board: FakeBoard) -> None:
     await open_board(station, board)
     await eventually_async(lambda: frames(station)["heartbeat"]["count"] > 20, "it lives")
     await station.commands.run("set_parameter_task_rate", (20,))
@@ -244,14 +255,14 @@ async def test_another_rate_counts_from_the_moment_it_was_commanded(station: Sta
     assert rate_hz == 0.0, "what was measured before says nothing"
 
 
-async def test_examples_leave_no_trace_in_the_books_of_a_board(station: Station, board: FakeBoard) -> None:
+async def test_examples_leave_no_trace_in_the_books_of_a_board(station: Flight, board: FakeBoard) -> None:
     await open_board(station, board)
     await eventually_async(lambda: frames(station)["heartbeat"]["count"] > 20, "a board speaks")
-    await station.open_board(EMULATION)
+    await station.lines.open_board(EMULATION)
     assert frames(station)["heartbeat"]["count"] < 20
     await eventually_async(lambda: frames(station)["gps"]["count"] > 0, "examples are played")
     await eventually_async(lambda: rows(station)[20]["count"] > 0, "also of a simulator")
-    await station.close_board()
+    await station.lines.close_board()
     await eventually_async(lambda: station.supervisor.state == "open", "the board is back")
     assert (frames(station)["gps"]["count"], frames(station)["gps"]["values"]) == (0, None)
     assert (rows(station)[20]["count"], rows(station)[20]["values"]) == (0, None)

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from epf_gcs.vehicle.track import ATTITUDE, MAX_POINTS, POINT, UNKNOWN_HEADING, Position, Track
+from epf_gcs.web.track.track import ATTITUDE, MAX_POINTS, POINT, UNKNOWN_HEADING, Position, Track
 
 STEP_DEG = 0.0001
 

@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from epf_gcs.codec.messages_gen import COMMANDS
-from epf_gcs.vehicle.arguments import ArgumentFault, read_arguments
+from epf_gcs.web.commands.arguments import ArgumentFault, read_arguments
 
 
 @pytest.mark.parametrize(

@@ -10,12 +10,20 @@ from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
 from typing import Any, Final
 
+from epf_gcs.clock import Clock
 from epf_gcs.codec.messages_gen import TELEMETRY, TELEMETRY_BY_NAME, XPLANE_ROWS
-from epf_gcs.flight.hil.simulator import CHANNEL_BYTES_PER_S
-from epf_gcs.flight.station import Station
+from epf_gcs.flight.board.board_link import Supervisor
+from epf_gcs.flight.hil.hil import Hil
+from epf_gcs.flight.hil.simulator import CHANNEL_BYTES_PER_S, Simulator
+from epf_gcs.flight.line_rates import LineRates
+from epf_gcs.flight.memory import Memory
+from epf_gcs.flight.watch import Watch
 from epf_gcs.vehicle.advice import MissingRow, Observed, Stream, advice
+from epf_gcs.vehicle.alarms import Alarms
 from epf_gcs.vehicle.arrivals import Arrivals
+from epf_gcs.vehicle.board import Board
 from epf_gcs.vehicle.health import TASK_OF_TOPIC
+from epf_gcs.vehicle.telemetry import Telemetry
 from epf_gcs.vehicle.wanted import RATE_COMMANDS, STREAM_FLAGS
 from epf_gcs.xplane.datagram import Eight
 from epf_gcs.xplane.mapping import NEEDED_ROWS, TRACK_ROW
@@ -56,18 +64,34 @@ class Snapshot:
     expected_hz: Mapping[str, float]
 
 
-def take_snapshot(station: Station) -> Snapshot:
+@dataclass(frozen=True, slots=True)
+class Inspected:
+    """The parts that are looked at."""
+
+    clock: Clock
+    board: Board
+    telemetry: Telemetry
+    supervisor: Supervisor
+    simulator: Simulator
+    hil: Hil
+    rates: LineRates
+    memory: Memory
+    watch: Watch
+    alarms: Alarms
+
+
+def take_snapshot(parts: Inspected) -> Snapshot:
     """Copy what is known now."""
-    link = _link(station)
+    link = _link(parts)
     return Snapshot(
-        now_s=station.clock.now_s(),
-        steady_s=station.clock.steady_s(),
-        frames=_frames(station),
-        rows={row: arrivals.copy() for row, arrivals in station.hil.arrivals.items()},
-        profile=station.hil.profile,
+        now_s=parts.clock.now_s(),
+        steady_s=parts.clock.steady_s(),
+        frames=_frames(parts),
+        rows={row: arrivals.copy() for row, arrivals in parts.hil.arrivals.items()},
+        profile=parts.hil.profile,
         link=link,
-        observed=_observed(station, link),
-        expected_hz=_expected_hz(station) if station.board.is_open else {},
+        observed=_observed(parts, link),
+        expected_hz=_expected_hz(parts) if parts.board.is_open else {},
     )
 
 
@@ -99,8 +123,8 @@ def build_inspector(snapshot: Snapshot) -> dict[str, Any]:
     }
 
 
-def _frames(station: Station) -> list[_Frame]:
-    books, telemetry = station.board.books, station.telemetry
+def _frames(parts: Inspected) -> list[_Frame]:
+    books, telemetry = parts.board.books, parts.telemetry
     known = [
         _Frame(
             type_id,
@@ -133,8 +157,8 @@ def _rows(snapshot: Snapshot) -> list[dict[str, Any]]:
     ]
 
 
-def _link(station: Station) -> dict[str, Any]:
-    rates, board = station.rates, station.board
+def _link(parts: Inspected) -> dict[str, Any]:
+    rates, board = parts.rates, parts.board
     capacity = board.baud / 10.0 if board.link is not None else None
     rx, tx, simulator = rates.board_in.per_s(), rates.board_out.per_s(), rates.simulator_in.per_s()
     return {
@@ -145,73 +169,73 @@ def _link(station: Station) -> dict[str, Any]:
         "tx_percent": _percent(tx, capacity),
         "simulator_bytes_per_s": round(simulator, 1),
         "simulator_percent": _percent(simulator, CHANNEL_BYTES_PER_S),
-        "round_trip_ms": asdict(station.hil.round_trip.summary()),
-        "round_trips": station.hil.round_trip.answers,
+        "round_trip_ms": asdict(parts.hil.round_trip.summary()),
+        "round_trips": parts.hil.round_trip.answers,
     }
 
 
-def _observed(station: Station, link: Mapping[str, Any]) -> Observed:
+def _observed(parts: Inspected, link: Mapping[str, Any]) -> Observed:
     """What can be told without calculating any rate."""
-    surfaces_s = station.hil.last_surfaces_s
-    is_alive = surfaces_s is not None and station.clock.steady_s() - surfaces_s < _LOOP_ALIVE_S
+    surfaces_s = parts.hil.last_surfaces_s
+    is_alive = surfaces_s is not None and parts.clock.steady_s() - surfaces_s < _LOOP_ALIVE_S
     return Observed(
-        silent_target=_silent_target(station),
-        rubbish_at_baud=_rubbish_at_baud(station),
+        silent_target=_silent_target(parts),
+        rubbish_at_baud=_rubbish_at_baud(parts),
         rx_percent=link["rx_percent"],
         tx_percent=link["tx_percent"],
-        servos_ms=round(1000.0 * station.memory.now.wanted.period_s(RATE_COMMANDS[2])),
-        damaged_percent=station.watch.damaged_percent,
-        damaged_limit_percent=station.alarms.thresholds["frames_damaged_percent"],
-        silent_port=_silent_port(station),
-        missing_rows=_missing_rows(station) if station.simulator.state == "open" else (),
-        strangers=_strangers(station),
+        servos_ms=round(1000.0 * parts.memory.now.wanted.period_s(RATE_COMMANDS[2])),
+        damaged_percent=parts.watch.damaged_percent,
+        damaged_limit_percent=parts.alarms.thresholds["frames_damaged_percent"],
+        silent_port=_silent_port(parts),
+        missing_rows=_missing_rows(parts) if parts.simulator.state == "open" else (),
+        strangers=_strangers(parts),
         round_trip_p99_ms=link["round_trip_ms"]["p99"] if is_alive else None,
     )
 
 
-def _silent_target(station: Station) -> str | None:
-    address = station.supervisor.address
+def _silent_target(parts: Inspected) -> str | None:
+    address = parts.supervisor.address
     if address is None:
         return None
-    age_s = station.board.heartbeat_age_s()
-    limit_s = max(_SILENT_S, station.telemetry.stale_after_s("heartbeat") or 0.0)
-    is_heard = station.board.link is not None and age_s is not None and age_s <= limit_s
+    age_s = parts.board.heartbeat_age_s()
+    limit_s = max(_SILENT_S, parts.telemetry.stale_after_s("heartbeat") or 0.0)
+    is_heard = parts.board.link is not None and age_s is not None and age_s <= limit_s
     return None if is_heard else address.target
 
 
-def _rubbish_at_baud(station: Station) -> int | None:
-    address = station.supervisor.address
-    is_rubbish = address is not None and address.scheme == "serial" and station.board.hears_only_rubbish
-    return station.board.baud if is_rubbish else None
+def _rubbish_at_baud(parts: Inspected) -> int | None:
+    address = parts.supervisor.address
+    is_rubbish = address is not None and address.scheme == "serial" and parts.board.hears_only_rubbish
+    return parts.board.baud if is_rubbish else None
 
 
-def _silent_port(station: Station) -> int | None:
-    address = station.simulator.address
-    is_silent = address is not None and station.simulator.state in ("opening", "lost")
+def _silent_port(parts: Inspected) -> int | None:
+    address = parts.simulator.address
+    is_silent = address is not None and parts.simulator.state in ("opening", "lost")
     return address.receive_port if address is not None and is_silent else None
 
 
-def _missing_rows(station: Station) -> list[MissingRow]:
-    definitions = XPLANE_ROWS[station.hil.profile]
-    return [MissingRow(row, definitions[row].name) for row in sorted(_EXPECTED_ROWS - set(station.hil.rows))]
+def _missing_rows(parts: Inspected) -> list[MissingRow]:
+    definitions = XPLANE_ROWS[parts.hil.profile]
+    return [MissingRow(row, definitions[row].name) for row in sorted(_EXPECTED_ROWS - set(parts.hil.rows))]
 
 
-def _strangers(station: Station) -> int:
+def _strangers(parts: Inspected) -> int:
     """How many datagrams of others came so far, as long as they keep coming."""
-    last_s = station.simulator.last_stranger_s
-    is_recent = last_s is not None and station.clock.steady_s() - last_s < _STRANGERS_S
-    return station.simulator.dropped["stranger"] if is_recent else 0
+    last_s = parts.simulator.last_stranger_s
+    is_recent = last_s is not None and parts.clock.steady_s() - last_s < _STRANGERS_S
+    return parts.simulator.dropped["stranger"] if is_recent else 0
 
 
-def _expected_hz(station: Station) -> dict[str, float]:
+def _expected_hz(parts: Inspected) -> dict[str, float]:
     """The streams that the board says, or that we asked, to be on, and what they should reach."""
-    heartbeat = station.telemetry.newest("heartbeat") or {}
-    wanted = station.memory.now.wanted.streams
+    heartbeat = parts.telemetry.newest("heartbeat") or {}
+    wanted = parts.memory.now.wanted.streams
     expected: dict[str, float] = {}
     for topic in TASK_OF_TOPIC:
         flag = STREAM_FLAGS.get(topic)
         is_on = topic == "heartbeat" or (topic in wanted if flag is None else heartbeat.get(flag) is True)
-        period_s = station.telemetry.commanded_s(topic)
+        period_s = parts.telemetry.commanded_s(topic)
         if is_on and period_s:
             expected[topic] = 1.0 / period_s
     return expected

@@ -1,0 +1,157 @@
+"""The stream between a vehicle and a station: what passes, and how it is packed. It depends on no carrier.
+
+Every record is a header (u32 length of the body, u8 kind, little endian) and a body.
+
+From the vehicle:
+  HELLO    JSON object: `version`, `vehicle`, `clock_offset_ns` (Unix minus steady clock), `control` (the browser that
+           had it: {client, name}, or null) and `status`, which is what STATUS holds
+  SAMPLE   f64 Unix time, u8 length of the topic's name, the name, then the JSON text
+           {"topic": ..., "t_s": ..., "values": {...}} as viewers get it
+  EVENT    as SAMPLE, with the event's kind as the name and {"type": "event", "event": ..., "t_s": ..., "data": {...}}
+  STATUS   JSON object: the state of links, HIL, recording, alarms, errors and topics
+  ANSWER   u32 number of the request, then JSON: {"result": ...} or {"fault": {...}} (see `faults.py`)
+To the vehicle:
+  REQUEST  u32 number, then JSON: {"name": ..., "arguments": {...}, "by": {"client": ..., "name": ...} or null}
+  NOTICE   JSON: {"name": ..., "arguments": {...}}; it has no answer
+
+A connection begins with HELLO, followed by the newest SAMPLE of every topic. A vehicle that speaks this is all that a
+station needs: the live one, a replayed one, or one on another machine.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import IntEnum
+from struct import Struct
+from typing import Any, Final, NamedTuple
+
+import orjson
+
+# An answer that holds all gains, plans or the inspector's tables is some 100 kB.
+MAX_BODY_BYTES: Final = 8_000_000
+
+_HEADER: Final = Struct("<IB")
+_STAMP: Final = Struct("<dB")
+_NUMBER: Final = Struct("<I")
+
+
+class Kind(IntEnum):
+    """What a record is."""
+
+    HELLO = 1
+    SAMPLE = 2
+    EVENT = 3
+    STATUS = 4
+    ANSWER = 5
+    REQUEST = 16
+    NOTICE = 17
+
+
+@dataclass(frozen=True, slots=True)
+class Asker:
+    """Who asks: the id of a browser or program, and what others are shown of it. Both may be unknown."""
+
+    client: str | None = None
+    name: str | None = None
+
+
+class BusError(Exception):
+    """The other side does not speak this stream: the connection is over."""
+
+
+class Record(NamedTuple):
+    """One record as it came."""
+
+    kind: int
+    body: bytes
+
+
+class Named(NamedTuple):
+    """The body of a SAMPLE or an EVENT. `text` is JSON, ready for a viewer."""
+
+    t_s: float
+    name: str
+    text: bytes
+
+
+def pack(kind: Kind, body: bytes) -> bytes:
+    """One record."""
+    return _HEADER.pack(len(body), kind) + body
+
+
+def pack_sample(topic: str, t_s: float, values: Any) -> bytes:
+    """The newest values of a topic."""
+    name = topic.encode()
+    text = b'{"topic":"%b","t_s":%.6f,"values":%b}' % (name, t_s, orjson.dumps(values))
+    return _HEADER.pack(_STAMP.size + len(name) + len(text), Kind.SAMPLE) + _STAMP.pack(t_s, len(name)) + name + text
+
+
+def pack_event(kind: str, t_s: float, data: Any) -> bytes:
+    """Something that happened."""
+    name = kind.encode()
+    text = orjson.dumps({"type": "event", "event": kind, "t_s": t_s, "data": data})
+    return pack(Kind.EVENT, _STAMP.pack(t_s, len(name)) + name + text)
+
+
+def unpack_named(body: bytes) -> Named:
+    """The body of a SAMPLE or an EVENT. Raises BusError."""
+    if len(body) < _STAMP.size:
+        raise BusError("a record is shorter than its fields")
+    t_s, length = _STAMP.unpack_from(body)
+    end = _STAMP.size + length
+    if len(body) < end:
+        raise BusError("a record is shorter than its name")
+    try:
+        return Named(t_s, body[_STAMP.size : end].decode(), body[end:])
+    except UnicodeDecodeError as error:
+        raise BusError("a record's name is not text") from error
+
+
+def pack_numbered(kind: Kind, number: int, value: Any) -> bytes:
+    """A REQUEST or an ANSWER."""
+    return pack(kind, _NUMBER.pack(number) + orjson.dumps(value))
+
+
+def unpack_numbered(body: bytes) -> tuple[int, dict[str, Any]]:
+    """Number and object of a REQUEST or an ANSWER. Raises BusError."""
+    if len(body) < _NUMBER.size:
+        raise BusError("a record is shorter than its fields")
+    return int(_NUMBER.unpack_from(body)[0]), unpack_object(body[_NUMBER.size :])
+
+
+def unpack_object(body: bytes) -> dict[str, Any]:
+    """The JSON object that a body is. Raises BusError."""
+    try:
+        value = orjson.loads(body)
+    except orjson.JSONDecodeError as error:
+        raise BusError("a record is not JSON") from error
+    if not isinstance(value, dict):
+        raise BusError("a record is not a JSON object")
+    return value
+
+
+class Decoder:
+    """Cuts a stream of bytes into records, whatever the pieces it comes in."""
+
+    def __init__(self) -> None:
+        self._held = bytearray()
+
+    def feed(self, data: bytes) -> list[Record]:
+        """The records that are whole now. Raises BusError where this can be no record."""
+        if self._held:
+            self._held += data
+            data = bytes(self._held)
+        found: list[Record] = []
+        start, size = 0, len(data)
+        while size - start >= _HEADER.size:
+            length, kind = _HEADER.unpack_from(data, start)
+            if length > MAX_BODY_BYTES:
+                raise BusError(f"a record of {length} bytes is announced")
+            end = start + _HEADER.size + length
+            if end > size:
+                break
+            found.append(Record(kind, data[start + _HEADER.size : end]))
+            start = end
+        if start < size or self._held:
+            self._held = bytearray(data[start:])
+        return found

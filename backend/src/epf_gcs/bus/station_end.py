@@ -1,0 +1,160 @@
+"""A station's end of the stream: keeps connected to a vehicle, hands on what it says, and asks it."""
+
+from __future__ import annotations
+
+import asyncio
+import itertools
+from pathlib import Path
+from typing import Any, Final, Protocol
+
+import orjson
+
+from epf_gcs.bus.address import connect
+from epf_gcs.bus.channel import Channel
+from epf_gcs.bus.definition import (
+    Asker,
+    BusError,
+    Decoder,
+    Kind,
+    Named,
+    Record,
+    pack,
+    pack_numbered,
+    unpack_named,
+    unpack_numbered,
+    unpack_object,
+)
+from epf_gcs.bus.faults import error_of
+from epf_gcs.errors import ConflictError, GatewayError
+
+_RETRY_S: Final = 0.05
+# A plan of 100 waypoints over a slow line is the longest of all requests.
+_ANSWER_S: Final = 120.0
+
+
+class Listener(Protocol):
+    """Hears what a vehicle says, on the event loop."""
+
+    def on_hello(self, hello: dict[str, Any]) -> None:
+        """The vehicle is there; the newest sample of every topic follows."""
+
+    def on_sample(self, sample: Named) -> None:
+        """The newest values of a topic."""
+
+    def on_samples_end(self) -> None:
+        """All samples that came together were told."""
+
+    def on_event(self, event: Named) -> None:
+        """Something happened."""
+
+    def on_status(self, status: dict[str, Any]) -> None:
+        """How everything stands."""
+
+    def on_lost(self) -> None:
+        """The vehicle's process is gone; it is looked for again."""
+
+
+class StationEnd:
+    """Made on a running loop. Looks for the vehicle of a data folder until `run` is cancelled."""
+
+    def __init__(self, folder: Path, listener: Listener) -> None:
+        self._folder = folder
+        self._listener = listener
+        self._numbers = itertools.count(1)
+        self._waiting: dict[int, asyncio.Future[Any]] = {}
+        self._decoder = Decoder()
+        self._channel: Channel | None = None
+        self._gone = asyncio.Event()
+
+    @property
+    def is_connected(self) -> bool:
+        """The vehicle's process is there."""
+        return self._channel is not None
+
+    async def run(self) -> None:
+        """Connect, and connect again when the vehicle has gone."""
+        try:
+            while True:
+                try:
+                    connection = await connect(self._folder)
+                except (OSError, ValueError, KeyError, TypeError):
+                    await asyncio.sleep(_RETRY_S)
+                    continue
+                self._decoder = Decoder()
+                self._gone.clear()
+                self._channel = Channel(connection, self._on_data, self._on_closed)
+                await self._gone.wait()
+        finally:
+            if self._channel is not None:
+                self._channel.close()
+                self._on_closed()
+
+    async def request(self, name: str, by: Asker | None = None, /, **arguments: Any) -> Any:
+        """Ask, and return the result. Raises what the vehicle raised; ConflictError where it is not there."""
+        channel = self._channel
+        if channel is None:
+            raise _away()
+        number = next(self._numbers)
+        answer: asyncio.Future[Any] = asyncio.get_running_loop().create_future()
+        self._waiting[number] = answer
+        asker = None if by is None else {"client": by.client, "name": by.name}
+        channel.send(pack_numbered(Kind.REQUEST, number, {"name": name, "arguments": arguments, "by": asker}))
+        try:
+            async with asyncio.timeout(_ANSWER_S):
+                return await answer
+        except TimeoutError:
+            raise GatewayError("internal", f"The flight process did not answer '{name}': look at its log.") from None
+        finally:
+            self._waiting.pop(number, None)
+
+    def notice(self, name: str, /, **arguments: Any) -> None:
+        """Tell something that needs no answer; lost where the vehicle is not there."""
+        if self._channel is not None:
+            self._channel.send(pack(Kind.NOTICE, orjson.dumps({"name": name, "arguments": arguments})))
+
+    def _on_data(self, data: bytes) -> None:
+        try:
+            has_samples = False
+            for record in self._decoder.feed(data):
+                if record.kind == Kind.SAMPLE:
+                    has_samples = True
+                    self._listener.on_sample(unpack_named(record.body))
+                else:
+                    self._take(record)
+            if has_samples:
+                self._listener.on_samples_end()
+        except BusError:
+            if self._channel is not None:
+                self._channel.close()
+            self._on_closed()
+
+    def _take(self, record: Record) -> None:
+        if record.kind == Kind.EVENT:
+            self._listener.on_event(unpack_named(record.body))
+        elif record.kind == Kind.STATUS:
+            self._listener.on_status(unpack_object(record.body))
+        elif record.kind == Kind.ANSWER:
+            number, answer = unpack_numbered(record.body)
+            future = self._waiting.get(number)
+            if future is None or future.done():
+                return
+            if "fault" in answer:
+                future.set_exception(error_of(answer["fault"]))
+            else:
+                future.set_result(answer.get("result"))
+        elif record.kind == Kind.HELLO:
+            self._listener.on_hello(unpack_object(record.body))
+
+    def _on_closed(self) -> None:
+        self._channel = None
+        for future in self._waiting.values():
+            if not future.done():
+                future.set_exception(_away())
+        self._listener.on_lost()
+        self._gone.set()
+
+
+def _away() -> ConflictError:
+    return ConflictError(
+        "flight_away", "Nothing was done because the flight process is not there: it is being started again."
+    )

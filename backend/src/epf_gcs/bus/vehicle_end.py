@@ -1,0 +1,212 @@
+"""The vehicle's end of the stream: tells everybody who listens, answers requests, and waits for nobody."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Awaitable, Callable, Mapping
+from typing import Any, Final
+
+import orjson
+import structlog
+
+from epf_gcs.bus.address import Listener
+from epf_gcs.bus.channel import Channel
+from epf_gcs.bus.definition import (
+    Asker,
+    BusError,
+    Decoder,
+    Kind,
+    Record,
+    pack,
+    pack_event,
+    pack_numbered,
+    pack_sample,
+    unpack_numbered,
+    unpack_object,
+)
+from epf_gcs.bus.faults import fault_of
+from epf_gcs.errors import GatewayError
+
+# A listener that is this far behind gets no samples until it has caught up: it will ask for the present anyway.
+_MOST_UNSENT_SAMPLES: Final = 1_000_000
+# And one that is this far behind has stopped: it is let go and may come again.
+_MOST_UNSENT: Final = 8_000_000
+_MOST_REQUESTS: Final = 256
+
+log = structlog.get_logger("flight")
+
+
+Handler = Callable[[Asker, dict[str, Any]], Awaitable[Any]]
+
+
+class Broadcast:
+    """Samples, events and status to every listener; costs nothing while there is none. An outlet of the vehicle."""
+
+    def __init__(self, now_s: Callable[[], float]) -> None:
+        self._now_s = now_s
+        self._channels: set[Channel] = set()
+        self._samples: list[bytes] = []
+
+    @property
+    def has_listeners(self) -> bool:
+        """Somebody is there to be told."""
+        return bool(self._channels)
+
+    def sample(self, topic: str, t_s: float, values: Any) -> None:
+        """The newest values of a topic; sent with the next `flush`."""
+        if self._channels:
+            self._samples.append(pack_sample(topic, t_s, values))
+
+    def flush(self) -> None:
+        """Send the samples taken since the last time."""
+        if self._samples:
+            data = b"".join(self._samples)
+            self._samples.clear()
+            for channel in tuple(self._channels):
+                if channel.unsent_bytes < _MOST_UNSENT_SAMPLES:
+                    channel.send(data)
+
+    def event(self, kind: str, data: Mapping[str, Any]) -> None:
+        """Something happened."""
+        if self._channels:
+            self.flush()
+            self._send(pack_event(kind, self._now_s(), data))
+
+    def status(self, status: Mapping[str, Any]) -> None:
+        """How everything stands."""
+        if self._channels:
+            self._send(pack(Kind.STATUS, orjson.dumps(status)))
+
+    def add(self, channel: Channel) -> None:
+        """From now on this listener is told everything."""
+        self._channels.add(channel)
+
+    def remove(self, channel: Channel) -> None:
+        """This listener has gone."""
+        self._channels.discard(channel)
+
+    def _send(self, data: bytes) -> None:
+        for channel in tuple(self._channels):
+            if channel.unsent_bytes > _MOST_UNSENT:
+                self.remove(channel)
+                channel.close()
+            else:
+                channel.send(data)
+
+
+class VehicleEnd:
+    """Accepts listeners. `hello` and `samples` are what a new one is told first; `requests` are answered by name.
+
+    `on_notice` hears what needs no answer; `on_gone` that a listener went. Handlers raise GatewayError.
+    """
+
+    def __init__(
+        self,
+        broadcast: Broadcast,
+        *,
+        hello: Callable[[], Mapping[str, Any]],
+        samples: Callable[[], list[tuple[str, float, Mapping[str, Any]]]],
+        requests: Mapping[str, Handler],
+        on_notice: Callable[[str, dict[str, Any]], None],
+        on_gone: Callable[[], None],
+    ) -> None:
+        self._broadcast = broadcast
+        self._hello = hello
+        self._samples = samples
+        self._requests = requests
+        self._on_notice = on_notice
+        self._on_gone = on_gone
+        self._open: set[Channel] = set()
+
+    async def run(self, listener: Listener) -> None:
+        """Accept whoever comes until cancelled; then let everybody go."""
+        try:
+            async with asyncio.TaskGroup() as tasks:
+                while True:
+                    connection = await listener.accept()
+                    if connection is not None:
+                        _Conversation(self, connection, tasks)
+        finally:
+            for channel in tuple(self._open):
+                self._close(channel)
+
+    def begin(self, channel: Channel) -> None:
+        """A listener is there: tell it where everything stands."""
+        self._open.add(channel)
+        data = pack(Kind.HELLO, orjson.dumps(self._hello()))
+        channel.send(data + b"".join(pack_sample(*sample) for sample in self._samples()))
+        self._broadcast.add(channel)
+
+    def end(self, channel: Channel) -> None:
+        """A listener has gone."""
+        self._open.discard(channel)
+        self._broadcast.remove(channel)
+        self._on_gone()
+
+    def notice(self, body: bytes) -> None:
+        """Hand on what needs no answer. Raises BusError."""
+        said = unpack_object(body)
+        self._on_notice(str(said.get("name")), dict(said.get("arguments") or {}))
+
+    async def answer(self, asked: dict[str, Any]) -> dict[str, Any]:
+        """What becomes of a request."""
+        name = str(asked.get("name"))
+        handler = self._requests.get(name)
+        try:
+            if handler is None:
+                raise GatewayError("internal", f"This vehicle does not know the request '{name}': update the station.")
+            return {"result": await handler(Asker(**(asked.get("by") or {})), dict(asked.get("arguments") or {}))}
+        except GatewayError as error:
+            return {"fault": fault_of(error)}
+        except Exception as error:
+            log.exception("a request failed", request=name)
+            failed = GatewayError("internal", f"'{name}' failed in the flight process ({type(error).__name__}).")
+            return {"fault": fault_of(failed)}
+
+    def _close(self, channel: Channel) -> None:
+        self._open.discard(channel)
+        self._broadcast.remove(channel)
+        channel.close()
+
+
+class _Conversation:
+    """One listener."""
+
+    def __init__(self, end: VehicleEnd, connection: Any, tasks: asyncio.TaskGroup) -> None:
+        self._end = end
+        self._tasks = tasks
+        self._decoder = Decoder()
+        self._under_way = 0
+        self._channel = Channel(connection, self._on_data, self._on_closed)
+        end.begin(self._channel)
+
+    def _on_data(self, data: bytes) -> None:
+        try:
+            for record in self._decoder.feed(data):
+                self._take(record)
+        except BusError as error:
+            log.warning("a listener does not speak the stream and was let go", reason=str(error))
+            self._channel.close()
+            self._on_closed()
+
+    def _take(self, record: Record) -> None:
+        if record.kind == Kind.NOTICE:
+            self._end.notice(record.body)
+        elif record.kind == Kind.REQUEST:
+            number, asked = unpack_numbered(record.body)
+            if self._under_way >= _MOST_REQUESTS:
+                busy = GatewayError("internal", "Too much is asked of the flight process at once: try again.")
+                self._channel.send(pack_numbered(Kind.ANSWER, number, {"fault": fault_of(busy)}))
+                return
+            self._under_way += 1
+            self._tasks.create_task(self._answer(number, asked))
+
+    async def _answer(self, number: int, asked: dict[str, Any]) -> None:
+        try:
+            answer = await self._end.answer(asked)
+            self._channel.send(pack_numbered(Kind.ANSWER, number, answer))
+        finally:
+            self._under_way -= 1
+
+    def _on_closed(self) -> None:
+        self._end.end(self._channel)

@@ -1,0 +1,101 @@
+"""`epf-flight`: the flight process alone, headless."""
+
+from __future__ import annotations
+
+import argparse
+import asyncio
+import gc
+import os
+import signal
+import sys
+import threading
+from pathlib import Path
+from typing import Final
+
+import structlog
+
+from epf_gcs.errors import GatewayError
+from epf_gcs.flight.flight import Flight
+from epf_gcs.link.address import parse_address
+from epf_gcs.logs import set_up_logging
+
+# The recorder's thread gives way to the event loop within this time.
+_SWITCH_INTERVAL_S: Final = 0.0002
+_POLITE: Final = (signal.SIGTERM, signal.SIGINT, getattr(signal, "SIGHUP", signal.SIGTERM))
+
+log = structlog.get_logger("flight")
+
+
+def main() -> None:
+    """Entry point of `epf-flight`. Ends with 0 on SIGTERM, SIGINT or SIGHUP."""
+    options = _options()
+    set_up_logging(verbose=options.verbose)
+    sys.setswitchinterval(_SWITCH_INTERVAL_S)
+    if options.board is not None:
+        try:
+            parse_address(options.board)
+        except GatewayError as error:
+            sys.exit(f"epf-flight: {error.detail}")
+    try:
+        with asyncio.Runner(loop_factory=_loop_factory()) as runner:
+            runner.run(_fly(options))
+    except GatewayError as error:
+        sys.exit(f"epf-flight: {error.detail}")
+    except OSError as error:
+        sys.exit(f"epf-flight: {options.data_dir} cannot be used ({error.strerror or error}): correct its permissions.")
+
+
+async def _fly(options: argparse.Namespace) -> None:
+    ended = asyncio.Event()
+    loop = asyncio.get_running_loop()
+    for name in set(_POLITE):
+        try:
+            loop.add_signal_handler(name, ended.set)
+        except NotImplementedError:
+            signal.signal(name, lambda *_: loop.call_soon_threadsafe(ended.set))
+    if options.with_parent:
+        # Not one of the loop's own threads: those are waited for at the end.
+        threading.Thread(target=_wait_for_parent, args=(loop, ended), daemon=True).start()
+    flight = Flight(options.data_dir, record=options.recording, board_url=options.board)
+    async with flight.running():
+        log.info("flying", data=str(options.data_dir), pid=os.getpid())
+        # What was made until now lives as long as the process: the collector need not look at it again, and does not
+        # stop the loop for milliseconds to do so.
+        gc.collect()
+        gc.freeze()
+        await ended.wait()
+
+
+def _wait_for_parent(loop: asyncio.AbstractEventLoop, ended: asyncio.Event) -> None:
+    """The parent holds the other end of our standard input: it closes when the parent dies, however it dies."""
+    while os.read(0, 1):
+        pass
+    loop.call_soon_threadsafe(ended.set)
+
+
+def _loop_factory() -> type[asyncio.AbstractEventLoop] | None:
+    try:
+        import uvloop  # noqa: PLC0415 - not there on every system
+    except ImportError:
+        return None
+    return uvloop.Loop
+
+
+def _options() -> argparse.Namespace:
+    parser = argparse.ArgumentParser(
+        prog="epf-flight",
+        description="The flight process of EPF GCS: board and simulator, HIL, recorder. Flies without any page; "
+        "stations find it in its data folder.",
+    )
+    parser.add_argument("--data-dir", type=Path, default=Path(os.environ.get("GCS_DATA_DIR", "data")))
+    parser.add_argument(
+        "--board", default=os.environ.get("GCS_BOARD"), help="serial:///dev/..., tcp://host:port, pty:///path"
+    )
+    parser.add_argument("--recording", action=argparse.BooleanOptionalAction, default=True)
+    parser.add_argument("--with-parent", action="store_true", help="End when standard input closes.")
+    parser.add_argument("--verbose", action="store_true")
+    return parser.parse_args()
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,66 @@
+"""Each time a board opens, bring it to what was asked of it before: streams, periods and control source."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Callable
+
+from epf_gcs.error_log import ErrorLog
+from epf_gcs.errors import GatewayError
+from epf_gcs.flight.board.commands import Commands
+from epf_gcs.flight.memory import Memory
+from epf_gcs.vehicle.board import Board
+from epf_gcs.vehicle.telemetry import Telemetry
+from epf_gcs.vehicle.wanted import RATE_COMMANDS
+
+
+class Rearming:
+    """An autopilot is never switched on by this: it may have been switched off for a reason."""
+
+    def __init__(
+        self,
+        *,
+        board: Board,
+        commands: Commands,
+        telemetry: Telemetry,
+        memory: Memory,
+        errors: ErrorLog,
+        on_change: Callable[[], None],
+    ) -> None:
+        self._board = board
+        self._commands = commands
+        self._telemetry = telemetry
+        self._memory = memory
+        self._errors = errors
+        self._on_change = on_change
+        self._opened = asyncio.Event()
+
+    def board_opened(self) -> None:
+        """The board's session is open, or open again."""
+        self._opened.set()
+
+    def command_done(self, name: str, arguments: tuple[float, ...]) -> None:
+        """Remember what this command asks for, and expect the board's new pace."""
+        self._memory.update(wanted=self._memory.now.wanted.after(name, arguments))
+        if name in RATE_COMMANDS:
+            self._telemetry.rate_changed(name)
+            self._board.books.rate_changed(name)
+            if name == RATE_COMMANDS[0]:
+                self._board.session.expect_heartbeat_every(arguments[0] / 1000.0)
+
+    async def run(self) -> None:
+        """Wait for openings for ever."""
+        while True:
+            await self._opened.wait()
+            self._opened.clear()
+            self._on_change()
+            if self._board.is_emulated:
+                continue
+            wanted = self._memory.now.wanted
+            self._board.session.expect_heartbeat_every(wanted.period_s(RATE_COMMANDS[0]))
+            for name, arguments in wanted.missing(self._telemetry.newest("heartbeat") or {}):
+                try:
+                    await self._commands.run(name, arguments, client="gateway")
+                except GatewayError as error:
+                    self._errors.report(error)
+                    break

@@ -1,0 +1,329 @@
+"""The composition root of the flight process: makes the parts, connects them, and owns their life.
+
+line -> board -> telemetry -> outlet (samples)       simulator <-> hil <-> board
+recorder first: every byte of both lines, before anybody decodes it
+requests of a station -> commands, parameters, missions, lines, hil -> board
+"""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+from collections.abc import AsyncIterator, Awaitable, Callable
+from pathlib import Path
+from typing import Any, Final
+
+import structlog
+
+from epf_gcs import __version__
+from epf_gcs.bus.address import Listener
+from epf_gcs.bus.vehicle_end import Broadcast, VehicleEnd
+from epf_gcs.clock import Clock
+from epf_gcs.error_log import ErrorLog
+from epf_gcs.flight.board.ahrs_test import AhrsTestRun
+from epf_gcs.flight.board.board_link import Supervisor
+from epf_gcs.flight.board.commands import Commands
+from epf_gcs.flight.board.journal import Journal
+from epf_gcs.flight.board.missions import Missions
+from epf_gcs.flight.board.parameters import Parameters
+from epf_gcs.flight.board.rearming import Rearming
+from epf_gcs.flight.hil.hil import Hil
+from epf_gcs.flight.hil.simulator import Simulator
+from epf_gcs.flight.hil.stick import Stick
+from epf_gcs.flight.inspection import Inspected
+from epf_gcs.flight.line_rates import LineRates
+from epf_gcs.flight.lines import Lines, LinkOpener
+from epf_gcs.flight.memory import Memory
+from epf_gcs.flight.recording.recorder import Recorder
+from epf_gcs.flight.requests.askers import Askers
+from epf_gcs.flight.requests.commands import command_requests
+from epf_gcs.flight.requests.hil import HilSwitches, stick_notices
+from epf_gcs.flight.requests.lines import line_requests
+from epf_gcs.flight.requests.parameters import mission_requests, parameter_requests
+from epf_gcs.flight.requests.state import alarm_requests, state_requests
+from epf_gcs.flight.status import Shown, build_status
+from epf_gcs.flight.watch import Watch
+from epf_gcs.vehicle.alarms import Alarms
+from epf_gcs.vehicle.board import Board
+from epf_gcs.vehicle.judges import AlarmId
+from epf_gcs.vehicle.telemetry import Telemetry
+
+_TICK_S: Final = 0.1
+_STATUS_EVERY_TICKS: Final = 5
+_RESTART_S: Final = 1.0
+
+log = structlog.get_logger("flight")
+
+
+class Flight:
+    """Made on the running loop. `board_url` replaces the remembered board."""
+
+    def __init__(self, data_dir: Path, *, record: bool = True, board_url: str | None = None) -> None:
+        self._loop = asyncio.get_running_loop()
+        self._data_dir = data_dir
+        self._board_url = board_url
+        self._status_due = False
+        self._recording: Path | None = None
+
+        # Time, memory, and the way out.
+        self.clock = Clock()
+        self.outlet = Broadcast(self.clock.now_s)
+        self._askers = Askers()
+        self.errors = ErrorLog()
+        self.errors.tell_viewers(self.clock.steady_s, self.outlet.event)
+        self.memory = Memory(data_dir / "state.json", self.errors.report)
+
+        # The vehicle, recorded before it is decoded.
+        self.recorder = Recorder(data_dir / "recordings", self.clock, f"epf-gcs {__version__}") if record else None
+        board_tap, simulator_tap = (
+            (self.recorder.board_tap, self.recorder.simulator_tap) if self.recorder else (None, None)
+        )
+        self.telemetry = Telemetry(self.outlet, self.clock, self._commanded_period_s)
+        self.board = Board(self.clock, self.outlet, self.telemetry, self.errors)
+
+        # What is asked of the board.
+        self.commands = Commands(self.board, self.telemetry, self.outlet, self.clock, self.errors)
+        self.journal = Journal(
+            data_dir / "parameter-journal.jsonl",
+            clock=self.clock,
+            hub=self.outlet,
+            report=self.errors.report,
+            name_of=self._askers.name_of,
+        )
+        self.parameters = Parameters(self.board, self.commands, self.outlet, self.journal)
+        self.missions = Missions(self.board, self.commands, self.outlet)
+        self.rearming = Rearming(
+            board=self.board,
+            commands=self.commands,
+            telemetry=self.telemetry,
+            memory=self.memory,
+            errors=self.errors,
+            on_change=self.changed,
+        )
+
+        # The loop with the simulator, and both lines.
+        self.stick = Stick(self.outlet, self.clock, self.changed)
+        self.hil = Hil(self.board, self.telemetry, self.clock, self.stick)
+        self.hil.path = "assisted" if self.memory.now.hil_path == "assisted" else "manual"
+        self.simulator = Simulator(self.hil, self.clock, simulator_tap, self.errors.report, self._on_line)
+        opener = LinkOpener(self.hil, lambda: self.simulator.address is not None)
+        self.supervisor = Supervisor(self.board, board_tap, self.errors.report, self._on_line, opener)
+        self.lines = Lines(
+            board=self.board,
+            supervisor=self.supervisor,
+            simulator=self.simulator,
+            hil=self.hil,
+            parameters=self.parameters,
+            memory=self.memory,
+            recorder=self.recorder,
+            on_change=self.changed,
+        )
+        self.switches = HilSwitches(
+            board=self.board,
+            commands=self.commands,
+            hil=self.hil,
+            memory=self.memory,
+            recorder=self.recorder,
+            on_change=self.changed,
+        )
+        self.rates = LineRates()
+        self.ahrs_test = AhrsTestRun(
+            board=self.board,
+            telemetry=self.telemetry,
+            clock=self.clock,
+            errors=self.errors,
+            flies=self._flies,
+            changed=self._on_ahrs_test,
+        )
+
+        # What is watched.
+        self.watch = Watch(
+            supervisor=self.supervisor,
+            board=self.board,
+            telemetry=self.telemetry,
+            parameters=self.parameters,
+            simulator=self.simulator,
+            hil=self.hil,
+            recorder=self.recorder,
+            steady_s=self.clock.steady_s,
+            wants=lambda stream: stream in self.memory.now.wanted.streams,
+        )
+        self.alarms = Alarms(
+            self.watch, self.outlet, self.memory.now.thresholds, lambda chosen: self.memory.update(thresholds=chosen)
+        )
+
+        # What stations are shown, and what they may ask.
+        self._shown = Shown(
+            self.clock,
+            self.errors,
+            self.memory,
+            self.board,
+            self.telemetry,
+            self.supervisor,
+            self.lines,
+            self.simulator,
+            self.hil,
+            self.rates,
+            self.ahrs_test,
+            self.recorder,
+            self.alarms,
+        )
+        inspected = Inspected(
+            self.clock,
+            self.board,
+            self.telemetry,
+            self.supervisor,
+            self.simulator,
+            self.hil,
+            self.rates,
+            self.memory,
+            self.watch,
+            self.alarms,
+        )
+        self._requests = self._askers.remembering(
+            {
+                **state_requests(self.status, self.telemetry, inspected),
+                **line_requests(self.lines, self.supervisor, self.simulator),
+                **command_requests(self.board, self.commands, self.parameters, self.ahrs_test, self.outlet),
+                **parameter_requests(self.parameters),
+                **mission_requests(self.missions),
+                **self.switches.requests(),
+                **alarm_requests(self.alarms),
+            }
+        )
+        self._connect()
+
+    def _connect(self) -> None:
+        """Who hears whom, where the two could not be made one after the other."""
+        self.board.on_urgent = self.hil.on_urgent
+        self.board.on_opened = self._on_opened
+        self.commands.on_done = self.rearming.command_done
+        self.alarms.on_acknowledged = self._on_acknowledged
+
+    @contextlib.asynccontextmanager
+    async def running(self) -> AsyncIterator[None]:
+        """Everything runs inside; at the end board and simulator are let go as they should be. Raises OSError."""
+        listener = Listener(self._data_dir)
+        end = VehicleEnd(
+            self.outlet,
+            hello=self._hello,
+            samples=lambda: [(topic, one.t_s, one.values) for topic, one in self.telemetry.samples().items()],
+            requests=self._requests,
+            on_notice=stick_notices(self.stick),
+            on_gone=self.stick.let_go,
+        )
+        if self.recorder is not None:
+            self.recorder.start()
+        self.lines.reopen(self._board_url)
+        try:
+            async with asyncio.TaskGroup() as tasks:
+                running = [
+                    tasks.create_task(self._keep_alive(name, job), name=name)
+                    for name, job in (
+                        ("board link", self.supervisor.run),
+                        ("simulator link", self.simulator.run),
+                        ("re-arming", self.rearming.run),
+                        ("housekeeping", self._keep_house),
+                        ("stream", lambda: end.run(listener)),
+                    )
+                ]
+                try:
+                    yield
+                finally:
+                    self.supervisor.shut_down()
+                    self.simulator.shut_down()
+                    for task in running:
+                        task.cancel()
+        finally:
+            listener.close()
+            if self.recorder is not None:
+                await asyncio.to_thread(self.recorder.stop)
+            await asyncio.to_thread(self.journal.close)
+
+    def status(self) -> dict[str, Any]:
+        """How everything stands now."""
+        return build_status(self._shown)
+
+    def changed(self) -> None:
+        """Something in the status changed that should be seen now and not in half a second."""
+        if not self._status_due:
+            self._status_due = True
+            self._loop.call_soon(self._send_status)
+
+    def _hello(self) -> dict[str, Any]:
+        holder = self.stick.holder
+        return {
+            "version": __version__,
+            "vehicle": "live",
+            "clock_offset_ns": self.clock.offset_ns,
+            "control": None if holder is None else {"client": holder.id, "name": holder.name},
+            "status": self.status(),
+        }
+
+    async def _keep_alive(self, name: str, job: Callable[[], Awaitable[None]]) -> None:
+        """The top of each task: a fault of ours in one of them must not end a flight."""
+        while True:
+            try:
+                await job()
+            except Exception:
+                log.exception("a part failed and begins again", part=name)
+                self.errors.count("internal")
+                await asyncio.sleep(_RESTART_S)
+
+    async def _keep_house(self) -> None:
+        ticks = 0
+        while True:
+            await asyncio.sleep(_TICK_S)
+            self.board.tick()
+            self.ahrs_test.tick()
+            self.stick.tick()
+            ticks += 1
+            if ticks % _STATUS_EVERY_TICKS == 0:
+                self.rates.note(self.clock.steady_s(), self.board, self.simulator)
+                self.changed()
+            if self.alarms.look(self.clock.now_s()):
+                self.changed()
+            self._watch_recording()
+
+    def _watch_recording(self) -> None:
+        """Tell the viewers when a file begins or ends; the thread that writes it cannot."""
+        file = self.recorder.file if self.recorder is not None else None
+        if file != self._recording:
+            self._recording = file
+            self.outlet.event("recording", {"active": file is not None, "file": None if file is None else file.name})
+            self.changed()
+
+    def _send_status(self) -> None:
+        self._status_due = False
+        if self.outlet.has_listeners:
+            self.outlet.status(self.status())
+
+    def _flies(self) -> bool:
+        """An autopilot is on, or the board moves the simulator's surfaces: it must not be left alone."""
+        heartbeat = self.telemetry.newest("heartbeat") or {}
+        moves = self.simulator.state == "open" and self.hil.path == "assisted"
+        return moves or any(heartbeat.get(flag) is True for flag in ("autopilot", "autopilot_hil"))
+
+    def _on_ahrs_test(self) -> None:
+        if self.board.guest is not None:
+            self.hil.rest()
+        self.changed()
+
+    def _commanded_period_s(self, rate_command: str) -> float:
+        return self.memory.now.wanted.period_s(rate_command)
+
+    def _on_opened(self) -> None:
+        # At once and not with the re-arming, which may be busy: whoever loads now must not lose what was read.
+        self.parameters.forget()
+        self.rearming.board_opened()
+
+    def _on_acknowledged(self, alarm: AlarmId) -> None:
+        if alarm == "parameter_not_confirmed":
+            self.parameters.accept_unconfirmed()
+        self.changed()
+
+    def _on_line(self) -> None:
+        if not self.board.is_open:
+            self.parameters.forget()
+        self.outlet.event("link", {"board": self.supervisor.state, "simulator": self.simulator.state})
+        self.changed()

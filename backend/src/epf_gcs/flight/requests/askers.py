@@ -1,0 +1,40 @@
+"""Who asked, by name, for the journal."""
+
+from __future__ import annotations
+
+from collections import OrderedDict
+from collections.abc import Awaitable, Callable
+from typing import Any, Final
+
+from epf_gcs.bus.definition import Asker
+
+_KEPT: Final = 200
+
+Handler = Callable[[Asker, dict[str, Any]], Awaitable[Any]]
+Table = dict[str, Handler]
+
+
+class Askers:
+    """Remembers what the latest askers are called."""
+
+    def __init__(self) -> None:
+        self._names: OrderedDict[str, str] = OrderedDict()
+
+    def name_of(self, client: str) -> str | None:
+        """What others are shown of this client; None where it never asked under a name."""
+        return self._names.get(client)
+
+    def remembering(self, table: Table) -> Table:
+        """The same handlers, with the name of each asker remembered first."""
+        return {name: self._remember(handler) for name, handler in table.items()}
+
+    def _remember(self, handler: Handler) -> Handler:
+        async def remember(by: Asker, arguments: dict[str, Any]) -> Any:
+            if by.client is not None and by.name is not None:
+                self._names[by.client] = by.name
+                self._names.move_to_end(by.client)
+                if len(self._names) > _KEPT:
+                    self._names.popitem(last=False)
+            return await handler(by, arguments)
+
+        return remember

@@ -1,0 +1,104 @@
+"""Requests about the HIL switches and the pilot's stick, and the notices that keep the stick alive."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from epf_gcs.bus.definition import Asker
+from epf_gcs.errors import BoardError
+from epf_gcs.flight.board.commands import Commands
+from epf_gcs.flight.hil.hil import Hil
+from epf_gcs.flight.hil.stick import Holder, Stick
+from epf_gcs.flight.memory import Memory
+from epf_gcs.flight.recording.recorder import Recorder
+from epf_gcs.flight.requests.askers import Table
+from epf_gcs.flight.status import hil_state
+from epf_gcs.vehicle.board import Board
+
+
+class HilSwitches:
+    """Who holds the stick (source), who moves the simulator's surfaces (path), and where the stick comes from."""
+
+    def __init__(
+        self,
+        *,
+        board: Board,
+        commands: Commands,
+        hil: Hil,
+        memory: Memory,
+        recorder: Recorder | None,
+        on_change: Callable[[], None],
+    ) -> None:
+        self._board = board
+        self._commands = commands
+        self._hil = hil
+        self._memory = memory
+        self._recorder = recorder
+        self._on_change = on_change
+
+    async def choose_source(self, source: str, client: str | None) -> None:
+        """The source is the board's, and is confirmed by it. Raises BoardError."""
+        if source == self._hil.source:
+            return
+        result = await self._commands.run("control_source", (int(source == "joystick"),), client=client)
+        if not result.done:
+            raise BoardError(
+                "source_not_taken",
+                f"The control source is still {self._hil.source}: the board did not take the change "
+                f"({result.reason or result.state}); try again.",
+                reason=result.reason or result.state,
+            )
+
+    def choose_path(self, path: str) -> None:
+        """Remembered over restarts."""
+        self._hil.path = "assisted" if path == "assisted" else "manual"
+        self._memory.update(hil_path=self._hil.path)
+        self._on_change()
+
+    async def choose_stick(self, stick: str, gamepad: str, client: str | None) -> None:
+        """Raises ConflictError where that gamepad cannot be flown with."""
+        note = {"source": stick}
+        if stick == "gamepad":
+            await self._hil.stick.choose_gamepad(client, gamepad)
+            note["gamepad"] = gamepad
+        else:
+            self._hil.stick.choose_simulator()
+        if self._recorder is not None:
+            self._recorder.note("stick", note)
+
+    def requests(self) -> Table:
+        """hil.read and hil.set {source, path, stick, gamepad}, each null where it stays: both answer the HIL state."""
+        return {"hil.read": self._read, "hil.set": self._write}
+
+    async def _read(self, _: Asker, __: dict[str, Any]) -> dict[str, Any]:
+        return hil_state(self._hil)
+
+    async def _write(self, by: Asker, arguments: dict[str, Any]) -> dict[str, Any]:
+        source, path, stick = (arguments.get(name) for name in ("source", "path", "stick"))
+        if stick != "simulator" or source is not None or path is not None:
+            self._board.check_commandable()
+        if source is not None:
+            await self.choose_source(source, by.client)
+        if path is not None:
+            self.choose_path(path)
+        if stick is not None:
+            await self.choose_stick(stick, str(arguments.get("gamepad") or ""), by.client)
+        return hil_state(self._hil) | ({"source": source} if source else {})
+
+
+def stick_notices(stick: Stick) -> Callable[[str, dict[str, Any]], None]:
+    """stick {client, sample}; stick_gone {client}; control {client, name} of the browser that has it, or nulls."""
+
+    def notice(name: str, arguments: dict[str, Any]) -> None:
+        match name, arguments:
+            case "stick", {"client": str(client), "sample": dict(sample)}:
+                stick.take(client, sample)
+            case "stick_gone", {"client": str(client)}:
+                stick.let_go(client)
+            case "control", {"client": str(client), "name": str(shown)}:
+                stick.control_changed(Holder(client, shown))
+            case "control", {"client": None}:
+                stick.control_changed(None)
+
+    return notice

@@ -1,0 +1,212 @@
+"""`epf-gcs`: the gateway as two processes, flight and web. Starts both, and starts again whichever dies."""
+
+from __future__ import annotations
+
+import os
+import signal
+import socket
+import subprocess
+import sys
+import time
+from collections.abc import Sequence
+from pathlib import Path
+from types import FrameType
+from typing import Annotated, Final
+
+import typer
+
+from epf_gcs.errors import GatewayError
+from epf_gcs.listening import listen
+
+# A program that refuses its options ends with this, and would refuse them again.
+_REFUSED: Final = 2
+# The first restart comes at once, for in a flight each moment counts; one that dies again and again waits longer.
+_LONGEST_WAIT_S: Final = 5.0
+_LIVED_S: Final = 10.0
+_STOP_S: Final = 8.0
+
+app = typer.Typer(add_completion=False, context_settings={"help_option_names": ["-h", "--help"]})
+
+
+class Part:
+    """One of the two processes. `again` is its command of every start but the first, where it is another."""
+
+    def __init__(
+        self, name: str, command: Sequence[str], again: Sequence[str], stdin: int, files: Sequence[int] = ()
+    ) -> None:
+        self.name = name
+        self._command = tuple(command)
+        self._again = tuple(again)
+        self._stdin = stdin
+        self._files = tuple(files)
+        self._started_s = 0.0
+        self._quick_deaths = 0
+        self.process: subprocess.Popen[bytes] | None = None
+
+    @property
+    def never_lived(self) -> bool:
+        """It was started once, and ended within seconds."""
+        return self._quick_deaths == 1 and self._command == self._last
+
+    def start(self) -> None:
+        """Start it. Its standard input is a pipe that only we hold open: when we die, it ends."""
+        self._last = self._command if self.process is None else self._again
+        self._started_s = time.monotonic()
+        # A group of its own: a terminal's Ctrl-C comes to us alone, and we end both in their order.
+        self.process = subprocess.Popen(self._last, stdin=self._stdin, pass_fds=self._files, process_group=0)
+
+    def wait_s(self) -> float:
+        """How long to wait before it is started again."""
+        if time.monotonic() - self._started_s > _LIVED_S:
+            self._quick_deaths = 0
+        self._quick_deaths += 1
+        return 0.0 if self._quick_deaths <= 1 else min(_LONGEST_WAIT_S, 0.1 * 2.0**self._quick_deaths)
+
+    def signal(self, number: int) -> None:
+        """Send a signal where it runs."""
+        if self.process is not None and self.process.poll() is None:
+            self.process.send_signal(number)
+
+
+class Gateway:
+    """Both processes, and what holds them together."""
+
+    def __init__(self, flight: Part, web: Part) -> None:
+        self._parts = (flight, web)
+        self._stopping = False
+
+    def run(self) -> int:
+        """Run until a signal; returns the exit code."""
+        for number in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP):
+            signal.signal(number, self._stop)
+        for part in self._parts:
+            part.start()
+        while not self._stopping:
+            pid, status = os.wait()
+            code = os.waitstatus_to_exitcode(status)
+            for part in self._parts:
+                if part.process is not None and part.process.pid == pid:
+                    part.process.returncode = code
+                    if not self._revive(part, code):
+                        self._end()
+                        return code if code > 0 else 1
+        self._end()
+        return 0
+
+    def _revive(self, part: Part, code: int) -> bool:
+        """Start it again. False where that is no use: it refused its options, or could not begin at all."""
+        if self._stopping:
+            return True
+        wait_s = part.wait_s()
+        if code == _REFUSED or (code > 0 and part.never_lived):
+            return False
+        how = f"by signal {-code}" if code < 0 else f"with status {code}"
+        print(f"epf-gcs: the {part.name} process ended {how} and is started again.", file=sys.stderr, flush=True)
+        time.sleep(wait_s)
+        if not self._stopping:
+            part.start()
+        return True
+
+    def _stop(self, _number: int, _frame: FrameType | None) -> None:
+        self._stopping = True
+        for part in self._parts:
+            part.signal(signal.SIGTERM)
+
+    def _end(self) -> None:
+        """End both; one that hangs is killed."""
+        give_up_s = time.monotonic() + _STOP_S
+        for part in self._parts:
+            part.signal(signal.SIGTERM)
+        for part in self._parts:
+            if part.process is not None:
+                try:
+                    part.process.wait(max(0.1, give_up_s - time.monotonic()))
+                except subprocess.TimeoutExpired:
+                    part.signal(signal.SIGKILL)
+
+
+@app.command()
+def run(
+    *,
+    host: Annotated[
+        str,
+        typer.Option(
+            envvar="GCS_HOST", help="Address to listen on. Beyond 127.0.0.1 anybody there can fly the aircraft."
+        ),
+    ] = "127.0.0.1",
+    port: Annotated[
+        int,
+        typer.Option(envvar="GCS_PORT", min=0, max=65535, help="TCP port of page and interface; 0 takes any free one."),
+    ] = 8000,
+    board: Annotated[
+        str | None,
+        typer.Option(
+            envvar="GCS_BOARD",
+            help="Board to connect to: serial:///dev/ttyUSB0?baud=115200, tcp://host:port or pty:///path; "
+            "emulation: plays example values without one.",
+        ),
+    ] = None,
+    data_dir: Annotated[
+        Path, typer.Option(envvar="GCS_DATA_DIR", help="Folder of the recordings and the remembered links.")
+    ] = Path("data"),
+    page_dir: Annotated[Path | None, typer.Option(envvar="GCS_PAGE_DIR", help="Folder of the built page.")] = None,
+    recording: Annotated[bool, typer.Option(envvar="GCS_RECORDING", help="Record every byte of the lines.")] = True,
+    verbose: Annotated[bool, typer.Option(help="Log more.")] = False,
+    print_openapi: Annotated[bool, typer.Option(help="Print the OpenAPI document and end.")] = False,
+) -> None:
+    """The gateway of EPF GCS: connects a board and a flight simulator with browsers.
+
+    Without --board it opens the links of its last run. Every option is also a variable: GCS_HOST, GCS_PORT,
+    GCS_BOARD, GCS_DATA_DIR, GCS_PAGE_DIR, GCS_RECORDING; GCS_ALLOWED_HOSTS and GCS_ALLOWED_ORIGINS (JSON lists) let
+    more names and pages in.
+
+    It runs as two processes: `epf-flight` owns the lines and flies on when `epf-web`, which serves the page, does not.
+    """
+    if print_openapi:
+        raise typer.Exit(
+            subprocess.run([sys.executable, "-m", "epf_gcs.web", "--print-openapi"], check=False).returncode
+        )
+    try:
+        listener = listen(host, port)
+    except GatewayError as error:
+        print(f"epf-gcs: {error.detail}", file=sys.stderr)
+        raise typer.Exit(1) from error
+    code = _gateway(listener, host, data_dir, page_dir, board, recording=recording, verbose=verbose).run()
+    # The interpreter's own end would only take time; both processes have ended.
+    raise typer.Exit(code)
+
+
+def _gateway(
+    listener: socket.socket,
+    host: str,
+    data_dir: Path,
+    page_dir: Path | None,
+    board: str | None,
+    *,
+    recording: bool,
+    verbose: bool,
+) -> Gateway:
+    alive, held = os.pipe()
+    os.set_inheritable(held, False)
+    common = ["--data-dir", str(data_dir), "--with-parent", *(["--verbose"] if verbose else [])]
+    flight = [
+        *(sys.executable, "-m", "epf_gcs.flight", *common),
+        *([] if recording else ["--no-recording"]),
+    ]
+    web = [
+        *(sys.executable, "-m", "epf_gcs.web", *common, "--host", host, "--fd", str(listener.fileno())),
+        *([] if page_dir is None else ["--page-dir", str(page_dir)]),
+    ]
+    # Started again, the flight process opens what was open when it died, not the board of the command line.
+    first = [*flight, *([] if board is None else ["--board", board])]
+    # The listening socket stays ours: while the web process is started again, browsers wait instead of being refused.
+    return Gateway(Part("flight", first, flight, alive), Part("web", web, web, alive, [listener.fileno()]))
+
+
+def main() -> None:
+    """Entry point of `epf-gcs`."""
+    app()
+
+
+if __name__ == "__main__":
+    main()

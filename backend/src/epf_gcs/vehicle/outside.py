@@ -1,0 +1,46 @@
+"""What a vehicle needs from outside: the time, a line to write to, and somebody to tell."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any, Protocol
+
+Values = Mapping[str, Any]
+
+
+class Clock(Protocol):
+    """Tells the time. A live vehicle has the computer's; a replayed one has its recording's."""
+
+    def now_s(self) -> float:
+        """Unix seconds."""
+
+    def steady_s(self) -> float:
+        """Seconds of a clock that is never set, for measuring."""
+
+
+class Outlet(Protocol):
+    """Takes what the vehicle has to say. Calls never block."""
+
+    def sample(self, topic: str, t_s: float, values: Values) -> None:
+        """The newest values of a topic and their Unix time; sent with the next `flush`."""
+
+    def flush(self) -> None:
+        """Send the samples taken since the last time."""
+
+    def event(self, kind: str, data: Mapping[str, Any]) -> None:
+        """Something happened that every viewer should hear of."""
+
+
+class Line(Protocol):
+    """The open line to the board, as far as a vehicle uses it."""
+
+    @property
+    def baud(self) -> int:
+        """Bits per second, 10 of them a byte."""
+
+    @property
+    def backlog(self) -> int:
+        """Bytes written that have not left yet."""
+
+    def write(self, data: bytes) -> bool:
+        """Send or queue all of it. False: the queue is full, nothing was taken."""

@@ -1,0 +1,54 @@
+"""The whole status: the flight's, and what only the web process knows."""
+
+from __future__ import annotations
+
+import asyncio
+from collections import Counter
+from collections.abc import Callable
+from typing import Any
+
+import orjson
+
+from epf_gcs import __version__
+from epf_gcs.error_log import ErrorLog
+from epf_gcs.web.access.control import Control
+from epf_gcs.web.stream.hub import Hub
+
+
+class WholeStatus:
+    """`flight` answers with the flight's part as it was sent last."""
+
+    def __init__(self, flight: Callable[[], dict[str, Any]], control: Control, errors: ErrorLog, hub: Hub) -> None:
+        self._loop = asyncio.get_running_loop()
+        self._flight = flight
+        self._control = control
+        self._errors = errors
+        self._hub = hub
+        self._due = False
+
+    def build(self, flight: dict[str, Any] | None = None) -> dict[str, Any]:
+        """Plain values, from a fresh status of the flight where the caller has one."""
+        known = self._flight() if flight is None else flight
+        holder = self._control.holder
+        return {
+            **known,
+            "version": __version__,
+            "control": {"client": holder.id if holder else None, "name": holder.name if holder else None},
+            "errors": Counter(known["errors"]) + self._errors.counts,
+            "viewers": len(self._hub.viewers),
+        }
+
+    def text(self) -> bytes:
+        """The status as JSON."""
+        return orjson.dumps(self.build())
+
+    def changed(self) -> None:
+        """Something in it changed: send it to the viewers soon, once for all changes of this moment."""
+        if not self._due:
+            self._due = True
+            self._loop.call_soon(self._send)
+
+    def _send(self) -> None:
+        self._due = False
+        if self._hub.viewers:
+            self._hub.status(b'{"type":"status","data":%b}' % self.text())

@@ -1,0 +1,125 @@
+"""The running parts of the web process, put together once.
+
+vehicle (stream of the flight process) -> mirror -> hub -> viewers
+routes and viewers -> control -> requests to the vehicle
+"""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import gc
+from collections.abc import AsyncIterator, Awaitable, Callable
+from pathlib import Path
+from typing import Any, Final
+
+import structlog
+
+from epf_gcs.bus.station_end import StationEnd
+from epf_gcs.clock import Clock
+from epf_gcs.error_log import ErrorLog
+from epf_gcs.web.access.control import Client, Control
+from epf_gcs.web.inspector.shared import SharedInspector
+from epf_gcs.web.maps.maps import Maps
+from epf_gcs.web.maps.online_file import OnlineFile
+from epf_gcs.web.state.whole import WholeStatus
+from epf_gcs.web.stream.endpoint import StreamParts
+from epf_gcs.web.stream.hub import Hub
+from epf_gcs.web.track.tracks import Tracks
+from epf_gcs.web.vehicle.mirror import VehicleMirror
+
+_RESTART_S: Final = 1.0
+# How long the first requests wait for the flight process, which starts beside this one.
+_FIRST_WAIT_S: Final = 5.0
+_STATUS_S: Final = 0.5
+
+log = structlog.get_logger("web")
+
+
+class Station:
+    """Made on the running loop. `parts` are what routes ask for by name (`deps.py`)."""
+
+    def __init__(self, data_dir: Path, errors: ErrorLog) -> None:
+        loop = asyncio.get_running_loop()
+        self._here = asyncio.Event()
+        self.clock = Clock()
+        self.hub = Hub(loop, self.clock.now_s)
+        errors.tell_viewers(self.clock.steady_s, self.hub.event)
+        self.mirror = VehicleMirror(self.hub, self.clock, on_change=self._status_changed, on_here=self._vehicle_here)
+        self.vehicle = StationEnd(data_dir, self.mirror)
+        self.control = Control(loop, self._on_control)
+        self.status = WholeStatus(lambda: self.mirror.status, self.control, errors, self.hub)
+        self.tracks = Tracks(self.mirror, self.hub, self.clock)
+        self.maps = Maps(data_dir / "maps", self.hub, self.clock, OnlineFile(data_dir, errors.report), errors.report)
+        self.stream_parts = StreamParts(self.hub, self.control, self.vehicle, self.status, errors, self.clock)
+        self.parts: dict[str, Any] = {
+            "vehicle": self.vehicle,
+            "mirror": self.mirror,
+            "status": self.status,
+            "control": self.control,
+            "tracks": self.tracks,
+            "maps": self.maps,
+            "inspector": SharedInspector(lambda: self.vehicle.request("inspector"), self.clock.steady_s),
+            "recordings_dir": data_dir / "recordings",
+            "clock": self.clock,
+        }
+
+    @contextlib.asynccontextmanager
+    async def running(self) -> AsyncIterator[None]:
+        """Everything runs inside."""
+        try:
+            async with asyncio.TaskGroup() as tasks:
+                running = [
+                    tasks.create_task(_keep_alive(name, job), name=name)
+                    for name, job in (("vehicle", self.vehicle.run), ("maps", self.maps.run), ("status", self._repeat))
+                ]
+                with contextlib.suppress(TimeoutError):
+                    async with asyncio.timeout(_FIRST_WAIT_S):
+                        await self._here.wait()
+                # What was made until now lives as long as the process: the collector need not look at it again.
+                gc.collect()
+                gc.freeze()
+                try:
+                    yield
+                finally:
+                    for task in running:
+                        task.cancel()
+        finally:
+            await self.maps.close()
+
+    async def _repeat(self) -> None:
+        """Without the flight process nobody else says how old everything is by now."""
+        while True:
+            await asyncio.sleep(_STATUS_S)
+            if not self.mirror.is_here:
+                self.status.changed()
+
+    def _status_changed(self) -> None:
+        self.tracks.status_changed()
+        self.status.changed()
+
+    def _vehicle_here(self, holder: dict[str, Any] | None) -> None:
+        """Both sides agree on who has control: a new web process learns it, a new flight process is told."""
+        if holder is not None and self.control.holder is None:
+            self.control.restore(Client(holder["client"], holder["name"]))
+        self._tell_vehicle(self.control.holder)
+        self._here.set()
+
+    def _on_control(self, holder: Client | None) -> None:
+        data = {"client": holder.id if holder else None, "name": holder.name if holder else None}
+        self.hub.event("control", data)
+        self._tell_vehicle(holder)
+        self.status.changed()
+
+    def _tell_vehicle(self, holder: Client | None) -> None:
+        self.vehicle.notice("control", client=holder.id if holder else None, name=holder.name if holder else None)
+
+
+async def _keep_alive(name: str, job: Callable[[], Awaitable[None]]) -> None:
+    """The top of each task: a fault of ours in one of them must not end the others."""
+    while True:
+        try:
+            await job()
+        except Exception:
+            log.exception("a part failed and begins again", part=name)
+            await asyncio.sleep(_RESTART_S)

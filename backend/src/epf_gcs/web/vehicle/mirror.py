@@ -1,0 +1,114 @@
+"""What the flight process said last, for those who ask; and on to the stream, as it comes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, Final
+
+import structlog
+
+from epf_gcs.bus.definition import Named
+from epf_gcs.clock import Clock
+from epf_gcs.vehicle.outside import Values
+from epf_gcs.web.stream.hub import Hub
+from epf_gcs.web.vehicle.blank import blank_status, status_without_flight
+
+# Topics that arrive when somebody asks have no rate; everything else says in the status from when on it is stale.
+_UNKNOWN_LASTS_S: Final = 3.0
+
+log = structlog.get_logger("web")
+
+
+class VehicleMirror:
+    """Implements `epf_gcs.bus.station_end.Listener`. `on_change`: the status is another one; `on_here` hears the
+    browser that had control when the flight process comes (or comes back)."""
+
+    def __init__(
+        self,
+        hub: Hub,
+        clock: Clock,
+        *,
+        on_change: Callable[[], None],
+        on_here: Callable[[dict[str, Any] | None], None],
+    ) -> None:
+        self._hub = hub
+        self._clock = clock
+        self._on_change = on_change
+        self._on_here = on_here
+        self._listeners: dict[str, Callable[[float, Values], None]] = {}
+        self._status: dict[str, Any] | None = None
+        self._lost_s: float | None = None
+        self.is_here = False
+
+    def listen(self, topic: str, listener: Callable[[float, Values], None]) -> None:
+        """From now on each sample of this topic is handed to `listener` too, with its Unix time."""
+        self._listeners[topic] = listener
+
+    @property
+    def status(self) -> dict[str, Any]:
+        """The status as it was sent last; without the flight process one that says so."""
+        if self.is_here and self._status is not None:
+            return self._status
+        now_s = self._clock.now_s()
+        return status_without_flight(self._status or blank_status(), now_s, self._lost_s or now_s)
+
+    @property
+    def is_emulated(self) -> bool:
+        """What comes now are examples, not a flight."""
+        return self.is_here and self._status is not None and bool(self._status["board"]["emulated"])
+
+    def newest(self, topic: str) -> Values | None:
+        """The newest values of a topic, however old."""
+        sample = self._hub.state.samples().get(topic)
+        return None if sample is None else sample.values
+
+    def is_live(self, topic: str) -> bool:
+        """The topic was heard within its time."""
+        sample = self._hub.state.samples().get(topic)
+        if sample is None or not self.is_here or self._status is None:
+            return False
+        health = self._status["topics"].get(topic)
+        limit_s = _UNKNOWN_LASTS_S if health is None else health["stale_after_s"]
+        return limit_s is None or self._clock.now_s() - sample.t_s <= limit_s
+
+    def on_hello(self, hello: dict[str, Any]) -> None:
+        """The flight process is there."""
+        self._clock.follow(int(hello["clock_offset_ns"]))
+        self._status = hello["status"]
+        was_lost, self._lost_s = self._lost_s is not None, None
+        self.is_here = True
+        log.info("the flight process is there", version=hello["version"])
+        self._on_here(hello["control"])
+        if was_lost:
+            self._hub.event("flight", {"state": "back"})
+        self._on_change()
+
+    def on_sample(self, sample: Named) -> None:
+        """The newest values of a topic."""
+        newest = self._hub.state.put(sample.name, sample.t_s, sample.text)
+        listener = self._listeners.get(sample.name)
+        if listener is not None:
+            listener(sample.t_s, newest.values)
+
+    def on_samples_end(self) -> None:
+        """All samples that came together were told."""
+        self._hub.flush()
+
+    def on_event(self, event: Named) -> None:
+        """Something happened."""
+        self._hub.send_event(event.text)
+
+    def on_status(self, status: dict[str, Any]) -> None:
+        """How everything stands."""
+        self._status = status
+        self._on_change()
+
+    def on_lost(self) -> None:
+        """The flight process is gone: say it at once."""
+        if not self.is_here:
+            return
+        self.is_here = False
+        self._lost_s = self._clock.now_s()
+        log.error("the flight process is gone; it is looked for again")
+        self._hub.event("flight", {"state": "lost"})
+        self._on_change()
