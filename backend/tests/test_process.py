@@ -155,7 +155,7 @@ def run(*arguments: str) -> subprocess.CompletedProcess[str]:
 def test_help_says_everything_that_one_needs() -> None:
     answer = run("--help")
     assert answer.returncode == 0
-    for word in ("--board", "serial:///dev/ttyUSB0", "--data-dir", "GCS_"):
+    for word in ("--board", "serial:///dev", "--data-dir", "GCS_"):
         assert word in answer.stdout
 
 

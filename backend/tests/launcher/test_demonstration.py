@@ -98,16 +98,25 @@ class Run:
         raise AssertionError(f"waited in vain; status {status}")
 
     def children(self) -> dict[str, int]:
-        """Name of the program -> process number."""
+        """Name of the program -> process number, of the launcher's programs and of the gateway's two."""
+        names = self._children_of(self.process.pid)
+        if "gateway" in names:
+            names |= self._children_of(names["gateway"])
+        return names
+
+    def _children_of(self, parent: int) -> dict[str, int]:
         names = {}
         for entry in Path("/proc").iterdir():
-            if entry.name.isdigit() and parent_of(entry) == self.process.pid:
-                words = (entry / "cmdline").read_bytes().decode().split("\0")
+            if entry.name.isdigit() and parent_of(entry) == parent:
+                try:
+                    words = (entry / "cmdline").read_bytes().decode().split("\0")
+                except FileNotFoundError:
+                    continue
                 # One that has just died, or has not become its program yet, has no words of its own.
                 if words[0] == str(BOARD_PROGRAM):
                     names["board"] = int(entry.name)
-                elif "-m" in words and (name := words[words.index("-m") + 1]) != "launcher":
-                    names[name] = int(entry.name)
+                elif "-m" in words and (name := words[words.index("-m") + 1]) != "epf_gcs.launcher":
+                    names[name.rpartition(".")[2]] = int(entry.name)
         return names
 
 
@@ -194,7 +203,7 @@ def test_a_signal_stops_everything(tmp_path: Path, number: signal.Signals) -> No
     with Run(tmp_path) as run:
         assert run.first_line() == f"{run.url}\n", run.said()
         children = run.children()
-        assert set(children) == {"board", "simulator", "gateway"}
+        assert set(children) == {"board", "simulator", "gateway", "flight", "web"}
         run.process.send_signal(number)
         assert run.process.wait(DEADLINE_S) == 0
         assert not any(exists(pid) for pid in children.values())
@@ -253,7 +262,7 @@ def test_an_x_plane_takes_the_embedded_simulators_place_whenever_it_comes(tmp_pa
     listens_on, sends_to = free_udp_port(), free_udp_port()
     with Run(tmp_path, "--xplane", f"{LOOPBACK}:{listens_on}", "--receive-port", str(sends_to)) as run:
         assert run.first_line() == f"{run.url}\n", run.said()
-        assert set(run.children()) == {"board", "gateway"}
+        assert set(run.children()) == {"board", "gateway", "flight", "web"}
         assert not flies(run.status())
         with x_plane_of_somebody(listens_on, sends_to):
             run.eventually(flies)

@@ -10,6 +10,7 @@ From the vehicle:
   EVENT    as SAMPLE, with the event's kind as the name and {"type": "event", "event": ..., "t_s": ..., "data": {...}}
   STATUS   JSON object: the state of links, HIL, recording, alarms, errors and topics
   ANSWER   u32 number of the request, then JSON: {"result": ...} or {"fault": {...}} (see `faults.py`)
+  BYE      nothing; the vehicle ends because it was told to
 To the vehicle:
   REQUEST  u32 number, then JSON: {"name": ..., "arguments": {...}, "by": {"client": ..., "name": ...} or null}
   NOTICE   JSON: {"name": ..., "arguments": {...}}; it has no answer
@@ -43,6 +44,7 @@ class Kind(IntEnum):
     EVENT = 3
     STATUS = 4
     ANSWER = 5
+    BYE = 6
     REQUEST = 16
     NOTICE = 17
 

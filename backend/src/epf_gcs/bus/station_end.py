@@ -50,8 +50,8 @@ class Listener(Protocol):
     def on_status(self, status: dict[str, Any]) -> None:
         """How everything stands."""
 
-    def on_lost(self) -> None:
-        """The vehicle's process is gone; it is looked for again."""
+    def on_lost(self, *, ended: bool) -> None:
+        """The vehicle's process is gone, `ended` because it was told to; it is looked for again."""
 
 
 class StationEnd:
@@ -65,6 +65,7 @@ class StationEnd:
         self._decoder = Decoder()
         self._channel: Channel | None = None
         self._gone = asyncio.Event()
+        self._said_bye = False
 
     @property
     def is_connected(self) -> bool:
@@ -82,6 +83,7 @@ class StationEnd:
                     continue
                 self._decoder = Decoder()
                 self._gone.clear()
+                self._said_bye = False
                 self._channel = Channel(connection, self._on_data, self._on_closed)
                 await self._gone.wait()
         finally:
@@ -144,13 +146,15 @@ class StationEnd:
                 future.set_result(answer.get("result"))
         elif record.kind == Kind.HELLO:
             self._listener.on_hello(unpack_object(record.body))
+        elif record.kind == Kind.BYE:
+            self._said_bye = True
 
     def _on_closed(self) -> None:
         self._channel = None
         for future in self._waiting.values():
             if not future.done():
                 future.set_exception(_away())
-        self._listener.on_lost()
+        self._listener.on_lost(ended=self._said_bye)
         self._gone.set()
 
 

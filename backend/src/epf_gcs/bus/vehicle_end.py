@@ -166,6 +166,7 @@ class VehicleEnd:
     def _close(self, channel: Channel) -> None:
         self._open.discard(channel)
         self._broadcast.remove(channel)
+        channel.send(pack(Kind.BYE, b""))
         channel.close()
 
 

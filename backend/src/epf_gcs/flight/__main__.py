@@ -35,7 +35,8 @@ def main() -> None:
         try:
             parse_address(options.board)
         except GatewayError as error:
-            sys.exit(f"epf-flight: {error.detail}")
+            print(f"epf-flight: {error.detail}", file=sys.stderr)
+            sys.exit(2)
     try:
         with asyncio.Runner(loop_factory=_loop_factory()) as runner:
             runner.run(_fly(options))

@@ -326,4 +326,5 @@ class Flight:
         if not self.board.is_open:
             self.parameters.forget()
         self.outlet.event("link", {"board": self.supervisor.state, "simulator": self.simulator.state})
-        self.changed()
+        # At once: what the line brings next belongs to this state, examples to the emulation above all.
+        self._send_status()

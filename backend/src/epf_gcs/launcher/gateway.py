@@ -131,26 +131,42 @@ def run(
     host: Annotated[
         str,
         typer.Option(
-            envvar="GCS_HOST", help="Address to listen on. Beyond 127.0.0.1 anybody there can fly the aircraft."
+            show_envvar=False,
+            envvar="GCS_HOST",
+            help="Address to listen on. Beyond 127.0.0.1 anybody there can fly the aircraft.",
         ),
     ] = "127.0.0.1",
     port: Annotated[
         int,
-        typer.Option(envvar="GCS_PORT", min=0, max=65535, help="TCP port of page and interface; 0 takes any free one."),
+        typer.Option(
+            show_envvar=False,
+            envvar="GCS_PORT",
+            min=0,
+            max=65535,
+            help="TCP port of page and interface; 0 takes any free one.",
+        ),
     ] = 8000,
     board: Annotated[
         str | None,
         typer.Option(
+            show_envvar=False,
             envvar="GCS_BOARD",
             help="Board to connect to: serial:///dev/ttyUSB0?baud=115200, tcp://host:port or pty:///path; "
             "emulation: plays example values without one.",
         ),
     ] = None,
     data_dir: Annotated[
-        Path, typer.Option(envvar="GCS_DATA_DIR", help="Folder of the recordings and the remembered links.")
+        Path,
+        typer.Option(
+            show_envvar=False, envvar="GCS_DATA_DIR", help="Folder of the recordings and the remembered links."
+        ),
     ] = Path("data"),
-    page_dir: Annotated[Path | None, typer.Option(envvar="GCS_PAGE_DIR", help="Folder of the built page.")] = None,
-    recording: Annotated[bool, typer.Option(envvar="GCS_RECORDING", help="Record every byte of the lines.")] = True,
+    page_dir: Annotated[
+        Path | None, typer.Option(show_envvar=False, envvar="GCS_PAGE_DIR", help="Folder of the built page.")
+    ] = None,
+    recording: Annotated[
+        bool, typer.Option(show_envvar=False, envvar="GCS_RECORDING", help="Record every byte of the lines.")
+    ] = True,
     verbose: Annotated[bool, typer.Option(help="Log more.")] = False,
     print_openapi: Annotated[bool, typer.Option(help="Print the OpenAPI document and end.")] = False,
 ) -> None:

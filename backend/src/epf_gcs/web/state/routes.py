@@ -5,7 +5,7 @@ from __future__ import annotations
 import orjson
 from fastapi import APIRouter, Response
 
-from epf_gcs.web.deps import ControlDep, StatusDep, VehicleDep
+from epf_gcs.web.deps import ControlDep, MirrorDep, StatusDep, VehicleDep
 from epf_gcs.web.problems import problems, reading_problems
 from epf_gcs.web.state.schemas import ControlInput, ControlState, Sample, Status
 
@@ -13,11 +13,12 @@ router = APIRouter(tags=["state"])
 
 
 @router.get("/status", response_model=Status, responses=reading_problems())
-async def get_status(status: StatusDep, vehicle: VehicleDep) -> Response:
+async def get_status(status: StatusDep, vehicle: VehicleDep, mirror: MirrorDep) -> Response:
     """The whole state of the station."""
     # Fresh from the flight where it is there: who has just changed something sees it. Not validated, the tests do that.
-    flight = await vehicle.request("status") if vehicle.is_connected else None
-    return Response(orjson.dumps(status.build(flight)), media_type="application/json")
+    if vehicle.is_connected:
+        mirror.learn(await vehicle.request("status"))
+    return Response(status.text(), media_type="application/json")
 
 
 @router.get("/telemetry", response_model=dict[str, Sample], responses=reading_problems(409))

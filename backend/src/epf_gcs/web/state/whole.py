@@ -26,9 +26,9 @@ class WholeStatus:
         self._hub = hub
         self._due = False
 
-    def build(self, flight: dict[str, Any] | None = None) -> dict[str, Any]:
-        """Plain values, from a fresh status of the flight where the caller has one."""
-        known = self._flight() if flight is None else flight
+    def build(self) -> dict[str, Any]:
+        """Plain values."""
+        known = self._flight()
         holder = self._control.holder
         return {
             **known,

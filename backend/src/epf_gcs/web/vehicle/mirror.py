@@ -98,17 +98,24 @@ class VehicleMirror:
         """Something happened."""
         self._hub.send_event(event.text)
 
+    def learn(self, status: dict[str, Any]) -> None:
+        """How everything stands, as somebody was answered."""
+        self._status = status
+
     def on_status(self, status: dict[str, Any]) -> None:
         """How everything stands."""
         self._status = status
         self._on_change()
 
-    def on_lost(self) -> None:
+    def on_lost(self, *, ended: bool) -> None:
         """The flight process is gone: say it at once."""
         if not self.is_here:
             return
         self.is_here = False
         self._lost_s = self._clock.now_s()
-        log.error("the flight process is gone; it is looked for again")
+        if ended:
+            log.info("the flight process has ended; it is looked for again")
+        else:
+            log.error("the flight process is gone; it is looked for again")
         self._hub.event("flight", {"state": "lost"})
         self._on_change()
