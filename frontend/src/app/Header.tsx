@@ -1,5 +1,5 @@
 import { useTranslation } from "react-i18next";
-import { useAsked } from "../live/useAsked";
+import { useAsked } from "../requests/useAsked";
 import { useConnection, usePage, useSettings } from "../store/hooks";
 import { LANGUAGES } from "../store/settings";
 import { THEMES } from "../theme/theme";

@@ -1,13 +1,13 @@
 import { Cpu, Gamepad2, Hand, RadioTower } from "lucide-react";
 import { useTranslation } from "react-i18next";
-import { useAsked } from "../live/useAsked";
-import { useBoardBlocked, useGatewayBlocked } from "../live/useBlocked";
+import { readAutopilot, readAutotrim } from "../features/controls/axes";
+import { useSource } from "../features/controls/useSource";
 import type { CommandName } from "../protocol/messages.gen";
+import { useAsked } from "../requests/useAsked";
+import { useBoardBlocked, useGatewayBlocked } from "../requests/useBlocked";
 import { useConnection, usePage, useTelemetry } from "../store/hooks";
 import type { TelemetryStore } from "../store/telemetry";
 import { SegmentedSwitch } from "../ui/SegmentedSwitch";
-import { readAutopilot, readAutotrim } from "./controls";
-import { useSource } from "./useSource";
 
 /** Autopilot and autotrim. */
 export function AutomaticControls() {

@@ -1,6 +1,6 @@
+import { browserSounder, browserSpeaker } from "../features/alarms/browserAlarms";
+import { browserGamepads } from "../features/gamepad/browserGamepads";
 import type { Shelf } from "../store/settings";
-import { browserSounder, browserSpeaker } from "./browserAlarms";
-import { browserGamepads } from "./browserGamepads";
 import type { World } from "./page";
 
 /** How often the page is painted at most, in hertz. */

@@ -1,26 +1,26 @@
 import { createContext, useContext, useSyncExternalStore } from "react";
 import { type StoreApi, useStore } from "zustand";
+import type { FrameActions } from "../features/about/aboutRequests";
+import type { Ahrs3d, Alignment } from "../features/ahrs/alignment";
+import type { AlarmBook } from "../features/alarms/alarmLog";
+import type { GamepadDesk, Gamepads } from "../features/gamepad/gamepadList";
+import type { MapLayerActions, MapLayers } from "../features/map/layers/layerList";
+import type { MapSelectionStore } from "../features/map/mapSelection";
+import type { TrackBook, Tracks } from "../features/map/trackLog";
+import type { ParameterActions, ParameterBook } from "../features/parameters/parameterValues";
+import type { Servo, ServoDesk } from "../features/servos/servoPositions";
+import { UNMOVED } from "../features/servos/servoPositions";
+import type { BoardConsole, ConsoleLog } from "../features/setup/consoleLog";
 import type { MapThing } from "../lib/mapThing";
+import type { PlanActions, Plans } from "../missions/planDrafts";
 import type { Actions } from "./actions";
-import type { Ahrs3d, Alignment } from "./ahrs3d";
-import type { AlarmBook } from "./alarmBook";
 import { type CommandEntry, type CommandStore, shown } from "./commands";
 import type { Connection, ConnectionStore } from "./connection";
-import type { BoardConsole, ConsoleLog } from "./console";
-import type { FrameActions } from "./frame";
-import type { GamepadDesk, Gamepads } from "./gamepads";
 import type { Inspector } from "./inspector";
-import type { MapLayerActions, MapLayers } from "./mapLayers";
-import type { MapSelectionStore } from "./mapSelection";
 import type { Message, MessageStore } from "./messages";
-import type { ParameterActions, ParameterBook } from "./parameters";
-import type { PlanActions, Plans } from "./plans";
 import type { Pump } from "./pump";
-import type { Servo, ServoDesk } from "./servos";
-import { UNMOVED } from "./servos";
 import type { Settings, SettingsStore } from "./settings";
 import type { TelemetryStore } from "./telemetry";
-import type { TrackBook, Tracks } from "./track";
 
 /** Everything that a component may read or ask for, put together by app. */
 export interface Page {

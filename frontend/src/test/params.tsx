@@ -1,10 +1,10 @@
 import { screen, within } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
+import { ParamsView } from "../features/parameters/ParamsView";
 import { PARAMETERS, type ParameterName } from "../protocol/messages.gen";
 import type { HeldParameter } from "../protocol/parameters";
 import { WORDS } from "../ui/test/words";
 import { WordsProvider } from "../ui/words";
-import { ParamsView } from "../views/params/ParamsView";
 import { type Asked, Station } from "./station";
 import { aStatus } from "./status";
 

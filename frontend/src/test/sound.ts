@@ -1,5 +1,5 @@
-import type { Sounder, SounderState, Speaker, SpeakerState } from "../store/alarmBook";
-import type { AlarmLevel } from "../store/alarms";
+import type { Sounder, SounderState, Speaker, SpeakerState } from "../features/alarms/alarmLog";
+import type { AlarmLevel } from "../features/alarms/raisedAlarms";
 import type { Language } from "../store/settings";
 
 /** Tones that are written down. */

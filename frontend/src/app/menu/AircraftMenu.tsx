@@ -1,10 +1,10 @@
 import { useTranslation } from "react-i18next";
-import { useBoardBlocked, useGatewayBlocked } from "../../live/useBlocked";
-import { useGamepadBlocked, useStickIsMine, useStickKind } from "../../live/useStick";
+import { type Source, useSource } from "../../features/controls/useSource";
+import { useGamepadBlocked, useStickIsMine, useStickKind } from "../../readouts/useStick";
+import { useBoardBlocked, useGatewayBlocked } from "../../requests/useBlocked";
 import { usePage, useTelemetry } from "../../store/hooks";
 import { choose } from "../../store/settings";
 import { Menu, MenuAction, MenuGroup, MenuRule } from "../../ui/MenuBar";
-import { type Source, useSource } from "../useSource";
 import { CommandItem, useOutcome } from "./items";
 
 /** Numbers of `servos_control_mode` on the wire. */

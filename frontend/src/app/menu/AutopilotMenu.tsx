@@ -1,13 +1,13 @@
 import { useTranslation } from "react-i18next";
-import { useBoardBlocked } from "../../live/useBlocked";
+import { readAutopilot, readAutotrim } from "../../features/controls/axes";
+import { useSource } from "../../features/controls/useSource";
 import type { CommandName } from "../../protocol/messages.gen";
 import type { NumberField } from "../../protocol/topics";
+import { useBoardBlocked } from "../../requests/useBlocked";
 import { useConnection, usePage, useTelemetry } from "../../store/hooks";
 import type { TelemetryStore } from "../../store/telemetry";
 import { Menu, MenuChoice, MenuRule } from "../../ui/MenuBar";
-import { readAutopilot, readAutotrim } from "../controls";
 import { useDialogs } from "../dialogs/dialogs";
-import { useSource } from "../useSource";
 import { CommandItem, useOutcome } from "./items";
 
 export function AutopilotMenu() {

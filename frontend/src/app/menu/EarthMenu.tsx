@@ -1,5 +1,5 @@
 import { useTranslation } from "react-i18next";
-import { useGatewayBlocked } from "../../live/useBlocked";
+import { useGatewayBlocked } from "../../requests/useBlocked";
 import { usePage } from "../../store/hooks";
 import { Menu, MenuAction, MenuLink, MenuRule } from "../../ui/MenuBar";
 import { useDialogs } from "../dialogs/dialogs";

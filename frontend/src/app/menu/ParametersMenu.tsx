@@ -1,10 +1,10 @@
 import { useTranslation } from "react-i18next";
-import { useGatewayBlocked } from "../../live/useBlocked";
+import { useEmulation } from "../../features/emulation/EmulationBanner";
 import type { CommandName } from "../../protocol/messages.gen";
 import type { FlagField } from "../../protocol/topics";
+import { useGatewayBlocked } from "../../requests/useBlocked";
 import { usePage, useTelemetry } from "../../store/hooks";
 import { Menu, MenuRule, MenuSwitch } from "../../ui/MenuBar";
-import { useEmulation } from "../emulation";
 import { CommandItem, FlagSwitch, useOutcome } from "./items";
 
 interface Stream {

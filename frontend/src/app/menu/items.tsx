@@ -1,8 +1,8 @@
 import type { ReactNode } from "react";
 import { useTranslation } from "react-i18next";
 import { useSentence } from "../../i18n/useSentence";
-import { useBoardBlocked } from "../../live/useBlocked";
 import type { CommandName } from "../../protocol/messages.gen";
+import { useBoardBlocked } from "../../requests/useBlocked";
 import type { CommandValue } from "../../store/actions";
 import type { CommandState } from "../../store/commands";
 import { useCommandEntry, usePage, useTelemetry } from "../../store/hooks";

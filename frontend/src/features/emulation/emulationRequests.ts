@@ -1,0 +1,24 @@
+import { type AskingParts, createAsking, info } from "../../requests/asking";
+import { failureMessage } from "../../store/messages";
+import { isAbout } from "../about/about";
+import { EMULATION_URL, type FrameActions } from "../about/aboutRequests";
+
+const BOARD = "/api/v1/links/board";
+
+export function createFrameActions(parts: AskingParts): FrameActions {
+  const { simply } = createAsking(parts);
+  return {
+    startEmulation: (asker) =>
+      simply(asker, ["PUT", BOARD, { url: EMULATION_URL }], info("said.emulationStarted")),
+    endEmulation: (before_url, asker) =>
+      before_url === null
+        ? simply(asker, ["DELETE", BOARD], info("said.emulationEnded"))
+        : simply(asker, ["PUT", BOARD, { url: before_url }], info("said.boardOpening", { url: before_url })),
+    resetTrack: (asker) => simply(asker, ["POST", "/api/v1/track/reset"], info("said.trackReset")),
+    restoreTrack: (asker) => simply(asker, ["POST", "/api/v1/track/restore"], info("said.trackRestored")),
+    readAbout: async () => {
+      const answer = await parts.rest.ask("GET", "/api/v1/about", isAbout);
+      return answer.ok ? answer.value : failureMessage(answer.problem);
+    },
+  };
+}

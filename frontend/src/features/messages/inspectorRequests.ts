@@ -1,0 +1,13 @@
+import { isInspection } from "../../protocol/inspector";
+import type { Inspector } from "../../store/inspector";
+import { failureMessage } from "../../store/messages";
+import type { Rest } from "../../transport/rest";
+
+export function createInspector(rest: Rest): Inspector {
+  return {
+    read: async () => {
+      const answer = await rest.ask("GET", "/api/v1/inspector", isInspection);
+      return answer.ok ? answer.value : failureMessage(answer.problem);
+    },
+  };
+}
