@@ -2,6 +2,7 @@ import { act, render } from "@testing-library/react";
 import type { ReactElement } from "react";
 import { I18nextProvider } from "react-i18next";
 import { App } from "../app/App";
+import { CATALOGUES } from "../app/catalogues";
 import { loadParts } from "../app/loadParts";
 import { createPage, type World } from "../app/page";
 import { createI18n } from "../i18n/i18n";
@@ -78,7 +79,7 @@ export class Station {
     const { page, start } = createPage(world);
     this.page = page;
     render(
-      <I18nextProvider i18n={createI18n("es")}>
+      <I18nextProvider i18n={createI18n(CATALOGUES, "es")}>
         <PageContext value={page}>{shown}</PageContext>
       </I18nextProvider>,
     );

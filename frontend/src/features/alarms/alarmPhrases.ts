@@ -1,16 +1,18 @@
 import { createI18n } from "../../i18n/i18n";
 import { LANGUAGES, type Language } from "../../store/settings";
+import en from "./alarms.en.json";
+import es from "./alarms.es.json";
 import type { Speech } from "./annunciator";
 import type { AlarmLevel } from "./raisedAlarms";
 
 type LooseT = (key: string, params: Readonly<Record<string, unknown>>) => string;
 
-const CATALOGUES = createI18n(LANGUAGES[0]);
+const VOICE = createI18n({ es, en }, LANGUAGES[0]);
 
 /** What a voice says of an alarm: short, because it has to be understood at once. */
 export function spokenPhrase({ kind, id, level, others }: Speech, language: Language): string {
-  const t = CATALOGUES.getFixedT(language) as unknown as LooseT;
-  const name = CATALOGUES.exists(`alarmName.${id}`, { lng: language })
+  const t = VOICE.getFixedT(language) as unknown as LooseT;
+  const name = VOICE.exists(`alarmName.${id}`, { lng: language })
     ? t(`alarmName.${id}`, {})
     : t("alarmVoice.unnamed", {});
   const what =
@@ -22,6 +24,6 @@ export function spokenPhrase({ kind, id, level, others }: Speech, language: Lang
 
 /** Says of itself that it is a test: nobody shall take it for an alarm. */
 export function testPhrase(level: AlarmLevel, language: Language): string {
-  const t = CATALOGUES.getFixedT(language) as unknown as LooseT;
+  const t = VOICE.getFixedT(language) as unknown as LooseT;
   return t(level === "critical" ? "alarmVoice.testCritical" : "alarmVoice.testWarning", {});
 }

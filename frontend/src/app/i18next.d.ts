@@ -1,5 +1,5 @@
 import "i18next";
-import type { CATALOGUES } from "./i18n";
+import type { CATALOGUES } from "./catalogues";
 
 declare module "i18next" {
   interface CustomTypeOptions {

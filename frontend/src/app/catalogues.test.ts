@@ -2,7 +2,7 @@ import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { describe, expect, test } from "vitest";
 import { COMMANDS } from "../protocol/messages.gen";
-import { CATALOGUES } from "./i18n";
+import { CATALOGUES } from "./catalogues";
 
 const { es, en } = CATALOGUES;
 
