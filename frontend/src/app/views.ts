@@ -18,7 +18,7 @@ export type TabName = (typeof TABS)[number];
 
 /** Each tab is a file of its own, so that the first look at the page does not wait for all of them. */
 export const VIEWS: Readonly<Record<TabName, LazyPart>> = {
-  flight: lazyPart(async () => (await import("../features/flight/FlightView")).FlightView),
+  flight: lazyPart(async () => (await import("./tabs/FlightTab")).FlightTab),
   six: lazyPart(async () => (await import("../features/six/BoardSixView")).BoardSixView),
   params: lazyPart(async () => (await import("../features/parameters/ParamsView")).ParamsView),
   hil: lazyPart(async () => (await import("../features/hil/HilView")).HilView),
@@ -28,11 +28,11 @@ export const VIEWS: Readonly<Record<TabName, LazyPart>> = {
   ahrs3d: lazyPart(async () => (await import("../features/ahrs/Ahrs3dView")).Ahrs3dView),
   messages: lazyPart(async () => (await import("../features/messages/MessagesView")).MessagesView),
   alarms: lazyPart(async () => (await import("../features/alarms/AlarmsView")).AlarmsView),
-  setup: lazyPart(async () => (await import("../features/setup/SetupView")).SetupView),
+  setup: lazyPart(async () => (await import("./tabs/SetupTab")).SetupTab),
 };
 
 /** The tuning view, which stays open under any tab. */
-export const TUNING = lazyPart(async () => (await import("../features/tuning/TuningDock")).TuningDock);
+export const TUNING = lazyPart(async () => (await import("./tabs/TuningTab")).TuningTab);
 
 export async function loadViews(): Promise<void> {
   for (const { load } of [...Object.values(VIEWS), TUNING]) {

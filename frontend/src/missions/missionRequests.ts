@@ -4,8 +4,8 @@ import type { StreamEvent } from "../protocol/envelope";
 import { isImportedPlan, isMission, isMissionEvent, type PlanName } from "../protocol/missions";
 import type { Status } from "../protocol/status";
 import { resultMessage } from "../requests/actions";
+import type { Asker } from "../requests/asking";
 import { type AskingParts, createAsking, info } from "../requests/asking";
-import type { Asker } from "../store/actions";
 import { wordsOf } from "../store/messages";
 import {
   boardHas,

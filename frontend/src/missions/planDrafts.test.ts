@@ -1,6 +1,6 @@
 import { describe, expect, test } from "vitest";
 import type { Waypoint } from "../lib/plan";
-import type { Shelf } from "../store/settings";
+import type { BrowserStorage } from "../store/settings";
 import {
   amendPlan,
   boardHas,
@@ -15,7 +15,7 @@ import {
 const first: Waypoint = { latitude_deg: 27.9, longitude_deg: -15.4, altitude_ft: 1000.1, speed_kt: 55 };
 const second: Waypoint = { ...first, latitude_deg: 28 };
 
-function shelfWith(text: string | null): Shelf & { kept: string | null } {
+function storageWith(text: string | null): BrowserStorage & { kept: string | null } {
   return {
     kept: text,
     getItem() {
@@ -28,9 +28,9 @@ function shelfWith(text: string | null): Shelf & { kept: string | null } {
 }
 
 test("a draft that was not sent outlasts the page", () => {
-  const shelf = shelfWith(null);
-  editPlan(createPlans(shelf), "hil", [first, second]);
-  const plans = createPlans(shelf).getState();
+  const storage = storageWith(null);
+  editPlan(createPlans(storage), "hil", [first, second]);
+  const plans = createPlans(storage).getState();
   expect(plans.hil.draft.present).toEqual([first, second]);
   expect(plans.flight.draft.present).toEqual([]);
   expect(planState(plans.hil)).toBe("unknown");
@@ -41,7 +41,7 @@ test.each([
   ["rubbish", "{"],
   ["something else", '{"hil": [{"latitude_deg": "x"}], "flight": 3}'],
 ])("a browser that remembers %s begins with empty plans", (_, text) => {
-  const plans = createPlans(shelfWith(text)).getState();
+  const plans = createPlans(storageWith(text)).getState();
   expect([plans.flight.draft.present, plans.hil.draft.present]).toEqual([[], []]);
 });
 

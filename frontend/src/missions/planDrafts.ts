@@ -4,9 +4,10 @@ import { amended, begun, edited, type History, redone, undone } from "../lib/his
 import { samePlan, type Waypoint } from "../lib/plan";
 import type { CommandName } from "../protocol/messages.gen";
 import { PLANS, type PlanFormat, type PlanName } from "../protocol/missions";
-import type { Asker } from "../store/actions";
+import type { Asker } from "../requests/asking";
 import type { Message } from "../store/messages";
-import type { Shelf } from "../store/settings";
+import { partName } from "../store/parts";
+import type { BrowserStorage } from "../store/settings";
 
 /** A flight plan as it is edited here, and as the board has it. */
 export interface Plan {
@@ -34,6 +35,8 @@ export interface PlanActions {
   readonly exportFile: (plan: PlanName, format: PlanFormat, name: string, asker: Asker) => Promise<void>;
 }
 
+export const MISSIONS = partName<PlanActions>("missions");
+
 export type RouteCommand = Extract<
   CommandName,
   "hil_load_gando" | "hil_load_ruta_isla" | "hil_load_alternativa" | "hil_load_vuelo"
@@ -45,12 +48,12 @@ const isDraft = list(
 );
 
 /** The plans with the drafts that this browser remembers: an unsent edit outlasts the page. */
-export function createPlans(shelf: Shelf | null): PlanStore {
-  const kept = read(shelf);
+export function createPlans(storage: BrowserStorage | null): PlanStore {
+  const kept = read(storage);
   const store = createStore<Plans>(() => ({ flight: begin(kept["flight"]), hil: begin(kept["hil"]) }));
   store.subscribe((plans, before) => {
     if (PLANS.some((plan) => plans[plan].draft.present !== before[plan].draft.present)) {
-      write(shelf, { flight: plans.flight.draft.present, hil: plans.hil.draft.present });
+      write(storage, { flight: plans.flight.draft.present, hil: plans.hil.draft.present });
     }
   });
   return store;
@@ -108,18 +111,21 @@ function change(store: PlanStore, plan: PlanName, by: (before: Plan) => Partial<
   store.setState((plans) => ({ [plan]: { ...plans[plan], ...by(plans[plan]) } }));
 }
 
-function read(shelf: Shelf | null): Readonly<Record<string, unknown>> {
+function read(storage: BrowserStorage | null): Readonly<Record<string, unknown>> {
   try {
-    const value: unknown = JSON.parse(shelf?.getItem(KEY) ?? "null");
+    const value: unknown = JSON.parse(storage?.getItem(KEY) ?? "null");
     return isObject(value) ? value : {};
   } catch {
     return {};
   }
 }
 
-function write(shelf: Shelf | null, drafts: Readonly<Record<PlanName, readonly Waypoint[]>>): void {
+function write(
+  storage: BrowserStorage | null,
+  drafts: Readonly<Record<PlanName, readonly Waypoint[]>>,
+): void {
   try {
-    shelf?.setItem(KEY, JSON.stringify(drafts));
+    storage?.setItem(KEY, JSON.stringify(drafts));
   } catch {
     // Full or forbidden: the drafts last as long as the page.
   }

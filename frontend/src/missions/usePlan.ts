@@ -2,9 +2,10 @@ import { useMemo } from "react";
 import type { Waypoint } from "../lib/plan";
 import { checkPlan, type PlanIssue } from "../lib/planCheck";
 import { PLAN_LIMITS, type PlanName } from "../protocol/missions";
-import { useConnection, usePlans, useTelemetry } from "../store/hooks";
+import { useConnection, useTelemetry } from "../store/hooks";
 import { type PlanState, planState } from "./planDrafts";
 import { PLAN } from "./planFacts";
+import { usePlans } from "./usePlans";
 
 export interface ShownPlan {
   readonly waypoints: readonly Waypoint[];

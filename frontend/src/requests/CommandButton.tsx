@@ -1,7 +1,8 @@
 import type { ReactNode } from "react";
 import type { CommandName } from "../protocol/messages.gen";
-import { usePage } from "../store/hooks";
+import { usePart } from "../store/hooks";
 import { Button } from "../ui/Button";
+import { ACTIONS } from "./actions";
 import { useAsked } from "./useAsked";
 import { useBoardBlocked } from "./useBlocked";
 
@@ -15,7 +16,7 @@ interface Props {
 
 /** A button that sends one command and shows what becomes of it. */
 export function CommandButton({ command, children, icon, label }: Props) {
-  const { actions } = usePage();
+  const actions = usePart(ACTIONS);
   const { state, stateText } = useAsked(command);
   const blocked = useBoardBlocked();
   return (

@@ -1,8 +1,52 @@
 import { isCommandResult, isPorts } from "../protocol/answers";
-import type { Actions } from "../store/actions";
+import type { CommandName } from "../protocol/messages.gen";
 import type { Outcome } from "../store/commands";
 import { failureMessage, type Message } from "../store/messages";
+import { partName } from "../store/parts";
+import type { Asker } from "./asking";
 import { type AskingParts, createAsking, info } from "./asking";
+/** A way in to the board, as the gateway found it. */
+export interface Port {
+  readonly device: string;
+  readonly description: string;
+}
+
+export interface SimulatorLink {
+  readonly receive_port: number;
+  readonly send_host: string;
+  readonly send_port: number;
+  readonly profile: "xp10" | "xp12";
+}
+
+/** Arguments of a command: one number, or several by name. */
+export type CommandValue = number | Readonly<Record<string, number>>;
+
+/**
+ * What a person can ask of the gateway. Each writes its progress into the command store under the asker's name and
+ * its outcome into the messages; none throws, and the promise only says that it is over.
+ */
+export interface Actions {
+  readonly command: (name: CommandName, asker: Asker, value?: CommandValue) => Promise<void>;
+  readonly setHil: (
+    change: { readonly source: "joystick" | "rc" } | { readonly path: "manual" | "assisted" },
+    asker: Asker,
+  ) => Promise<void>;
+  /** Where the pilot's stick comes from: the simulator, or this page's gamepad by its name. */
+  readonly setStick: (
+    change: { readonly stick: "simulator" } | { readonly stick: "gamepad"; readonly gamepad: string },
+    asker: Asker,
+  ) => Promise<void>;
+  readonly openBoard: (url: string, asker: Asker) => Promise<void>;
+  readonly closeBoard: (asker: Asker) => Promise<void>;
+  readonly openSimulator: (link: SimulatorLink, asker: Asker) => Promise<void>;
+  readonly closeSimulator: (asker: Asker) => Promise<void>;
+  readonly takeControl: (asker: Asker) => Promise<void>;
+  readonly releaseControl: (asker: Asker) => Promise<void>;
+  /** The ports, or the sentence that says why there is no list. */
+  readonly listPorts: () => Promise<readonly Port[] | Message>;
+}
+
+export const ACTIONS = partName<Actions>("actions");
 
 export interface ActionParts extends AskingParts {
   readonly client: () => string | null;

@@ -1,12 +1,30 @@
 import type { Check } from "../lib/check";
-import { isDone } from "../protocol/answers";
-import type { Asker } from "../store/actions";
+import { type Answer, isDone } from "../protocol/answers";
 import { begin, type CommandStore, finish, type Outcome } from "../store/commands";
 import { failureMessage, type Message, type MessageStore, say } from "../store/messages";
-import type { Answer, Rest } from "../transport/rest";
+
+/** The gateway as it is asked; never throws: an answer is what was asked for, or a problem. */
+export interface Gateway {
+  /** A question and its checked answer. */
+  readonly ask: <T>(
+    method: "GET" | "POST" | "PUT" | "PATCH" | "DELETE",
+    path: string,
+    check: Check<T>,
+    body?: object,
+    patience_ms?: number,
+  ) => Promise<Answer<T>>;
+  readonly file: (path: string, body: object) => Promise<Answer<Blob>>;
+  readonly bytes: (path: string, patience_ms?: number) => Promise<Answer<ArrayBuffer>>;
+}
+
+/** Which control asked, so that it can show what becomes of it; `asked` is the position that it shall take. */
+export interface Asker {
+  readonly control: string;
+  readonly asked?: string;
+}
 
 export interface AskingParts {
-  readonly rest: Rest;
+  readonly rest: Gateway;
   readonly commands: CommandStore;
   readonly messages: MessageStore;
   /** Milliseconds of the page's clock, and of the calendar. */

@@ -10,13 +10,13 @@ import type { Sample } from "../protocol/envelope";
 import type { Status } from "../protocol/status";
 import { FIELD_KINDS } from "../protocol/topics";
 import { type Page, PageContext } from "../store/hooks";
-import type { Shelf } from "../store/settings";
+import type { BrowserStorage } from "../store/settings";
 import { installCanvas } from "./canvas";
-import { HandFrames } from "./frames";
-import { HandGamepads } from "./gamepads";
-import { HandSounder, HandSpeaker } from "./sound";
+import { ManualFrames } from "./frames";
+import { ManualGamepads } from "./gamepads";
+import { ManualSounder, ManualSpeaker } from "./sound";
 import { aStatus } from "./status";
-import { HandTimers, HandWire } from "./wire";
+import { ManualTimers, ManualWire } from "./wire";
 
 /** What the page asked over REST, and what it is told. */
 export interface Asked {
@@ -31,7 +31,7 @@ await loadParts();
 
 const START_S = 1_700_000_000;
 
-class MemoryShelf implements Shelf {
+class MemoryStorage implements BrowserStorage {
   readonly #kept = new Map<string, string>();
   getItem = (key: string): string | null => this.#kept.get(key) ?? null;
   setItem = (key: string, value: string): void => {
@@ -41,12 +41,12 @@ class MemoryShelf implements Shelf {
 
 /** The whole page in a document, with a gateway, a clock and displayed frames at the test's command. */
 export class Station {
-  readonly timers = new HandTimers();
-  readonly frames = new HandFrames();
-  readonly sounder = new HandSounder();
-  readonly speaker = new HandSpeaker();
-  readonly gamepads = new HandGamepads();
-  readonly wires: HandWire[] = [];
+  readonly timers = new ManualTimers();
+  readonly frames = new ManualFrames();
+  readonly sounder = new ManualSounder();
+  readonly speaker = new ManualSpeaker();
+  readonly gamepads = new ManualGamepads();
+  readonly wires: ManualWire[] = [];
   readonly asked: Asked[] = [];
   readonly clients: Array<string | null> = [];
   /** The files that the page gave the person to keep. */
@@ -61,7 +61,7 @@ export class Station {
       timers: this.timers,
       wall_ms: () => START_S * 1000 + this.timers.now_ms(),
       dial: (client, listener) => {
-        const wire = new HandWire(listener);
+        const wire = new ManualWire(listener);
         this.wires.push(wire);
         this.clients.push(client);
         return wire;
@@ -69,8 +69,8 @@ export class Station {
       fetch: (path, init) => this.#ask(path, init),
       requestFrame: this.frames.request,
       cancelFrame: this.frames.cancel,
-      shelf: new MemoryShelf(),
-      tabShelf: new MemoryShelf(),
+      storage: new MemoryStorage(),
+      tabStorage: new MemoryStorage(),
       sounder: this.sounder,
       speaker: this.speaker,
       gamepads: this.gamepads,

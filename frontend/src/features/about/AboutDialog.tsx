@@ -1,11 +1,12 @@
 import { useEffect, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useSentence } from "../../i18n/useSentence";
-import { usePage } from "../../store/hooks";
+import { usePart } from "../../store/hooks";
 import type { Message } from "../../store/messages";
 import { Notice } from "../../ui/Notice";
 import type { About } from "./about";
-import "../../app/dialogs/dialogs.css";
+import { ABOUT } from "./aboutRequests";
+import "./about.css";
 
 interface Package {
   readonly name: string;
@@ -20,12 +21,12 @@ declare const PAGE_PACKAGES: readonly Package[];
 /** Versions of what is running here, and the licences of what it is made of. */
 export function AboutContent() {
   const { t } = useTranslation();
-  const { frame } = usePage();
+  const requests = usePart(ABOUT);
   const sentence = useSentence();
   const [about, setAbout] = useState<About | Message | null>(null);
   useEffect(() => {
     let isWanted = true;
-    void frame.readAbout().then((answer) => {
+    void requests.read().then((answer) => {
       if (isWanted) {
         setAbout(answer);
       }
@@ -33,7 +34,7 @@ export function AboutContent() {
     return () => {
       isWanted = false;
     };
-  }, [frame]);
+  }, [requests]);
   return (
     <div className="about">
       <p>{t("about.what")}</p>

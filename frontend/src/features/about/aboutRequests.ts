@@ -1,17 +1,20 @@
-import type { Asker } from "../../store/actions";
-import type { Message } from "../../store/messages";
-import type { About } from "./about";
+import type { AskingParts } from "../../requests/asking";
+import { failureMessage, type Message } from "../../store/messages";
+import { partName } from "../../store/parts";
+import { type About, isAbout } from "./about";
 
-/** The address of the link that plays example values. */
-export const EMULATION_URL = "emulation:";
-
-/** What the window's menus ask of the gateway beyond commands; as with `Actions`, none throws. */
-export interface FrameActions {
-  readonly startEmulation: (asker: Asker) => Promise<void>;
-  /** Back to the line that was open before; without one the line is closed. */
-  readonly endEmulation: (before_url: string | null, asker: Asker) => Promise<void>;
-  readonly resetTrack: (asker: Asker) => Promise<void>;
-  readonly restoreTrack: (asker: Asker) => Promise<void>;
+export interface AboutRequests {
   /** What the gateway is made of, or the sentence that says why it does not tell. */
-  readonly readAbout: () => Promise<About | Message>;
+  readonly read: () => Promise<About | Message>;
+}
+
+export const ABOUT = partName<AboutRequests>("about");
+
+export function createAbout({ rest }: Pick<AskingParts, "rest">): AboutRequests {
+  return {
+    read: async () => {
+      const answer = await rest.ask("GET", "/api/v1/about", isAbout);
+      return answer.ok ? answer.value : failureMessage(answer.problem);
+    },
+  };
 }

@@ -4,7 +4,7 @@ import { formatAge } from "../../lib/format";
 import type { AttitudeScene, SceneWords } from "../../scene/attitude/AttitudeScene";
 import type { CameraView } from "../../scene/attitude/OrbitRig";
 import type { Palette } from "../../scene/attitude/palette";
-import { useAlignment, useTelemetry } from "../../store/hooks";
+import { useTelemetry } from "../../store/hooks";
 import type { TelemetryStore } from "../../store/telemetry";
 import { usePaint } from "../../store/usePaint";
 import { StaleCross } from "../../ui/StaleCross";
@@ -13,6 +13,7 @@ import { AttitudeFeed, isWhole } from "./feed";
 import { Instead } from "./Instead";
 import { PictureTools } from "./PictureTools";
 import type { CameraChoice } from "./ShowPanel";
+import { useAlignment } from "./useAlignment";
 import { type Shown, useStage } from "./useStage";
 
 export interface PictureSettings {

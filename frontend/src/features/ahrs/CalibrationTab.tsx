@@ -2,10 +2,11 @@ import { useState } from "react";
 import { useTranslation } from "react-i18next";
 import { DIRECTIONS, type Side } from "../../lib/sphereCover";
 import { LiveBadge, StreamOff, useStreamIsOff } from "../../readouts/StreamPanel";
-import { usePage, useTelemetry } from "../../store/hooks";
+import { usePart, useTelemetry } from "../../store/hooks";
 import { Button } from "../../ui/Button";
 import { Notice } from "../../ui/Notice";
 import { Panel } from "../../ui/Panel";
+import { AHRS } from "./alignment";
 import { FitPanel } from "./FitPanel";
 import { SpherePicture } from "./SpherePicture";
 import { liveVectors } from "./source";
@@ -43,7 +44,7 @@ interface CollectProps {
 
 function CollectPanel({ isOn, onSwitch, calibration }: CollectProps) {
   const { t } = useTranslation();
-  const { samples } = usePage().ahrs3d;
+  const { samples } = usePart(AHRS);
   const isOff = useStreamIsOff("inertial");
   const hasField = useTelemetry((telemetry, now_ms) => liveVectors(telemetry, now_ms).field !== null);
   const { seen, missing, count } = calibration;

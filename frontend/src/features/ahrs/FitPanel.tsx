@@ -3,11 +3,12 @@ import { useTranslation } from "react-i18next";
 import { ELLIPSOID_COVERAGE, type FieldFit, type FitRefusal, SPHERE_COVERAGE } from "../../lib/ellipsoid";
 import { fitText, samplesCsv } from "../../lib/fieldSamples";
 import { formatFixed } from "../../lib/format";
-import { usePage } from "../../store/hooks";
+import { usePage, usePart } from "../../store/hooks";
 import { Button } from "../../ui/Button";
 import { copyText } from "../../ui/copyText";
 import { Notice } from "../../ui/Notice";
 import { Panel } from "../../ui/Panel";
+import { AHRS } from "./alignment";
 import type { Calibration } from "./useCalibration";
 
 const REFUSALS = {
@@ -84,7 +85,8 @@ function FitNumbers({ fit }: { fit: FieldFit }) {
 
 function FitTools({ fit, count }: { fit: FieldFit | null; count: number }) {
   const { t } = useTranslation();
-  const { ahrs3d, saveFile } = usePage();
+  const { saveFile } = usePage();
+  const ahrs3d = usePart(AHRS);
   const [copied, setCopied] = useState<"no" | "yes" | "failed">("no");
   return (
     <div className="ahrs3d-row">

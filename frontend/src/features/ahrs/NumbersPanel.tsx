@@ -4,13 +4,14 @@ import { wrap180 } from "../../lib/angles";
 import { formatFixed, formatHeading } from "../../lib/format";
 import { degreesPerSecond, heading, tenths } from "../../readouts/formats";
 import { LiveReadout } from "../../readouts/LiveReadout";
-import { useAlignment, usePage, useTelemetry } from "../../store/hooks";
+import { usePage, usePart, useTelemetry } from "../../store/hooks";
 import type { TelemetryStore } from "../../store/telemetry";
 import { usePaint } from "../../store/usePaint";
 import { Button } from "../../ui/Button";
 import { Panel } from "../../ui/Panel";
 import { Readout, ReadoutGrid, type ReadoutHandle } from "../../ui/Readout";
-import { type AttitudeSource, align } from "./alignment";
+import { AHRS, type AttitudeSource, align } from "./alignment";
+import { useAlignment } from "./useAlignment";
 
 interface Props {
   source: AttitudeSource;
@@ -106,7 +107,8 @@ function AlignedYaw({ source }: { source: AttitudeSource }) {
 
 function AlignTools({ source, onAligned }: Props) {
   const { t } = useTranslation();
-  const { ahrs3d, telemetry, pump } = usePage();
+  const { telemetry, pump } = usePage();
+  const ahrs3d = usePart(AHRS);
   const zero_deg = useAlignment((alignment) => alignment[source]);
   const isLive = useTelemetry((each, now_ms) => each.liveNumber(source, "yaw_deg", now_ms) !== null);
   return (

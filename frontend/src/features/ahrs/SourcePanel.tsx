@@ -3,11 +3,12 @@ import { useTranslation } from "react-i18next";
 import { LiveBadge, StreamOff, useStreamIsOff } from "../../readouts/StreamPanel";
 import { useAsked } from "../../requests/useAsked";
 import { useGatewayBlocked } from "../../requests/useBlocked";
-import { usePage } from "../../store/hooks";
+import { usePart } from "../../store/hooks";
 import { Button } from "../../ui/Button";
 import { ConfirmDialog } from "../../ui/ConfirmDialog";
 import { Panel } from "../../ui/Panel";
 import type { AttitudeSource } from "./alignment";
+import { AHRS } from "./alignment";
 import { useAhrsTestBlocked, useAhrsTestStage } from "./useAhrsTest";
 
 /** Which stream turns the aircraft, how fresh it is, and the switch to the other one. */
@@ -30,7 +31,7 @@ export function SourcePanel({ source }: { source: AttitudeSource }) {
 
 function TestSwitch() {
   const { t } = useTranslation();
-  const { ahrs3d } = usePage();
+  const ahrs3d = usePart(AHRS);
   const stage = useAhrsTestStage();
   const [isAsking, setAsking] = useState(false);
   const startBlocked = useAhrsTestBlocked();

@@ -3,9 +3,10 @@ import { useTranslation } from "react-i18next";
 import type { Vector } from "../../lib/attitude";
 import type { Palette } from "../../scene/attitude/palette";
 import type { SphereScene } from "../../scene/attitude/SphereScene";
-import { usePage } from "../../store/hooks";
+import { usePart } from "../../store/hooks";
 import { Button } from "../../ui/Button";
 import { Notice } from "../../ui/Notice";
+import { AHRS } from "./alignment";
 import type { Calibration } from "./useCalibration";
 import { useStage } from "./useStage";
 
@@ -20,7 +21,7 @@ const choose = (kept: Kept): SphereScene => kept.keptSphere();
 /** The readings in 3D. Without WebGL they are collected and fitted all the same. */
 export function SpherePicture({ calibration, onReading }: Props) {
   const { t } = useTranslation();
-  const { samples } = usePage().ahrs3d;
+  const { samples } = usePart(AHRS);
   const host = useRef<HTMLDivElement>(null);
   const hint = useId();
   const words = useMemo(

@@ -1,8 +1,8 @@
 import { FieldSamples } from "../../lib/fieldSamples";
 import { isCommandResult } from "../../protocol/answers";
 import { resultMessage } from "../../requests/actions";
+import type { Asker } from "../../requests/asking";
 import { type AskingParts, createAsking } from "../../requests/asking";
-import type { Asker } from "../../store/actions";
 import { type Ahrs3d, createAlignment } from "./alignment";
 
 const PATH = "/api/v1/ahrs-test";

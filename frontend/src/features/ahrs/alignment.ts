@@ -1,6 +1,7 @@
 import { createStore, type StoreApi } from "zustand/vanilla";
 import type { FieldSamples } from "../../lib/fieldSamples";
-import type { Asker } from "../../store/actions";
+import type { Asker } from "../../requests/asking";
+import { partName } from "../../store/parts";
 
 /** The heading that "AHRS 3D" shows as zero, degrees; null: headings as they are. Each source has its own zero. */
 export interface Alignment {
@@ -19,6 +20,8 @@ export interface Ahrs3d {
   readonly startTest: (asker: Asker) => Promise<void>;
   readonly stopTest: (asker: Asker) => Promise<void>;
 }
+
+export const AHRS = partName<Ahrs3d>("ahrs3d");
 
 export function createAlignment(): StoreApi<Alignment> {
   return createStore<Alignment>(() => ({ ahrs: null, ahrs_test: null }));

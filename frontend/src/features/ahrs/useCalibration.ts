@@ -2,9 +2,10 @@ import { useCallback, useRef, useState } from "react";
 import type { Vector } from "../../lib/attitude";
 import { coverageOf, type FieldFit, type FitAnswer, fitField } from "../../lib/ellipsoid";
 import { cover, missingSide, type Side } from "../../lib/sphereCover";
-import { usePage } from "../../store/hooks";
+import { usePart } from "../../store/hooks";
 import type { TelemetryStore } from "../../store/telemetry";
 import { usePaint } from "../../store/usePaint";
+import { AHRS } from "./alignment";
 import { liveVectors } from "./source";
 
 /** A fit takes some milliseconds: nobody reads one faster than this. */
@@ -61,7 +62,7 @@ interface Collecting {
 
 /** Collects while `isOn`, and works out what follows some times a second. */
 export function useCalibration(isOn: boolean): Collecting {
-  const { samples } = usePage().ahrs3d;
+  const { samples } = usePart(AHRS);
   const [calibration, setCalibration] = useState(() => calibrate(samples.points));
   const listener = useRef<((reading: Vector | null) => void) | null>(null);
   const last = useRef({ at_s: null as number | null, revision: samples.revision, fit_ms: 0 });

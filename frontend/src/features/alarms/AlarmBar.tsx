@@ -1,16 +1,18 @@
 import { BellOff, CheckCheck, Volume2 } from "lucide-react";
 import { useTranslation } from "react-i18next";
 import { formatClock } from "../../lib/moment";
-import { usePage } from "../../store/hooks";
+import { usePage, usePart } from "../../store/hooks";
 import { choose } from "../../store/settings";
 import { AlarmStrip, LINES } from "../../ui/AlarmStrip";
 import { Button } from "../../ui/Button";
+import { ALARM_LOG } from "./alarmLog";
 import { useActiveAlarms, useMutedFor_s } from "./useAlarms";
 
 /** What is wrong now, on every tab, with what can be done about it. */
 export function Alarms() {
   const { t } = useTranslation();
-  const { alarmBook, settings } = usePage();
+  const { settings } = usePage();
+  const alarmLog = usePart(ALARM_LOG);
   const alarms = useActiveAlarms();
   const open = alarms.filter(({ acknowledged }) => !acknowledged);
   const hidden = alarms.length - LINES;
@@ -26,26 +28,26 @@ export function Alarms() {
         blocked,
       }))}
       acknowledge={{
-        text: t("alarmBook.acknowledge"),
-        label: (text) => t("alarmBook.acknowledgeOne", { text }),
-        onPress: (id) => void alarmBook.acknowledge(id, { control: `acknowledge.${id}` }),
+        text: t("alarmLog.acknowledge"),
+        label: (text) => t("alarmLog.acknowledgeOne", { text }),
+        onPress: (id) => void alarmLog.acknowledge(id, { control: `acknowledge.${id}` }),
       }}
     >
       {hidden > 0 && (
         <Button
           onPress={() => choose(settings, "tab", "alarms")}
-          label={t("alarmBook.more", { count: hidden })}
+          label={t("alarmLog.more", { count: hidden })}
         >
-          {t("alarmBook.moreShort", { count: hidden })}
+          {t("alarmLog.moreShort", { count: hidden })}
         </Button>
       )}
       {open.length > 1 && (
         <Button
-          onPress={() => void alarmBook.acknowledgeAll()}
+          onPress={() => void alarmLog.acknowledgeAll()}
           disabledReason={open[0]?.blocked}
           icon={<CheckCheck size={14} aria-hidden="true" />}
         >
-          {t("alarmBook.acknowledgeAll")}
+          {t("alarmLog.acknowledgeAll")}
         </Button>
       )}
       {open.length > 0 && <MuteButton />}
@@ -56,15 +58,15 @@ export function Alarms() {
 /** Two minutes of silence; while they last, how many seconds are left, and sound again at a press. */
 function MuteButton() {
   const { t } = useTranslation();
-  const { alarmBook } = usePage();
+  const alarmLog = usePart(ALARM_LOG);
   const muted_s = useMutedFor_s();
   return muted_s === null ? (
-    <Button onPress={alarmBook.mute} icon={<BellOff size={14} aria-hidden="true" />}>
-      {t("alarmBook.mute")}
+    <Button onPress={alarmLog.mute} icon={<BellOff size={14} aria-hidden="true" />}>
+      {t("alarmLog.mute")}
     </Button>
   ) : (
-    <Button onPress={alarmBook.unmute} icon={<Volume2 size={14} aria-hidden="true" />}>
-      {t("alarmBook.muted", { seconds: muted_s })}
+    <Button onPress={alarmLog.unmute} icon={<Volume2 size={14} aria-hidden="true" />}>
+      {t("alarmLog.muted", { seconds: muted_s })}
     </Button>
   );
 }

@@ -1,31 +1,32 @@
 import { BellOff, Play, Volume2 } from "lucide-react";
 import { useTranslation } from "react-i18next";
-import { usePage, useSettings } from "../../store/hooks";
+import { usePage, usePart, useSettings } from "../../store/hooks";
 import { Button } from "../../ui/Button";
 import { Checkbox } from "../../ui/Checkbox";
 import { Notice } from "../../ui/Notice";
 import { Panel } from "../../ui/Panel";
 import { RangeField } from "../../ui/RangeField";
 import type { SounderState, SpeakerState } from "./alarmLog";
+import { ALARM_LOG } from "./alarmLog";
 import { type AlarmChannel, alarmSettings, chooseHeard, chooseVolume } from "./alarmSettings";
 import type { AlarmLevel } from "./raisedAlarms";
-import { useAlarmBook, useMutedFor_s } from "./useAlarms";
+import { useAlarmLogState, useMutedFor_s } from "./useAlarms";
 
 const LEVELS: readonly AlarmLevel[] = ["critical", "warning"];
 
 /** What this browser sounds and says. Kept in this browser: another one near the same pilot may stay silent. */
 export function Heard() {
   const { t } = useTranslation();
-  const sounder = useAlarmBook((state) => state.sounder);
+  const sounder = useAlarmLogState((state) => state.sounder);
   const language = useSettings((settings) => settings.language);
-  const speaker = useAlarmBook((state) => state.speaker[language]);
+  const speaker = useAlarmLogState((state) => state.speaker[language]);
   return (
-    <Panel title={t("alarmBook.heard")} actions={<Mute />}>
+    <Panel title={t("alarmLog.heard")} actions={<Mute />}>
       <div className="alarms-heard">
         <Channel channel="sound" state={sounder} />
         <Channel channel="speech" state={speaker} />
         <Volume />
-        <p className="alarms-range">{t("alarmBook.thisBrowser")}</p>
+        <p className="alarms-range">{t("alarmLog.thisBrowser")}</p>
       </div>
     </Panel>
   );
@@ -33,15 +34,15 @@ export function Heard() {
 
 function Mute() {
   const { t } = useTranslation();
-  const { alarmBook } = usePage();
+  const alarmLog = usePart(ALARM_LOG);
   const muted_s = useMutedFor_s();
   return muted_s === null ? (
-    <Button onPress={alarmBook.mute} icon={<BellOff size={14} aria-hidden="true" />}>
-      {t("alarmBook.mute")}
+    <Button onPress={alarmLog.mute} icon={<BellOff size={14} aria-hidden="true" />}>
+      {t("alarmLog.mute")}
     </Button>
   ) : (
-    <Button onPress={alarmBook.unmute} icon={<Volume2 size={14} aria-hidden="true" />}>
-      {t("alarmBook.muted", { seconds: muted_s })}
+    <Button onPress={alarmLog.unmute} icon={<Volume2 size={14} aria-hidden="true" />}>
+      {t("alarmLog.muted", { seconds: muted_s })}
     </Button>
   );
 }
@@ -54,35 +55,36 @@ interface ChannelProps {
 /** One row of sound or speech: for each level whether it is heard, and how that is. */
 function Channel({ channel, state }: ChannelProps) {
   const { t } = useTranslation();
-  const { alarmBook, settings } = usePage();
+  const { settings } = usePage();
+  const alarmLog = usePart(ALARM_LOG);
   const chosen = alarmSettings(useSettings((all) => all));
   let why: string | undefined;
   if (state === "none") {
-    why = t(`alarmBook.${channel}State.none`);
+    why = t(`alarmLog.${channel}State.none`);
   } else if (state === "foreign") {
-    why = t("alarmBook.speechState.foreign");
+    why = t("alarmLog.speechState.foreign");
   }
   return (
     <fieldset className="alarms-channel">
-      <legend>{t(`alarmBook.${channel}`)}</legend>
+      <legend>{t(`alarmLog.${channel}`)}</legend>
       {LEVELS.map((level) => (
         <div key={level} className="alarms-channel-level">
           <Checkbox
-            label={t(`alarmBook.${level}`)}
+            label={t(`alarmLog.${level}`)}
             checked={chosen[channel][level]}
             onChange={(isOn) => chooseHeard(settings, channel, level, isOn)}
           />
           <Button
-            onPress={() => alarmBook.test(channel, level)}
+            onPress={() => alarmLog.test(channel, level)}
             icon={<Play size={14} aria-hidden="true" />}
             disabledReason={why}
-            label={t(`alarmBook.test.${channel}.${level}`)}
+            label={t(`alarmLog.test.${channel}.${level}`)}
           >
-            {t("alarmBook.testShort")}
+            {t("alarmLog.testShort")}
           </Button>
         </div>
       ))}
-      {state === "waits" && <Notice level="info">{t(`alarmBook.${channel}State.waits`)}</Notice>}
+      {state === "waits" && <Notice level="info">{t(`alarmLog.${channel}State.waits`)}</Notice>}
       {why !== undefined && <Notice level="warning">{why}</Notice>}
     </fieldset>
   );
@@ -95,12 +97,12 @@ function Volume() {
   const percent = Math.round(100 * volume);
   return (
     <RangeField
-      label={t("alarmBook.volume")}
+      label={t("alarmLog.volume")}
       value={percent}
       minimum={0}
       maximum={100}
       step={5}
-      text={t("alarmBook.percent", { percent })}
+      text={t("alarmLog.percent", { percent })}
       onChange={(next) => chooseVolume(settings, next / 100)}
     />
   );

@@ -4,28 +4,29 @@ import { useTranslation } from "react-i18next";
 import { useSentence } from "../../i18n/useSentence";
 import { useAsked } from "../../requests/useAsked";
 import { useGatewayBlocked } from "../../requests/useBlocked";
-import { useConnection, usePage } from "../../store/hooks";
+import { useConnection, usePart } from "../../store/hooks";
 import { Button } from "../../ui/Button";
 import { NumberField } from "../../ui/NumberField";
 import { Panel } from "../../ui/Panel";
 import type { Threshold } from "./alarmLog";
-import { useAlarmBook } from "./useAlarms";
+import { ALARM_LOG } from "./alarmLog";
+import { useAlarmLogState } from "./useAlarms";
 
 /** From when on something is an alarm. The limits belong to the station: they hold for every page. */
 export function Thresholds() {
   const { t } = useTranslation();
-  const { alarmBook } = usePage();
-  const thresholds = useAlarmBook((state) => state.thresholds);
+  const alarmLog = usePart(ALARM_LOG);
+  const thresholds = useAlarmLogState((state) => state.thresholds);
   const isOpen = useConnection(({ phase }) => phase === "open");
   useEffect(() => {
     if (isOpen) {
-      void alarmBook.readThresholds();
+      void alarmLog.readThresholds();
     }
-  }, [alarmBook, isOpen]);
+  }, [alarmLog, isOpen]);
   return (
-    <Panel title={t("alarmBook.thresholds")}>
+    <Panel title={t("alarmLog.thresholds")}>
       {thresholds === null ? (
-        <p className="alarms-none">{t("alarmBook.notRead")}</p>
+        <p className="alarms-none">{t("alarmLog.notRead")}</p>
       ) : (
         <ul className="alarms-thresholds">
           {thresholds.map((threshold) => (
@@ -44,7 +45,7 @@ function stepOf({ maximum, default: usual }: Threshold): number {
 
 function Field({ threshold }: { threshold: Threshold }) {
   const { t } = useTranslation();
-  const { alarmBook } = usePage();
+  const alarmLog = usePart(ALARM_LOG);
   const sentence = useSentence();
   const blocked = useGatewayBlocked();
   const { name, value, default: usual, minimum, maximum, unit } = threshold;
@@ -56,7 +57,7 @@ function Field({ threshold }: { threshold: Threshold }) {
       <NumberField
         label={label}
         value={value}
-        onCommit={(next) => void alarmBook.setThreshold(name, next, { control })}
+        onCommit={(next) => void alarmLog.setThreshold(name, next, { control })}
         minimum={minimum}
         maximum={maximum}
         step={stepOf(threshold)}
@@ -66,16 +67,16 @@ function Field({ threshold }: { threshold: Threshold }) {
         disabledReason={blocked}
       />
       <Button
-        onPress={() => void alarmBook.setThreshold(name, usual, { control })}
-        disabledReason={blocked ?? (value === usual ? t("alarmBook.isDefault") : undefined)}
+        onPress={() => void alarmLog.setThreshold(name, usual, { control })}
+        disabledReason={blocked ?? (value === usual ? t("alarmLog.isDefault") : undefined)}
         icon={<RotateCcw size={14} aria-hidden="true" />}
-        label={t("alarmBook.resetOne", { label })}
+        label={t("alarmLog.resetOne", { label })}
       >
         {null}
       </Button>
       <span className="alarms-range">
-        <span>{t("alarmBook.range", { minimum, maximum, unit })}</span>
-        <span>{t("alarmBook.default", { value: usual, unit })}</span>
+        <span>{t("alarmLog.range", { minimum, maximum, unit })}</span>
+        <span>{t("alarmLog.default", { value: usual, unit })}</span>
       </span>
     </li>
   );

@@ -1,7 +1,9 @@
 import { createStore, type StoreApi } from "zustand/vanilla";
 import type { AlarmBookAnswer, ThresholdAnswer } from "../../protocol/alarms";
-import type { Asker } from "../../store/actions";
+import type { StreamEvent } from "../../protocol/envelope";
+import type { Asker } from "../../requests/asking";
 import type { Message } from "../../store/messages";
+import { partName } from "../../store/parts";
 import type { Language } from "../../store/settings";
 import type { AlarmLevel, OwnAlarm } from "./raisedAlarms";
 
@@ -37,7 +39,7 @@ export const MUTE_MS = 120_000;
 /** How many of the page's own past alarms are kept. */
 const OWN_PAST_MOST = 50;
 
-export interface AlarmBookState {
+export interface AlarmLogState {
   /** The page does not hear the gateway; null while it does. */
   readonly own: OwnAlarm | null;
   /** The page's own alarms that are over, newest first. */
@@ -56,10 +58,10 @@ export interface AlarmBookState {
   readonly speaker: Readonly<Record<Language, SpeakerState>>;
 }
 
-export type AlarmBookStore = StoreApi<AlarmBookState>;
+export type AlarmLogStore = StoreApi<AlarmLogState>;
 
-export function createAlarmBookStore(): AlarmBookStore {
-  return createStore<AlarmBookState>(() => ({
+export function createAlarmLogStore(): AlarmLogStore {
+  return createStore<AlarmLogState>(() => ({
     own: null,
     ownPast: [],
     past: null,
@@ -72,13 +74,20 @@ export function createAlarmBookStore(): AlarmBookStore {
   }));
 }
 
+/** Counts the gateway's reports of alarms that came or went. */
+export function takeAlarmEvent(store: AlarmLogStore, { event }: StreamEvent): void {
+  if (event === "alarm") {
+    store.setState(({ reported }) => ({ reported: reported + 1 }));
+  }
+}
+
 /** The page's own alarm came (Unix seconds). */
-export function raiseOwn(store: AlarmBookStore, since_s: number): void {
+export function raiseOwn(store: AlarmLogStore, since_s: number): void {
   store.setState(({ own }) => ({ own: own ?? { since_s, acknowledged: false } }));
 }
 
 /** The page's own alarm is over (Unix seconds) and goes to the list. */
-export function endOwn(store: AlarmBookStore, until_s: number, alarm: Pick<PastAlarm, "id" | "text">): void {
+export function endOwn(store: AlarmLogStore, until_s: number, alarm: Pick<PastAlarm, "id" | "text">): void {
   store.setState(({ own, ownPast }) =>
     own === null
       ? {}
@@ -93,10 +102,7 @@ export function endOwn(store: AlarmBookStore, until_s: number, alarm: Pick<PastA
 }
 
 /** All alarms that are over, the gateway's and the page's own, newest first. */
-export function pastAlarms({
-  past,
-  ownPast,
-}: Pick<AlarmBookState, "past" | "ownPast">): readonly PastAlarm[] {
+export function pastAlarms({ past, ownPast }: Pick<AlarmLogState, "past" | "ownPast">): readonly PastAlarm[] {
   return [...(past ?? []), ...ownPast].sort((first, second) => second.until_s - first.until_s);
 }
 
@@ -104,8 +110,8 @@ export function pastAlarms({
  * What a person can do about alarms. None throws; outcomes go to the command store under the asker's name and to the
  * messages.
  */
-export interface AlarmBook {
-  readonly store: AlarmBookStore;
+export interface AlarmLog {
+  readonly store: AlarmLogStore;
   readonly acknowledge: (id: string, asker: Asker) => Promise<void>;
   /** Everything that is not acknowledged yet; does nothing where all is. */
   readonly acknowledgeAll: () => Promise<void>;
@@ -121,3 +127,5 @@ export interface AlarmBook {
   readonly wall_s: () => number;
   readonly test: (channel: "sound" | "speech", level: AlarmLevel) => void;
 }
+
+export const ALARM_LOG = partName<AlarmLog>("alarm log");

@@ -1,14 +1,14 @@
+import type { Timers } from "../../lib/timers";
 import { isAlarmBook, isThresholds } from "../../protocol/alarms";
 import { type AskingParts, createAsking, info } from "../../requests/asking";
 import type { Connection, ConnectionStore } from "../../store/connection";
 import { failureMessage } from "../../store/messages";
 import type { SettingsStore } from "../../store/settings";
 import type { TelemetryStore } from "../../store/telemetry";
-import type { Timers } from "../../transport/socket";
 import {
-  type AlarmBook,
-  type AlarmBookStore,
-  createAlarmBookStore,
+  type AlarmLog,
+  type AlarmLogStore,
+  createAlarmLogStore,
   endOwn,
   MUTE_MS,
   raiseOwn,
@@ -30,10 +30,10 @@ export interface AlarmParts extends AskingParts {
 }
 
 /** The alarms' side of the page: what is asked of the gateway about them, and what is heard of them. */
-export function createAlarmBook(parts: AlarmParts): AlarmBook {
+export function createAlarmLog(parts: AlarmParts): AlarmLog {
   const { rest, connection, wall_ms } = parts;
   const { run, simply } = createAsking(parts);
-  const store = createAlarmBookStore();
+  const store = createAlarmLogStore();
   const ring = createBell(parts, store);
   // What the page says about its own line has to be known before anybody looks.
   connection.subscribe((now) => followLine(now, store, wall_ms() / 1000));
@@ -114,7 +114,7 @@ export function createAlarmBook(parts: AlarmParts): AlarmBook {
 }
 
 /** The page's own alarm follows its line: raised when the line falls silent or breaks, over when it is open. */
-function followLine({ phase, status }: Connection, store: AlarmBookStore, now_s: number): void {
+function followLine({ phase, status }: Connection, store: AlarmLogStore, now_s: number): void {
   if (phase === "open") {
     endOwn(store, now_s, { id: GATEWAY_LOST, text: "The gateway was not heard." });
   } else if (phase !== "connecting" || status !== null) {
@@ -123,7 +123,7 @@ function followLine({ phase, status }: Connection, store: AlarmBookStore, now_s:
 }
 
 /** What the browser can do with sound and voices changes: with the first press, and as voices are found. */
-function watchBrowser({ sounder, speaker }: AlarmParts, store: AlarmBookStore, ring: () => void): void {
+function watchBrowser({ sounder, speaker }: AlarmParts, store: AlarmLogStore, ring: () => void): void {
   const look = (): void => {
     store.setState({
       sounder: sounder.state(),
@@ -140,7 +140,7 @@ function watchBrowser({ sounder, speaker }: AlarmParts, store: AlarmBookStore, r
  * Calls for a look at the alarms and acts on what the annunciator decides. The look comes when the present message has
  * been taken in whole: in its midst a line may be open again and the status still be the old one.
  */
-function createBell(parts: AlarmParts, store: AlarmBookStore): () => void {
+function createBell(parts: AlarmParts, store: AlarmLogStore): () => void {
   const { connection, telemetry, settings, timers, sounder, speaker } = parts;
   const annunciator = new Annunciator();
   let isCalled = false;

@@ -161,7 +161,7 @@ describe("speech", () => {
   });
 });
 
-test("sound is on and speech is off until somebody chooses, and nonsense on the shelf is no volume", () => {
+test("sound is on and speech is off until somebody chooses, and nonsense on the storage is no volume", () => {
   const fresh = alarmSettings({ language: "es", theme: "dark", choices: { "alarms.volume": "loud" } });
   expect(fresh).toEqual({
     sound: { warning: true, critical: true },

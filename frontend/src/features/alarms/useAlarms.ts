@@ -2,8 +2,9 @@ import { useMemo } from "react";
 import { useStore } from "zustand";
 import { useSentence } from "../../i18n/useSentence";
 import { useGatewayBlocked } from "../../requests/useBlocked";
-import { useConnection, usePage, useTelemetry } from "../../store/hooks";
-import type { AlarmBookState } from "./alarmLog";
+import { useConnection, usePart, useTelemetry } from "../../store/hooks";
+import type { AlarmLogState } from "./alarmLog";
+import { ALARM_LOG } from "./alarmLog";
 import { type ActiveAlarm, activeAlarms, GATEWAY_LOST } from "./raisedAlarms";
 
 export interface ShownAlarm extends ActiveAlarm {
@@ -13,8 +14,8 @@ export interface ShownAlarm extends ActiveAlarm {
 }
 
 /** One thing of the alarm book; the component renders again when it changes. */
-export function useAlarmBook<T>(select: (state: AlarmBookState) => T): T {
-  return useStore(usePage().alarmBook.store, select);
+export function useAlarmLogState<T>(select: (state: AlarmLogState) => T): T {
+  return useStore(usePart(ALARM_LOG).store, select);
 }
 
 /** What is wrong now, in the page's language, the most urgent first. */
@@ -22,7 +23,7 @@ export function useActiveAlarms(): readonly ShownAlarm[] {
   const sentence = useSentence();
   const phase = useConnection((connection) => connection.phase);
   const status = useConnection((connection) => connection.status);
-  const own = useAlarmBook((state) => state.own);
+  const own = useAlarmLogState((state) => state.own);
   const blocked = useGatewayBlocked();
   return useMemo(
     () =>
@@ -38,7 +39,7 @@ export function useActiveAlarms(): readonly ShownAlarm[] {
 
 /** Whole seconds for which the alarms stay mute; null while they are not. */
 export function useMutedFor_s(): number | null {
-  const until_ms = useAlarmBook((state) => state.mutedUntil_ms);
+  const until_ms = useAlarmLogState((state) => state.mutedUntil_ms);
   return useTelemetry((_telemetry, now_ms) =>
     until_ms === null ? null : Math.max(0, Math.ceil((until_ms - now_ms) / 1000)),
   );

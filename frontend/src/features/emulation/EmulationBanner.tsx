@@ -1,8 +1,9 @@
 import { useTranslation } from "react-i18next";
 import { useAsked } from "../../requests/useAsked";
 import { useGatewayBlocked } from "../../requests/useBlocked";
-import { useConnection, usePage } from "../../store/hooks";
+import { useConnection, usePart } from "../../store/hooks";
 import { Button } from "../../ui/Button";
+import { EMULATION } from "./emulationRequests";
 
 interface Emulation {
   /** Example values are being played through the whole path. */
@@ -20,7 +21,7 @@ export function useEmulation(): Emulation {
 /** Stands over every tab while the values are examples: nobody shall take them for an aircraft. */
 export function EmulationBanner() {
   const { t } = useTranslation();
-  const { frame } = usePage();
+  const emulation = usePart(EMULATION);
   const { isOn, before_url } = useEmulation();
   const blocked = useGatewayBlocked();
   const { state, stateText } = useAsked("emulation");
@@ -30,7 +31,7 @@ export function EmulationBanner() {
         <>
           <strong>{t("emulation.banner")}</strong>
           <Button
-            onPress={() => void frame.endEmulation(before_url, { control: "emulation" })}
+            onPress={() => void emulation.end(before_url, { control: "emulation" })}
             disabledReason={blocked}
             state={state}
             stateText={stateText}

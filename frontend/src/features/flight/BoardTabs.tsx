@@ -1,3 +1,4 @@
+import type { ReactNode } from "react";
 import { useTranslation } from "react-i18next";
 import type { NumberField, TopicName } from "../../protocol/topics";
 import { FmsReadouts } from "../../readouts/FmsReadouts";
@@ -7,7 +8,6 @@ import { StreamHead } from "../../readouts/StreamPanel";
 import { usePage, useSettings } from "../../store/hooks";
 import { choose } from "../../store/settings";
 import { Tabs } from "../../ui/Tabs";
-import { ServosOut } from "../servos/ServosOut";
 import { GpsReadouts, GpsState } from "./GpsTabs";
 import { Refresh } from "./Refresh";
 
@@ -27,7 +27,7 @@ function isTab(name: string | undefined): name is TabName {
 }
 
 /** The lower sub tabs: the flight plan, the whole GPS, the servos, the fly-by-wire's controls, the tasks' periods. */
-export function BoardTabs() {
+export function BoardTabs({ servosOut }: { servosOut: ReactNode }) {
   const { t } = useTranslation();
   const { settings } = usePage();
   const tab = useSettings(({ choices }) =>
@@ -46,7 +46,7 @@ export function BoardTabs() {
         { value: "fms", label: t("flight.fms"), content: <Fms /> },
         { value: "gps", label: t("flight.gps"), content: <Gps /> },
         { value: "servosIn", label: t("flight.servosIn"), content: <ServosIn /> },
-        { value: "servosOut", label: t("flight.servosOut"), content: <ServosOut /> },
+        { value: "servosOut", label: t("flight.servosOut"), content: servosOut },
         { value: "flyByWire", label: t("flight.flyByWire"), content: <FlyByWire /> },
         { value: "refresh", label: t("flight.refresh"), content: <Refresh /> },
       ]}

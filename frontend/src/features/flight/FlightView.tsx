@@ -1,3 +1,4 @@
+import type { ReactNode } from "react";
 import { useTranslation } from "react-i18next";
 import { degreesPerSecond, heading, hundredths, tenths, thousandths } from "../../readouts/formats";
 import { LiveReadout } from "../../readouts/LiveReadout";
@@ -9,7 +10,7 @@ import { GpsTabs } from "./GpsTabs";
 import { StateReport } from "./StateReport";
 
 /** "Datos de vuelo": everything that the board measures and works out. */
-export function FlightView() {
+export function FlightView({ servosOut }: { servosOut: ReactNode }) {
   return (
     <div className="flight">
       <AhrsPanel />
@@ -20,7 +21,7 @@ export function FlightView() {
       <InertialPanels />
       <AnalogPanel />
       <div className="flight-board">
-        <BoardTabs />
+        <BoardTabs servosOut={servosOut} />
       </div>
     </div>
   );

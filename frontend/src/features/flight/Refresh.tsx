@@ -1,8 +1,9 @@
 import { useTranslation } from "react-i18next";
 import { COMMANDS, type CommandName } from "../../protocol/messages.gen";
+import { ACTIONS } from "../../requests/actions";
 import { useAsked } from "../../requests/useAsked";
 import { useBoardBlocked } from "../../requests/useBlocked";
-import { useConnection, usePage } from "../../store/hooks";
+import { useConnection, usePart } from "../../store/hooks";
 import { NumberField } from "../../ui/NumberField";
 import "./refresh.css";
 
@@ -32,7 +33,7 @@ export function Refresh() {
  */
 function Period({ task }: { task: Task }) {
   const { t } = useTranslation();
-  const { actions } = usePage();
+  const actions = usePart(ACTIONS);
   const command = TASKS[task];
   const { state, stateText } = useAsked(command);
   const blocked = useBoardBlocked();

@@ -2,11 +2,13 @@ import { useEffect, useRef } from "react";
 import { useTranslation } from "react-i18next";
 import { ServoBar, type ServoBarHandle } from "../../instruments/servo/ServoBar";
 import { hundredths } from "../../readouts/formats";
-import { useGamepads, usePage } from "../../store/hooks";
+import { usePart } from "../../store/hooks";
 import { Button } from "../../ui/Button";
 import { Checkbox } from "../../ui/Checkbox";
 import { Select } from "../../ui/Select";
+import { GAMEPADS } from "./gamepadList";
 import type { PadInput, StickAxis } from "./stickMapping";
+import { useGamepads } from "./useGamepads";
 
 const DEAD_ZONES_PERCENT = [0, 2, 5, 10, 15, 20, 30] as const;
 
@@ -15,7 +17,7 @@ const position = (value: number): string => hundredths(value) ?? "";
 /** One axis: where it stands now, what moves it, its direction and its dead zone. */
 export function StickAxisRow({ axis }: { axis: StickAxis }) {
   const { t } = useTranslation();
-  const { gamepads } = usePage();
+  const gamepads = usePart(GAMEPADS);
   const mapping = useGamepads((state) => state.mapping?.[axis] ?? null);
   const isAssigning = useGamepads(({ assigning }) => assigning === axis);
   if (mapping === null) {
@@ -80,7 +82,7 @@ function InputName({ input }: { input: PadInput | null }) {
 
 function Bar({ axis, label }: { axis: StickAxis; label: string }) {
   const { t } = useTranslation();
-  const { gamepads } = usePage();
+  const gamepads = usePart(GAMEPADS);
   const bar = useRef<ServoBarHandle>(null);
   useEffect(() => gamepads.watch((positions) => bar.current?.paint(positions[axis])), [gamepads, axis]);
   return (

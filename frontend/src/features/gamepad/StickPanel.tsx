@@ -1,17 +1,20 @@
 import { Crosshair, Gamepad2, Joystick, RotateCcw } from "lucide-react";
 import { useTranslation } from "react-i18next";
 import { useSentence } from "../../i18n/useSentence";
-import { useGamepadBlocked, useStickIsMine, useStickKind } from "../../readouts/useStick";
+import { useStickIsMine, useStickKind } from "../../readouts/useStick";
 import { useAsked } from "../../requests/useAsked";
 import { useGatewayBlocked } from "../../requests/useBlocked";
-import { useCommandEntry, useConnection, useGamepads, usePage } from "../../store/hooks";
+import { useCommandEntry, useConnection, usePart } from "../../store/hooks";
 import { Button } from "../../ui/Button";
 import { Notice } from "../../ui/Notice";
 import { Panel } from "../../ui/Panel";
 import { SegmentedSwitch } from "../../ui/SegmentedSwitch";
 import { Select } from "../../ui/Select";
+import { GAMEPADS } from "./gamepadList";
 import { StickAxisRow } from "./StickAxisRow";
 import { STICK_AXES } from "./stickMapping";
+import { useGamepadBlocked } from "./useGamepadBlocked";
+import { useGamepads } from "./useGamepads";
 import "./stick.css";
 
 /** The pilot's stick: where it comes from, and which axis of this browser's gamepad moves what. */
@@ -31,7 +34,7 @@ export function StickPanel() {
 
 function StickSwitch() {
   const { t } = useTranslation();
-  const { gamepads } = usePage();
+  const gamepads = usePart(GAMEPADS);
   const { state, stateText, wanted } = useAsked("stick");
   const kind = useStickKind();
   const blocked = useGatewayBlocked();
@@ -63,7 +66,7 @@ function StickSwitch() {
 
 function PadChoice() {
   const { t } = useTranslation();
-  const { gamepads } = usePage();
+  const gamepads = usePart(GAMEPADS);
   const pads = useGamepads((state) => state.pads);
   const selected = useGamepads((state) => (state.mapping === null ? null : state.selected));
   const isMine = useStickIsMine();
@@ -112,7 +115,7 @@ function StickNotice() {
 
 function PadAxes() {
   const { t } = useTranslation();
-  const { gamepads } = usePage();
+  const gamepads = usePart(GAMEPADS);
   const hasPad = useGamepads(({ mapping }) => mapping !== null);
   if (!hasPad) {
     return null;

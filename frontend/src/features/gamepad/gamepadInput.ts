@@ -1,11 +1,11 @@
 import { isText, nullable, oneOf, shape } from "../../lib/check";
+import type { Timers } from "../../lib/timers";
 import type { StreamEvent } from "../../protocol/envelope";
-import type { Actions } from "../../store/actions";
+import type { Actions } from "../../requests/actions";
 import type { ConnectionStore } from "../../store/connection";
 import type { Message } from "../../store/messages";
 import type { SettingsStore } from "../../store/settings";
-import type { Timers } from "../../transport/socket";
-import { type AxisPositions, createGamepads, type GamepadDesk, type PadName } from "./gamepadList";
+import { type AxisPositions, createGamepads, type GamepadInput, type PadName } from "./gamepadList";
 import { rememberedMapping, rememberMapping } from "./mappingMemory";
 import {
   assigned,
@@ -54,8 +54,8 @@ const isStickEvent = shape({
 });
 
 /** Reads the gamepads, maps the selected one, and sends its position while it flies. */
-export function createGamepadDesk(parts: Parts): {
-  readonly desk: GamepadDesk;
+export function createGamepadInput(parts: Parts): {
+  readonly gamepads: GamepadInput;
   readonly takeEvent: (event: StreamEvent) => void;
   readonly start: () => void;
   readonly stop: () => void;
@@ -170,7 +170,7 @@ export function createGamepadDesk(parts: Parts): {
     step();
   }
 
-  const desk: GamepadDesk = {
+  const gamepads: GamepadInput = {
     store,
     watch: (paint) => {
       watchers.add(paint);
@@ -221,7 +221,7 @@ export function createGamepadDesk(parts: Parts): {
   };
 
   return {
-    desk,
+    gamepads,
     takeEvent: ({ event, data }) => {
       const message = event === "stick" ? messageOf(data, connection.getState().client) : null;
       if (message !== null) {

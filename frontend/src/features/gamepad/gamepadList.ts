@@ -1,5 +1,6 @@
 import { createStore, type StoreApi } from "zustand/vanilla";
-import type { Asker } from "../../store/actions";
+import type { Asker } from "../../requests/asking";
+import { partName } from "../../store/parts";
 import type { StickAxis, StickMapping } from "./stickMapping";
 
 /** A gamepad in the list: two of one make differ in their index. */
@@ -24,7 +25,7 @@ export type GamepadStore = StoreApi<Gamepads>;
 export type AxisPositions = Readonly<Record<StickAxis, number | null>>;
 
 /** The gamepads of this browser, and the way of one of them to the aircraft. */
-export interface GamepadDesk {
+export interface GamepadInput {
   readonly store: GamepadStore;
   /** Hear the axes' positions fifty times a second until the answer is called. */
   readonly watch: (paint: (positions: AxisPositions) => void) => () => void;
@@ -39,6 +40,8 @@ export interface GamepadDesk {
   readonly fly: (asker: Asker) => Promise<void>;
   readonly flySimulator: (asker: Asker) => Promise<void>;
 }
+
+export const GAMEPADS = partName<GamepadInput>("gamepads");
 
 export function createGamepads(): GamepadStore {
   return createStore<Gamepads>(() => ({ pads: [], selected: null, mapping: null, assigning: null }));

@@ -4,22 +4,24 @@ import { useTranslation } from "react-i18next";
 import { useSentence } from "../../i18n/useSentence";
 import { MAP_FILES } from "../../protocol/mapLayers";
 import { useGatewayBlocked } from "../../requests/useBlocked";
-import { useMapLayers, usePage } from "../../store/hooks";
+import { usePart } from "../../store/hooks";
 import { Button } from "../../ui/Button";
 import { FileButton } from "../../ui/FileButton";
 import { Notice } from "../../ui/Notice";
 import { Panel } from "../../ui/Panel";
 import { ImportList } from "./layers/ImportList";
 import { LayerRow } from "./layers/LayerRow";
+import { MAP_LAYERS } from "./layers/layerList";
 import { RemovedList } from "./layers/RemovedList";
 import { TerrainList } from "./layers/TerrainList";
 import { useGround } from "./layers/useGround";
+import { useMapLayers } from "./layers/useMapLayers";
 import "./layers/layers.css";
 
 /** What lies on the ground: the operator's maps in their order, and the terrain. */
 export function LayersSection() {
   const { t } = useTranslation();
-  const { mapLayers } = usePage();
+  const mapLayers = usePart(MAP_LAYERS);
   const ground = useGround();
   const folder = useMapLayers((layers) => layers.folder);
   const blocked = useGatewayBlocked();
@@ -64,7 +66,7 @@ export function LayersSection() {
 function Failure() {
   const { t } = useTranslation();
   const sentence = useSentence();
-  const { mapLayers } = usePage();
+  const mapLayers = usePart(MAP_LAYERS);
   const failure = useMapLayers((layers) => layers.failure);
   return failure === null ? null : (
     <Notice level="error">

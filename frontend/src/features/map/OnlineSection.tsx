@@ -6,7 +6,7 @@ import { formatBytes } from "../../lib/format";
 import type { MapOnline, OnlineChoice, OnlineSource } from "../../protocol/mapLayers";
 import { useAsked } from "../../requests/useAsked";
 import { useGatewayBlocked } from "../../requests/useBlocked";
-import { useMapLayers, usePage } from "../../store/hooks";
+import { usePart } from "../../store/hooks";
 import { failureMessage } from "../../store/messages";
 import { Button } from "../../ui/Button";
 import { Checkbox } from "../../ui/Checkbox";
@@ -14,7 +14,9 @@ import { ConfirmDialog } from "../../ui/ConfirmDialog";
 import { Notice } from "../../ui/Notice";
 import { NumberField } from "../../ui/NumberField";
 import { Panel } from "../../ui/Panel";
+import { MAP_LAYERS } from "./layers/layerList";
 import { SourceForm } from "./layers/SourceForm";
+import { useMapLayers } from "./layers/useMapLayers";
 
 const BYTES_PER_MB = 1_000_000;
 const MOST_MB = 100_000;
@@ -39,7 +41,7 @@ export function OnlineSection() {
 
 function Online({ online }: { online: MapOnline }) {
   const { t } = useTranslation();
-  const { mapLayers } = usePage();
+  const mapLayers = usePart(MAP_LAYERS);
   const blocked = useGatewayBlocked();
   const { state, stateText } = useAsked(CONTROL);
   const [isAsking, setAsking] = useState(false);
@@ -156,7 +158,7 @@ function SourceRow({
 
 function Cached({ bytes, blocked }: { bytes: number; blocked: string | undefined }) {
   const { t } = useTranslation();
-  const { mapLayers } = usePage();
+  const mapLayers = usePart(MAP_LAYERS);
   const { state, stateText } = useAsked("map.online.clear");
   const [isAsking, setAsking] = useState(false);
   return (

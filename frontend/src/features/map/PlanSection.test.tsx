@@ -2,11 +2,12 @@ import { act, screen, within } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { describe, expect, test } from "vitest";
 import type { Waypoint } from "../../lib/plan";
-import { editPlan } from "../../missions/planDrafts";
+import { editPlan, MISSIONS } from "../../missions/planDrafts";
 import { type Asked, Station } from "../../test/station";
 import { aStatus } from "../../test/status";
 import { WORDS } from "../../ui/test/words";
 import { WordsProvider } from "../../ui/words";
+import { MAP_SELECTION } from "./mapSelection";
 import { PlanSection } from "./PlanSection";
 import { ThingCard } from "./ThingCard";
 import { ThingsSection } from "./ThingsSection";
@@ -59,7 +60,7 @@ async function chooseWaypoint(row: number): Promise<void> {
 }
 
 function draft(): readonly Waypoint[] {
-  return station.page.missions.plans.getState().flight.draft.present;
+  return station.page.parts.get(MISSIONS).plans.getState().flight.draft.present;
 }
 
 describe("a waypoint that is chosen", () => {
@@ -125,12 +126,18 @@ describe("an edited plan", () => {
   test("with an error is not sent, and says which", async () => {
     open();
     act(() =>
-      editPlan(station.page.missions.plans, "flight", [{ ...(plan[0] as Waypoint), altitude_ft: 70_000 }]),
+      editPlan(station.page.parts.get(MISSIONS).plans, "flight", [
+        { ...(plan[0] as Waypoint), altitude_ft: 70_000 },
+      ]),
     );
     station.show();
     expect(button("Enviar").getAttribute("aria-disabled")).toBe("true");
     await user.click(button(/70000 ft/));
-    expect(station.page.mapSelection.getState().thing).toEqual({ kind: "waypoint", plan: "flight", row: 0 });
+    expect(station.page.parts.get(MAP_SELECTION).getState().thing).toEqual({
+      kind: "waypoint",
+      plan: "flight",
+      row: 0,
+    });
   });
 
   test("is not offered to a board that takes none, which is told why", () => {
@@ -159,7 +166,7 @@ test("the route that the board says it flies is shown without asking for it, and
   await chooseWaypoint(7);
   button("Más alto").focus();
   await user.keyboard("{PageDown}");
-  expect(station.page.missions.plans.getState().hil.draft.present[7]?.altitude_ft).toBe(240);
+  expect(station.page.parts.get(MISSIONS).plans.getState().hil.draft.present[7]?.altitude_ft).toBe(240);
   await user.click(button("Deshacer"));
   expect(document.querySelector(".map-plan-state")?.textContent).toContain("igual que en la placa");
 });

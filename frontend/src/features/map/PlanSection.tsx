@@ -4,17 +4,18 @@ import type { Whose } from "../../lib/mapThing";
 import { legsOf } from "../../lib/plan";
 import { useIssueText } from "../../missions/useIssueText";
 import { useUnit } from "../../readouts/useUnit";
-import { useMapThing, usePage, useSettings } from "../../store/hooks";
+import { usePage, usePart, useSettings } from "../../store/hooks";
 import { choose } from "../../store/settings";
 import { Checkbox } from "../../ui/Checkbox";
 import { Panel } from "../../ui/Panel";
 import { SegmentedSwitch } from "../../ui/SegmentedSwitch";
 import { Select } from "../../ui/Select";
-import { selectThing } from "./mapSelection";
+import { MAP_SELECTION, selectThing } from "./mapSelection";
 import { PlanTransfer } from "./plan/PlanTransfer";
 import { type MapPlan, useMapPlan } from "./plan/useMapPlan";
 import { type HeldWaypoint, usePlanScene } from "./plan/usePlanScene";
 import { WaypointEditor } from "./plan/WaypointEditor";
+import { useMapThing } from "./useMapThing";
 import "./plan/plan.css";
 
 const WHOSE = ["flight", "hil"] as const;
@@ -22,7 +23,8 @@ const WHOSE = ["flight", "hil"] as const;
 /** The flight plans on the globe: what the board has, what is edited here, and the waypoint that is chosen. */
 export function PlanSection() {
   const { t } = useTranslation();
-  const { settings, mapSelection } = usePage();
+  const { settings } = usePage();
+  const mapSelection = usePart(MAP_SELECTION);
   const plans = { flight: useMapPlan("flight"), hil: useMapPlan("hil") };
   const isShown = {
     flight: useSettings(({ choices }) => choices["map.plan.flight"] !== "off"),
@@ -109,7 +111,7 @@ function PlanState({ plan }: { plan: MapPlan }) {
 
 function WaypointChoice({ whose, plan, row }: { whose: Whose; plan: MapPlan; row: number | null }) {
   const { t } = useTranslation();
-  const { mapSelection } = usePage();
+  const mapSelection = usePart(MAP_SELECTION);
   const altitude = useUnit("altitude");
   return (
     <Select

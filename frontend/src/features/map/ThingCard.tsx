@@ -9,15 +9,16 @@ import { coordinate, heading, tenths, whole } from "../../readouts/formats";
 import { LiveReadout } from "../../readouts/LiveReadout";
 import { LiveBadge } from "../../readouts/StreamPanel";
 import { useUnit } from "../../readouts/useUnit";
-import { useMapThing, usePage } from "../../store/hooks";
+import { usePart } from "../../store/hooks";
 import type { TelemetryStore } from "../../store/telemetry";
 import { usePaint } from "../../store/usePaint";
 import { Readout, ReadoutGrid, type ReadoutHandle } from "../../ui/Readout";
 import { useWords } from "../../ui/words";
-import { selectThing } from "./mapSelection";
+import { MAP_SELECTION, selectThing } from "./mapSelection";
 import { aircraftPlace, PLACE_TOPIC } from "./plan/aircraftPlace";
 import { useHome } from "./plan/useHome";
 import { useMapPlan } from "./plan/useMapPlan";
+import { useMapThing } from "./useMapThing";
 import "./plan/card.css";
 
 /** The values of what is chosen on the map, over its corner. Escape closes it. */
@@ -27,7 +28,7 @@ export function ThingCard() {
 }
 
 function Card({ thing }: { thing: MapThing }) {
-  const { mapSelection } = usePage();
+  const mapSelection = usePart(MAP_SELECTION);
   const words = useWords();
   const title = useId();
   const close = useCallback(() => selectThing(mapSelection, null), [mapSelection]);

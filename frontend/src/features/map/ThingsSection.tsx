@@ -1,16 +1,17 @@
 import { House, Plane } from "lucide-react";
 import { useTranslation } from "react-i18next";
 import type { MapThing } from "../../lib/mapThing";
-import { useMapThing, usePage, useTelemetry } from "../../store/hooks";
+import { usePart, useTelemetry } from "../../store/hooks";
 import { Button } from "../../ui/Button";
 import { Panel } from "../../ui/Panel";
-import { selectThing } from "./mapSelection";
+import { MAP_SELECTION, selectThing } from "./mapSelection";
 import { PLACE_TOPIC } from "./plan/aircraftPlace";
+import { useMapThing } from "./useMapThing";
 
 /** What can be pressed on the globe, for those who do not press there. Waypoints are chosen with their plan. */
 export function ThingsSection() {
   const { t } = useTranslation();
-  const { mapSelection } = usePage();
+  const mapSelection = usePart(MAP_SELECTION);
   const chosen = useMapThing();
   const flight = useTelemetry((telemetry, now_ms) => telemetry.state(PLACE_TOPIC.flight, now_ms));
   const hil = useTelemetry((telemetry, now_ms) => telemetry.state(PLACE_TOPIC.hil, now_ms));

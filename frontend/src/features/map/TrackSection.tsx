@@ -5,7 +5,7 @@ import { formatAge } from "../../lib/format";
 import { formatClock } from "../../lib/moment";
 import { COLOURINGS, type Colouring } from "../../lib/track/colours";
 import { TRACKS, type TrackName } from "../../protocol/track";
-import { usePage, useTracks } from "../../store/hooks";
+import { usePage, usePart } from "../../store/hooks";
 import { choose } from "../../store/settings";
 import { Checkbox } from "../../ui/Checkbox";
 import { Notice } from "../../ui/Notice";
@@ -15,19 +15,22 @@ import { useFlat } from "./flat/useFlat";
 import { TrackLegend } from "./TrackLegend";
 import { TrackTools } from "./TrackTools";
 import { TRACK_KINDS } from "./trackKinds";
+import { TRACK_LOG } from "./trackLog";
 import { useTrackLayer } from "./useTrackLayer";
 import { useTrackLook } from "./useTrackLook";
+import { useTracks } from "./useTracks";
 import "./track.css";
 
 /** What was flown: how it is drawn, how much there is of it, and what can be done with it. */
 export function TrackSection() {
   const { t } = useTranslation();
   const sentence = useSentence();
-  const { settings, trackBook } = usePage();
+  const { settings } = usePage();
+  const trackLog = usePart(TRACK_LOG);
   const look = useTrackLook();
   useTrackLayer(look);
   const flat = useFlat();
-  useEffect(() => trackBook.watch(), [trackBook]);
+  useEffect(() => trackLog.watch(), [trackLog]);
   const failure = useTracks((tracks) => tracks.failure);
   const malformed = useTracks((tracks) => tracks.malformed);
   const names: Readonly<Record<Colouring, string>> = {

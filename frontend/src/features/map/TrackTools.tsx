@@ -2,9 +2,11 @@ import { useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useAsked } from "../../requests/useAsked";
 import { useGatewayBlocked } from "../../requests/useBlocked";
-import { usePage, useTracks } from "../../store/hooks";
+import { usePart } from "../../store/hooks";
 import { Button } from "../../ui/Button";
 import { ConfirmDialog } from "../../ui/ConfirmDialog";
+import { TRACK_EDITS } from "./trackEdits";
+import { useTracks } from "./useTracks";
 
 const RESET = "map.track.reset";
 const RESTORE = "map.track.restore";
@@ -14,7 +16,7 @@ const FILES = ["kml", "kmz", "gpx", "czml"] as const;
 /** Clears the drawn tracks and brings them back, and hands them over to other programs. */
 export function TrackTools() {
   const { t, i18n } = useTranslation();
-  const { frame } = usePage();
+  const trackEdits = usePart(TRACK_EDITS);
   const [isAsking, setAsking] = useState(false);
   const canRestore = useTracks((tracks) => tracks.canRestore);
   const points = useTracks(({ summary }) => summary.real.count + summary.hil.count);
@@ -34,7 +36,7 @@ export function TrackTools() {
         </Button>
         {(canRestore === true || restore.state !== "idle") && (
           <Button
-            onPress={() => void frame.restoreTrack({ control: RESTORE })}
+            onPress={() => void trackEdits.restore({ control: RESTORE })}
             {...restore}
             disabledReason={blocked ?? (canRestore === true ? undefined : t("map.track.nothingKept"))}
           >
@@ -64,7 +66,7 @@ export function TrackTools() {
           danger
           onConfirm={() => {
             setAsking(false);
-            void frame.resetTrack({ control: RESET });
+            void trackEdits.reset({ control: RESET });
           }}
           onCancel={() => setAsking(false)}
         />

@@ -2,8 +2,9 @@ import { createStore, type StoreApi } from "zustand/vanilla";
 import { TrackPoints } from "../../lib/track/points";
 import { TRACKS, type TrackName, type TrackPiece } from "../../protocol/track";
 import type { Message } from "../../store/messages";
+import { partName } from "../../store/parts";
 
-/** What is told of one track; its points are in `TrackBook.points`. */
+/** What is told of one track; its points are in `TrackLog.points`. */
 export interface TrackSummary {
   readonly count: number;
   /** Unix seconds of the first and the newest point. */
@@ -26,12 +27,14 @@ export interface Tracks {
 export type TrackStore = StoreApi<Tracks>;
 
 /** The flown tracks as far as this page knows them. */
-export interface TrackBook {
+export interface TrackLog {
   readonly store: TrackStore;
   readonly points: Readonly<Record<TrackName, TrackPoints>>;
   /** Asks for what is missing once a second until the returned function is called; any number may watch. */
   readonly watch: () => () => void;
 }
+
+export const TRACK_LOG = partName<TrackLog>("track log");
 
 const NONE: TrackSummary = { count: 0, first_s: null, last_s: null, total: 0 };
 

@@ -1,23 +1,23 @@
 import { expect, test } from "vitest";
 import { packedFlight, trackBytes } from "../../test/track";
-import { HandTimers } from "../../test/wire";
+import { ManualTimers } from "../../test/wire";
 import { Rest } from "../../transport/rest";
-import { createTrackBook } from "./trackRequests";
+import { createTrackLog } from "./trackRequests";
 
 /** A gateway with a growing track, at the test's command. */
 class Gateway {
   readonly asked: string[] = [];
-  readonly timers = new HandTimers();
+  readonly timers = new ManualTimers();
   epoch = 5;
   points = 0;
   answer: ((path: string) => Response) | null = null;
-  readonly book;
+  readonly log;
   readonly takeTrackEvent;
 
   constructor() {
     const rest = new Rest({ client: () => "c1", fetch: async (path) => this.#reply(path) });
-    const { trackBook, takeTrackEvent } = createTrackBook({ rest, timers: this.timers });
-    this.book = trackBook;
+    const { trackLog, takeTrackEvent } = createTrackLog({ rest, timers: this.timers });
+    this.log = trackLog;
     this.takeTrackEvent = takeTrackEvent;
   }
 
@@ -69,11 +69,11 @@ test("nothing is asked while nobody watches; then once a second, and only for wh
   gateway.points = 100;
   await gateway.pass(5000);
   expect(gateway.asked).toEqual([]);
-  const end = gateway.book.watch();
+  const end = gateway.log.watch();
   await gateway.settle();
   gateway.points = 150;
   await gateway.pass(1000);
-  expect(gateway.book.store.getState().summary.real).toMatchObject({ count: 150, total: 150 });
+  expect(gateway.log.store.getState().summary.real).toMatchObject({ count: 150, total: 150 });
   end();
   await gateway.pass(5000);
   expect(gateway.real).toEqual([
@@ -86,43 +86,43 @@ test("two hours come in one piece, in slices between which the page works", asyn
   const gateway = new Gateway();
   gateway.points = 45_000;
   const counts = new Set<number>();
-  gateway.book.store.subscribe(({ summary }) => counts.add(summary.real.count));
-  gateway.book.watch();
+  gateway.log.store.subscribe(({ summary }) => counts.add(summary.real.count));
+  gateway.log.watch();
   await gateway.settle();
   expect(gateway.real).toHaveLength(1);
   expect([...counts]).toEqual([10_000, 20_000, 30_000, 40_000, 45_000]);
-  expect(gateway.book.points.real.count).toBe(45_000);
+  expect(gateway.log.points.real.count).toBe(45_000);
 });
 
 test("another epoch starts the track over", async () => {
   const gateway = new Gateway();
   gateway.points = 3000;
-  gateway.book.watch();
+  gateway.log.watch();
   await gateway.settle();
   gateway.epoch = 6;
   gateway.points = 20;
   await gateway.pass(1000);
-  expect(gateway.book.points.real.count).toBe(20);
-  expect(gateway.book.store.getState().summary.real.count).toBe(20);
+  expect(gateway.log.points.real.count).toBe(20);
+  expect(gateway.log.store.getState().summary.real.count).toBe(20);
 });
 
 test("an answer that is not as agreed is told and counted, leaves the track, and the next one mends it", async () => {
   const gateway = new Gateway();
   gateway.points = 50;
-  gateway.book.watch();
+  gateway.log.watch();
   await gateway.settle();
   gateway.answer = () => new Response("no track");
   await gateway.pass(1000);
-  expect(gateway.book.store.getState()).toMatchObject({
+  expect(gateway.log.store.getState()).toMatchObject({
     malformed: 2,
     failure: { key: "problem.answer_unreadable" },
   });
-  expect(gateway.book.points.real.count).toBe(50);
+  expect(gateway.log.points.real.count).toBe(50);
   gateway.answer = null;
   gateway.points = 60;
   await gateway.pass(1000);
-  expect(gateway.book.store.getState().failure).toBeNull();
-  expect(gateway.book.points.real.count).toBe(60);
+  expect(gateway.log.store.getState().failure).toBeNull();
+  expect(gateway.log.points.real.count).toBe(60);
 });
 
 test("a gateway that does not answer is asked again, and says why nothing comes", async () => {
@@ -130,13 +130,13 @@ test("a gateway that does not answer is asked again, and says why nothing comes"
   gateway.answer = () => {
     throw new TypeError("fetch failed");
   };
-  gateway.book.watch();
+  gateway.log.watch();
   await gateway.settle();
-  expect(gateway.book.store.getState().failure?.key).toBe("problem.gateway_unreachable");
+  expect(gateway.log.store.getState().failure?.key).toBe("problem.gateway_unreachable");
   gateway.answer = null;
   gateway.points = 10;
   await gateway.pass(1000);
-  expect(gateway.book.store.getState()).toMatchObject({ failure: null, summary: { real: { count: 10 } } });
+  expect(gateway.log.store.getState()).toMatchObject({ failure: null, summary: { real: { count: 10 } } });
 });
 
 test("points that lie nowhere on earth are counted and left out", async () => {
@@ -151,18 +151,18 @@ test("points that lie nowhere on earth are counted and left out", async () => {
           : [],
       ),
     );
-  gateway.book.watch();
+  gateway.log.watch();
   await gateway.settle();
-  expect(gateway.book.store.getState()).toMatchObject({ malformed: 1, summary: { real: { count: 2 } } });
+  expect(gateway.log.store.getState()).toMatchObject({ malformed: 1, summary: { real: { count: 2 } } });
 });
 
 test("whether a cleared track can be brought back is asked once and then told by the stream", async () => {
   const gateway = new Gateway();
-  gateway.book.watch();
+  gateway.log.watch();
   await gateway.pass(3000);
   expect(gateway.asked.filter((path) => path === "/api/v1/track")).toHaveLength(1);
-  expect(gateway.book.store.getState().canRestore).toBe(false);
+  expect(gateway.log.store.getState().canRestore).toBe(false);
   const data = { real_points: 0, hil_points: 0, can_restore: true };
   gateway.takeTrackEvent({ type: "event", event: "track", t_s: 1, data });
-  expect(gateway.book.store.getState().canRestore).toBe(true);
+  expect(gateway.log.store.getState().canRestore).toBe(true);
 });

@@ -1,15 +1,15 @@
+import type { Timers } from "../../lib/timers";
 import { tellTiming } from "../../lib/timing";
 import type { StreamEvent } from "../../protocol/envelope";
 import { isTrackState, readTrackPiece, TRACKS, type TrackName } from "../../protocol/track";
+import type { Gateway } from "../../requests/asking";
 import { failureMessage } from "../../store/messages";
-import type { Rest } from "../../transport/rest";
-import type { Timers } from "../../transport/socket";
 import {
   createTracks,
   type GrowingTrack,
   growingTracks,
   summarise,
-  type TrackBook,
+  type TrackLog,
   type TrackStore,
 } from "./trackLog";
 
@@ -23,13 +23,13 @@ const UNREADABLE = {
 };
 
 export interface TrackParts {
-  readonly rest: Rest;
+  readonly rest: Gateway;
   readonly timers: Timers;
 }
 
 /** The tracks, kept up with the gateway while somebody watches them, and what the stream tells of them. */
-export function createTrackBook({ rest, timers }: TrackParts): {
-  readonly trackBook: TrackBook;
+export function createTrackLog({ rest, timers }: TrackParts): {
+  readonly trackLog: TrackLog;
   readonly takeTrackEvent: (event: StreamEvent) => void;
 } {
   const store = createTracks();
@@ -86,7 +86,7 @@ export function createTrackBook({ rest, timers }: TrackParts): {
   }
 
   return {
-    trackBook: {
+    trackLog: {
       store,
       points: { real: tracks.real.points, hil: tracks.hil.points },
       watch: () => {

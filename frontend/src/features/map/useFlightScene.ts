@@ -3,10 +3,11 @@ import { useTranslation } from "react-i18next";
 import { CAMERA_CHOICE, type CameraMode, cameraOf } from "../../lib/mapCamera";
 import type { Whose } from "../../lib/mapThing";
 import type { FlightScene } from "../../scene/aircraft/FlightScene";
-import { usePage, useSettings, useTelemetry } from "../../store/hooks";
+import { usePage, usePart, useSettings, useTelemetry } from "../../store/hooks";
 import type { TelemetryStore } from "../../store/telemetry";
 import { usePaint } from "../../store/usePaint";
 import { AircraftMotion, showing } from "./aircraftFeed";
+import { TRACK_LOG } from "./trackLog";
 import { useGlobe, useGlobeLayer } from "./useGlobe";
 
 export const FOLLOWED_CHOICE = "map.followed";
@@ -29,7 +30,8 @@ export function useFollowed(): Whose {
 /** Shows both aircraft on the globe and moves the camera as chosen, and hands the tracks the place of their tips. */
 export function useFlightScene(): FlightScene | null {
   const { t } = useTranslation();
-  const { telemetry, trackBook } = usePage();
+  const { telemetry } = usePage();
+  const trackLog = usePart(TRACK_LOG);
   const globe = useGlobe();
   const scene = useGlobeLayer(
     "flight",
@@ -58,9 +60,9 @@ export function useFlightScene(): FlightScene | null {
         ["hil", "hil"],
       ] as const) {
         const seen = scene.aircraft.seen(whose);
-        track.setTip(trackBook.points[name], seen?.isLive === true ? { ...seen.place, t_s: seen.t_s } : null);
+        track.setTip(trackLog.points[name], seen?.isLive === true ? { ...seen.place, t_s: seen.t_s } : null);
       }
     });
-  }, [globe, scene, track, trackBook]);
+  }, [globe, scene, track, trackLog]);
   return scene;
 }

@@ -2,7 +2,9 @@ import { useMemo } from "react";
 import { COLOURINGS, type Colouring, type Range, rangeOf } from "../../lib/track/colours";
 import { TRACKS, type TrackName } from "../../protocol/track";
 import { useUnit } from "../../readouts/useUnit";
-import { usePage, useSettings, useTracks } from "../../store/hooks";
+import { usePart, useSettings } from "../../store/hooks";
+import { TRACK_LOG } from "./trackLog";
+import { useTracks } from "./useTracks";
 
 /** What is chosen for the tracks, and what their colours stand for. */
 export interface TrackChoices {
@@ -17,7 +19,7 @@ export interface TrackChoices {
 }
 
 export function useTrackLook(): TrackChoices {
-  const { trackBook } = usePage();
+  const trackLog = usePart(TRACK_LOG);
   const colouring = useSettings(
     ({ choices }) => COLOURINGS.find((name) => name === choices["map.track.colour"]) ?? "none",
   );
@@ -34,9 +36,9 @@ export function useTrackLook(): TrackChoices {
   // biome-ignore lint/correctness/useExhaustiveDependencies: the spread of the points changes with their summary
   return useMemo(() => {
     const isShown = { real, hil };
-    const tracks = TRACKS.filter((name) => isShown[name]).map((name) => trackBook.points[name]);
+    const tracks = TRACKS.filter((name) => isShown[name]).map((name) => trackLog.points[name]);
     const shown = colouring === "none" ? null : rangeOf(colouring, tracks, unit.convert);
     const range = shown && { least: unit.revert(shown.least), most: unit.revert(shown.most) };
     return { colouring, hasCurtain, isShown, shown, range, unit: unit.label };
-  }, [trackBook, colouring, hasCurtain, real, hil, unit, summary]);
+  }, [trackLog, colouring, hasCurtain, real, hil, unit, summary]);
 }

@@ -1,9 +1,17 @@
-import { isInspection } from "../../protocol/inspector";
-import type { Inspector } from "../../store/inspector";
-import { failureMessage } from "../../store/messages";
-import type { Rest } from "../../transport/rest";
+import { type Inspection, isInspection } from "../../protocol/inspector";
+import type { Gateway } from "../../requests/asking";
+import { failureMessage, type Message } from "../../store/messages";
+import { partName } from "../../store/parts";
 
-export function createInspector(rest: Rest): Inspector {
+/** What went over the lines, asked for by whoever looks at it. */
+export interface Inspector {
+  /** All of it now, or why there is none. */
+  readonly read: () => Promise<Inspection | Message>;
+}
+
+export const INSPECTOR = partName<Inspector>("inspector");
+
+export function createInspector(rest: Gateway): Inspector {
   return {
     read: async () => {
       const answer = await rest.ask("GET", "/api/v1/inspector", isInspection);

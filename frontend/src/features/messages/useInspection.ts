@@ -1,7 +1,8 @@
 import { useEffect, useState } from "react";
 import type { Inspection } from "../../protocol/inspector";
-import { usePage } from "../../store/hooks";
+import { usePage, usePart } from "../../store/hooks";
 import type { Message } from "../../store/messages";
+import { INSPECTOR } from "./inspectorRequests";
 
 /** Twice a second, and a little less than five rounds of texts so that none is missed. */
 const PERIOD_MS = 480;
@@ -11,7 +12,8 @@ const PERIOD_MS = 480;
  * the page is hidden. Null until the first answer; a message when the gateway has none.
  */
 export function useInspection(): Inspection | Message | null {
-  const { inspector, pump } = usePage();
+  const { pump } = usePage();
+  const inspector = usePart(INSPECTOR);
   const [found, setFound] = useState<Inspection | Message | null>(null);
   useEffect(() => {
     let isOpen = true;

@@ -4,7 +4,7 @@ import { useSentence } from "../../i18n/useSentence";
 import { formatMoment } from "../../lib/moment";
 import type { ParameterName } from "../../protocol/messages.gen";
 import { useBoardBlocked } from "../../requests/useBlocked";
-import { usePage, useParameters } from "../../store/hooks";
+import { usePart } from "../../store/hooks";
 import type { Message } from "../../store/messages";
 import { Button } from "../../ui/Button";
 import { Dialog } from "../../ui/Dialog";
@@ -12,7 +12,9 @@ import { Notice } from "../../ui/Notice";
 import { type DiffLine, DiffTable } from "./DiffTable";
 import type { FileLine, ParameterFile } from "./parameterFile";
 import type { Changes } from "./parameterValues";
+import { PARAMETER_REQUESTS } from "./parameterValues";
 import { INFO } from "./useFreshParameters";
+import { useParameters } from "./useParameters";
 
 /** What several gains shall become: their defaults, or what a file says. */
 export type Diff =
@@ -22,8 +24,8 @@ export type Diff =
 /** Shows what would change, line by line, and writes the ticked lines in one step; then what became of each. */
 export function DiffDialog({ diff, onClose }: { diff: Diff; onClose: () => void }) {
   const { t } = useTranslation();
-  const { parameters } = usePage();
-  const held = useParameters((book) => book.held);
+  const parameters = usePart(PARAMETER_REQUESTS);
+  const held = useParameters((values) => values.held);
   const blocked = useBoardBlocked();
   const sentence = useSentence();
   const [lines] = useState(() => linesOf(diff));

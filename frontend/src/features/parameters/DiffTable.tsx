@@ -1,9 +1,9 @@
 import { useTranslation } from "react-i18next";
 import { PARAMETERS, type ParameterName } from "../../protocol/messages.gen";
-import { useParameters } from "../../store/hooks";
 import { StateMark } from "../../ui/StateMark";
 import type { CommandState } from "../../ui/states";
 import type { ParameterFault } from "./parameterFile";
+import { useParameters } from "./useParameters";
 
 /** One line of a change of several gains. `name` is null where it cannot be written, and `fault` says why. */
 export interface DiffLine {
@@ -69,7 +69,7 @@ interface LineProps {
 
 function Line({ line, isTicked, canTick, isWritten, isWriting, onTick }: LineProps) {
   const { t } = useTranslation();
-  const held = useParameters((book) => (line.name === null ? null : book.held[line.name]));
+  const held = useParameters((values) => (line.name === null ? null : values.held[line.name]));
   const { name } = line;
   const isSame = held !== null && held.value === line.wanted;
   const state = isWritten ? resultOf(held?.state, isWriting) : "idle";

@@ -2,10 +2,11 @@ import { useState } from "react";
 import { useTranslation } from "react-i18next";
 import { formatMoment } from "../../lib/moment";
 import type { JournalEntry } from "../../protocol/parameters";
-import { useConnection, useParameters } from "../../store/hooks";
+import { useConnection } from "../../store/hooks";
 import { Button } from "../../ui/Button";
 import { Panel } from "../../ui/Panel";
 import { StateMark } from "../../ui/StateMark";
+import { useParameters } from "./useParameters";
 
 /** As many as one looks at; the others come at a press. */
 const FIRST = 20;

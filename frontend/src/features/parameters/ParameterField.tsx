@@ -3,10 +3,12 @@ import type { ParameterName } from "../../protocol/messages.gen";
 import type { HeldParameter } from "../../protocol/parameters";
 import { useAsked } from "../../requests/useAsked";
 import { useBoardBlocked } from "../../requests/useBlocked";
-import { usePage, useParameters } from "../../store/hooks";
+import { usePart } from "../../store/hooks";
 import { NumberField } from "../../ui/NumberField";
 import type { CommandState } from "../../ui/states";
+import { PARAMETER_REQUESTS } from "./parameterValues";
 import { INFO } from "./useFreshParameters";
+import { useParameters } from "./useParameters";
 
 /**
  * One gain, editable. It shows what the board has; what was asked for only while that is on its way. Confirmed means
@@ -14,8 +16,8 @@ import { INFO } from "./useFreshParameters";
  */
 export function ParameterField({ name }: { name: ParameterName }) {
   const { t } = useTranslation();
-  const { parameters } = usePage();
-  const held = useParameters((book) => book.held[name]);
+  const parameters = usePart(PARAMETER_REQUESTS);
+  const held = useParameters((values) => values.held[name]);
   const asked = useAsked(`parameter.${name}`);
   const blocked = useBoardBlocked();
   const info = INFO[name];

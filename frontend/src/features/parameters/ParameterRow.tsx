@@ -3,11 +3,12 @@ import { useTranslation } from "react-i18next";
 import type { ParameterName } from "../../protocol/messages.gen";
 import { loopOf } from "../../protocol/tuning";
 import { useBoardBlocked } from "../../requests/useBlocked";
-import { usePage, useParameters } from "../../store/hooks";
+import { usePage } from "../../store/hooks";
 import { choose } from "../../store/settings";
 import { Button } from "../../ui/Button";
 import { ParameterField } from "./ParameterField";
 import { INFO } from "./useFreshParameters";
+import { useParameters } from "./useParameters";
 
 interface Props {
   name: ParameterName;
@@ -19,7 +20,7 @@ interface Props {
 export function ParameterRow({ name, onReset }: Props) {
   const { t } = useTranslation();
   const { settings } = usePage();
-  const { value, loaded } = useParameters((book) => book.held[name]);
+  const { value, loaded } = useParameters((values) => values.held[name]);
   const blocked = useBoardBlocked();
   const info = INFO[name];
   return (

@@ -6,14 +6,16 @@ import { PARAMETERS, type ParameterName } from "../../protocol/messages.gen";
 import type { ParameterMoves } from "../../protocol/parameters";
 import { useAsked } from "../../requests/useAsked";
 import { useBoardBlocked } from "../../requests/useBlocked";
-import { useConnection, usePage, useParameters } from "../../store/hooks";
+import { useConnection, usePage, usePart } from "../../store/hooks";
 import { say } from "../../store/messages";
 import { Button } from "../../ui/Button";
 import { FileButton } from "../../ui/FileButton";
 import { Notice } from "../../ui/Notice";
 import type { Diff } from "./DiffDialog";
 import { type FileRefusal, readParameterFile, writeParameterFile } from "./parameterFile";
-import type { ParameterBook } from "./parameterValues";
+import type { ParameterValues } from "./parameterValues";
+import { PARAMETER_REQUESTS } from "./parameterValues";
+import { useParameters } from "./useParameters";
 
 interface Refused {
   readonly file: string;
@@ -23,8 +25,8 @@ interface Refused {
 /** The buttons over the gains: what goes between board, card, file and journal. */
 export function ParamsTools({ onDiff }: { onDiff: (diff: Diff) => void }) {
   const { t } = useTranslation();
-  const { parameters } = usePage();
-  const held = useParameters((book) => book.held);
+  const parameters = usePart(PARAMETER_REQUESTS);
+  const held = useParameters((values) => values.held);
   const load = useAsked("parameters.load");
   const blocked = useBoardBlocked();
   const [refused, setRefused] = useState<Refused | null>(null);
@@ -88,7 +90,7 @@ export function ParamsTools({ onDiff }: { onDiff: (diff: Diff) => void }) {
 
 function StoreButton({ unknown }: { unknown: string | undefined }) {
   const { t } = useTranslation();
-  const { parameters } = usePage();
+  const parameters = usePart(PARAMETER_REQUESTS);
   const { state, stateText } = useAsked("parameters.store");
   const blocked = useBoardBlocked();
   const canStore = useConnection(({ status }) => status?.board.features.store === true);
@@ -109,7 +111,7 @@ function StoreButton({ unknown }: { unknown: string | undefined }) {
 /** Whether what the board has is on its card too: said only where the board has said so. */
 export function Stored() {
   const { t } = useTranslation();
-  const stored_ms = useParameters((book) => book.stored_ms);
+  const stored_ms = useParameters((values) => values.stored_ms);
   const canStore = useConnection(({ status }) => status?.board.features.store === true);
   if (!canStore) {
     return null;
@@ -125,7 +127,7 @@ export function Stored() {
 
 function MoveButton({ kind }: { kind: "undo" | "redo" }) {
   const { t } = useTranslation();
-  const { parameters } = usePage();
+  const parameters = usePart(PARAMETER_REQUESTS);
   const { state, stateText } = useAsked(`parameters.${kind}`);
   const moves = useParameters(({ journal }) => journal?.[kind] ?? null);
   const blocked = useBoardBlocked();
@@ -154,10 +156,11 @@ function MoveButton({ kind }: { kind: "undo" | "redo" }) {
 
 function SaveButton({ unknown }: { unknown: string | undefined }) {
   const { t } = useTranslation();
-  const { parameters, connection, messages, saveFile } = usePage();
+  const { connection, messages, saveFile } = usePage();
+  const parameters = usePart(PARAMETER_REQUESTS);
 
   function save(): void {
-    const { held } = parameters.book.getState();
+    const { held } = parameters.values.getState();
     const values = valuesOf(held);
     if (values === null) {
       return;
@@ -177,7 +180,7 @@ function SaveButton({ unknown }: { unknown: string | undefined }) {
 }
 
 /** Every value, or null when one is not known: a file says what the board has, and nothing else. */
-function valuesOf(held: ParameterBook["held"]): Readonly<Record<ParameterName, number>> | null {
+function valuesOf(held: ParameterValues["held"]): Readonly<Record<ParameterName, number>> | null {
   const values: Partial<Record<ParameterName, number>> = {};
   for (const { name } of PARAMETERS) {
     const { value } = held[name];

@@ -1,7 +1,6 @@
 import { useState } from "react";
 import { useTranslation } from "react-i18next";
 import { PARAMETERS, type ParameterInfo, type ParameterName } from "../../protocol/messages.gen";
-import { useParameters } from "../../store/hooks";
 import { Notice } from "../../ui/Notice";
 import { Panel } from "../../ui/Panel";
 import { Select } from "../../ui/Select";
@@ -10,9 +9,10 @@ import { type Diff, DiffDialog } from "./DiffDialog";
 import { Journal } from "./Journal";
 import { ParameterRow } from "./ParameterRow";
 import { ParamsTools, Stored } from "./ParamsTools";
-import type { ParameterBook } from "./parameterValues";
+import type { ParameterValues } from "./parameterValues";
+import { useParameters } from "./useParameters";
 import "./params.css";
-import { INFO, useBook } from "./useFreshParameters";
+import { INFO, useFreshParameters } from "./useFreshParameters";
 
 const GROUPS = ["altitude", "heading", "rudder", "speed"] as const;
 const FILTERS = ["all", "default", "changed"] as const;
@@ -21,11 +21,11 @@ type Filter = (typeof FILTERS)[number];
 /** "Autopilot Param": the 17 gains as the board has them, each edited by itself, and the ways to change several. */
 export function ParamsView() {
   const { t } = useTranslation();
-  const held = useParameters((book) => book.held);
+  const held = useParameters((values) => values.held);
   const [diff, setDiff] = useState<Diff | null>(null);
   const [search, setSearch] = useState("");
   const [filter, setFilter] = useState<Filter>("all");
-  useBook();
+  useFreshParameters();
 
   const texts = (name: ParameterName, { group }: ParameterInfo): string =>
     `${name} ${t(`paramDoc.${name}`)} ${t(`paramGroup.${group}`)}`;
@@ -111,7 +111,7 @@ const ORDER: readonly ParameterName[] = [
   "k_div_velocidad",
 ];
 
-function passes(filter: Filter, name: ParameterName, held: ParameterBook["held"]): boolean {
+function passes(filter: Filter, name: ParameterName, held: ParameterValues["held"]): boolean {
   const { value, loaded } = held[name];
   switch (filter) {
     case "all":

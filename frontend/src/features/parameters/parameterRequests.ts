@@ -12,8 +12,8 @@ import {
   type ListedParameters,
 } from "../../protocol/parameters";
 import { resultMessage } from "../../requests/actions";
+import type { Asker } from "../../requests/asking";
 import { type AskingParts, createAsking, type Ended, info } from "../../requests/asking";
-import type { Asker } from "../../store/actions";
 import { failureMessage, type Message } from "../../store/messages";
 import {
   type Changes,
@@ -28,14 +28,14 @@ import {
 const PATH = "/api/v1/parameters";
 
 /** What a person can ask about the gains, as questions to the gateway with their outcome in the stores. */
-export function createParameterActions(book: ParameterStore, parts: AskingParts): ParameterActions {
+export function createParameterActions(values: ParameterStore, parts: AskingParts): ParameterActions {
   const { rest, wall_ms } = parts;
   const { run } = createAsking(parts);
   /** Edits under way, each with the newest wish that waits behind it. */
   const underWay = new Map<ParameterName, number | null>();
 
   function takeList({ parameters }: ListedParameters): void {
-    take(book, Object.fromEntries(parameters.map(({ name, ...held }) => [name, held])));
+    take(values, Object.fromEntries(parameters.map(({ name, ...held }) => [name, held])));
   }
 
   /** A question that answers with all the gains; the failure's sentence, or null. */
@@ -59,13 +59,13 @@ export function createParameterActions(book: ParameterStore, parts: AskingParts)
   }
 
   async function move(kind: "undo" | "redo", asker: Asker): Promise<void> {
-    const moves = book.getState().journal?.[kind] ?? [];
+    const moves = values.getState().journal?.[kind] ?? [];
     const changes: Changes = Object.fromEntries(moves.map(({ name, after }) => [name, after]));
     await ask(["POST", `${PATH}/${kind}`], asker, (listed) => writtenEnd(changes, listed));
   }
 
   return {
-    book,
+    values,
     write,
 
     refresh: async () => {
@@ -74,7 +74,7 @@ export function createParameterActions(book: ParameterStore, parts: AskingParts)
         rest.ask("GET", `${PATH}/journal`, isJournal),
       ]);
       if (listed.ok) takeList(listed.value);
-      if (journal.ok) takeJournal(book, journal.value);
+      if (journal.ok) takeJournal(values, journal.value);
     },
 
     load: async (asker) => {
@@ -104,7 +104,7 @@ export function createParameterActions(book: ParameterStore, parts: AskingParts)
         if (result.state !== "confirmed") {
           return { state: result.state, message: resultMessage("@command.store_parameters", result) };
         }
-        takeStored(book, wall_ms());
+        takeStored(values, wall_ms());
         return { state: "confirmed", message: info("params.saidStored") };
       }),
   };
@@ -142,7 +142,7 @@ const isStoreEvent = shape({
 
 /** What the stream tells of the gains, whoever asked for it. */
 export function takeParameterEvent(
-  book: ParameterStore,
+  values: ParameterStore,
   { event, data }: StreamEvent,
   wall_ms: number,
 ): void {
@@ -153,10 +153,10 @@ export function takeParameterEvent(
         news[name] = held;
       }
     }
-    take(book, news);
+    take(values, news);
   } else if (event === "journal" && isJournalEvent(data)) {
-    takeEntry(book, data);
+    takeEntry(values, data);
   } else if (event === "command" && isStoreEvent(data)) {
-    takeStored(book, wall_ms);
+    takeStored(values, wall_ms);
   }
 }

@@ -1,14 +1,15 @@
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { PARAMETERS, type ParameterName } from "../../protocol/messages.gen";
 import type { HeldParameter, Journal, JournalEntry, ParameterMoves } from "../../protocol/parameters";
-import type { Asker } from "../../store/actions";
+import type { Asker } from "../../requests/asking";
 import type { Message } from "../../store/messages";
+import { partName } from "../../store/parts";
 
 /** A gain's change in a question: what it shall be, by name. */
 export type Changes = Readonly<Partial<Record<ParameterName, number>>>;
 
 /** The 17 gains as the gateway knows them, and the journal of what was written to them. */
-export interface ParameterBook {
+export interface ParameterValues {
   readonly held: Readonly<Record<ParameterName, HeldParameter>>;
   /** Null until the gateway has told it. */
   readonly journal: Journal | null;
@@ -16,11 +17,11 @@ export interface ParameterBook {
   readonly stored_ms: number | null;
 }
 
-export type ParameterStore = StoreApi<ParameterBook>;
+export type ParameterStore = StoreApi<ParameterValues>;
 
 /** What a person can ask about the gains; nothing here throws. */
 export interface ParameterActions {
-  readonly book: ParameterStore;
+  readonly values: ParameterStore;
   /** Ask the gateway what it knows; nothing is asked of the board. */
   readonly refresh: () => Promise<void>;
   readonly load: (asker: Asker) => Promise<void>;
@@ -33,15 +34,17 @@ export interface ParameterActions {
   readonly store: (asker: Asker) => Promise<void>;
 }
 
+export const PARAMETER_REQUESTS = partName<ParameterActions>("parameters");
+
 const UNKNOWN: HeldParameter = { value: null, loaded: null, state: "unknown" };
-const NOTHING: ParameterBook = {
+const NOTHING: ParameterValues = {
   held: fill(() => UNKNOWN),
   journal: null,
   stored_ms: null,
 };
 
 export function createParameters(): ParameterStore {
-  return createStore<ParameterBook>(() => NOTHING);
+  return createStore<ParameterValues>(() => NOTHING);
 }
 
 /** Nothing is known any more: the gateway is away. */
@@ -91,6 +94,6 @@ export function takeStored(store: ParameterStore, at_ms: number): void {
   store.setState({ stored_ms: at_ms });
 }
 
-function fill(of: (name: ParameterName) => HeldParameter): ParameterBook["held"] {
-  return Object.fromEntries(PARAMETERS.map(({ name }) => [name, of(name)])) as ParameterBook["held"];
+function fill(of: (name: ParameterName) => HeldParameter): ParameterValues["held"] {
+  return Object.fromEntries(PARAMETERS.map(({ name }) => [name, of(name)])) as ParameterValues["held"];
 }

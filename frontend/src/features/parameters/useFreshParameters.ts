@@ -1,6 +1,7 @@
 import { useEffect } from "react";
 import { PARAMETERS, type ParameterInfo, type ParameterName } from "../../protocol/messages.gen";
-import { useConnection, usePage } from "../../store/hooks";
+import { useConnection, usePart } from "../../store/hooks";
+import { PARAMETER_REQUESTS } from "./parameterValues";
 
 /** The definition of each parameter by its name. */
 export const INFO = Object.fromEntries(PARAMETERS.map((info) => [info.name, info])) as Readonly<
@@ -8,8 +9,8 @@ export const INFO = Object.fromEntries(PARAMETERS.map((info) => [info.name, info
 >;
 
 /** Keeps the page's copy of the gains and of their journal while this is shown; nothing is asked of the board. */
-export function useBook(): void {
-  const { parameters } = usePage();
+export function useFreshParameters(): void {
+  const parameters = usePart(PARAMETER_REQUESTS);
   const isOpen = useConnection(({ phase }) => phase === "open");
   const client = useConnection((connection) => connection.client);
   useEffect(() => {

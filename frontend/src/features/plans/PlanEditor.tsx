@@ -1,11 +1,12 @@
 import { useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useSentence } from "../../i18n/useSentence";
-import { notePlan } from "../../missions/planDrafts";
+import { MISSIONS, notePlan } from "../../missions/planDrafts";
 import { usePlan } from "../../missions/usePlan";
+import { usePlans } from "../../missions/usePlans";
 import type { PlanName } from "../../protocol/missions";
 import { useAsked } from "../../requests/useAsked";
-import { usePage, usePlans } from "../../store/hooks";
+import { usePart } from "../../store/hooks";
 import { ConfirmDialog } from "../../ui/Dialog";
 import { Notice } from "../../ui/Notice";
 import { LiveSketch } from "./LiveSketch";
@@ -93,7 +94,7 @@ export function PlanEditor({ plan }: { plan: PlanName }) {
 /** What the last transfer or file had to say, and what was supposed in a file. */
 function Said({ plan }: { plan: PlanName }) {
   const sentence = useSentence();
-  const { missions } = usePage();
+  const missions = usePart(MISSIONS);
   const notes = usePlans((plans) => plans[plan].notes);
   const failures = [
     useAsked(`plan.download.${plan}`),

@@ -1,13 +1,15 @@
 import { ChevronLeft, ChevronRight, Download, FileDown, FolderOpen, Upload } from "lucide-react";
 import { useState } from "react";
 import { useTranslation } from "react-i18next";
+import { MISSIONS } from "../../missions/planDrafts";
 import { PLAN } from "../../missions/planFacts";
 import type { ShownPlan } from "../../missions/usePlan";
 import { PLAN_FORMATS, type PlanFormat, type PlanName } from "../../protocol/missions";
+import { ACTIONS } from "../../requests/actions";
 import { CommandButton } from "../../requests/CommandButton";
 import { useAsked } from "../../requests/useAsked";
 import { useBoardBlocked } from "../../requests/useBlocked";
-import { useConnection, usePage } from "../../store/hooks";
+import { useConnection, usePart } from "../../store/hooks";
 import { Button } from "../../ui/Button";
 import { FileButton } from "../../ui/FileButton";
 import { Select } from "../../ui/Select";
@@ -24,7 +26,7 @@ interface Props {
 /** What goes between the table, the board and files, and the steps through the plan in flight. */
 export function PlanTools({ plan, shown, selected, onReplace }: Props) {
   const { t } = useTranslation();
-  const { missions } = usePage();
+  const missions = usePart(MISSIONS);
   const { canTransfer, issues, waypoints } = shown;
   const download = useAsked(`plan.download.${plan}`);
   const upload = useAsked(`plan.upload.${plan}`);
@@ -78,7 +80,7 @@ export function PlanTools({ plan, shown, selected, onReplace }: Props) {
 /** Let the board fly to the chosen waypoint: possible only where the board has the plan which is shown. */
 function GoTo({ plan, shown, selected }: Omit<Props, "onReplace">) {
   const { t } = useTranslation();
-  const { actions } = usePage();
+  const actions = usePart(ACTIONS);
   const { state, stateText } = useAsked(`plan.goTo.${plan}`);
   const blocked = useBoardBlocked();
   const unsupported = shown.canTransfer ? undefined : t("plans.unsupportedShort");
@@ -106,7 +108,7 @@ function GoTo({ plan, shown, selected }: Omit<Props, "onReplace">) {
 
 function FileTools({ plan, count, onReplace }: Pick<Props, "plan" | "onReplace"> & { count: number }) {
   const { t } = useTranslation();
-  const { missions } = usePage();
+  const missions = usePart(MISSIONS);
   const [format, setFormat] = useState<PlanFormat>("kml");
   const exporting = useAsked(`plan.export.${plan}`);
   // Files go through the gateway and not to the board: a viewer may have them too.

@@ -1,10 +1,10 @@
 import { useState } from "react";
 import { useTranslation } from "react-i18next";
-import { editPlan, type RouteCommand } from "../../missions/planDrafts";
+import { editPlan, MISSIONS, type RouteCommand } from "../../missions/planDrafts";
 import { ROUTES } from "../../protocol/messages.gen";
 import { useAsked } from "../../requests/useAsked";
 import { useBoardBlocked } from "../../requests/useBlocked";
-import { usePage } from "../../store/hooks";
+import { usePart } from "../../store/hooks";
 import { Button } from "../../ui/Button";
 import { Select } from "../../ui/Select";
 
@@ -24,7 +24,7 @@ interface Props {
 /** The four routes that every board has built in: into the board, or into the table alone. */
 export function RouteTools({ canTransfer, onReplace }: Props) {
   const { t } = useTranslation();
-  const { missions } = usePage();
+  const missions = usePart(MISSIONS);
   const [route, setRoute] = useState<RouteName | null>(null);
   const { state, stateText } = useAsked("plan.route");
   const blocked = useBoardBlocked();

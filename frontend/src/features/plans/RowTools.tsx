@@ -1,8 +1,9 @@
 import { ArrowDown, ArrowUp, Plus, Redo2, Trash2, Undo2 } from "lucide-react";
 import { useTranslation } from "react-i18next";
-import { redoPlan, undoPlan } from "../../missions/planDrafts";
+import { MISSIONS, redoPlan, undoPlan } from "../../missions/planDrafts";
+import { usePlans } from "../../missions/usePlans";
 import { PLAN_LIMITS, type PlanName } from "../../protocol/missions";
-import { usePage, usePlans } from "../../store/hooks";
+import { usePart } from "../../store/hooks";
 import { Button } from "../../ui/Button";
 import type { Editing } from "./useEditing";
 
@@ -16,7 +17,7 @@ interface Props {
 /** The buttons that do to rows what the keys do. */
 export function RowTools({ plan, selected, count, edit }: Props) {
   const { t } = useTranslation();
-  const { missions } = usePage();
+  const missions = usePart(MISSIONS);
   const canUndo = usePlans((plans) => plans[plan].draft.past.length > 0);
   const canRedo = usePlans((plans) => plans[plan].draft.future.length > 0);
   const { maximum } = PLAN_LIMITS.count;

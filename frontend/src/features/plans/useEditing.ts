@@ -1,8 +1,8 @@
 import { type KeyboardEvent, type RefObject, useEffect, useRef } from "react";
 import { changed, inserted, moved, removed, type Waypoint, type WaypointField } from "../../lib/plan";
-import { editPlan, redoPlan, undoPlan } from "../../missions/planDrafts";
+import { editPlan, MISSIONS, redoPlan, undoPlan } from "../../missions/planDrafts";
 import { PLAN_LIMITS, type PlanName } from "../../protocol/missions";
-import { usePage } from "../../store/hooks";
+import { usePart } from "../../store/hooks";
 
 export interface Editing {
   readonly frame: RefObject<HTMLDivElement | null>;
@@ -21,7 +21,7 @@ export function useEditing(
   selected: number | null,
   choose: (row: number | null) => void,
 ): Editing {
-  const { plans } = usePage().missions;
+  const { plans } = usePart(MISSIONS);
   const frame = useRef<HTMLDivElement>(null);
   const wanted = useRef<{ readonly row: number; readonly field: WaypointField } | null>(null);
   useEffect(() => {

@@ -6,11 +6,12 @@ import { formatFixed } from "../../lib/format";
 import { COMMANDS } from "../../protocol/messages.gen";
 import { CommandButton } from "../../requests/CommandButton";
 import { useBoardBlocked } from "../../requests/useBlocked";
-import { usePage, useServo, useServoFailure, useTelemetry } from "../../store/hooks";
+import { usePart, useTelemetry } from "../../store/hooks";
 import { Button } from "../../ui/Button";
 import { Notice } from "../../ui/Notice";
 import { VerticalSlider } from "../../ui/VerticalSlider";
-import { SERVO_COUNT } from "./servoPositions";
+import { SERVO_COUNT, SERVO_SLIDERS } from "./servoPositions";
+import { useServo, useServoFailure } from "./useServo";
 import "./servos-out.css";
 
 const [, POSITION] = COMMANDS.servo_out.arguments;
@@ -25,7 +26,7 @@ const MODES = ["fly_by_wire", "hil"] as const;
 /** "ServosOut": a slider for each servo output. The board never says where they are, so a slider only knows its own moves. */
 export function ServosOut() {
   const { t } = useTranslation();
-  const { servos } = usePage();
+  const servos = usePart(SERVO_SLIDERS);
   const blocked = useBoardBlocked();
   const reasonId = useId();
   return (
@@ -63,7 +64,7 @@ interface SliderProps {
 const ServoSlider = memo(function ServoSlider({ index, blocked, reasonId }: SliderProps) {
   const { t } = useTranslation();
   const sentence = useSentence();
-  const { servos } = usePage();
+  const servos = usePart(SERVO_SLIDERS);
   const { position, state, message } = useServo(index);
   const number = index + 1;
   return (

@@ -1,6 +1,7 @@
 import { createStore, type StoreApi } from "zustand/vanilla";
 import type { CommandState } from "../../store/commands";
 import type { Message } from "../../store/messages";
+import { partName } from "../../store/parts";
 
 /** Servo outputs of the board. */
 export const SERVO_COUNT = 20;
@@ -24,11 +25,13 @@ export interface Servos {
 export type ServoStore = StoreApi<Servos>;
 
 /** The sliders of the servo outputs. */
-export interface ServoDesk {
+export interface ServoSliders {
   readonly store: ServoStore;
   /** Ask for this position; of moves that come faster than they go out, each servo's newest wins. */
   readonly move: (servo: number, position: number) => void;
 }
+
+export const SERVO_SLIDERS = partName<ServoSliders>("servos");
 
 export function createServos(): ServoStore {
   return createStore<Servos>(() => ({ servos: Array.from({ length: SERVO_COUNT }, () => UNMOVED) }));

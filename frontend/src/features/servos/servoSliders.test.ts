@@ -1,9 +1,9 @@
 import { beforeEach, describe, expect, test } from "vitest";
 import type { Message } from "../../store/messages";
 import { aStatus } from "../../test/status";
-import { HandTimers } from "../../test/wire";
+import { ManualTimers } from "../../test/wire";
 import { Rest } from "../../transport/rest";
-import { createServoDesk, type ServoDeskEnds } from "./servoSliders";
+import { createServoSliders, type ServoSlidersEnds } from "./servoSliders";
 
 interface Asked {
   readonly servo: number;
@@ -13,13 +13,13 @@ interface Asked {
 
 const CONFIRMED = { state: "confirmed", by: "acknowledgement", ms: 9, reason: null };
 
-let timers: HandTimers;
+let timers: ManualTimers;
 let asked: Asked[];
 let told: Message[];
-let ends: ServoDeskEnds;
+let ends: ServoSlidersEnds;
 
 beforeEach(() => {
-  timers = new HandTimers();
+  timers = new ManualTimers();
   asked = [];
   told = [];
   const rest = new Rest({
@@ -37,12 +37,12 @@ beforeEach(() => {
         });
       }),
   });
-  ends = createServoDesk({ rest, timers, client: () => "c1", tell: (message) => told.push(message) });
+  ends = createServoSliders({ rest, timers, client: () => "c1", tell: (message) => told.push(message) });
   ends.takeStatus(aStatus());
 });
 
 function servo(index: number) {
-  return ends.desk.store.getState().servos[index];
+  return ends.sliders.store.getState().servos[index];
 }
 
 function sent(): Array<readonly [number, number]> {
@@ -57,7 +57,7 @@ function command(name: string, parts: object): void {
 describe("moves that come faster than they go out", () => {
   test("give way to the newest, with one of a servo under way at a time", async () => {
     for (const position of [0.1, 0.2, 0.3]) {
-      ends.desk.move(4, position);
+      ends.sliders.move(4, position);
       timers.pass(60);
     }
     expect(sent()).toEqual([[4, 0.1]]);
@@ -75,7 +75,7 @@ describe("moves that come faster than they go out", () => {
 
   test("of all servos together are twenty a second, each in its turn", () => {
     for (let index = 0; index < 20; index += 1) {
-      ends.desk.move(index, 0.5);
+      ends.sliders.move(index, 0.5);
     }
     expect(asked).toHaveLength(1);
     timers.pass(499);
@@ -91,7 +91,7 @@ test("nobody knows where a servo is before it was moved", () => {
 
 describe("a move that failed", () => {
   test("says why, and no longer tells a position", async () => {
-    ends.desk.move(1, 0.4);
+    ends.sliders.move(1, 0.4);
     await asked[0]?.answer({ code: "board_not_open", detail: "No board.", params: {} }, 409);
     expect(servo(1)).toMatchObject({
       position: null,
@@ -102,7 +102,7 @@ describe("a move that failed", () => {
   });
 
   test("without an answer of the board says so", async () => {
-    ends.desk.move(1, 0.4);
+    ends.sliders.move(1, 0.4);
     await asked[0]?.answer({ state: "timed_out", by: "acknowledgement", ms: 1200, reason: null });
     expect(servo(1)).toMatchObject({
       position: null,
@@ -112,8 +112,8 @@ describe("a move that failed", () => {
   });
 
   test("and was followed by another is forgotten for that", async () => {
-    ends.desk.move(1, 0.4);
-    ends.desk.move(1, 0.5);
+    ends.sliders.move(1, 0.4);
+    ends.sliders.move(1, 0.5);
     await asked[0]?.answer({ state: "timed_out", by: "acknowledgement", ms: 1200, reason: null });
     expect(servo(1)).toMatchObject({ position: 0.5, state: "pending" });
     expect(told).toEqual([]);
@@ -121,7 +121,7 @@ describe("a move that failed", () => {
 });
 
 test("a move that this board cannot prove is sent, and not confirmed", async () => {
-  ends.desk.move(1, 0.4);
+  ends.sliders.move(1, 0.4);
   await asked[0]?.answer({ state: "sent", by: "none", ms: 0, reason: null });
   expect(servo(1)).toMatchObject({ position: 0.4, state: "sent" });
 });
@@ -157,8 +157,8 @@ describe("the positions are forgotten", () => {
   });
 
   test("when the line to the board breaks, with what was still to go out", () => {
-    ends.desk.move(8, 0.1);
-    ends.desk.move(9, 0.1);
+    ends.sliders.move(8, 0.1);
+    ends.sliders.move(9, 0.1);
     ends.takeStatus(aStatus({ board: { ...aStatus().board, state: "lost" } }));
     timers.pass(1000);
     expect(sent()).toEqual([[8, 0.1]]);

@@ -1,18 +1,18 @@
 import { isNumber, isText, list, nullable, oneOf, shape } from "../../lib/check";
+import type { Timers } from "../../lib/timers";
 import { isCommandResult } from "../../protocol/answers";
 import type { StreamEvent } from "../../protocol/envelope";
 import type { Status } from "../../protocol/status";
 import { resultMessage } from "../../requests/actions";
+import type { Gateway } from "../../requests/asking";
 import type { Outcome } from "../../store/commands";
 import { failureMessage, type Message } from "../../store/messages";
-import type { Rest } from "../../transport/rest";
-import type { Timers } from "../../transport/socket";
 import {
   createServos,
   DRIVEN_SERVOS,
   forgetServos,
   SERVO_COUNT,
-  type ServoDesk,
+  type ServoSliders,
   setServo,
 } from "./servoPositions";
 
@@ -20,14 +20,14 @@ import {
 const PERIOD_MS = 50;
 
 interface Parts {
-  readonly rest: Rest;
+  readonly rest: Gateway;
   readonly timers: Timers;
   readonly client: () => string | null;
   readonly tell: (message: Message) => void;
 }
 
-export interface ServoDeskEnds {
-  readonly desk: ServoDesk;
+export interface ServoSlidersEnds {
+  readonly sliders: ServoSliders;
   /** Another browser's moves, and commands after which nobody knows where the servos are. */
   readonly takeEvent: (event: StreamEvent) => void;
   readonly takeStatus: (status: Status) => void;
@@ -47,7 +47,7 @@ const isModeEvent = shape({
 const isResetEvent = shape({ name: oneOf("reset"), state: isDone });
 
 /** Sends what the sliders ask for: one move of a servo under way at a time, its newest position next. */
-export function createServoDesk({ rest, timers, client, tell }: Parts): ServoDeskEnds {
+export function createServoSliders({ rest, timers, client, tell }: Parts): ServoSlidersEnds {
   const store = createServos();
   const wanted = new Map<number, number>();
   const underWay = new Set<number>();
@@ -95,7 +95,7 @@ export function createServoDesk({ rest, timers, client, tell }: Parts): ServoDes
   }
 
   return {
-    desk: {
+    sliders: {
       store,
       move: (servo, position) => {
         if (servo < 0 || servo >= SERVO_COUNT) {

@@ -2,10 +2,11 @@ import { Plug, RefreshCw, Unplug } from "lucide-react";
 import { useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useSentence } from "../../i18n/useSentence";
+import type { Port } from "../../requests/actions";
+import { ACTIONS } from "../../requests/actions";
 import { useAsked } from "../../requests/useAsked";
 import { useGatewayBlocked } from "../../requests/useBlocked";
-import type { Port } from "../../store/actions";
-import { useCommandEntry, useConnection, usePage, useSettings } from "../../store/hooks";
+import { useCommandEntry, useConnection, usePage, usePart, useSettings } from "../../store/hooks";
 import { failureMessage } from "../../store/messages";
 import { choose } from "../../store/settings";
 import { Button } from "../../ui/Button";
@@ -109,7 +110,7 @@ function useBoardChoice(ports: readonly Port[]): Choice {
 
 function BoardButtons({ url }: { url: string | null }) {
   const { t } = useTranslation();
-  const { actions } = usePage();
+  const actions = usePart(ACTIONS);
   const sentence = useSentence();
   const isClosed = useConnection(({ status }) => (status?.board.state ?? "closed") === "closed");
   const { state, wanted } = useAsked("board");

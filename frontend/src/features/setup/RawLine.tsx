@@ -4,7 +4,7 @@ import { useTranslation } from "react-i18next";
 import { useSentence } from "../../i18n/useSentence";
 import { formatClock } from "../../lib/moment";
 import { useGatewayBlocked } from "../../requests/useBlocked";
-import { useConnection, useConsole, usePage } from "../../store/hooks";
+import { useConnection, usePart } from "../../store/hooks";
 import type { Message } from "../../store/messages";
 import { Button } from "../../ui/Button";
 import { copyText } from "../../ui/copyText";
@@ -12,6 +12,8 @@ import { Notice } from "../../ui/Notice";
 import { Panel } from "../../ui/Panel";
 import { TextField } from "../../ui/TextField";
 import type { ConsoleEntry } from "./consoleLog";
+import { BOARD_CONSOLE } from "./consoleLog";
+import { useConsole } from "./useConsole";
 
 /** What the gateway sends to a board's shell: one line of printable ASCII. */
 const LINE = /^[\x20-\x7e]{1,200}$/;
@@ -39,7 +41,7 @@ function useLineBlocked(): string | undefined {
 
 function Sending() {
   const { t } = useTranslation();
-  const { boardConsole } = usePage();
+  const boardConsole = usePart(BOARD_CONSOLE);
   const sentence = useSentence();
   const blocked = useLineBlocked();
   const [text, setText] = useState("");
@@ -88,7 +90,7 @@ function Sending() {
 
 function LogButtons() {
   const { t } = useTranslation();
-  const { boardConsole } = usePage();
+  const boardConsole = usePart(BOARD_CONSOLE);
   const isEmpty = useConsole().entries.length === 0;
   const [copied, setCopied] = useState<"idle" | "confirmed" | "rejected">("idle");
   const nothing = isEmpty ? t("rawLine.nothing") : undefined;

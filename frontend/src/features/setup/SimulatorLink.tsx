@@ -3,10 +3,11 @@ import { useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useSentence } from "../../i18n/useSentence";
 import { formatFixed } from "../../lib/format";
+import type { SimulatorLink as Link } from "../../requests/actions";
+import { ACTIONS } from "../../requests/actions";
 import { useAsked } from "../../requests/useAsked";
 import { useGatewayBlocked } from "../../requests/useBlocked";
-import type { SimulatorLink as Link } from "../../store/actions";
-import { useCommandEntry, useConnection, usePage, useSettings } from "../../store/hooks";
+import { useCommandEntry, useConnection, usePage, usePart, useSettings } from "../../store/hooks";
 import { failureMessage } from "../../store/messages";
 import { choose } from "../../store/settings";
 import { Button } from "../../ui/Button";
@@ -52,7 +53,8 @@ function useLink(): Link {
 
 function SimulatorForm() {
   const { t } = useTranslation();
-  const { actions, settings } = usePage();
+  const { settings } = usePage();
+  const actions = usePart(ACTIONS);
   const sentence = useSentence();
   const link = useLink();
   const [draft, setDraft] = useState<string | null>(null);

@@ -1,5 +1,6 @@
 import { createStore, type StoreApi } from "zustand/vanilla";
 import type { Message } from "../../store/messages";
+import { partName } from "../../store/parts";
 
 export interface ConsoleEntry {
   readonly number: number;
@@ -25,6 +26,8 @@ export interface BoardConsole {
   readonly send: (text: string) => Promise<Message | null>;
   readonly clear: () => void;
 }
+
+export const BOARD_CONSOLE = partName<BoardConsole>("board console");
 
 /** A board that talks without end must not fill the page. */
 export const CONSOLE_LINES = 200;

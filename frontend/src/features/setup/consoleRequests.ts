@@ -1,12 +1,12 @@
 import { isText, oneOf, shape } from "../../lib/check";
 import { isDone } from "../../protocol/answers";
 import type { StreamEvent } from "../../protocol/envelope";
+import type { Gateway } from "../../requests/asking";
 import { failureMessage } from "../../store/messages";
-import type { Rest } from "../../transport/rest";
 import { type BoardConsole, clearConsole, createConsole, note } from "./consoleLog";
 
 interface Parts {
-  readonly rest: Rest;
+  readonly rest: Gateway;
   readonly wall_ms: () => number;
 }
 

@@ -1,6 +1,7 @@
 import { useCallback, useEffect, useRef, useState } from "react";
-import type { Port } from "../../store/actions";
-import { usePage } from "../../store/hooks";
+import type { Port } from "../../requests/actions";
+import { ACTIONS } from "../../requests/actions";
+import { usePart } from "../../store/hooks";
 import type { Message } from "../../store/messages";
 
 interface Ports {
@@ -12,7 +13,7 @@ interface Ports {
 
 /** The serial ports of the gateway's machine: read when the tab opens and when asked for. */
 export function usePorts(): Ports {
-  const { actions } = usePage();
+  const actions = usePart(ACTIONS);
   const [ports, setPorts] = useState<readonly Port[]>([]);
   const [problem, setProblem] = useState<Message | null>(null);
   const [isLoading, setLoading] = useState(false);

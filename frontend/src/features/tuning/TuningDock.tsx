@@ -1,6 +1,7 @@
 import { Maximize2, Minimize2, X } from "lucide-react";
-import { useMemo } from "react";
+import { Fragment, type ReactNode, useMemo } from "react";
 import { useTranslation } from "react-i18next";
+import type { ParameterName } from "../../protocol/messages.gen";
 import {
   AIRCRAFT,
   type Aircraft,
@@ -16,9 +17,7 @@ import { choose } from "../../store/settings";
 import { Button } from "../../ui/Button";
 import { SegmentedSwitch } from "../../ui/SegmentedSwitch";
 import { Select } from "../../ui/Select";
-import { ParameterField } from "../parameters/ParameterField";
 import "./tuning.css";
-import { useBook } from "../parameters/useFreshParameters";
 
 /** The loop whose tuning view is open, or null. */
 export function useTuningLoop(): LoopName | null {
@@ -29,7 +28,7 @@ export function useTuningLoop(): LoopName | null {
  * The gains of one control loop beside a live plot of what they move. It stands under whichever tab is open, so that
  * one sees the aircraft answer while one changes a gain, and its plot keeps its past from tab to tab.
  */
-export function TuningDock() {
+export function TuningDock({ field }: { field: (name: ParameterName) => ReactNode }) {
   const { t } = useTranslation();
   const { settings } = usePage();
   const loop = useTuningLoop();
@@ -37,7 +36,6 @@ export function TuningDock() {
     ({ choices }) => AIRCRAFT.find((one) => one === choices["tuning.aircraft"]) ?? "hil",
   );
   const isLarge = useSettings(({ choices }) => choices["tuning.size"] === "large");
-  useBook();
   const signals = useSignals(loop, aircraft);
   if (loop === null) {
     return null;
@@ -85,7 +83,7 @@ export function TuningDock() {
       <div className="tuning-body">
         <div className="tuning-fields">
           {loopParameters(loop).map((name) => (
-            <ParameterField key={name} name={name} />
+            <Fragment key={name}>{field(name)}</Fragment>
           ))}
         </div>
         <LivePlot signals={signals} label={t("tuning.plot", { loop: t(`tuningLoop.${loop}`) })} />

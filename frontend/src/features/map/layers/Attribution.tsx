@@ -1,6 +1,7 @@
-import { useMapLayers, useSettings } from "../../../store/hooks";
+import { useSettings } from "../../../store/hooks";
 import { useFlat } from "../flat/useFlat";
 import { stackOfLayers } from "./useGround";
+import { useMapLayers } from "./useMapLayers";
 
 /** Whose work the visible layers are. */
 export function Attribution() {

@@ -5,10 +5,12 @@ import { formatBytes } from "../../../lib/format";
 import type { MapImport } from "../../../protocol/mapLayers";
 import { useAsked } from "../../../requests/useAsked";
 import { useGatewayBlocked } from "../../../requests/useBlocked";
-import { useMapLayers, usePage } from "../../../store/hooks";
+import { usePart } from "../../../store/hooks";
 import { failureMessage } from "../../../store/messages";
 import { Button } from "../../../ui/Button";
 import { Notice } from "../../../ui/Notice";
+import { MAP_LAYERS } from "./layerList";
+import { useMapLayers } from "./useMapLayers";
 
 /** Files on their way into the station, and those that did not arrive. */
 export function ImportList() {
@@ -33,7 +35,7 @@ export function ImportList() {
 
 function Underway({ entry }: { entry: MapImport }) {
   const { t } = useTranslation();
-  const { mapLayers } = usePage();
+  const mapLayers = usePart(MAP_LAYERS);
   const control = `map.cancel.${entry.id}`;
   const { state, stateText } = useAsked(control);
   const text = useProgressText(entry);
@@ -73,7 +75,7 @@ function useProgressText({ name, state, percent, bytes }: MapImport): string {
 function Failed({ entry }: { entry: MapImport }) {
   const { t } = useTranslation();
   const sentence = useSentence();
-  const { mapLayers } = usePage();
+  const mapLayers = usePart(MAP_LAYERS);
   const { id, name, problem, problem_code, problem_params } = entry;
   return (
     <Notice level="error" onDismiss={() => mapLayers.forgetImport(id)}>

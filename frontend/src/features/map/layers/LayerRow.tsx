@@ -5,12 +5,13 @@ import { formatBytes } from "../../../lib/format";
 import type { MapLayer } from "../../../protocol/mapLayers";
 import { useAsked } from "../../../requests/useAsked";
 import { useGatewayBlocked } from "../../../requests/useBlocked";
-import { usePage } from "../../../store/hooks";
+import { usePart } from "../../../store/hooks";
 import { failureMessage } from "../../../store/messages";
 import { Button } from "../../../ui/Button";
 import { Checkbox } from "../../../ui/Checkbox";
 import { Notice } from "../../../ui/Notice";
 import { RangeField } from "../../../ui/RangeField";
+import { MAP_LAYERS } from "./layerList";
 import type { Stacked } from "./mapStack";
 
 interface Props {
@@ -84,7 +85,7 @@ export function LayerRow({ stacked, layer, isTop, isBottom, onChange, onMove }: 
 /** Takes a file out of the list. It is not asked about: it can be brought back. */
 export function RemoveLayer({ layer, reason }: { layer: MapLayer; reason: string | undefined }) {
   const { t } = useTranslation();
-  const { mapLayers } = usePage();
+  const mapLayers = usePart(MAP_LAYERS);
   const blocked = useGatewayBlocked();
   const control = `map.remove.${layer.id}`;
   const { state, stateText } = useAsked(control);

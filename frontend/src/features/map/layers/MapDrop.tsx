@@ -1,13 +1,14 @@
 import { useEffect, useRef, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useGatewayBlocked } from "../../../requests/useBlocked";
-import { usePage } from "../../../store/hooks";
+import { usePart } from "../../../store/hooks";
+import { MAP_LAYERS } from "./layerList";
 import "./layers.css";
 
 /** Takes the files that are dropped onto the map, and says so while they are held over it. */
 export function MapDrop() {
   const { t } = useTranslation();
-  const { mapLayers } = usePage();
+  const mapLayers = usePart(MAP_LAYERS);
   const blocked = useGatewayBlocked();
   const mark = useRef<HTMLParagraphElement>(null);
   const [isOver, setOver] = useState(false);

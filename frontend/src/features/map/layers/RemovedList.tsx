@@ -2,8 +2,10 @@ import { Undo2 } from "lucide-react";
 import { useTranslation } from "react-i18next";
 import { useAsked } from "../../../requests/useAsked";
 import { useGatewayBlocked } from "../../../requests/useBlocked";
-import { useMapLayers, usePage } from "../../../store/hooks";
+import { usePart } from "../../../store/hooks";
 import { Button } from "../../../ui/Button";
+import { MAP_LAYERS } from "./layerList";
+import { useMapLayers } from "./useMapLayers";
 
 /** What was taken out here, with the way back. */
 export function RemovedList() {
@@ -13,7 +15,7 @@ export function RemovedList() {
 
 function Removed({ layer }: { layer: { readonly id: string; readonly name: string } }) {
   const { t } = useTranslation();
-  const { mapLayers } = usePage();
+  const mapLayers = usePart(MAP_LAYERS);
   const control = `map.restore.${layer.id}`;
   const { state, stateText } = useAsked(control);
   return (

@@ -1,7 +1,8 @@
 import { createStore, type StoreApi } from "zustand/vanilla";
 import type { MapImport, MapLayer, MapOnline, OnlineChoice } from "../../../protocol/mapLayers";
-import type { Asker } from "../../../store/actions";
+import type { Asker } from "../../../requests/asking";
 import type { Message } from "../../../store/messages";
+import { partName } from "../../../store/parts";
 
 /** The map layers as the gateway has them. */
 export interface MapLayers {
@@ -33,6 +34,8 @@ export interface MapLayerActions {
   readonly clearOnline: (asker: Asker) => Promise<void>;
   readonly restore: (layer: Pick<MapLayer, "id" | "name">, asker: Asker) => Promise<void>;
 }
+
+export const MAP_LAYERS = partName<MapLayerActions>("map layers");
 
 export function createMapLayers(): MapLayerStore {
   return createStore<MapLayers>(() => ({

@@ -1,3 +1,4 @@
+import type { Timers } from "../../../lib/timers";
 import type { StreamEvent } from "../../../protocol/envelope";
 import {
   isConverting,
@@ -8,7 +9,6 @@ import {
 } from "../../../protocol/mapLayers";
 import { type AskingParts, createAsking, info } from "../../../requests/asking";
 import { failureMessage } from "../../../store/messages";
-import type { Timers } from "../../../transport/socket";
 import {
   createMapLayers,
   forgetImport,

@@ -1,10 +1,11 @@
 import { useEffect, useMemo, useState } from "react";
 import type { MapLayer } from "../../../protocol/mapLayers";
 import type { ShownLayer } from "../../../scene/tools/LayerStack";
-import { useMapLayers, usePage, useSettings } from "../../../store/hooks";
+import { usePage, useSettings } from "../../../store/hooks";
 import { choose } from "../../../store/settings";
 import { useGlobeLayer } from "../useGlobe";
 import { movedLayer, rememberedStack, type Stacked, stackOf, withLayer } from "./mapStack";
+import { useMapLayers } from "./useMapLayers";
 
 const STACK = "map.layers.stack";
 const TERRAIN = "map.layers.terrain";

@@ -3,15 +3,16 @@ import { useState } from "react";
 import { useTranslation } from "react-i18next";
 import type { Whose } from "../../../lib/mapThing";
 import { inserted, removed } from "../../../lib/plan";
-import { editPlan, redoPlan, undoPlan } from "../../../missions/planDrafts";
+import { editPlan, MISSIONS, redoPlan, undoPlan } from "../../../missions/planDrafts";
+import { usePlans } from "../../../missions/usePlans";
 import { PLAN_LIMITS } from "../../../protocol/missions";
 import { useAsked } from "../../../requests/useAsked";
 import { useBoardBlocked } from "../../../requests/useBlocked";
-import { usePage, usePlans } from "../../../store/hooks";
+import { usePart } from "../../../store/hooks";
 import { Button } from "../../../ui/Button";
 import { ConfirmDialog } from "../../../ui/ConfirmDialog";
 import { Notice } from "../../../ui/Notice";
-import { selectThing } from "../mapSelection";
+import { MAP_SELECTION, selectThing } from "../mapSelection";
 import type { MapPlan } from "./useMapPlan";
 
 interface Props {
@@ -33,7 +34,7 @@ export function PlanTransfer({ whose, plan, row }: Props) {
 
 function Transfer({ whose, plan }: Omit<Props, "row">) {
   const { t } = useTranslation();
-  const { missions } = usePage();
+  const missions = usePart(MISSIONS);
   const download = useAsked(`plan.download.${whose}`);
   const upload = useAsked(`plan.upload.${whose}`);
   const isDraft = usePlans((plans) => plans[whose].draft.present.length > 0);
@@ -97,7 +98,8 @@ function Transfer({ whose, plan }: Omit<Props, "row">) {
 
 function Rows({ whose, plan, row }: Props) {
   const { t } = useTranslation();
-  const { missions, mapSelection } = usePage();
+  const missions = usePart(MISSIONS);
+  const mapSelection = usePart(MAP_SELECTION);
   const canUndo = usePlans((plans) => plans[whose].draft.past.length > 0);
   const canRedo = usePlans((plans) => plans[whose].draft.future.length > 0);
   const { waypoints } = plan;

@@ -3,11 +3,11 @@ import { type KeyboardEvent, type ReactNode, useId } from "react";
 import { useTranslation } from "react-i18next";
 import type { Whose } from "../../../lib/mapThing";
 import { changed, type Push, pushed, type Waypoint, type WaypointField } from "../../../lib/plan";
-import { amendPlan, editPlan, redoPlan, undoPlan } from "../../../missions/planDrafts";
+import { amendPlan, editPlan, MISSIONS, redoPlan, undoPlan } from "../../../missions/planDrafts";
 import { COLUMN } from "../../../missions/planFacts";
 import { PLAN_LIMITS } from "../../../protocol/missions";
 import { type Unit, useUnit } from "../../../readouts/useUnit";
-import { usePage, useSettings } from "../../../store/hooks";
+import { usePage, usePart, useSettings } from "../../../store/hooks";
 import { choose } from "../../../store/settings";
 import { NumberField } from "../../../ui/NumberField";
 import { SegmentedSwitch } from "../../../ui/SegmentedSwitch";
@@ -50,7 +50,7 @@ export function WaypointEditor({ whose, waypoints, row, held }: Props) {
 
 function Fields({ whose, waypoints, row, waypoint }: Omit<Props, "held"> & { waypoint: Waypoint }) {
   const { t } = useTranslation();
-  const { missions } = usePage();
+  const missions = usePart(MISSIONS);
   const altitude = useUnit("altitude");
   const speed = useUnit("speed");
 
@@ -91,7 +91,8 @@ function Fields({ whose, waypoints, row, waypoint }: Omit<Props, "held"> & { way
 function Pusher({ whose, waypoints, row }: Omit<Props, "held">) {
   const { t } = useTranslation();
   const flat = useFlat();
-  const { missions, settings } = usePage();
+  const { settings } = usePage();
+  const missions = usePart(MISSIONS);
   const hint = useId();
   const step = useSettings(
     ({ choices }) =>

@@ -1,7 +1,9 @@
 import { useMemo } from "react";
 import type { Position } from "../../../lib/geodesy";
 import { DEGREES_PER_UNIT } from "../../../lib/track/block";
-import { usePage, useTracks } from "../../../store/hooks";
+import { usePart } from "../../../store/hooks";
+import { TRACK_LOG, type TrackLog } from "../trackLog";
+import { useTracks } from "../useTracks";
 
 export interface Home extends Position {
   /** The first position of the flight that was heard, real or simulated; or the runway, until there is one. */
@@ -13,7 +15,7 @@ const RUNWAY: Home = { latitude_deg: 27.9319, longitude_deg: -15.3866, source: "
 
 /** Where the flight set out from, as far as is known. */
 export function useHome(): Home {
-  const { points } = usePage().trackBook;
+  const { points } = usePart(TRACK_LOG);
   const real_s = useTracks(({ summary }) => summary.real.first_s);
   const hil_s = useTracks(({ summary }) => summary.hil.first_s);
   // biome-ignore lint/correctness/useExhaustiveDependencies: the first points change with their times
@@ -23,7 +25,7 @@ export function useHome(): Home {
   );
 }
 
-type Points = ReturnType<typeof usePage>["trackBook"]["points"]["real"];
+type Points = TrackLog["points"]["real"];
 
 function firstOf({ blocks }: Points, source: Home["source"]): Home | null {
   const latitude = blocks[0]?.latitude_e7[0];

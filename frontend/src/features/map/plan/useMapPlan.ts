@@ -4,9 +4,10 @@ import { samePlan, type Waypoint } from "../../../lib/plan";
 import { checkPlan, type PlanIssue } from "../../../lib/planCheck";
 import type { PlanState } from "../../../missions/planDrafts";
 import { PLAN } from "../../../missions/planFacts";
+import { usePlans } from "../../../missions/usePlans";
 import { ROUTES } from "../../../protocol/messages.gen";
 import { PLAN_LIMITS } from "../../../protocol/missions";
-import { useConnection, usePlans, useTelemetry } from "../../../store/hooks";
+import { useConnection, useTelemetry } from "../../../store/hooks";
 
 export interface MapPlan {
   /** What is shown and edited: the draft, or while there is none, what the board has. */

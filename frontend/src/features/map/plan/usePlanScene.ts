@@ -2,14 +2,15 @@ import { useEffect, useMemo } from "react";
 import { useTranslation } from "react-i18next";
 import type { Whose } from "../../../lib/mapThing";
 import { placed, unsentOf, type Waypoint } from "../../../lib/plan";
-import { editPlan } from "../../../missions/planDrafts";
+import { editPlan, MISSIONS } from "../../../missions/planDrafts";
 import { useUnit } from "../../../readouts/useUnit";
 import type { PlanScene } from "../../../scene/plan/PlanScene";
 import type { DrawnPlan } from "../../../scene/plan/shape";
-import { useMapThing, usePage } from "../../../store/hooks";
+import { usePage } from "../../../store/hooks";
 import { useFlat } from "../flat/useFlat";
-import { selectThing } from "../mapSelection";
+import { MAP_SELECTION, selectThing } from "../mapSelection";
 import { useGlobeLayer } from "../useGlobe";
+import { useMapThing } from "../useMapThing";
 import { aircraftPlace } from "./aircraftPlace";
 import { useHome } from "./useHome";
 import type { MapPlan } from "./useMapPlan";
@@ -57,11 +58,11 @@ export function usePlanScene(
   useEffect(() => {
     scene?.listen(
       {
-        pick: (thing) => selectThing(page.mapSelection, thing),
+        pick: (thing) => selectThing(page.parts.get(MAP_SELECTION), thing),
         drag: onHold,
         drop: (plan, row, to) => {
           const { waypoints } = plan === "flight" ? flight : hil;
-          editPlan(page.missions.plans, plan, placed(waypoints, row, to));
+          editPlan(page.parts.get(MISSIONS).plans, plan, placed(waypoints, row, to));
         },
       },
       (plan) => aircraftPlace(page.telemetry, plan),
