@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
+import { gatewayOf } from "../../test/gateway";
 import { packedFlight, trackBytes } from "../../test/track";
 import { ManualTimers } from "../../test/wire";
-import { Rest } from "../../transport/rest";
 import { createTrackLog } from "./trackRequests";
 
 /** A gateway with a growing track, at the test's command. */
@@ -15,7 +15,7 @@ class Gateway {
   readonly takeTrackEvent;
 
   constructor() {
-    const rest = new Rest({ client: () => "c1", fetch: async (path) => this.#reply(path) });
+    const rest = gatewayOf(async (path) => this.#reply(path));
     const { trackLog, takeTrackEvent } = createTrackLog({ rest, timers: this.timers });
     this.log = trackLog;
     this.takeTrackEvent = takeTrackEvent;

@@ -1,8 +1,8 @@
 import { beforeEach, describe, expect, test } from "vitest";
 import type { Message } from "../../store/messages";
+import { gatewayOf } from "../../test/gateway";
 import { aStatus } from "../../test/status";
 import { ManualTimers } from "../../test/wire";
-import { Rest } from "../../transport/rest";
 import { createServoSliders, type ServoSlidersEnds } from "./servoSliders";
 
 interface Asked {
@@ -22,9 +22,8 @@ beforeEach(() => {
   timers = new ManualTimers();
   asked = [];
   told = [];
-  const rest = new Rest({
-    client: () => "c1",
-    fetch: (path, init) =>
+  const rest = gatewayOf(
+    (path, init) =>
       new Promise((resolve) => {
         expect(path).toBe("/api/v1/commands/servo_out");
         const { value } = JSON.parse(String(init.body));
@@ -36,7 +35,7 @@ beforeEach(() => {
           },
         });
       }),
-  });
+  );
   ends = createServoSliders({ rest, timers, client: () => "c1", tell: (message) => told.push(message) });
   ends.takeStatus(aStatus());
 });
