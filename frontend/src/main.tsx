@@ -34,7 +34,7 @@ setTimeout(() => {
     const { choices } = page.settings.getState();
     if (choices["map.opened"] === "yes" && choices["map.kind"] !== "2d") {
       (window.requestIdleCallback ?? setTimeout)(
-        () => void import("./scene/globe/kept").catch(() => undefined),
+        () => void import("./scene/globe/keptGlobe").catch(() => undefined),
       );
     }
   });

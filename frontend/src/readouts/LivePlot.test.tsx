@@ -3,7 +3,7 @@ import userEvent from "@testing-library/user-event";
 import { useState } from "react";
 import { beforeEach, expect, test } from "vitest";
 import { Station } from "../test/station";
-import { WORDS } from "../ui/test/words";
+import { WORDS } from "../ui/test/testWords";
 import { WordsProvider } from "../ui/words";
 import { LivePlot } from "./LivePlot";
 import type { Signal } from "./signals";

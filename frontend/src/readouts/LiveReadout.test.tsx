@@ -1,6 +1,6 @@
 import { act, screen, within } from "@testing-library/react";
 import { expect, test } from "vitest";
-import { chooseUnit } from "../store/units";
+import { chooseUnit } from "../store/chosenUnits";
 import { Station } from "../test/station";
 
 function reading(panel: string, name: string): string {

@@ -1,7 +1,7 @@
 import { useCallback, useRef } from "react";
 import type { NumberField, TopicName } from "../protocol/topics";
+import { type Quantity, unitOfField } from "../store/chosenUnits";
 import type { TelemetryStore } from "../store/telemetry";
-import { type Quantity, unitOfField } from "../store/units";
 import { usePaint } from "../store/usePaint";
 import { Readout, type ReadoutHandle } from "../ui/Readout";
 import type { Format } from "./formats";

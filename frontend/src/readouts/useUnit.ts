@@ -2,8 +2,8 @@ import { useMemo } from "react";
 import { useTranslation } from "react-i18next";
 import { formatFixed } from "../lib/format";
 import { convertUnit, type UnitName } from "../lib/units";
+import { AS_SENT, type Quantity, unitChoice, unitDigits, usualUnit } from "../store/chosenUnits";
 import { useSettings } from "../store/hooks";
-import { AS_SENT, type Quantity, unitChoice, unitDigits, usualUnit } from "../store/units";
 import type { Format } from "./formats";
 
 /** How one number of a quantity is shown: stable until another unit or language is chosen. */

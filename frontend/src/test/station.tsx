@@ -11,11 +11,11 @@ import type { Status } from "../protocol/status";
 import { FIELD_KINDS } from "../protocol/topics";
 import { type Page, PageContext } from "../store/hooks";
 import type { BrowserStorage } from "../store/settings";
+import { aStatus } from "./aStatus";
 import { installCanvas } from "./canvas";
 import { ManualFrames } from "./frames";
 import { ManualGamepads } from "./gamepads";
 import { ManualSounder, ManualSpeaker } from "./sound";
-import { aStatus } from "./status";
 import { ManualTimers, ManualWire } from "./wire";
 
 /** What the page asked over REST, and what it is told. */

@@ -1,6 +1,6 @@
 import { beforeEach, describe, expect, test } from "vitest";
 import type { StreamMessage } from "../protocol/envelope";
-import { aStatus } from "../test/status";
+import { aStatus } from "../test/aStatus";
 import { ManualTimers, ManualWire } from "../test/wire";
 import { type SocketState, StreamSocket } from "./socket";
 

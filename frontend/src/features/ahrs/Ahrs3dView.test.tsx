@@ -2,14 +2,14 @@ import { screen, within } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { beforeEach, describe, expect, test } from "vitest";
 import { DIRECTIONS } from "../../lib/sphereCover";
+import { aStatus } from "../../test/aStatus";
 import { Station } from "../../test/station";
-import { aStatus } from "../../test/status";
-import { WORDS } from "../../ui/test/words";
+import { WORDS } from "../../ui/test/testWords";
 import { WordsProvider } from "../../ui/words";
 import { Ahrs3dView } from "./Ahrs3dView";
 
 // The view asks for it when it opens; here it shall be there at once.
-await import("../../scene/attitude/kept");
+await import("../../scene/attitude/keptStage");
 
 let station: Station;
 const user = userEvent.setup();

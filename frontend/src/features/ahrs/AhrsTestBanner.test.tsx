@@ -1,9 +1,9 @@
 import { screen } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { expect, test } from "vitest";
+import { aStatus } from "../../test/aStatus";
 import { Station } from "../../test/station";
-import { aStatus } from "../../test/status";
-import { WORDS } from "../../ui/test/words";
+import { WORDS } from "../../ui/test/testWords";
 import { WordsProvider } from "../../ui/words";
 import { AhrsTestBanner } from "./AhrsTestBanner";
 

@@ -35,7 +35,7 @@ interface Props {
 }
 
 type Picture = Shown<AttitudeScene>["picture"];
-type Kept = typeof import("../../scene/attitude/kept");
+type Kept = typeof import("../../scene/attitude/keptStage");
 const choose = (kept: Kept): AttitudeScene => kept.keptAttitude();
 
 /** The aircraft in 3D, painted without a render; without WebGL the instruments stand in its place. */

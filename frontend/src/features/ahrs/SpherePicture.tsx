@@ -15,7 +15,7 @@ interface Props {
   onReading: (listener: ((reading: Vector | null) => void) | null) => void;
 }
 
-type Kept = typeof import("../../scene/attitude/kept");
+type Kept = typeof import("../../scene/attitude/keptStage");
 const choose = (kept: Kept): SphereScene => kept.keptSphere();
 
 /** The readings in 3D. Without WebGL they are collected and fitted all the same. */

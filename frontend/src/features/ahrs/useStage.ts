@@ -2,14 +2,14 @@ import { type RefObject, useCallback, useEffect, useState } from "react";
 import type { OrbitRig } from "../../scene/attitude/OrbitRig";
 import type { Palette } from "../../scene/attitude/palette";
 import type { Act, Stage } from "../../scene/attitude/Stage";
-import { paletteOf } from "./palette";
+import { paletteOf } from "./themePalette";
 
 /** Something to show, with a camera that a person turns. */
 export interface TurnedAct extends Act {
   readonly rig: OrbitRig;
 }
 
-type Kept = typeof import("../../scene/attitude/kept");
+type Kept = typeof import("../../scene/attitude/keptStage");
 
 /** Why there is no picture: the browser has no WebGL, took it away, or the code of it did not come. */
 export type PictureProblem = "noWebgl" | "lost" | "notLoaded";
@@ -64,7 +64,7 @@ export function useStage<A extends TurnedAct>(
       };
     }
 
-    import("../../scene/attitude/kept").then(enter, () => isWanted && setProblem("notLoaded"));
+    import("../../scene/attitude/keptStage").then(enter, () => isWanted && setProblem("notLoaded"));
     return () => {
       isWanted = false;
       leave();

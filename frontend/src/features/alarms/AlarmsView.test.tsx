@@ -2,8 +2,8 @@ import { act, screen, within } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { beforeEach, describe, expect, test } from "vitest";
 import type { Status } from "../../protocol/status";
+import { aStatus } from "../../test/aStatus";
 import { type Asked, Station } from "../../test/station";
-import { aStatus } from "../../test/status";
 
 const user = userEvent.setup();
 const LOST = {

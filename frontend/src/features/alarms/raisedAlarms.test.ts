@@ -2,7 +2,7 @@ import { beforeEach, describe, expect, test } from "vitest";
 import type { Status } from "../../protocol/status";
 import { type Connection, createConnection } from "../../store/connection";
 import { TelemetryStore } from "../../store/telemetry";
-import { aStatus } from "../../test/status";
+import { aStatus } from "../../test/aStatus";
 import { activeAlarms, isRecovered } from "./raisedAlarms";
 
 type Raised = Status["alarms"][number];

@@ -1,8 +1,8 @@
 import { screen, within } from "@testing-library/react";
 import { expect, test } from "vitest";
+import { aStatus } from "../../test/aStatus";
 import { Station } from "../../test/station";
-import { aStatus } from "../../test/status";
-import { WORDS } from "../../ui/test/words";
+import { WORDS } from "../../ui/test/testWords";
 import { WordsProvider } from "../../ui/words";
 import { ControlsPanel } from "./ControlsPanel";
 import { LiveControlPath } from "./LiveControlPath";

@@ -1,8 +1,8 @@
 import { fireEvent, screen, within } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { beforeEach, describe, expect, test } from "vitest";
+import { aStatus } from "../../test/aStatus";
 import { Station } from "../../test/station";
-import { aStatus } from "../../test/status";
 
 const CONFIRMED = { state: "confirmed", by: "acknowledgement", ms: 9, reason: null };
 const user = userEvent.setup();

@@ -2,10 +2,10 @@ import { act, screen, within } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { beforeEach, describe, expect, test } from "vitest";
 import type { Status } from "../../protocol/status";
+import { aStatus } from "../../test/aStatus";
 import { aPad } from "../../test/gamepads";
 import { Station } from "../../test/station";
-import { aStatus } from "../../test/status";
-import { WORDS } from "../../ui/test/words";
+import { WORDS } from "../../ui/test/testWords";
 import { WordsProvider } from "../../ui/words";
 import { StickPanel } from "./StickPanel";
 

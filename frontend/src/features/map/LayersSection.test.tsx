@@ -1,7 +1,7 @@
 import userEvent from "@testing-library/user-event";
 import { expect, test } from "vitest";
 import { type Asked, Station } from "../../test/station";
-import { WORDS } from "../../ui/test/words";
+import { WORDS } from "../../ui/test/testWords";
 import { WordsProvider } from "../../ui/words";
 import { LayersSection } from "./LayersSection";
 

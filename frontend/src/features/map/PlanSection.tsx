@@ -16,7 +16,7 @@ import { type MapPlan, useMapPlan } from "./plan/useMapPlan";
 import { type HeldWaypoint, usePlanScene } from "./plan/usePlanScene";
 import { WaypointEditor } from "./plan/WaypointEditor";
 import { useMapThing } from "./useMapThing";
-import "./plan/plan.css";
+import "./plan/map-plan.css";
 
 const WHOSE = ["flight", "hil"] as const;
 

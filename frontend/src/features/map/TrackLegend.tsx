@@ -1,6 +1,6 @@
 import { useTranslation } from "react-i18next";
 import { formatFixed } from "../../lib/format";
-import { type Colouring, SCALES } from "../../lib/track/colours";
+import { type Colouring, SCALES } from "../../lib/track/trackColours";
 import type { TrackChoices } from "./useTrackLook";
 
 type Valued = Exclude<Colouring, "none">;

@@ -3,7 +3,7 @@ import { useTranslation } from "react-i18next";
 import { useSentence } from "../../i18n/useSentence";
 import { formatAge } from "../../lib/format";
 import { formatClock } from "../../lib/moment";
-import { COLOURINGS, type Colouring } from "../../lib/track/colours";
+import { COLOURINGS, type Colouring } from "../../lib/track/trackColours";
 import { TRACKS, type TrackName } from "../../protocol/track";
 import { usePage, usePart } from "../../store/hooks";
 import { choose } from "../../store/settings";

@@ -1,5 +1,5 @@
 import { createStore, type StoreApi } from "zustand/vanilla";
-import { TrackPoints } from "../../lib/track/points";
+import { TrackPoints } from "../../lib/track/trackPoints";
 import { TRACKS, type TrackName, type TrackPiece } from "../../protocol/track";
 import type { Message } from "../../store/messages";
 import { partName } from "../../store/parts";

@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import { gatewayOf } from "../../test/gateway";
-import { packedFlight, trackBytes } from "../../test/track";
+import { packedFlight, trackBytes } from "../../test/trackBytes";
 import { ManualTimers } from "../../test/wire";
 import { createTrackLog } from "./trackRequests";
 

@@ -67,7 +67,7 @@ export function useKeptGlobe(host: RefObject<HTMLElement | null>, isWanted: bool
       setProblem(null);
       choose(settings, MAP_OPENED_CHOICE, "yes");
     };
-    import("../../scene/globe/kept").then(
+    import("../../scene/globe/keptGlobe").then(
       (module) => show(module.keptGlobe),
       () => isHere && setProblem("notLoaded"),
     );

@@ -1,5 +1,5 @@
 import { useMemo } from "react";
-import { COLOURINGS, type Colouring, type Range, rangeOf } from "../../lib/track/colours";
+import { COLOURINGS, type Colouring, type Range, rangeOf } from "../../lib/track/trackColours";
 import { TRACKS, type TrackName } from "../../protocol/track";
 import { useUnit } from "../../readouts/useUnit";
 import { usePart, useSettings } from "../../store/hooks";

@@ -1,7 +1,7 @@
 import { screen, within } from "@testing-library/react";
 import { describe, expect, test } from "vitest";
+import { aStatus } from "../../test/aStatus";
 import { field, listed, newest, open, row, station, type, unknown, user, writes } from "../../test/params";
-import { aStatus } from "../../test/status";
 
 describe("the gains as the board has them", () => {
   test("are shown by group, with default, range, step and unit", async () => {

@@ -2,9 +2,9 @@ import { act, screen, within } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { describe, expect, test } from "vitest";
 import type { Waypoint } from "../../lib/plan";
+import { aStatus } from "../../test/aStatus";
 import { type Asked, Station } from "../../test/station";
-import { aStatus } from "../../test/status";
-import { WORDS } from "../../ui/test/words";
+import { WORDS } from "../../ui/test/testWords";
 import { WordsProvider } from "../../ui/words";
 import { PlansView } from "./PlansView";
 

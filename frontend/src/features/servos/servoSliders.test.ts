@@ -1,7 +1,7 @@
 import { beforeEach, describe, expect, test } from "vitest";
 import type { Message } from "../../store/messages";
+import { aStatus } from "../../test/aStatus";
 import { gatewayOf } from "../../test/gateway";
-import { aStatus } from "../../test/status";
 import { ManualTimers } from "../../test/wire";
 import { createServoSliders, type ServoSlidersEnds } from "./servoSliders";
 

@@ -1,8 +1,8 @@
 import { screen, within } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { beforeEach, describe, expect, test, vi } from "vitest";
+import { aStatus } from "../../test/aStatus";
 import { Station } from "../../test/station";
-import { aStatus } from "../../test/status";
 import { CONSOLE_LINES } from "./consoleLog";
 
 let station: Station;

@@ -1,7 +1,7 @@
 import { act, screen } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { beforeEach, describe, expect, test } from "vitest";
-import { chooseUnit } from "../../store/units";
+import { chooseUnit } from "../../store/chosenUnits";
 import { Station } from "../../test/station";
 
 let station: Station;

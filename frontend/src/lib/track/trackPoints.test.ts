@@ -1,6 +1,6 @@
 import { describe, expect, test } from "vitest";
 import { BLOCK_POINTS, DEGREES_PER_UNIT } from "./block";
-import { TrackPoints } from "./points";
+import { TrackPoints } from "./trackPoints";
 
 const METRES_PER_UNIT_NORTH = DEGREES_PER_UNIT * 111_195;
 

@@ -1,5 +1,4 @@
 import { describe, expect, test } from "vitest";
-import { createSettings } from "./settings";
 import {
   AS_SENT,
   chooseUnit,
@@ -9,7 +8,8 @@ import {
   unitOfField,
   unitsOf,
   usualUnit,
-} from "./units";
+} from "./chosenUnits";
+import { createSettings } from "./settings";
 
 describe("the chosen unit", () => {
   test("is that of the sender until somebody chooses", () => {

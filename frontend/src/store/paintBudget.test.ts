@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { RedrawBudget } from "./budget";
+import { RedrawBudget } from "./paintBudget";
 
 const FRAME_MS = 1000 / 60;
 

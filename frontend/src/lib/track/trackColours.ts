@@ -1,4 +1,4 @@
-import type { Spread, TrackPoints } from "./points";
+import type { Spread, TrackPoints } from "./trackPoints";
 
 /** By what a track is coloured. */
 export const COLOURINGS = ["none", "height", "speed", "climb"] as const;

@@ -1,6 +1,6 @@
 import { describe, expect, test } from "vitest";
 import { FrameBudget } from "../frameBudget";
-import { softwareRatio, stageLimits } from "./budget";
+import { softwareRatio, stageLimits } from "./stageBudget";
 
 describe("how fine the processor draws", () => {
   test("while it moves, no finer than the page, and less so the larger it is", () => {

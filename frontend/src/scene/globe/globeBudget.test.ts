@@ -1,6 +1,6 @@
 import { describe, expect, test } from "vitest";
 import { FrameBudget } from "../frameBudget";
-import { globeLimits, softwareScale } from "./budget";
+import { globeLimits, softwareScale } from "./globeBudget";
 
 /** A budget after many frames of this cost. */
 function having(cost_ms: number, isSoftware = false): FrameBudget {
