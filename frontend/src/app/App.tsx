@@ -1,7 +1,7 @@
 import { useEffect, useMemo, useRef } from "react";
 import { useTranslation } from "react-i18next";
 import { AhrsTestBanner } from "../features/ahrs/AhrsTestBanner";
-import { Alarms } from "../features/alarms/AlarmBar";
+import { AlarmBar } from "../features/alarms/AlarmBar";
 import { useSettings } from "../store/hooks";
 import { applyTheme } from "../theme/theme";
 import { WordsProvider } from "../ui/words";
@@ -73,7 +73,7 @@ export function App() {
             <div className="app-warnings">
               <EmulationBanner />
               <AhrsTestBanner />
-              <Alarms />
+              <AlarmBar />
             </div>
             <div className="app-middle">
               <Dock edge="left" />

@@ -29,6 +29,16 @@ test("both catalogues have the same keys", () => {
   expect([...english.keys()].sort()).toEqual([...spanish.keys()].sort());
 });
 
+test.each(["es", "en"])("no two rooms have words of one name (%s)", (language) => {
+  const root = join(import.meta.dirname, "..");
+  const names = readdirSync(root, { recursive: true, encoding: "utf8" })
+    .filter((file) => file.endsWith(`.${language}.json`))
+    .flatMap((file) => Object.keys(JSON.parse(readFileSync(join(root, file), "utf8")) as object));
+  expect(names.length).toBeGreaterThan(50);
+  expect(names.filter((name, index) => names.indexOf(name) !== index)).toEqual([]);
+  expect(names.sort()).toEqual(Object.keys(language === "es" ? es : en).sort());
+});
+
 test("no text is empty", () => {
   const empty = [...spanish, ...english].filter(([, text]) => text.trim() === "");
   expect(empty).toEqual([]);

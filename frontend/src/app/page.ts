@@ -72,7 +72,7 @@ export function createPage(world: World): {
   const commands = createCommands();
   const messages = createMessages();
   const settings = createSettings(world.storage);
-  const values = createParameters();
+  const parameterValues = createParameters();
   const plans = createPlans(world.storage);
   const damage = new DamageRate();
   const rates = new StreamRates();
@@ -110,7 +110,7 @@ export function createPage(world: World): {
   function takeEvent(message: StreamEvent): void {
     servos.takeEvent(message);
     takeConsole(message);
-    takeParameterEvent(values, message, world.wall_ms());
+    takeParameterEvent(parameterValues, message, world.wall_ms());
     takePlanEvent(plans, message, client());
     takeMapEvent(message);
     takeTrackEvent(message);
@@ -152,7 +152,7 @@ export function createPage(world: World): {
     onState: ({ kind }) => {
       if (kind !== "open") {
         telemetry.silence();
-        forget(values);
+        forget(parameterValues);
       }
       connection.setState({ phase: kind });
     },
@@ -189,7 +189,7 @@ export function createPage(world: World): {
   const parts = new Parts()
     .with(ACTIONS, actions)
     .with(ALARM_LOG, alarmLog)
-    .with(PARAMETER_REQUESTS, createParameterActions(values, asking))
+    .with(PARAMETER_REQUESTS, createParameterActions(parameterValues, asking))
     .with(MISSIONS, createPlanActions(plans, world.saveFile, asking))
     .with(AHRS, createAhrs3d(asking))
     .with(MAP_SELECTION, createMapSelection())

@@ -9,7 +9,7 @@ import { ALARM_LOG } from "./alarmLog";
 import { useActiveAlarms, useMutedFor_s } from "./useAlarms";
 
 /** What is wrong now, on every tab, with what can be done about it. */
-export function Alarms() {
+export function AlarmBar() {
   const { t } = useTranslation();
   const { settings } = usePage();
   const alarmLog = usePart(ALARM_LOG);

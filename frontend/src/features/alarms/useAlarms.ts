@@ -13,7 +13,7 @@ export interface ShownAlarm extends ActiveAlarm {
   readonly blocked: string | undefined;
 }
 
-/** One thing of the alarm book; the component renders again when it changes. */
+/** One thing of the alarm log; the component renders again when it changes. */
 export function useAlarmLogState<T>(select: (state: AlarmLogState) => T): T {
   return useStore(usePart(ALARM_LOG).store, select);
 }
