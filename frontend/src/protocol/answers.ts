@@ -1,6 +1,19 @@
 import { type Checked, isNumber, isObject, isText, list, nullable, oneOf, shape } from "../lib/check";
 import type { components } from "./api.gen";
 
+/** What the gateway says when it did not do something (RFC 9457), or what stands in for it when it says nothing. */
+export interface Problem {
+  /** Stable key, which the page translates. */
+  readonly code: string;
+  /** One clear English sentence: which, why, what to do. */
+  readonly detail: string;
+  readonly params: Readonly<Record<string, unknown>>;
+}
+
+export type Answer<T> =
+  | { readonly ok: true; readonly value: T }
+  | { readonly ok: false; readonly problem: Problem };
+
 /** What became of a command. `reason` is the board's own, where it refused. */
 export const isCommandResult = shape({
   state: oneOf("confirmed", "rejected", "timed_out", "sent"),

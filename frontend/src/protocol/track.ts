@@ -1,5 +1,5 @@
 import { type Checked, isFlag, isNumber, shape } from "../lib/check";
-import type { TrackPoint } from "../lib/track/points";
+import type { TrackPoint } from "../lib/track/trackPoints";
 import type { components } from "./api.gen";
 
 /** The flown tracks: of the aircraft by its GPS, and of the simulator's. */
