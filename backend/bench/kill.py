@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+import signal
 import time
 from pathlib import Path
 from typing import Final
@@ -34,6 +36,10 @@ def _missing_s() -> float:
         # What the opening dialogue put on the line is in the file too, in front of what is sent here.
         written = _feed(line)
         killed_s = time.monotonic()
+        # The launcher first, which would start it again; its end is what the flight process would end by itself for.
+        os.kill(gateway.process.pid, signal.SIGSTOP)
+        flight = gateway.parts["flight"]
+        os.kill(flight, signal.SIGKILL)
         gateway.process.kill()
         gateway.process.wait()
         recorded = _board_bytes(next((line.folder / "recordings").glob("*.mcap")))

@@ -123,6 +123,16 @@ class Gateway:
         self.process = process
         self.port = port
 
+    @property
+    def parts(self) -> dict[str, int]:
+        """The process numbers of the two processes, `flight` and `web`."""
+        found = {}
+        children = Path(f"/proc/{self.process.pid}/task/{self.process.pid}/children").read_text().split()
+        for pid in map(int, children):
+            words = Path(f"/proc/{pid}/cmdline").read_bytes().decode().split("\0")
+            found[words[words.index("-m") + 1].rpartition(".")[2]] = pid
+        return found
+
     def put(self, path: str, body: dict[str, Any]) -> None:
         """A PUT of the interface."""
         request = urllib.request.Request(
@@ -180,10 +190,13 @@ def station() -> Iterator[tuple[Gateway, Line]]:
             line.close()
 
 
-def cpu_s(pid: int) -> float:
-    """Processor time that a process has used, user and system."""
-    fields = Path(f"/proc/{pid}/stat").read_text().rsplit(")", 1)[1].split()
-    return (int(fields[11]) + int(fields[12])) / TICKS_PER_S
+def cpu_s(*pids: int) -> float:
+    """Processor time that processes have used, user and system."""
+    used = 0
+    for pid in pids:
+        fields = Path(f"/proc/{pid}/stat").read_text().rsplit(")", 1)[1].split()
+        used += int(fields[11]) + int(fields[12])
+    return used / TICKS_PER_S
 
 
 def percentile(values: Sequence[float], share: float) -> float:

@@ -1,0 +1,205 @@
+"""Both ends over a real socket: what is told, asked and lost."""
+
+from __future__ import annotations
+
+import asyncio
+import stat
+from collections.abc import AsyncIterator
+from contextlib import asynccontextmanager
+from pathlib import Path
+from typing import Any
+
+import orjson
+import pytest
+
+from epf_gcs.bus.address import FILE, Listener, connect
+from epf_gcs.bus.definition import Asker, Named
+from epf_gcs.bus.station_end import StationEnd
+from epf_gcs.bus.vehicle_end import Broadcast, VehicleEnd
+from epf_gcs.errors import ConflictError, GatewayError, InvalidInputError
+from tests.support.waiting import eventually_async
+
+
+class Heard:
+    """Keeps what a vehicle said."""
+
+    def __init__(self) -> None:
+        self.hellos: list[dict[str, Any]] = []
+        self.samples: list[Named] = []
+        self.ends = 0
+        self.events: list[Named] = []
+        self.statuses: list[dict[str, Any]] = []
+        self.losses: list[bool] = []
+
+    def on_hello(self, hello: dict[str, Any]) -> None:
+        self.hellos.append(hello)
+
+    def on_sample(self, sample: Named) -> None:
+        self.samples.append(sample)
+
+    def on_samples_end(self) -> None:
+        self.ends += 1
+
+    def on_event(self, event: Named) -> None:
+        self.events.append(event)
+
+    def on_status(self, status: dict[str, Any]) -> None:
+        self.statuses.append(status)
+
+    def on_lost(self, *, ended: bool) -> None:
+        self.losses.append(ended)
+
+
+class Vehicle:
+    """A vehicle that answers a few requests."""
+
+    def __init__(self, folder: Path) -> None:
+        self.listener = Listener(folder)
+        self.broadcast = Broadcast(lambda: 5.0)
+        self.notices: list[tuple[str, dict[str, Any]]] = []
+        self.gone = 0
+        self.end = VehicleEnd(
+            self.broadcast,
+            hello=lambda: {"version": "1"},
+            samples=lambda: [("ahrs", 1.0, {"roll_deg": 1.0})],
+            requests={"echo": self._echo, "refuse": self._refuse, "break": self._break, "hang": self._hang},
+            on_notice=lambda name, arguments: self.notices.append((name, arguments)),
+            on_gone=self._gone,
+        )
+        self.task = asyncio.ensure_future(self.end.run(self.listener))
+
+    async def stop(self) -> None:
+        self.task.cancel()
+        await asyncio.wait([self.task])
+        self.listener.close()
+
+    def _gone(self) -> None:
+        self.gone += 1
+
+    async def _echo(self, by: Asker, arguments: dict[str, Any]) -> Any:
+        return {"by": by.name, **arguments}
+
+    async def _refuse(self, _: Asker, __: dict[str, Any]) -> Any:
+        raise InvalidInputError("mission_invalid", "No.", plan="hil")
+
+    async def _break(self, _: Asker, __: dict[str, Any]) -> Any:
+        raise ZeroDivisionError
+
+    async def _hang(self, _: Asker, __: dict[str, Any]) -> Any:
+        await asyncio.Event().wait()
+
+
+@asynccontextmanager
+async def connected(folder: Path, heard: Heard) -> AsyncIterator[StationEnd]:
+    station = StationEnd(folder, heard)
+    task = asyncio.ensure_future(station.run())
+    try:
+        yield station
+    finally:
+        task.cancel()
+        await asyncio.wait([task])
+
+
+@pytest.mark.anyio
+async def test_a_station_hears_how_everything_stands_and_then_what_happens(tmp_path: Path) -> None:
+    vehicle, heard = Vehicle(tmp_path), Heard()
+    async with connected(tmp_path, heard):
+        await eventually_async(lambda: heard.ends == 1, "the snapshot arrives")
+        assert (heard.hellos, [sample.name for sample in heard.samples]) == ([{"version": "1"}], ["ahrs"])
+        vehicle.broadcast.sample("gps", 2.0, {"latitude_deg": None})
+        assert len(heard.samples) == 1
+        vehicle.broadcast.event("alarm", {"id": "x"})
+        vehicle.broadcast.status({"board": {}})
+        await eventually_async(lambda: len(heard.statuses) == 1, "all arrives")
+        assert heard.samples[1].name == "gps", "an event does not overtake the samples before it"
+        assert orjson.loads(heard.events[0].text) == {
+            "type": "event",
+            "event": "alarm",
+            "t_s": 5.0,
+            "data": {"id": "x"},
+        }
+    await eventually_async(lambda: vehicle.gone == 1, "the vehicle notices that the station went")
+    await vehicle.stop()
+
+
+@pytest.mark.anyio
+async def test_a_request_brings_the_result_or_the_very_error(tmp_path: Path) -> None:
+    vehicle, heard = Vehicle(tmp_path), Heard()
+    async with connected(tmp_path, heard) as station:
+        await eventually_async(lambda: station.is_connected, "it connects")
+        assert await station.request("echo", Asker("c1", "tablet"), n=3) == {"by": "tablet", "n": 3}
+        with pytest.raises(InvalidInputError) as refused:
+            await station.request("refuse")
+        assert (refused.value.code, refused.value.params) == ("mission_invalid", {"plan": "hil"})
+        for name in ("break", "nothing of the kind"):
+            with pytest.raises(GatewayError) as failed:
+                await station.request(name)
+            assert failed.value.code == "internal"
+        station.notice("stick", client="c1")
+        await eventually_async(lambda: vehicle.notices == [("stick", {"client": "c1"})], "the notice arrives")
+    await vehicle.stop()
+
+
+@pytest.mark.anyio
+async def test_a_vehicle_that_goes_ends_every_request_and_is_found_again(tmp_path: Path) -> None:
+    vehicle, heard = Vehicle(tmp_path), Heard()
+    async with connected(tmp_path, heard) as station:
+        await eventually_async(lambda: station.is_connected, "it connects")
+        hanging = asyncio.ensure_future(station.request("hang"))
+        await asyncio.sleep(0)
+        await vehicle.stop()
+        with pytest.raises(ConflictError) as away:
+            await hanging
+        assert away.value.code == "flight_away"
+        assert heard.losses == [True], "it said goodbye"
+        with pytest.raises(ConflictError):
+            await station.request("echo")
+        again = Vehicle(tmp_path)
+        await eventually_async(lambda: len(heard.hellos) == 2, "it is found again")
+        assert await station.request("echo") == {"by": None}
+    await again.stop()
+
+
+@pytest.mark.anyio
+async def test_whoever_does_not_speak_the_stream_is_let_go_and_harms_nobody(tmp_path: Path) -> None:
+    vehicle, heard = Vehicle(tmp_path), Heard()
+    async with connected(tmp_path, heard) as station:
+        await eventually_async(lambda: station.is_connected, "it connects")
+        stranger = await connect(tmp_path)
+        loop = asyncio.get_running_loop()
+        await loop.sock_sendall(stranger, b"GET / HTTP/1.1\r\n\r\n" * 10)
+        while await loop.sock_recv(stranger, 65536):
+            pass
+        stranger.close()
+        assert await station.request("echo", n=1) == {"by": None, "n": 1}
+    await vehicle.stop()
+
+
+@pytest.mark.anyio
+async def test_a_listener_that_does_not_read_is_let_go_and_costs_bounded_memory(tmp_path: Path) -> None:
+    vehicle = Vehicle(tmp_path)
+    stopped = await connect(tmp_path)
+    await eventually_async(lambda: vehicle.broadcast.has_listeners, "it is there")
+    for _ in range(3000):
+        vehicle.broadcast.event("console", {"text": "x" * 10_000})
+        await asyncio.sleep(0)
+    assert not vehicle.broadcast.has_listeners
+    stopped.close()
+    await vehicle.stop()
+
+
+def test_only_the_owner_may_open_the_socket(tmp_path: Path) -> None:
+    listener = Listener(tmp_path)
+    where = orjson.loads((tmp_path / FILE).read_bytes())
+    assert stat.S_IMODE(Path(where["unix"]).stat().st_mode) == 0o600
+    assert stat.S_IMODE((tmp_path / FILE).stat().st_mode) == 0o600
+    listener.close()
+
+
+@pytest.mark.anyio
+async def test_a_data_folder_with_a_long_name_has_its_socket_elsewhere(tmp_path: Path) -> None:
+    folder = tmp_path / ("long" * 30)
+    vehicle, heard = Vehicle(folder), Heard()
+    async with connected(folder, heard):
+        await eventually_async(lambda: len(heard.hellos) == 1, "it is found")
+    await vehicle.stop()
