@@ -1,0 +1,215 @@
+"""Flight and web die alone: what one does while the other is gone, and how both find each other again."""
+
+from __future__ import annotations
+
+import os
+import re
+import signal
+import sys
+import time
+from collections.abc import AsyncIterator, Callable, Iterator
+from contextlib import asynccontextmanager, contextmanager
+from pathlib import Path
+from typing import Any
+
+import httpx
+import orjson
+import pytest
+from mcap.stream_reader import StreamReader
+from websockets.sync.client import connect
+
+from epf_gcs.bus.station_end import StationEnd
+from epf_gcs.xplane.datagram import release_datagram
+from tests.bus.test_ends import Heard, connected
+from tests.support.fake_board import FakeBoard
+from tests.support.ports import free_udp_port
+from tests.support.programs import Program, gateway_process
+from tests.support.simulator import WHOLE, Simulator
+from tests.support.waiting import DEADLINE_S, eventually, eventually_async
+
+
+class Flying:
+    """A gateway in a closed loop: the fake board answers each frame of the simulator with surfaces."""
+
+    def __init__(self, program: Program, board: FakeBoard, simulator: Simulator) -> None:
+        self.program = program
+        self.board = board
+        self.simulator = simulator
+        self.url = program.wait_for_words(r"url=(http://\S+)")
+        self.http = httpx.Client(base_url=f"{self.url}/api/v1", timeout=DEADLINE_S)
+
+    def pid(self, name: str) -> int:
+        """Process number of `flight` or `web`."""
+        return self.pids()[name]
+
+    def pids(self) -> dict[str, int]:
+        found = {}
+        pid = self.program.process.pid
+        for child in Path(f"/proc/{pid}/task/{pid}/children").read_text().split():
+            words = Path(f"/proc/{child}/cmdline").read_bytes().decode().split("\0")
+            if "-m" in words:
+                found[words[words.index("-m") + 1].rpartition(".")[2]] = int(child)
+        return found
+
+    def status(self) -> dict[str, Any] | None:
+        try:
+            answer: dict[str, Any] = self.http.get("/status").raise_for_status().json()
+        except httpx.HTTPError:
+            return None
+        return answer
+
+    def fly_a_frame(self) -> None:
+        """One frame of the simulator reaches the board, and the board's surfaces reach the simulator."""
+        before = self.board.count("xplane_info")
+        got = len(self.simulator.got)
+        self.simulator.send(WHOLE)
+        eventually(lambda: self.board.count("xplane_info") == before + 1, "the frame reaches the board")
+        eventually(lambda: self._moved(got), "the surfaces reach the simulator")
+
+    def _moved(self, got: int) -> bool:
+        self.simulator.heard(b"")
+        return len(self.simulator.got) > got
+
+
+@pytest.fixture
+def flying(tmp_path: Path, board: FakeBoard) -> Iterator[Flying]:
+    with Simulator() as simulator, gateway_process(tmp_path / "data") as program:
+        made = Flying(program, board, simulator)
+        simulator.port = free_udp_port()
+        made.http.put("/links/board", json={"url": board.url}).raise_for_status()
+        address = {"receive_port": simulator.port, "send_port": simulator.own_port}
+        made.http.put("/links/simulator", json=address).raise_for_status()
+        eventually(lambda: (made.status() or {})["board"]["state"] == "open", "the board opens")
+        made.http.put("/hil", json={"path": "assisted"}).raise_for_status()
+        made.fly_a_frame()
+        yield made
+        made.http.close()
+
+
+def test_the_loop_and_the_recording_go_on_while_the_web_process_is_dead(flying: Flying, tmp_path: Path) -> None:
+    with connect(f"{flying.url.replace('http', 'ws')}/api/v1/stream?rate=0") as viewer:
+        viewer.recv(DEADLINE_S)
+        web = flying.pid("web")
+        os.kill(flying.pid("flight"), 0)
+        os.kill(web, signal.SIGSTOP)
+        for _ in range(20):
+            flying.fly_a_frame()
+        os.kill(web, signal.SIGKILL)
+        for _ in range(20):
+            flying.fly_a_frame()
+    eventually(lambda: flying.pids().get("web") not in (None, web), "another web process starts")
+    eventually(lambda: flying.status() is not None, "it answers at the same address")
+    status = flying.status()
+    assert status is not None
+    assert status["simulator"]["frames_to_board"] == 41
+    assert status["simulator"]["frames_skipped"] == {}
+    assert status["board"]["reopened"] == 0
+    flying.program.end()
+    (file,) = (tmp_path / "data" / "recordings").glob("*.mcap")
+    with file.open("rb") as stream:
+        sent = [record.data for record in StreamReader(stream).records if getattr(record, "channel_id", 0) == 2]
+    assert b"".join(data for data in sent if isinstance(data, bytes)) == flying.board.raw
+
+
+def test_a_page_that_had_control_has_it_again_after_the_web_process_died(flying: Flying) -> None:
+    stream = f"{flying.url.replace('http', 'ws')}/api/v1/stream"
+    with connect(stream) as page:
+        client = orjson.loads(page.recv(DEADLINE_S))["client"]
+        eventually(lambda: (flying.status() or {})["control"]["client"] == client, "it has control")
+        os.kill(flying.pid("web"), signal.SIGKILL)
+    eventually(lambda: flying.status() is not None, "the web process is back")
+    with connect(stream) as stranger, connect(f"{stream}?client={client}") as page:
+        assert orjson.loads(stranger.recv(DEADLINE_S))["role"] == "viewer"
+        hello = orjson.loads(page.recv(DEADLINE_S))
+        assert (hello["client"], hello["role"]) == (client, "operator")
+
+
+def test_the_loss_of_the_flight_process_is_said_at_once_and_it_flies_again(flying: Flying) -> None:
+    with connect(f"{flying.url.replace('http', 'ws')}/api/v1/stream?rate=0", max_size=None) as viewer:
+        flight = flying.pid("flight")
+        os.kill(flight, signal.SIGKILL)
+        status = _until(viewer, lambda one: one["type"] == "status" and one["data"]["board"]["state"] == "lost")["data"]
+        assert [alarm["id"] for alarm in status["alarms"]] == ["flight_lost"]
+        assert status["board"]["failure"]["code"] == "flight_away"
+        assert not status["recording"]["active"]
+        _until(viewer, lambda one: one["type"] == "status" and one["data"]["board"]["state"] == "open")
+    assert flying.pid("flight") != flight
+    flying.fly_a_frame()
+    status = flying.status() or {}
+    assert status["hil"]["path"] == "assisted"
+    assert status["alarms"] == []
+
+
+def test_nothing_is_reported_as_done_while_the_flight_process_is_away(flying: Flying) -> None:
+    os.kill(flying.program.process.pid, signal.SIGSTOP)
+    os.kill(flying.pid("flight"), signal.SIGKILL)
+    try:
+        eventually(lambda: flying.http.post("/commands/ahrs_on").status_code == 409, "commands are refused")
+        answer = flying.http.post("/commands/autopilot_on").json()
+        assert answer["code"] == "flight_away"
+        status = flying.status() or {}
+        assert status["board"]["state"] == "lost"
+    finally:
+        os.kill(flying.program.process.pid, signal.SIGCONT)
+    eventually(lambda: (flying.status() or {})["board"]["state"] == "open", "it is back")
+
+
+def test_when_the_gateway_itself_is_killed_both_processes_end_and_let_everything_go(flying: Flying) -> None:
+    pids = flying.pids()
+    flying.program.end(signal.SIGKILL)
+    eventually(lambda: not any(Path(f"/proc/{pid}").exists() for pid in pids.values()), "both end")
+    eventually(lambda: flying.simulator.heard(release_datagram()), "the simulator has its controls back")
+    eventually(lambda: flying.board.received[-1:] == ["exit_binary_mode"], "the board is let go")
+
+
+@contextmanager
+def headless_flight(data: Path, *arguments: str) -> Iterator[Program]:
+    """`epf-flight` alone."""
+    program = Program([sys.executable, "-m", "epf_gcs.flight", "--data-dir", str(data), *arguments])
+    try:
+        program.wait_for_words("flying")
+        yield program
+    finally:
+        program.end(signal.SIGKILL)
+
+
+@asynccontextmanager
+async def asked(data: Path) -> AsyncIterator[tuple[StationEnd, Heard]]:
+    """A station without any web."""
+    heard = Heard()
+    async with connected(data, heard) as station:
+        await eventually_async(lambda: station.is_connected, "it connects")
+        yield station, heard
+
+
+@pytest.mark.anyio
+async def test_a_flight_process_alone_opens_its_board_and_takes_commands_from_its_stream(
+    tmp_path: Path, board: FakeBoard
+) -> None:
+    with headless_flight(tmp_path / "data", "--board", board.url) as program:
+        async with asked(tmp_path / "data") as (station, heard):
+            await eventually_async(lambda: any(s["board"]["state"] == "open" for s in heard.statuses), "it opens")
+            answer = await station.request("command", name="ahrs_on", arguments=[])
+            assert answer["state"] == "confirmed"
+            await eventually_async(lambda: any(one.name == "ahrs" for one in heard.samples), "the stream comes")
+        assert program.end(signal.SIGTERM) == 0
+        assert heard.losses in ([False], [True])
+    assert board.received[-1:] == ["exit_binary_mode"]
+
+
+def test_two_gateways_do_not_share_a_data_folder(flying: Flying, tmp_path: Path) -> None:
+    with gateway_process(tmp_path / "data") as second:
+        assert second.process.wait(DEADLINE_S) == 1
+    assert re.search(r"is used by .*process", second.said), second.said
+    flying.fly_a_frame()
+
+
+def _until(viewer: Any, condition: Callable[[dict[str, Any]], bool]) -> dict[str, Any]:
+    give_up_s = time.monotonic() + DEADLINE_S
+    while time.monotonic() < give_up_s:
+        message: dict[str, Any] = orjson.loads(viewer.recv(DEADLINE_S))
+        if message["type"] == "batch":
+            viewer.send(orjson.dumps({"type": "ack", "seq": message["seq"]}).decode())
+        if condition(message):
+            return message
+    raise AssertionError("never came")
