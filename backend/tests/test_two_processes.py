@@ -15,6 +15,7 @@ from typing import Any
 import httpx
 import orjson
 import pytest
+from mcap.records import Message
 from mcap.stream_reader import StreamReader
 from websockets.sync.client import connect
 
@@ -107,8 +108,8 @@ def test_the_loop_and_the_recording_go_on_while_the_web_process_is_dead(flying: 
     flying.program.end()
     (file,) = (tmp_path / "data" / "recordings").glob("*.mcap")
     with file.open("rb") as stream:
-        sent = [record.data for record in StreamReader(stream).records if getattr(record, "channel_id", 0) == 2]
-    assert b"".join(data for data in sent if isinstance(data, bytes)) == flying.board.raw
+        messages = [record for record in StreamReader(stream).records if isinstance(record, Message)]
+    assert b"".join(message.data for message in messages if message.channel_id == 2) == flying.board.raw
 
 
 def test_a_page_that_had_control_has_it_again_after_the_web_process_died(flying: Flying) -> None:

@@ -106,6 +106,7 @@ ErrorCode = Literal[
     "threshold_out_of_range",
     "threshold_unknown",
     "track_not_kept",
+    "track_not_written",
     "value_not_allowed",
 ]
 

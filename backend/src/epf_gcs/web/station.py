@@ -49,7 +49,7 @@ class Station:
         self.vehicle = StationEnd(data_dir, self.mirror)
         self.control = Control(loop, self._on_control)
         self.status = WholeStatus(lambda: self.mirror.status, self.control, errors, self.hub)
-        self.tracks = Tracks(self.mirror, self.hub, self.clock)
+        self.tracks = Tracks(self.mirror, self.hub, self.clock, data_dir / "track", errors.report)
         self.maps = Maps(data_dir / "maps", self.hub, self.clock, OnlineFile(data_dir, errors.report), errors.report)
         self.stream_parts = StreamParts(self.hub, self.control, self.vehicle, self.status, errors, self.clock)
         self.parts: dict[str, Any] = {
@@ -71,7 +71,12 @@ class Station:
             async with asyncio.TaskGroup() as tasks:
                 running = [
                     tasks.create_task(_keep_alive(name, job), name=name)
-                    for name, job in (("vehicle", self.vehicle.run), ("maps", self.maps.run), ("status", self._repeat))
+                    for name, job in (
+                        ("vehicle", self.vehicle.run),
+                        ("maps", self.maps.run),
+                        ("track", self.tracks.run),
+                        ("status", self._repeat),
+                    )
                 ]
                 with contextlib.suppress(TimeoutError):
                     async with asyncio.timeout(_FIRST_WAIT_S):
@@ -86,6 +91,7 @@ class Station:
                         task.cancel()
         finally:
             await self.maps.close()
+            await self.tracks.close()
 
     async def _repeat(self) -> None:
         """Without the flight process nobody else says how old everything is by now."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import struct
 import zipfile
+from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -12,7 +13,7 @@ import pytest
 from lxml import etree
 
 from tests.support.fake_board import FakeBoard
-from tests.support.gateway import Gateway
+from tests.support.gateway import Gateway, running_gateway
 from tests.support.kml import element, schema_faults, texts
 from tests.support.waiting import eventually
 
@@ -263,3 +264,11 @@ def fly(gateway: Gateway, board: FakeBoard, latitudes_deg: list[float]) -> None:
     for latitude_deg in latitudes_deg:
         board.send_gps(latitude_deg, -15.38, 300.0)
     eventually(lambda: points(gateway)[0] == before + len(latitudes_deg), "the positions are heard")
+
+
+def test_the_track_is_there_again_after_a_restart(tmp_path: Path, board: FakeBoard) -> None:
+    with running_gateway(tmp_path / "data") as gateway:
+        gateway.open_board(board.url)
+        fly(gateway, board, [27.9000, 27.9001, 27.9002])
+    with running_gateway(tmp_path / "data") as gateway:
+        eventually(lambda: points(gateway)[0] == 3, "the flown points are back")

@@ -110,6 +110,30 @@ class Track:
         self._last = later._last or self._last
         self._changed()
 
+    def restore(self, points: bytes, attitudes: bytes) -> None:
+        """Take packed points of an earlier run into an empty track; its pieces are found again by their gaps."""
+        found = np.frombuffer(points, POINT)
+        north_m = np.diff(found["latitude_1e7deg"].astype(np.float64)) * 1e-7 * _M_PER_DEG
+        east_deg = (np.diff(found["longitude_1e7deg"].astype(np.float64)) * 1e-7 + 180.0) % 360.0 - 180.0
+        east_m = east_deg * _M_PER_DEG * np.cos(np.radians(found["latitude_1e7deg"][:-1] * 1e-7))
+        elapsed_s = np.diff(found["t_ms"].astype(np.float64)) * 1e-3
+        fastest_m = np.maximum(_LEAST_JUMP_M, _FASTEST_M_S * elapsed_s)
+        breaks = (elapsed_s > _LONGEST_GAP_S) | (np.hypot(north_m, east_m) > fastest_m)
+        self._starts = [0, *(np.flatnonzero(breaks) + 1).tolist()]
+        self._points += points
+        self._attitudes += attitudes
+        while len(self._points) >= self.block_points * POINT.itemsize:
+            self._seal()
+        newest = found[-1]
+        self._last = (
+            self.t0_s + float(newest["t_ms"]) * 1e-3,
+            (
+                float(newest["latitude_1e7deg"]) * 1e-7,
+                float(newest["longitude_1e7deg"]) * 1e-7,
+                float(newest["altitude_mm"]) * 1e-3,
+            ),
+        )
+
     def blocks(self, after: int = 0) -> list[Block]:
         """Everything from the point with this index on, as it is now, whatever becomes of the track."""
         whole, rest = divmod(min(max(0, after), len(self)), self.block_points)

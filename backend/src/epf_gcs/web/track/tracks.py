@@ -2,19 +2,24 @@
 
 from __future__ import annotations
 
+import asyncio
 import secrets
+from collections.abc import Callable
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any, Final
 
 from epf_gcs.clock import Clock
-from epf_gcs.errors import ConflictError
+from epf_gcs.errors import ConflictError, GatewayError
 from epf_gcs.formats.units import m_from_ft
 from epf_gcs.vehicle.outside import Values
 from epf_gcs.web.stream.hub import Hub
+from epf_gcs.web.track.kept import KeptTrack
 from epf_gcs.web.track.track import Attitude, Position, Track
 from epf_gcs.web.vehicle.mirror import VehicleMirror
 
 _AHRS: Final = ("yaw_deg", "pitch_deg", "roll_deg")
+_SAVE_S: Final = 1.0
 _SIMULATOR: Final = ("true_heading_deg", "pitch_deg", "roll_deg")
 
 
@@ -29,7 +34,12 @@ class Pair:
 class Tracks:
     """Listens to the topics with a position. Examples have tracks of their own, which end with them."""
 
-    def __init__(self, mirror: VehicleMirror, hub: Hub, clock: Clock) -> None:
+    def __init__(
+        self, mirror: VehicleMirror, hub: Hub, clock: Clock, folder: Path, report: Callable[[GatewayError], None]
+    ) -> None:
+        self._report = report
+        self._kept = (KeptTrack(folder / "real.track"), KeptTrack(folder / "hil.track"))
+        self._has_failed = False
         self._mirror = mirror
         self._hub = hub
         self._clock = clock
@@ -39,6 +49,51 @@ class Tracks:
         self._cleared: Pair | None = None
         mirror.listen("gps", self._on_gps)
         mirror.listen("simulator", self._on_simulator)
+
+    async def run(self) -> None:
+        """Bring back what was flown in the last hours, then keep what is flown, once a second; for ever."""
+        await self._load()
+        while True:
+            await asyncio.sleep(_SAVE_S)
+            await self._save()
+
+    async def close(self) -> None:
+        """Keep the rest."""
+        await self._save()
+
+    async def _load(self) -> None:
+        now_s = self._clock.now_s()
+        found = [await asyncio.to_thread(kept.load, now_s, secrets.randbits(32)) for kept in self._kept]
+        before = Pair(*(track or self._new_track() for track in found))
+        if len(before.real) or len(before.hil):
+            flown, self._flown = self._flown, before
+            before.real.append(flown.real)
+            before.hil.append(flown.hil)
+            self._tell()
+
+    async def _save(self) -> None:
+        """The thread gets bytes that never change again; the flown tracks alone, examples are nobody's."""
+        for kept, track in zip(self._kept, (self._flown.real, self._flown.hil), strict=True):
+            first, total = kept.first_unwritten(track), len(track)
+            if first == total:
+                continue
+            blocks = track.blocks(first)
+            points, attitudes = b"".join(block.points for block in blocks), b"".join(one.attitudes for one in blocks)
+            try:
+                await asyncio.to_thread(kept.save, track.epoch, track.t0_s, total, points, attitudes, first)
+            except OSError as error:
+                if not self._has_failed:
+                    self._report(
+                        GatewayError(
+                            "track_not_written",
+                            f"The flown track could not be kept ({error.strerror or error}): free the disk, or it is "
+                            "lost when the gateway ends. The recording is another file.",
+                            reason=str(error.strerror or error),
+                        )
+                    )
+                self._has_failed = True
+                return
+        self._has_failed = False
 
     @property
     def now(self) -> Pair:
@@ -99,8 +154,10 @@ class Tracks:
 
     def _new_pair(self) -> Pair:
         """Tracks that nobody can take for others: their epochs are drawn, also over a restart of the gateway."""
-        now_s = self._clock.now_s()
-        return Pair(Track(now_s, secrets.randbits(32)), Track(now_s, secrets.randbits(32)))
+        return Pair(self._new_track(), self._new_track())
+
+    def _new_track(self) -> Track:
+        return Track(self._clock.now_s(), secrets.randbits(32))
 
     def _tell(self) -> None:
         self._hub.event("track", self.as_dict())
