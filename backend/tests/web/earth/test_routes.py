@@ -38,7 +38,7 @@ def emulated(gateway: Gateway) -> Gateway:
 
 def points(gateway: Gateway) -> tuple[int, int]:
     state = gateway.http.get("/track").raise_for_status().json()
-    return state["real_points"], state["hil_points"]
+    return state["flight_points"], state["hil_points"]
 
 
 @pytest.mark.parametrize("path", ["/earth.kml", "/earth/live.kml"])
@@ -50,13 +50,13 @@ def test_without_anything_flown_the_files_are_valid_and_empty(gateway: Gateway, 
 
 def test_the_link_document_asks_each_second_under_the_name_it_was_asked_for(emulated: Gateway) -> None:
     port = urlsplit(emulated.base).port
-    answer = httpx.get(f"{emulated.base}/api/v1/earth.kml?follow=real", headers={"Host": f"localhost:{port}"})
+    answer = httpx.get(f"{emulated.base}/api/v1/earth.kml?follow=flight", headers={"Host": f"localhost:{port}"})
     data = answer.raise_for_status().content
     assert schema_faults(data) == []
     hrefs = texts(data, "href")
     assert all(href.startswith(f"http://localhost:{port}/api/v1/") for href in hrefs)
     assert urlsplit(hrefs[0]).path == "/api/v1/earth/live.kml"
-    assert parse_qs(urlsplit(hrefs[0]).query) == {"lang": ["es"], "follow": ["real"]}
+    assert parse_qs(urlsplit(hrefs[0]).query) == {"lang": ["es"], "follow": ["flight"]}
     assert texts(data, "refreshMode")[0] == "onInterval"
     assert texts(data, "refreshInterval")[0] == "1"
     assert texts(data, "flyToView")[0] == "1"
@@ -76,7 +76,7 @@ def test_the_plans_are_linked_where_the_board_has_them(gateway: Gateway, board: 
 
 
 def test_the_live_document_shows_both_aircraft_with_their_attitude(emulated: Gateway) -> None:
-    data = get(emulated, "/earth/live.kml?lang=en&follow=real")
+    data = get(emulated, "/earth/live.kml?lang=en&follow=flight")
     assert texts(data, "name")[1:3] == ["Aircraft (emulation)", "HIL aircraft (emulation)"]
     model = element(data, "Model")
     orientation = child_texts(model.find("{*}Orientation"))

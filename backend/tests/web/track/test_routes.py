@@ -28,7 +28,7 @@ class Points(NamedTuple):
     records: list[tuple[int, int, int, int]]
 
 
-def read_points(gateway: Gateway, query: str = "source=real") -> Points:
+def read_points(gateway: Gateway, query: str = "source=flight") -> Points:
     answer = gateway.http.get(f"/track/points?{query}").raise_for_status()
     assert answer.headers["content-type"] == "application/octet-stream"
     assert int(answer.headers["content-length"]) == len(answer.content)
@@ -48,7 +48,7 @@ def get_kml(gateway: Gateway, path: str) -> bytes:
 
 def points(gateway: Gateway) -> tuple[int, int]:
     state = gateway.http.get("/track").raise_for_status().json()
-    return state["real_points"], state["hil_points"]
+    return state["flight_points"], state["hil_points"]
 
 
 @pytest.fixture
@@ -67,9 +67,9 @@ def test_what_was_flown_comes_in_one_piece_and_then_only_what_is_missing(gateway
     assert {(longitude, altitude) for _, _, longitude, altitude in found.records} == {(-153800001, 300000)}
     assert found.t0_s + found.records[-1][0] / 1e3 == pytest.approx(gateway.flight.clock.now_s(), abs=20)
     fly(gateway, board, [27.9003])
-    further = read_points(gateway, f"source=real&after=3&epoch={found.epoch}")
+    further = read_points(gateway, f"source=flight&after=3&epoch={found.epoch}")
     assert (further.epoch, further.first, further.total, len(further.records)) == (found.epoch, 3, 4, 1)
-    assert read_points(gateway, f"source=real&after=4&epoch={found.epoch}").records == []
+    assert read_points(gateway, f"source=flight&after=4&epoch={found.epoch}").records == []
     assert read_points(gateway, "source=hil").records == []
 
 
@@ -79,14 +79,14 @@ def test_who_has_points_of_another_track_gets_all_of_this_one(gateway: Gateway, 
     before = read_points(gateway).epoch
     gateway.http.post("/track/reset").raise_for_status()
     fly(gateway, board, [27.9003, 27.9004])
-    after = read_points(gateway, f"source=real&after=1&epoch={before}")
+    after = read_points(gateway, f"source=flight&after=1&epoch={before}")
     assert after.epoch != before
     assert (after.first, len(after.records)) == (0, 2)
     gateway.http.post("/track/restore").raise_for_status()
-    restored = read_points(gateway, f"source=real&after=2&epoch={after.epoch}")
+    restored = read_points(gateway, f"source=flight&after=2&epoch={after.epoch}")
     assert restored.epoch not in (before, after.epoch)
     assert (restored.first, len(restored.records)) == (0, 5)
-    beyond = read_points(gateway, f"source=real&after=6&epoch={restored.epoch}")
+    beyond = read_points(gateway, f"source=flight&after=6&epoch={restored.epoch}")
     assert (beyond.first, len(beyond.records)) == (0, 5)
     gateway.open_board("emulation:")
     assert read_points(gateway).epoch != restored.epoch
@@ -156,7 +156,7 @@ def test_an_empty_track_is_a_file_too(gateway: Gateway, kind: str) -> None:
 
 def test_the_board_is_heard_while_a_long_track_is_being_sent(gateway: Gateway, board: FakeBoard) -> None:
     gateway.open_board(board.url)
-    track = gateway.web.tracks.now.real
+    track = gateway.web.tracks.now.flight
     for step in range(300_000):
         track.add(1e9 + 0.02 * step, (27.0 + 1e-6 * step, -15.0, 300.0))
     before = gateway.status()["board"]["frames_received"]
@@ -192,12 +192,12 @@ def test_a_cleared_track_comes_back_with_what_was_flown_since(gateway: Gateway, 
         operator = {"X-Client": stream.hello["client"]}
         fly(gateway, board, [27.9000, 27.9001, 27.9002])
         cleared = gateway.http.post("/track/reset", headers=operator).raise_for_status().json()
-        assert cleared == {"real_points": 0, "hil_points": 0, "can_restore": True}
+        assert cleared == {"flight_points": 0, "hil_points": 0, "can_restore": True}
         assert stream.event("track") == cleared
         assert texts(get_kml(gateway, "/track.kml"), "coordinates") == []
         fly(gateway, board, [27.9003, 27.9004])
         restored = gateway.http.post("/track/restore", headers=operator).raise_for_status().json()
-        assert restored == {"real_points": 5, "hil_points": 0, "can_restore": False}
+        assert restored == {"flight_points": 5, "hil_points": 0, "can_restore": False}
         assert stream.event("track") == restored
     latitudes = [
         round(float(position.split(",")[1]), 4)
@@ -216,7 +216,7 @@ def test_only_the_track_that_was_cleared_last_is_kept(gateway: Gateway, board: F
     fly(gateway, board, [27.9005, 27.9006, 27.9007])
     gateway.http.post("/track/reset").raise_for_status()
     assert gateway.http.post("/track/reset").json()["can_restore"] is True, "an empty track is not kept in its place"
-    assert gateway.http.post("/track/restore").json()["real_points"] == 3
+    assert gateway.http.post("/track/restore").json()["flight_points"] == 3
     assert gateway.http.post("/track/restore").status_code == 409
 
 

@@ -11,16 +11,16 @@ from epf_gcs.formats.units import ft_from_m, m_from_ft
 from epf_gcs.vehicle.outside import Values
 from epf_gcs.web.vehicle.mirror import VehicleMirror
 
-Which = Literal["real", "hil"]
+Which = Literal["flight", "hil"]
 _ATTITUDE: Final = ("yaw_deg", "pitch_deg", "roll_deg")
 
 
 def aircraft_now(mirror: VehicleMirror, words: Words) -> dict[Which, Aircraft]:
     """Those whose place is known; without an attitude where what they last said is old."""
     found: dict[Which, Aircraft] = {}
-    real = _real(mirror, words)
-    if real is not None:
-        found["real"] = real
+    flight = _flight(mirror, words)
+    if flight is not None:
+        found["flight"] = flight
     hil = _hil(mirror, words)
     if hil is not None:
         found["hil"] = hil
@@ -31,12 +31,12 @@ def followed_of(mirror: VehicleMirror, found: Mapping[Which, Aircraft], wanted: 
     """Whom the view stays behind: the one that was asked for, else the simulator's while it flies."""
     if wanted is not None:
         return found.get(wanted)
-    if "hil" in found and (mirror.is_live("simulator") or "real" not in found):
+    if "hil" in found and (mirror.is_live("simulator") or "flight" not in found):
         return found["hil"]
-    return found.get("real")
+    return found.get("flight")
 
 
-def _real(mirror: VehicleMirror, words: Words) -> Aircraft | None:
+def _flight(mirror: VehicleMirror, words: Words) -> Aircraft | None:
     """By its GPS, with the attitude of its AHRS."""
     gps = mirror.newest("gps")
     if gps is None or gps["valid"] is not True or not gps["fix"]:

@@ -97,7 +97,7 @@ async def get_live_kml(
     pair = flown.now
     tracks = [
         NamedTrack(name, [line.positions() for line in lines_of(track, _TAIL_POINTS, since_s)])
-        for name, track in ((words.track, pair.real), (words.hil_track, pair.hil))
+        for name, track in ((words.track, pair.flight), (words.hil_track, pair.hil))
     ]
     found = aircraft_now(mirror, words)
     model_url = f"{_base(request)}/earth/aircraft.dae"

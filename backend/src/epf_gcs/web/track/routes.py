@@ -31,7 +31,7 @@ router = APIRouter(tags=["track"])
 # Each piece costs the event loop a turn, and each is made by a thread.
 _PIECE_BYTES: Final = 65536
 _MODEL_IN_KMZ: Final = "models/aircraft.dae"
-_REAL_COLOUR: Final = (255, 255, 0, 255)
+_FLIGHT_COLOUR: Final = (255, 255, 0, 255)
 _HIL_COLOUR: Final = (0, 229, 255, 255)
 
 Lang = Annotated[Language, Query(description="Language of the names in the file.")]
@@ -66,7 +66,7 @@ async def get_track_points(
     mean sea level. Where the epoch is another than the caller's, or `after` is beyond the end, all points come.
     """
     pair = tracks.now
-    track = pair.real if source == "real" else pair.hil
+    track = pair.flight if source == "flight" else pair.hil
     total = len(track)
     first = after if after <= total and epoch in (None, track.epoch) else 0
     header = points_header(epoch=track.epoch, first=first, count=total - first, total=total, t0_s=track.t0_s)
@@ -116,7 +116,7 @@ async def get_track_gpx(flown: TracksDep, points: MostPoints = None, lang: Lang 
 async def get_track_czml(flown: TracksDep, points: MostPoints = None, lang: Lang = "es") -> StreamingResponse:
     """The flown tracks as CZML: place and time of every point, and the attitude where it was live."""
     words = WORDS[lang]
-    ids = (("real", _REAL_COLOUR), ("hil", _HIL_COLOUR))
+    ids = (("flight", _FLIGHT_COLOUR), ("hil", _HIL_COLOUR))
     tracks = [
         MovingTrack(which, name, colour, [line.span_s() for line in lines], lines)
         for (which, colour), (name, lines) in zip(ids, _named(flown, words, points), strict=True)
@@ -146,7 +146,7 @@ async def restore_track(tracks: TracksDep, _: OperatorDep) -> TrackState:
 
 def _named(tracks: Tracks, words: Words, most_points: int | None) -> list[tuple[str, list[Line]]]:
     pair = tracks.now
-    return [(words.track, lines_of(pair.real, most_points)), (words.hil_track, lines_of(pair.hil, most_points))]
+    return [(words.track, lines_of(pair.flight, most_points)), (words.hil_track, lines_of(pair.hil, most_points))]
 
 
 def _drawn(name: str, lines: Sequence[Line]) -> NamedTrack:

@@ -8,6 +8,6 @@ from epf_gcs.web.schemas import Output
 class TrackState(Output):
     """What is drawn now; `can_restore`: the track that was cleared last is still kept."""
 
-    real_points: int
+    flight_points: int
     hil_points: int
     can_restore: bool

@@ -27,7 +27,7 @@ _SIMULATOR: Final = ("true_heading_deg", "pitch_deg", "roll_deg")
 class Pair:
     """Both tracks; each only grows."""
 
-    real: Track
+    flight: Track
     hil: Track
 
 
@@ -38,7 +38,7 @@ class Tracks:
         self, mirror: VehicleMirror, hub: Hub, clock: Clock, folder: Path, report: Callable[[GatewayError], None]
     ) -> None:
         self._report = report
-        self._kept = (KeptTrack(folder / "real.track"), KeptTrack(folder / "hil.track"))
+        self._kept = (KeptTrack(folder / "flight.track"), KeptTrack(folder / "hil.track"))
         self._has_failed = False
         self._mirror = mirror
         self._hub = hub
@@ -65,15 +65,15 @@ class Tracks:
         now_s = self._clock.now_s()
         found = [await asyncio.to_thread(kept.load, now_s, secrets.randbits(32)) for kept in self._kept]
         before = Pair(*(track or self._new_track() for track in found))
-        if len(before.real) or len(before.hil):
+        if len(before.flight) or len(before.hil):
             flown, self._flown = self._flown, before
-            before.real.append(flown.real)
+            before.flight.append(flown.flight)
             before.hil.append(flown.hil)
             self._tell()
 
     async def _save(self) -> None:
         """The thread gets bytes that never change again; the flown tracks alone, examples are nobody's."""
-        for kept, track in zip(self._kept, (self._flown.real, self._flown.hil), strict=True):
+        for kept, track in zip(self._kept, (self._flown.flight, self._flown.hil), strict=True):
             first, total = kept.first_unwritten(track), len(track)
             if first == total:
                 continue
@@ -110,7 +110,7 @@ class Tracks:
         if self._mirror.is_emulated:
             self._examples = self._new_pair()
         else:
-            if len(self._flown.real) or len(self._flown.hil):
+            if len(self._flown.flight) or len(self._flown.hil):
                 self._cleared = self._flown
             self._flown = self._new_pair()
         self._tell()
@@ -123,7 +123,7 @@ class Tracks:
                 "There is no cleared track to bring back: only the last one is kept, until it is back.",
             )
         cleared, self._cleared = self._cleared, None
-        cleared.real.append(self._flown.real)
+        cleared.flight.append(self._flown.flight)
         cleared.hil.append(self._flown.hil)
         self._flown = cleared
         self._tell()
@@ -137,14 +137,14 @@ class Tracks:
 
     def as_dict(self) -> dict[str, Any]:
         """Plain values."""
-        return {"real_points": len(self.now.real), "hil_points": len(self.now.hil), "can_restore": self.can_restore}
+        return {"flight_points": len(self.now.flight), "hil_points": len(self.now.hil), "can_restore": self.can_restore}
 
     def _on_gps(self, t_s: float, values: Values) -> None:
         """A receiver without a fix sends its last position, or the Gulf of Guinea."""
         if values["valid"] is True and values["fix"]:
             ahrs = self._mirror.newest("ahrs") if self._mirror.is_live("ahrs") else None
             attitude = None if ahrs is None else _attitude(ahrs, _AHRS)
-            _add(self.now.real, t_s, values["latitude_deg"], values["longitude_deg"], values["altitude_m"], attitude)
+            _add(self.now.flight, t_s, values["latitude_deg"], values["longitude_deg"], values["altitude_m"], attitude)
 
     def _on_simulator(self, t_s: float, values: Values) -> None:
         altitude_ft = values["altitude_msl_ft"]
