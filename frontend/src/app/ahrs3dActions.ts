@@ -1,5 +1,5 @@
 import { FieldSamples } from "../lib/fieldSamples";
-import { isCommandResult } from "../protocol/answers";
+import { isCommandOutcome } from "../protocol/guards.gen";
 import type { Asker } from "../store/actions";
 import { type Ahrs3d, createAlignment } from "../store/ahrs3d";
 import { resultMessage } from "./actions";
@@ -10,7 +10,7 @@ const PATH = "/api/v1/ahrs-test";
 export function createAhrs3d(parts: AskingParts): Ahrs3d {
   const { run } = createAsking(parts);
   const ask = (method: "POST" | "DELETE", name: string) => (asker: Asker) =>
-    run(asker, parts.rest.ask(method, PATH, isCommandResult), (result) => ({
+    run(asker, parts.rest.ask(method, PATH, isCommandOutcome), (result) => ({
       state: result.state,
       message: resultMessage(`@command.${name}`, result),
     }));

@@ -1,4 +1,4 @@
-import { isAlarmBook, isThresholds } from "../protocol/alarms";
+import { isAlarmBook, isThresholdList } from "../protocol/guards.gen";
 import {
   type AlarmBook,
   type AlarmBookStore,
@@ -82,7 +82,7 @@ export function createAlarmBook(parts: AlarmParts): AlarmBook {
       );
     },
     readThresholds: async () => {
-      const answer = await rest.ask("GET", "/api/v1/alarms/thresholds", isThresholds);
+      const answer = await rest.ask("GET", "/api/v1/alarms/thresholds", isThresholdList);
       store.setState(
         answer.ok
           ? { thresholds: answer.value.thresholds, failure: null }
@@ -92,7 +92,7 @@ export function createAlarmBook(parts: AlarmParts): AlarmBook {
     setThreshold: (name, value, asker) =>
       run(
         asker,
-        rest.ask("PUT", "/api/v1/alarms/thresholds", isThresholds, { [name]: value }),
+        rest.ask("PUT", "/api/v1/alarms/thresholds", isThresholdList, { [name]: value }),
         ({ thresholds }) => {
           store.setState({ thresholds });
           return {

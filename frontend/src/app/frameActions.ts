@@ -1,4 +1,4 @@
-import { isAbout } from "../protocol/about";
+import { isAbout } from "../protocol/guards.gen";
 import { EMULATION_URL, type FrameActions } from "../store/frame";
 import { failureMessage } from "../store/messages";
 import { type AskingParts, createAsking, info } from "./asking";

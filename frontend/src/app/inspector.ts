@@ -1,4 +1,4 @@
-import { isInspection } from "../protocol/inspector";
+import { isInspector } from "../protocol/guards.gen";
 import type { Inspector } from "../store/inspector";
 import { failureMessage } from "../store/messages";
 import type { Rest } from "../transport/rest";
@@ -6,7 +6,7 @@ import type { Rest } from "../transport/rest";
 export function createInspector(rest: Rest): Inspector {
   return {
     read: async () => {
-      const answer = await rest.ask("GET", "/api/v1/inspector", isInspection);
+      const answer = await rest.ask("GET", "/api/v1/inspector", isInspector);
       return answer.ok ? answer.value : failureMessage(answer.problem);
     },
   };

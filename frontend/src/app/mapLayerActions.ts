@@ -1,5 +1,6 @@
 import type { StreamEvent } from "../protocol/envelope";
-import { isConverting, isMapImport, isMapLayers, isMapOnline, type MapLayer } from "../protocol/mapLayers";
+import { isMapImport, isMapLayers, isOnlineState } from "../protocol/guards.gen";
+import { isConverting, type MapLayer } from "../protocol/mapLayers";
 import {
   createMapLayers,
   forgetImport,
@@ -33,7 +34,7 @@ export function createMapLayerActions(parts: AskingParts & { readonly timers: Ti
 
   async function read(): Promise<void> {
     cancelNext();
-    const asked = rest.ask("GET", ONLINE, isMapOnline);
+    const asked = rest.ask("GET", ONLINE, isOnlineState);
     const answer = await rest.ask("GET", LAYERS, isMapLayers);
     const online = await asked;
     if (online.ok) {
@@ -88,7 +89,7 @@ export function createMapLayerActions(parts: AskingParts & { readonly timers: Ti
       }),
 
     chooseOnline: (choice, asker) =>
-      run(asker, rest.ask("PUT", ONLINE, isMapOnline, choice), (online) => {
+      run(asker, rest.ask("PUT", ONLINE, isOnlineState, choice), (online) => {
         store.setState({ online });
         // Its sources are layers like others.
         void read();
@@ -97,7 +98,7 @@ export function createMapLayerActions(parts: AskingParts & { readonly timers: Ti
       }),
 
     clearOnline: (asker) =>
-      run(asker, rest.ask("DELETE", `${ONLINE}/cache`, isMapOnline), (online) => {
+      run(asker, rest.ask("DELETE", `${ONLINE}/cache`, isOnlineState), (online) => {
         store.setState({ online });
         return { state: "confirmed", message: info("map.online.saidCleared") };
       }),

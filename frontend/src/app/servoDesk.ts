@@ -1,6 +1,6 @@
 import { isNumber, isText, list, nullable, oneOf, shape } from "../lib/check";
-import { isCommandResult } from "../protocol/answers";
 import type { StreamEvent } from "../protocol/envelope";
+import { isCommandOutcome } from "../protocol/guards.gen";
 import type { Status } from "../protocol/status";
 import type { Outcome } from "../store/commands";
 import { failureMessage, type Message } from "../store/messages";
@@ -72,7 +72,7 @@ export function createServoDesk({ rest, timers, client, tell }: Parts): ServoDes
 
   async function send(servo: number, position: number): Promise<void> {
     const value = { servo, position };
-    const answer = await rest.ask("POST", "/api/v1/commands/servo_out", isCommandResult, { value });
+    const answer = await rest.ask("POST", "/api/v1/commands/servo_out", isCommandOutcome, { value });
     underWay.delete(servo);
     if (!wanted.has(servo)) {
       const state = answer.ok ? answer.value.state : "rejected";

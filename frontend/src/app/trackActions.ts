@@ -1,6 +1,7 @@
 import { tellTiming } from "../lib/timing";
 import type { StreamEvent } from "../protocol/envelope";
-import { isTrackState, readTrackPiece, TRACKS, type TrackName } from "../protocol/track";
+import { isTrackState } from "../protocol/guards.gen";
+import { readTrackPiece, TRACKS, type TrackName } from "../protocol/track";
 import { failureMessage } from "../store/messages";
 import {
   createTracks,

@@ -1,24 +1,6 @@
-import { type Checked, isNumber, isObject, isText, list, nullable, oneOf, shape } from "../lib/check";
-import type { components } from "./api.gen";
-
-/** What became of a command. `reason` is the board's own, where it refused. */
-export const isCommandResult = shape({
-  state: oneOf("confirmed", "rejected", "timed_out", "sent"),
-  by: isText,
-  ms: isNumber,
-  reason: nullable(isText),
-});
-
-export const isPorts = shape({ ports: list(shape({ path: isText, description: isText })) });
+import { isObject } from "../lib/check";
 
 /** An answer whose content does not matter: that it came says that it was done. */
 export function isDone(value: unknown): value is object | null {
   return value === null || isObject(value);
 }
-
-type Described = components["schemas"];
-/** Do not compile when the gateway describes its answers otherwise than they are checked here. */
-export const outcomeIsAsDescribed: Described["CommandOutcome"] extends Checked<typeof isCommandResult>
-  ? true
-  : false = true;
-export const portsAreAsDescribed: Described["Ports"] extends Checked<typeof isPorts> ? true : false = true;

@@ -1,5 +1,5 @@
 import { createStore, type StoreApi } from "zustand/vanilla";
-import type { AlarmBookAnswer, ThresholdAnswer } from "../protocol/alarms";
+import type { AlarmBook as AlarmBookAnswer, ThresholdList as ThresholdAnswer } from "../protocol/guards.gen";
 import type { Asker } from "./actions";
 import type { AlarmLevel, OwnAlarm } from "./alarms";
 import type { Message } from "./messages";

@@ -1,6 +1,6 @@
 import { beforeEach, describe, expect, test } from "vitest";
 import type { Status } from "../protocol/status";
-import { aStatus } from "../test/status";
+import { aStatus, aTopic } from "../test/status";
 import { activeAlarms, isRecovered } from "./alarms";
 import { type Connection, createConnection } from "./connection";
 import { TelemetryStore } from "./telemetry";
@@ -65,10 +65,7 @@ describe("recovered", () => {
   let telemetry: TelemetryStore;
   const status = aStatus({
     topics: Object.fromEntries(
-      ["heartbeat", "analog", "gps", "hil_surfaces"].map((topic) => [
-        topic,
-        { count: 1, stale_after_s: 0.6 },
-      ]),
+      ["heartbeat", "analog", "gps", "hil_surfaces"].map((topic) => [topic, aTopic({ stale_after_s: 0.6 })]),
     ),
   });
 

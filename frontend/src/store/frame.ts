@@ -1,4 +1,4 @@
-import type { About } from "../protocol/about";
+import type { About } from "../protocol/guards.gen";
 import type { Asker } from "./actions";
 import type { Message } from "./messages";
 

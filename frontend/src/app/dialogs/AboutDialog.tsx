@@ -1,7 +1,7 @@
 import { useEffect, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useSentence } from "../../i18n/useSentence";
-import type { About } from "../../protocol/about";
+import type { About } from "../../protocol/guards.gen";
 import { usePage } from "../../store/hooks";
 import type { Message } from "../../store/messages";
 import { Notice } from "../../ui/Notice";
