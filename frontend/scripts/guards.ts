@@ -1,4 +1,4 @@
-/** The OpenAPI document, as much of it as is read here. */
+/** The parts of an OpenAPI document that are read here. */
 export interface ApiDocument {
   readonly paths: Readonly<Record<string, Readonly<Record<string, Operation>>>>;
   readonly components: { readonly schemas: Schemas };
@@ -25,13 +25,13 @@ export interface Schema {
   readonly description?: string;
 }
 
-/** Where the page wants a property otherwise than the document says it, as "Schema.property". */
+/** Properties that the page checks differently from the document, as "Schema.property". */
 export interface Exceptions {
-  /** Words of which a newer gateway may know more: the page can show one that it does not know, so any text will do. */
+  /** Words that the page can show without knowing them: a newer gateway may send one that is not listed here. */
   readonly openWords: readonly string[];
-  /** What may be missing. */
+  /** Fields that may be missing although the document requires them. */
   readonly optional: readonly string[];
-  /** Names of gains: text in the document, and in the page's copy of the definition a closed list. */
+  /** Names of gains: any text in the document, but the page knows all of them from the definition of the wire. */
   readonly parameterNames: readonly string[];
 }
 
@@ -73,7 +73,7 @@ export function answerSchemas({ paths, components }: ApiDocument): Schemas {
     .map(([, { content }]) => content?.["application/json"]?.schema?.$ref)
     .filter((reference) => reference !== undefined)
     .map(nameOf);
-  // Twice: the order shall not depend on which of them are answers.
+  // Sorted before the second pass, so that the order does not depend on which schemas are answers themselves.
   const reached = withParts(answers, components.schemas).map(([name]) => name);
   return Object.fromEntries(withParts(reached.sort(), components.schemas));
 }
@@ -118,7 +118,7 @@ function nameOf(reference: string): string {
   return reference.slice(REFERENCE.length);
 }
 
-/** The module of the guards: for each schema `is<Name>` and the type that it proves. */
+/** The text of guards.gen.ts: for each schema `is<Name>` and the type that it proves. */
 export function guardsModule(document: ApiDocument, exceptions: Exceptions = EXCEPTIONS): string {
   const schemas = answerSchemas(document);
   const unused = Object.values(exceptions)
@@ -138,7 +138,8 @@ export function guardsModule(document: ApiDocument, exceptions: Exceptions = EXC
     "optional",
     "shape",
   );
-  const used = parts.filter((part) => new RegExp(`\\b${part}\\b[(,)]`).test(body));
+  const code = body.replace(/\/\*\*.*?\*\//gs, "");
+  const used = parts.filter((part) => new RegExp(`\\b${part}\\b[(,)]`).test(code));
   const names = body.includes("isParameterName")
     ? `import { isParameterName } from "./parameterName";\n`
     : "";
@@ -164,7 +165,7 @@ export type ${name} = Checked<typeof is${name}>;
 `;
 }
 
-/** The expression that checks a value of this schema. Bounds and patterns are the gateway's to keep. */
+/** The expression that checks a value of this schema. Bounds and patterns are not checked: the gateway keeps them. */
 function checkOf(schema: Schema, place: string, isOpen: boolean): string {
   const { $ref, anyOf, type, items, properties, additionalProperties } = schema;
   const words = schema.const === undefined ? schema.enum : [schema.const];
@@ -205,7 +206,7 @@ function comment({ description }: Schema): string {
     : `/** ${description.replaceAll("*/", "* /").replaceAll("\n", "\n * ").replaceAll(" \n", "\n")} */\n`;
 }
 
-/** The module of the schemas themselves: tests hold the guards against them. */
+/** The text of schemas.gen.ts: the schemas themselves, against which the tests compare the guards. */
 export function schemasModule(document: ApiDocument): string {
   const { Problem } = document.components.schemas;
   const rows = Object.entries({ ...answerSchemas(document), ...(Problem && { Problem }) }).map(
@@ -213,13 +214,13 @@ export function schemasModule(document: ApiDocument): string {
   );
   return `${HEAD}import type { Schemas } from "../../scripts/guards.ts";
 
-/** A line for each schema that the gateway answers with, and for that of its refusals. */
+/** The schemas of the gateway's answers, and that of its refusals; one on each line. */
 export const SCHEMAS: Schemas = {
 ${rows.join("")}};
 `;
 }
 
-/** A schema without the keywords that nothing is made of. */
+/** A schema with only the keywords of `Schema`: no titles, bounds, patterns or defaults. */
 function onlyRead(schema: Schema): Schema {
   const { $ref, anyOf, type, items, properties, required, additionalProperties, description } = schema;
   return {

@@ -5,12 +5,12 @@
  */
 export interface Check<T> {
   (value: unknown): value is T;
-  /** See `faultIn`; a check without parts of its own has none. */
+  /** What `faultIn` answers; missing where a check has no parts. */
   readonly fault?: (value: unknown) => string | null;
 }
 export type Checked<C> = C extends Check<infer T> ? T : never;
 
-/** Path of the first part of a value that does not fit: `.board.state`, `.layers[3].id`, empty for the whole; or null. */
+/** Path of the first part that does not fit: `.board.state`, `.layers[3].id`, empty for the value itself; else null. */
 export function faultIn(check: Check<unknown>, value: unknown): string | null {
   if (check.fault !== undefined) {
     return check.fault(value);
@@ -92,7 +92,7 @@ function firstFault<K>(
 
 type Fields = Readonly<Record<string, Check<unknown>>>;
 
-/** A check of an object; `fields` are the checks of its properties, to build others of. */
+/** A check of an object; `fields` are the checks of its properties, from which other shapes can be built. */
 export type ShapeCheck<F extends Fields> = Check<{ readonly [K in keyof F]: Checked<F[K]> }> & {
   readonly fields: F;
 };

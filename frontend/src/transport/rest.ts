@@ -134,7 +134,7 @@ function unreachable(): Refused {
   return failed("gateway_unreachable", "The gateway does not answer: check that it runs, then try again.");
 }
 
-/** An answer of which this part, or all where there is no path, does not fit. */
+/** An answer that does not fit at this path of `faultIn`. */
 function misfit(path: string): Refused {
   const field = path.replace(/^\./, "");
   return field === ""
