@@ -23,6 +23,8 @@ export interface Schema {
   readonly required?: readonly string[];
   readonly additionalProperties?: Schema | boolean;
   readonly description?: string;
+  /** Titles, bounds, patterns, defaults: nothing is made of them. */
+  readonly [keyword: string]: unknown;
 }
 
 /** Properties that the page checks differently from the document, as "Schema.property". */
@@ -100,15 +102,11 @@ function withParts(names: readonly string[], schemas: Schemas): (readonly [strin
   return [...found];
 }
 
-function references({ $ref, anyOf = [], items, properties = {}, additionalProperties }: Schema): string[] {
-  const parts = [...anyOf, ...Object.values(properties)];
-  if (items !== undefined) {
-    parts.push(items);
-  }
-  if (typeof additionalProperties === "object") {
-    parts.push(additionalProperties);
-  }
-  return [...($ref === undefined ? [] : [nameOf($ref)]), ...parts.flatMap(references)];
+/** Names of the schemas to which a schema refers anywhere; text inside a description has its quotes escaped. */
+function references(schema: Schema): string[] {
+  return [...JSON.stringify(schema).matchAll(/"\$ref":"([^"]*)"/g)].map(([, reference = ""]) =>
+    nameOf(reference),
+  );
 }
 
 function nameOf(reference: string): string {
@@ -210,7 +208,7 @@ function comment({ description }: Schema): string {
 export function schemasModule(document: ApiDocument): string {
   const { Problem } = document.components.schemas;
   const rows = Object.entries({ ...answerSchemas(document), ...(Problem && { Problem }) }).map(
-    ([name, schema]) => `  ${name}: ${JSON.stringify(onlyRead(schema))},\n`,
+    ([name, schema]) => `  ${name}: ${JSON.stringify(schema, withoutTitle)},\n`,
   );
   return `${HEAD}import type { Schemas } from "../../scripts/guards.ts";
 
@@ -220,23 +218,7 @@ ${rows.join("")}};
 `;
 }
 
-/** A schema with only the keywords of `Schema`: no titles, bounds, patterns or defaults. */
-function onlyRead(schema: Schema): Schema {
-  const { $ref, anyOf, type, items, properties, required, additionalProperties, description } = schema;
-  return {
-    ...(description !== undefined && { description }),
-    ...($ref !== undefined && { $ref }),
-    ...(anyOf && { anyOf: anyOf.map(onlyRead) }),
-    ...(type !== undefined && { type }),
-    ...(schema.enum && { enum: schema.enum }),
-    ...(schema.const !== undefined && { const: schema.const }),
-    ...(items && { items: onlyRead(items) }),
-    ...(properties && {
-      properties: Object.fromEntries(
-        Object.entries(properties).map(([name, part]) => [name, onlyRead(part)]),
-      ),
-    }),
-    ...(required && { required }),
-    ...(typeof additionalProperties === "object" && { additionalProperties: onlyRead(additionalProperties) }),
-  };
+/** Titles repeat the names; a property that is itself called title has a schema as its value. */
+function withoutTitle(key: string, value: unknown): unknown {
+  return key === "title" && typeof value === "string" ? undefined : value;
 }
