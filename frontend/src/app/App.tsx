@@ -1,13 +1,13 @@
 import { useEffect, useMemo, useRef } from "react";
 import { useTranslation } from "react-i18next";
+import { AhrsTestBanner } from "../features/ahrs/AhrsTestBanner";
+import { AlarmBar } from "../features/alarms/AlarmBar";
 import { useSettings } from "../store/hooks";
 import { applyTheme } from "../theme/theme";
 import { WordsProvider } from "../ui/words";
-import { AhrsTestBanner } from "./AhrsTestBanner";
-import { Alarms } from "./Alarms";
 import "./app.css";
+import { EmulationBanner } from "../features/emulation/EmulationBanner";
 import { DialogsProvider } from "./dialogs/dialogs";
-import { EmulationBanner } from "./emulation";
 import { Header } from "./Header";
 import { LeftPanel } from "./LeftPanel";
 import { MainTabs } from "./MainTabs";
@@ -73,7 +73,7 @@ export function App() {
             <div className="app-warnings">
               <EmulationBanner />
               <AhrsTestBanner />
-              <Alarms />
+              <AlarmBar />
             </div>
             <div className="app-middle">
               <Dock edge="left" />

@@ -1,13 +1,14 @@
 import { Cpu, Gamepad2, Hand, RadioTower } from "lucide-react";
 import { useTranslation } from "react-i18next";
-import { useAsked } from "../live/useAsked";
-import { useBoardBlocked, useGatewayBlocked } from "../live/useBlocked";
+import { readAutopilot, readAutotrim } from "../features/controls/axes";
+import { useSource } from "../features/controls/useSource";
 import type { CommandName } from "../protocol/messages.gen";
-import { useConnection, usePage, useTelemetry } from "../store/hooks";
+import { ACTIONS } from "../requests/actions";
+import { useAsked } from "../requests/useAsked";
+import { useBoardBlocked, useGatewayBlocked } from "../requests/useBlocked";
+import { useConnection, usePart, useTelemetry } from "../store/hooks";
 import type { TelemetryStore } from "../store/telemetry";
 import { SegmentedSwitch } from "../ui/SegmentedSwitch";
-import { readAutopilot, readAutotrim } from "./controls";
-import { useSource } from "./useSource";
 
 /** Autopilot and autotrim. */
 export function AutomaticControls() {
@@ -38,7 +39,7 @@ interface OnOffProps {
 
 function OnOffSwitch({ name, on, off, read }: OnOffProps) {
   const { t } = useTranslation();
-  const { actions } = usePage();
+  const actions = usePart(ACTIONS);
   const { state, stateText, wanted } = useAsked(name);
   const blocked = useBoardBlocked();
   const source = useSource();
@@ -67,7 +68,7 @@ function OnOffSwitch({ name, on, off, read }: OnOffProps) {
 
 function PathSwitch() {
   const { t } = useTranslation();
-  const { actions } = usePage();
+  const actions = usePart(ACTIONS);
   const { state, stateText, wanted } = useAsked("path");
   const blocked = useGatewayBlocked();
   const value = useConnection(({ status, phase }) => (phase === "open" ? (status?.hil.path ?? null) : null));
@@ -90,7 +91,7 @@ function PathSwitch() {
 
 function SourceSwitch() {
   const { t } = useTranslation();
-  const { actions } = usePage();
+  const actions = usePart(ACTIONS);
   const { state, stateText, wanted } = useAsked("source");
   const blocked = useBoardBlocked();
   return (

@@ -1,4 +1,4 @@
-import type { TrackPoint } from "../lib/track/points";
+import type { TrackPoint } from "../lib/track/trackPoints";
 
 /** The flown tracks: of the aircraft by its GPS, and of the simulator's. */
 export const TRACKS = ["real", "hil"] as const;

@@ -1,9 +1,9 @@
 import { expect, test, vi } from "vitest";
-import { HandFrames } from "../test/frames";
+import { ManualFrames } from "../test/frames";
 import { Pump } from "./pump";
 
 function setup() {
-  const frames = new HandFrames();
+  const frames = new ManualFrames();
   let revision = 0;
   const pump = new Pump(frames, () => revision, 0);
   return { frames, pump, arrive: () => (revision += 1) };
@@ -55,7 +55,7 @@ test.each([
 ])(
   "where frames are $name instruments move in every $of one, and texts as often as ever",
   ({ cost_ms, least, most }) => {
-    const frames = new HandFrames();
+    const frames = new ManualFrames();
     let revision = 0;
     const source = { request: frames.request, cancel: frames.cancel };
     const pump = new Pump({ ...source, measure: (spent) => spent(cost_ms) }, () => revision, 0);

@@ -1,13 +1,13 @@
 import { screen, within } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
+import { ParamsView } from "../features/parameters/ParamsView";
 import type { ParameterList } from "../protocol/guards.gen";
 import { PARAMETERS, type ParameterName } from "../protocol/messages.gen";
 import type { HeldParameter } from "../protocol/parameters";
-import { WORDS } from "../ui/test/words";
+import { WORDS } from "../ui/test/testWords";
 import { WordsProvider } from "../ui/words";
-import { ParamsView } from "../views/params/ParamsView";
+import { aStatus } from "./aStatus";
 import { type Asked, Station } from "./station";
-import { aStatus } from "./status";
 
 export const user = userEvent.setup();
 export let station: Station;

@@ -1,20 +1,5 @@
 import { type Check, faultIn, isObject, isText } from "../lib/check";
-
-/** What the gateway says when it did not do something (RFC 9457), or what stands in for it when it says nothing. */
-export interface Problem {
-  /** Stable key, which the page translates. */
-  readonly code: string;
-  /** One clear English sentence: which, why, what to do. */
-  readonly detail: string;
-  readonly params: Readonly<Record<string, unknown>>;
-}
-
-interface Refused {
-  readonly ok: false;
-  readonly problem: Problem;
-}
-
-export type Answer<T> = { readonly ok: true; readonly value: T } | Refused;
+import type { Answer, Problem, Refused } from "../protocol/answers";
 
 export interface RestOptions {
   readonly fetch: (path: string, init: RequestInit) => Promise<Response>;

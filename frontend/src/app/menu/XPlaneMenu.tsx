@@ -1,6 +1,7 @@
 import { useTranslation } from "react-i18next";
-import { useGatewayBlocked } from "../../live/useBlocked";
-import { useConnection, usePage, useTelemetry } from "../../store/hooks";
+import { ACTIONS } from "../../requests/actions";
+import { useGatewayBlocked } from "../../requests/useBlocked";
+import { useConnection, usePart, useTelemetry } from "../../store/hooks";
 import { Menu, MenuAction, MenuRule } from "../../ui/MenuBar";
 import { CommandItem, useOutcome } from "./items";
 
@@ -32,7 +33,7 @@ function Routes() {
 }
 
 function PathItem({ path, label }: { path: "manual" | "assisted"; label: string }) {
-  const { actions } = usePage();
+  const actions = usePart(ACTIONS);
   const current = useConnection(({ status, phase }) =>
     phase === "open" ? (status?.hil.path ?? null) : null,
   );
