@@ -1,7 +1,7 @@
 import { isText, nullable, oneOf, shape } from "../lib/check";
-import { isCommandResult } from "../protocol/answers";
 import type { StreamEvent } from "../protocol/envelope";
-import { isImportedPlan, isMission, isMissionEvent, type PlanName } from "../protocol/missions";
+import { isCommandOutcome, isMission, isMissionImport } from "../protocol/guards.gen";
+import { isMissionEvent, type PlanName } from "../protocol/missions";
 import type { Status } from "../protocol/status";
 import { resultMessage } from "../requests/actions";
 import type { Asker } from "../requests/asking";
@@ -54,7 +54,7 @@ export function createPlanActions(
 
     loadRoute: async (route, canRead, asker) => {
       let isTaken = false;
-      await run(asker, rest.ask("POST", `/api/v1/commands/${route}`, isCommandResult, {}), (result) => {
+      await run(asker, rest.ask("POST", `/api/v1/commands/${route}`, isCommandOutcome, {}), (result) => {
         isTaken = result.state === "confirmed" || result.state === "sent";
         return { state: result.state, message: resultMessage(`@command.${route}`, result) };
       });
@@ -65,7 +65,7 @@ export function createPlanActions(
 
     importFile: (plan, file, asker) => {
       const path = `${PATH}/import?name=${encodeURIComponent(file.name)}`;
-      return run(asker, rest.ask("POST", path, isImportedPlan, file), ({ waypoints, notes }) => {
+      return run(asker, rest.ask("POST", path, isMissionImport, file), ({ waypoints, notes }) => {
         editPlan(plans, plan, waypoints);
         const said = notes.map(({ code, params }) => ({
           level: "warning" as const,

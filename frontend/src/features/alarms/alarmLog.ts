@@ -1,14 +1,14 @@
 import { createStore, type StoreApi } from "zustand/vanilla";
-import type { AlarmBookAnswer, ThresholdAnswer } from "../../protocol/alarms";
 import type { StreamEvent } from "../../protocol/envelope";
+import type { AlarmBook, ThresholdList } from "../../protocol/guards.gen";
 import type { Asker } from "../../requests/asking";
 import type { Message } from "../../store/messages";
 import { partName } from "../../store/parts";
 import type { Language } from "../../store/settings";
 import type { AlarmLevel, OwnAlarm } from "./raisedAlarms";
 
-export type PastAlarm = AlarmBookAnswer["past"][number];
-export type Threshold = ThresholdAnswer["thresholds"][number];
+export type PastAlarm = AlarmBook["past"][number];
+export type Threshold = ThresholdList["thresholds"][number];
 
 /** `waits`: the browser wants a press of anything first. `none`: it has none. */
 export type SounderState = "ready" | "waits" | "none";

@@ -1,5 +1,5 @@
 import type { Timers } from "../../lib/timers";
-import { isAlarmBook, isThresholds } from "../../protocol/alarms";
+import { isAlarmBook, isThresholdList } from "../../protocol/guards.gen";
 import { type AskingParts, createAsking, info } from "../../requests/asking";
 import type { Connection, ConnectionStore } from "../../store/connection";
 import { failureMessage } from "../../store/messages";
@@ -82,7 +82,7 @@ export function createAlarmLog(parts: AlarmParts): AlarmLog {
       );
     },
     readThresholds: async () => {
-      const answer = await rest.ask("GET", "/api/v1/alarms/thresholds", isThresholds);
+      const answer = await rest.ask("GET", "/api/v1/alarms/thresholds", isThresholdList);
       store.setState(
         answer.ok
           ? { thresholds: answer.value.thresholds, failure: null }
@@ -92,7 +92,7 @@ export function createAlarmLog(parts: AlarmParts): AlarmLog {
     setThreshold: (name, value, asker) =>
       run(
         asker,
-        rest.ask("PUT", "/api/v1/alarms/thresholds", isThresholds, { [name]: value }),
+        rest.ask("PUT", "/api/v1/alarms/thresholds", isThresholdList, { [name]: value }),
         ({ thresholds }) => {
           store.setState({ thresholds });
           return {

@@ -2,7 +2,7 @@ import { beforeEach, describe, expect, test } from "vitest";
 import type { Status } from "../../protocol/status";
 import { type Connection, createConnection } from "../../store/connection";
 import { TelemetryStore } from "../../store/telemetry";
-import { aStatus } from "../../test/aStatus";
+import { aStatus, aTopic } from "../../test/aStatus";
 import { activeAlarms, isRecovered } from "./raisedAlarms";
 
 type Raised = Status["alarms"][number];
@@ -65,10 +65,7 @@ describe("recovered", () => {
   let telemetry: TelemetryStore;
   const status = aStatus({
     topics: Object.fromEntries(
-      ["heartbeat", "analog", "gps", "hil_surfaces"].map((topic) => [
-        topic,
-        { count: 1, stale_after_s: 0.6 },
-      ]),
+      ["heartbeat", "analog", "gps", "hil_surfaces"].map((topic) => [topic, aTopic({ stale_after_s: 0.6 })]),
     ),
   });
 

@@ -1,7 +1,8 @@
 import type { Timers } from "../../lib/timers";
 import { tellTiming } from "../../lib/timing";
 import type { StreamEvent } from "../../protocol/envelope";
-import { isTrackState, readTrackPiece, TRACKS, type TrackName } from "../../protocol/track";
+import { isTrackState } from "../../protocol/guards.gen";
+import { readTrackPiece, TRACKS, type TrackName } from "../../protocol/track";
 import type { Gateway } from "../../requests/asking";
 import { failureMessage } from "../../store/messages";
 import {
