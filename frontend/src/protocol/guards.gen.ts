@@ -548,7 +548,7 @@ export type ThresholdList = Checked<typeof isThresholdList>;
 /** What is drawn now; `can_restore`: the track that was cleared last is still kept. */
 export const isTrackState = shape({
   can_restore: isFlag,
+  flight_points: isNumber,
   hil_points: isNumber,
-  real_points: isNumber,
 });
 export type TrackState = Checked<typeof isTrackState>;
