@@ -125,7 +125,8 @@ class Supervisor:
     def _begin(self, address: LinkAddress, link: Link) -> None:
         is_emulated = address == EMULATION
         # A recording is what happened; an example did not.
-        link.start(LinkCallbacks(self._board.on_bytes, self._kept.lose, None if is_emulated else self._tap))
+        tap = None if is_emulated else self._tap
+        link.start(LinkCallbacks(self._board.on_bytes, self._kept.lose, tap, self._board.missing_bytes))
         self._board.attach(link, is_emulated=is_emulated)
 
     def _end(self, link: Link) -> None:
