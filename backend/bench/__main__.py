@@ -9,7 +9,21 @@ from collections.abc import Sequence
 
 from bench.table import Row, table
 
-MODULES = ("decode", "damaged", "latency", "cpu", "hil", "kill", "page", "globe", "flight", "board", "image")
+MODULES = (
+    "decode",
+    "damaged",
+    "latency",
+    "cpu",
+    "line",
+    "hil",
+    "strangers",
+    "kill",
+    "page",
+    "globe",
+    "flight",
+    "board",
+    "image",
+)
 """Each is a module of this package with `run() -> list[Row]`, in the order of the table."""
 
 

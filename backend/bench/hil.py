@@ -55,18 +55,18 @@ def run() -> list[Row]:
 
 
 def _gateway(viewers: int) -> tuple[list[float], list[float]]:
-    simulator, port = _simulator()
+    simulator, port = simulator_socket()
     with contextlib.closing(simulator), station() as (gateway, line):
         receive_port = free_udp_port()
         address = {"receive_port": receive_port, "send_host": "127.0.0.1", "send_port": port}
         gateway.put("/links/simulator", address)
         gateway.put("/hil", {"path": "assisted"})
         with _crowd(gateway, viewers, line):
-            return _fly(simulator, receive_port, line)
+            return fly(simulator, receive_port, line)
 
 
 def _floor() -> tuple[list[float], list[float]]:
-    simulator, port = _simulator()
+    simulator, port = simulator_socket()
     receive_port = free_udp_port()
     with contextlib.closing(simulator), tempfile.TemporaryDirectory() as folder:
         line = Line(Path(folder))
@@ -78,7 +78,7 @@ def _floor() -> tuple[list[float], list[float]]:
         try:
             assert process.stdout is not None
             process.stdout.readline()
-            return _fly(simulator, receive_port, line)
+            return fly(simulator, receive_port, line)
         finally:
             process.terminate()
             process.wait()
@@ -87,7 +87,7 @@ def _floor() -> tuple[list[float], list[float]]:
             line.close()
 
 
-def _fly(simulator: socket.socket, receive_port: int, line: Line) -> tuple[list[float], list[float]]:
+def fly(simulator: socket.socket, receive_port: int, line: Line) -> tuple[list[float], list[float]]:
     """Milliseconds of each way, FRAMES times."""
     there: list[float] = []
     back: list[float] = []
@@ -137,7 +137,8 @@ def _crowd(gateway: Gateway, viewers: int, line: Line) -> Iterator[None]:
             process.stdout.close()
 
 
-def _simulator() -> tuple[socket.socket, int]:
+def simulator_socket() -> tuple[socket.socket, int]:
+    """The simulator's end, and its port."""
     simulator = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
     simulator.bind(("127.0.0.1", 0))
     simulator.settimeout(20.0)

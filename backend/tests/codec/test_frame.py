@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 from epf_gcs.codec.encode import encode_command, encode_telemetry
 from epf_gcs.codec.frame import FROM_BOARD, TO_BOARD, Damage, Frame, FrameDecoder
 from epf_gcs.codec.messages_gen import TO_PC_HEADER
+from tests.codec.streams import mixed_frames
 from tests.codec.vectors import decode, direction, dropped, failures, frames, good_frames, load
 
 STREAMS = load("stream.jsonl")
@@ -163,3 +164,46 @@ def test_values_are_those_of_the_wire_in_the_order_of_the_definition() -> None:
     (frame,) = FrameDecoder().feed(encode_telemetry("ahrs", 270.0, 2.5, -10.25))
     assert isinstance(frame, Frame)
     assert frame.values == (270.0, 2.5, -10.25)
+
+
+def test_what_is_missing_is_exactly_what_makes_the_next_frame_whole() -> None:
+    decoder = FrameDecoder()
+    decoder.feed(HEARTBEAT)
+    for frame in mixed_frames(100, seed=7):
+        place = 0
+        found: list[Frame | Damage] = []
+        while not found:
+            missing = decoder.missing_bytes
+            assert 0 < missing <= len(frame) - place, "never more than the frame still takes"
+            found = decoder.feed(frame[place : place + missing])
+            place += missing
+        assert place == len(frame)
+        assert len(frames(found)) == 1
+
+
+def test_the_least_is_never_more_than_the_next_frame_takes() -> None:
+    stream = b"noise\n" + HEARTBEAT[:9] + b"".join(mixed_frames(60, seed=8)) + b"text" + HEARTBEAT
+    for step in (1, 5, 12, 40):
+        decoder = FrameDecoder()
+        promised = 0
+        for place in range(0, len(stream), step):
+            for byte in stream[place : place + step]:
+                found = decoder.feed(bytes((byte,)))
+                promised -= 1
+                assert promised <= 0 or not frames(found), "a frame was whole before it was said to be possible"
+            promised = decoder.missing_bytes
+
+
+def test_among_text_and_noise_nobody_knows_what_is_missing() -> None:
+    decoder = FrameDecoder()
+    assert decoder.missing_bytes == 0
+    decoder.feed(b"a text")
+    assert decoder.missing_bytes == 0
+    decoder.feed(HEARTBEAT)
+    assert decoder.missing_bytes > 0
+    decoder.feed(b"a text\n")
+    assert decoder.missing_bytes == 0
+    decoder.feed(HEARTBEAT[:10])
+    assert decoder.missing_bytes == len(HEARTBEAT) - 10
+    decoder.finish()
+    assert decoder.missing_bytes == 0

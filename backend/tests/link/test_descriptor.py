@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import os
 import pty
+import sys
 import tty
 from collections.abc import Iterator
 from pathlib import Path
@@ -45,11 +46,16 @@ class Ends:
         self.got = b""
         self.lost: list[LinkError] = []
         self.tape = Tape()
+        self.missing = 0
 
     async def open(self) -> DescriptorLink:
         link = await open_link(parse_address(f"pty://{self.path}"))
-        link.start(LinkCallbacks(self._take, self.lost.append, self.tape))
+        link.start(LinkCallbacks(self._take, self.lost.append, self.tape, lambda: self.missing))
         return link
+
+    @property
+    def reads(self) -> list[bytes]:
+        return [data for kind, data in self.tape.entries if kind == "received"]
 
     def pull(self) -> None:
         os.close(self.master)
@@ -141,4 +147,65 @@ async def test_bytes_that_came_before_the_start_are_not_lost(ends: Ends, tmp_pat
     got: list[bytes] = []
     link.start(LinkCallbacks(got.append, ends.lost.append))
     await eventually_async(lambda: b"".join(got) == b"early", "the early bytes arrive")
+    link.close()
+
+
+on_linux = pytest.mark.skipif(sys.platform != "linux", reason="only Linux has a terminal wait for more than a byte")
+
+
+@on_linux
+async def test_nobody_is_woken_before_what_is_missing_can_be_there(ends: Ends) -> None:
+    link = await ends.open()
+    ends.missing = 40
+    os.write(ends.master, b"begun")
+    await eventually_async(lambda: ends.got == b"begun", "the first bytes arrive")
+    for _ in range(4):
+        os.write(ends.master, bytes(10))
+    await eventually_async(lambda: len(ends.got) == 45, "the rest arrives")
+    assert ends.reads == [b"begun", bytes(40)]
+    link.close()
+
+
+@on_linux
+async def test_what_is_more_than_was_waited_for_comes_with_it(ends: Ends) -> None:
+    link = await ends.open()
+    ends.missing = 1000
+    os.write(ends.master, b"begun")
+    await eventually_async(lambda: ends.got == b"begun", "the first bytes arrive")
+    os.write(ends.master, bytes(300))
+    await eventually_async(lambda: len(ends.got) == 305, "no more is waited for than a terminal can")
+    link.close()
+
+
+@on_linux
+async def test_a_line_that_falls_silent_hands_over_what_it_has(ends: Ends) -> None:
+    link = await ends.open()
+    ends.missing = 40
+    os.write(ends.master, b"begun")
+    await eventually_async(lambda: ends.got == b"begun", "the first bytes arrive")
+    os.write(ends.master, b", and no more")
+    await eventually_async(lambda: ends.got == b"begun, and no more", "what there is arrives")
+    link.close()
+
+
+@on_linux
+async def test_a_line_that_is_pulled_while_bytes_are_missing_is_told_as_lost(ends: Ends) -> None:
+    await ends.open()
+    ends.missing = 40
+    os.write(ends.master, b"begun")
+    await eventually_async(lambda: ends.got == b"begun", "the first bytes arrive")
+    ends.pull()
+    await eventually_async(lambda: len(ends.lost) == 1, "the loss is noticed")
+
+
+@on_linux
+async def test_after_a_question_of_another_kind_a_short_answer_is_heard(ends: Ends) -> None:
+    link = await ends.open()
+    ends.missing = 40
+    os.write(ends.master, b"begun")
+    await eventually_async(lambda: ends.got == b"begun", "the first bytes arrive")
+    ends.missing = 0
+    assert link.write(b"version?")
+    os.write(ends.master, b"1")
+    await eventually_async(lambda: ends.got == b"begun1", "the answer arrives")
     link.close()

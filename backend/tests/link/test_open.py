@@ -16,6 +16,7 @@ from epf_gcs.errors import LinkError
 from epf_gcs.link.address import parse_address
 from epf_gcs.link.base import LinkCallbacks
 from epf_gcs.link.open import open_link
+from epf_gcs.link.tcp import Found, Resolve, open_tcp
 from tests.support.waiting import eventually_async
 
 pytestmark = pytest.mark.anyio
@@ -105,3 +106,37 @@ async def test_an_unknown_host_is_named() -> None:
     error = await _failure("tcp://no.such.host.invalid:4000")
     assert error.code == "link_unknown_host"
     assert "no.such.host.invalid" in error.detail
+
+
+async def test_a_name_that_no_network_can_have_is_an_unknown_host() -> None:
+    assert (await _failure("tcp://a..b:5")).code == "link_unknown_host"
+
+
+def _addresses(*numbers: str) -> Resolve:
+    async def look_up(_: str, port: int) -> list[Found]:
+        return [entry for one in numbers for entry in socket.getaddrinfo(one, port, type=socket.SOCK_STREAM)]
+
+    return look_up
+
+
+@pytest.mark.parametrize("number", ["127.0.0.1", "::1"])
+async def test_all_addresses_of_a_host_are_tried(number: str) -> None:
+    family = socket.AF_INET6 if ":" in number else socket.AF_INET
+    with socket.create_server((number, 0), family=family) as server:
+        address = parse_address(f"tcp://localhost:{server.getsockname()[1]}")
+        device = await open_tcp(address, _addresses("::1", "127.0.0.2", "127.0.0.1"))
+        peer, _ = server.accept()
+        with peer:
+            os.write(device.fd, b"to the board")
+            assert peer.recv(100) == b"to the board"
+        device.close()
+
+
+async def test_a_host_none_of_whose_addresses_answers_is_told_once() -> None:
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        port = probe.getsockname()[1]
+    with pytest.raises(LinkError) as caught:
+        await open_tcp(parse_address(f"tcp://localhost:{port}"), _addresses("::1", "127.0.0.1"))
+    assert caught.value.code == "link_refused"
+    assert f"localhost:{port} refuses connections" in caught.value.detail

@@ -17,6 +17,7 @@ from epf_gcs.vehicle.judges import (
     Lasting,
     Line,
     Loop,
+    StrangersJudge,
     judge_card,
     judge_heartbeat,
     judge_hil,
@@ -185,6 +186,22 @@ def test_a_few_bad_frames_on_a_quiet_line_are_no_bad_line() -> None:
     judge = DamageJudge(0.0)
     assert judge.look(1, 0, 4, 1.0) is None
     assert judge.look(2, 0, 5, 1.0) is not None
+
+
+def test_strangers_that_keep_sending_are_a_warning_until_they_have_been_quiet() -> None:
+    judge = StrangersJudge(0.0)
+    assert judge.look(1, 0, None) is None
+    assert judge.look(2, 9, "192.0.2.7:5000") is None, "a few may be a mistake"
+    found = judge.look(3, 10, "192.0.2.7:5000")
+    assert found is not None
+    assert (found.id, found.level) == ("foreign_datagrams", "warning")
+    assert found.params == {"per_s": 1, "host": "192.0.2.7:5000"}
+    assert "192.0.2.7:5000" in found.text
+    flood = judge.look(4, 50_010, "192.0.2.7:5000")
+    assert flood is not None
+    assert flood.params["per_s"] == 5001
+    assert judge.look(13, 50_010, "192.0.2.7:5000") is not None
+    assert judge.look(14.5, 50_010, "192.0.2.7:5000") is None
 
 
 LINE = Line("/dev/ttyUSB0", 100.0, False, True, 0.1, 0.3, None)

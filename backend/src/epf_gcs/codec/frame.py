@@ -105,10 +105,22 @@ class FrameDecoder:
             )
             for message in direction.messages.values()
         }
+        self._smallest = min(layout.size for layout in self._layouts.values())
         self._buffer = b""
         self._need = 1  # buffer size from which anything new can be decided
+        self._frame_was_last = False  # the last byte heard was the last of a frame
         self._run = b""  # skipped bytes not yet handed out
         self._run_is_remains = False
+
+    @property
+    def missing_bytes(self) -> int:
+        """The fewest bytes that must still come before a frame can be whole; 0 where that is not known.
+
+        Among frames another frame is expected; among text and noise nobody knows what comes.
+        """
+        if not self._buffer and not self._frame_was_last:
+            return 0
+        return max(self._need, self._smallest) - len(self._buffer)
 
     def feed(self, chunk: bytes) -> list[Frame | Damage]:
         """Take the next bytes of the line and return what they complete, in the order of the line."""
@@ -140,6 +152,7 @@ class FrameDecoder:
                 self._skip(self._buffer, found)
                 self._buffer = b""
         self._need = 1
+        self._frame_was_last = False
         found += self._take_run()
         self._run_is_remains = False
         return found
@@ -159,6 +172,7 @@ class FrameDecoder:
                 if position == length:
                     self._buffer = b""
                     self._need = 1
+                    self._frame_was_last = not skipping
                     break
                 skipping = True
                 position = self._search(buffer, position, found)
@@ -190,6 +204,7 @@ class FrameDecoder:
         start = buffer.find(self._header, position)
         if start < 0:
             kept = self._header_begun(buffer, position)
+            self._frame_was_last = False
             self._skip(buffer[position : len(buffer) - kept], found)
             self._buffer = buffer[len(buffer) - kept :]
             self._need = _HEADER_SIZE if kept else 1

@@ -41,6 +41,11 @@ class LinkAddress:
             return f"{base}?baud={self.baud}"
         return base
 
+    @property
+    def name(self) -> str:
+        """How a sentence names it."""
+        return f"{self.target}:{self.port}" if self.scheme == "tcp" else self.target or self.url
+
     def same_device(self, other: LinkAddress) -> bool:
         """Whether opening one needs the other closed."""
         return (self.scheme, self.target, self.port) == (other.scheme, other.target, other.port)

@@ -40,21 +40,34 @@ class Link(Protocol):
         """Let the device go. No callback comes after this."""
 
 
+def _unknown() -> int:
+    return 0
+
+
 @dataclass(frozen=True, slots=True)
 class LinkCallbacks:
-    """Whom a link tells. All are called on the event loop; `on_lost` at most once, and the link is closed by then."""
+    """Whom a link tells. All are called on the event loop; `on_lost` at most once, and the link is closed by then.
+
+    `missing_bytes` is asked after each `on_bytes`: how many bytes must still come before it is worth being told of
+    them; 0 where nobody knows. A link may wait for them, and hand over less only when the line falls silent.
+    """
 
     on_bytes: Callable[[bytes], None]
     on_lost: Callable[[LinkError], None]
     tap: Tap | None = None
+    missing_bytes: Callable[[], int] = _unknown
 
 
 @dataclass(frozen=True, slots=True)
 class Device:
-    """An opened, non-blocking descriptor and how to look after it."""
+    """An opened, non-blocking descriptor and how to look after it.
+
+    `wait_for` has the system say "readable" only when so many bytes are there (1 to 255); None where it cannot.
+    """
 
     name: str
     fd: int
     baud: int
     close: Callable[[], None]
     kernel_backlog: Callable[[], int]
+    wait_for: Callable[[int], None] | None = None

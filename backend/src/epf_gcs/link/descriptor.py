@@ -15,15 +15,24 @@ from epf_gcs.link.failures import lost_error
 _MAX_PENDING_BYTES: Final = 131072
 # A terminal gives no more at a time, and a larger buffer costs a new mapping for every few bytes.
 _READ_BYTES: Final = 4096
+# The most that a terminal can be told to wait for.
+_MOST_AWAITED: Final = 255
+# A line that fell silent before all came that was waited for: what is there is read after one to two of these.
+_PATIENCE_S: Final = 0.1
 
 
 def _nobody(_: object) -> None:
     """Before `start` nobody listens."""
 
 
+def _unknown() -> int:
+    return 0
+
+
 class DescriptorLink:
     """Reads when the descriptor is readable, straight from the event loop: no thread, no extra hop.
 
+    A frame comes in many pieces, and only the last makes it whole: where the system can, it wakes us for that one.
     Made on a running loop. Implements `Link`.
     """
 
@@ -35,12 +44,18 @@ class DescriptorLink:
         self._loop = asyncio.get_running_loop()
         self._pending = bytearray()
         self._closed = False
+        self._missing_bytes: Callable[[], int] = _unknown
+        self._wait_for = device.wait_for
+        self._awaited = 1
+        self._has_read = False
+        self._patience: asyncio.TimerHandle | None = None
 
     def start(self, callbacks: LinkCallbacks) -> None:
         """Begin to read; until now the bytes waited in the system."""
         self._on_bytes = callbacks.on_bytes
         self._on_lost = callbacks.on_lost
         self._tap = callbacks.tap
+        self._missing_bytes = callbacks.missing_bytes
         self._loop.add_reader(self._device.fd, self._readable)
 
     @property
@@ -59,6 +74,9 @@ class DescriptorLink:
         """Write at once what the system takes and queue the rest, whole messages only."""
         if self._closed or len(self._pending) + len(data) > _MAX_PENDING_BYTES:
             return False
+        if self._awaited > 1 and self._missing_bytes() < 1:
+            # What comes is not what was waited for any more: the answer may be short.
+            self._await_any()
         written = 0
         if not self._pending:
             try:
@@ -83,6 +101,8 @@ class DescriptorLink:
         self._closed = True
         self._loop.remove_reader(self._device.fd)
         self._loop.remove_writer(self._device.fd)
+        if self._patience is not None:
+            self._patience.cancel()
         self._device.close()
 
     def _readable(self) -> None:
@@ -100,6 +120,36 @@ class DescriptorLink:
         if tap is not None:
             tap.received(data)
         self._on_bytes(data)
+        if self._wait_for is not None:
+            self._await_rest(self._wait_for)
+
+    def _await_rest(self, wait_for: Callable[[int], None]) -> None:
+        """Be woken when what is missing can be here, and not for each of its pieces."""
+        self._has_read = True
+        missing = self._missing_bytes()
+        awaited = 1 if missing < 1 else min(missing, _MOST_AWAITED)
+        if awaited == self._awaited or self._closed:
+            return
+        self._awaited = awaited
+        wait_for(awaited)
+        if self._patience is None:
+            self._patience = self._loop.call_later(_PATIENCE_S, self._look_for_silence)
+
+    def _look_for_silence(self) -> None:
+        """Where nothing was read since the last look, take what is there: the rest may never come."""
+        self._patience = None
+        if self._awaited == 1:
+            return
+        if self._has_read:
+            self._has_read = False
+            self._patience = self._loop.call_later(_PATIENCE_S, self._look_for_silence)
+            return
+        self._await_any()
+
+    def _await_any(self) -> None:
+        self._awaited = 1
+        if self._wait_for is not None:
+            self._wait_for(1)
 
     def _writable(self) -> None:
         try:

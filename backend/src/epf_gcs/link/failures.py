@@ -36,6 +36,14 @@ _SENTENCES: Final[dict[int, tuple[ErrorCode, str]]] = {
         "{name} is taken by another program: close that program, or choose another receive port.",
     ),
     errno.EADDRNOTAVAIL: ("link_unreachable", "{name} is no address of this machine: correct it."),
+    errno.EMFILE: (
+        "link_failed",
+        "{name} cannot be opened because this program has too many files and connections open: close pages of it.",
+    ),
+    errno.ENFILE: (
+        "link_failed",
+        "{name} cannot be opened because this machine has too many files open: close other programs.",
+    ),
 }
 
 
@@ -46,6 +54,19 @@ def link_error(name: str, error: OSError) -> LinkError:
         number, ("link_failed", "{name} cannot be opened ({reason}): check the device and open again.")
     )
     return LinkError(code, sentence.format(name=name, reason=error.strerror or error), target=name)
+
+
+def unexpected_error(name: str, error: Exception) -> LinkError:
+    """The sentence for whatever else stood in the way of opening: never a reason to give a line up."""
+    if isinstance(error, LinkError):
+        return error
+    if isinstance(error, OSError):
+        return link_error(name, error)
+    return LinkError(
+        "link_failed",
+        f"{name} cannot be opened ({type(error).__name__}: {error}): correct the address; it is tried again.",
+        target=name,
+    )
 
 
 def lost_error(name: str, reason: str) -> LinkError:

@@ -1,13 +1,22 @@
-"""The datagram socket to the flight simulator."""
+"""The datagram sockets to the flight simulator, and who may be heard on them.
+
+The first sender on the simulator's host whose datagram is one is pinned: address and port. From then on a socket that
+is connected to it hears nothing else, so that the system itself keeps others out of its queue; those end up at the
+door, the socket that is open to all, where they are counted a few at a time and dropped.
+"""
 
 from __future__ import annotations
 
 import asyncio
+import contextlib
+import errno
 import ipaddress
 import socket
-from collections.abc import Callable
+import sys
+import time
+from collections.abc import Awaitable, Callable, Iterable
 from dataclasses import dataclass
-from typing import Final
+from typing import Any, Final
 
 from epf_gcs.errors import LinkError
 from epf_gcs.link.base import Tap
@@ -19,8 +28,21 @@ _MAX_DATAGRAM_BYTES: Final = 16384
 _LONG_BYTES: Final = 128
 # Datagrams taken in one go; a flood must not keep the loop from everything else.
 _BURST: Final = 16
+# While the pinned sender is heard on a socket of its own, the door is looked at so often: 320 strangers a second.
+_DOOR_PAUSE_S: Final = 0.05
+# What may wait at the door when a sender is pinned; taken at once, so that nothing of it is overtaken.
+_QUEUED: Final = 256
+# The pin may move when the pinned sender was silent for this long. Longer than the second after which the simulator
+# counts as lost, so that nobody takes over unseen; shorter than any simulator needs to start anew on another port.
+_PIN_S: Final = 2.0
+_ANCILLARY_BYTES: Final = 64
+_NO_SUCH_FAMILY: Final = (errno.EAFNOSUPPORT, errno.EADDRNOTAVAIL)
+# Linux tells with each datagram how many were dropped before it because the queue was full. Python has no name for it.
+_DROP_COUNTER: Final = 40 if sys.platform == "linux" else None
 
-SocketAddress = tuple[str, int] | tuple[str, int, int, int] | tuple[int, bytes]
+SocketAddress = tuple[Any, ...]
+Found = tuple[int, int, int, str, SocketAddress]
+Resolve = Callable[[str, int], Awaitable[Iterable[Found]]]
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,93 +54,277 @@ class UdpAddress:
     send_port: int
 
 
+def _anything(_: bytes) -> bool:
+    return True
+
+
 @dataclass(frozen=True, slots=True)
 class UdpCallbacks:
-    """Whom the socket tells, on the event loop. A stranger is any host but the configured one."""
+    """Whom the sockets tell, on the event loop.
+
+    `on_strangers` hears who sent the newest of so many dropped datagrams. `belongs` tells whether a datagram is one of
+    a simulator; it is asked only where that decides who is pinned. What a stranger sends the tap does not see.
+    """
 
     on_datagram: Callable[[bytes], None]
-    on_stranger: Callable[[str], None]
+    on_strangers: Callable[[str, int], None]
     tap: Tap | None = None
+    belongs: Callable[[bytes], bool] = _anything
 
 
-async def open_udp(address: UdpAddress, callbacks: UdpCallbacks) -> UdpLink:
-    """Bind the receive port: on the loopback alone where the simulator is there. Raises LinkError."""
-    loop = asyncio.get_running_loop()
+async def _look_up(host: str, port: int) -> Iterable[Found]:
+    return await asyncio.get_running_loop().getaddrinfo(host, port, type=socket.SOCK_DGRAM)
+
+
+async def open_udp(
+    address: UdpAddress,
+    callbacks: UdpCallbacks,
+    look_up: Resolve = _look_up,
+    now_s: Callable[[], float] = time.monotonic,
+) -> UdpLink:
+    """Bind the receive port: on the loopback alone where the simulator is there. Raises LinkError.
+
+    A name may have addresses of both kinds, as localhost has: then both are listened to.
+    """
     try:
-        found = await loop.getaddrinfo(address.send_host, address.send_port, type=socket.SOCK_DGRAM)
+        found = list(await look_up(address.send_host, address.send_port))
     except (socket.gaierror, UnicodeError) as error:
         raise LinkError(
             "simulator_unknown_host",
             f"The simulator's host '{address.send_host}' is not known: correct its name, or write its number.",
             host=address.send_host,
         ) from error
-    family, _, _, _, where = found[0]
-    known = frozenset(str(entry[4][0]) for entry in found)
+    doors: dict[int, socket.socket] = {}
+    missing: OSError | None = None
+    try:
+        for family, _, _, _, where in found:
+            if family not in doors:
+                try:
+                    doors[family] = _bind(family, str(where[0]), address.receive_port)
+                except OSError as error:
+                    if error.errno not in _NO_SUCH_FAMILY:
+                        raise
+                    missing = error
+        if not doors:
+            raise missing or OSError(errno.EADDRNOTAVAIL, "no address")
+    except OSError as error:
+        for door in doors.values():
+            door.close()
+        raise link_error(f"UDP port {address.receive_port}", error) from error
+    peers = list(dict.fromkeys((family, where) for family, _, _, _, where in found if family in doors))
+    return UdpLink(doors, peers, callbacks, now_s)
+
+
+def _bind(family: int, host: str, port: int) -> socket.socket:
     sock = socket.socket(family, socket.SOCK_DGRAM)
     try:
         sock.setblocking(False)
-        host = str(where[0])
-        local = host if ipaddress.ip_address(host).is_loopback else ""
-        sock.bind((local, address.receive_port))
-    except OSError as error:
+        if family == socket.AF_INET6:
+            sock.setsockopt(socket.IPPROTO_IPV6, socket.IPV6_V6ONLY, 1)
+        if _DROP_COUNTER is not None:
+            sock.setsockopt(socket.SOL_SOCKET, _DROP_COUNTER, 1)
+        sock.bind((host if ipaddress.ip_address(host.partition("%")[0]).is_loopback else "", port))
+    except BaseException:
         sock.close()
-        raise link_error(f"UDP port {address.receive_port}", error) from error
-    return UdpLink(sock, where, known, callbacks)
+        raise
+    return sock
 
 
 class UdpLink:
-    """Hands over each datagram as it arrives. Made on a running loop."""
+    """Hands over each datagram of the simulator as it arrives. Made on a running loop."""
 
     def __init__(
-        self, sock: socket.socket, send_to: SocketAddress, known_hosts: frozenset[str], callbacks: UdpCallbacks
+        self,
+        doors: dict[int, socket.socket],
+        peers: list[tuple[int, SocketAddress]],
+        callbacks: UdpCallbacks,
+        now_s: Callable[[], float],
     ) -> None:
-        self._sock = sock
-        self._send_to = send_to
-        self._known_hosts = known_hosts
+        self._doors = doors
+        self._known_hosts = frozenset(str(where[0]) for _, where in peers)
+        # Until one of them is heard nobody knows which it is: then all are sent to.
+        self._send_to = peers
+        self._send_port = int(peers[0][1][1])
         self._callbacks = callbacks
+        self._now_s = now_s
         self._loop = asyncio.get_running_loop()
         self._closed = False
+        self._pinned: SocketAddress | None = None
+        self._heard_s = 0.0
+        self._ear: socket.socket | None = None
+        self._ear_heard = False
+        self._may_have_ear = True
+        self._dropped = dict.fromkeys(doors, 0)
+        self._pauses: dict[int, asyncio.TimerHandle] = {}
         self.send_failures = 0
-        self._loop.add_reader(sock.fileno(), self._readable)
+        for family, door in doors.items():
+            self._loop.add_reader(door.fileno(), self._look_at_door, family)
 
     @property
     def receive_port(self) -> int:
         """The port that we listen on."""
-        return int(self._sock.getsockname()[1])
+        return int(next(iter(self._doors.values())).getsockname()[1])
+
+    @property
+    def pinned(self) -> str | None:
+        """Host and port of the sender that is heard, None before the first datagram."""
+        return None if self._pinned is None else _spelled(self._pinned)
 
     def send(self, datagram: bytes) -> bool:
         """Send now or not at all; a datagram that cannot leave is counted, not kept."""
         if self._closed:
             return False
-        try:
-            self._sock.sendto(datagram, self._send_to)
-        except OSError:
-            self.send_failures += 1
-            return False
-        if self._callbacks.tap is not None:
+        sent = False
+        for family, where in self._send_to:
+            try:
+                self._doors[family].sendto(datagram, where)
+                sent = True
+            except OSError:
+                self.send_failures += 1
+        if sent and self._callbacks.tap is not None:
             self._callbacks.tap.sent(datagram)
-        return True
+        return sent
 
     def close(self) -> None:
         """Let the port go. No callback comes after this."""
         if self._closed:
             return
         self._closed = True
-        self._loop.remove_reader(self._sock.fileno())
-        self._sock.close()
+        self._drop_ear()
+        for pause in self._pauses.values():
+            pause.cancel()
+        for door in self._doors.values():
+            self._loop.remove_reader(door.fileno())
+            door.close()
 
-    def _readable(self) -> None:
+    def _listen(self) -> None:
+        """The pinned sender's own socket is readable."""
+        ear = self._ear
         for _ in range(_BURST):
+            if ear is None or ear is not self._ear:
+                return
             try:
-                datagram, sender = self._sock.recvfrom(_MAX_DATAGRAM_BYTES)
+                datagram, sender = ear.recvfrom(_MAX_DATAGRAM_BYTES)
             except OSError:
                 # Nothing more to read, or an ICMP complaint about something that we sent.
                 return
-            if self._callbacks.tap is not None:
-                self._callbacks.tap.received(datagram)
-            if sender[0] in self._known_hosts:
-                self._callbacks.on_datagram(datagram)
-            else:
-                self._callbacks.on_stranger(str(sender[0]))
+            if sender != self._pinned:
+                # It came between the socket's binding and its connecting.
+                self._callbacks.on_strangers(_spelled(sender), 1)
+                continue
+            self._ear_heard = True
+            self._take(datagram)
             if self._closed or len(datagram) > _LONG_BYTES:
                 return
+
+    def _look_at_door(self, family: int) -> None:
+        """Anybody's datagrams: find the simulator among them, count the others."""
+        door = self._doors[family]
+        left, was_pinned_here = _BURST, False
+        strangers, last = 0, None
+        while left and not self._closed:
+            left -= 1
+            try:
+                datagram, ancillary, _, sender = door.recvmsg(_MAX_DATAGRAM_BYTES, _ANCILLARY_BYTES)
+            except OSError:
+                break
+            strangers += self._newly_dropped(family, ancillary)
+            if sender == self._pinned:
+                self._doubt_ear(is_queued=was_pinned_here)
+                self._take(datagram)
+            elif sender[0] not in self._known_hosts or self._is_pinned_now():
+                strangers, last = strangers + 1, sender
+                continue
+            elif self._callbacks.belongs(datagram):
+                self._pin(family, sender)
+                self._take(datagram)
+                left, was_pinned_here = _QUEUED, True
+            else:
+                self._callbacks.on_datagram(datagram)
+            if self._ear is None and len(datagram) > _LONG_BYTES:
+                break
+        if last is not None and not self._closed:
+            self._callbacks.on_strangers(_spelled(last), strangers)
+            if self._ear is not None and not self._closed:
+                self._pause(family)
+
+    def _is_pinned_now(self) -> bool:
+        return self._pinned is not None and self._now_s() - self._heard_s < _PIN_S
+
+    def _take(self, datagram: bytes) -> None:
+        self._heard_s = self._now_s()
+        if self._callbacks.tap is not None:
+            self._callbacks.tap.received(datagram)
+        self._callbacks.on_datagram(datagram)
+
+    def _doubt_ear(self, *, is_queued: bool) -> None:
+        """The pinned sender is at the door: it sends to an address of ours that its own socket does not have."""
+        if self._ear is not None and not self._ear_heard and not is_queued:
+            self._may_have_ear = False
+            self._drop_ear()
+
+    def _newly_dropped(self, family: int, ancillary: list[tuple[int, int, bytes]]) -> int:
+        """Datagrams that the system dropped at this door since the last one; strangers' while an ear is there."""
+        for level, kind, data in ancillary:
+            if level == socket.SOL_SOCKET and kind == _DROP_COUNTER:
+                dropped = int.from_bytes(data[:4], sys.byteorder)
+                before, self._dropped[family] = self._dropped[family], dropped
+                return (dropped - before) % 2**32 if self._ear is not None else 0
+        return 0
+
+    def _pin(self, family: int, sender: SocketAddress) -> None:
+        """This is the simulator from now on: hear it on a socket of its own, and answer its host."""
+        self._drop_ear()
+        self._ear_heard = False
+        self._pinned = sender
+        self._send_to = [(family, (sender[0], self._send_port, *sender[2:]))]
+        if self._may_have_ear:
+            self._ear = _connected(self._doors[family], sender)
+        if self._ear is not None:
+            self._loop.add_reader(self._ear.fileno(), self._listen)
+
+    def _drop_ear(self) -> None:
+        ear, self._ear = self._ear, None
+        if ear is not None:
+            self._loop.remove_reader(ear.fileno())
+            ear.close()
+
+    def _pause(self, family: int) -> None:
+        """Strangers are at the door and the simulator has another: they can wait."""
+        self._loop.remove_reader(self._doors[family].fileno())
+        self._pauses[family] = self._loop.call_later(_DOOR_PAUSE_S, self._resume, family)
+
+    def _resume(self, family: int) -> None:
+        self._loop.add_reader(self._doors[family].fileno(), self._look_at_door, family)
+
+
+def _connected(door: socket.socket, sender: SocketAddress) -> socket.socket | None:
+    """A second socket on the door's port that hears `sender` alone; None where the system has no such thing.
+
+    The port is shared only for as long as this takes: another program that wants it is still told that it is taken.
+    """
+    if sys.platform != "linux":
+        return None
+    try:
+        ear = socket.socket(door.family, socket.SOCK_DGRAM)
+    except OSError:
+        return None
+    try:
+        ear.setblocking(False)
+        if door.family == socket.AF_INET6:
+            ear.setsockopt(socket.IPPROTO_IPV6, socket.IPV6_V6ONLY, 1)
+        for sock in (door, ear):
+            sock.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        ear.bind(door.getsockname())
+        ear.connect(sender)
+    except OSError:
+        ear.close()
+        return None
+    finally:
+        with contextlib.suppress(OSError):
+            door.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 0)
+    return ear
+
+
+def _spelled(sender: SocketAddress) -> str:
+    return f"[{sender[0]}]:{sender[1]}" if ":" in str(sender[0]) else f"{sender[0]}:{sender[1]}"

@@ -178,6 +178,10 @@ class Board:
         if found:
             self._take(found)
 
+    def missing_bytes(self) -> int:
+        """The fewest bytes that must still come before anything can be told of them; 0 where that is not known."""
+        return 0 if self.guest is not None else self._decoder.missing_bytes
+
     def tick(self) -> None:
         """Do what is due; called some times a second."""
         if self.bytes_in == self._bytes_at_tick:

@@ -11,6 +11,7 @@ AlarmId = Literal[
     "heartbeat_lost",
     "no_heartbeat",
     "hil_lost",
+    "foreign_datagrams",
     "stick_lost",
     "gps_lost",
     "battery_low",
@@ -32,6 +33,9 @@ _GPS_LASTS_S: Final = 1.0
 _DAMAGE_WINDOW_S: Final = 10.0
 # One bad frame of ten in a quiet window is no bad line yet.
 _DAMAGE_LEAST: Final = 5
+_STRANGERS_WINDOW_S: Final = 10.0
+# One a second, all the time: more than a program that was started by mistake and ended again.
+_STRANGERS_LEAST: Final = 10
 
 
 @dataclass(frozen=True, slots=True)
@@ -180,6 +184,28 @@ class DamageJudge:
         percent = round(self.percent, 1)
         text = f"{percent:g} % of the board's frames are damaged: check baud rate, cable and radio."
         return Finding("frames_damaged", "warning", text, {"percent": percent})
+
+
+class StrangersJudge:
+    """The datagrams that others than the simulator sent to its port in the last ten seconds."""
+
+    def __init__(self, now_s: float) -> None:
+        self._counts = deque([(now_s, 0)])
+
+    def look(self, now_s: float, dropped: int, sender: str | None) -> Finding | None:
+        """`dropped` is a counter that only grows; `sender` is who sent the newest of them."""
+        self._counts.append((now_s, dropped))
+        while self._counts[0][0] < now_s - _STRANGERS_WINDOW_S:
+            self._counts.popleft()
+        count = dropped - self._counts[0][1]
+        if count < _STRANGERS_LEAST:
+            return None
+        per_s = max(1, round(count / _STRANGERS_WINDOW_S))
+        text = (
+            f"Others than the simulator send to its port, {per_s} datagrams a second, the last from {sender}: they are "
+            "dropped. End what sends them, or correct the simulator's address if it moved."
+        )
+        return Finding("foreign_datagrams", "warning", text, {"per_s": per_s, "host": sender})
 
 
 @dataclass(frozen=True, slots=True)

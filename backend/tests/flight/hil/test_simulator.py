@@ -93,6 +93,48 @@ async def test_a_remembered_port_that_is_taken_is_opened_when_it_is_free(tmp_pat
         await eventually_async(lambda: state(station) == "opening", "it is opened when it is free")
 
 
+async def test_an_old_port_that_cannot_be_had_back_at_once_is_had_when_it_is_free(tmp_path: Path) -> None:
+    station = Station(tmp_path, ErrorLog(), record=False)
+    async with station.running():
+        port = free_port()
+        await station.open_simulator(an_address(port))
+        thief = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+        told_end = station.hil.end
+
+        def steal() -> None:
+            station.hil.end = told_end  # type: ignore[method-assign]
+            told_end()
+            thief.bind(("127.0.0.1", port))
+
+        station.hil.end = steal  # type: ignore[method-assign]
+        with thief:
+            with pytest.raises(LinkError):
+                await station.open_simulator(SimulatorAddress(port, "no.such.host.invalid", 49000, "xp10"))
+            await eventually_async(lambda: state(station) == "lost", "the port is missed")
+        with taken_port() as sender:
+
+            def heard() -> bool:
+                sender.sendto(b"DATA@" + b"\0" * 36, ("127.0.0.1", port))
+                return state(station) == "open"
+
+            await eventually_async(heard, "the old port is listened to again")
+
+
+async def test_rows_of_another_program_on_the_simulators_machine_are_dropped_and_told(tmp_path: Path) -> None:
+    station = Station(tmp_path, ErrorLog(), record=False)
+    async with station.running():
+        port = free_port()
+        await station.open_simulator(an_address(port))
+        with taken_port() as simulator, taken_port() as other:
+            simulator.sendto(b"DATA@" + b"\0" * 36, ("127.0.0.1", port))
+            await eventually_async(lambda: state(station) == "open", "the simulator is heard")
+            other.sendto(b"DATA@" + b"\0" * 36, ("127.0.0.1", port))
+            await eventually_async(lambda: station.simulator.dropped["stranger"] == 1, "the other is dropped")
+            assert station.simulator.datagrams == 1
+            assert station.simulator.pinned == f"127.0.0.1:{simulator.getsockname()[1]}"
+            assert station.simulator.last_stranger == f"127.0.0.1:{other.getsockname()[1]}"
+
+
 async def test_a_simulator_that_stops_is_lost_and_comes_back(tmp_path: Path) -> None:
     station = Flight(tmp_path, record=False)
     async with station.running():

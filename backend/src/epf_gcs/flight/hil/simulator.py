@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import asyncio
 from collections import Counter
 from collections.abc import Callable
 from dataclasses import asdict, dataclass
@@ -12,14 +11,14 @@ from epf_gcs.clock import Clock
 from epf_gcs.errors import GatewayError, LinkError
 from epf_gcs.flight.hil.hil import Hil
 from epf_gcs.link.base import Tap
+from epf_gcs.link.kept_open import Handling, KeptOpen
 from epf_gcs.link.udp import UdpAddress, UdpCallbacks, UdpLink, open_udp
-from epf_gcs.xplane.datagram import release_datagram
+from epf_gcs.xplane.datagram import parse, release_datagram
 
 State = Literal["closed", "opening", "open", "lost"]
 Profile = Literal["xp10", "xp12"]
 
 _LOST_AFTER_S: Final = 1.0
-_RETRY_S: Final = 1.0
 # What X-Plane's network output was made for; the channel's use is shown in percent of it.
 CHANNEL_BYTES_PER_S: Final = 73000
 
@@ -32,6 +31,15 @@ class SimulatorAddress:
     send_host: str
     send_port: int
     profile: Profile
+
+    @property
+    def name(self) -> str:
+        """How a sentence names it."""
+        return f"UDP port {self.receive_port}"
+
+    def same_device(self, other: SimulatorAddress) -> bool:
+        """Whether opening one needs the other closed."""
+        return self.receive_port == other.receive_port
 
     @property
     def udp(self) -> UdpAddress:
@@ -58,103 +66,82 @@ class Simulator:
         self._hil = hil
         self._tap = tap
         self._report = report
-        self._on_change = on_change
-        self._link: UdpLink | None = None
-        self._lock = asyncio.Lock()
-        self._wake = asyncio.Event()
         self._last_datagram_s: float | None = None
-        self.address: SimulatorAddress | None = None
-        self.failure: GatewayError | None = None
         self.datagrams = 0
         self.bytes_in = 0
         self.dropped: Counter[str] = Counter()
         self.last_stranger_s: float | None = None
+        self.last_stranger: str | None = None
+        self._kept = KeptOpen(
+            Handling(
+                open=self._bind,
+                begin=self._begin,
+                end=self._end,
+                gone=hil.end,
+                report=report,
+                changed=on_change,
+            )
+        )
+
+    @property
+    def address(self) -> SimulatorAddress | None:
+        """What the operator wants to listen to; None after a close."""
+        return self._kept.address
+
+    @property
+    def failure(self) -> GatewayError | None:
+        """Why the socket is not open."""
+        return self._kept.failure
+
+    @property
+    def pinned(self) -> str | None:
+        """Host and port of the sender that is heard."""
+        link = self._kept.link
+        return None if link is None else link.pinned
 
     @property
     def state(self) -> State:
         """closed; opening: listening and nothing heard yet; open: it sends; lost: it stopped, or the port is taken."""
         if self.address is None:
             return "closed"
-        if self._link is None:
+        if self._kept.link is None:
             return "lost" if self.failure is not None else "opening"
         if self._last_datagram_s is None:
             return "opening"
         return "open" if self._clock.steady_s() - self._last_datagram_s < _LOST_AFTER_S else "lost"
 
     async def open(self, address: SimulatorAddress) -> None:
-        """Listen here in place of anywhere else. Raises LinkError; then everything is as it was."""
-        async with self._lock:
-            previous = self.address
-            if previous is not None and self._link is not None and previous.receive_port == address.receive_port:
-                self._shut()
-                try:
-                    link = await self._bind(address)
-                except LinkError:
-                    self._adopt(previous, await self._bind(previous))
-                    raise
-            else:
-                link = await self._bind(address)
-                self._shut()
-            self._adopt(address, link)
+        """Listen here in place of anywhere else. Raises LinkError; then what was wanted stays wanted."""
+        await self._kept.open(address)
 
     def want(self, address: SimulatorAddress) -> None:
         """Listen here as soon as it can be done; for the start, when nobody waits for an answer."""
-        self.address = address
-        self._wake.set()
+        self._kept.want(address)
 
     async def run(self) -> None:
-        """Try again what was wanted at the start and could not be opened; runs as long as the gateway."""
-        while True:
-            await self._wake.wait()
-            self._wake.clear()
-            if not await self._listens():
-                await asyncio.sleep(_RETRY_S)
-                self._wake.set()
+        """Open again whatever is wanted and not open; runs as long as the gateway."""
+        await self._kept.run()
 
     async def close(self) -> None:
         """Hand the controls back and stop listening."""
-        async with self._lock:
-            self.address = None
-            self.failure = None
-            self._shut()
-            self._on_change()
+        await self._kept.close()
 
     def shut_down(self) -> None:
         """The gateway ends: hand the controls back. What was wanted stays wanted."""
-        self._shut()
-
-    async def _listens(self) -> bool:
-        async with self._lock:
-            wanted = self.address
-            if wanted is None or self._link is not None:
-                return True
-            try:
-                self._adopt(wanted, await self._bind(wanted))
-            except LinkError as error:
-                if self.failure is None:
-                    self._report(error)
-                self.failure = error
-                self._on_change()
-                return False
-            return True
+        self._kept.shut_down()
 
     async def _bind(self, address: SimulatorAddress) -> UdpLink:
-        return await open_udp(address.udp, UdpCallbacks(self._on_datagram, self._on_stranger, self._tap))
+        callbacks = UdpCallbacks(self._on_datagram, self._on_strangers, self._tap, _is_of_a_simulator)
+        return await open_udp(address.udp, callbacks)
 
-    def _adopt(self, address: SimulatorAddress, link: UdpLink) -> None:
-        self.address = address
-        self.failure = None
-        self._link = link
+    def _begin(self, address: SimulatorAddress, link: UdpLink) -> None:
         self._last_datagram_s = None
         self._hil.begin(link, address.profile)
-        self._on_change()
 
-    def _shut(self) -> None:
-        link, self._link = self._link, None
-        if link is not None:
-            link.send(release_datagram())
-            link.close()
-            self._hil.end()
+    def _end(self, link: UdpLink) -> None:
+        link.send(release_datagram())
+        link.close()
+        self._hil.end()
 
     def _on_datagram(self, datagram: bytes) -> None:
         if self._hil.on_datagram(datagram):
@@ -172,16 +159,21 @@ class Simulator:
             )
         )
 
-    def _on_stranger(self, host: str) -> None:
-        self.dropped["stranger"] += 1
+    def _on_strangers(self, sender: str, count: int) -> None:
+        self.dropped["stranger"] += count
         self.last_stranger_s = self._clock.steady_s()
-        configured = "" if self.address is None else self.address.send_host
+        self.last_stranger = sender
+        configured = self.pinned or ("" if self.address is None else self.address.send_host)
         self._report(
             LinkError(
                 "datagram_stranger",
-                f"A datagram from {host} was dropped because the simulator is at {configured}: "
+                f"A datagram from {sender} was dropped because the simulator is at {configured}: "
                 "correct the simulator's address if it moved.",
-                host=host,
+                host=sender,
                 configured=configured,
             )
         )
+
+
+def _is_of_a_simulator(datagram: bytes) -> bool:
+    return parse(datagram) is not None
