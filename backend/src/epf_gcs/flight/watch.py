@@ -18,6 +18,7 @@ from epf_gcs.vehicle.judges import (
     GpsJudge,
     Line,
     Loop,
+    StrangersJudge,
     judge_card,
     judge_heartbeat,
     judge_hil,
@@ -59,6 +60,7 @@ class Watch:
         self._cpu = CpuJudge()
         self._gps = GpsJudge()
         self._damage = DamageJudge(steady_s())
+        self._strangers = StrangersJudge(steady_s())
 
     @property
     def damaged_percent(self) -> float:
@@ -72,6 +74,7 @@ class Watch:
         found = (
             judge_heartbeat(self._line(now_s), limits["heartbeat_lost_s"]),
             judge_hil(self._loop(now_s), limits["hil_lost_s"]),
+            self._strangers.look(now_s, self._simulator.dropped["stranger"], self._simulator.last_stranger),
             judge_stick(self._hil.stick.gamepad, self._hil.stick.state, flies=self._hil.source != "rc"),
             self._battery.look(now_s, self._live("analog"), limits["battery_low_v"]),
             self._look_at_gps(now_s),

@@ -153,7 +153,7 @@ async def test_a_remembered_board_that_is_not_there_yet_is_waited_for(tmp_path: 
 async def test_a_board_at_a_name_that_no_network_can_have_is_told_and_another_can_be_opened(
     tmp_path: Path, board: FakeBoard
 ) -> None:
-    station = Station(tmp_path / "data", ErrorLog(), record=False, board_url="tcp://a..b:5")
+    station = Flight(tmp_path / "data", record=False, board_url="tcp://a..b:5")
     async with station.running():
         await eventually_async(lambda: station.supervisor.state == "lost", "the failure is told")
         assert station.errors.counts == {"link_unknown_host": 1}

@@ -94,10 +94,10 @@ async def test_a_remembered_port_that_is_taken_is_opened_when_it_is_free(tmp_pat
 
 
 async def test_an_old_port_that_cannot_be_had_back_at_once_is_had_when_it_is_free(tmp_path: Path) -> None:
-    station = Station(tmp_path, ErrorLog(), record=False)
+    station = Flight(tmp_path, record=False)
     async with station.running():
         port = free_port()
-        await station.open_simulator(an_address(port))
+        await station.lines.open_simulator(an_address(port))
         thief = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
         told_end = station.hil.end
 
@@ -109,7 +109,7 @@ async def test_an_old_port_that_cannot_be_had_back_at_once_is_had_when_it_is_fre
         station.hil.end = steal  # type: ignore[method-assign]
         with thief:
             with pytest.raises(LinkError):
-                await station.open_simulator(SimulatorAddress(port, "no.such.host.invalid", 49000, "xp10"))
+                await station.lines.open_simulator(SimulatorAddress(port, "no.such.host.invalid", 49000, "xp10"))
             await eventually_async(lambda: state(station) == "lost", "the port is missed")
         with taken_port() as sender:
 
@@ -121,10 +121,10 @@ async def test_an_old_port_that_cannot_be_had_back_at_once_is_had_when_it_is_fre
 
 
 async def test_rows_of_another_program_on_the_simulators_machine_are_dropped_and_told(tmp_path: Path) -> None:
-    station = Station(tmp_path, ErrorLog(), record=False)
+    station = Flight(tmp_path, record=False)
     async with station.running():
         port = free_port()
-        await station.open_simulator(an_address(port))
+        await station.lines.open_simulator(an_address(port))
         with taken_port() as simulator, taken_port() as other:
             simulator.sendto(b"DATA@" + b"\0" * 36, ("127.0.0.1", port))
             await eventually_async(lambda: state(station) == "open", "the simulator is heard")
