@@ -12,8 +12,8 @@ import pytest
 import structlog
 
 from epf_gcs.errors import GatewayError
-from epf_gcs.flight.memory import Memory, Remembered
 from epf_gcs.flight import memory as memory_module
+from epf_gcs.flight.memory import Memory, Remembered
 from epf_gcs.vehicle.wanted import Wanted
 from tests.support.waiting import eventually, eventually_async
 

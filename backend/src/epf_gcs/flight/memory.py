@@ -13,15 +13,13 @@ from pathlib import Path
 from typing import Any, Final
 
 import orjson
-import structlog
 
 from epf_gcs.errors import GatewayError
 from epf_gcs.flight.disk import replace_file, sync_folder
+from epf_gcs.flight.flight_log import say
 from epf_gcs.vehicle.wanted import Wanted
 
 _GATHER_S: Final = 0.3
-
-log = structlog.get_logger("memory")
 
 
 @dataclass(frozen=True, slots=True)
@@ -125,11 +123,18 @@ class Memory:
             why = error.strerror or str(error) if isinstance(error, OSError) else "its content makes no sense"
             kept = self._set_aside()
             where = "it could not be kept aside" if kept is None else f"it is kept as {kept.name}"
-            log.warning("settings unreadable", path=str(self._path), reason=why, kept=None if kept is None else kept.name)
+            say(
+                "warning",
+                "settings unreadable",
+                path=str(self._path),
+                reason=why,
+                kept=None if kept is None else kept.name,
+            )
             self._report(
                 GatewayError(
                     "memory_unreadable",
-                    f"The settings in {self._path} could not be read ({why}): the gateway starts without them; {where}.",
+                    f"The settings in {self._path} could not be read ({why}): "
+                    f"the gateway starts without them; {where}.",
                     path=str(self._path),
                 )
             )
