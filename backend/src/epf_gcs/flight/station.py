@@ -146,6 +146,7 @@ class Station:
             if self.recorder is not None:
                 await asyncio.to_thread(self.recorder.stop)
             await asyncio.to_thread(self.parameters.journal.close)
+            await asyncio.to_thread(self.memory.close)
             await self.maps.close()
 
     def changed(self) -> None:

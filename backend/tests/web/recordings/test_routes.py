@@ -35,6 +35,24 @@ def test_a_flight_is_recorded_listed_and_downloaded(gateway: Gateway, board: Fak
     assert len(received) == gateway.status()["board"]["bytes_in"]
 
 
+def test_a_recording_is_downloaded_again_and_again_while_it_grows(gateway: Gateway, board: FakeBoard) -> None:
+    gateway.open_board(board.url)
+    gateway.http.post("/commands/ahrs_on").raise_for_status()
+    eventually(lambda: gateway.status()["recording"]["bytes"] > 0, "it records")
+    (running,) = gateway.http.get("/recordings").json()["recordings"]
+    path = f"/recordings/{running['id']}/export"
+    sizes = []
+    for _ in range(8):
+        answer = gateway.http.get(path).raise_for_status()
+        assert len(answer.content) == int(answer.headers["content-length"])
+        sizes.append(len(answer.content))
+        size = sizes[-1]
+        eventually(lambda size=size: gateway.status()["recording"]["bytes"] > size, "it grows")  # type: ignore[misc]
+    assert sizes == sorted(sizes)
+    part = gateway.http.get(path, headers={"Range": "bytes=0-7"})
+    assert (part.status_code, part.content) == (206, b"\x89MCAP0\r\n")
+
+
 def test_the_viewers_hear_when_a_file_begins_and_ends(gateway: Gateway, board: FakeBoard) -> None:
     with gateway.stream() as stream:
         operator = {"X-Client": stream.hello["client"]}
