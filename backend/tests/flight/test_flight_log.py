@@ -31,7 +31,7 @@ def test_a_link_is_opened_lost_and_reopened_each_said_once() -> None:
     with structlog.testing.capture_logs() as logged:
         for state in ("opening", "open", "open", "lost", "opening", "lost", "opening", "open", "closed", "closed"):
             failure = lost_error("/dev/ttyUSB0", "unplugged") if state == "lost" else None
-            world.log.link("board", state, "/dev/ttyUSB0", failure)  # type: ignore[arg-type]
+            world.log.link("board", state, "/dev/ttyUSB0", failure)
     assert events(logged) == [
         ("info", "link opened"),
         ("warning", "link lost"),

@@ -11,7 +11,7 @@ import orjson
 from epf_gcs.errors import GatewayError
 from epf_gcs.flight.lines_file import LinesFile
 from epf_gcs.vehicle.alarms import KEPT, Alarm
-from epf_gcs.vehicle.judges import AlarmId, Finding
+from epf_gcs.vehicle.judges import AlarmId, Finding, Level
 
 # An alarm is written when it ends, and once more when it is acknowledged afterwards.
 _LINES: Final = 2 * KEPT
@@ -73,7 +73,7 @@ def _alarm_from(values: Mapping[str, Any]) -> Alarm:
     params = {
         str(name): value for name, value in values["params"].items() if isinstance(value, str | int | float | None)
     }
-    level = "critical" if values["level"] == "critical" else "warning"
+    level: Level = "critical" if values["level"] == "critical" else "warning"
     return Alarm(
         Finding(_IDS[values["id"]], level, str(values["text"]), params),
         since_s=float(values["since_s"]),

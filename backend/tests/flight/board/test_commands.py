@@ -12,6 +12,7 @@ from epf_gcs.clock import Clock
 from epf_gcs.codec.encode import encode_telemetry
 from epf_gcs.codec.frame import TO_BOARD, Frame, FrameDecoder
 from epf_gcs.codec.messages_gen import COMMANDS
+from epf_gcs.codec.tables import Message
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.errors import ConflictError, LinkError
 from epf_gcs.flight.board.commands import CommandResult, Commands
@@ -227,7 +228,12 @@ async def test_a_command_is_looked_at_once_whether_it_can_be_sent(monkeypatch: p
     world = World()
     looks: list[str] = []
     check = world.commands.check_ready
-    monkeypatch.setattr(world.commands, "check_ready", lambda command: (looks.append(command.name), check(command)))
+
+    def look(command: Message) -> None:
+        looks.append(command.name)
+        check(command)
+
+    monkeypatch.setattr(world.commands, "check_ready", look)
     task = world.begins("gps_on")
     await world.waits_for("gps_on")
     world.says(acknowledgement("gps_on"))

@@ -12,10 +12,10 @@ _PIECE: Final = 256 * 1024
 
 
 class Growing(NamedTuple):
-    """The recording that is being written: its file's name, and up to where its records are whole."""
+    """The recording that is being written: its file's name, and up to which byte its records are whole."""
 
     file: str
-    bytes: int
+    whole: int
 
 
 @dataclass(frozen=True, slots=True)
@@ -24,12 +24,12 @@ class Recording:
 
     path: Path
     started_s: float
-    bytes: int
+    size: int
     active: bool
 
     def pieces(self) -> Iterator[bytes]:
-        """Exactly `bytes` of the file, however much is written behind them meanwhile. Blocks: for a thread."""
-        left = self.bytes
+        """The first `size` bytes, however much is written behind them meanwhile. Blocks: for a thread."""
+        left = self.size
         with self.path.open("rb") as file:
             while left > 0 and (piece := file.read(min(left, _PIECE))):
                 left -= len(piece)
@@ -60,6 +60,6 @@ class RecordingFolder:
             size = file.stat().st_size
         except (ValueError, OSError):
             return None
-        if growing is not None and active and growing.bytes > 0:
-            size = min(size, growing.bytes)
+        if growing is not None and active and growing.whole > 0:
+            size = min(size, growing.whole)
         return Recording(file, started.timestamp(), size, active)

@@ -67,7 +67,7 @@ async def export_recording(
         return FileResponse(found.path, media_type="application/octet-stream", filename=name)
     # FileResponse says the length first and then sends whatever is there: more than it said, where the file grows.
     headers = {
-        "Content-Length": str(found.bytes),
+        "Content-Length": str(found.size),
         "Content-Disposition": f'attachment; filename="{name}"',
         "Accept-Ranges": "bytes",
     }
@@ -86,4 +86,4 @@ async def _find(recording_id: str, folder: RecordingFolder) -> Recording:
 
 
 def _info(found: Recording) -> RecordingInfo:
-    return RecordingInfo(id=found.path.stem, started_s=found.started_s, bytes=found.bytes, active=found.active)
+    return RecordingInfo(id=found.path.stem, started_s=found.started_s, bytes=found.size, active=found.active)
