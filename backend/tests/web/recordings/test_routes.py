@@ -9,9 +9,12 @@ import pytest
 from mcap.records import Message
 from mcap.stream_reader import StreamReader
 
+from epf_gcs.flight.recording.mcap_file import Tally, closing, data_end
 from tests.support.fake_board import FakeBoard
 from tests.support.gateway import Gateway
 from tests.support.waiting import eventually
+
+END = data_end() + closing({}, Tally(), 0)
 
 
 def test_a_flight_is_recorded_listed_and_downloaded(gateway: Gateway, board: FakeBoard) -> None:
@@ -51,6 +54,24 @@ def test_a_recording_is_downloaded_again_and_again_while_it_grows(gateway: Gatew
     assert sizes == sorted(sizes)
     part = gateway.http.get(path, headers={"Range": "bytes=0-7"})
     assert (part.status_code, part.content) == (206, b"\x89MCAP0\r\n")
+
+
+def test_a_slow_reader_of_a_growing_recording_gets_what_was_there_when_it_asked(
+    gateway: Gateway, board: FakeBoard
+) -> None:
+    gateway.open_board(board.url)
+    recorder = gateway.station.recorder
+    assert recorder is not None
+    for _ in range(32):  # more than all buffers on the way
+        recorder.board_tap.received(b"x" * 1_000_000)
+    eventually(lambda: gateway.status()["recording"]["bytes"] > 32_000_000, "it is large")
+    (running,) = gateway.http.get("/recordings").json()["recordings"]
+    with gateway.http.stream("GET", f"/recordings/{running['id']}/export") as answer:
+        size = int(answer.headers["content-length"])
+        eventually(lambda: recorder.bytes_written > size, "it grows while it is read")
+        content = answer.read()
+    assert len(content) == size
+    assert sum(isinstance(r, Message) for r in StreamReader(BytesIO(content + END)).records) > 32
 
 
 def test_the_viewers_hear_when_a_file_begins_and_ends(gateway: Gateway, board: FakeBoard) -> None:
