@@ -201,7 +201,7 @@ async def test_a_flight_process_alone_opens_its_board_and_takes_commands_from_it
 def test_two_gateways_do_not_share_a_data_folder(flying: Flying, tmp_path: Path) -> None:
     with gateway_process(tmp_path / "data") as second:
         assert second.process.wait(DEADLINE_S) == 1
-    assert re.search(r"is used by .*process", second.said), second.said
+    assert re.search(r"in use by another epf-gcs", second.said), second.said
     flying.fly_a_frame()
 
 

@@ -20,7 +20,8 @@ pytestmark = pytest.mark.anyio
 
 
 def ids(station: Flight) -> set[str]:
-    return {alarm.finding.id for alarm in station.alarms.active}
+    """What is wrong now; what recovered is listed beside it until it is acknowledged."""
+    return {alarm.finding.id for alarm in station.alarms.active if alarm.until_s is None}
 
 
 def analog(battery_v: float) -> bytes:

@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from epf_gcs.errors import InvalidInputError, NotFoundError
-from epf_gcs.vehicle.alarms import Alarms
+from epf_gcs.vehicle.alarms import Alarm, Alarms
 from epf_gcs.vehicle.judges import AlarmId, Finding, Level
 from epf_gcs.vehicle.thresholds import THRESHOLDS
 from tests.support.outlet import KeptOutlet
@@ -36,7 +36,8 @@ class World:
         self.limits: list[Mapping[str, float]] = []
         self.chosen: list[dict[str, float]] = []
         self.hub = Told()
-        self.alarms = Alarms(self._watch, self.hub, kept or {}, self.chosen.append)
+        self.kept: list[Alarm] = []
+        self.alarms = Alarms(self._watch, self.hub, kept or {}, self.chosen.append, on_past=self.kept.append)
 
     def _watch(self, limits: Mapping[str, float]) -> list[Finding]:
         self.limits.append(limits)
@@ -54,10 +55,62 @@ async def test_an_alarm_is_told_once_when_it_comes_and_once_when_it_goes() -> No
     assert [alarm.since_s for alarm in world.alarms.active] == [2.0]
     world.goes_wrong()
     assert [world.alarms.look(t_s) for t_s in (4.0, 5.0)] == [True, False]
-    assert world.alarms.active == []
+    assert [(alarm.finding.id, alarm.until_s) for alarm in world.alarms.active] == [("battery_low", 4.0)]
     (past,) = world.alarms.past
     assert (past.finding.id, past.since_s, past.until_s, past.acknowledged) == ("battery_low", 2.0, 4.0, False)
     assert world.hub.events == [("battery_low", True, False), ("battery_low", False, False)]
+
+
+async def test_an_alarm_that_recovered_stays_listed_until_somebody_has_seen_it() -> None:
+    world = World()
+    heard: list[tuple[str, str]] = []
+    world.alarms.on_news = lambda news, alarm: heard.append((news, alarm.finding.id))
+    world.goes_wrong("battery_low")
+    world.alarms.look(1.0)
+    world.goes_wrong()
+    world.alarms.look(2.0)
+    (recovered,) = world.alarms.active
+    assert (recovered.since_s, recovered.until_s, recovered.acknowledged) == (1.0, 2.0, False)
+    known = world.alarms.acknowledge("battery_low")
+    assert (known.until_s, known.acknowledged) == (2.0, True)
+    assert world.alarms.active == []
+    assert world.alarms.past == [known]
+    assert world.kept == [recovered, known]
+    assert world.hub.events[-1] == ("battery_low", False, True)
+    assert heard == [("came", "battery_low"), ("went", "battery_low"), ("acknowledged", "battery_low")]
+    with pytest.raises(NotFoundError):
+        world.alarms.acknowledge("battery_low")
+
+
+async def test_an_alarm_that_was_acknowledged_before_it_went_is_not_listed_any_more() -> None:
+    world = World()
+    world.goes_wrong("battery_low")
+    world.alarms.look(1.0)
+    world.alarms.acknowledge("battery_low")
+    world.goes_wrong()
+    world.alarms.look(2.0)
+    assert world.alarms.active == []
+
+
+async def test_an_alarm_that_comes_again_stands_for_the_one_that_recovered() -> None:
+    world = World()
+    for t_s, names in ((1.0, ["battery_low"]), (2.0, []), (3.0, ["battery_low"])):
+        world.goes_wrong(*names)  # type: ignore[arg-type]
+        world.alarms.look(t_s)
+    assert [(alarm.since_s, alarm.until_s) for alarm in world.alarms.active] == [(3.0, None)]
+    assert [(alarm.since_s, alarm.until_s) for alarm in world.alarms.past] == [(1.0, 2.0)]
+
+
+async def test_what_an_earlier_start_left_is_the_beginning_of_the_history() -> None:
+    world = World()
+    before = Alarm(Finding("cpu_high", "warning", "91 %."), 1.0, until_s=2.0)
+    alarms = Alarms(lambda _: world.wrong, world.hub, {}, world.chosen.append, past=[before])
+    assert alarms.active == []
+    world.goes_wrong("battery_low")
+    alarms.look(3.0)
+    world.goes_wrong()
+    alarms.look(4.0)
+    assert [alarm.finding.id for alarm in alarms.past] == ["battery_low", "cpu_high"]
 
 
 async def test_an_alarm_keeps_its_beginning_and_shows_its_newest_words() -> None:

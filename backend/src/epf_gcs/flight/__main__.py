@@ -9,18 +9,22 @@ import os
 import signal
 import sys
 import threading
+import time
 from pathlib import Path
 from typing import Final
 
 import structlog
 
-from epf_gcs.errors import GatewayError
+from epf_gcs.errors import ConflictError, GatewayError
+from epf_gcs.flight.data_folder import DataFolder
 from epf_gcs.flight.flight import Flight
 from epf_gcs.link.address import parse_address
 from epf_gcs.logs import set_up_logging
 
 # The recorder's thread gives way to the event loop within this time.
 _SWITCH_INTERVAL_S: Final = 0.0002
+_FOLDER_S: Final = 3.0
+_LOOK_AGAIN_S: Final = 0.05
 _POLITE: Final = (signal.SIGTERM, signal.SIGINT, getattr(signal, "SIGHUP", signal.SIGTERM))
 
 log = structlog.get_logger("flight")
@@ -57,6 +61,11 @@ async def _fly(options: argparse.Namespace) -> None:
     if options.with_parent:
         # Not one of the loop's own threads: those are waited for at the end.
         threading.Thread(target=_wait_for_parent, args=(loop, ended), daemon=True).start()
+    with await _held(options.data_dir):
+        await _fly_until(ended, options)
+
+
+async def _fly_until(ended: asyncio.Event, options: argparse.Namespace) -> None:
     flight = Flight(options.data_dir, record=options.recording, board_url=options.board)
     async with flight.running():
         log.info("flying", data=str(options.data_dir), pid=os.getpid())
@@ -65,6 +74,18 @@ async def _fly(options: argparse.Namespace) -> None:
         gc.collect()
         gc.freeze()
         await ended.wait()
+
+
+async def _held(data_dir: Path) -> DataFolder:
+    """The data folder, for us alone. One that ends still lets its board and its folder go: wait for that a little."""
+    give_up_s = time.monotonic() + _FOLDER_S
+    while True:
+        try:
+            return DataFolder(data_dir)
+        except ConflictError:
+            if time.monotonic() > give_up_s:
+                raise
+        await asyncio.sleep(_LOOK_AGAIN_S)
 
 
 def _wait_for_parent(loop: asyncio.AbstractEventLoop, ended: asyncio.Event) -> None:

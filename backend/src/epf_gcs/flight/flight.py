@@ -20,6 +20,7 @@ from epf_gcs.bus.address import Listener
 from epf_gcs.bus.vehicle_end import Broadcast, VehicleEnd
 from epf_gcs.clock import Clock
 from epf_gcs.error_log import ErrorLog
+from epf_gcs.flight.alarm_history import AlarmHistory
 from epf_gcs.flight.board.ahrs_test import AhrsTestRun
 from epf_gcs.flight.board.board_link import Supervisor
 from epf_gcs.flight.board.commands import Commands
@@ -27,6 +28,7 @@ from epf_gcs.flight.board.journal import Journal
 from epf_gcs.flight.board.missions import Missions
 from epf_gcs.flight.board.parameters import Parameters
 from epf_gcs.flight.board.rearming import Rearming
+from epf_gcs.flight.flight_log import FlightLog
 from epf_gcs.flight.hil.hil import Hil
 from epf_gcs.flight.hil.simulator import Simulator
 from epf_gcs.flight.hil.stick import Stick
@@ -46,6 +48,7 @@ from epf_gcs.flight.watch import Watch
 from epf_gcs.vehicle.alarms import Alarms
 from epf_gcs.vehicle.board import Board
 from epf_gcs.vehicle.judges import AlarmId
+from epf_gcs.vehicle.restart import Restart
 from epf_gcs.vehicle.telemetry import Telemetry
 
 _TICK_S: Final = 0.1
@@ -56,7 +59,7 @@ log = structlog.get_logger("flight")
 
 
 class Flight:
-    """Made on the running loop. `board_url` replaces the remembered board."""
+    """Made on the running loop, by whoever holds the data folder. `board_url` replaces the remembered board."""
 
     def __init__(self, data_dir: Path, *, record: bool = True, board_url: str | None = None) -> None:
         self._loop = asyncio.get_running_loop()
@@ -69,6 +72,7 @@ class Flight:
         self.clock = Clock()
         self.outlet = Broadcast(self.clock.now_s)
         self._askers = Askers()
+        self._log = FlightLog(self.clock.steady_s)
         self.errors = ErrorLog()
         self.errors.tell_viewers(self.clock.steady_s, self.outlet.event)
         self.memory = Memory(data_dir / "state.json", self.errors.report)
@@ -148,8 +152,14 @@ class Flight:
             steady_s=self.clock.steady_s,
             wants=lambda stream: stream in self.memory.now.wanted.streams,
         )
+        self._alarm_history = AlarmHistory(data_dir / "alarms.jsonl", self.errors.report)
         self.alarms = Alarms(
-            self.watch, self.outlet, self.memory.now.thresholds, lambda chosen: self.memory.update(thresholds=chosen)
+            self.watch,
+            self.outlet,
+            self.memory.now.thresholds,
+            lambda chosen: self.memory.update(thresholds=chosen),
+            past=self._alarm_history.past,
+            on_past=self._alarm_history.keep,
         )
 
         # What stations are shown, and what they may ask.
@@ -197,8 +207,10 @@ class Flight:
         """Who hears whom, where the two could not be made one after the other."""
         self.board.on_urgent = self.hil.on_urgent
         self.board.on_opened = self._on_opened
+        self.board.on_restarted = self._on_restarted
         self.commands.on_done = self.rearming.command_done
         self.alarms.on_acknowledged = self._on_acknowledged
+        self.alarms.on_news = lambda news, alarm: self._log.alarm(news, alarm.as_dict())
 
     @contextlib.asynccontextmanager
     async def running(self) -> AsyncIterator[None]:
@@ -238,7 +250,8 @@ class Flight:
             listener.close()
             if self.recorder is not None:
                 await asyncio.to_thread(self.recorder.stop)
-            await asyncio.to_thread(self.journal.close)
+            for kept in (self.journal, self._alarm_history, self.memory):
+                await asyncio.to_thread(kept.close)
 
     def status(self) -> dict[str, Any]:
         """How everything stands now."""
@@ -280,6 +293,7 @@ class Flight:
             ticks += 1
             if ticks % _STATUS_EVERY_TICKS == 0:
                 self.rates.note(self.clock.steady_s(), self.board, self.simulator)
+                self._log_links()
                 self.changed()
             if self.alarms.look(self.clock.now_s()):
                 self.changed()
@@ -317,14 +331,28 @@ class Flight:
         self.parameters.forget()
         self.rearming.board_opened()
 
+    def _on_restarted(self, restart: Restart) -> None:
+        """The board forgot what was not on its card: say what that was."""
+        self._log.board_restarted(restart.uptime_ms)
+        lost = {"parameters": list(self.parameters.take_unstored()), "plans": list(self.missions.take_known())}
+        self.outlet.event("board_restarted", {"silent_s": None, "uptime_ms": restart.uptime_ms, **lost})
+
     def _on_acknowledged(self, alarm: AlarmId) -> None:
         if alarm == "parameter_not_confirmed":
             self.parameters.accept_unconfirmed()
         self.changed()
 
+    def _log_links(self) -> None:
+        board, simulator = self.supervisor, self.simulator
+        self._log.link("board", board.state, None if board.address is None else board.address.url, board.failure)
+        where = None if simulator.address is None else f"{simulator.address.send_host}:{simulator.address.send_port}"
+        self._log.link("simulator", simulator.state, where, simulator.failure)
+
     def _on_line(self) -> None:
         if not self.board.is_open:
             self.parameters.forget()
+        self.commands.link_changed()
+        self._log_links()
         self.outlet.event("link", {"board": self.supervisor.state, "simulator": self.simulator.state})
         # At once: what the line brings next belongs to this state, examples to the emulation above all.
         self._send_status()

@@ -4,25 +4,40 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
+import os
 from collections import deque
 from collections.abc import Callable, Iterable
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Final
 
-from epf_gcs.errors import GatewayError
+from epf_gcs.errors import ErrorCode, GatewayError
+from epf_gcs.flight.disk import replace_file
 
 _DAMAGED: Final = ".damaged"
 
 
 class LinesFile:
-    """The newest `keep` lines of something. `report` hears of a disk that refuses, on the event loop."""
+    """The newest `keep` lines of something. `report` hears of a disk that refuses, on the event loop.
 
-    def __init__(self, path: Path, keep: int, report: Callable[[GatewayError], None]) -> None:
+    `code` and `what` are the error's code and what its sentence calls the file.
+    """
+
+    def __init__(
+        self,
+        path: Path,
+        keep: int,
+        report: Callable[[GatewayError], None],
+        *,
+        code: ErrorCode = "journal_not_written",
+        what: str = "journal",
+    ) -> None:
         self._loop = asyncio.get_running_loop()
         self._path = path
         self._keep = keep
         self._report = report
+        self._code: ErrorCode = code
+        self._what = what
         # One thread, so that lines stand in the order in which they were given. Lines of the file as it is now:
         # known to that thread alone once it runs.
         self._thread = ThreadPoolExecutor(1, thread_name_prefix=path.stem)
@@ -67,8 +82,8 @@ class LinesFile:
             work()
         except OSError as error:
             failure = GatewayError(
-                "journal_not_written",
-                f"The journal could not be kept in {self._path} ({error.strerror or error}): "
+                self._code,
+                f"The {self._what} could not be kept in {self._path} ({error.strerror or error}): "
                 "free the disk or correct its permissions, or it is lost at the next start.",
                 path=str(self._path),
             )
@@ -82,6 +97,8 @@ class LinesFile:
             return
         with self._path.open("ab") as file:
             file.write(line + b"\n")
+            file.flush()
+            os.fsync(file.fileno())
         self._on_disk += 1
 
     def _set_aside(self) -> None:
@@ -89,7 +106,5 @@ class LinesFile:
         self._rewrite()
 
     def _rewrite(self) -> None:
-        temporary = self._path.with_suffix(".new")
-        temporary.write_bytes(b"".join(line + b"\n" for line in self._lines))
-        temporary.replace(self._path)
+        replace_file(self._path, b"".join(line + b"\n" for line in self._lines))
         self._on_disk = len(self._lines)

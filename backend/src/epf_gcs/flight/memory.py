@@ -2,15 +2,24 @@
 
 from __future__ import annotations
 
+import asyncio
+import contextlib
+import threading
+import time
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
+from datetime import UTC, datetime
 from pathlib import Path
-from typing import Any
+from typing import Any, Final
 
 import orjson
 
 from epf_gcs.errors import GatewayError
+from epf_gcs.flight.disk import replace_file, sync_folder
+from epf_gcs.flight.flight_log import say
 from epf_gcs.vehicle.wanted import Wanted
+
+_GATHER_S: Final = 0.3
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,26 +36,69 @@ class Remembered:
 
 
 class Memory:
-    """One small JSON file, replaced as a whole. A disk that refuses it is reported, and nothing else changes."""
+    """One small JSON file, replaced as a whole by a thread: the newest wins, on the disk within a second.
 
-    def __init__(self, path: Path, report: Callable[[GatewayError], None]) -> None:
+    A disk that refuses it is reported, on the thread or loop that made this, and nothing else changes.
+    """
+
+    def __init__(
+        self, path: Path, report: Callable[[GatewayError], None], *, unix_s: Callable[[], float] = time.time
+    ) -> None:
         self._path = path
         self._report = report
+        self._unix_s = unix_s
+        self._loop = _running_loop()
+        self._wake = threading.Condition()
+        # Shared with the thread, under `_wake`.
+        self._to_write: Remembered | None = None
+        self._is_ending = False
+        self._thread: threading.Thread | None = None
         self.now = self._load()
 
     def update(self, **changes: Any) -> None:
-        """Remember these from now on."""
+        """Remember these from now on; returns at once."""
         changed = replace(self.now, **changes)
         if changed == self.now:
             return
         self.now = changed
-        temporary = self._path.with_suffix(".new")
+        with self._wake:
+            if self._is_ending:
+                return
+            self._to_write = changed
+            self._wake.notify()
+            if self._thread is None:
+                self._thread = threading.Thread(target=self._run, name="memory", daemon=True)
+                self._thread.start()
+
+    def close(self) -> None:
+        """Wait until all is on the disk; what is remembered later is not kept."""
+        with self._wake:
+            self._is_ending = True
+            self._wake.notify()
+            thread = self._thread
+        if thread is not None:
+            thread.join()
+
+    def _run(self) -> None:
+        while True:
+            with self._wake:
+                while self._to_write is None:
+                    if self._is_ending:
+                        return
+                    self._wake.wait()
+                if not self._is_ending:
+                    # A slider that is moved changes this many times a second: once is enough.
+                    self._wake.wait_for(lambda: self._is_ending, _GATHER_S)
+                newest, self._to_write = self._to_write, None
+            if newest is not None:
+                self._write(newest)
+
+    def _write(self, values: Remembered) -> None:
         try:
             self._path.parent.mkdir(parents=True, exist_ok=True)
-            temporary.write_bytes(_encode(changed))
-            temporary.replace(self._path)
+            replace_file(self._path, _encode(values))
         except OSError as error:
-            self._report(
+            self._hand_over(
                 GatewayError(
                     "memory_not_written",
                     f"The settings could not be kept in {self._path} ({error.strerror or error}): "
@@ -55,21 +107,56 @@ class Memory:
                 )
             )
 
+    def _hand_over(self, failure: GatewayError) -> None:
+        if self._loop is None:
+            self._report(failure)
+            return
+        with contextlib.suppress(RuntimeError):  # the loop may have ended meanwhile
+            self._loop.call_soon_threadsafe(self._report, failure)
+
     def _load(self) -> Remembered:
         try:
             return _decode(orjson.loads(self._path.read_bytes()))
         except FileNotFoundError:
             return Remembered()
         except (OSError, ValueError, TypeError, KeyError, AttributeError) as error:
+            why = error.strerror or str(error) if isinstance(error, OSError) else "its content makes no sense"
+            kept = self._set_aside()
+            where = "it could not be kept aside" if kept is None else f"it is kept as {kept.name}"
+            say(
+                "warning",
+                "settings unreadable",
+                path=str(self._path),
+                reason=why,
+                kept=None if kept is None else kept.name,
+            )
             self._report(
                 GatewayError(
                     "memory_unreadable",
-                    f"The settings in {self._path} could not be read ({type(error).__name__}): "
-                    "the gateway starts without them.",
+                    f"The settings in {self._path} could not be read ({why}): "
+                    f"the gateway starts without them; {where}.",
                     path=str(self._path),
                 )
             )
             return Remembered()
+
+    def _set_aside(self) -> Path | None:
+        """Keep what cannot be read: a person may want to look at it. None where the disk refuses."""
+        stamp = datetime.fromtimestamp(self._unix_s(), UTC).strftime("%Y%m%dT%H%M%SZ")
+        kept = self._path.with_name(f"{self._path.name}.damaged-{stamp}")
+        try:
+            self._path.replace(kept)
+            sync_folder(kept.parent)
+        except OSError:
+            return None
+        return kept
+
+
+def _running_loop() -> asyncio.AbstractEventLoop | None:
+    try:
+        return asyncio.get_running_loop()
+    except RuntimeError:
+        return None
 
 
 def _encode(values: Remembered) -> bytes:

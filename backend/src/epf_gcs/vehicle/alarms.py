@@ -5,19 +5,24 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
-from typing import Any, Final
+from typing import Any, Final, Literal
 
 from epf_gcs.errors import InvalidInputError, NotFoundError
 from epf_gcs.vehicle.judges import AlarmId, Finding
 from epf_gcs.vehicle.outside import Outlet
 from epf_gcs.vehicle.thresholds import BY_NAME, chosen, threshold_fault
 
-_KEPT: Final = 200
+KEPT: Final = 200
+
+News = Literal["came", "went", "acknowledged"]
 
 
 @dataclass(frozen=True, slots=True)
 class Alarm:
-    """One thing that is or was wrong. Unix times; `until_s` is None while it lasts."""
+    """One thing that is or was wrong. Unix times; `until_s` is None while it lasts.
+
+    One that is over and was not acknowledged has recovered: it is listed until somebody says that they saw it.
+    """
 
     finding: Finding
     since_s: float
@@ -25,11 +30,12 @@ class Alarm:
     until_s: float | None = None
 
     def as_dict(self) -> dict[str, Any]:
-        """Plain values of one that is active."""
+        """Plain values."""
         return {
             "id": self.finding.id,
             "level": self.finding.level,
             "since_s": self.since_s,
+            "until_s": self.until_s,
             "text": self.finding.text,
             "params": self.finding.params,
             "acknowledged": self.acknowledged,
@@ -39,7 +45,8 @@ class Alarm:
 class Alarms:
     """Asks `watch` some times a second; tells the viewers of each alarm that comes, goes or is acknowledged.
 
-    `thresholds` are those that were chosen; `on_thresholds` keeps new ones.
+    `thresholds` are those that were chosen; `on_thresholds` keeps new ones. `past` are the alarms of earlier starts,
+    oldest first; `on_past` keeps each that ends, and again where it is acknowledged after its end.
     """
 
     def __init__(
@@ -48,20 +55,28 @@ class Alarms:
         hub: Outlet,
         thresholds: Mapping[str, Any],
         on_thresholds: Callable[[dict[str, float]], None],
+        *,
+        past: Iterable[Alarm] = (),
+        on_past: Callable[[Alarm], None] | None = None,
     ) -> None:
         self._watch = watch
         self._hub = hub
         self._on_thresholds = on_thresholds
         self._active: dict[AlarmId, Alarm] = {}
-        self._past: deque[Alarm] = deque(maxlen=_KEPT)
+        # Over, and nobody has said yet that they saw it.
+        self._recovered: dict[AlarmId, Alarm] = {}
+        self._past: deque[Alarm] = deque(past, maxlen=KEPT)
+        self._on_past = on_past
         self.thresholds = chosen(thresholds)
         # Set by the composition: hears which alarm was acknowledged.
         self.on_acknowledged: Callable[[AlarmId], None] | None = None
+        # Set by the composition: hears of every alarm that comes, goes or is acknowledged, for the log.
+        self.on_news: Callable[[News, Alarm], None] | None = None
 
     @property
     def active(self) -> list[Alarm]:
-        """All that is wrong now, oldest first."""
-        return sorted(self._active.values(), key=lambda alarm: alarm.since_s)
+        """All that is wrong now, and what recovered without being acknowledged; oldest first."""
+        return sorted([*self._active.values(), *self._recovered.values()], key=lambda alarm: alarm.since_s)
 
     @property
     def past(self) -> list[Alarm]:
@@ -78,14 +93,22 @@ class Alarms:
         news = [alarm for alarm in self._active.values() if _is_news(before.get(alarm.finding.id), alarm)]
         self._past.extend(gone)
         for alarm in news:
-            self._tell(alarm, active=True)
+            # What comes again stands for what it was before; that one is in the history.
+            self._recovered.pop(alarm.finding.id, None)
+            self._tell(alarm, "came")
         for alarm in gone:
-            self._tell(alarm, active=False)
+            if not alarm.acknowledged:
+                self._recovered[alarm.finding.id] = alarm
+            self._keep(alarm)
+            self._tell(alarm, "went")
         return bool(news or gone)
 
     def acknowledge(self, name: str) -> Alarm:
-        """The operator knows: it is shown quietly until it goes. Raises NotFoundError where it is not active."""
-        alarm = next((alarm for alarm in self._active.values() if alarm.finding.id == name), None)
+        """The operator knows: one that lasts is shown quietly until it goes, one that recovered is shown no more.
+
+        Raises NotFoundError where it is neither.
+        """
+        alarm = next((alarm for alarm in self.active if alarm.finding.id == name), None)
         if alarm is None:
             raise NotFoundError(
                 "alarm_not_active",
@@ -93,9 +116,15 @@ class Alarms:
                 "GET /api/v1/alarms lists them.",
                 alarm=name,
             )
-        known = self._active[alarm.finding.id] = replace(alarm, acknowledged=True)
+        known = replace(alarm, acknowledged=True)
+        if alarm.until_s is None:
+            self._active[alarm.finding.id] = known
+        else:
+            del self._recovered[alarm.finding.id]
+            self._past = deque((known if one == alarm else one for one in self._past), maxlen=KEPT)
+            self._keep(known)
         if not alarm.acknowledged:
-            self._tell(known, active=True)
+            self._tell(known, "acknowledged")
             if self.on_acknowledged is not None:
                 self.on_acknowledged(alarm.finding.id)
         return known
@@ -123,8 +152,14 @@ class Alarms:
         self.thresholds = {**self.thresholds, **thresholds}
         self._on_thresholds(self.thresholds)
 
-    def _tell(self, alarm: Alarm, *, active: bool) -> None:
-        self._hub.event("alarm", {**alarm.as_dict(), "active": active})
+    def _keep(self, alarm: Alarm) -> None:
+        if self._on_past is not None:
+            self._on_past(alarm)
+
+    def _tell(self, alarm: Alarm, news: News) -> None:
+        self._hub.event("alarm", {**alarm.as_dict(), "active": alarm.until_s is None})
+        if self.on_news is not None:
+            self.on_news(news, alarm)
 
 
 def _follow(before: Alarm | None, finding: Finding, t_s: float) -> Alarm:

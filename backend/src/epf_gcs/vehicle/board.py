@@ -14,6 +14,7 @@ from epf_gcs.error_log import ErrorLog
 from epf_gcs.errors import ConflictError, LinkError
 from epf_gcs.vehicle.frame_books import FrameBooks
 from epf_gcs.vehicle.outside import Clock, Line, Outlet
+from epf_gcs.vehicle.restart import BoardRestart, Restart
 from epf_gcs.vehicle.telemetry import Telemetry
 
 _URGENT: Final = frozenset({"hil_surfaces", "servos_in"})
@@ -62,6 +63,8 @@ class Board:
         # Set by the composition: the bridge that must hear first, and who re-arms an opened board.
         self.on_urgent: Callable[[Frame], None] | None = None
         self.on_opened: Callable[[], None] | None = None
+        self.on_restarted: Callable[[Restart], None] | None = None
+        self._restart = BoardRestart()
 
     @property
     def link(self) -> Line | None:
@@ -99,6 +102,7 @@ class Board:
         self._decoder = FrameDecoder()
         self._was_open = False
         self._damage_before = Counter(self.damage)
+        self._restart.link_opened()
         self.write(self.session.open(self._clock.steady_s()))
 
     def detach(self) -> None:
@@ -122,6 +126,7 @@ class Board:
     def lend(self, guest: Guest) -> None:
         """Leave binary mode and give the line to `guest`: nothing can be commanded until `take_back`."""
         self.write(self.session.close())
+        self._restart.link_opened()
         self._take(self._decoder.finish())
         self._decoder = FrameDecoder()
         self._was_open = False
@@ -239,6 +244,8 @@ class Board:
         if text is not None:
             self.damage["text"] += 1
             if text:
+                if self.session.state is SessionState.OPENING:
+                    self._restart.heard_text()
                 self._event("console", {"direction": "received", "text": text})
             return
         self.damage[damage.kind] += 1
@@ -254,11 +261,26 @@ class Board:
     def _notice_opening(self) -> None:
         """The session became open, or the board started anew and it is not any more."""
         is_open = self.is_open
-        if is_open and not self._was_open and self.on_opened is not None:
+        if is_open and not self._was_open:
             self._was_open = True
-            self.on_opened()
+            if self.on_opened is not None:
+                self.on_opened()
+            self._notice_restart()
         elif not is_open and self.session.state is SessionState.OPENING:
+            if self._was_open:
+                self._restart.fell_silent(self._telemetry.newest("heartbeat") or {})
             self._was_open = False
+
+    def _notice_restart(self) -> None:
+        uptime = self.capabilities().get("uptime_ms")
+        found = self._restart.opened(
+            self._clock.steady_s(),
+            self._clock.now_s(),
+            uptime if isinstance(uptime, int) else None,
+            self._telemetry.newest("heartbeat") or {},
+        )
+        if found is not None and self.on_restarted is not None:
+            self.on_restarted(found)
 
     def capabilities(self) -> dict[str, Json]:
         """What an extended board said of itself; empty for a legacy board."""

@@ -6,11 +6,12 @@ import asyncio
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 from epf_gcs.codec.messages_gen import COMMANDS
-from epf_gcs.errors import BoardError, ConflictError
+from epf_gcs.errors import BoardError, ConflictError, LinkError
 from epf_gcs.flight.flight import Flight
 from epf_gcs.link.address import parse_address
 from epf_gcs.vehicle.journal import Move
@@ -145,7 +146,7 @@ async def test_a_board_that_is_lost_during_a_write_leaves_an_entry_and_nothing_t
         writing = asyncio.create_task(station.parameters.set({"k_pitch": 2.5}, "c1"))
         await eventually_async(lambda: board.count("set_k_pitch") > 0, "the command is on its way")
         board.unplug()
-        with pytest.raises((ConflictError, BoardError)):
+        with pytest.raises(LinkError):
             await writing
         assert story(station)[-1] == ("write", "timed_out", [("k_pitch", 2.0, 2.5, "timed_out")])
         assert station.parameters.journal.steps.undo is None
@@ -238,3 +239,60 @@ async def test_a_journal_on_a_bad_disk_is_counted_and_the_write_counts_all_the_s
         await station.parameters.set({"k_pitch": 2.5}, None)
         assert board.gains["k_pitch"] == 2.5
         await eventually_async(lambda: station.errors.counts["journal_not_written"] == 1, "the failure is counted")
+
+
+async def told(station: Flight, monkeypatch: pytest.MonkeyPatch) -> list[str]:
+    """What the viewers hear from now on, each event in a word or two."""
+    heard: list[str] = []
+
+    def event(kind: str, data: dict[str, Any]) -> None:
+        if kind in ("command", "parameter", "journal"):
+            names = data["name"] if kind == "command" else ""
+            heard.append(" ".join(word for word in (kind, names, data.get("state", "")) if word))
+
+    monkeypatch.setattr(station.outlet, "event", event)
+    return heard
+
+
+@pytest.mark.parametrize("kind", ["board", "legacy_board"])
+async def test_one_write_is_one_command_one_read_back_and_is_told_once(
+    tmp_path: Path, request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch, kind: str
+) -> None:
+    board: FakeBoard = request.getfixturevalue(kind)
+    async with a_station(tmp_path, board) as station:
+        await station.parameters.load(None)
+        sent = len(board.received)
+        heard = await told(station, monkeypatch)
+        await station.parameters.set({"k_pitch": 2.5}, "c1")
+        assert board.received[sent:] == ["set_k_pitch", "load_autopilot_parameters"]
+        assert heard == ["parameter", "parameter", "command set_k_pitch confirmed", "journal"]
+
+
+@pytest.mark.parametrize("kind", ["board", "legacy_board"])
+async def test_what_a_board_keeps_as_it_was_is_told_as_rejected(
+    tmp_path: Path, request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch, kind: str
+) -> None:
+    board: FakeBoard = request.getfixturevalue(kind)
+    async with a_station(tmp_path, board) as station:
+        await station.parameters.load(None)
+        board.refuse["set_k_pitch"] = 1
+        heard = await told(station, monkeypatch)
+        await station.parameters.set({"k_pitch": 2.5}, "c1")
+        assert heard == ["parameter", "parameter", "command set_k_pitch rejected", "journal"]
+        assert station.parameters.held["k_pitch"].state == "rejected"
+        assert story(station)[-1] == ("write", "rejected", [("k_pitch", 2.0, 2.5, "rejected")])
+
+
+async def test_a_write_that_could_not_be_sent_changes_nothing_and_is_in_no_journal(
+    tmp_path: Path, board: FakeBoard, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    async with a_station(tmp_path, board) as station:
+        await station.parameters.load(None)
+        before = station.parameters.held
+        monkeypatch.setattr(station.board, "write", lambda _: False)
+        with pytest.raises(ConflictError) as full:
+            await station.parameters.set({"k_pitch": 2.5}, "c1")
+        assert full.value.code == "board_line_full"
+        assert station.parameters.held == before
+        assert story(station) == []
+        monkeypatch.undo()

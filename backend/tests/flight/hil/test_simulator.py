@@ -84,6 +84,7 @@ async def test_a_remembered_port_that_is_taken_is_opened_when_it_is_free(tmp_pat
     other = taken_port()
     first = Flight(tmp_path, record=False)
     first.memory.update(simulator=an_address(other.getsockname()[1]).as_dict())
+    first.memory.close()
     station = Flight(tmp_path, record=False)
     async with station.running():
         await eventually_async(lambda: state(station) == "lost", "the port is missed")

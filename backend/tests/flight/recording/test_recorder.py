@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import contextlib
+import os
 import resource
+import shutil
 import struct
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+import structlog
 from mcap.exceptions import EndOfFile
 from mcap.records import Message, Metadata
 from mcap.stream_reader import StreamReader
@@ -155,3 +158,98 @@ def test_a_disk_that_does_not_keep_up_costs_bytes_and_no_memory(tmp_path: Path) 
     assert recorder.bytes_lost == 500
     recorder.start()
     recorder.stop()
+
+
+def test_a_folder_that_is_removed_in_flight_is_told_and_the_flight_goes_into_a_new_one(tmp_path: Path) -> None:
+    folder = tmp_path / "recordings"
+    with recording(folder) as recorder:
+        recorder.board_tap.received(b"before")
+        eventually(lambda: recorder.file is not None, "it records")
+        shutil.rmtree(folder)
+        eventually(lambda: "removed" in (recorder.failure or ""), "it is noticed and told")
+        recorder.board_tap.received(b"after")
+        eventually(lambda: recorder.file is not None, "it records again")
+        assert recorder.failure is not None, "it is told long enough to be heard"
+    (file,) = folder.glob("*.mcap")
+    assert messages(file) == [("board/received", b"after")]
+
+
+def test_a_loss_that_was_mended_is_not_told_for_ever(tmp_path: Path) -> None:
+    recorder = Recorder(tmp_path, Clock(), "test", told_s=0.0)
+    recorder.start()
+    recorder.board_tap.received(b"before")
+    eventually(lambda: recorder.file is not None, "it records")
+    first = recorder.file
+    assert first is not None
+    first.rename(tmp_path / "moved")
+    eventually(lambda: recorder.failure is not None, "it is noticed")
+    recorder.board_tap.received(b"after")
+    eventually(lambda: recorder.failure is None and recorder.file is not None, "all is well again")
+    recorder.stop()
+    assert messages(tmp_path / "moved") == [("board/received", b"before")]
+
+
+def test_a_disk_without_room_gets_no_empty_files(tmp_path: Path) -> None:
+    soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
+    with recording(tmp_path) as recorder:
+        resource.setrlimit(resource.RLIMIT_FSIZE, (0, hard))
+        try:
+            for count in range(1, 4):
+                recorder.board_tap.received(b"lost")
+                eventually(lambda count=count: recorder.bytes_lost == 4 * count, "it could not be written")  # type: ignore[misc]
+        finally:
+            resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
+        assert recorder.failure is not None
+        assert list(tmp_path.iterdir()) == []
+
+
+def test_a_disk_that_is_nearly_full_is_not_begun_on_and_said_once(tmp_path: Path) -> None:
+    with structlog.testing.capture_logs() as logged:
+        recorder = Recorder(tmp_path, Clock(), "test", retry_s=0.0, least_bytes=2**62)
+        recorder.start()
+        for count in range(1, 4):
+            recorder.board_tap.received(b"lost")
+            eventually(lambda count=count: recorder.bytes_lost == 4 * count, "it could not be written")  # type: ignore[misc]
+        recorder.stop()
+    assert recorder.failure == os.strerror(28)
+    assert list(tmp_path.iterdir()) == []
+    assert [line["event"] for line in logged if line["event"] != "disk low"] == ["recording failed"]
+
+
+def test_the_log_says_when_a_recording_begins_and_ends(tmp_path: Path) -> None:
+    with structlog.testing.capture_logs() as logged, recording(tmp_path) as recorder:
+        recorder.board_tap.received(b"x")
+    (file,) = tmp_path.glob("*.mcap")
+    said = [(line["event"], line["file"]) for line in logged if line["event"] != "disk low"]
+    assert said == [("recording begun", file.name), ("recording ended", file.name)]
+
+
+def test_what_was_recorded_is_pushed_to_the_disk_in_flight(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    pushed: list[int] = []
+    push = os.fdatasync
+
+    def note(descriptor: int) -> None:
+        push(descriptor)
+        pushed.append(os.fstat(descriptor).st_size)
+
+    monkeypatch.setattr(os, "fdatasync", note)
+    with recording(tmp_path) as recorder:
+        for count in range(1, 4):
+            recorder.board_tap.received(b"x")
+            eventually(lambda count=count: len(pushed) >= count, "it is pushed")  # type: ignore[misc]
+        eventually(lambda: pushed[-1] == recorder.bytes_written, "all of it")
+
+
+def test_a_torn_recording_is_mended_at_the_start_and_the_new_one_left_alone(tmp_path: Path) -> None:
+    with recording(tmp_path) as recorder:
+        recorder.board_tap.received(b"before the kill")
+    (file,) = tmp_path.glob("*.mcap")
+    whole = file.read_bytes()
+    torn = tmp_path / "20260101T000000Z.mcap"
+    torn.write_bytes(whole[: whole.rindex(b"before the kill") + 15] + b"\x05\xff")
+    file.unlink()
+    with recording(tmp_path) as recorder:
+        recorder.board_tap.received(b"now")
+        eventually(lambda: torn.read_bytes().endswith(b"MCAP0\r\n"), "it is mended")
+        eventually(lambda: recorder.file is not None, "the new one is begun")
+    assert torn.read_bytes() == whole

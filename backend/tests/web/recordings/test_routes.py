@@ -9,9 +9,12 @@ import pytest
 from mcap.records import Message
 from mcap.stream_reader import StreamReader
 
+from epf_gcs.flight.recording.mcap_file import Tally, closing, data_end
 from tests.support.fake_board import FakeBoard
 from tests.support.gateway import Gateway
 from tests.support.waiting import eventually
+
+END = data_end() + closing({}, Tally(), 0)
 
 
 def test_a_flight_is_recorded_listed_and_downloaded(gateway: Gateway, board: FakeBoard) -> None:
@@ -33,6 +36,42 @@ def test_a_flight_is_recorded_listed_and_downloaded(gateway: Gateway, board: Fak
     received = b"".join(message.data for message in messages if message.channel_id == 1)
     assert sent == board.raw
     assert len(received) == gateway.status()["board"]["bytes_in"]
+
+
+def test_a_recording_is_downloaded_again_and_again_while_it_grows(gateway: Gateway, board: FakeBoard) -> None:
+    gateway.open_board(board.url)
+    gateway.http.post("/commands/ahrs_on").raise_for_status()
+    eventually(lambda: gateway.status()["recording"]["bytes"] > 0, "it records")
+    (running,) = gateway.http.get("/recordings").json()["recordings"]
+    path = f"/recordings/{running['id']}/export"
+    sizes = []
+    for _ in range(8):
+        answer = gateway.http.get(path).raise_for_status()
+        assert len(answer.content) == int(answer.headers["content-length"])
+        sizes.append(len(answer.content))
+        size = sizes[-1]
+        eventually(lambda size=size: gateway.status()["recording"]["bytes"] > size, "it grows")  # type: ignore[misc]
+    assert sizes == sorted(sizes)
+    part = gateway.http.get(path, headers={"Range": "bytes=0-7"})
+    assert (part.status_code, part.content) == (206, b"\x89MCAP0\r\n")
+
+
+def test_a_slow_reader_of_a_growing_recording_gets_what_was_there_when_it_asked(
+    gateway: Gateway, board: FakeBoard
+) -> None:
+    gateway.open_board(board.url)
+    recorder = gateway.flight.recorder
+    assert recorder is not None
+    for _ in range(32):  # more than all buffers on the way
+        recorder.board_tap.received(b"x" * 1_000_000)
+    eventually(lambda: gateway.status()["recording"]["bytes"] > 32_000_000, "it is large")
+    (running,) = gateway.http.get("/recordings").json()["recordings"]
+    with gateway.http.stream("GET", f"/recordings/{running['id']}/export") as answer:
+        size = int(answer.headers["content-length"])
+        eventually(lambda: recorder.bytes_written > size, "it grows while it is read")
+        content = answer.read()
+    assert len(content) == size
+    assert sum(isinstance(r, Message) for r in StreamReader(BytesIO(content + END)).records) > 32
 
 
 def test_the_viewers_hear_when_a_file_begins_and_ends(gateway: Gateway, board: FakeBoard) -> None:

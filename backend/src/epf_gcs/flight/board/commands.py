@@ -7,18 +7,19 @@ from collections import defaultdict
 from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import count
-from typing import Any, Final, Literal
+from typing import Any, Final, Literal, NamedTuple
 
 from epf_gcs.clock import Clock
 from epf_gcs.codec.encode import encode_command
 from epf_gcs.codec.frame import Frame
-from epf_gcs.codec.messages_gen import COMMANDS, TELEMETRY_BY_NAME
+from epf_gcs.codec.messages_gen import COMMANDS
 from epf_gcs.codec.tables import Message
 from epf_gcs.codec.values import Meaning
 from epf_gcs.error_log import ErrorLog
-from epf_gcs.errors import ConflictError
+from epf_gcs.errors import ConflictError, GatewayError, LinkError
+from epf_gcs.flight.board.acknowledgements import FENCE, AcknowledgementJudge, Owed
 from epf_gcs.vehicle.board import Board
-from epf_gcs.vehicle.outside import Outlet
+from epf_gcs.vehicle.outside import Line, Outlet
 from epf_gcs.vehicle.parameters import differing
 from epf_gcs.vehicle.proof import NOT_REPEATABLE, heartbeat_proves, plan_proves
 from epf_gcs.vehicle.telemetry import Telemetry
@@ -35,15 +36,19 @@ _SLOW_LINE_BAUD: Final = 57600
 _SLOW_LINE_FACTOR: Final = 5
 _HEARTBEATS: Final = 3
 
-_RESULTS: Final = {
-    number: name
-    for value in TELEMETRY_BY_NAME["acknowledgement"].values
-    if value.name == "result"
-    for name, number in value.names.items()
-}
-
 Verdict = tuple[State, str | None]
 Judge = Callable[[Frame, Meaning], Verdict | None]
+
+
+class _Sending(NamedTuple):
+    """One command on its way, and how it is seen that it was done."""
+
+    command: Message
+    frame: bytes
+    link: Line | None
+    proof: _Proof
+    judge: Judge
+    acknowledgement: AcknowledgementJudge | None
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,29 +78,46 @@ class Commands:
         self._errors = errors
         self._locks: defaultdict[str, asyncio.Lock] = defaultdict(asyncio.Lock)
         self._ids = count(1)
+        self._owed = Owed(clock.steady_s)
+        # One for each command that waits for its proof, with the link that it went out on.
+        self._waiting: dict[asyncio.Future[Verdict], Line | None] = {}
         # Set by the composition: hears of every command that was done.
         self.on_done: Callable[[str, tuple[float, ...]], None] | None = None
+        board.listen(self._owed.on_frame)
+
+    def link_changed(self) -> None:
+        """The board's link may be another or none: whoever waits for a proof on the old one need not wait longer."""
+        for decided, link in self._waiting.items():
+            if link is not self._board.link and not decided.done():
+                decided.cancel()
 
     async def run(
-        self, name: str, arguments: tuple[float, ...] = (), *, client: str | None = None, quiet: bool = False
+        self,
+        name: str,
+        arguments: tuple[float, ...] = (),
+        *,
+        client: str | None = None,
+        quiet: bool = False,
+        is_read_back: bool = False,
     ) -> CommandResult:
         """Send and wait for the proof; `quiet` ones are part of something that is told as a whole.
 
-        `arguments` are checked already. Raises ConflictError where it cannot be sent now.
+        `is_read_back`: the caller reads back what this sets, so that a board without acknowledgements is not asked
+        for the same twice. `arguments` are checked already. Raises ConflictError where it cannot be sent now, and
+        LinkError where the link was lost while it was on its way.
         """
         command = COMMANDS[name]
-        self.check_ready(command)
         async with self._locks[name]:
             self.check_ready(command)
-            story: dict[str, Any] = {
-                "id": next(self._ids),
-                "name": name,
-                "value": list(arguments),
-                "client": client,
-            }
+            story = self._story(name, arguments, client)
             if not quiet:
                 self._tell(story, "pending", "none", None, None)
-            result = await self._prove(command, arguments)
+            try:
+                result = await self._prove(command, arguments, is_read_back=is_read_back)
+            except BaseException as error:
+                if not quiet:
+                    self._tell(story, *_end_of(error))
+                raise
         if result.done and self.on_done is not None:
             self.on_done(name, arguments)
         if not result.done:
@@ -103,6 +125,10 @@ class Commands:
         if not quiet:
             self._tell(story, result.state, result.by, result.ms, result.reason)
         return result
+
+    def tell_outcome(self, name: str, arguments: tuple[float, ...], client: str | None, result: CommandResult) -> None:
+        """Tell the viewers what became of a quiet command, once whoever ran it knows."""
+        self._tell(self._story(name, arguments, client), result.state, result.by, result.ms, result.reason)
 
     def check_ready(self, command: Message) -> None:
         """Raise ConflictError with the reason why the board cannot be asked this now."""
@@ -120,42 +146,70 @@ class Commands:
                 command=command.name,
             )
 
-    async def _prove(self, command: Message, arguments: tuple[float, ...]) -> CommandResult:
-        frame = encode_command(command.name, *arguments)
-        proof, judge = self._judge(command, arguments)
+    async def _prove(self, command: Message, arguments: tuple[float, ...], *, is_read_back: bool) -> CommandResult:
+        sending = self._sending(command, arguments, is_read_back=is_read_back)
         started_s = self._clock.steady_s()
-        if judge is None:
-            self._send(command, frame)
+        if sending is None:
+            self._send(command, encode_command(command.name, *arguments))
             return CommandResult("sent", "none", 0.0)
         attempts = 1 if command.name in NOT_REPEATABLE else _ATTEMPTS
         verdict: Verdict | None = None
-        for _ in range(attempts):
-            verdict = await self._attempt(command, frame, proof, judge)
+        for attempt in range(attempts):
+            verdict = await self._attempt(sending, is_first=attempt == 0)
             if verdict is not None:
                 break
         ms = round((self._clock.steady_s() - started_s) * 1000.0, 1)
-        by: By = "read_back" if proof == "frame" else proof
+        by: By = "read_back" if sending.proof == "frame" else sending.proof
         if verdict is None:
             return CommandResult("timed_out", by, ms)
         return CommandResult(verdict[0], by, ms, verdict[1])
 
-    async def _attempt(self, command: Message, frame: bytes, proof: _Proof, judge: Judge) -> Verdict | None:
+    async def _attempt(self, sending: _Sending, *, is_first: bool) -> Verdict | None:
+        """Send once and wait. None where nothing was proved in time. Raises LinkError where the link is gone."""
         decided: asyncio.Future[Verdict] = self._loop.create_future()
 
         def listen(frame: Frame, meant: Meaning) -> None:
-            verdict = judge(frame, meant)
+            verdict = sending.judge(frame, meant)
             if verdict is not None and not decided.done():
                 decided.set_result(verdict)
 
         with self._board.listening(listen):
-            self._send(command, frame)
-            if proof == "read_back":
-                self._board.write(encode_command("load_autopilot_parameters"))
+            self._send_again(sending, is_first=is_first)
+            self._waiting[decided] = sending.link
             try:
-                async with asyncio.timeout(self._patience_s(proof)):
-                    return await decided
-            except TimeoutError:
-                return None
+                await asyncio.wait((decided,), timeout=self._patience_s(sending.proof))
+            finally:
+                del self._waiting[decided]
+        if decided.done() and not decided.cancelled():
+            return decided.result()
+        self._check_link(sending)
+        return None
+
+    def _send_again(self, sending: _Sending, *, is_first: bool) -> None:
+        self._check_link(sending)
+        acknowledgement = sending.acknowledgement
+        if acknowledgement is not None and acknowledgement.is_fenced:
+            self._board.write(encode_command(FENCE.name))
+        try:
+            self._send(sending.command, sending.frame)
+        except ConflictError:
+            # The first one may have arrived: that the second finds no place is no news of it.
+            if is_first:
+                raise
+            return
+        if acknowledgement is not None:
+            acknowledgement.sent()
+        if sending.proof == "read_back":
+            self._board.write(encode_command("load_autopilot_parameters"))
+
+    def _check_link(self, sending: _Sending) -> None:
+        if self._board.link is not sending.link:
+            raise LinkError(
+                "command_link_lost",
+                f"The line to the board was lost while '{sending.command.name}' was on its way: "
+                "nobody knows whether the board has it; see what it does and send it again.",
+                command=sending.command.name,
+            )
 
     def _send(self, command: Message, frame: bytes) -> None:
         if not self._board.write(frame):
@@ -166,11 +220,20 @@ class Commands:
                 command=command.name,
             )
 
-    def _judge(self, command: Message, arguments: tuple[float, ...]) -> tuple[_Proof, Judge | None]:
-        """What will prove this command on this board, and how to see it in a frame."""
-        confirm = command.confirm
+    def _sending(self, command: Message, arguments: tuple[float, ...], *, is_read_back: bool) -> _Sending | None:
+        """What will prove this command on this board; None where nothing can, or where the caller proves it."""
+        frame, link = encode_command(command.name, *arguments), self._board.link
         if self._board.session.is_extended and self._board.capabilities().get("has_acknowledgements"):
-            return "acknowledgement", _acknowledges(command.id)
+            judge = AcknowledgementJudge(command.id, self._owed)
+            return _Sending(command, frame, link, "acknowledgement", _by_acknowledgement(judge), judge)
+        proof, seen = self._effect(command, arguments)
+        if seen is None or (is_read_back and proof == "read_back"):
+            return None
+        return _Sending(command, frame, link, proof, seen, None)
+
+    def _effect(self, command: Message, arguments: tuple[float, ...]) -> tuple[_Proof, Judge | None]:
+        """How to see in a frame what this command does."""
+        confirm = command.confirm
         match confirm.by:
             case "heartbeat":
                 return (
@@ -208,18 +271,29 @@ class Commands:
             patience_s = max(patience_s, _HEARTBEATS * (period_s or 0.0))
         return patience_s
 
+    def _story(self, name: str, arguments: tuple[float, ...], client: str | None) -> dict[str, Any]:
+        return {"id": next(self._ids), "name": name, "value": list(arguments), "client": client}
+
     def _tell(self, story: dict[str, Any], state: str, by: By, ms: float | None, reason: str | None) -> None:
         self._hub.event("command", {**story, "state": state, "by": by, "ms": ms, "reason": reason})
 
 
-def _acknowledges(command_id: int) -> Judge:
-    def judge(frame: Frame, meant: Meaning) -> Verdict | None:
-        if frame.message.name != "acknowledgement" or meant.values["command_type"] != command_id:
+def _by_acknowledgement(judge: AcknowledgementJudge) -> Judge:
+    def seen(frame: Frame, meant: Meaning) -> Verdict | None:
+        found = judge(frame, meant)
+        if found is None:
             return None
-        result = _RESULTS.get(frame.values[1], "unknown")
-        return ("confirmed", None) if result == "done" else ("rejected", result)
+        is_done, result = found
+        return ("confirmed", None) if is_done else ("rejected", result)
 
-    return judge
+    return seen
+
+
+def _end_of(error: BaseException) -> tuple[State, By, None, str | None]:
+    """How a command ends that was broken off. Only what never went out is known not to be done."""
+    if isinstance(error, GatewayError) and error.code == "board_line_full":
+        return "rejected", "none", None, "not_sent"
+    return "timed_out", "none", None, None
 
 
 def _reads_back(parameter: str, wanted: float) -> Judge:

@@ -28,6 +28,13 @@ class Missions:
         self._commands = commands
         self._hub = hub
         self._lock = asyncio.Lock()
+        # Plans that the board was seen to have since it opened.
+        self._known: dict[Plan, None] = {}
+
+    def take_known(self) -> tuple[Plan, ...]:
+        """The plans that the board was seen to have; from here on none is known."""
+        known, self._known = tuple(self._known), {}
+        return known
 
     async def read(self, plan: Plan) -> list[Waypoint]:
         """The plan that the board has. Raises BoardError where it does not come whole."""
@@ -89,7 +96,10 @@ class Missions:
             await self._commands.run("mission_read", (PLAN_NUMBERS[plan],), quiet=True)
             try:
                 async with asyncio.timeout(_READ_S):
-                    return await collector.whole
+                    found = await collector.whole
+                if found:
+                    self._known[plan] = None
+                return found
             except TimeoutError:
                 raise BoardError(
                     "mission_not_read",

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import replace
 from typing import Any, Final
 
@@ -35,9 +36,11 @@ class Parameters:
         self._hub = hub
         self._lock = asyncio.Lock()
         self._session = 0
+        self._is_writing = False
         self.journal = journal
         self.held: Held17 = UNKNOWN
         self.unconfirmed: tuple[str, ...] = ()
+        self._unstored: dict[str, None] = {}
         board.listen(self._on_frame)
 
     def forget(self) -> None:
@@ -53,7 +56,7 @@ class Parameters:
     async def load(self, client: str | None) -> None:
         """Read all from the board. Raises BoardError where it does not answer."""
         async with self._lock:
-            await self._read(client)
+            await self._read(client, quiet=False)
             self._replace(gains.loaded_now(self.held))
 
     async def set(self, changes: Mapping[str, float], client: str | None) -> None:
@@ -96,34 +99,46 @@ class Parameters:
 
     async def store(self, client: str | None) -> CommandResult:
         """Write them to the board's card."""
-        return await self._commands.run("store_parameters", client=client)
+        written = tuple(self._unstored)
+        result = await self._commands.run("store_parameters", client=client)
+        if result.state == "confirmed":
+            for name in written:
+                self._unstored.pop(name, None)
+        return result
+
+    def take_unstored(self) -> tuple[str, ...]:
+        """The gains that were written and never stored on the card; from here on there are none."""
+        unstored, self._unstored = tuple(self._unstored), {}
+        return unstored
 
     async def _write(self, kind: Kind, changes: Mapping[str, float], client: str | None) -> None:
-        self._commands.check_ready(COMMANDS_BY_ID[BY_NAME[next(iter(changes))].set_id])
         session = self._session
         if any(self.held[name].value is None for name in changes):
             # What they were is part of the journal, and without it nothing could be undone.
             await self._read(client)
+        held = self.held
         before = {name: self._before(name) for name in changes}
-        self._replace(gains.with_state(self.held, changes, "pending"))
+        self._replace(gains.with_state(held, changes, "pending"))
         results: dict[str, CommandResult | None] = {}
         try:
-            for name, value in changes.items():
-                parameter = BY_NAME[name]
-                argument = int(value) if parameter.is_integer else value
-                results[name] = None
-                results[name] = await self._commands.run(
-                    COMMANDS_BY_ID[parameter.set_id].name, (argument,), client=client
-                )
-            values = await self._read(client)
-        except BaseException:
+            with self._read_back_follows():
+                for name, value in changes.items():
+                    results[name] = None
+                    results[name] = await self._set(name, value, client)
+                values = await self._read(client)
+        except BaseException as error:
+            if isinstance(error, ConflictError) and list(results.values()) == [None]:
+                # The first was not even sent: everything is as it was.
+                self._replace(held if session == self._session else self.held)
+                raise
             self._replace(gains.forgotten(self.held, changes))
             lost = [Change(name, before[name], gains.as_held(name, changes[name]), "timed_out") for name in results]
-            self._note(kind, lost, client, session)
+            self._end(kind, lost, results, client, session)
             raise
         refused = dict.fromkeys(gains.differing(changes, values))
         taken = {name: None for name in changes if name not in refused}
-        self._replace(gains.with_state(gains.with_state(self.held, refused, "rejected"), taken, "confirmed"))
+        read = gains.after_read(self.held, values)
+        self._replace(gains.with_state(gains.with_state(read, refused, "rejected"), taken, "confirmed"))
         tried = [
             Change(
                 name,
@@ -133,7 +148,44 @@ class Parameters:
             )
             for name, value in changes.items()
         ]
-        self._note(kind, tried, client, session)
+        self._end(kind, tried, results, client, session)
+
+    async def _set(self, name: str, value: float, client: str | None) -> CommandResult:
+        parameter = BY_NAME[name]
+        argument = int(value) if parameter.is_integer else value
+        command = COMMANDS_BY_ID[parameter.set_id].name
+        return await self._commands.run(command, (argument,), client=client, quiet=True, is_read_back=True)
+
+    @contextmanager
+    def _read_back_follows(self) -> Iterator[None]:
+        """While inside, what the board sends is not told by itself: it is told once, with what became of the write."""
+        self._is_writing = True
+        try:
+            yield
+        finally:
+            self._is_writing = False
+
+    def _end(
+        self,
+        kind: Kind,
+        changes: Iterable[Change],
+        results: Mapping[str, CommandResult | None],
+        client: str | None,
+        session: int,
+    ) -> None:
+        """Tell once of each gain what became of it, and note all of them as one step."""
+        changes = list(changes)
+        for change in changes:
+            result = results[change.name]
+            reason = None if result is None or change.state != "rejected" else result.reason or "not_taken"
+            ms = 0.0 if result is None else result.ms
+            self._commands.tell_outcome(
+                COMMANDS_BY_ID[BY_NAME[change.name].set_id].name,
+                (change.after,),
+                client,
+                CommandResult(change.state, "read_back", ms, reason),
+            )
+        self._note(kind, changes, client, session)
 
     def _note(self, kind: Kind, changes: Iterable[Change], client: str | None, session: int) -> None:
         changes = list(changes)
@@ -142,6 +194,7 @@ class Parameters:
         failed = dict.fromkeys(self.unconfirmed)
         for change in changes:
             if change.state == "confirmed":
+                self._unstored[change.name] = None
                 failed.pop(change.name, None)
             else:
                 failed[change.name] = None
@@ -160,7 +213,7 @@ class Parameters:
         on_the_wire = value if BY_NAME[name].is_integer else single(value)
         return {**self.held, name: replace(self.held[name], value=on_the_wire, state="confirmed")}
 
-    async def _read(self, client: str | None) -> Mapping[str, Json]:
+    async def _read(self, client: str | None, *, quiet: bool = True) -> Mapping[str, Json]:
         heard: asyncio.Future[Mapping[str, Json]] = asyncio.get_running_loop().create_future()
 
         def listen(frame: Frame, meant: Meaning) -> None:
@@ -168,7 +221,7 @@ class Parameters:
                 heard.set_result(meant.values)
 
         with self._board.listening(listen):
-            result = await self._commands.run("load_autopilot_parameters", client=client)
+            result = await self._commands.run("load_autopilot_parameters", client=client, quiet=quiet)
             try:
                 async with asyncio.timeout(_READ_S):
                     return await heard
@@ -200,7 +253,7 @@ class Parameters:
                 )
 
     def _on_frame(self, frame: Frame, meant: Meaning) -> None:
-        if frame.message.name == "autopilot_parameters":
+        if frame.message.name == "autopilot_parameters" and not self._is_writing:
             self._replace(gains.after_read(self.held, meant.values))
 
     def _replace(self, held: Held17) -> None:

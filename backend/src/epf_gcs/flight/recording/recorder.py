@@ -1,22 +1,27 @@
 """Every byte of both lines, both ways, into one MCAP file a session, before anybody decodes it.
 
-The event loop only appends to a queue; a thread packs and writes what is in it, four times a second.
+The event loop only appends to a queue; a thread packs and writes what is in it, four times a second, and pushes it
+to the disk twice a second, so that a power cut takes less than a second of the flight.
 Whatever the disk does, the flight goes on; what could not be written is counted and told.
 """
 
 from __future__ import annotations
 
+import contextlib
+import errno
 import os
+import shutil
 import threading
 from collections import deque
-from datetime import UTC, datetime
-from io import FileIO
 from pathlib import Path
 from time import monotonic_ns
 from typing import Final
 
 from epf_gcs.clock import Clock
-from epf_gcs.flight.recording.mcap_file import Tally, closing, data_end, message_record, metadata_record, opening
+from epf_gcs.flight.flight_log import say
+from epf_gcs.flight.recording.mcap_file import message_record, metadata_record
+from epf_gcs.flight.recording.recording_file import RecordingFile
+from epf_gcs.flight.recording.repair import recordings_in, repair_all
 
 BOARD_RECEIVED: Final = 1
 BOARD_SENT: Final = 2
@@ -30,7 +35,13 @@ TOPICS: Final = {
 }
 
 _FLUSH_S: Final = 0.25
+_SYNC_S: Final = 0.5
 _RETRY_S: Final = 5.0
+# How long a loss is told that was mended at once.
+_TOLD_S: Final = 5.0
+# Below the first nothing is begun any more, below the second the log says so.
+_LEAST_BYTES: Final = 16 * 1024 * 1024
+_LOW_BYTES: Final = 512 * 1024 * 1024
 # A minute of a full line and of a simulator: a disk that is this far behind will not catch up.
 _MAX_QUEUED: Final = 100_000
 _NOTE: Final = 0
@@ -69,27 +80,47 @@ class RecorderTap:
 
 
 class Recorder:
-    """One session at a time: it begins with its first byte and ends when `end_session` is called."""
+    """One session at a time: it begins with its first byte and ends when `end_session` is called.
 
-    def __init__(self, folder: Path, clock: Clock, library: str, *, retry_s: float = _RETRY_S) -> None:
+    Where a disk has fewer than `least_bytes` left, no file is begun.
+    """
+
+    def __init__(
+        self,
+        folder: Path,
+        clock: Clock,
+        library: str,
+        *,
+        retry_s: float = _RETRY_S,
+        told_s: float = _TOLD_S,
+        least_bytes: int = _LEAST_BYTES,
+    ) -> None:
         self._folder = folder
         self._clock = clock
         self._library = library
         self._retry_s = retry_s
+        self._told_s = told_s
+        self._least_bytes = least_bytes
         self._queue: deque[_Entry] = deque()
         self._wake = threading.Event()
         self._stopping = False
         self._thread = threading.Thread(target=self._run, name="recorder", daemon=True)
+        self._mending: threading.Thread | None = None
         self.board_tap = RecorderTap(self._queue, BOARD_RECEIVED, BOARD_SENT)
         self.simulator_tap = RecorderTap(self._queue, SIMULATOR_RECEIVED, SIMULATOR_SENT)
         # Written by the thread alone and read by the loop: single assignments, no lock needed.
         self.file: Path | None = None
         self.bytes_written = 0
         self.failure: str | None = None
+        self.free_bytes: int | None = None
         self._bytes_unwritten = 0
-        self._output: FileIO | None = None
-        self._tally = Tally()
+        self._bytes_seen = 0
+        self._output: RecordingFile | None = None
         self._retry_at_s = 0.0
+        self._told_until_s = 0.0
+        self._look_at_s = 0.0
+        self._said: str | None = None
+        self._is_low = False
 
     @property
     def bytes_lost(self) -> int:
@@ -97,7 +128,13 @@ class Recorder:
         return self.board_tap.lost + self.simulator_tap.lost + self._bytes_unwritten
 
     def start(self) -> None:
-        """Begin to write in the background."""
+        """Begin to write in the background, and to mend what an earlier end left torn."""
+        # What is there now is not written any more; what begins from here on is not in this list.
+        torn = recordings_in(self._folder)
+        self._mending = threading.Thread(
+            target=repair_all, args=(torn, lambda: self._stopping), name="recordings' repair", daemon=True
+        )
+        self._mending.start()
         self._thread.start()
 
     def stop(self) -> None:
@@ -106,6 +143,8 @@ class Recorder:
         self._stopping = True
         self._wake.set()
         self._thread.join()
+        if self._mending is not None:
+            self._mending.join()
 
     def note(self, name: str, values: dict[str, str]) -> None:
         """Put a note into the recording, such as the address of a line that was opened."""
@@ -119,6 +158,7 @@ class Recorder:
         while not self._stopping:
             self._wake.wait(_FLUSH_S)
             self._write_queue()
+            self._look_after()
         # What came between the last look and the order to stop.
         self._write_queue()
 
@@ -140,72 +180,91 @@ class Recorder:
         try:
             output = self._output or self._open()
             if output is not None:
-                self._put(output, b"".join([self._record(*entry) for entry in batch]))
+                output.put(b"".join([self._record(output, *entry) for entry in batch]))
+                self._wrote(output)
                 return
         except OSError as error:
             self._fail(error)
         self._bytes_unwritten += sum(len(data) for channel, _, data in batch if channel != _NOTE)
 
-    def _record(self, channel: int, steady_ns: int, data: bytes) -> bytes:
+    def _record(self, output: RecordingFile, channel: int, steady_ns: int, data: bytes) -> bytes:
         if channel == _NOTE:
-            self._tally.metadata_count += 1
+            output.tally.metadata_count += 1
             return data
         time_ns = self._clock.unix_ns(steady_ns)
-        return message_record(channel, self._tally.add(channel, time_ns), time_ns, data)
+        return message_record(channel, output.tally.add(channel, time_ns), time_ns, data)
 
-    def _open(self) -> FileIO | None:
+    def _open(self) -> RecordingFile | None:
         now_ns = self._clock.now_ns()
         if now_ns * 1e-9 < self._retry_at_s:
             return None
         self._folder.mkdir(parents=True, exist_ok=True)
-        path = _free_name(self._folder, now_ns)
-        output = self._output = FileIO(path, "xb")
-        self.bytes_written = 0
-        self._tally = Tally()
-        self._put(output, opening(self._library, TOPICS))
-        self.file = path
-        self.failure = None
-        return output
+        if self._measure() < self._least_bytes:
+            raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+        self._output = RecordingFile(self._folder, now_ns, self._library, TOPICS)
+        self._bytes_seen = 0
+        return self._output
 
-    def _put(self, output: FileIO, data: bytes) -> None:
-        view = memoryview(data)
-        while view:
-            written = output.write(view) or 0
-            self.bytes_written += written
-            view = view[written:]
+    def _wrote(self, output: RecordingFile) -> None:
+        self.bytes_written = output.bytes_written
+        if self.file is None:
+            self.file = output.path
+            self._said = None
+            say("info", "recording begun", file=output.path.name)
+        if self._clock.now_s() >= self._told_until_s:
+            self.failure = None
+
+    def _look_after(self) -> None:
+        """Push what was written to the disk, and see that the file still is where it was begun."""
+        now_s = self._clock.now_s()
+        output = self._output
+        if output is None or now_s < self._look_at_s:
+            return
+        self._look_at_s = now_s + _SYNC_S
+        try:
+            output.sync()
+            if not output.is_gone:
+                self._bytes_seen = output.bytes_written
+                self._measure()
+                return
+            self._bytes_unwritten += output.bytes_written - self._bytes_seen
+            self._fail(OSError(errno.ENOENT, f"{output.path.name} was removed or moved while it was written"))
+            # The disk itself is well: go on at once, in a new file, and in a new folder where that went too.
+            self._retry_at_s = 0.0
+            self._told_until_s = now_s + self._told_s
+        except OSError as error:
+            self._fail(error)
+
+    def _measure(self) -> int:
+        free = self.free_bytes = shutil.disk_usage(self._folder).free
+        is_low = free < _LOW_BYTES
+        if is_low and not self._is_low:
+            say("warning", "disk low", folder=str(self._folder), free_megabytes=free // 1_000_000)
+        self._is_low = is_low
+        return free
 
     def _finish(self) -> None:
         output, self._output = self._output, None
         if output is None:
             return
         try:
-            end = data_end()
-            self._put(output, end + closing(TOPICS, self._tally, self.bytes_written + len(end)))
-            os.fsync(output.fileno())
-            output.close()
+            output.finish()
+            say("info", "recording ended", file=output.path.name, bytes=output.bytes_written)
         except OSError as error:
+            self._output = output
             self._fail(error)
         self.file = None
 
     def _fail(self, error: OSError) -> None:
         """Give this file up, keep what is in it, and try another one after a while."""
-        self.failure = f"{error.strerror or error}"
+        failure = self.failure = f"{error.strerror or error}"
         self._retry_at_s = self._clock.now_s() + self._retry_s
         output, self._output = self._output, None
         self.file = None
         if output is not None:
-            try:
-                output.close()
-            except OSError as close_error:
-                self.failure = f"{close_error.strerror or close_error}"
-
-
-def _free_name(folder: Path, now_ns: int) -> Path:
-    """A file name that sorts by time and is not there yet."""
-    stem = datetime.fromtimestamp(now_ns // 1_000_000_000, UTC).strftime("%Y%m%dT%H%M%SZ")
-    path = folder / f"{stem}.mcap"
-    number = 2
-    while path.exists():
-        path = folder / f"{stem}-{number}.mcap"
-        number += 1
-    return path
+            with contextlib.suppress(OSError):
+                output.give_up()
+        if failure != self._said:
+            # Said once, however often it is tried again.
+            self._said = failure
+            say("error", "recording failed", folder=str(self._folder), reason=failure)

@@ -3,34 +3,45 @@
 from __future__ import annotations
 
 import asyncio
-from datetime import UTC, datetime
-from pathlib import Path as FilePath
 from typing import Annotated, Literal
 
-from fastapi import APIRouter, Path
-from fastapi.responses import FileResponse
+from fastapi import APIRouter, Depends, Path, Request
+from fastapi.responses import FileResponse, Response, StreamingResponse
 
 from epf_gcs.errors import NotFoundError
 from epf_gcs.web.deps import MirrorDep, RecordingsDirDep
 from epf_gcs.web.problems import reading_problems
+from epf_gcs.web.recordings.folder import Growing, Recording, RecordingFolder
 from epf_gcs.web.recordings.schemas import RecordingInfo, RecordingList
-from epf_gcs.web.vehicle.mirror import VehicleMirror
 
 router = APIRouter(tags=["recordings"])
 
 RecordingId = Annotated[str, Path(pattern=r"^[0-9]{8}T[0-9]{6}Z(-[0-9]{1,4})?$", examples=["20260131T120000Z"])]
 
 
+async def _folder_of(path: RecordingsDirDep, mirror: MirrorDep) -> RecordingFolder:
+    """All that these routes know of the station."""
+
+    def growing() -> Growing | None:
+        recording = mirror.status["recording"]
+        return Growing(recording["file"], recording["bytes"]) if recording["active"] else None
+
+    return RecordingFolder(path, growing)
+
+
+FolderDep = Annotated[RecordingFolder, Depends(_folder_of)]
+
+
 @router.get("/recordings", responses=reading_problems())
-async def get_recordings(folder: RecordingsDirDep, mirror: MirrorDep) -> RecordingList:
+async def get_recordings(folder: FolderDep) -> RecordingList:
     """All recordings, newest first."""
-    return RecordingList(recordings=await asyncio.to_thread(_list, folder, _active(mirror)))
+    return RecordingList(recordings=[_info(one) for one in await asyncio.to_thread(folder.all)])
 
 
 @router.get("/recordings/{recording_id}", responses=reading_problems(404))
-async def get_recording(recording_id: RecordingId, folder: RecordingsDirDep, mirror: MirrorDep) -> RecordingInfo:
+async def get_recording(recording_id: RecordingId, folder: FolderDep) -> RecordingInfo:
     """One recording."""
-    return _find(recording_id, folder, _active(mirror))
+    return _info(await _find(recording_id, folder))
 
 
 @router.get(
@@ -43,43 +54,35 @@ async def get_recording(recording_id: RecordingId, folder: RecordingsDirDep, mir
 )
 async def export_recording(
     recording_id: RecordingId,
-    folder: RecordingsDirDep,
-    mirror: MirrorDep,
+    request: Request,
+    folder: FolderDep,
     format: Literal["mcap"] = "mcap",  # noqa: A002 - the name of the query parameter
-) -> FileResponse:
-    """The file itself; one that is still being written is given as far as it is."""
-    _find(recording_id, folder, _active(mirror))
+) -> Response:
+    """The file itself; one that is still being written is given as it was at the request, up to a whole record."""
+    found = await _find(recording_id, folder)
     name = f"{recording_id}.{format}"
-    return FileResponse(folder / name, media_type="application/octet-stream", filename=name)
+    if "range" in request.headers:
+        # A part has an end of its own: what is written behind it meanwhile does not matter.
+        return FileResponse(found.path, media_type="application/octet-stream", filename=name)
+    # FileResponse says the length first and then sends whatever is there: more than it said, where the file grows.
+    headers = {
+        "Content-Length": str(found.size),
+        "Content-Disposition": f'attachment; filename="{name}"',
+        "Accept-Ranges": "bytes",
+    }
+    return StreamingResponse(found.pieces(), media_type="application/octet-stream", headers=headers)
 
 
-def _active(mirror: VehicleMirror) -> str | None:
-    """Name of the file that is being written."""
-    file: str | None = mirror.status["recording"]["file"]
-    return file
-
-
-def _list(folder: FilePath, active: str | None) -> list[RecordingInfo]:
-    files = sorted(folder.glob("*.mcap"), reverse=True)
-    return [info for file in files if (info := _info(file, active)) is not None]
-
-
-def _find(recording_id: str, folder: FilePath, active: str | None) -> RecordingInfo:
-    info = _info(folder / f"{recording_id}.mcap", active)
-    if info is None:
+async def _find(recording_id: str, folder: RecordingFolder) -> Recording:
+    found = await asyncio.to_thread(folder.find, recording_id)
+    if found is None:
         raise NotFoundError(
             "recording_unknown",
             f"There is no recording '{recording_id}': GET /api/v1/recordings lists all of them.",
             recording=recording_id,
         )
-    return info
+    return found
 
 
-def _info(file: FilePath, active: str | None) -> RecordingInfo | None:
-    """None where the file is gone, or where it is none of ours."""
-    try:
-        started = datetime.strptime(file.stem.split("-")[0], "%Y%m%dT%H%M%SZ").replace(tzinfo=UTC)
-        size = file.stat().st_size
-    except (ValueError, OSError):
-        return None
-    return RecordingInfo(id=file.stem, started_s=started.timestamp(), bytes=size, active=file.name == active)
+def _info(found: Recording) -> RecordingInfo:
+    return RecordingInfo(id=found.path.stem, started_s=found.started_s, bytes=found.size, active=found.active)

@@ -150,11 +150,15 @@ class RecordingState(Output):
 
 
 class AlarmState(Output):
-    """Something that is wrong now; an acknowledged one is shown quietly until its cause goes."""
+    """Something that is wrong now; an acknowledged one is shown quietly until its cause goes.
+
+    `until_s` is null while it lasts. One that has an end has recovered, and is listed until it is acknowledged.
+    """
 
     id: AlarmId
     level: Literal["warning", "critical"]
     since_s: float
+    until_s: float | None
     text: str
     params: dict[str, ParamValue]
     acknowledged: bool

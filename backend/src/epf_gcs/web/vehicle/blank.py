@@ -102,6 +102,7 @@ def status_without_flight(last: dict[str, Any], now_s: float, lost_s: float) -> 
                 "id": "flight_lost",
                 "level": "critical",
                 "since_s": lost_s,
+                "until_s": None,
                 "text": _AWAY,
                 "params": {},
                 "acknowledged": False,

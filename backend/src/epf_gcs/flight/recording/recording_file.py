@@ -1,0 +1,84 @@
+"""One recording on the disk, from its first record to its summary."""
+
+from __future__ import annotations
+
+import os
+from datetime import UTC, datetime
+from io import FileIO
+from pathlib import Path
+
+from epf_gcs.flight.disk import sync_folder
+from epf_gcs.flight.recording.mcap_file import Tally, closing, data_end, opening
+
+
+class RecordingFile:
+    """Made by the writing thread and used by it alone. What fails raises OSError."""
+
+    def __init__(self, folder: Path, now_ns: int, library: str, topics: dict[int, str]) -> None:
+        self.path = _free_name(folder, now_ns)
+        self.tally = Tally()
+        self.bytes_written = 0
+        self._topics = topics
+        self._output = FileIO(self.path, "xb")
+        self._bytes_synced = 0
+        head = opening(library, topics)
+        self._head_bytes = len(head)
+        try:
+            self.put(head)
+        except OSError:
+            self.give_up()
+            raise
+
+    @property
+    def is_gone(self) -> bool:
+        """Somebody removed or moved the file or its folder: what is written from here on is nowhere."""
+        ours = os.fstat(self._output.fileno())
+        try:
+            there = self.path.stat()
+        except FileNotFoundError:
+            return True
+        return (ours.st_ino, ours.st_dev) != (there.st_ino, there.st_dev)
+
+    def put(self, data: bytes) -> None:
+        """Write all of it."""
+        view = memoryview(data)
+        while view:
+            written = self._output.write(view) or 0
+            self.bytes_written += written
+            view = view[written:]
+
+    def sync(self) -> None:
+        """What was written outlives a power cut from here on; waits for the disk."""
+        if self.bytes_written == self._bytes_synced:
+            return
+        if self._bytes_synced == 0:
+            sync_folder(self.path.parent)
+        getattr(os, "fdatasync", os.fsync)(self._output.fileno())
+        self._bytes_synced = self.bytes_written
+
+    def finish(self) -> None:
+        """The summary, and the end."""
+        end = data_end()
+        self.put(end + closing(self._topics, self.tally, self.bytes_written + len(end)))
+        os.fsync(self._output.fileno())
+        sync_folder(self.path.parent)
+        self._output.close()
+
+    def give_up(self) -> None:
+        """Close it as it is: what is in it stays, but a file without a single record goes."""
+        try:
+            self._output.close()
+        finally:
+            if self.bytes_written <= self._head_bytes:
+                self.path.unlink(missing_ok=True)
+
+
+def _free_name(folder: Path, now_ns: int) -> Path:
+    """A file name that sorts by time and is not there yet."""
+    stem = datetime.fromtimestamp(now_ns // 1_000_000_000, UTC).strftime("%Y%m%dT%H%M%SZ")
+    path = folder / f"{stem}.mcap"
+    number = 2
+    while path.exists():
+        path = folder / f"{stem}-{number}.mcap"
+        number += 1
+    return path

@@ -1,0 +1,157 @@
+"""Recordings whose writer was killed: their torn end is cut off and the summary that is missing is written."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import re
+import struct
+import threading
+import time
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, field
+from pathlib import Path
+from struct import Struct
+from typing import BinaryIO, Final
+
+from mcap.opcode import Opcode
+
+from epf_gcs.flight.flight_log import say
+from epf_gcs.flight.recording.mcap_file import MAGIC, Tally, closing, data_end
+
+_OURS: Final = re.compile(r"[0-9]{8}T[0-9]{6}Z(-[0-9]+)?\.mcap")
+_HEAD: Final = Struct("<BQ")
+_MESSAGE: Final = Struct("<HIQQ")
+_CHANNEL: Final = Struct("<HHI")
+# What we write between the first record and the summary; any other file is not ours to cut.
+_KNOWN: Final = frozenset({Opcode.HEADER, Opcode.CHANNEL, Opcode.MESSAGE, Opcode.METADATA})
+# No record of ours is longer. A length beyond this is not a record that was cut, but a place that is damaged.
+_LONGEST: Final = 16 * 1024 * 1024
+_FOOTER_BYTES: Final = 9 + 20
+# The thread that looks through a file shares the interpreter with the flight: a tenth of a millisecond, and a rest.
+_BURST: Final = 100
+_REST_S: Final = 0.001
+_LOWEST_PRIORITY: Final = 19
+
+
+class BeyondRepairError(Exception):
+    """The file is damaged in a way that no cut mends; it was left as it is."""
+
+
+@dataclass
+class _Found:
+    """What a file holds, up to its last whole record."""
+
+    end: int
+    topics: dict[int, str] = field(default_factory=dict)
+    tally: Tally = field(default_factory=Tally)
+
+
+def recordings_in(folder: Path) -> list[Path]:
+    """The recordings that are there now, newest first."""
+    try:
+        return sorted((path for path in folder.iterdir() if _OURS.fullmatch(path.name)), reverse=True)
+    except OSError:
+        return []
+
+
+def repair_all(files: Iterable[Path], is_over: Callable[[], bool] = lambda: False) -> None:
+    """Mend what is torn, in the calling thread, which gives way to all others. Stops early when `is_over`."""
+    if hasattr(os, "setpriority"):
+        with contextlib.suppress(OSError):  # where it cannot be had, the rests must do
+            os.setpriority(os.PRIO_PROCESS, threading.get_native_id(), _LOWEST_PRIORITY)
+    for path in files:
+        if is_over():
+            return
+        try:
+            cut = repair(path, is_over)
+        except BeyondRepairError as error:
+            say("warning", "recording damaged, left as it is", file=path.name, reason=str(error))
+        except OSError as error:
+            say("warning", "recording not repaired", file=path.name, reason=error.strerror or str(error))
+        else:
+            if cut is not None:
+                say("info", "recording repaired", file=path.name, bytes_cut=cut)
+
+
+def repair(path: Path, is_over: Callable[[], bool] = lambda: False) -> int | None:
+    """Give a torn recording its end. Returns how many bytes were cut off, None where there was nothing to do.
+
+    An empty file is removed: nothing was ever in it. Raises BeyondRepairError and OSError; the file is as it was then.
+    """
+    size = path.stat().st_size
+    if size == 0:
+        path.unlink()
+        return 0
+    with path.open("r+b") as file:
+        if _is_whole(file, size):
+            return None
+        found = _look_through(file, size, is_over)
+        if found is None:
+            return None
+        file.seek(found.end)
+        file.truncate()
+        end = data_end()
+        file.write(end + closing(found.topics, found.tally, found.end + len(end)))
+        file.flush()
+        os.fsync(file.fileno())
+    return size - found.end
+
+
+def _is_whole(file: BinaryIO, size: int) -> bool:
+    tail = len(MAGIC) + _FOOTER_BYTES
+    if size < len(MAGIC) + tail:
+        return False
+    file.seek(size - tail)
+    read = file.read(tail)
+    return read.endswith(MAGIC) and _HEAD.unpack_from(read) == (Opcode.FOOTER, 20)
+
+
+def _look_through(file: BinaryIO, size: int, is_over: Callable[[], bool]) -> _Found | None:
+    """Find the last whole record. None where it was broken off."""
+    file.seek(0)
+    if file.read(len(MAGIC)) != MAGIC:
+        raise BeyondRepairError("it does not begin as a recording")
+    found = _Found(end=len(MAGIC))
+    count = 0
+    while (head := file.read(_HEAD.size)) and len(head) == _HEAD.size:
+        opcode, length = _HEAD.unpack(head)
+        if opcode == Opcode.DATA_END:
+            return found  # only the summary is torn
+        if opcode not in _KNOWN or length > _LONGEST:
+            _check_is_blank(head, file)
+            return found
+        body = file.read(length)
+        if len(body) < length:
+            return found
+        try:
+            _take(found, opcode, body)
+        except (struct.error, UnicodeDecodeError) as error:
+            raise BeyondRepairError("there is a record in it that makes no sense") from error
+        found.end += _HEAD.size + length
+        count += 1
+        if count % _BURST == 0:
+            if is_over():
+                return None
+            time.sleep(_REST_S)
+    return found
+
+
+def _take(found: _Found, opcode: int, body: bytes) -> None:
+    if opcode == Opcode.MESSAGE:
+        channel, _, time_ns, _ = _MESSAGE.unpack_from(body)
+        found.tally.add(channel, time_ns)
+    elif opcode == Opcode.METADATA:
+        found.tally.metadata_count += 1
+    elif opcode == Opcode.CHANNEL:
+        number, _, length = _CHANNEL.unpack_from(body)
+        found.topics[number] = body[_CHANNEL.size : _CHANNEL.size + length].decode()
+
+
+def _check_is_blank(head: bytes, file: BinaryIO) -> None:
+    """After a power cut a file may end in zeros, which hold nothing; anything else may be worth a person's look."""
+    block = head
+    while block:
+        if block.count(0) != len(block):
+            raise BeyondRepairError("there is something in it that is no record")
+        block = file.read(1 << 20)

@@ -1,0 +1,65 @@
+"""The folder of the recordings, one of which may be growing while it is read."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import Final, NamedTuple
+
+_PIECE: Final = 256 * 1024
+
+
+class Growing(NamedTuple):
+    """The recording that is being written: its file's name, and up to which byte its records are whole."""
+
+    file: str
+    whole: int
+
+
+@dataclass(frozen=True, slots=True)
+class Recording:
+    """One file as it was when it was looked at. `started_s` is Unix time."""
+
+    path: Path
+    started_s: float
+    size: int
+    active: bool
+
+    def pieces(self) -> Iterator[bytes]:
+        """The first `size` bytes, however much is written behind them meanwhile. Blocks: for a thread."""
+        left = self.size
+        with self.path.open("rb") as file:
+            while left > 0 and (piece := file.read(min(left, _PIECE))):
+                left -= len(piece)
+                yield piece
+
+
+class RecordingFolder:
+    """`growing` tells what is being written now. Every call looks at the disk: for a thread."""
+
+    def __init__(self, path: Path, growing: Callable[[], Growing | None]) -> None:
+        self._path = path
+        self._growing = growing
+
+    def all(self) -> list[Recording]:
+        """Newest first."""
+        files = sorted(self._path.glob("*.mcap"), reverse=True)
+        return [found for file in files if (found := self._look(file)) is not None]
+
+    def find(self, name: str) -> Recording | None:
+        """The recording of this name; None where it is gone, or where it is none of ours."""
+        return self._look(self._path / f"{name}.mcap")
+
+    def _look(self, file: Path) -> Recording | None:
+        growing = self._growing()
+        active = growing is not None and growing.file == file.name
+        try:
+            started = datetime.strptime(file.stem.split("-")[0], "%Y%m%dT%H%M%SZ").replace(tzinfo=UTC)
+            size = file.stat().st_size
+        except (ValueError, OSError):
+            return None
+        if growing is not None and active and growing.whole > 0:
+            size = min(size, growing.whole)
+        return Recording(file, started.timestamp(), size, active)

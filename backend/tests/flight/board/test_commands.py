@@ -1,0 +1,248 @@
+"""Commands with proof on a line where answers come late, go astray, or where the line itself goes."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Callable, Mapping
+from typing import Any
+
+import pytest
+
+from epf_gcs.clock import Clock
+from epf_gcs.codec.encode import encode_telemetry
+from epf_gcs.codec.frame import TO_BOARD, Frame, FrameDecoder
+from epf_gcs.codec.messages_gen import COMMANDS
+from epf_gcs.codec.tables import Message
+from epf_gcs.error_log import ErrorLog
+from epf_gcs.errors import ConflictError, LinkError
+from epf_gcs.flight.board.commands import CommandResult, Commands
+from epf_gcs.link.base import LinkCallbacks
+from epf_gcs.vehicle.board import Board
+from epf_gcs.vehicle.telemetry import Telemetry
+from tests.support.outlet import KeptOutlet
+from tests.support.waiting import eventually_async
+
+pytestmark = pytest.mark.anyio
+
+HEARTBEAT = encode_telemetry("heartbeat", *[0] * 12)
+
+
+def acknowledgement(name: str, result: int = 0) -> bytes:
+    return encode_telemetry("acknowledgement", COMMANDS[name].id, result)
+
+
+class Line:
+    """A link whose other end is the test."""
+
+    baud = 115200
+    backlog = 0
+
+    def __init__(self) -> None:
+        self.sent: list[str] = []
+        self.is_full = False
+        self._decoder = FrameDecoder(TO_BOARD)
+
+    def start(self, callbacks: LinkCallbacks) -> None: ...
+
+    def close(self) -> None: ...
+
+    def write(self, data: bytes) -> bool:
+        if self.is_full:
+            return False
+        self.sent += [found.message.name for found in self._decoder.feed(data) if isinstance(found, Frame)]
+        return True
+
+
+class Told(KeptOutlet):
+    """An outlet that remembers what it told of commands."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.events: list[tuple[str, str, str | None]] = []
+
+    def event(self, kind: str, data: Mapping[str, Any]) -> None:
+        if kind == "command":
+            self.events.append((data["name"], data["state"], data["reason"]))
+
+
+class World:
+    """A board that acknowledges, on a line in the test's hand."""
+
+    def __init__(self) -> None:
+        clock = Clock()
+        self.hub = Told()
+        self.line = Line()
+        telemetry = Telemetry(self.hub, clock, lambda _: 1.0)
+        self.board = Board(clock, self.hub, telemetry, ErrorLog())
+        self.commands = Commands(self.board, telemetry, self.hub, clock, ErrorLog())
+        self.open(self.line)
+
+    def open(self, line: Line) -> None:
+        self.board.attach(line)
+        self.says(HEARTBEAT)
+        self.says(encode_telemetry("capabilities", 1, 15, b"fake", b"1.0", 5))
+        assert self.board.is_open
+        line.sent.clear()
+
+    def says(self, data: bytes) -> None:
+        self.board.on_bytes(data)
+
+    def begins(self, name: str) -> asyncio.Task[CommandResult]:
+        return asyncio.create_task(self.commands.run(name))
+
+    async def waits_for(self, *sent: str) -> None:
+        await eventually_async(lambda: tuple(self.line.sent) == sent, f"{sent} went out, not {self.line.sent}")
+
+
+async def test_an_acknowledgement_of_a_command_that_timed_out_does_not_confirm_the_next_one_of_its_type() -> None:
+    world = World()
+    assert (await world.commands.run("gps_on")).state == "timed_out"
+    world.line.sent.clear()
+    task = world.begins("gps_on")
+    await world.waits_for("capabilities", "gps_on")
+    world.says(acknowledgement("gps_on"))
+    await asyncio.sleep(0)
+    assert not task.done(), "this one belongs to what timed out"
+    world.says(acknowledgement("capabilities"))
+    await asyncio.sleep(0)
+    assert not task.done(), "the fence says nothing of the command"
+    world.says(acknowledgement("gps_on", 2))
+    assert (await task).state == "rejected"
+
+
+async def test_a_retry_of_a_command_that_got_lost_is_confirmed_at_once() -> None:
+    world = World()
+    assert (await world.commands.run("gps_on")).state == "timed_out"
+    world.line.sent.clear()
+    task = world.begins("gps_on")
+    await world.waits_for("capabilities", "gps_on")
+    world.says(acknowledgement("capabilities") + acknowledgement("gps_on"))
+    assert (await task).state == "confirmed"
+    world.line.sent.clear()
+    task = world.begins("gps_on")
+    await world.waits_for("gps_on")
+    world.says(acknowledgement("gps_on"))
+    assert (await task).state == "confirmed", "nothing is owed any more"
+
+
+async def test_without_an_answer_to_the_fence_nothing_is_confirmed() -> None:
+    world = World()
+    await world.commands.run("gps_on")
+    task = world.begins("gps_on")
+    await world.waits_for("gps_on", "gps_on", "capabilities", "gps_on")
+    world.says(acknowledgement("gps_on"))
+    assert (await task).state == "timed_out"
+
+
+async def test_the_second_sending_of_a_command_leaves_one_acknowledgement_owed() -> None:
+    world = World()
+    task = world.begins("gps_on")
+    await world.waits_for("gps_on", "gps_on")
+    world.says(acknowledgement("gps_on"))
+    assert (await task).state == "confirmed"
+    world.line.sent.clear()
+    task = world.begins("gps_on")
+    await world.waits_for("capabilities", "gps_on")
+    world.says(acknowledgement("gps_on") + acknowledgement("capabilities") + acknowledgement("gps_on", 1))
+    assert (await task).state == "rejected"
+
+
+async def test_a_late_acknowledgement_that_came_between_two_commands_is_not_owed_any_more() -> None:
+    world = World()
+    await world.commands.run("gps_on")
+    world.says(acknowledgement("gps_on") * 2)
+    world.line.sent.clear()
+    task = world.begins("gps_on")
+    await world.waits_for("gps_on")
+    world.says(acknowledgement("gps_on"))
+    assert (await task).state == "confirmed"
+
+
+async def test_what_the_card_owes_is_counted_for_it_answers_when_it_likes() -> None:
+    world = World()
+    assert (await world.commands.run("store_parameters")).state == "timed_out"
+    world.line.sent.clear()
+    task = world.begins("store_parameters")
+    await world.waits_for("store_parameters")
+    world.says(acknowledgement("store_parameters") * 2)
+    await asyncio.sleep(0)
+    assert not task.done(), "two were owed"
+    world.says(acknowledgement("store_parameters", 4))
+    assert (await task).state == "rejected"
+
+
+async def test_a_link_that_is_lost_on_the_way_is_called_lost_and_at_once() -> None:
+    world = World()
+    task = world.begins("gps_on")
+    await world.waits_for("gps_on")
+    world.board.detach()
+    world.commands.link_changed()
+    with pytest.raises(LinkError) as lost:
+        await task
+    assert lost.value.code == "command_link_lost"
+    assert world.hub.events == [("gps_on", "pending", None), ("gps_on", "timed_out", None)]
+    assert world.line.sent == ["gps_on"], "it waited for no time-out"
+
+
+async def test_a_link_that_was_opened_anew_meanwhile_gets_no_second_sending() -> None:
+    world = World()
+    task = world.begins("gps_on")
+    await world.waits_for("gps_on")
+    world.board.detach()
+    other = Line()
+    world.open(other)
+    with pytest.raises(LinkError):
+        await task
+    assert other.sent == []
+
+
+async def test_a_line_that_is_full_is_called_full_and_ends_what_began() -> None:
+    world = World()
+    world.line.is_full = True
+    with pytest.raises(ConflictError) as full:
+        await world.commands.run("gps_on")
+    assert full.value.code == "board_line_full"
+    assert world.hub.events == [("gps_on", "pending", None), ("gps_on", "rejected", "not_sent")]
+
+
+async def test_a_line_that_is_full_at_the_second_sending_is_no_news_of_the_first() -> None:
+    world = World()
+    task = world.begins("gps_on")
+    await world.waits_for("gps_on")
+    world.line.is_full = True
+    assert (await task).state == "timed_out"
+
+
+@pytest.mark.parametrize("breaks", [RuntimeError("a fault of ours"), asyncio.CancelledError()])
+async def test_whatever_breaks_the_proof_the_command_does_not_stay_pending(
+    breaks: BaseException, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    world = World()
+    monkeypatch.setattr(world.commands, "_attempt", _raising(breaks))
+    with pytest.raises(type(breaks)):
+        await world.commands.run("gps_on")
+    assert world.hub.events == [("gps_on", "pending", None), ("gps_on", "timed_out", None)]
+
+
+async def test_a_command_is_looked_at_once_whether_it_can_be_sent(monkeypatch: pytest.MonkeyPatch) -> None:
+    world = World()
+    looks: list[str] = []
+    check = world.commands.check_ready
+
+    def look(command: Message) -> None:
+        looks.append(command.name)
+        check(command)
+
+    monkeypatch.setattr(world.commands, "check_ready", look)
+    task = world.begins("gps_on")
+    await world.waits_for("gps_on")
+    world.says(acknowledgement("gps_on"))
+    await task
+    assert looks == ["gps_on"]
+
+
+def _raising(error: BaseException) -> Callable[..., Any]:
+    async def attempt(*_: object, **__: object) -> None:
+        raise error
+
+    return attempt

@@ -1,0 +1,126 @@
+"""Recordings after a kill or a power cut: cut at the last whole record and given their end, or left alone."""
+
+from __future__ import annotations
+
+from io import BytesIO
+from pathlib import Path
+
+import pytest
+import structlog
+from hypothesis import given
+from hypothesis import strategies as st
+from mcap.reader import make_reader
+from mcap.records import Message, Metadata
+from mcap.stream_reader import StreamReader
+
+from epf_gcs.flight.recording.mcap_file import Tally, closing, data_end, message_record, metadata_record, opening
+from epf_gcs.flight.recording.repair import BeyondRepairError, recordings_in, repair, repair_all
+
+TOPICS = {1: "board/received", 2: "board/sent"}
+NAME = "20260101T000000Z.mcap"
+
+
+def a_recording(payloads: list[bytes]) -> tuple[bytes, bytes, int]:
+    """Head with messages, end, and where the messages begin."""
+    tally = Tally()
+    head = opening("test 1.0", TOPICS)
+    data = head + metadata_record("board_link", {"url": "tcp://h:1"})
+    tally.metadata_count = 1
+    for index, payload in enumerate(payloads):
+        time_ns = 1_000 + index
+        data += message_record(1, tally.add(1, time_ns), time_ns, payload)
+    end = data_end()
+    return data, end + closing(TOPICS, tally, len(data) + len(end)), len(head)
+
+
+def payloads(data: bytes) -> list[bytes]:
+    return [record.data for record in StreamReader(BytesIO(data)).records if isinstance(record, Message)]
+
+
+def test_a_file_that_was_cut_anywhere_is_mended_up_to_its_last_whole_record(tmp_path: Path) -> None:
+    data, end, first = a_recording([b"one", b"two", b"three"])
+    path = tmp_path / NAME
+    counts = []
+    for size in range(first, len(data + end)):
+        path.write_bytes((data + end)[:size])
+        assert repair(path) is not None
+        mended = path.read_bytes()
+        read = payloads(mended)
+        counts.append(len(read))
+        summary = make_reader(BytesIO(mended)).get_summary()
+        assert summary is not None
+        assert summary.statistics is not None
+        assert summary.statistics.message_count == len(read)
+        assert repair(path) is None, "there is nothing left to do"
+    assert counts == sorted(counts)
+    assert (counts[0], counts[-1]) == (0, 3)
+    assert path.read_bytes() == data + end, "what lacked only its last byte is as it would have been"
+
+
+def test_the_notes_stay(tmp_path: Path) -> None:
+    data, _, _ = a_recording([b"one"])
+    path = tmp_path / NAME
+    path.write_bytes(data)
+    repair(path)
+    records = StreamReader(BytesIO(path.read_bytes())).records
+    assert [r.metadata for r in records if isinstance(r, Metadata)] == [{"url": "tcp://h:1"}]
+
+
+def test_zeros_after_a_power_cut_are_cut_off(tmp_path: Path) -> None:
+    data, end, _ = a_recording([b"one"])
+    path = tmp_path / NAME
+    path.write_bytes(data + bytes(5000))
+    assert repair(path) == 5000
+    assert path.read_bytes() == data + end
+
+
+def test_a_whole_file_is_not_touched(tmp_path: Path) -> None:
+    data, end, _ = a_recording([b"one"])
+    path = tmp_path / NAME
+    path.write_bytes(data + end)
+    before = path.stat().st_mtime_ns
+    assert repair(path) is None
+    assert path.stat().st_mtime_ns == before
+
+
+@given(st.binary(min_size=1, max_size=200))
+def test_no_file_makes_it_fail_in_another_way(tmp_path_factory: pytest.TempPathFactory, rubbish: bytes) -> None:
+    data, _, _ = a_recording([b"one"])
+    path = tmp_path_factory.mktemp("any") / NAME
+    for content in (rubbish, data + rubbish):
+        path.write_bytes(content)
+        try:
+            repair(path)
+        except BeyondRepairError:
+            assert path.read_bytes() == content, "it is left as it is"
+        else:
+            assert payloads(path.read_bytes())[:1] in ([], [b"one"])
+
+
+def test_what_is_beyond_repair_is_kept_and_told_and_the_others_are_mended(tmp_path: Path) -> None:
+    data, end, _ = a_recording([b"one"])
+    (tmp_path / "20260103T000000Z.mcap").write_bytes(b"abc")
+    (tmp_path / "20260102T000000Z-2.mcap").write_bytes(data)
+    (tmp_path / "20260101T000000Z.mcap").write_bytes(b"")
+    (tmp_path / "holiday.mcap").write_bytes(b"")
+    with structlog.testing.capture_logs() as logged:
+        repair_all(recordings_in(tmp_path))
+    assert {path.name: path.read_bytes() for path in tmp_path.iterdir()} == {
+        "20260103T000000Z.mcap": b"abc",
+        "20260102T000000Z-2.mcap": data + end,
+        "holiday.mcap": b"",
+    }
+    assert [(line["event"], line["file"]) for line in logged] == [
+        ("recording damaged, left as it is", "20260103T000000Z.mcap"),
+        ("recording repaired", "20260102T000000Z-2.mcap"),
+        ("recording repaired", "20260101T000000Z.mcap"),
+    ]
+
+
+def test_it_stops_where_the_flight_ends(tmp_path: Path) -> None:
+    data, _, _ = a_recording([b"one"] * 1000)
+    path = tmp_path / NAME
+    path.write_bytes(data)
+    assert repair(path, lambda: True) is None
+    repair_all([path], lambda: True)
+    assert path.read_bytes() == data

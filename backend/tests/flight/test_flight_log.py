@@ -1,0 +1,84 @@
+"""What the log says of a flight, and that it is no flood."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+import structlog
+
+from epf_gcs.flight import flight_log
+from epf_gcs.flight.flight_log import FlightLog, say
+from epf_gcs.link.failures import lost_error
+
+ALARM = {"id": "battery_low", "level": "critical", "text": "10.1 V."}
+
+
+class World:
+    """A log whose time is the test's."""
+
+    def __init__(self) -> None:
+        self.now_s = 0.0
+        self.log = FlightLog(lambda: self.now_s)
+
+
+def events(logged: list[Any]) -> list[tuple[str, str]]:
+    return [(line["log_level"], line["event"]) for line in logged]
+
+
+def test_a_link_is_opened_lost_and_reopened_each_said_once() -> None:
+    world = World()
+    with structlog.testing.capture_logs() as logged:
+        for state in ("opening", "open", "open", "lost", "opening", "lost", "opening", "open", "closed", "closed"):
+            failure = lost_error("/dev/ttyUSB0", "unplugged") if state == "lost" else None
+            world.log.link("board", state, "/dev/ttyUSB0", failure)
+    assert events(logged) == [
+        ("info", "link opened"),
+        ("warning", "link lost"),
+        ("info", "link reopened"),
+        ("info", "link closed"),
+    ]
+    assert "unplugged" in logged[1]["reason"]
+
+
+def test_a_plug_that_wobbles_is_said_once_in_ten_seconds_with_how_often() -> None:
+    world = World()
+    with structlog.testing.capture_logs() as logged:
+        for _ in range(30):
+            world.log.link("board", "open", "t", None)
+            world.log.link("board", "lost", "t", None)
+        world.now_s = 10.0
+        world.log.link("board", "open", "t", None)
+    assert events(logged) == [
+        ("info", "link opened"),
+        ("warning", "link lost"),
+        ("info", "link reopened"),
+        ("info", "link reopened"),
+    ]
+    assert logged[-1]["unsaid"] == 28
+
+
+def test_alarms_come_go_and_are_acknowledged() -> None:
+    world = World()
+    with structlog.testing.capture_logs() as logged:
+        world.log.alarm("came", ALARM)
+        world.log.alarm("acknowledged", ALARM)
+        world.log.alarm("went", ALARM)
+        world.log.alarm("came", {**ALARM, "id": "cpu_high", "level": "warning"})
+        world.log.board_restarted(120)
+    assert events(logged) == [
+        ("error", "alarm came"),
+        ("info", "alarm acknowledged"),
+        ("info", "alarm went"),
+        ("warning", "alarm came"),
+        ("warning", "board restarted"),
+    ]
+
+
+def test_a_log_that_cannot_be_written_ends_nobody(monkeypatch: pytest.MonkeyPatch) -> None:
+    class Full:
+        def error(self, *_: object, **__: object) -> None:
+            raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(flight_log, "_log", Full())
+    say("error", "recording failed")
