@@ -83,6 +83,8 @@ def flying(tmp_path: Path, board: FakeBoard) -> Iterator[Flying]:
         eventually(lambda: (made.status() or {})["board"]["state"] == "open", "the board opens")
         made.http.put("/hil", json={"path": "assisted"}).raise_for_status()
         made.fly_a_frame()
+        state = tmp_path / "data" / "state.json"
+        eventually(lambda: state.exists() and b'"assisted"' in state.read_bytes(), "the links are remembered")
         yield made
         made.http.close()
 

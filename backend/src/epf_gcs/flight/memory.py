@@ -19,7 +19,7 @@ from epf_gcs.flight.disk import replace_file, sync_folder
 from epf_gcs.flight.flight_log import say
 from epf_gcs.vehicle.wanted import Wanted
 
-_GATHER_S: Final = 0.3
+_GATHER_S: Final = 0.05
 
 
 @dataclass(frozen=True, slots=True)
