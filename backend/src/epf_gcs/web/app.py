@@ -25,6 +25,7 @@ from epf_gcs.web.inspector import routes as inspector
 from epf_gcs.web.links import routes as links
 from epf_gcs.web.maps import online_routes as online_maps
 from epf_gcs.web.maps import routes as maps
+from epf_gcs.web.maps.outside import Consent
 from epf_gcs.web.missions import file_routes as mission_files
 from epf_gcs.web.page import install_page
 from epf_gcs.web.parameters import routes as parameters
@@ -49,6 +50,7 @@ def create_app(settings: Settings) -> FastAPI:
         station = Station(settings.data_dir, errors, record=settings.recording, board_url=settings.board)
         station.status_text = state.status_message(station)
         app.state.station = station
+        station.maps.online.consent = Consent(settings.local_maps)
         async with station.running():
             # What was made until now lives as long as the process: the collector need not look at it again, and
             # does not stop the loop for milliseconds to do so.
