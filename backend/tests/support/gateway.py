@@ -16,6 +16,7 @@ from epf_gcs.flight.station import Station
 from epf_gcs.logs import set_up_logging
 from epf_gcs.web.server import Server
 from epf_gcs.web.settings import Settings
+from epf_gcs.web.visitors import Limits
 from tests.support.waiting import DEADLINE_S, eventually
 
 
@@ -92,10 +93,11 @@ class Stream:
 
 
 @contextmanager
-def running_gateway(data_dir: Path, **settings: Any) -> Iterator[Gateway]:
-    """A gateway that is up, and that ends as on SIGTERM."""
+def running_gateway(data_dir: Path, limits: Limits | None = None, **settings: Any) -> Iterator[Gateway]:
+    """A gateway that is up, and that ends as on SIGTERM. With `limits`, it looks at them often."""
     set_up_logging(verbose=False)
-    server = Server(Settings(data_dir=data_dir, port=0, **settings))
+    chosen = Settings(data_dir=data_dir, port=0, **settings)
+    server = Server(chosen) if limits is None else Server(chosen, limits, look_every_s=0.02)
     thread = threading.Thread(target=server.fly, name="gateway", daemon=True)
     thread.start()
     eventually(lambda: server.started or not thread.is_alive(), "the gateway starts")

@@ -20,7 +20,7 @@ from tests.support.waiting import eventually
 
 LAYER = "online-test"
 # The tests' server is in the station's own network: somebody must have agreed.
-AGREED = {"local_maps": ("127.0.0.1",)}
+AGREED: dict[str, Any] = {"local_maps": ("127.0.0.1",)}
 
 
 @pytest.fixture
