@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ipaddress
+from collections import Counter
 from collections.abc import Iterable, Mapping, MutableMapping
 from http import HTTPStatus
 from types import MappingProxyType
@@ -85,9 +86,10 @@ class Guard:
         max_body_bytes: int,
         longer_bodies: Mapping[str, int] = MappingProxyType({}),
         streamed_bodies: frozenset[str] = frozenset(),
+        answers: Counter[int] | None = None,
     ) -> None:
         """`longer_bodies`: path -> bytes, for the addresses that take files. `streamed_bodies`: paths whose own code
-        takes the body as it comes, and bounds it."""
+        takes the body as it comes, and bounds it. `answers`: where each answer's status is counted."""
         self._app = app
         self._access = access
         self._errors = errors
@@ -95,6 +97,7 @@ class Guard:
         self._longer_bodies = longer_bodies
         self._streamed_bodies = streamed_bodies
         self._uploads = Uploads()
+        self._answers: Counter[int] = Counter() if answers is None else answers
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Check, then hand on."""
@@ -108,6 +111,7 @@ class Guard:
             nonlocal started
             if message["type"] == "http.response.start":
                 started = True
+                self._answers[message["status"]] += 1
                 _add_headers(message, path)
             await send(message)
 
