@@ -109,11 +109,12 @@ def _send_in(port: int, file: Path, until_s: float) -> None:
 
 
 def _idle(port: int, _udp_port: int, until_s: float) -> None:
-    """Two thousand connections that say nothing or half a word; those that are ended come again."""
+    """Two thousand connections that say nothing or half a word; of those that are ended some come again."""
     waiting = selectors.DefaultSelector()
     count = 0
     while time.monotonic() < until_s:
-        for _ in range(100):
+        # All of them at first; then so many in a second as there are places to lose.
+        for _ in range(_IDLE if count == 0 else 20):
             if count >= _IDLE:
                 break
             try:
@@ -125,7 +126,8 @@ def _idle(port: int, _udp_port: int, until_s: float) -> None:
             except OSError:
                 break
         _ready()
-        for key, _ in waiting.select(0.05):
+        time.sleep(0.05)
+        for key, _ in waiting.select(0.0):
             waiting.unregister(key.fileobj)
             with contextlib.suppress(OSError):
                 key.fileobj.close()  # type: ignore[union-attr]

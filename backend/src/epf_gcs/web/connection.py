@@ -37,13 +37,13 @@ class Connection(HttpToolsProtocol):
         self._unread: tuple[int, float] = (0, 0.0)
         self._is_refused = False
         self._was_asked = False
+        self._is_between = False
 
     def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
         """Let it in, or say that there are too many."""
         super().connection_made(transport)
         self.host = self.client[0] if self.client is not None else ""
         self._enter_head()
-        self.idle_since_s = self._since_s
         if not self._visitors.come_in(self):
             log.warning("a connection was refused", host=self.host)
             self._end(*_BUSY)
@@ -70,12 +70,13 @@ class Connection(HttpToolsProtocol):
             # One that was waiting between requests begins to count now; a new connection did when it came.
             if self._was_asked:
                 self._enter_head()
-            self.idle_since_s = None
+            self._is_between = False
 
     def on_headers_complete(self) -> None:
         """Its head is whole."""
         self._stage = "body"
         self._was_asked = True
+        self.idle_since_s = None
         self._since_s = self.loop.time()
         self._body_bytes = 0
         super().on_headers_complete()
@@ -91,13 +92,13 @@ class Connection(HttpToolsProtocol):
         super().on_message_complete()
         if self._is_answered():  # it was refused before all of it was there
             self._enter_head()
-            self.idle_since_s = self._since_s
+            self._is_between = True
 
     def on_response_complete(self) -> None:
         """It is answered; uvicorn ends the connection when no other request comes."""
         if self._stage == "answer" and not self.pipeline:
             self._enter_head()
-            self.idle_since_s = self._since_s
+            self._is_between = True
         super().on_response_complete()
 
     def handle_websocket_upgrade(self) -> None:
@@ -135,8 +136,7 @@ class Connection(HttpToolsProtocol):
         limits = self._visitors.limits
         if self._stage == "head":
             # Between requests uvicorn ends it, but for a browser that sends line ends and no request.
-            is_between = self._was_asked and self.idle_since_s is not None
-            if now_s - self._since_s > limits.head_s + (limits.idle_s if is_between else 0.0):
+            if now_s - self._since_s > limits.head_s + (limits.idle_s if self._is_between else 0.0):
                 self._end(*_SLOW_HEAD)
         elif self._stage == "body":
             self._look_at_body(now_s)
@@ -162,7 +162,7 @@ class Connection(HttpToolsProtocol):
 
     def _enter_head(self) -> None:
         self._stage = "head"
-        self._since_s = self.loop.time()
+        self._since_s = self.idle_since_s = self.loop.time()
         self._head_bytes = 0
 
     def _is_answered(self) -> bool:

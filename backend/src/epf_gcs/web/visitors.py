@@ -9,7 +9,7 @@ from __future__ import annotations
 import contextlib
 import ipaddress
 from collections import Counter
-from collections.abc import Callable, Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import Final, Protocol
@@ -71,7 +71,7 @@ class Visitor(Protocol):
 
     host: str
     idle_since_s: float | None
-    """Since when it waits for a request; None while it is at one."""
+    """Since when it waits for a request, or for the rest of a head; None while it is at one."""
 
     def make_room(self) -> None:
         """End at once: another needs the place."""
@@ -83,68 +83,72 @@ class Visitors:
     def __init__(self, limits: Limits) -> None:
         self.limits = limits
         self.refused: Counter[str] = Counter()
-        self._all: dict[Visitor, None] = {}
-        self._sockets: dict[Visitor, None] = {}
+        # By host; this computer's own are under "".
+        self._of: dict[str, dict[Visitor, None]] = {}
+        self._sockets: dict[str, set[Visitor]] = {}
 
     def __iter__(self) -> Iterator[Visitor]:
-        return iter(tuple(self._all))
+        return iter([one for those in self._of.values() for one in those])
 
     def __len__(self) -> int:
-        return len(self._all)
+        return sum(map(len, self._of.values()))
 
     @property
     def sockets(self) -> int:
         """How many of them are WebSockets."""
-        return len(self._sockets)
+        return sum(map(len, self._sockets.values()))
 
     def come_in(self, visitor: Visitor) -> bool:
         """Take one more; False where there is no place for it and none can be made."""
-        own = is_this_computer(visitor.host)
-        limits = self.limits
-        if own:
-            fits = self._place(self._of(is_this_computer), limits.for_this_computer)
-        else:
-            fits = self._place(self._of(lambda host: host == visitor.host), limits.connections_per_host)
-            fits = fits and self._place(self._of(lambda host: not is_this_computer(host)), limits.connections)
+        key, limits = _key(visitor.host), self.limits
+        most = limits.connections_per_host if key else limits.for_this_computer
+        fits = len(self._of.get(key, ())) < most or self._make_room([key])
+        if fits and key and len(self) - len(self._of.get("", ())) >= limits.connections:
+            others = [host for host in self._of if host]
+            fits = self._make_room(sorted(others, key=lambda host: -len(self._of[host])))
         if not fits:
             self.refused["connection"] += 1
             return False
-        self._all[visitor] = None
+        self._of.setdefault(key, {})[visitor] = None
         return True
 
     def become_socket(self, visitor: Visitor) -> bool:
         """It wants to be a WebSocket; False where there are enough."""
-        own = is_this_computer(visitor.host)
-        limits = self.limits
-        of_host = sum((is_this_computer(one.host) if own else one.host == visitor.host) for one in self._sockets)
-        others = sum(not is_this_computer(one.host) for one in self._sockets)
-        most = limits.sockets_for_this_computer if own else limits.sockets_per_host
-        if of_host >= most or (not own and others >= limits.sockets):
+        key, limits = _key(visitor.host), self.limits
+        most = limits.sockets_per_host if key else limits.sockets_for_this_computer
+        others = self.sockets - len(self._sockets.get("", ()))
+        if len(self._sockets.get(key, ())) >= most or (key and others >= limits.sockets):
             self.refused["socket"] += 1
             return False
-        self._sockets[visitor] = None
+        self._sockets.setdefault(key, set()).add(visitor)
         return True
 
     def leave(self, visitor: Visitor) -> None:
         """Its connection is over. May be said twice."""
-        self._all.pop(visitor, None)
-        self._sockets.pop(visitor, None)
+        key = _key(visitor.host)
+        if (those := self._of.get(key)) is not None:
+            those.pop(visitor, None)
+            if not those:
+                del self._of[key]
+        if (streams := self._sockets.get(key)) is not None:
+            streams.discard(visitor)
+            if not streams:
+                del self._sockets[key]
 
-    def _of(self, counts: Callable[[str], bool]) -> list[Visitor]:
-        return [one for one in self._all if counts(one.host)]
+    def _make_room(self, hosts: Iterable[str]) -> bool:
+        """End the connection that has been idle longest of the first of these hosts that has any."""
+        for host in hosts:
+            idle = [(one.idle_since_s, index, one) for index, one in enumerate(self._of[host]) if one.idle_since_s]
+            if idle:
+                goes = min(idle)[2]
+                self.leave(goes)
+                goes.make_room()
+                return True
+        return False
 
-    def _place(self, those: list[Visitor], most: int) -> bool:
-        """There is a place among those, if need be by ending one that is idle."""
-        if len(those) < most:
-            return True
-        idle = [one for one in those if one.idle_since_s is not None]
-        if not idle:
-            return False
-        by_host = Counter(one.host for one in those)
-        goes = min(idle, key=lambda one: (-by_host[one.host], one.idle_since_s or 0.0))
-        self.leave(goes)
-        goes.make_room()
-        return True
+
+def _key(host: str) -> str:
+    return "" if is_this_computer(host) else host
 
 
 @lru_cache(maxsize=4096)
