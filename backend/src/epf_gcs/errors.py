@@ -69,6 +69,7 @@ ErrorCode = Literal[
     "map_raster_not_height",
     "map_not_written",
     "map_source_invalid",
+    "map_source_local",
     "map_source_refused",
     "map_source_silent",
     "map_tile_missing",

@@ -126,3 +126,21 @@ def test_the_children_end_when_the_launcher_is_killed(tmp_path: Path) -> None:
     os.kill(launcher.pid, signal.SIGKILL)
     eventually(lambda: not exists(grandchild))
     launcher.stop()
+
+
+def test_a_log_that_grew_long_is_turned_over_while_the_program_writes(
+    children: Callable[..., Child], tmp_path: Path
+) -> None:
+    go = tmp_path / "go"
+    waiting = f"import time, os\nwhile not os.path.exists({str(go)!r}): time.sleep(0.01)\n"
+    child = children(f"print('x' * 3000)\nprint('before')\n{waiting}print('after')\n")
+    child.start()
+    eventually(lambda: "before" in child.last_lines())
+    child.turn_log_over(most_bytes=10_000)
+    assert "before" in child.log_path.read_text(), "it is not long yet"
+    child.turn_log_over(most_bytes=1000)
+    older = tmp_path / "program.1.log"
+    assert older.read_text().endswith("before\n")
+    assert older.stat().st_size == 1000, "only the newest part is kept"
+    go.touch()
+    eventually(lambda: child.log_path.read_text() == "after\n")

@@ -17,6 +17,7 @@ from epf_gcs.flight.flight import Flight
 from epf_gcs.logs import set_up_logging
 from epf_gcs.web.server import Server
 from epf_gcs.web.settings import Settings
+from epf_gcs.web.visitors import Limits
 from tests.support.waiting import DEADLINE_S, eventually
 
 
@@ -25,7 +26,7 @@ class FlightThread:
 
     def __init__(self, data_dir: Path, **options: Any) -> None:
         self.loop = asyncio.new_event_loop()
-        self._data_dir = data_dir
+        self.data_dir = data_dir
         self._options = options
         self._ready = threading.Event()
         self._end = asyncio.Event()
@@ -50,7 +51,7 @@ class FlightThread:
         self.loop.close()
 
     async def _fly(self) -> None:
-        self.flight = Flight(self._data_dir, **self._options)
+        self.flight = Flight(self.data_dir, **self._options)
         async with self.flight.running():
             self._ready.set()
             await self._end.wait()
@@ -137,13 +138,14 @@ class Stream:
 
 @contextmanager
 def running_gateway(
-    data_dir: Path, *, recording: bool = True, board: str | None = None, **settings: Any
+    data_dir: Path, limits: Limits | None = None, *, recording: bool = True, board: str | None = None, **settings: Any
 ) -> Iterator[Gateway]:
-    """A gateway that is up, and that ends as on SIGTERM."""
+    """A gateway that is up, and that ends as on SIGTERM. With `limits`, it looks at them often."""
     set_up_logging(verbose=False)
     flight = FlightThread(data_dir, record=recording, board_url=board)
     flight.start()
-    server = Server(Settings(data_dir=data_dir, port=0, **settings))
+    chosen = Settings(data_dir=data_dir, port=0, **settings)
+    server = Server(chosen) if limits is None else Server(chosen, limits, look_every_s=0.02)
     thread = threading.Thread(target=server.serve_until_signal, name="web", daemon=True)
     thread.start()
     eventually(lambda: server.started or not thread.is_alive(), "the gateway starts")
@@ -154,5 +156,5 @@ def running_gateway(
         gateway.http.close()
         server.should_exit = True
         thread.join(DEADLINE_S)
-        flight.stop()
+        gateway.flight_thread.stop()
         assert not thread.is_alive(), "the gateway did not end"

@@ -15,11 +15,12 @@ from epf_gcs.launcher.errors import LaunchError
 STOP_TIMEOUT_S: Final = 5.0
 _TAIL_LINES: Final = 8
 _TAIL_BYTES: Final = 4096
+MOST_LOG_BYTES: Final = 5_000_000
 _PR_SET_PDEATHSIG: Final = 1
 
 
 class Child:
-    """A child process by pid. Its output goes to `<name>.log`, that of the run before to `<name>.1.log`."""
+    """A child process by pid. Its output goes to `<name>.log`, older output to `<name>.1.log`."""
 
     def __init__(self, name: str, command: Sequence[str], logs: Path, again: Sequence[str] | None = None) -> None:
         """`again` is the command of every start but the first, where it is another."""
@@ -27,9 +28,10 @@ class Child:
         self._command = tuple(command)
         self._again = self._command if again is None else tuple(again)
         self.log_path = logs / f"{name}.log"
+        self._older_log_path = logs / f"{name}.1.log"
         self._process: subprocess.Popen[bytes] | None = None
         if self.log_path.exists():
-            self.log_path.replace(logs / f"{name}.1.log")
+            self.log_path.replace(self._older_log_path)
 
     def start(self) -> None:
         """Start the program; raises LaunchError where it cannot be run at all."""
@@ -73,6 +75,21 @@ class Child:
         # The program is gone, but a process that it started may still be there.
         self._signal(signal.SIGKILL)
         return True
+
+    def turn_log_over(self, most_bytes: int = MOST_LOG_BYTES) -> None:
+        """Where the log has grown beyond this, keep its newest part as the older log and begin it anew.
+
+        The program goes on writing to the same file, at its end, which is its beginning then.
+        """
+        with contextlib.suppress(OSError):
+            if self.log_path.stat().st_size <= most_bytes:
+                return
+            with self.log_path.open("r+b") as log:
+                log.seek(-most_bytes, os.SEEK_END)
+                part = self._older_log_path.with_suffix(".part")
+                part.write_bytes(log.read(most_bytes))
+                part.replace(self._older_log_path)
+                log.truncate(0)
 
     def last_lines(self) -> str:
         """The end of its log, to be shown where it failed."""

@@ -81,6 +81,7 @@ class Demonstration:
             for child in self._children:
                 if (status := child.ended) is not None:
                     self._revive(child, status)
+                child.turn_log_over()
             time.sleep(_WATCH_S)
 
     def stop(self) -> None:

@@ -174,7 +174,7 @@ def run(
 
     Without --board it opens the links of its last run. Every option is also a variable: GCS_HOST, GCS_PORT,
     GCS_BOARD, GCS_DATA_DIR, GCS_PAGE_DIR, GCS_RECORDING; GCS_ALLOWED_HOSTS and GCS_ALLOWED_ORIGINS (JSON lists) let
-    more names and pages in.
+    more names and pages in; GCS_LOCAL_MAPS (a JSON list of host:port) names servers of map tiles in the own network.
 
     It runs as two processes: `epf-flight` owns the lines and flies on when `epf-web`, which serves the page, does not.
     """

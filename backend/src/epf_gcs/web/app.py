@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import contextlib
+from collections import Counter
 from collections.abc import AsyncIterator
 from pathlib import Path
 from typing import Any, Final
 
-from fastapi import FastAPI
+from fastapi import APIRouter, FastAPI
 
 from epf_gcs import __version__
 from epf_gcs.error_log import ErrorLog
@@ -23,6 +24,7 @@ from epf_gcs.web.inspector import routes as inspector
 from epf_gcs.web.links import routes as links
 from epf_gcs.web.maps import online_routes as online_maps
 from epf_gcs.web.maps import routes as maps
+from epf_gcs.web.maps.outside import Consent
 from epf_gcs.web.missions import file_routes as mission_files
 from epf_gcs.web.missions import routes as missions
 from epf_gcs.web.page import install_page
@@ -31,24 +33,34 @@ from epf_gcs.web.problems import install_error_handlers
 from epf_gcs.web.recordings import routes as recordings
 from epf_gcs.web.settings import Settings
 from epf_gcs.web.state import routes as state
+from epf_gcs.web.state.figures import WebFigures
+from epf_gcs.web.state.probes import disk_of, probe_router
+from epf_gcs.web.state.whole import WholeStatus
 from epf_gcs.web.station import Station
 from epf_gcs.web.stream.endpoint import StreamEndpoint
 from epf_gcs.web.track import routes as track
+from epf_gcs.web.vehicle.mirror import VehicleMirror
+from epf_gcs.web.visitors import Limits, Visitors
 
 _PAGE_IN_TREE: Final = Path(__file__).parents[4] / "frontend" / "dist"
 _PREFIX: Final = "/api/v1"
 
 
-def create_app(settings: Settings) -> FastAPI:
-    """The whole gateway as an ASGI application; the stream needs `web.server`, which hands it the transports."""
+def create_app(settings: Settings, visitors: Visitors | None = None) -> FastAPI:
+    """The web process as an ASGI application; the stream needs `web.server`, which hands it the transports.
+
+    `visitors` are the connections of the server around it, for `/metrics`.
+    """
     access = Access((settings.host, *settings.allowed_hosts), settings.allowed_origins)
     errors = ErrorLog()
+    answers: Counter[int] = Counter()
 
     @contextlib.asynccontextmanager
     async def lifespan(app: FastAPI) -> AsyncIterator[dict[str, Any]]:
         station = Station(settings.data_dir, errors)
         for name, part in station.parts.items():
             setattr(app.state, name, part)
+        station.maps.online.consent = Consent(settings.local_maps)
         async with station.running():
             yield {"socket_endpoint": StreamEndpoint(station.stream_parts, access)}
 
@@ -81,6 +93,7 @@ def create_app(settings: Settings) -> FastAPI:
         app.include_router(part.router, prefix=_PREFIX)
     app.include_router(docs.router)
     install_error_handlers(app, errors)
+    app.include_router(_probes(app, settings, visitors or Visitors(Limits()), answers))
     install_page(app, settings.page_dir or _PAGE_IN_TREE)
     app.add_middleware(
         Guard,
@@ -89,5 +102,20 @@ def create_app(settings: Settings) -> FastAPI:
         max_body_bytes=settings.max_body_bytes,
         longer_bodies={_PREFIX + mission_files.IMPORT_PATH: MAX_FILE_BYTES},
         streamed_bodies=frozenset({_PREFIX + maps.IMPORTS_PATH}),
+        answers=answers,
     )
     return app
+
+
+def _probes(app: FastAPI, settings: Settings, visitors: Visitors, answers: Counter[int]) -> APIRouter:
+    """/health and /metrics, of the running parts."""
+
+    def flight_status() -> dict[str, Any] | None:
+        mirror: VehicleMirror = app.state.mirror
+        whole: WholeStatus = app.state.status
+        return whole.build() if mirror.is_here else None
+
+    def figures() -> WebFigures:
+        return WebFigures(answers, len(visitors), visitors.sockets, visitors.refused)
+
+    return probe_router(flight_status, figures, lambda: disk_of(settings.data_dir))

@@ -13,23 +13,33 @@ from epf_gcs.web.problems import problem_response
 _NOT_BUILT: Final = "The page is not built: run `npm run build` in frontend/. The interface is at /api/docs.\n"
 # Vite puts a hash of the content into the names of what lies here.
 _HASHED: Final = "assets"
+_MOST_SAID: Final = 200
 
 
 def install_page(app: FastAPI, folder: Path) -> None:
-    """Serve `folder` below /; what is no file there is the page itself, for its own addresses."""
+    """Serve `folder` below /. The page is at / alone: it keeps no addresses of its own."""
     root = folder.resolve()
 
     @app.get("/{path:path}", include_in_schema=False)
     async def page(path: str, request: Request) -> Response:
-        if path == "api" or path.startswith("api/"):
-            detail = f"{request.url.path} is no address of this interface: /api/docs lists all of them."
-            return problem_response(404, "no_such_address", detail)
         index = root / "index.html"
-        file = (root / path).resolve()
-        if file.is_file() and file.is_relative_to(root):
-            hashed = path.startswith(f"{_HASHED}/")
-            cache = "public, max-age=31536000, immutable" if hashed else "no-cache"
-            return FileResponse(file, headers={"Cache-Control": cache})
-        if path.startswith(f"{_HASHED}/") or not index.is_file():
+        file = index if path == "" else _file_below(root, path)
+        if file is None or not file.is_relative_to(root):
+            if path in ("", "index.html"):
+                return PlainTextResponse(_NOT_BUILT, 404)
+            detail = f"{request.url.path[:_MOST_SAID]} is no address of this station: /api/docs lists all of them."
+            return problem_response(404, "no_such_address", detail)
+        if not file.is_file():
             return PlainTextResponse(_NOT_BUILT, 404)
-        return FileResponse(index, headers={"Cache-Control": "no-cache"})
+        hashed = path.startswith(f"{_HASHED}/")
+        cache = "public, max-age=31536000, immutable" if hashed else "no-cache"
+        return FileResponse(file, headers={"Cache-Control": cache})
+
+
+def _file_below(root: Path, path: str) -> Path | None:
+    """The file of this name; None where there is none, or the name is none that a file can have."""
+    try:
+        file = (root / path).resolve()
+        return file if file.is_file() else None
+    except (OSError, ValueError):
+        return None

@@ -20,4 +20,7 @@ class Settings(BaseSettings):
     fd: int | None = Field(default=None, description="An inherited listening socket, in place of host and port.")
     allowed_hosts: tuple[str, ...] = Field(default=(), description="More names under which browsers may ask.")
     allowed_origins: tuple[str, ...] = Field(default=(), description="More web origins which may command.")
+    local_maps: tuple[str, ...] = Field(
+        default=(), description="Servers of map tiles in the own network that may be asked, as host or host:port."
+    )
     max_body_bytes: int = Field(default=65536, ge=1024, description="Largest request body.")

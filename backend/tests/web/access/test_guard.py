@@ -37,6 +37,18 @@ def test_a_name_that_is_not_ours_is_not_answered(gateway: Gateway, host: str) ->
         assert (answer.status_code, answer.json()["code"]) == (403, "foreign_host")
 
 
+@pytest.mark.parametrize("host", ["[::1", "[", "[zz]:1"])
+def test_a_host_that_is_no_name_is_a_bad_request(gateway: Gateway, host: str) -> None:
+    answer = gateway.http.get("/status", headers={"Host": host})
+    assert (answer.status_code, answer.json()["code"]) == (400, "invalid_request")
+
+
+@pytest.mark.parametrize("origin", ["http://[::1", "http://[zz]"])
+def test_an_origin_that_is_no_address_cannot_command(gateway: Gateway, origin: str) -> None:
+    answer = gateway.http.post("/commands/start", headers={"Origin": origin})
+    assert (answer.status_code, answer.json()["code"]) == (403, "foreign_origin")
+
+
 @pytest.mark.parametrize("host", ["localhost:8000", "127.0.0.1", "[::1]:8000", "192.168.1.20:8000"])
 def test_numbers_and_localhost_are_ours(gateway: Gateway, host: str) -> None:
     assert gateway.http.get("/status", headers={"Host": host}).status_code == 200

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import zipfile
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -21,9 +22,11 @@ def reported() -> list[GatewayError]:
 
 
 @pytest.fixture
-def folder(tmp_path: Path, reported: list[GatewayError]) -> MapFolder:
+def folder(tmp_path: Path, reported: list[GatewayError]) -> Iterator[MapFolder]:
     (tmp_path / "maps").mkdir()
-    return MapFolder(tmp_path / "maps", reported.append)
+    made = MapFolder(tmp_path / "maps", reported.append)
+    yield made
+    made.close()
 
 
 def codes(folder: MapFolder) -> dict[str, str | None]:
@@ -76,7 +79,6 @@ def test_everything_that_looks_like_a_map_is_listed_by_name(folder: MapFolder, r
     assert [error.code for error in reported] == ["map_file_damaged"], "it is told once"
     sizes = {layer.name: layer.size_bytes for layer in folder.layers()}
     assert sizes["Gando"] == (folder.path / "b.mbtiles").stat().st_size
-    folder.close()
 
 
 def test_a_file_that_is_mended_is_looked_at_again(folder: MapFolder) -> None:
@@ -92,7 +94,6 @@ def test_a_file_that_is_mended_is_looked_at_again(folder: MapFolder) -> None:
     tile, _, _ = folder.tile(id_of("a.mbtiles"), 0, 0, 0)
     assert tile is not None
     assert tile.data == png(9)
-    folder.close()
 
 
 def test_heights_wait_for_their_terrain(folder: MapFolder) -> None:
@@ -100,7 +101,7 @@ def test_heights_wait_for_their_terrain(folder: MapFolder) -> None:
     write_hgt(folder.path / "N27W016.hgt", lambda x, _: x, size=1201)
     assert codes(folder) == {"a.tif": "map_raster_converting", "N27W016.hgt": "map_raster_converting"}
     assert sorted(file.path.name for file in folder.unconverted()) == ["N27W016.hgt", "a.tif"]
-    file = look_at(folder.path / "a.tif")
+    file = look_at(folder.path / "a.tif", lambda *_: None)
     assert file is not None
     terrain = folder.terrain_of(file)
     terrain.parent.mkdir()
@@ -115,7 +116,6 @@ def test_heights_wait_for_their_terrain(folder: MapFolder) -> None:
     (folder.path / "removed" / "a.tif").unlink()
     folder.drop_orphans()
     assert not terrain.exists()
-    folder.close()
 
 
 def test_an_archive_with_one_raster_is_heights(folder: MapFolder, tmp_path: Path) -> None:
@@ -127,7 +127,6 @@ def test_an_archive_with_one_raster_is_heights(folder: MapFolder, tmp_path: Path
     assert codes(folder) == {"one.zip": "map_raster_converting", "two.zip": "map_file_no_layer_json"}
     (file,) = folder.unconverted()
     assert (file.format, file.inside) == ("geotiff", "dem/a.tif")
-    folder.close()
 
 
 def test_what_is_removed_comes_back(folder: MapFolder) -> None:
@@ -141,7 +140,6 @@ def test_what_is_removed_comes_back(folder: MapFolder) -> None:
     folder.restore(id_of("a.mbtiles"))
     assert codes(folder) == {"a": None}
     assert path.exists()
-    folder.close()
 
 
 def test_removing_another_of_the_same_name_loses_neither(folder: MapFolder) -> None:
@@ -153,7 +151,6 @@ def test_removing_another_of_the_same_name_loses_neither(folder: MapFolder) -> N
     with pytest.raises(GatewayError) as caught:
         folder.restore(id_of("a.mbtiles"))
     assert caught.value.code == "map_exists"
-    folder.close()
 
 
 def test_what_is_not_there_is_said_so(folder: MapFolder) -> None:

@@ -19,6 +19,8 @@ from tests.support.tiles import TileServer, tile_server
 from tests.support.waiting import eventually
 
 LAYER = "online-test"
+# The tests' server is in the station's own network: somebody must have agreed.
+AGREED: dict[str, Any] = {"local_maps": ("127.0.0.1",)}
 
 
 @pytest.fixture
@@ -30,6 +32,12 @@ def server() -> Iterator[TileServer]:
 @pytest.fixture(autouse=True)
 def _no_proxy(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("NO_PROXY", "127.0.0.1")
+
+
+@pytest.fixture
+def gateway(tmp_path: Path) -> Iterator[Gateway]:
+    with running_gateway(tmp_path / "data", **AGREED) as running:
+        yield running
 
 
 def source(url: str, **more: Any) -> dict[str, Any]:
@@ -77,10 +85,10 @@ def test_switched_off_nothing_is_asked_and_on_each_tile_once(gateway: Gateway, s
 def test_what_was_seen_is_there_without_the_internet_and_after_a_restart(tmp_path: Path) -> None:
     with tile_server() as server:
         url = server.url
-        with running_gateway(tmp_path / "data") as gateway:
+        with running_gateway(tmp_path / "data", **AGREED) as gateway:
             choose(gateway, url)
             assert tile(gateway, 3, 1, 2).status_code == 200
-    with running_gateway(tmp_path / "data") as gateway:
+    with running_gateway(tmp_path / "data", **AGREED) as gateway:
         assert gateway.http.get("/map/online").json()["enabled"] is True
         assert tile(gateway, 3, 1, 2).content == png(7)
         assert tile(gateway, 3, 2, 2).status_code == 204
@@ -201,3 +209,64 @@ def test_who_has_no_control_cannot_choose(gateway: Gateway, server: TileServer) 
         body = {"enabled": True, "limit_bytes": 0, "sources": [source(server.url)]}
         assert gateway.http.put("/map/online", json=body).json()["code"] == "control_held"
         assert gateway.http.delete("/map/online/cache").json()["code"] == "control_held"
+
+
+INSIDE = [
+    "127.0.0.1:PORT",
+    "localhost:PORT",
+    "2130706433:PORT",
+    "127.1:PORT",
+    "0x7f000001:PORT",
+    "[::1]:PORT",
+    "[::ffff:127.0.0.1]:PORT",
+    "0.0.0.0:PORT",
+    "10.0.0.1",
+    "192.168.1.1",
+    "169.254.169.254",
+    "100.64.0.1",
+    "[fe80::1]",
+    "[fd00::1]",
+    "224.0.0.1",
+    "router.local",
+]
+
+
+@pytest.mark.parametrize("host", INSIDE)
+def test_a_server_in_the_own_network_is_not_chosen_without_consent(
+    tmp_path: Path, server: TileServer, host: str
+) -> None:
+    port = str(server.server.server_address[1])
+    url = f"http://{host.replace('PORT', port)}/{{z}}/{{x}}/{{y}}.png"
+    with running_gateway(tmp_path / "data") as gateway:
+        body = {"enabled": True, "limit_bytes": 0, "sources": [source(url)]}
+        answer = gateway.http.put("/map/online", json=body)
+        assert (answer.status_code, answer.json()["code"]) == (422, "map_source_local")
+        assert "GCS_LOCAL_MAPS" in answer.json()["detail"]
+        assert gateway.http.get("/map/online").json()["enabled"] is False
+    assert server.paths == []
+
+
+def test_a_name_that_leads_inside_is_found_out_when_it_is_asked(
+    tmp_path: Path, server: TileServer, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    async def inside(_loop: object, _host: str, port: int, **_: object) -> list[tuple[object, ...]]:
+        return [(socket.AF_INET, socket.SOCK_STREAM, 6, "", (number, port)) for number in ("1.1.1.1", "127.0.0.1")]
+
+    monkeypatch.setenv("NO_PROXY", "tiles.example")
+    monkeypatch.setattr("uvloop.Loop.getaddrinfo", inside, raising=False)
+    url = server.url.replace("127.0.0.1", "tiles.example")
+    with running_gateway(tmp_path / "data") as gateway:
+        choose(gateway, url)
+        assert tile(gateway, 3, 1, 2).status_code == 204
+        (found,) = gateway.http.get("/map/online").json()["sources"]
+        assert found["problem_code"] == "map_source_local"
+    assert server.paths == []
+
+
+def test_a_server_that_was_chosen_before_consent_was_asked_for_is_not_asked(tmp_path: Path, server: TileServer) -> None:
+    with running_gateway(tmp_path / "data", **AGREED) as gateway:
+        choose(gateway, server.url)
+    with running_gateway(tmp_path / "data") as gateway:
+        assert tile(gateway, 3, 1, 2).status_code == 204
+        assert gateway.status()["errors"] == {"map_source_local": 1}
+    assert server.paths == []

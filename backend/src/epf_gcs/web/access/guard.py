@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ipaddress
+from collections import Counter
 from collections.abc import Iterable, Mapping, MutableMapping
 from http import HTTPStatus
 from types import MappingProxyType
@@ -14,7 +15,8 @@ from starlette.datastructures import Headers, MutableHeaders
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from epf_gcs.error_log import ErrorLog
-from epf_gcs.errors import GatewayError
+from epf_gcs.errors import ConflictError, GatewayError, InvalidInputError
+from epf_gcs.web.access.uploads import Uploads
 from epf_gcs.web.problems import problem_response
 
 _READING: Final = frozenset({"GET", "HEAD", "OPTIONS"})
@@ -41,8 +43,13 @@ class Access:
         self._origins = frozenset(origins)
 
     def check_host(self, host: str | None) -> None:
-        """Raise GatewayError where this server was asked for under a foreign name."""
-        name = urlsplit(f"//{host or ''}").hostname or ""
+        """Raise GatewayError where this server was asked for under a foreign name, InvalidInputError for no name."""
+        try:
+            name = urlsplit(f"//{host or ''}").hostname or ""
+        except ValueError as error:
+            raise InvalidInputError(
+                "invalid_request", "The header 'Host' is no name of a server: correct it.", field="Host"
+            ) from error
         if name not in self._hosts and not _is_number(name):
             raise GatewayError(
                 "foreign_host",
@@ -55,7 +62,10 @@ class Access:
         """Raise GatewayError where a page of another server asks."""
         if origin is None or origin in self._origins:
             return
-        parts = urlsplit(origin)
+        try:
+            parts = urlsplit(origin)
+        except ValueError:
+            parts = urlsplit("")
         if parts.scheme in ("http", "https") and parts.netloc.lower() == (host or "").lower():
             return
         raise GatewayError(
@@ -76,15 +86,18 @@ class Guard:
         max_body_bytes: int,
         longer_bodies: Mapping[str, int] = MappingProxyType({}),
         streamed_bodies: frozenset[str] = frozenset(),
+        answers: Counter[int] | None = None,
     ) -> None:
         """`longer_bodies`: path -> bytes, for the addresses that take files. `streamed_bodies`: paths whose own code
-        takes the body as it comes, and bounds it."""
+        takes the body as it comes, and bounds it. `answers`: where each answer's status is counted."""
         self._app = app
         self._access = access
         self._errors = errors
         self._max_body_bytes = max_body_bytes
         self._longer_bodies = longer_bodies
         self._streamed_bodies = streamed_bodies
+        self._uploads = Uploads()
+        self._answers: Counter[int] = Counter() if answers is None else answers
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Check, then hand on."""
@@ -98,6 +111,7 @@ class Guard:
             nonlocal started
             if message["type"] == "http.response.start":
                 started = True
+                self._answers[message["status"]] += 1
                 _add_headers(message, path)
             await send(message)
 
@@ -120,11 +134,17 @@ class Guard:
             self._access.check_host(headers.get("host"))
             if not reading:
                 self._access.check_origin(headers.get("origin"), headers.get("host"))
+        except InvalidInputError as error:
+            await self._refuse(HTTPStatus.BAD_REQUEST, error, scope, receive, send)
+            return
         except GatewayError as error:
             await self._refuse(HTTPStatus.FORBIDDEN, error, scope, receive, send)
             return
-        if reading or scope["path"] in self._streamed_bodies:
+        if reading:
             await self._app(scope, receive, send)
+            return
+        if scope["path"] in self._streamed_bodies:
+            await self._stream(scope, receive, send)
             return
         most_bytes = self._longer_bodies.get(scope["path"], self._max_body_bytes)
         body = await _read_body(receive, most_bytes)
@@ -135,6 +155,13 @@ class Guard:
             await self._refuse(HTTPStatus.REQUEST_ENTITY_TOO_LARGE, too_large, scope, receive, send)
             return
         await self._app(scope, _replay(body, receive), send)
+
+    async def _stream(self, scope: Scope, receive: Receive, send: Send) -> None:
+        try:
+            with self._uploads.one_more(scope["client"][0] if scope.get("client") else ""):
+                await self._app(scope, receive, send)
+        except ConflictError as error:
+            await self._refuse(HTTPStatus.CONFLICT, error, scope, receive, send)
 
     async def _refuse(
         self, status: HTTPStatus, error: GatewayError, scope: Scope, receive: Receive, send: Send

@@ -4,15 +4,14 @@ from __future__ import annotations
 
 import hashlib
 import re
-import zipfile
-from functools import lru_cache
+from collections.abc import Callable
 from pathlib import Path
 from typing import Final, NamedTuple
 
 from epf_gcs.errors import InvalidInputError
 from epf_gcs.formats.xml_tree import plain
 from epf_gcs.web.maps.layer import LayerFormat
-from epf_gcs.web.maps.mesh_files import LAYER_JSON, is_mesh_zip, only_raster
+from epf_gcs.web.maps.mesh_files import LAYER_JSON
 from epf_gcs.web.maps.open_files import Stamp
 
 RASTERS: Final = frozenset[LayerFormat]({"geotiff", "hgt"})
@@ -66,8 +65,12 @@ def id_of(name: str) -> str:
     return f"{words or 'map'}-{hashlib.blake2s(name.encode(), digest_size=4).hexdigest()}"
 
 
-def look_at(path: Path) -> MapFile | None:
-    """What this is; None where it is no map. Raises OSError."""
+InsideOf = Callable[[Path, Stamp], str | None]
+"""The name of the one raster in an archive; None where it is none."""
+
+
+def look_at(path: Path, inside_of: InsideOf) -> MapFile | None:
+    """What this is; None where it is no map. `inside_of` reads archives. Raises OSError."""
     if path.name.startswith("."):
         return None
     if path.is_dir():
@@ -79,7 +82,7 @@ def look_at(path: Path) -> MapFile | None:
     stamp = (about.st_size, about.st_mtime_ns)
     inside = None
     if form == "quantized_mesh":
-        inside = _raster_inside(path, *stamp)
+        inside = inside_of(path, stamp)
         if inside is not None:
             form = "hgt" if inside.lower().endswith(".hgt") else "geotiff"
     return MapFile(id_of(path.name), path, form, about.st_size, stamp, inside)
@@ -91,15 +94,6 @@ def _look_at_folder(path: Path) -> MapFile | None:
     except FileNotFoundError:
         return None
     return MapFile(id_of(path.name), path, "quantized_mesh", 0, (about.st_size, about.st_mtime_ns))
-
-
-@lru_cache(maxsize=64)
-def _raster_inside(path: Path, _size_bytes: int, _modified_ns: int) -> str | None:
-    """Elevation models are handed out as archives with one raster in each. Remembered until the file changes."""
-    try:
-        return None if is_mesh_zip(path) else only_raster(path)
-    except (OSError, zipfile.BadZipFile, ValueError, NotImplementedError):
-        return None  # it is found out, and said, when it is opened
 
 
 def folder_bytes(path: Path) -> int:

@@ -10,58 +10,62 @@ from typing import Final
 from epf_gcs.errors import ConflictError, GatewayError, NotFoundError
 from epf_gcs.web.maps import faults
 from epf_gcs.web.maps.files import RASTERS, MapFile, folder_bytes, free_name, look_at
-from epf_gcs.web.maps.layer import UNKNOWN, Description, Layer, Tile, TileSource
-from epf_gcs.web.maps.mbtiles import MbTiles
-from epf_gcs.web.maps.mesh_files import MeshFiles
-from epf_gcs.web.maps.open_files import OpenFiles, Stamp
-from epf_gcs.web.maps.pmtiles import PmTiles
+from epf_gcs.web.maps.layer import UNKNOWN, Description, Layer, LayerFormat, Tile
+from epf_gcs.web.maps.open_files import Stamp
+from epf_gcs.web.maps.reader import Reader, is_too_costly
 
 REMOVED: Final = "removed"
 TERRAIN: Final = ".terrain"
 _MAX_ZOOM: Final = 30
+_MOST_ARCHIVES: Final = 200
 
 
 class MapFolder:
-    """Called from threads: it may wait for a disk. `report` hears once of each file that cannot be shown."""
+    """Called from threads: it may wait for a disk. `report` hears once of each file that cannot be shown.
 
-    def __init__(self, path: Path, report: Callable[[GatewayError], None]) -> None:
+    No file of tiles is opened here: `Reader` does that, in processes with limits.
+    """
+
+    def __init__(self, path: Path, report: Callable[[GatewayError], None], reader: Reader | None = None) -> None:
         self.path = path
         # Why a raster is not terrain yet; set by who turns it into it.
         self.waiting: Callable[[MapFile], GatewayError] = lambda file: faults.converting(file.path.name, 0)
         self._report = report
         self._lock = Lock()
-        self._opened = OpenFiles()
+        self._reader = Reader() if reader is None else reader
         self._files: dict[str, MapFile] = {}
         self._known: dict[str, tuple[Stamp, int, Description | GatewayError]] = {}
+        self._inside: dict[tuple[Path, Stamp], str | None] = {}
 
     def layers(self) -> list[Layer]:
         """Everything that looks like a map, by name. A raster without its terrain has a problem until it has."""
         with self._lock:
             self._files = {file.id: file for file in self._scan(self.path)}
-            self._known = {key: known for key, known in self._known.items() if key in self._files}
+            self._known = {key: known for key, known in list(self._known.items()) if key in self._files}
             return [self._layer(file) for file in sorted(self._files.values(), key=lambda file: file.path.name)]
 
     def tile(self, layer_id: str, zoom: int, column: int, row: int) -> tuple[Tile | None, Description, Stamp]:
         """A tile, and what it belongs to. Raises NotFoundError, or why the file cannot be read."""
         file = self._find(layer_id)
         stamp = self._source_stamp(file)
-        with self._opened.reading(layer_id, stamp, lambda: self._open(file)) as source:
-            description = source.description
-            wide = 2 if description.kind == "terrain" and description.projection == "EPSG:4326" else 1
-            inside = 0 <= zoom <= _MAX_ZOOM and 0 <= column < wide << zoom and 0 <= row < 1 << zoom
-            return (source.tile(zoom, column, row) if inside else None), description, stamp
+        description = self._description(file, stamp)
+        wide = 2 if description.kind == "terrain" and description.projection == "EPSG:4326" else 1
+        inside = 0 <= zoom <= _MAX_ZOOM and 0 <= column < wide << zoom and 0 <= row < 1 << zoom
+        if not inside:
+            return None, description, stamp
+        path, form = self._tiles_of(file)
+        return self._reader.tile(path, file.path.name, form, stamp, zoom, column, row), description, stamp
 
     def description(self, layer_id: str) -> Description:
         """What a layer says of itself. Raises NotFoundError, or why the file cannot be read."""
         file = self._find(layer_id)
-        with self._opened.reading(layer_id, self._source_stamp(file), lambda: self._open(file)) as source:
-            return source.description
+        return self._description(file, self._source_stamp(file))
 
     def remove(self, layer_id: str) -> None:
         """Take a map out of the list; its file stays in a folder of its own."""
         file = self._find(layer_id)
         with self._lock:
-            self._opened.forget(layer_id)
+            self._reader.forget(file.path)
             removed = self.path / REMOVED
             removed.mkdir(exist_ok=True)
             older = removed / file.path.name
@@ -103,11 +107,12 @@ class MapFolder:
 
     def take_in(self, path: Path) -> MapFile:
         """Move a file that came from outside into the folder, if it can be shown. Raises why it cannot."""
-        found = look_at(path)
+        found = look_at(path, self._inside_of)
         if found is None:
             raise faults.damaged(path.name, "?")
         if found.format not in RASTERS:
-            _open_plain(found).close()
+            self._reader.describe(found.path, found.path.name, found.format, found.stamp)
+            self._reader.forget(found.path)
         with self._lock:
             target = self.path / path.name
             if target.exists():
@@ -118,17 +123,19 @@ class MapFolder:
     def discard(self, file: MapFile) -> None:
         """Delete a file that was taken in and turned out to be of no use. Raises OSError."""
         with self._lock:
-            self._opened.forget(file.id)
+            self._reader.forget(file.path)
             self._files.pop(file.id, None)
             file.path.unlink(missing_ok=True)
 
     def close(self) -> None:
         """Let all files go."""
-        self._opened.close()
+        self._reader.close()
 
     def _scan(self, folder: Path) -> list[MapFile]:
         try:
-            return [file for path in folder.iterdir() if path.name != REMOVED and (file := look_at(path)) is not None]
+            return [
+                file for path in folder.iterdir() if path.name != REMOVED and (file := look_at(path, self._inside_of))
+            ]
         except FileNotFoundError:
             return []
         except OSError as error:
@@ -145,13 +152,7 @@ class MapFolder:
         if file.format in RASTERS and not self.terrain_of(file).exists():
             return Layer(file.id, file.path.name, file.format, _kind_of(file), file.size_bytes, self.waiting(file))
         stamp = self._source_stamp(file)
-        known = self._known.get(file.id)
-        if known is None or known[0] != stamp:
-            known = (stamp, *self._describe(file))
-            self._known[file.id] = known
-            if isinstance(known[2], GatewayError):
-                self._report(known[2])
-        _, size_bytes, found = known
+        size_bytes, found = self._look_up(file, stamp)
         if isinstance(found, GatewayError):
             return Layer(file.id, file.path.name, file.format, _kind_of(file), size_bytes, found)
         return Layer(file.id, found.title or file.path.stem, file.format, found, size_bytes)
@@ -159,8 +160,8 @@ class MapFolder:
     def _describe(self, file: MapFile) -> tuple[int, Description | GatewayError]:
         try:
             size_bytes = folder_bytes(file.path) if file.path.is_dir() else file.size_bytes
-            with self._opened.reading(file.id, self._source_stamp(file), lambda: self._open(file)) as source:
-                return size_bytes, source.description
+            path, form = self._tiles_of(file)
+            return size_bytes, self._reader.describe(path, file.path.name, form, self._source_stamp(file))
         except GatewayError as error:
             return file.size_bytes, error
         except OSError as error:
@@ -170,13 +171,42 @@ class MapFolder:
         """A raster changes when its terrain comes."""
         return (*file.stamp, int(self.terrain_of(file).exists())) if file.format in RASTERS else file.stamp
 
-    def _open(self, file: MapFile) -> TileSource:
+    def _tiles_of(self, file: MapFile) -> tuple[Path, LayerFormat]:
+        """The file that its tiles lie in. Raises why there is none yet."""
         if file.format not in RASTERS:
-            return _open_plain(file)
+            return file.path, file.format
         terrain = self.terrain_of(file)
         if not terrain.exists():
             raise self.waiting(file)
-        return MbTiles(terrain, file.path.name)
+        return terrain, "mbtiles"
+
+    def _description(self, file: MapFile, stamp: Stamp) -> Description:
+        """Raises GatewayError where the file cannot be shown."""
+        _, found = self._look_up(file, stamp)
+        if isinstance(found, GatewayError):
+            raise found
+        return found
+
+    def _look_up(self, file: MapFile, stamp: Stamp) -> tuple[int, Description | GatewayError]:
+        """Size and description, read once for each state of the file; one that was too costly is asked for again."""
+        known = self._known.get(file.id)
+        if known is not None and known[0] == stamp and not is_too_costly(known[2]):
+            return known[1:]
+        is_new = known is None or known[0] != stamp
+        size_bytes, found = self._describe(file)
+        self._known[file.id] = (stamp, size_bytes, found)
+        if is_new and isinstance(found, GatewayError):
+            self._report(found)
+        return size_bytes, found
+
+    def _inside_of(self, path: Path, stamp: Stamp) -> str | None:
+        """Archives are asked about with every tile: remembered until they change."""
+        key = (path, stamp)
+        if key not in self._inside:
+            if len(self._inside) >= _MOST_ARCHIVES:
+                self._inside.clear()
+            self._inside[key] = self._reader.raster_inside(path, stamp)
+        return self._inside[key]
 
     def _find(self, layer_id: str) -> MapFile:
         file = self._files.get(layer_id)
@@ -185,7 +215,7 @@ class MapFolder:
             if file is None:
                 raise unknown(layer_id)
             self._files[layer_id] = file
-        now = look_at(file.path) if file.path.exists() else None
+        now = look_at(file.path, self._inside_of) if file.path.exists() else None
         if now is None:
             self._files.pop(layer_id, None)
             raise unknown(layer_id)
@@ -206,14 +236,6 @@ def exists(name: str) -> ConflictError:
     return ConflictError(
         "map_exists", f"There is a map '{name}' already: remove it first, or give this one another name.", name=name
     )
-
-
-def _open_plain(file: MapFile) -> TileSource:
-    if file.format == "mbtiles":
-        return MbTiles(file.path, file.path.name)
-    if file.format == "pmtiles":
-        return PmTiles(file.path, file.path.name)
-    return MeshFiles(file.path, file.path.name)
 
 
 def _kind_of(file: MapFile) -> Description:

@@ -21,7 +21,8 @@ INCOMING: Final = ".incoming"
 RESERVE_BYTES: Final = 200_000_000
 """What a map leaves free: a recording of the day's flights must not end for a picture."""
 
-_MOST_AT_ONCE: Final = 3
+# In all; each computer's share of them is smaller (`access.uploads`).
+_MOST_AT_ONCE: Final = 7
 _KEPT: Final = 20
 _PIECE_BYTES: Final = 1 << 20
 _TELL_EVERY_S: Final = 0.25

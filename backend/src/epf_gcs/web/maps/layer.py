@@ -5,7 +5,7 @@ from __future__ import annotations
 import html
 import re
 from dataclasses import dataclass
-from typing import Final, Literal, NamedTuple, Protocol
+from typing import Any, Final, Literal, NamedTuple, Protocol
 
 from epf_gcs.errors import GatewayError
 
@@ -61,6 +61,29 @@ class Description:
     projection: Literal["EPSG:4326", "EPSG:3857"] = "EPSG:4326"
     available: tuple[tuple[Range, ...], ...] | None = None
     extensions: tuple[str, ...] = ()
+
+    def as_dict(self) -> dict[str, Any]:
+        """Plain values."""
+        return {
+            **{name: getattr(self, name) for name in self.__slots__},
+            "bounds": list(self.bounds),
+            "available": None if self.available is None else [[list(one) for one in level] for level in self.available],
+        }
+
+    @classmethod
+    def from_dict(cls, values: dict[str, Any]) -> Description:
+        """What `as_dict` gave."""
+        available = values["available"]
+        return cls(
+            **{
+                **values,
+                "bounds": Bounds(*values["bounds"]),
+                "available": None
+                if available is None
+                else tuple(tuple(Range(*one) for one in level) for level in available),
+                "extensions": tuple(values["extensions"]),
+            }
+        )
 
 
 class TileSource(Protocol):

@@ -35,6 +35,7 @@ class Maps:
         self._loop = asyncio.get_running_loop()
         self._threads = ThreadPoolExecutor(_THREADS, thread_name_prefix="maps")
         self.folder = MapFolder(path, lambda error: self._tell(report, error))
+        self._listing: asyncio.Future[list[Layer]] | None = None
         self._jobs = TerrainJobs(self.folder, self._in_thread, report)
         self.imports = Imports(self.folder, self._jobs, self._in_thread, hub)
         self.online = Online(
@@ -52,7 +53,10 @@ class Maps:
 
     async def layers(self) -> list[Layer]:
         """Everything that can be chosen."""
-        found = await self._in_thread(self.folder.layers)
+        # Going through a folder may take long; who asks meanwhile gets the same answer and needs no thread.
+        if self._listing is None or self._listing.done():
+            self._listing = asyncio.ensure_future(self._in_thread(self.folder.layers))
+        found = await asyncio.shield(self._listing)
         if any(layer.problem is not None and layer.problem.code == "map_raster_converting" for layer in found):
             self._jobs.wake()
         return [*found, *self.online.layers()]

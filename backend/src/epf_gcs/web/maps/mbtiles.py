@@ -11,6 +11,7 @@ from typing import Final
 from urllib.parse import quote
 
 from epf_gcs.web.maps import faults
+from epf_gcs.web.maps.confined_sqlite import confine
 from epf_gcs.web.maps.layer import (
     Bounds,
     Description,
@@ -27,10 +28,12 @@ _MESH_FORMATS: Final = ("quantized-mesh", "terrain")
 _PICTURE_FORMATS: Final = frozenset({"png", "jpg", "jpeg", "webp", "image/png", "image/jpeg", "image/webp"})
 # A file from anywhere may make a query endless; a tile is a matter of microseconds.
 _LONGEST_S: Final = 5.0
-_LONGEST_LISTING_S: Final = 60.0
+_LONGEST_LISTING_S: Final = 20.0
 _STEPS_BETWEEN_LOOKS: Final = 10_000
 _MAX_ZOOM: Final = 30
-_MAX_META: Final = 200
+_MAX_ROWS: Final = 200
+_MAX_META_LENGTH: Final = 20_000
+_METADATA: Final = f"SELECT substr(name, 1, 64), substr(value, 1, {_MAX_META_LENGTH}) FROM metadata"  # noqa: S608
 
 
 class MbTiles:
@@ -50,7 +53,7 @@ class MbTiles:
         except sqlite3.Error as error:
             raise faults.damaged(name, str(error)) from error
         try:
-            self._connection.execute("PRAGMA trusted_schema = OFF")
+            confine(self._connection)
             self._connection.set_progress_handler(self._is_too_long, _STEPS_BETWEEN_LOOKS)
             self.description = self._describe()
             self._longest_s = _LONGEST_S
@@ -86,13 +89,13 @@ class MbTiles:
     def _rows(self, sql: str, values: tuple[int, ...] = ()) -> list[tuple[object, ...]]:
         with self._lock:
             self._until_s = time.monotonic() + self._longest_s
-            return self._connection.execute(sql, values).fetchmany(_MAX_META)
+            return self._connection.execute(sql, values).fetchmany(_MAX_ROWS)
 
     def _is_too_long(self) -> bool:
         return time.monotonic() > self._until_s
 
     def _describe(self) -> Description:
-        meta = {str(key): str(value) for key, value in self._rows("SELECT name, value FROM metadata")}
+        meta = {str(key): str(value) for key, value in self._rows(_METADATA)}
         kind = self._kind(meta.get("format", "").lower())
         bounds, zooms = _bounds(meta.get("bounds", "")), _zooms(meta)
         available: tuple[tuple[Range, ...], ...] | None = None

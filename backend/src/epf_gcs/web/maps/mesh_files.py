@@ -18,6 +18,9 @@ LAYER_JSON: Final = "layer.json"
 _FORMAT: Final = "quantized-mesh-1.0"
 _MAX_JSON_BYTES: Final = 20_000_000
 _MAX_ZOOM: Final = 30
+_MOST_NAMES: Final = 1_000_000
+# The others are unpacked whole, however long that is, before the first byte is given out.
+_BOUNDED: Final = frozenset({zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED})
 _KNOWN_EXTENSIONS: Final = frozenset({"octvertexnormals", "vertexnormals", "watermask", "metadata"})
 
 
@@ -59,7 +62,15 @@ class _Zip:
                 entry = self._archive.getinfo(str(self._top / path))
             except KeyError:
                 return None
-            return self._archive.read(entry) if entry.file_size <= most_bytes else None
+            if entry.file_size > most_bytes:
+                return None
+            if entry.compress_type not in _BOUNDED:
+                raise ValueError("packed in a way that is not taken: use deflate")
+            # What an entry says of its own size may be a lie: unpacking ends at the bound, whatever it says.
+            with self._archive.open(entry) as file:
+                data = file.read(entry.file_size)
+                file.read(1)  # beyond the end: now its checksum is looked at
+                return data
 
     def close(self) -> None:
         with self._lock:

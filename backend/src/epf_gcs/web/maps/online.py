@@ -9,6 +9,7 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final
+from urllib.parse import urlsplit
 
 import httpx
 
@@ -17,7 +18,8 @@ from epf_gcs.errors import ConflictError, GatewayError
 from epf_gcs.web.maps.folder import unknown
 from epf_gcs.web.maps.layer import MAX_TILE_BYTES, Bounds, Description, Layer, Tile, picture
 from epf_gcs.web.maps.open_files import Stamp
-from epf_gcs.web.maps.sources import OnlineChoice, Source, checked, expiry_s
+from epf_gcs.web.maps.outside import Consent, LocalAddressError, OutsideTransport, is_local_as_written
+from epf_gcs.web.maps.sources import OnlineChoice, Source, checked, expiry_s, local
 from epf_gcs.web.maps.terrain_jobs import T
 from epf_gcs.web.maps.tile_cache import Kept, TileCache
 
@@ -67,6 +69,8 @@ class Online:
         self._under_way: dict[tuple[str, int, int, int], asyncio.Future[Kept | None]] = {}
         self._problems: dict[str, GatewayError] = {}
         self.choice = choice
+        self.consent = Consent()
+        """Servers in the own network that may be asked."""
 
     def layers(self) -> list[Layer]:
         """The sources, while they are switched on."""
@@ -85,9 +89,12 @@ class Online:
         return await self._in_thread(lambda: self._opened().size_bytes if self._path.exists() else 0)
 
     async def choose(self, choice: OnlineChoice) -> None:
-        """From now on these. Raises InvalidInputError where an address is none, and changes nothing then."""
+        """From now on these. Raises InvalidInputError where one may not be asked, and changes nothing then."""
         for source in choice.sources:
-            checked(source)
+            parts = urlsplit(checked(source).url)
+            host = parts.hostname or ""
+            if not self.consent.covers(parts.scheme, host, parts.port) and is_local_as_written(host):
+                raise local(source)
         self.choice = choice
         self._problems.clear()
         self._hosts.clear()
@@ -158,6 +165,9 @@ class Online:
             client = await self._asking()
             async with client.stream("GET", source.address(*key[1:]), headers=headers) as answer:
                 data = await _body(answer)
+        except LocalAddressError:
+            self._fails(source, host, local(source))
+            return kept
         except (httpx.HTTPError, httpx.InvalidURL, OSError) as error:
             self._fails(source, host, _silent(source, error))
             return kept
@@ -200,7 +210,12 @@ class Online:
         """Made with the first request, by a thread: reading the certificates takes long."""
         if self._client is None:
             made = await self._in_thread(
-                lambda: httpx.AsyncClient(headers={"User-Agent": USER_AGENT}, timeout=_TIMEOUT, follow_redirects=False)
+                lambda: httpx.AsyncClient(
+                    headers={"User-Agent": USER_AGENT},
+                    timeout=_TIMEOUT,
+                    follow_redirects=False,
+                    transport=OutsideTransport(self.consent),
+                )
             )
             if self._client is None:
                 self._client = made

@@ -10,14 +10,15 @@ from threading import Lock
 from typing import Any, Final
 
 import orjson
-from pmtiles.tile import Compression, TileType, deserialize_directory, deserialize_header, find_tile, zxy_to_tileid
+from pmtiles.tile import Compression, TileType, deserialize_header, find_tile, zxy_to_tileid
 
 from epf_gcs.errors import GatewayError
 from epf_gcs.web.maps import faults
-from epf_gcs.web.maps.layer import Bounds, Description, Tile, checked_bounds, credit, picture
+from epf_gcs.web.maps.layer import MAX_TILE_BYTES, Bounds, Description, Tile, checked_bounds, credit, picture
+from epf_gcs.web.maps.pmtiles_directory import read_directory, unpacked
 
 _PICTURES: Final = frozenset({TileType.PNG, TileType.JPEG, TileType.WEBP})
-_KEPT_DIRECTORIES: Final = 64
+_KEPT_ENTRIES: Final = 300_000
 _MAX_DIRECTORY_BYTES: Final = 4_000_000
 _MAX_METADATA_BYTES: Final = 4_000_000
 _MAX_DEPTH: Final = 4
@@ -93,7 +94,7 @@ class PmTiles:
             return {}
         data = self._read(header["metadata_offset"], header["metadata_length"])
         if header["internal_compression"] == Compression.GZIP:
-            data = _unpacked(data, _MAX_METADATA_BYTES)
+            data = unpacked(data, _MAX_METADATA_BYTES)
         found = orjson.loads(data)
         return found if isinstance(found, dict) else {}
 
@@ -105,26 +106,28 @@ class PmTiles:
             if entry is None:
                 return None
             if entry.run_length:
-                return self._read(header["tile_data_offset"] + entry.offset, entry.length)
+                if entry.length > MAX_TILE_BYTES:
+                    return None
+                return self._read(header["tile_data_offset"] + entry.offset, entry.length, MAX_TILE_BYTES)
             offset, length = header["leaf_directory_offset"] + entry.offset, entry.length
         return None
 
     def _directory(self, offset: int, length: int) -> Any:
-        """The library unpacks a directory for each tile; here the last ones are kept."""
+        """The library unpacks a directory for each tile; here the ones used last are kept."""
         key = (offset, length)
         with self._lock:
             if key in self._directories:
                 self._directories.move_to_end(key)
                 return self._directories[key]
-        found = deserialize_directory(self._read(offset, length))
+        found = read_directory(self._read(offset, length))
         with self._lock:
             self._directories[key] = found
-            while len(self._directories) > _KEPT_DIRECTORIES:
+            while sum(map(len, self._directories.values())) > _KEPT_ENTRIES:
                 self._directories.popitem(last=False)
         return found
 
-    def _read(self, offset: int, length: int) -> bytes:
-        if not 0 <= length <= _MAX_DIRECTORY_BYTES or offset < 0:
+    def _read(self, offset: int, length: int, most_bytes: int = _MAX_DIRECTORY_BYTES) -> bytes:
+        if not 0 <= length <= most_bytes or offset < 0:
             raise ValueError("a length that no part of a file has")
         with self._lock:
             data = os.pread(self._open_file(), length, offset)
@@ -136,10 +139,6 @@ class PmTiles:
         if self._file is None:
             raise OSError("closed")
         return self._file
-
-
-def _unpacked(data: bytes, most_bytes: int) -> bytes:
-    return zlib.decompressobj(wbits=31).decompress(data, most_bytes)
 
 
 def _words(error: Exception) -> str:

@@ -103,6 +103,17 @@ def checked(source: Source) -> Source:
     return source
 
 
+def local(source: Source) -> InvalidInputError:
+    """It lies in this network, and nobody agreed to that."""
+    return InvalidInputError(
+        "map_source_local",
+        f"'{source.name}' is a server in this network ({source.host}): name it in GCS_LOCAL_MAPS when the station is "
+        "started, or choose one on the internet.",
+        name=source.name,
+        host=source.host,
+    )
+
+
 def expiry_s(source: Source, headers: Mapping[str, str], now_s: float) -> float | None:
     """Until when (Unix time) an answer may be used; None where the source forbids keeping it."""
     control = headers.get("cache-control", "")

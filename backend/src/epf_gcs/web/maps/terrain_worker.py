@@ -28,6 +28,7 @@ MOST_TILES: Final = 400_000
 _HIGHEST_ZOOM: Final = 18
 _NICE: Final = 10
 _MOST_MEMORY_BYTES: Final = 4_000_000_000
+_MOST_CPU_S: Final = 4 * 3600
 _PER_COMMIT: Final = 200
 _PACKING: Final = 6
 
@@ -122,11 +123,13 @@ def _touched(first: float, last: float, count: int) -> range:
 
 
 def _be_modest() -> None:
-    os.nice(_NICE)
+    with contextlib.suppress(AttributeError, OSError):  # not on every system
+        os.nice(_NICE)
     with contextlib.suppress(ImportError, ValueError, OSError):
         import resource  # noqa: PLC0415 - not on every system
 
         resource.setrlimit(resource.RLIMIT_AS, (_MOST_MEMORY_BYTES, _MOST_MEMORY_BYTES))
+        resource.setrlimit(resource.RLIMIT_CPU, (_MOST_CPU_S, _MOST_CPU_S))
 
 
 def _say(message: dict[str, object]) -> None:

@@ -31,6 +31,7 @@ TOPICS: Final = sorted(
 )
 _CLIENT_ID: Final = re.compile(r"[0-9a-f]{16}")
 _MAX_NAME: Final = 40
+_MAX_DIGITS: Final = 4
 _INVALID: Final = "stream_message_invalid"
 _RATE_SENTENCE: Final = f"rate must be 0 (every sample) or 1..{MAX_RATE_HZ} batches a second."
 
@@ -163,6 +164,6 @@ class StreamConversation:
 
 
 def _read_rate(text: str) -> int | None:
-    if not text.isascii() or not text.isdigit() or int(text) > MAX_RATE_HZ:
+    if not text.isascii() or not text.isdigit() or len(text) > _MAX_DIGITS or int(text) > MAX_RATE_HZ:
         return None
     return int(text)

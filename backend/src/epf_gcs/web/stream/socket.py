@@ -8,9 +8,10 @@ from __future__ import annotations
 
 import asyncio
 import os
+from collections.abc import Callable
 from http import HTTPStatus
 from typing import Any, Final, Protocol, cast
-from urllib.parse import parse_qsl, urlsplit
+from urllib.parse import SplitResult, parse_qsl, urlsplit
 
 from uvicorn.config import Config
 from uvicorn.server import ServerState
@@ -20,9 +21,19 @@ from websockets.http11 import Request
 from websockets.protocol import State
 from websockets.server import ServerProtocol
 
+from epf_gcs.web.stream.allowance import Allowance
+
 _MAX_MESSAGE_BYTES: Final = 16384
 _KEEPALIVE_S: Final = 10.0
 _GONE: Final = 1012  # service restart: the page tries again
+PINGS_PER_S: Final = 20
+"""Control frames that a browser may send; its own answers to our pings are one in ten seconds."""
+MESSAGES_PER_S: Final = 1000
+"""Acknowledgements of every sample, and a stick, are well below."""
+_TOO_MUCH: Final = 1008  # policy violation
+BYTES_PER_TURN: Final = 1024
+"""Of one connection, looked at in one turn of the loop: not two hundred frames at the most."""
+_LAST_WORDS_S: Final = 2.0
 
 
 class Refusal(Exception):  # noqa: N818 - an answer to the handshake, not a fault
@@ -74,6 +85,12 @@ class SocketConnection(asyncio.Protocol):
         self._keepalive: asyncio.TimerHandle | None = None
         self._heard = True
         self._fragments: list[bytes] = []
+        # What came and was not looked at yet; while there is any, nothing more is read.
+        self._pending = b""
+        self._given_up = False
+        self._pings = Allowance(PINGS_PER_S, 2 * PINGS_PER_S)
+        self._messages = Allowance(MESSAGES_PER_S, 2 * MESSAGES_PER_S)
+        self.on_lost: Callable[[], None] = _nothing
 
     def connection_made(self, transport: asyncio.BaseTransport) -> None:
         """uvicorn hands over the transport of the HTTP connection."""
@@ -83,11 +100,20 @@ class SocketConnection(asyncio.Protocol):
     def data_received(self, data: bytes) -> None:
         """Bytes of the browser: first the handshake, then frames."""
         self._heard = True
-        self._protocol.receive_data(data)
-        self._work()
+        if self._given_up:
+            return
+        if not self._pending and len(data) <= BYTES_PER_TURN:
+            self._protocol.receive_data(data)
+            self._work()
+            return
+        if self._transport is not None and not self._pending and not self._transport.is_closing():
+            self._transport.pause_reading()
+            self._loop.call_soon(self._work_on)
+        self._pending += data
 
     def eof_received(self) -> bool:
         """The browser closed its side."""
+        self._pending = b""
         self._protocol.receive_eof()
         self._work()
         return False
@@ -100,6 +126,8 @@ class SocketConnection(asyncio.Protocol):
         conversation, self._conversation = self._conversation, None
         self._is_open = False
         self._transport = None
+        self._pending = b""
+        self.on_lost()
         self._fd = -1
         if conversation is not None:
             conversation.on_closed()
@@ -139,6 +167,21 @@ class SocketConnection(asyncio.Protocol):
         """Bytes that wait in this process."""
         return 0 if self._transport is None else self._transport.get_write_buffer_size()
 
+    def _work_on(self) -> None:
+        """One turn's share of what is pending; the rest has its turn after everybody else's."""
+        transport = self._transport
+        piece, self._pending = self._pending[:BYTES_PER_TURN], self._pending[BYTES_PER_TURN:]
+        if transport is None or not piece:
+            return
+        self._protocol.receive_data(piece)
+        self._work()
+        if transport.is_closing():
+            return
+        if self._pending:
+            self._loop.call_soon(self._work_on)
+        else:  # also after the last words: what still comes is thrown away
+            transport.resume_reading()
+
     def _work(self) -> None:
         for event in self._protocol.events_received():
             if isinstance(event, Request):
@@ -165,8 +208,8 @@ class SocketConnection(asyncio.Protocol):
         if transport is None:
             return
         peer = transport.get_extra_info("peername") or ("", 0)
-        parts = urlsplit(request.path)
         try:
+            parts = _parts(request.path)
             self._endpoint.check(_only(request.headers, "Host"), _only(request.headers, "Origin"))
             query = dict(parse_qsl(parts.query, keep_blank_values=True))
             conversation = self._endpoint.open(self, parts.path, query, f"{peer[0]}:{peer[1]}")
@@ -186,12 +229,27 @@ class SocketConnection(asyncio.Protocol):
         self._endpoint.opened(conversation)
 
     def _take_frame(self, frame: Frame) -> None:
-        if frame.opcode in (Opcode.TEXT, Opcode.CONT, Opcode.BINARY):
+        """Messages go to the conversation; of any kind of frame there is only so much in a second."""
+        is_message = frame.opcode in (Opcode.TEXT, Opcode.CONT, Opcode.BINARY)
+        if self._given_up:
+            return
+        if not (self._messages if is_message else self._pings).take(self._loop.time()):
+            self._give_up()
+            return
+        if is_message:
             self._fragments.append(bytes(frame.data))
             if frame.fin:
                 data, self._fragments = b"".join(self._fragments), []
                 if self._conversation is not None:
                     self._conversation.on_text(data.decode("utf-8", "replace"))
+
+    def _give_up(self) -> None:
+        """Say why, and look at nothing more; closing at once would lose the words on their way."""
+        self._given_up = True
+        self._pending = b""
+        self._protocol.fail(_TOO_MUCH, "more frames than this station takes")
+        if self._transport is not None:
+            self._loop.call_later(_LAST_WORDS_S, self._transport.abort)
 
     def _check_alive(self) -> None:
         """A browser that answers nothing for two rounds is gone, whatever the network says."""
@@ -205,6 +263,18 @@ class SocketConnection(asyncio.Protocol):
             self._protocol.send_ping(b"")
             self._write_protocol_output()
         self._keepalive = self._loop.call_later(_KEEPALIVE_S, self._check_alive)
+
+
+def _parts(address: str) -> SplitResult:
+    """Path and query. Raises Refusal where it is no address."""
+    try:
+        return urlsplit(address)
+    except ValueError as error:
+        raise Refusal(HTTPStatus.BAD_REQUEST, "This is no address.") from error
+
+
+def _nothing() -> None:
+    """Nobody waits for the end."""
 
 
 def _only(headers: Headers, name: str) -> str | None:

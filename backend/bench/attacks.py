@@ -1,0 +1,236 @@
+"""What strangers may do to a station, each as a process that does it for a while and ends by itself.
+
+`with attack("pings", port, udp_port):` runs one; `python -m bench.attacks pings PORT UDP_PORT SECONDS` is that process,
+and says `ready` when it has begun in earnest. Everything stays on the loopback and is bounded in number and time.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import selectors
+import socket
+import subprocess
+import sys
+import tempfile
+import time
+import urllib.error
+import urllib.request
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Final
+from urllib.parse import quote
+
+from bench.station import WebSocket
+
+LONGEST_S: Final = 120.0
+_SOCKETS: Final = 4
+_PINGS: Final = b"\x89\x80\0\0\0\0" * 2000
+_DATAGRAMS_PER_S: Final = 10_000
+_IDLE: Final = 2000
+_UPLOADS: Final = 3
+_BEGIN_S: Final = 30.0
+_EVERY_S: Final = 1.0
+
+
+def _pings(port: int, _udp_port: int, until_s: float) -> None:
+    """Four streams that send nothing but pings; one that is ended comes again."""
+    streams: list[socket.socket] = []
+    while time.monotonic() < until_s:
+        while len(streams) < _SOCKETS:
+            try:
+                made = WebSocket(port, "/api/v1/stream").socket
+            except OSError:
+                time.sleep(0.1)
+                break
+            made.setblocking(False)
+            streams.append(made)
+            _ready()
+        streams = [stream for stream in streams if _flooded(stream)]
+
+
+def _flooded(stream: socket.socket) -> bool:
+    """Send some and throw the answers away; False where the station ended it."""
+    try:
+        with contextlib.suppress(BlockingIOError):
+            stream.send(_PINGS)
+        with contextlib.suppress(BlockingIOError):
+            while data := stream.recv(65536):
+                del data
+            stream.close()
+            return False
+    except OSError:
+        stream.close()
+        return False
+    return True
+
+
+def _datagrams(_port: int, udp_port: int, until_s: float) -> None:
+    """Somebody else's datagrams at the simulator's port, half of them of its shape."""
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sender:
+        shapes = (b"DATA*" + bytes(36 * 5), os.urandom(200))
+        begun_s, sent = time.monotonic(), 0
+        _ready()
+        while (now_s := time.monotonic()) < until_s:
+            owed = int((now_s - begun_s) * _DATAGRAMS_PER_S) - sent
+            for number in range(min(owed, 200)):
+                with contextlib.suppress(OSError):
+                    sender.sendto(shapes[number % 2], ("127.0.0.1", udp_port))
+            sent += max(0, owed)
+            time.sleep(0.001)
+
+
+def _bombs(port: int, _udp_port: int, until_s: float) -> None:
+    """Map files that are small and unpack to much, sent in again and again."""
+    from tests.support.bombs import ENDLESS, SLOW, write_directory_bomb, write_lying_zip, write_view  # noqa: PLC0415
+
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        files = [
+            write_directory_bomb(folder / "bomb.pmtiles", 20_000_000),
+            write_view(folder / "endless.mbtiles", ENDLESS),
+            write_view(folder / "slow.mbtiles", SLOW),
+            write_lying_zip(folder / "bomb.zip", 400_000_000, 1000),
+        ]
+        _ready()
+        while time.monotonic() < until_s:
+            for file in files:
+                _send_in(port, file, until_s)
+            time.sleep(0.05)
+
+
+def _send_in(port: int, file: Path, until_s: float) -> None:
+    request = urllib.request.Request(
+        f"http://127.0.0.1:{port}/api/v1/map/imports?name={quote(file.name)}", file.read_bytes(), method="POST"
+    )
+    with contextlib.suppress(urllib.error.URLError, OSError):
+        urllib.request.urlopen(request, timeout=max(1.0, until_s - time.monotonic())).close()
+
+
+def _idle(port: int, _udp_port: int, until_s: float) -> None:
+    """Two thousand connections that say nothing or half a word; of those that are ended some come again."""
+    waiting = selectors.DefaultSelector()
+    count = 0
+    while time.monotonic() < until_s:
+        # All of them at first; then so many in a second as there are places to lose.
+        for _ in range(_IDLE if count == 0 else 20):
+            if count >= _IDLE:
+                break
+            try:
+                made = socket.create_connection(("127.0.0.1", port), timeout=1.0)
+                if count % 2:
+                    made.send(b"GET /api/v1/sta")
+                waiting.register(made, selectors.EVENT_READ)
+                count += 1
+            except OSError:
+                break
+        _ready()
+        time.sleep(0.05)
+        for key, _ in waiting.select(0.0):
+            waiting.unregister(key.fileobj)
+            with contextlib.suppress(OSError):
+                key.fileobj.close()  # type: ignore[union-attr]
+            count -= 1
+
+
+def _uploads(port: int, _udp_port: int, until_s: float) -> None:
+    """Three files that never come whole, a few bytes a second."""
+    sending: dict[int, socket.socket] = {}
+    while time.monotonic() < until_s:
+        for number in range(_UPLOADS):
+            try:
+                if number not in sending:
+                    made = socket.create_connection(("127.0.0.1", port), timeout=1.0)
+                    made.sendall(
+                        f"POST /api/v1/map/imports?name=slow{number}.mbtiles HTTP/1.1\r\nHost: 127.0.0.1\r\n"
+                        "Content-Length: 900000000\r\n\r\n".encode()
+                    )
+                    sending[number] = made
+                sending[number].send(bytes(10))
+            except OSError:
+                if number in sending:
+                    sending.pop(number).close()
+        _ready()
+        time.sleep(_EVERY_S)
+
+
+def _viewers(count: int) -> Callable[[int, int, float], None]:
+    def view(port: int, _udp_port: int, until_s: float) -> None:
+        """So many browsers that keep up."""
+        waiting = selectors.DefaultSelector()
+        for _ in range(count):
+            viewer = WebSocket(port, "/api/v1/stream?rate=60")
+            waiting.register(viewer.socket, selectors.EVENT_READ, viewer)
+        _ready()
+        while time.monotonic() < until_s:
+            for key, _ in waiting.select(0.1):
+                key.data.acknowledge(key.data.receive())
+
+    return view
+
+
+ATTACKS: Final[dict[str, Callable[[int, int, float], None]]] = {
+    "pings": _pings,
+    "datagrams": _datagrams,
+    "bombs": _bombs,
+    "idle": _idle,
+    "uploads": _uploads,
+    "viewers50": _viewers(50),
+    "viewers200": _viewers(200),
+}
+"""By name. 200 viewers fit into this computer's share of streams."""
+
+_said = False
+
+
+def _ready() -> None:
+    global _said  # noqa: PLW0603 - one process, one attack
+    if not _said:
+        _said = True
+        os.write(1, b"ready\n")
+
+
+@contextlib.contextmanager
+def attack(
+    name: str, port: int, udp_port: int, idle: Callable[[], None] = lambda: None
+) -> Iterator[subprocess.Popen[bytes]]:
+    """One of ATTACKS for the time of the block. `idle` is called again and again until it has begun: a board that is
+    played by the caller must go on living meanwhile."""
+    process = subprocess.Popen(
+        [sys.executable, "-m", "bench.attacks", name, str(port), str(udp_port), str(LONGEST_S)],
+        stdout=subprocess.PIPE,
+        bufsize=0,
+    )
+    assert process.stdout is not None
+    try:
+        waiting = selectors.DefaultSelector()
+        waiting.register(process.stdout, selectors.EVENT_READ)
+        give_up_s = time.monotonic() + _BEGIN_S
+        while not waiting.select(0.05):
+            idle()
+            if time.monotonic() > give_up_s:
+                raise TimeoutError(f"the attack '{name}' did not begin")
+        if process.stdout.readline() != b"ready\n":
+            raise RuntimeError(f"the attack '{name}' ended before it began")
+        yield process
+    finally:
+        process.kill()
+        process.wait()
+        process.stdout.close()
+
+
+def main() -> None:
+    """Name, port, UDP port, seconds."""
+    name, port, udp_port, seconds = sys.argv[1:5]
+    with contextlib.suppress(ImportError, ValueError, OSError):
+        import resource  # noqa: PLC0415 - not on every system
+
+        hard = resource.getrlimit(resource.RLIMIT_NOFILE)[1]
+        resource.setrlimit(resource.RLIMIT_NOFILE, (hard, hard))
+    ATTACKS[name](int(port), int(udp_port), time.monotonic() + min(float(seconds), LONGEST_S))
+    print(json.dumps({"ended": name}), flush=True)
+
+
+if __name__ == "__main__":
+    main()

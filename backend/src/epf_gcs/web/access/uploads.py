@@ -1,0 +1,40 @@
+"""Files that are being sent in: so many from one computer, and some places that only this computer can take."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Final
+
+from epf_gcs.errors import ConflictError
+from epf_gcs.web.visitors import is_this_computer
+
+PER_HOST: Final = 3
+FROM_ELSEWHERE: Final = 4
+
+
+class Uploads:
+    """Owned by the event loop."""
+
+    def __init__(self) -> None:
+        self._of: Counter[str] = Counter()
+
+    @contextmanager
+    def one_more(self, host: str) -> Iterator[None]:
+        """A place while it lasts. Raises ConflictError where there is none."""
+        key = "" if is_this_computer(host) else host
+        elsewhere = self._of.total() - self._of[""]
+        if self._of[key] >= PER_HOST or (key and elsewhere >= FROM_ELSEWHERE):
+            raise ConflictError(
+                "map_imports_busy",
+                f"{PER_HOST} maps are being received already: wait for one of them, or cancel it.",
+                limit=PER_HOST,
+            )
+        self._of[key] += 1
+        try:
+            yield
+        finally:
+            self._of[key] -= 1
+            if not self._of[key]:
+                del self._of[key]

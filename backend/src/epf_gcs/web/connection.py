@@ -1,0 +1,196 @@
+"""One HTTP connection with its limits: how long a head may take, how slow a body may come, how long nobody may read.
+
+uvicorn parses and answers; it knows none of these limits. One look a second at all connections enforces them.
+"""
+
+from __future__ import annotations
+
+import asyncio
+from typing import Any, Final, Literal, cast
+
+import structlog
+from uvicorn.protocols.http.httptools_impl import HttpToolsProtocol, RequestResponseCycle
+
+from epf_gcs.web.stream.socket import SocketConnection
+from epf_gcs.web.visitors import Visitors
+
+_BUSY: Final = b"503 Service Unavailable", b"This station has too many connections: close some, then try again.\n"
+_SLOW_HEAD: Final = b"408 Request Timeout", b"The request's head did not come in time.\n"
+_SLOW_BODY: Final = b"408 Request Timeout", b"The request's body comes too slowly.\n"
+_LONG_HEAD: Final = b"431 Request Header Fields Too Large", b"The request's head is too long.\n"
+
+log = structlog.get_logger("gateway")
+
+
+class Connection(HttpToolsProtocol):
+    """Implements `visitors.Visitor`."""
+
+    def __init__(self, visitors: Visitors, **uvicorns: Any) -> None:
+        super().__init__(**uvicorns)
+        self.host = ""
+        self.idle_since_s: float | None = None
+        self._visitors = visitors
+        self._stage: Literal["head", "body", "answer"] = "head"
+        self._since_s = 0.0
+        self._head_bytes = 0
+        self._body_bytes = 0
+        self._unread: tuple[int, float] = (0, 0.0)
+        self._is_refused = False
+        self._was_asked = False
+        self._is_between = False
+
+    def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
+        """Let it in, or say that there are too many."""
+        super().connection_made(transport)
+        self.host = self.client[0] if self.client is not None else ""
+        self._enter_head()
+        if not self._visitors.come_in(self):
+            log.warning("a connection was refused", host=self.host)
+            self._end(*_BUSY)
+
+    def connection_lost(self, exc: Exception | None) -> None:
+        """Its place is free."""
+        self._visitors.leave(self)
+        super().connection_lost(exc)
+
+    def data_received(self, data: bytes) -> None:
+        """Bytes of a request."""
+        if self._is_refused:
+            return
+        if self._stage == "head":
+            self._head_bytes += len(data)
+        super().data_received(data)
+        if self._stage == "head" and self._head_bytes > self._visitors.limits.head_bytes and self._is_up():
+            self._end(*_LONG_HEAD)
+
+    def on_message_begin(self) -> None:
+        """The first byte of a request."""
+        super().on_message_begin()
+        if self._stage == "head":
+            # One that was waiting between requests begins to count now; a new connection did when it came.
+            if self._was_asked:
+                self._enter_head()
+            self._is_between = False
+
+    def on_headers_complete(self) -> None:
+        """Its head is whole."""
+        self._stage = "body"
+        self._was_asked = True
+        self.idle_since_s = None
+        self._since_s = self.loop.time()
+        self._body_bytes = 0
+        super().on_headers_complete()
+
+    def on_body(self, body: bytes) -> None:
+        """Some of its body."""
+        self._body_bytes += len(body)
+        super().on_body(body)
+
+    def on_message_complete(self) -> None:
+        """All of it is there."""
+        self._stage = "answer"
+        super().on_message_complete()
+        if self._is_answered():  # it was refused before all of it was there
+            self._enter_head()
+            self._is_between = True
+
+    def on_response_complete(self) -> None:
+        """It is answered; uvicorn ends the connection when no other request comes."""
+        if self._stage == "answer" and not self.pipeline:
+            self._enter_head()
+            self._is_between = True
+        super().on_response_complete()
+
+    def handle_websocket_upgrade(self) -> None:
+        """Hand the transport to a WebSocket, which keeps this one's place."""
+        if not self._visitors.become_socket(self):
+            log.warning("a stream was refused", host=self.host)
+            self._end(*_BUSY)
+            return
+        self.idle_since_s = None
+        self._stage = "answer"
+        self.connections.discard(self)
+        head = [self.scope["method"].encode(), b" ", self.url, b" HTTP/1.1\r\n"]
+        for name, value in self.scope["headers"]:
+            head += [name, b": ", value, b"\r\n"]
+        head.append(b"\r\n")
+        stream = cast(
+            SocketConnection,
+            cast(Any, self.ws_protocol_class)(
+                config=self.config, server_state=self.server_state, app_state=self.app_state
+            ),
+        )
+        stream.on_lost = lambda: self._visitors.leave(self)
+        stream.connection_made(self.transport)
+        stream.data_received(b"".join(head))
+        self.transport.set_protocol(stream)
+
+    def make_room(self) -> None:
+        """End without a word; the browser begins another when it needs one."""
+        self.transport.abort()
+
+    def look(self, now_s: float) -> None:
+        """Called once a second: end what takes too long."""
+        if self._is_refused or not self._is_up():
+            return
+        limits = self._visitors.limits
+        if self._stage == "head":
+            # Between requests uvicorn ends it, but for a browser that sends line ends and no request.
+            if now_s - self._since_s > limits.head_s + (limits.idle_s if self._is_between else 0.0):
+                self._end(*_SLOW_HEAD)
+        elif self._stage == "body":
+            self._look_at_body(now_s)
+        elif self._stage == "answer":
+            self._look_at_answer(now_s)
+
+    def _look_at_body(self, now_s: float) -> None:
+        limits = self._visitors.limits
+        if self.flow.read_paused:
+            # It is the disk that is slow, and not the browser.
+            self._since_s, self._body_bytes = now_s, 0
+        elif now_s - self._since_s > limits.rate_looked_at_s:
+            if self._body_bytes < limits.least_bytes_per_s * limits.rate_looked_at_s:
+                self._end(*_SLOW_BODY)
+            self._since_s, self._body_bytes = now_s, 0
+
+    def _look_at_answer(self, now_s: float) -> None:
+        unsent = self.transport.get_write_buffer_size()
+        if unsent == 0 or unsent != self._unread[0]:
+            self._unread = (unsent, now_s)
+        elif now_s - self._unread[1] > self._visitors.limits.unread_s:
+            self.transport.abort()
+
+    def _enter_head(self) -> None:
+        self._stage = "head"
+        self._since_s = self.idle_since_s = self.loop.time()
+        self._head_bytes = 0
+
+    def _is_answered(self) -> bool:
+        """An upgrade has no answer of uvicorn's."""
+        answer = cast(RequestResponseCycle | None, self.cycle)
+        return answer is not None and answer.response_complete
+
+    def _is_up(self) -> bool:
+        return not self.transport.is_closing()
+
+    def _end(self, status: bytes, words: bytes) -> None:
+        self._is_refused = True
+        self._visitors.leave(self)
+        answer = cast(RequestResponseCycle | None, self.cycle)
+        if answer is None or not answer.response_started or answer.response_complete:
+            self.transport.write(
+                b"HTTP/1.1 %b\r\nContent-Type: text/plain; charset=utf-8\r\nContent-Length: %d\r\n"
+                b"Retry-After: 5\r\nConnection: close\r\n\r\n%b" % (status, len(words), words)
+            )
+        self.transport.close()
+
+
+async def watch(visitors: Visitors, every_s: float) -> None:
+    """For ever."""
+    loop = asyncio.get_running_loop()
+    while True:
+        await asyncio.sleep(every_s)
+        now_s = loop.time()
+        for visitor in tuple(visitors):
+            if isinstance(visitor, Connection):
+                visitor.look(now_s)

@@ -1,0 +1,209 @@
+"""Map files as the station reads them: by processes that may end for it, one of which is ended when it takes too long.
+
+What a stranger's file costs is paid there. A file that was too costly is not asked again until it changes, or for some
+minutes: it may have been the disk.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import queue
+import subprocess
+import sys
+import threading
+import time
+from pathlib import Path
+from typing import Any, BinaryIO, Final, cast
+
+import structlog
+
+from epf_gcs.errors import GatewayError, InvalidInputError
+from epf_gcs.web.maps import faults
+from epf_gcs.web.maps.layer import Description, LayerFormat, Tile
+from epf_gcs.web.maps.open_files import Stamp
+from epf_gcs.web.maps.reader_wire import receive, send
+from epf_gcs.web.maps.reading import TOO_COSTLY
+
+WORKERS: Final = 2
+_PROGRAM: Final = "epf_gcs.web.maps.reader_worker"
+# Above the reader's own limits on queries, which tell more of the reason.
+_LONGEST_TILE_S: Final = 8.0
+_LONGEST_OPENING_S: Final = 30.0
+_LOOK_EVERY_S: Final = 0.5
+_NOT_AGAIN_FOR_S: Final = 300.0
+# The second is what SQLite says of a query that was ended for its length.
+_GIVEN_UP: Final = (TOO_COSTLY, "interrupted")
+
+log = structlog.get_logger("gateway")
+
+
+class Reader:
+    """For any number of threads; each waits for its answer."""
+
+    def __init__(
+        self,
+        workers: int = WORKERS,
+        longest_tile_s: float = _LONGEST_TILE_S,
+        longest_opening_s: float = _LONGEST_OPENING_S,
+    ) -> None:
+        self._longest_tile_s = longest_tile_s
+        self._longest_opening_s = longest_opening_s
+        self._workers = [_Worker() for _ in range(workers)]
+        self._idle: queue.LifoQueue[_Worker] = queue.LifoQueue()
+        for worker in self._workers:
+            self._idle.put(worker)
+        self._costly: dict[tuple[Path, Stamp], float] = {}
+        self._closing = threading.Event()
+        self._watch: threading.Thread | None = None
+        self._lock = threading.Lock()
+
+    def describe(self, path: Path, name: str, form: LayerFormat, stamp: Stamp) -> Description:
+        """What a file says of itself. Raises GatewayError where it cannot be shown."""
+        asked = {"do": "describe", "path": str(path), "name": name, "format": form, "stamp": stamp}
+        head, _ = self._ask(asked, path, stamp, self._longest_opening_s)
+        return Description.from_dict(head["description"])
+
+    def tile(
+        self, path: Path, name: str, form: LayerFormat, stamp: Stamp, zoom: int, column: int, row: int
+    ) -> Tile | None:
+        """One tile, as `layer.TileSource` gives it. Raises GatewayError where the file cannot be read."""
+        asked = {
+            "do": "tile",
+            "path": str(path),
+            "name": name,
+            "format": form,
+            "stamp": stamp,
+            "place": (zoom, column, row),
+        }
+        head, data = self._ask(asked, path, stamp, self._longest_tile_s)
+        return Tile(data, head["media_type"], head["encoding"]) if data else None
+
+    def raster_inside(self, path: Path, stamp: Stamp) -> str | None:
+        """The one raster in an archive; None where it is none, or looking took too much."""
+        try:
+            head, _ = self._ask(
+                {"do": "inside", "path": str(path), "name": path.name}, path, stamp, self._longest_opening_s
+            )
+        except GatewayError:
+            return None
+        found = head["inside"]
+        return found if isinstance(found, str) else None
+
+    def forget(self, path: Path) -> None:
+        """Let a file go that is to be moved. A process that is busy with it does so when it is asked the next time."""
+        held: list[_Worker] = []
+        with contextlib.suppress(queue.Empty):
+            while True:
+                held.append(self._idle.get_nowait())
+        try:
+            for worker in held:
+                if worker.is_running:
+                    worker.ask({"do": "forget", "path": str(path)}, self._longest_tile_s)
+        finally:
+            for worker in held:
+                self._idle.put(worker)
+
+    def close(self) -> None:
+        """End the processes."""
+        self._closing.set()
+        if self._watch is not None:
+            self._watch.join()
+        for worker in self._workers:
+            worker.end()
+
+    def _ask(self, asked: dict[str, Any], path: Path, stamp: Stamp, longest_s: float) -> tuple[dict[str, Any], bytes]:
+        key = (path, stamp)
+        if self._costly.get(key, 0.0) > time.monotonic():
+            raise faults.damaged(asked["name"], TOO_COSTLY)
+        self._begin_to_watch()
+        worker = self._idle.get()
+        try:
+            answer = worker.ask(asked, longest_s)
+        finally:
+            self._idle.put(worker)
+        if answer is None:
+            self._remember_costly(key)
+            log.warning("a map file was too costly", file=asked["name"])
+            raise faults.damaged(asked["name"], TOO_COSTLY)
+        head, data = answer
+        if "code" in head:
+            if head["params"].get("why") in _GIVEN_UP:
+                self._remember_costly(key)
+            raise InvalidInputError(head["code"], head["detail"], **head["params"])
+        return head, data
+
+    def _remember_costly(self, key: tuple[Path, Stamp]) -> None:
+        now_s = time.monotonic()
+        self._costly = {old: until_s for old, until_s in self._costly.items() if until_s > now_s}
+        self._costly[key] = now_s + _NOT_AGAIN_FOR_S
+
+    def _begin_to_watch(self) -> None:
+        with self._lock:
+            if self._watch is None:
+                self._watch = threading.Thread(target=self._end_the_late, name="map readers", daemon=True)
+                self._watch.start()
+
+    def _end_the_late(self) -> None:
+        while not self._closing.wait(_LOOK_EVERY_S):
+            for worker in self._workers:
+                worker.end_if_late()
+
+
+def is_too_costly(found: object) -> bool:
+    """This is the problem of a file that was given up, and may be asked for again later."""
+    return isinstance(found, GatewayError) and found.params.get("why") in _GIVEN_UP
+
+
+class _Worker:
+    """One process, started when it is asked for the first time, and again after it ended."""
+
+    def __init__(self) -> None:
+        self._process: subprocess.Popen[bytes] | None = None
+        self._until_s: float | None = None
+        self._lock = threading.Lock()
+
+    @property
+    def is_running(self) -> bool:
+        """It was asked for something, and lives."""
+        return self._process is not None and self._process.poll() is None
+
+    def ask(self, asked: dict[str, Any], longest_s: float) -> tuple[dict[str, Any], bytes] | None:
+        """The answer; None where the process ended over it."""
+        process = self._process
+        if process is None or process.poll() is not None:
+            self.end()
+            process = self._start()
+        self._until_s = time.monotonic() + longest_s
+        try:
+            send(cast(BinaryIO, process.stdin), asked)
+            answer = receive(cast(BinaryIO, process.stdout))
+        except (OSError, ValueError):
+            answer = None
+        with self._lock:
+            self._until_s = None
+        if answer is None:
+            self.end()
+        return answer
+
+    def end_if_late(self) -> None:
+        """Called by another thread than the one that asks."""
+        with self._lock:
+            if self._until_s is not None and time.monotonic() > self._until_s and self._process is not None:
+                self._process.kill()
+
+    def end(self) -> None:
+        """It may be asked again, and begins anew then."""
+        process, self._process = self._process, None
+        if process is None:
+            return
+        process.kill()
+        for pipe in (process.stdin, process.stdout):
+            if pipe is not None:
+                with contextlib.suppress(OSError):
+                    pipe.close()
+        process.wait()
+
+    def _start(self) -> subprocess.Popen[bytes]:
+        process = subprocess.Popen([sys.executable, "-m", _PROGRAM], stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+        self._process = process
+        return process

@@ -1,0 +1,77 @@
+"""Reads map files of strangers: a process of its own with limits. `python -m epf_gcs.web.maps.reader_worker`.
+
+Requests come on stdin, answers go to stdout; each is a head of JSON and then bytes (`reader_wire`). What runs out of
+memory or time ends this process, and the next request begins another.
+"""
+
+from __future__ import annotations
+
+import os
+import signal
+import sys
+from pathlib import Path
+from typing import Any, BinaryIO, Final
+
+from epf_gcs.errors import GatewayError
+from epf_gcs.web.maps import faults
+from epf_gcs.web.maps.layer import Tile, TileSource
+from epf_gcs.web.maps.open_files import OpenFiles
+from epf_gcs.web.maps.reader_wire import receive, send
+from epf_gcs.web.maps.reading import limit_memory, limit_time, open_source, raster_inside
+
+OUT_OF_MEMORY: Final = 3
+
+
+def main() -> None:
+    """Until stdin ends."""
+    # Ctrl-C in a terminal reaches all its processes: it is the station that ends this one.
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    limit_memory()
+    try:
+        serve(sys.stdin.buffer, sys.stdout.buffer)
+    except MemoryError:
+        os._exit(OUT_OF_MEMORY)
+
+
+def serve(requests: BinaryIO, answers: BinaryIO) -> None:
+    """Answer one request after the other. Raises MemoryError."""
+    opened = OpenFiles()
+    while (message := receive(requests)) is not None:
+        limit_time()
+        send(answers, *_answer(opened, message[0]))
+    opened.close()
+
+
+def _answer(opened: OpenFiles, asked: dict[str, Any]) -> tuple[dict[str, Any], bytes]:
+    path = Path(asked["path"])
+    try:
+        match asked["do"]:
+            case "inside":
+                return {"inside": raster_inside(path)}, b""
+            case "forget":
+                opened.forget(str(path))
+                return {}, b""
+            case "describe":
+                with opened.reading(str(path), tuple(asked["stamp"]), lambda: _open(path, asked)) as source:
+                    return {"description": source.description.as_dict()}, b""
+            case _:
+                with opened.reading(str(path), tuple(asked["stamp"]), lambda: _open(path, asked)) as source:
+                    tile = source.tile(*asked["place"])
+                return ({}, b"") if tile is None else (_head(tile), tile.data)
+    except GatewayError as error:
+        return {"code": error.code, "detail": error.detail, "params": error.params}, b""
+    except (OSError, ValueError, ArithmeticError, LookupError, TypeError, RecursionError) as error:
+        fault = faults.damaged(asked.get("name", path.name), str(error) or type(error).__name__)
+        return {"code": fault.code, "detail": fault.detail, "params": fault.params}, b""
+
+
+def _open(path: Path, asked: dict[str, Any]) -> TileSource:
+    return open_source(path, asked["name"], asked["format"])
+
+
+def _head(tile: Tile) -> dict[str, Any]:
+    return {"media_type": tile.media_type, "encoding": tile.encoding}
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,28 @@
+"""What the web process knows of itself and of the disk, beside the flight's status."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+Status = Mapping[str, Any]
+"""Its shape is `epf_gcs.web.state.schemas.Status`."""
+
+
+@dataclass(frozen=True)
+class Disk:
+    """Of the data folder."""
+
+    free_bytes: int
+    total_bytes: int
+
+
+@dataclass(frozen=True)
+class WebFigures:
+    """`answers`: how many requests were answered with each status. `refused`: what there was no place for."""
+
+    answers: Mapping[int, int] = field(default_factory=dict)
+    connections: int = 0
+    sockets: int = 0
+    refused: Mapping[str, int] = field(default_factory=dict)

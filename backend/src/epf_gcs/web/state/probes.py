@@ -1,0 +1,46 @@
+"""/health and /metrics: for programs that watch the station, at the places where they look."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Callable
+from pathlib import Path
+
+import orjson
+from fastapi import APIRouter
+from fastapi.responses import Response
+
+from epf_gcs.web.state.figures import Disk, Status, WebFigures
+from epf_gcs.web.state.health import health
+from epf_gcs.web.state.metrics import MEDIA_TYPE, metrics
+
+_FRESH = {"Cache-Control": "no-store"}
+
+
+def probe_router(
+    status: Callable[[], Status | None], web: Callable[[], WebFigures], disk: Callable[[], Disk | None]
+) -> APIRouter:
+    """`status` gives None where the flight process does not answer. Include it before the page."""
+    router = APIRouter(include_in_schema=False)
+
+    @router.get("/health")
+    async def get_health() -> Response:
+        """Whether each part is well: 200, or 503 where one failed."""
+        code, body = health(status(), disk())
+        return Response(orjson.dumps(body), code, media_type="application/json", headers=_FRESH)
+
+    @router.get("/metrics")
+    async def get_metrics() -> Response:
+        """Figures for Prometheus."""
+        return Response(metrics(status(), disk(), web()), media_type=MEDIA_TYPE, headers=_FRESH)
+
+    return router
+
+
+def disk_of(folder: Path) -> Disk | None:
+    """Room on the disk of this folder; None where it is gone."""
+    try:
+        usage = shutil.disk_usage(folder)
+    except OSError:
+        return None
+    return Disk(usage.free, usage.total)
