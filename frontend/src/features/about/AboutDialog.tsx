@@ -37,7 +37,7 @@ export function AboutContent() {
   return (
     <div className="about">
       <p>{t("about.what")}</p>
-      <dl className="about-facts">{about !== null && !("key" in about) && <GatewayFacts about={about} />}</dl>
+      {about !== null && !("key" in about) && <GatewayFacts about={about} />}
       {about !== null && "key" in about && <Notice level="error">{sentence(about)}</Notice>}
       <p>{t("about.licence")}</p>
       <Packages title={t("about.pagePackages")} packages={PAGE_PACKAGES} />
@@ -60,11 +60,11 @@ function GatewayFacts({ about }: { about: About }) {
           mode: t(`mode.${board.mode}`),
         });
   return (
-    <>
+    <dl className="about-facts">
       <Fact name={t("about.gateway")} value={about.version} />
       <Fact name={t("about.firmware")} value={firmware} />
       <Fact name={t("about.system")} value={`Python ${about.python}, ${about.platform}`} />
-    </>
+    </dl>
   );
 }
 
