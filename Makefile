@@ -111,6 +111,7 @@ check: $(DONE)/venv-dev $(DONE)/frontend $(DONE)/e2e ## format, lint, types, imp
 	$(BIN)/ruff check backend protocol
 	$(BIN)/ruff format --check --config backend/pyproject.toml .ci
 	$(BIN)/ruff check --config backend/pyproject.toml .ci
+	$(BIN)/python .ci/one_version.py .
 	cd backend && ../$(BIN)/mypy
 	cd backend && ../$(BIN)/lint-imports
 	$(FIRMWARE) format-check layers-check

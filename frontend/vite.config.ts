@@ -2,7 +2,7 @@ import react from "@vitejs/plugin-react";
 import { defineConfig } from "vitest/config";
 import { globeAssets, globeAssetsPath } from "./scripts/globeAssets.ts";
 import { globePolicy } from "./scripts/globePolicy.ts";
-import { pagePackages, pageVersion } from "./scripts/packages.ts";
+import { pagePackages } from "./scripts/packages.ts";
 
 /** Where `npm run dev` finds the gateway. */
 const gateway = process.env["GCS_DEV_GATEWAY"] ?? "http://127.0.0.1:8000";
@@ -11,7 +11,6 @@ export default defineConfig({
   plugins: [react(), globeAssets(import.meta.dirname), globePolicy()],
   // Read when the page is built, so that the about window needs no network and cannot be out of date.
   define: {
-    PAGE_VERSION: JSON.stringify(pageVersion(import.meta.dirname)),
     // Where the globe's engine looks for its own files.
     CESIUM_BASE_URL: JSON.stringify(globeAssetsPath(import.meta.dirname)),
     PAGE_PACKAGES: JSON.stringify(pagePackages(import.meta.dirname)),

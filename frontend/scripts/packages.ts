@@ -39,10 +39,6 @@ export function pagePackages(folder: string): PagePackage[] {
   return [...packages, ...DATA].sort((first, second) => first.name.localeCompare(second.name, "en"));
 }
 
-export function pageVersion(folder: string): string {
-  return read<{ version: string }>(join(folder, "package.json")).version;
-}
-
 function licenceOf(path: string): string | null {
   return read<{ license?: string }>(path).license ?? null;
 }

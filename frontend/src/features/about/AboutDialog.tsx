@@ -15,7 +15,6 @@ interface Package {
 }
 
 /** Put in when the page is built, from its lock file. */
-declare const PAGE_VERSION: string;
 declare const PAGE_PACKAGES: readonly Package[];
 
 /** Versions of what is running here, and the licences of what it is made of. */
@@ -38,10 +37,7 @@ export function AboutContent() {
   return (
     <div className="about">
       <p>{t("about.what")}</p>
-      <dl className="about-facts">
-        <Fact name={t("about.page")} value={PAGE_VERSION} />
-        {about !== null && !("key" in about) && <GatewayFacts about={about} />}
-      </dl>
+      {about !== null && !("key" in about) && <GatewayFacts about={about} />}
       {about !== null && "key" in about && <Notice level="error">{sentence(about)}</Notice>}
       <p>{t("about.licence")}</p>
       <Packages title={t("about.pagePackages")} packages={PAGE_PACKAGES} />
@@ -64,11 +60,11 @@ function GatewayFacts({ about }: { about: About }) {
           mode: t(`mode.${board.mode}`),
         });
   return (
-    <>
+    <dl className="about-facts">
       <Fact name={t("about.gateway")} value={about.version} />
       <Fact name={t("about.firmware")} value={firmware} />
       <Fact name={t("about.system")} value={`Python ${about.python}, ${about.platform}`} />
-    </>
+    </dl>
   );
 }
 
