@@ -2,6 +2,7 @@
 
 #include <math.h>
 #include <stdbool.h>
+#include <string.h>
 
 #include "common/angle.h"
 #include "common/limit.h"
@@ -9,6 +10,7 @@
 #include "sim_air.h"
 #include "sim_gps.h"
 #include "sim_inertial.h"
+#include "sim_motion.h"
 
 static const float m_per_ft = 0.3048F;
 static const float m_s_per_kt = 0.514444F;
@@ -19,7 +21,7 @@ static const float receiver_noise = 0.001F;
 
 /// Gran Canaria (GCLP), beginning of runway 03, nose along it.
 static const sim_truth_t parked = {
-    .latitude_deg = 27.9319, .longitude_deg = -15.3866, .altitude_m = 23.8F, .yaw_deg = 28.0F};
+    .latitude_deg = 27.9319, .longitude_deg = -15.3866, .altitude_m = 23.8F, .yaw_deg = 28.0F, .track_deg = 28.0F};
 
 static struct
 {
@@ -31,6 +33,7 @@ static struct
     bool is_transmitter_off;
     bool is_observed;
     float age_s; ///< of the newest simulator information
+    sim_motion_t motion;
     sim_noise_t noise;
     sim_inertial_t inertial;
     sim_air_t air;
@@ -49,10 +52,13 @@ static void observe(void* context, const command_xplane_info_t* info, float thro
         .yaw_deg = angle_wrap_360(info->yaw_deg),
         .pitch_deg = info->pitch_deg,
         .roll_deg = info->roll_deg,
+        .ground_speed_m_s = sim.truth.ground_speed_m_s,
+        .track_deg = sim.truth.track_deg,
         .p_rad_s = info->gx_rad_s,
         .q_rad_s = info->gy_rad_s,
         .r_rad_s = info->gz_rad_s,
     };
+    sim_motion_follow(&sim.motion, &sim.truth);
     sim.stick = *info;
     sim.throttle = throttle;
     sim.age_s = 0.0F;
@@ -96,6 +102,7 @@ static void read_all(void* context, float dt_s, sensors_reading_t* reading)
     if (!is_flying)
     {
         sim.truth.climb_m_s = 0.0F;
+        sim.truth.ground_speed_m_s = 0.0F;
         sim.truth.p_rad_s = 0.0F;
         sim.truth.q_rad_s = 0.0F;
         sim.truth.r_rad_s = 0.0F;
@@ -121,11 +128,11 @@ static void set_switch(void* context, int32_t channel, float position)
 
 sensors_t sim_board_sensors(uint32_t seed)
 {
-    // Each model has its own noise, so that one of them called once more does not change the others.
+    memset(&sim, 0, sizeof sim);
     sim.truth = parked;
-    sim.is_transmitter_off = false;
     sim.switches[rc_channel_autopilot] = -1.0F;
     sim.switches[rc_channel_autotrim] = -1.0F;
+    // Each model has its own noise, so that one of them called once more does not change the others.
     sim_noise_init(&sim.noise, seed);
     sim_inertial_init(&sim.inertial, seed + 1U);
     sim_air_init(&sim.air, seed + 2U);

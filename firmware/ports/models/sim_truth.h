@@ -13,6 +13,8 @@ typedef struct
     float yaw_deg;      ///< true heading, or the ground track where the simulator gives that, 0..360
     float pitch_deg;
     float roll_deg;
+    float ground_speed_m_s;
+    float track_deg; ///< of the path over the ground, 0..360
     float p_rad_s;
     float q_rad_s;
     float r_rad_s;
