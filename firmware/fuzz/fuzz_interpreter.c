@@ -6,6 +6,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "app/shell_reply.h"
 #include "app/tty.h"
 #include "flight/board_card.h"
 #include "support/random.h"
@@ -43,13 +44,13 @@ static void start(uint32_t flags)
 static void restart(uint32_t flags)
 {
     const uint32_t now_ms = rig->now_ms;
-    if (rig->board.config.legacy)
+    if (rig->board.is_legacy)
     {
         start(flags);
     }
     else
     {
-        rig = rig_start_on(rig->board.config.storage);
+        rig = rig_start_on(rig->board.card.storage);
         start_interpreter();
     }
     rig->now_ms = now_ms;
@@ -74,12 +75,12 @@ static void take_reply(void)
 /// What the application does for the card, which is a good one here.
 static void store(board_keeps_t what)
 {
-    if (rig->board.config.storage != NULL)
+    if (rig->board.card.storage != NULL)
     {
-        const size_t taken = board_card_take(&rig->board, what);
-        const record_state_t state = board_card_write(&rig->board, what, taken);
+        const size_t taken = board_card_take(&rig->board.card, what, &rig->board.tuning, &rig->board.plans);
+        const record_state_t state = board_card_write(&rig->board.card, what, taken);
         fuzz_require(state == record_whole, "a good card takes what it is given");
-        (void)board_card_note(&rig->board, what, state);
+        (void)board_card_note(&rig->board.card, what, state);
     }
 }
 
@@ -101,8 +102,8 @@ static void fulfil(shell_request_t request, uint32_t flags)
     }
     else if (request == shell_asks_store_plans)
     {
-        for (board_keeps_t next = board_card_next(&rig->board); next != board_keeps_count;
-             next = board_card_next(&rig->board))
+        for (board_keeps_t next = board_card_next(&rig->board.plans); next != board_keeps_count;
+             next = board_card_next(&rig->board.plans))
         {
             store(next);
         }
@@ -150,7 +151,7 @@ static void measure(uint32_t* random)
     {
         protocol_put_f32(payload + i, reading(random));
     }
-    board_sensors_t* const sensors = &rig->board.sensors;
+    board_sensors_t* const sensors = &rig->board.measured.sensors;
     message_ahrs_unpack(&sensors->ahrs, payload);
     message_inertial_unpack(&sensors->inertial, payload);
     message_analog_unpack(&sensors->analog, payload);
@@ -173,11 +174,11 @@ static void require_servos(void)
 static void require_state(void)
 {
     const board_t* const board = &rig->board;
-    fuzz_require(parameters_are_valid(&board->parameters), "no parameter leaves its range");
-    fuzz_require(board->reading_plan < board_plan_count, "a plan that exists is read back");
+    fuzz_require(parameters_are_valid(&board->tuning.parameters), "no parameter leaves its range");
+    fuzz_require(board->plans.reading < board_plan_count, "a plan that exists is read back");
     for (size_t i = 0; i < board_plan_count; i++)
     {
-        const plan_t* const plan = &board->plans[i];
+        const plan_t* const plan = &board->plans.plan[i];
         fuzz_require(plan->count <= plan_waypoints_max && plan->current <= plan->count,
                      "a plan stays inside of itself");
         for (size_t k = 0; k < plan->count; k++)
@@ -190,7 +191,8 @@ static void require_state(void)
         const uint32_t period_ms = board->schedule.period_ms[i];
         fuzz_require(period_ms >= 20U && period_ms <= 10000U, "no task runs faster or slower than it may");
     }
-    fuzz_require(tty.decoder.received == board->frames_received || tty.mode != tty_binary, "frames are counted once");
+    fuzz_require(tty.decoder.received == board->station.frames_received || tty.mode != tty_binary,
+                 "frames are counted once");
 }
 
 static void require_output(void)
@@ -200,7 +202,7 @@ static void require_output(void)
     fuzz_require(!frame_decoder_is_waiting(decoder), "and whole");
     for (size_t i = 0; i < rig->out.count && i < line_frames_max; i++)
     {
-        fuzz_require(!rig->board.config.legacy || rig->out.frames[i].type_id < 0x100U, "legacy boards extend nothing");
+        fuzz_require(!rig->board.is_legacy || rig->out.frames[i].type_id < 0x100U, "legacy boards extend nothing");
     }
     line_clear(&rig->out);
 }

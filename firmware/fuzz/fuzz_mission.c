@@ -145,7 +145,7 @@ static void require_plans(void)
 {
     for (size_t i = 0; i < board_plan_count; i++)
     {
-        const plan_t* const plan = &rig->board.plans[i];
+        const plan_t* const plan = &rig->board.plans.plan[i];
         const model_plan_t* const expected = &model.plans[i];
         fuzz_require(plan->count == expected->count && plan->loop == expected->loop, "a plan changes whole or not");
         fuzz_require(plan->count == 0U ? plan->current == 0U : plan->current < plan->count, "a waypoint is flown to");

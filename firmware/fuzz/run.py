@@ -73,17 +73,17 @@ PLANTED = (
     # a position that is no number is not refused any more
     Planted(
         "interpreter",
-        "src/flight/board_command_original.c",
-        "values.position >= -1.0F && values.position <= 1.0F",
-        "!(values.position < -1.0F || values.position > 1.0F)",
+        "src/flight/servo_outputs.c",
+        "position >= -1.0F && position <= 1.0F",
+        "!(position < -1.0F || position > 1.0F)",
         "every servo is told a position",
     ),
     # one servo more than there are
     Planted(
         "interpreter",
-        "src/flight/board_command_original.c",
-        "values.servo < board_servo_count",
-        "values.servo <= board_servo_count",
+        "src/flight/servo_outputs.c",
+        "servo < board_servo_count",
+        "servo <= board_servo_count",
         "index 20 out of bounds",
     ),
     # a mission with a gap is taken over

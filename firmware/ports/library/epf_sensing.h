@@ -6,7 +6,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "flight/board.h"
+#include "flight/board_sensors.h"
 
 /// The readings that the board sends and flies by.
 typedef struct

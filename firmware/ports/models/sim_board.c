@@ -6,7 +6,7 @@
 
 #include "common/angle.h"
 #include "common/limit.h"
-#include "flight/board.h"
+#include "flight/board_sensors.h"
 #include "sim_air.h"
 #include "sim_gps.h"
 #include "sim_inertial.h"
@@ -26,10 +26,10 @@ static const sim_truth_t parked = {
 static struct
 {
     sim_truth_t truth;
-    command_xplane_info_t stick;       ///< the newest one; only its stick is used, all 0 before
-    float throttle;                    ///< of the simulated motor
-    float servo_throttle;              ///< of the real one
-    float switches[board_servo_count]; ///< by receiver channel
+    command_xplane_info_t stick;  ///< the newest one; only its stick is used, all 0 before
+    float throttle;               ///< of the simulated motor
+    float servo_throttle;         ///< of the real one
+    message_servos_in_t switches; ///< of the transmitter, by receiver channel; its sticks follow `stick`
     bool is_transmitter_off;
     bool is_observed;
     float age_s; ///< of the newest simulator information
@@ -86,7 +86,7 @@ static void read_receiver(message_servos_in_t* receiver)
     }
     for (size_t i = 0; i < channels; i++)
     {
-        receiver->channel[i] = received(sim.switches[i], -1.0F);
+        receiver->channel[i] = received(sim.switches.channel[i], -1.0F);
     }
     receiver->channel[rc_channel_aileron] = received(sim.stick.aileron, -1.0F);
     receiver->channel[rc_channel_elevator] = received(sim.stick.elevator, -1.0F);
@@ -122,7 +122,7 @@ static void set_switch(void* context, int32_t channel, float position)
     }
     else
     {
-        sim.switches[channel] = position;
+        sim.switches.channel[channel] = position;
     }
 }
 
@@ -130,8 +130,8 @@ sensors_t sim_board_sensors(uint32_t seed)
 {
     memset(&sim, 0, sizeof sim);
     sim.truth = parked;
-    sim.switches[rc_channel_autopilot] = -1.0F;
-    sim.switches[rc_channel_autotrim] = -1.0F;
+    sim.switches.channel[rc_channel_autopilot] = -1.0F;
+    sim.switches.channel[rc_channel_autotrim] = -1.0F;
     // Each model has its own noise, so that one of them called once more does not change the others.
     sim_noise_init(&sim.noise, seed);
     sim_inertial_init(&sim.inertial, seed + 1U);

@@ -6,7 +6,7 @@
 #include "semphr.h"
 #include "task.h"
 
-#include "app/application.h"
+#include "app/application_hardware.h"
 #include "app/load.h"
 #include "app/mailbox.h"
 #include "app/task_table.h"
@@ -34,9 +34,6 @@ typedef struct
     TaskHandle_t handles[task_count];
 } application_t;
 
-/// What each task does with the application; none returns.
-extern void (*const task_bodies[task_count])(void* application);
-
 void application_lock(application_t* app);
 void application_unlock(application_t* app);
 
@@ -45,22 +42,13 @@ TickType_t application_ticks(uint32_t duration_ms);
 /// Milliseconds since the board started, at power-on or by a reset.
 uint32_t application_now_ms(const application_t* app);
 
+/// Milliseconds of the kernel's clock, which no reset sets back.
+uint32_t application_kernel_ms(void);
+
 /// `task` goes on. Every task says so each `watch_wait_ms` at least.
 void application_hear(application_t* app, task_id_t task);
 
 /// Wait to be woken, but not for longer than a task may be silent.
 void application_wait(TickType_t ticks);
-
-/// Begin anew, as after power-on: defaults, the card's parameters and plans, text mode. Without the plans where the
-/// board `may_be_in_flight`.
-void application_reset(application_t* app, bool may_be_in_flight);
-
-/// Put one thing on the card, or take the parameters from there. The calling task waits for the card, the board does
-/// not. True when it is done.
-bool application_store(application_t* app, board_keeps_t what);
-bool application_load(application_t* app);
-
-/// Put every plan on the card that was uploaded and is not there yet.
-void application_store_plans(application_t* app);
 
 #endif

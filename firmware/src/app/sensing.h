@@ -3,7 +3,7 @@
 #define APP_SENSING_H
 
 #include "estimation/estimator.h"
-#include "flight/board.h"
+#include "flight/board_sensors.h"
 #include "hal/sensors.h"
 
 /// An estimator that knows nothing yet, for where the board flies.

@@ -2,23 +2,10 @@
 
 #include <string.h>
 
-#include "flight/gains.h"
+#include "app/shell_reply.h"
+#include "app/shell_reports.h"
 #include "navigation/routes_gen.h"
 #include "params/parameters_gen.h"
-
-const char* const shell_stream_names[telemetry_stream_count] = {
-    [telemetry_heartbeat] = "heartbeat",   [telemetry_ahrs] = "ahrs",
-    [telemetry_inertial] = "inertial",     [telemetry_analog] = "analog",
-    [telemetry_fms_plan] = "fms_plan",     [telemetry_fms_hil_plan] = "fms_hil_plan",
-    [telemetry_statistics] = "statistics", [telemetry_gps] = "gps",
-    [telemetry_servos_in] = "servos_in",   [telemetry_fly_by_wire] = "fly_by_wire",
-};
-
-const char* const shell_task_names[telemetry_task_count] = {
-    [telemetry_task_param] = "param",
-    [telemetry_task_fms] = "fms",
-    [telemetry_task_servos] = "servos",
-};
 
 static const uint32_t period_commands[telemetry_task_count] = {
     [telemetry_task_param] = COMMAND_SET_PARAMETER_TASK_RATE_ID,
@@ -81,7 +68,7 @@ static void show_parameter(const shell_call_t* call, size_t index)
     shell_begin(call->reply);
     text_add(call->reply, definition->name);
     text_pad(call->reply, start, 18);
-    text_add_number(call->reply, call->shell->board->parameters.values[index], 5);
+    text_add_number(call->reply, call->shell->board->tuning.parameters.values[index], 5);
     text_pad(call->reply, start, 28);
     text_add(call->reply, "(");
     text_add_number(call->reply, definition->minimum, 3);
@@ -95,7 +82,6 @@ static void show_parameter(const shell_call_t* call, size_t index)
 
 static void run_parameter(const shell_call_t* call)
 {
-    board_t* const board = call->shell->board;
     for (size_t i = 0; call->count == 0 && i < parameters_count; i++)
     {
         show_parameter(call, i);
@@ -114,21 +100,16 @@ static void run_parameter(const shell_call_t* call)
     {
         shell_line(call->reply, "refused: no parameter has that name (`param` lists them)");
     }
-    else if (call->count == 1)
-    {
-        show_parameter(call, index);
-    }
-    else if (!text_read_number(call->words[1], &value))
+    else if (call->count == 2 && !text_read_number(call->words[1], &value))
     {
         shell_line(call->reply, not_a_number);
     }
-    else if (!parameters_set(&board->parameters, index, value))
+    else if (call->count == 2 && !tuning_set(&call->shell->board->tuning, index, value))
     {
         shell_tell_result(call->reply, command_bad_value);
     }
     else
     {
-        board->gains = gains_of(&board->parameters);
         show_parameter(call, index);
     }
 }

@@ -1,3 +1,5 @@
+#include "app/task_bodies.h"
+
 #include "app/application_state.h"
 #include "app/sensing.h"
 #include "app/task_line.h"
@@ -54,9 +56,9 @@ static void run_sensors(void* context)
     for (;;)
     {
         application_lock(app);
-        const uint32_t count = app->board.xplane_info_count;
-        const command_xplane_info_t info = app->board.xplane_info;
-        const float throttle = app->board.loops[board_plan_hil].surfaces.throttle;
+        const uint32_t count = app->board.hil.accepted;
+        const command_xplane_info_t info = app->board.hil.newest;
+        const float throttle = app->board.hil.loop.surfaces.throttle;
         application_unlock(app);
 
         if (count != observed && sensors->observe != NULL && count != 0U)
@@ -68,7 +70,7 @@ static void run_sensors(void* context)
         sensors->read(sensors->context, period_s(task_sensors), &reading);
 
         application_lock(app);
-        sensing_update(&estimator, &reading, period_s(task_sensors), &app->board.sensors);
+        sensing_update(&estimator, &reading, period_s(task_sensors), &app->board.measured.sensors);
         application_unlock(app);
         wait_for_next(app, task_sensors, &woken);
     }
@@ -161,8 +163,8 @@ static void refresh_load(application_t* app)
     application_lock(app);
     refresh_stacks(app);
     load_update(&app->load, ran_us, now_us);
-    app->board.sensors.statistics.sensor_dsc_percent = app->load.percent[load_sensor_dsc];
-    app->board.sensors.statistics.control_dsc_percent = app->load.percent[load_control_dsc];
+    app->board.measured.sensors.statistics.sensor_dsc_percent = app->load.percent[load_sensor_dsc];
+    app->board.measured.sensors.statistics.control_dsc_percent = app->load.percent[load_control_dsc];
     application_unlock(app);
 }
 

@@ -2,8 +2,10 @@
 
 #include <string.h>
 
+#include "app/application_card.h"
+#include "app/application_reset.h"
 #include "app/application_state.h"
-#include "flight/board_reports.h"
+#include "app/shell_reply.h"
 
 enum
 {
@@ -206,10 +208,10 @@ void run_card(void* context)
         {
             const bool done = application_store(app, board_keeps_parameters);
             application_lock(app);
-            if (app->board.extended && app->tty.mode == tty_binary)
+            if (app->board.station.is_extended && app->tty.mode == tty_binary)
             {
-                board_report_acknowledgement(&app->board, COMMAND_STORE_PARAMETERS_ID,
-                                             done ? command_done : command_storage_failed);
+                report_acknowledgement(&app->board.line, COMMAND_STORE_PARAMETERS_ID,
+                                       done ? command_done : command_storage_failed);
             }
             application_unlock(app);
             application_store_plans(app);

@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "common/bytes.h"
-#include "flight/board_card.h"
 
 static const char open_binary[] = "#QT";
 static const char frame_begin[] = "#QT,";
@@ -153,7 +152,7 @@ static size_t leave_binary(tty_t* tty)
 static void run_command(tty_t* tty, const frame_t* frame, uint32_t now_ms)
 {
     board_t* const board = tty->shell->board;
-    const bool has_card = !board->config.legacy && board->config.storage != NULL;
+    const bool has_card = !board->is_legacy && board->card.storage != NULL;
     if (has_card && frame->type_id == COMMAND_STORE_PARAMETERS_ID && frame->payload_size == 0)
     {
         tty->shell->request = shell_asks_store_acknowledged;
@@ -161,7 +160,7 @@ static void run_command(tty_t* tty, const frame_t* frame, uint32_t now_ms)
     }
     const board_action_t action =
         board_handle_command(board, frame->type_id, frame->payload, frame->payload_size, now_ms);
-    if (frame->type_id == COMMAND_MISSION_COMMIT_ID && board_card_next(board) != board_keeps_count)
+    if (frame->type_id == COMMAND_MISSION_COMMIT_ID && board_card_next(&board->plans) != board_keeps_count)
     {
         tty->shell->request = shell_asks_store_plans;
     }
@@ -241,7 +240,7 @@ size_t tty_receive(tty_t* tty, const uint8_t* bytes, size_t size, uint32_t now_m
 /// A record holds an attitude: none is sent while that is not known.
 static void add_record(tty_t* tty)
 {
-    const message_ahrs_t* const ahrs = &tty->shell->board->sensors.ahrs;
+    const message_ahrs_t* const ahrs = &tty->shell->board->measured.sensors.ahrs;
     if (!isfinite(ahrs->yaw_deg) || !isfinite(ahrs->pitch_deg) || !isfinite(ahrs->roll_deg))
     {
         return;

@@ -7,6 +7,8 @@
 
 #include <stdbool.h>
 
+#include "control/surfaces.h"
+
 typedef struct
 {
     float k_elev;            ///< surface per elevator error
@@ -44,15 +46,6 @@ typedef struct
     bool autotrim;  ///< off: no trim at all
     bool frozen;    ///< below 20 kt or on the ground: the trim keeps its value
 } fly_by_wire_input_t;
-
-/// Deflections: -1..+1, throttle 0..1.
-typedef struct
-{
-    float elevator;
-    float aileron;
-    float rudder;
-    float throttle;
-} surfaces_t;
 
 /// A stick (-1..+1, throttle 0..1) as command: elevator twofold, aileron threefold, the rest straight through.
 control_command_t fly_by_wire_command_of_stick(float elevator, float aileron, float rudder, float throttle);

@@ -2,7 +2,7 @@
 #ifndef CONTROL_TRANSITION_H
 #define CONTROL_TRANSITION_H
 
-#include "control/fly_by_wire.h"
+#include "control/surfaces.h"
 
 typedef struct
 {

@@ -2,8 +2,6 @@
 
 #include <math.h>
 
-#include "common/limit.h"
-
 enum
 {
     nobody = -1 ///< a source that no input has, so that any of them is a change
@@ -128,12 +126,7 @@ static control_command_t command_of_pilot(control_loop_t* loop, plan_t* plan, co
 
 void control_loop_override(control_loop_t* loop, const surfaces_t* surfaces)
 {
-    loop->surfaces = (surfaces_t){
-        .elevator = limit_to(surfaces->elevator, -1.0F, 1.0F),
-        .aileron = limit_to(surfaces->aileron, -1.0F, 1.0F),
-        .rudder = limit_to(surfaces->rudder, -1.0F, 1.0F),
-        .throttle = limit_to(surfaces->throttle, 0.0F, 1.0F),
-    };
+    loop->surfaces = surfaces_in_limits(surfaces);
     transition_init(&loop->transition);
     loop->source = nobody;
     loop->autopilot_was_on = false;

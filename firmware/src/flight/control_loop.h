@@ -12,6 +12,13 @@
 #include "navigation/plan.h"
 #include "navigation/track.h"
 
+/// Whose stick the simulated aircraft obeys, with the numbers of the wire.
+typedef enum
+{
+    control_source_rc = 0,
+    control_source_joystick = 1
+} control_source_t;
+
 typedef struct
 {
     fly_by_wire_gains_t fly_by_wire;

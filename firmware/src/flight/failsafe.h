@@ -6,6 +6,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "control/surfaces.h"
+
 typedef enum
 {
     failsafe_simulator_silent, ///< no command 50: neither stick nor state of the simulated aircraft
@@ -20,9 +22,9 @@ typedef enum
 {
     failsafe_flies_on,         ///< by what is left
     failsafe_keeps_altitude,   ///< the autopilot flies as if the altitude were the wanted one: level, by its trim
-    failsafe_lets_stick_go,    ///< the stick counts as neutral, its throttle as `failsafe_throttle`
+    failsafe_lets_stick_go,    ///< the stick counts as `failsafe_surfaces`
     failsafe_goes_undamped,    ///< the stick moves the surfaces itself
-    failsafe_neutral_surfaces, ///< held, with `failsafe_throttle`, until the cause is gone
+    failsafe_neutral_surfaces, ///< `failsafe_surfaces`, until the cause is gone
     failsafe_action_count
 } failsafe_action_t;
 
@@ -37,8 +39,8 @@ typedef struct
 /// In the order of `failsafe_cause_t`.
 extern const failsafe_row_t failsafe_table[failsafe_count];
 
-/// Throttle of an aircraft that nobody commands any more, 0..1: it glides.
-extern const float failsafe_throttle;
+/// Surfaces of an aircraft that nobody commands any more: neutral, without throttle, so that it glides.
+extern const surfaces_t failsafe_surfaces;
 
 /// How long each cause has lasted.
 typedef struct
