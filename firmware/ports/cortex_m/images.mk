@@ -4,7 +4,6 @@
 
 .PHONY: images size report
 
-STATION_PYTHON ?= ../.venv/bin/python
 ARM_PREFIX ?= arm-none-eabi-
 machines := stm32f405 mps2_an386
 # only to try the card's driver: its image is for QEMU, and lends nothing of it
@@ -32,8 +31,7 @@ size: $(foreach machine,$(machines),$(BUILD)/$(machine)/epf-board.elf)
 
 # memory of every target; stack, processor time and HIL round trip of the images, flown in QEMU for SECONDS=20
 report: images board
-	@test -x $(STATION_PYTHON) || { echo "make: the report talks to the images with the gateway's code: make setup" >&2; exit 1; }
-	@$(STATION_PYTHON) tools/report.py $(BUILD) $(ARM_PREFIX)size $(SECONDS)
+	@$(PYTHON) tools/report.py $(BUILD) $(ARM_PREFIX)size $(SECONDS)
 
 # says what is missing before the first file fails
 $(BUILD)/cortex_m/compiler:

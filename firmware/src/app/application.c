@@ -4,7 +4,7 @@
 #include "app/application_state.h"
 #include "app/task_bodies.h"
 
-/// Bytes came in: UartRxTask fetches them.
+/// Bytes have come in: wake UartRxTask, which fetches them.
 static bool on_receive_interrupt(void* context)
 {
     const application_t* const app = context;
@@ -42,7 +42,7 @@ _Noreturn void application_run(const application_hardware_t* hardware)
     vTaskStartScheduler();
     for (;;)
     {
-        // The scheduler comes back only when it cannot start, which static memory rules out.
+        // The scheduler returns only when it has no memory to start, and all its memory is static.
         configASSERT(false);
     }
 }

@@ -4,7 +4,7 @@
 
 enum
 {
-    slowest_card_ms = 30000 ///< one that is wearing out, or a PC's folder on a busy disk
+    slowest_card_ms = 30000 ///< a card that is wearing out, or a PC's folder on a busy disk
 };
 
 void application_take_card(application_t* app)
@@ -25,7 +25,7 @@ void application_give_card(application_t* app)
     (void)xSemaphoreGive(app->card_mutex);
 }
 
-/// The station hears when the card's alarm comes or goes, where it asked for extensions.
+/// Remember the result; tell a station that knows extensions when the card's alarm came or went by it.
 static void note_card(application_t* app, board_keeps_t what, record_state_t state)
 {
     application_lock(app);
@@ -37,7 +37,7 @@ static void note_card(application_t* app, board_keeps_t what, record_state_t sta
     application_unlock(app);
 }
 
-/// A card takes its time to write, and nobody else may have to wait for it: the board is locked only to copy.
+/// Writing to a card takes long, and the other tasks must not wait for it: the board is locked only while copying.
 bool application_store(application_t* app, board_keeps_t what)
 {
     bool done = false;
@@ -67,7 +67,7 @@ void application_store_plans(application_t* app)
 {
     for (board_keeps_t next = next_plan(app); next != board_keeps_count; next = next_plan(app))
     {
-        // Whoever waits for it hears of a failure by the card's alarm.
+        // A failure raises the card's alarm.
         (void)application_store(app, next);
     }
 }

@@ -18,9 +18,9 @@ typedef struct
     servos_t servos;
     const storage_t* storage; ///< NULL: there is no card
     watchdog_t watchdog;
-    const char* restart_reason; ///< NULL: power-on or a person; else why the board restarted itself
-    const char* hang_task;      ///< to try the watchdog: this task stops after a second; NULL: none
-    bool measures_stacks;       ///< whether the kernel's stacks are those that the tasks run on
+    const char* restart_reason; ///< why the board restarted itself; NULL: power-on, or a person restarted it
+    const char* hang_task;      ///< to test the watchdog: this task hangs after a second; NULL: none
+    bool measures_stacks;       ///< whether the tasks run on the kernel's stacks, so that these can be measured
     bool legacy;                ///< like a deployed board: no extension exists
     uint32_t hil_period_ms;     ///< time of one HIL step; 0: measured
 } application_hardware_t;

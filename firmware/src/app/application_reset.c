@@ -5,7 +5,7 @@
 #include "hal/time.h"
 #include "records/parameter_record.h"
 
-/// A frame of the board, or nothing of it when the line is too slow for it.
+/// Send a frame of the board; drop it as a whole when the line is too slow.
 static void send_frame(void* context, const uint8_t* frame, size_t size)
 {
     application_t* const app = context;
@@ -14,12 +14,12 @@ static void send_frame(void* context, const uint8_t* frame, size_t size)
 
 void application_reset(application_t* app, bool may_be_in_flight)
 {
-    // What was uploaded and acknowledged outlives a reset.
+    // An uploaded and acknowledged plan must survive the reset.
     application_store_plans(app);
-    // The card first, then the board, as everywhere.
+    // Lock the card first, then the board, as everywhere, so that no two tasks block each other.
     application_take_card(app);
     const storage_t* const storage = app->hardware.storage;
-    // One that does not answer keeps its caller waiting: not while everybody waits for the board.
+    // A card that does not answer blocks its caller for long, so ask it before the board is locked.
     const bool is_silent = storage != NULL && !parameter_record_card_answers(storage);
     application_lock(app);
     const board_config_t config = {

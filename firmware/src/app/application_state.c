@@ -35,7 +35,7 @@ void application_hear(application_t* app, task_id_t task)
     const char* const hangs = app->hardware.hang_task;
     while (hangs != NULL && now_ms > 1000U && strcmp(hangs, task_table[task].name) == 0)
     {
-        // What the watchdog is there for.
+        // Hang here for ever, to test the watchdog.
     }
     watch_hear(&app->watch, task, now_ms);
 }

@@ -1,4 +1,5 @@
-/// Everything the application's tasks share. `board`, `shell`, `tty` and `load` belong to who holds `board_mutex`.
+/// Everything that the application's tasks share. Use `board`, `shell`, `tty` and `load` only while holding
+/// `board_mutex`.
 #ifndef APP_APPLICATION_STATE_H
 #define APP_APPLICATION_STATE_H
 
@@ -29,7 +30,7 @@ typedef struct
     load_t load;
     watch_t watch;
     task_health_t health[task_count];
-    uint32_t stores_asked; ///< by the station, and not yet answered by cardTask
+    uint32_t stores_asked; ///< by the station, not yet answered by cardTask
     uint32_t started_ms;
     TaskHandle_t handles[task_count];
 } application_t;
@@ -45,7 +46,7 @@ uint32_t application_now_ms(const application_t* app);
 /// Milliseconds of the kernel's clock, which no reset sets back.
 uint32_t application_kernel_ms(void);
 
-/// `task` goes on. Every task says so each `watch_wait_ms` at least.
+/// Note that `task` runs. Every task calls it at least each `watch_wait_ms`.
 void application_hear(application_t* app, task_id_t task);
 
 /// Wait to be woken, but not for longer than a task may be silent.

@@ -3,7 +3,7 @@
 #include "app/shell_commands.h"
 #include "app/shell_reply.h"
 
-/// Cut the line at its blanks; how many words there are, at most `maximum` of them kept.
+/// Split the line at its blanks. Returns the number of words, of which at most `maximum` are kept.
 static size_t split(char* line, const char* words[], size_t maximum)
 {
     size_t count = 0;
@@ -32,7 +32,7 @@ static size_t split(char* line, const char* words[], size_t maximum)
     return count;
 }
 
-/// How many words `own` ("hil load gando") has when `words` begins with them, else 0.
+/// The number of words in `own` ("hil load gando") when `words` begins with them, else 0.
 static size_t match(const char* own, const char* const words[], size_t count)
 {
     size_t matched = 0;

@@ -10,8 +10,8 @@ enum
     shell_reply_bytes = 6144 ///< the longest answer: a plan of 100 waypoints
 };
 
-/// Do one line (its blanks become ends of words) and add the answer to `reply`. What only the application can do is
-/// left in `shell->request`; the application answers it by `shell_tell_stored` or `shell_tell_loaded`.
+/// Run one line, which is changed by that, and add the answer to `reply`. A request that only the application can
+/// fulfil is left in `shell->request`; the application answers it by `shell_tell_stored` or `shell_tell_loaded`.
 void shell_run(shell_t* shell, char* line, text_t* reply);
 
 #endif

@@ -15,7 +15,7 @@ static const uint32_t period_commands[telemetry_task_count] = {
 
 static const char not_a_number[] = "refused: that is no number";
 
-/// Place of `word` among `count` names, or `count`.
+/// Index of `word` among `count` names, or `count`.
 static size_t find(const char* word, const char* const names[], size_t count)
 {
     size_t index = 0;
@@ -26,7 +26,7 @@ static size_t find(const char* word, const char* const names[], size_t count)
     return index;
 }
 
-/// 1 for `on`, 0 for `off`, -1 and an answer for anything else.
+/// 1 for `on`, 0 for `off`; anything else is refused, and -1.
 static int on_or_off(const shell_call_t* call, const char* word)
 {
     if (text_is(word, "on") || text_is(word, "off"))

@@ -6,7 +6,7 @@
 
 #include "app/shell_call.h"
 
-/// A command stands before those whose words begin like its own; so search the table from its end.
+/// Search it from its end: a command stands before the longer ones that begin with its words.
 extern const shell_command_t shell_commands[];
 extern const size_t shell_commands_count;
 

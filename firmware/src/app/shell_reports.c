@@ -76,7 +76,7 @@ static const char* hil_plan_title(const board_plans_t* plans)
     return plans->plan[board_plan_hil].count > 0 ? "uploaded" : "none";
 }
 
-/// Every cause that acts, or a dash.
+/// Every failsafe that is active, or a dash.
 static void show_failsafes(text_t* reply, const failsafe_t* hil, const failsafe_t* flight)
 {
     const size_t start = reply->size;
@@ -96,7 +96,7 @@ static void show_failsafes(text_t* reply, const failsafe_t* hil, const failsafe_
     shell_end(reply);
 }
 
-/// Everything on the card that is not as it should be, or a dash.
+/// Everything that is wrong with the card, or a dash.
 static void add_card_alarms(text_t* reply, const board_card_t* card)
 {
     static const char* const names[board_keeps_count] = {

@@ -9,7 +9,7 @@
 extern const char* const shell_stream_names[telemetry_stream_count];
 extern const char* const shell_task_names[telemetry_task_count];
 
-/// What a person has to know at the start: what is wrong with the card, or nothing.
+/// Greet a person at the start with what is wrong with the card; with nothing when it is sound.
 void shell_greet(const board_card_t* card, text_t* reply);
 
 void shell_show_version(const shell_call_t* call);

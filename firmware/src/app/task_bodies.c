@@ -14,8 +14,7 @@ static float period_s(task_id_t task)
     return (float)task_table[task].period_ms / 1000.0F;
 }
 
-/// Finds the task that hangs, and restarts the board because of it. That this task itself goes on, the port's watchdog
-/// sees.
+/// Finds a task that hangs, and restarts the board then. The port's watchdog notices when this task itself hangs.
 static void run_watch(void* context)
 {
     application_t* const app = context;
@@ -43,8 +42,8 @@ static void wait_for_next(application_t* app, task_id_t task, TickType_t* woken)
     }
 }
 
-/// Reads every sensor and gives the board what it estimates from them. Models of sensors are told what the simulator
-/// says first.
+/// Reads every sensor and gives the board the estimate. Before that, models of sensors get the newest simulator
+/// information.
 static void run_sensors(void* context)
 {
     application_t* const app = context;
@@ -76,7 +75,7 @@ static void run_sensors(void* context)
     }
 }
 
-/// The real aircraft's loop: sensors and receiver to servos.
+/// Runs the real aircraft's loop, from sensors and receiver to servos.
 static void run_control(void* context)
 {
     application_t* const app = context;
@@ -106,7 +105,7 @@ static void wait_for_period(application_t* app, telemetry_task_t task, task_id_t
         const TickType_t elapsed = xTaskGetTickCount() - *begun;
         if (elapsed >= period)
         {
-            // Far behind, the next period begins now: nobody wants the missed ones in one go.
+            // Far behind, the next period begins now, so that the missed ones are not made up for in a burst.
             *begun += elapsed >= 2 * period ? elapsed : period;
             return;
         }

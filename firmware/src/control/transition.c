@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-// long enough that no surface jumps, short against the slowest law (some 10 s)
+// long enough that no surface jumps, short compared with the slowest law (about 10 s)
 static const float fade_time_s = 0.7F;
 
 void transition_init(transition_t* transition)
