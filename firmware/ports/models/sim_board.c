@@ -15,18 +15,18 @@
 static const float m_per_ft = 0.3048F;
 static const float m_s_per_kt = 0.514444F;
 static const float m_s_per_ft_min = 0.00508F;
-static const float still_after_s = 1.0F;    ///< simulator information that old is of an aircraft that stands still
-static const float receiver_steps = 512.0F; ///< a receiver's pulses are counted, so its channels move in steps
+static const float still_after_s = 1.0F;    ///< with simulator information older than this, the aircraft stands still
+static const float receiver_steps = 512.0F; ///< a receiver counts its pulses' lengths, so its channels change in steps
 static const float receiver_noise = 0.001F;
 
-/// Gran Canaria (GCLP), beginning of runway 03, nose along it.
+/// Gran Canaria (GCLP), at the beginning of runway 03, heading along it.
 static const sim_truth_t parked = {
     .latitude_deg = 27.9319, .longitude_deg = -15.3866, .altitude_m = 23.8F, .yaw_deg = 28.0F, .track_deg = 28.0F};
 
 static struct
 {
     sim_truth_t truth;
-    command_xplane_info_t stick;  ///< the newest one; only its stick is used, all 0 before
+    command_xplane_info_t stick;  ///< the newest command 50, of which only the stick is used; 0 before the first
     float throttle;               ///< of the simulated motor
     float servo_throttle;         ///< of the real one
     message_servos_in_t switches; ///< of the transmitter, by receiver channel; its sticks follow `stick`
@@ -65,7 +65,7 @@ static void observe(void* context, const command_xplane_info_t* info, float thro
     sim.is_observed = true;
 }
 
-/// One channel as the receiver gives it.
+/// One channel as the receiver measures it.
 static float received(float position, float minimum)
 {
     const float noisy = limit_to(position, minimum, 1.0F) + sim_noise_normal(&sim.noise, receiver_noise);
@@ -132,7 +132,7 @@ sensors_t sim_board_sensors(uint32_t seed)
     sim.truth = parked;
     sim.switches.channel[rc_channel_autopilot] = -1.0F;
     sim.switches.channel[rc_channel_autotrim] = -1.0F;
-    // Each model has its own noise, so that one of them called once more does not change the others.
+    // Each model has its own noise, so that an additional call of one does not change the others.
     sim_noise_init(&sim.noise, seed);
     sim_inertial_init(&sim.inertial, seed + 1U);
     sim_air_init(&sim.air, seed + 2U);

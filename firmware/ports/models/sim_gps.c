@@ -21,7 +21,7 @@ void sim_gps_init(sim_gps_t* model, uint32_t seed)
     sim_noise_init(&model->noise, seed);
 }
 
-/// The number as the receiver's ASCII digits: units in the low byte, tens in the next.
+/// The number as ASCII digits, as the receiver sends it: units in the low byte, tens in the next.
 static int32_t satellite_digits(int count)
 {
     const int tens = count / 10;
@@ -59,7 +59,7 @@ message_gps_t sim_gps_read(sim_gps_t* model, const sim_truth_t* truth, float dt_
         model->age_s = 0.0F;
         model->has_solution = true;
     }
-    // Half a step of slack: the ages are sums of rounded steps.
+    // Half a step of tolerance, because the age is a sum of rounded steps.
     if (model->age_s + dt_s / 2.0F >= period_s)
     {
         model->age_s = 0.0F;

@@ -18,14 +18,14 @@ typedef struct
     float up_error_m;
     float satellites_wander; ///< rounded and added to the usual number
     float age_s;             ///< of the newest solution
-    message_gps_t computed;  ///< to be put out with the next solution
+    message_gps_t computed;  ///< the newest solution, put out when the next one is computed
     message_gps_t put_out;
     bool has_solution;
 } sim_gps_t;
 
 void sim_gps_init(sim_gps_t* model, uint32_t seed);
 
-/// The newest solution that is out, `dt_s` after the last call.
+/// The newest solution that was put out, `dt_s` (> 0) after the last call.
 message_gps_t sim_gps_read(sim_gps_t* model, const sim_truth_t* truth, float dt_s);
 
 #endif

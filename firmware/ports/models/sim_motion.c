@@ -10,7 +10,7 @@ static const double rad_per_deg = 0.017453292519943295;
 
 static const uint32_t commands_per_place = 10;
 static const float jump_m = 1000.0F;  ///< no aircraft flies that far in ten commands: the simulator moved it elsewhere
-static const float standing_m = 1.0F; ///< shorter ways are the positions' own resolution, a 32-bit float of degrees
+static const float standing_m = 1.0F; ///< a shorter way may be rounding: positions are 32-bit floats of degrees
 static const float tropopause_m = 11000.0F;
 
 static float north_m(const sim_motion_place_t* from, const sim_motion_place_t* to)

@@ -1,4 +1,4 @@
-/// How the modelled aircraft moves over the ground, from what the simulator tells of it in each command 50.
+/// Ground speed and track of the modelled aircraft, from the commands 50 of the simulator.
 ///
 /// Command 50 carries no time. The board's clock does not give it either: on a busy computer or under an emulator the
 /// board and the simulator run at different paces, so a distance divided by the board's time is not a speed. So the
@@ -25,13 +25,13 @@ typedef struct
 
 typedef struct
 {
-    sim_motion_place_t places[sim_motion_places]; ///< every tenth that was told, newest first
+    sim_motion_place_t places[sim_motion_places]; ///< that of every tenth command, newest first
     size_t places_held;
-    uint32_t told; ///< commands since the newest of these places
+    uint32_t told; ///< commands since the newest of these
 } sim_motion_t;
 
-/// A command 50 came in and is in `truth`, whose `ground_speed_m_s` and `track_deg` still tell of the one before: bring
-/// them up to date. While the aircraft stands, the track stays as it is.
+/// Set `ground_speed_m_s` and `track_deg` of `truth`, whose other values are those of a command 50 that has just come
+/// in. The track of an aircraft that stands does not change.
 void sim_motion_follow(sim_motion_t* motion, sim_truth_t* truth);
 
 #endif

@@ -83,7 +83,7 @@ static const struct option long_options[] = {
     {NULL, 0, NULL, 0},
 };
 
-/// An option with a number; false with a sentence when it is none or too large.
+/// Read the number of an option; false, with a sentence, when it is not a number or too large.
 static bool take_number(const char* name, unsigned long maximum, unsigned long* number, char* error, size_t error_bytes)
 {
     if (parse_number(optarg, maximum, number))
@@ -106,7 +106,7 @@ static bool is_task(const char* name)
     return false;
 }
 
-/// One option into `options`; false with a sentence when its value is wrong.
+/// Put one option into `options`; false, with a sentence, when its value is wrong.
 static bool take(options_t* options, int option, char* error, size_t error_bytes)
 {
     unsigned long number = 0;
@@ -150,7 +150,7 @@ static bool take(options_t* options, int option, char* error, size_t error_bytes
     return good;
 }
 
-/// One option that getopt found; `options_run` as long as there is nothing that ends the program.
+/// Handle one option that getopt found. Anything but `options_run` ends the program.
 static options_result_t take_found(options_t* options, int option, const char* argument, char* error,
                                    size_t error_bytes)
 {

@@ -7,8 +7,7 @@
 
 static const float capture_minimum_m = 200.0F;
 static const float capture_minimum_to_kt = 55.0F;
-static const float capture_turns =
-    1.5F; ///< distance at which a waypoint counts as reached, in radii of the steepest turn
+static const float capture_turns = 1.5F; ///< a waypoint counts as reached at this many radii of the steepest turn
 static const float gravity_m_s2 = 9.80665F;
 static const float m_s_per_kt = 0.514444F;
 static const float tan_30_deg = 0.57735F;
