@@ -32,7 +32,7 @@ RULES: dict[str, tuple[str, ...]] = {
     "hal": ("common/", "comms/protocol_gen.h"),
 }
 FREE = {"app"}
-# the file system is for one folder
+# libraries that only one folder may use
 LIBRARIES = {"volume": {"lfs.h"}}
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 STANDARD = {

@@ -15,7 +15,7 @@ struct flight
     board_t board;
     frame_decoder_t decoder;
     uint32_t now_ms;
-    float hil_ms; ///< time of HIL steps that is not yet in `now_ms`
+    float hil_ms; ///< time of HIL steps that is not in `now_ms` yet
     uint8_t queue[queue_bytes];
     size_t queued;
     size_t lost;

@@ -13,7 +13,7 @@ static const uint32_t period_commands[telemetry_task_count] = {
     [telemetry_task_servos] = COMMAND_SET_SERVOS_TASK_RATE_ID,
 };
 
-static const char not_a_number[] = "refused: that is no number";
+static const char not_a_number[] = "refused: not a number";
 
 /// Index of `word` among `count` names, or `count`.
 static size_t find(const char* word, const char* const names[], size_t count)
@@ -244,8 +244,8 @@ const shell_command_t shell_commands[] = {
     {"tasks", "", "the tasks and their load", 0, 0, shell_show_tasks, 0, 0},
     {"sensors", "", "the newest readings", 0, 0, shell_show_sensors, 0, 0},
     {"param", "[name [value]]", "show or set parameters", 0, 2, run_parameter, 0, 0},
-    {"param load", "", "take the parameters from the card", 0, 0, load_parameters, 0, 0},
-    {"param store", "", "put the parameters on the card", 0, 0, store_parameters, 0, 0},
+    {"param load", "", "load the parameters from the card", 0, 0, load_parameters, 0, 0},
+    {"param store", "", "store the parameters on the card", 0, 0, store_parameters, 0, 0},
     {"hil", "", "the simulated aircraft's plan and modes", 0, 0, shell_show_hil, 0, 0},
     {"hil load", "<route>", "gando, isla, alternativa or vuelo", 1, 1, load_route, 0, 0},
     BOARD_COMMAND("hil next", "next waypoint", COMMAND_HIL_FMS_NEXT_WAYPOINT_ID, 0),
@@ -253,9 +253,9 @@ const shell_command_t shell_commands[] = {
     BOARD_COMMAND("hil source joystick", "fly by the station's stick", COMMAND_CONTROL_SOURCE_ID, 1),
     BOARD_COMMAND("hil source rc", "fly by the RC transmitter", COMMAND_CONTROL_SOURCE_ID, 0),
     BOARD_COMMAND("hil autopilot on", "autopilot of the simulated aircraft", COMMAND_AUTOPILOT_ON_ID, 0),
-    BOARD_COMMAND("hil autopilot off", "its stick", COMMAND_AUTOPILOT_OFF_ID, 0),
-    BOARD_COMMAND("hil autotrim on", "its elevator trim", COMMAND_AUTOTRIM_ON_ID, 0),
-    BOARD_COMMAND("hil autotrim off", "no trim at all", COMMAND_AUTOTRIM_OFF_ID, 0),
+    BOARD_COMMAND("hil autopilot off", "manual flight of the simulated aircraft", COMMAND_AUTOPILOT_OFF_ID, 0),
+    BOARD_COMMAND("hil autotrim on", "automatic elevator trim of the simulated aircraft", COMMAND_AUTOTRIM_ON_ID, 0),
+    BOARD_COMMAND("hil autotrim off", "no elevator trim of the simulated aircraft", COMMAND_AUTOTRIM_OFF_ID, 0),
     {"fms", "", "the real aircraft's plan", 0, 0, shell_show_flight_plan, 0, 0},
     BOARD_COMMAND("fms next", "next waypoint", COMMAND_FMS_NEXT_WAYPOINT_ID, 0),
     BOARD_COMMAND("fms prev", "previous waypoint", COMMAND_FMS_PREVIOUS_WAYPOINT_ID, 0),
@@ -270,7 +270,7 @@ const shell_command_t shell_commands[] = {
     BOARD_COMMAND("servos mode fbw", "outputs follow the fly-by-wire", COMMAND_SERVOS_CONTROL_MODE_FLY_BY_WIRE_ID, 0),
     BOARD_COMMAND("servos mode hil", "outputs follow the HIL laws", COMMAND_SERVOS_CONTROL_MODE_HIL_ID, 0),
     {"servo", "<0..19> <-1..1>", "move one output", 2, 2, move_servo, 0, 0},
-    {"reset", "", "start anew", 0, 0, reset_board, 0, 0},
+    {"reset", "", "restart the board", 0, 0, reset_board, 0, 0},
 };
 
 const size_t shell_commands_count = sizeof shell_commands / sizeof shell_commands[0];

@@ -36,5 +36,5 @@ void shell_tell_stored(text_t* reply, bool done)
 
 void shell_tell_loaded(text_t* reply, bool done)
 {
-    shell_line(reply, done ? "ok" : "failed: the card is missing or holds no whole set; nothing was changed");
+    shell_line(reply, done ? "ok" : "failed: the card is missing or holds no complete set; nothing was changed");
 }

@@ -81,7 +81,7 @@ static void send_reply(application_t* app)
 }
 
 /// Do what the interpreter asked for.
-static void fulfil(application_t* app, shell_request_t request)
+static void do_request(application_t* app, shell_request_t request)
 {
     switch (request)
     {
@@ -134,7 +134,7 @@ static void interpret(application_t* app, const uint8_t* bytes, size_t size)
         app->shell.request = shell_asks_nothing;
         application_unlock(app);
         send_reply(app);
-        fulfil(app, request);
+        do_request(app, request);
         if (is_repaced || request == shell_asks_reset)
         {
             announce_periods(app);

@@ -120,7 +120,7 @@ command_result_t run_read_mission(void* context, int32_t argument, const uint8_t
     {
         return command_bad_value;
     }
-    // the items follow one by one with the tick, so that a long plan does not keep the HIL answers waiting
+    // the items follow one by one with the tick, so that a long plan does not delay the HIL answers
     report_mission_count(&board->line, plan, board->plans.plan[plan].count);
     board_plans_begin_reading(&board->plans, plan);
     return command_done;

@@ -10,7 +10,7 @@ static command_result_t done_or(bool done, command_result_t otherwise)
     return done ? command_done : otherwise;
 }
 
-/// Commands whose whole effect is the application's: do nothing, reset, exit.
+/// Commands that only the application carries out: do nothing, reset, exit.
 command_result_t run_do_nothing(void* context, int32_t argument, const uint8_t* payload)
 {
     (void)context;
@@ -51,7 +51,7 @@ command_result_t run_stream_off(void* context, int32_t stream, const uint8_t* pa
     return command_done;
 }
 
-/// With RC as control source the transmitter's switch is the one that counts.
+/// Refused with RC as control source, because then the transmitter's switch decides.
 command_result_t run_switch_autopilot(void* context, int32_t on, const uint8_t* payload)
 {
     (void)payload;
@@ -104,7 +104,7 @@ command_result_t run_take_xplane_info(void* context, int32_t argument, const uin
     const bool is_flown =
         hil_loop_step(&board->hil, &board->measured, &board->tuning.gains, &board->plans.plan[board_plan_hil], &info,
                       ((board_command_context_t*)context)->now_ms);
-    // a refused one is answered too, by the newest surfaces: the simulator waits for an answer
+    // a refused command is answered too, with the newest surfaces, because the simulator waits for an answer
     report_hil_surfaces(&board->line, &board->hil.loop.surfaces);
     return done_or(is_flown, command_bad_value);
 }
@@ -129,7 +129,7 @@ command_result_t run_choose_source(void* context, int32_t argument, const uint8_
     return command_done;
 }
 
-/// A change of mode also hands outputs that were moved by hand back to their law.
+/// Also ends the manual position of every output.
 command_result_t run_set_servos_mode(void* context, int32_t mode, const uint8_t* payload)
 {
     (void)payload;

@@ -113,7 +113,7 @@ static void results_of_the_card_are_told(void** state)
     shell_tell_loaded(&reply, false);
     bytes[reply.size] = '\0';
     assert_string_equal(bytes, "\rok\n\rfailed: the card is missing or cannot be written\n"
-                               "\rfailed: the card is missing or holds no whole set; nothing was changed\n");
+                               "\rfailed: the card is missing or holds no complete set; nothing was changed\n");
 }
 
 static void what_is_wrong_with_the_card_is_told_at_the_start_and_in_the_status(void** state)
