@@ -1,12 +1,13 @@
 # libFuzzer on the frame layer, the interpreter and the mission transfer; needs clang with its run-time library.
-# `make fuzz` runs each RUNS times (or for FUZZ_MINUTES), `make fuzz-test` briefly, and looks whether planted bugs are found.
+# `make fuzz` runs each target RUNS times (or for FUZZ_MINUTES); `make fuzz-test` runs briefly and checks that planted bugs
+# are found.
 # Included by the Makefile, whose warnings and sources it uses.
 
 .PHONY: fuzz fuzz-test fuzz-build
 
 RUNS ?= 1000000
 FUZZ_MINUTES ?=
-# the newest one that is here; empty: none
+# the newest one that is installed; empty: none
 CLANG ?= $(notdir $(firstword $(foreach name,clang-19 clang-18 clang-17 clang-16 clang-15 clang-14 clang,\
   $(wildcard $(addsuffix /$(name),$(subst :, ,$(PATH)))))))
 
@@ -19,14 +20,14 @@ fuzz_programs := $(fuzz_targets:%=$(fuzz_folder)/fuzz_%)
 fuzz_compile = $(CLANG) $(WARNINGS) $(fuzz_flags) -fsanitize=fuzzer-no-link $(TEST_INCLUDES) -Ifuzz
 fuzz_link = $(CLANG) $(fuzz_flags) -fsanitize=fuzzer
 
-# says what is missing before the first file fails
+# say what is missing before the first file fails
 fuzz_needs_clang = test -n "$(CLANG)" || { echo "make: fuzzing needs clang with its run-time library, which is not here:" \
   "on Debian or Ubuntu install clang-14 and libclang-rt-14-dev." >&2; exit 1; }
 
 fuzz: fuzz-build
 	@$(PYTHON) fuzz/run.py long $(fuzz_folder) $(if $(FUZZ_MINUTES),--minutes $(FUZZ_MINUTES),--runs $(RUNS))
 
-# a bug is planted by compiling a changed copy of a source the same way
+# a bug is planted by compiling a changed copy of a source with the same options
 fuzz-test: fuzz-build
 	@$(PYTHON) fuzz/run.py short $(fuzz_folder) --results "$(RESULTS)"
 	@$(PYTHON) fuzz/run.py planted $(fuzz_folder) --results "$(RESULTS)" --compile "$(fuzz_compile)" --link "$(fuzz_link)"
@@ -50,7 +51,7 @@ $(fuzz_folder)/object/%.o: %.c | $(vectors)
 $(fuzz_folder)/tested.a: $(call fuzz_object,$(fuzz_sources) fuzz/fuzz.c)
 	@rm -f $@ && $(AR) rcs $@ $^
 
-# libFuzzer asks for the mutator only if it is there, for which no archive is searched
+# the mutator must be linked as an object: the linker would not take it from an archive
 $(fuzz_folder)/fuzz_%: $(call fuzz_object,fuzz/fuzz_%.c fuzz/line_mutator.c) $(fuzz_folder)/tested.a
 	@echo "  LD $@"
 	@$(fuzz_link) -o $@ $^ -lm

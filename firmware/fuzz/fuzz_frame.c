@@ -1,5 +1,5 @@
-// The frame layer against its rule, written down once more in the simplest way: over all bytes at once, without a
-// buffer. Any bytes in any pieces, with a pause of the line somewhere.
+// The frame decoder against its rule, which is written a second time here in the simplest way: over all bytes at once,
+// without a buffer. Any bytes, in any pieces, with a pause of the line at any place.
 #include "fuzz.h"
 
 #include <string.h>
@@ -17,14 +17,14 @@ typedef struct
     const frame_dialect_t* dialect;
     const uint8_t* bytes;
     size_t size;
-    size_t at; ///< first byte that nothing is said about yet
+    size_t at; ///< first byte that is not judged yet
     uint32_t frames;
-    uint32_t refused;  ///< headers behind which there was no frame
-    uint32_t noise;    ///< bytes that belong to nothing
+    uint32_t refused;  ///< headers without a frame after them
+    uint32_t noise;    ///< bytes outside of frames and refused headers
     size_t frame_size; ///< of the newest frame, which ends at `at`
 } rule_t;
 
-/// Length of the frame that begins here and is over before the pause; 0: there is none.
+/// Length of the frame that begins here and ends before the pause; 0: no frame.
 static size_t frame_here(const rule_t* rule)
 {
     const uint8_t* const bytes = rule->bytes + rule->at;
@@ -87,7 +87,7 @@ static frame_event_t rule_next(rule_t* rule)
 
 static void compare_event(frame_event_t event, const frame_t* frame, rule_t* rule)
 {
-    fuzz_require(rule_next(rule) == event, "what is found is what the rule finds, in its order");
+    fuzz_require(rule_next(rule) == event, "the decoder finds the same events as the rule, in the same order");
     if (event != frame_event_frame)
     {
         return;
@@ -95,8 +95,9 @@ static void compare_event(frame_event_t event, const frame_t* frame, rule_t* rul
     uint8_t again[frame_max_bytes];
     const size_t size =
         frame_encode(rule->dialect, frame->type_id, frame->payload, frame->payload_size, again, sizeof again);
-    fuzz_require(size == rule->frame_size, "a frame that came in is as long when it goes out");
-    fuzz_require(memcmp(again, rule->bytes + rule->at - size, size) == 0, "and it has the same bytes");
+    fuzz_require(size == rule->frame_size, "a decoded frame, encoded again, has the same length");
+    fuzz_require(memcmp(again, rule->bytes + rule->at - size, size) == 0,
+                 "a decoded frame, encoded again, has the same bytes");
 }
 
 static void hear(frame_decoder_t* decoder, const uint8_t* bytes, size_t size, rule_t* rule)
@@ -105,7 +106,7 @@ static void hear(frame_decoder_t* decoder, const uint8_t* bytes, size_t size, ru
     while (size > 0U)
     {
         const size_t taken = frame_decoder_feed(decoder, bytes, size);
-        fuzz_require(taken > 0U && taken <= size, "there is room as soon as everything found was taken out");
+        fuzz_require(taken > 0U && taken <= size, "there is room once all events are taken");
         bytes += taken;
         size -= taken;
         for (frame_event_t event = frame_decoder_next(decoder, &frame); event != frame_event_none;
@@ -116,7 +117,7 @@ static void hear(frame_decoder_t* decoder, const uint8_t* bytes, size_t size, ru
     }
 }
 
-/// All bytes of `rule`, in pieces, and then silence: everything is decided.
+/// Give all bytes of `rule` in pieces, then let the line be silent, so that every byte is judged.
 static void hear_until_pause(frame_decoder_t* decoder, rule_t* rule, fuzz_input_t* input)
 {
     for (size_t at = 0U; at < rule->size;)
@@ -132,8 +133,8 @@ static void hear_until_pause(frame_decoder_t* decoder, rule_t* rule, fuzz_input_
     {
         compare_event(event, &frame, rule);
     }
-    fuzz_require(rule_next(rule) == frame_event_none, "nothing that the rule finds is missed");
-    fuzz_require(!frame_decoder_is_waiting(decoder), "after silence nothing is held");
+    fuzz_require(rule_next(rule) == frame_event_none, "no event of the rule is missed");
+    fuzz_require(!frame_decoder_is_waiting(decoder), "after silence no bytes are held");
 }
 
 static void require_counters(const frame_decoder_t* decoder, const rule_t* one, const rule_t* other)
@@ -143,7 +144,7 @@ static void require_counters(const frame_decoder_t* decoder, const rule_t* one, 
     fuzz_require(decoder->noise_bytes == one->noise + other->noise, "every byte of noise is counted");
 }
 
-/// Whatever was heard before, a good frame behind a pause comes through, and alone.
+/// Whatever was received before, a good frame after a pause is found, and nothing else.
 static void require_next_frame(frame_decoder_t* decoder)
 {
     const bool to_board = decoder->dialect->type_flags == 0U;
@@ -155,11 +156,11 @@ static void require_next_frame(frame_decoder_t* decoder)
     const size_t size = frame_encode(decoder->dialect, type, payload, payload_size, bytes, sizeof bytes);
     fuzz_require(frame_decoder_feed(decoder, bytes, size) == size, "an empty decoder has room for a frame");
     frame_t frame;
-    fuzz_require(frame_decoder_next(decoder, &frame) == frame_event_frame, "a good frame behind garbage is found");
+    fuzz_require(frame_decoder_next(decoder, &frame) == frame_event_frame, "a good frame after garbage is found");
     fuzz_require(frame.type_id == type && frame.payload_size == payload_size &&
                      memcmp(frame.payload, payload, payload_size) == 0,
                  "and is the one that was sent");
-    fuzz_require(frame_decoder_next(decoder, &frame) == frame_event_none, "and nothing else");
+    fuzz_require(frame_decoder_next(decoder, &frame) == frame_event_none, "nothing but the good frame is found");
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t* bytes, size_t size)
@@ -172,7 +173,7 @@ int LLVMFuzzerTestOneInput(const uint8_t* bytes, size_t size)
     static frame_decoder_t decoder;
     const frame_dialect_t* const dialect = fuzz_dialect(input.flags);
     frame_decoder_init(&decoder, dialect);
-    // half of the inputs have no pause but that at the end
+    // half of the inputs have a pause only at the end
     const bool has_pause = (input.flags & 0x100U) != 0U && input.line_size > 0U;
     const size_t pause_at = has_pause ? (input.flags >> 16U) % input.line_size : 0U;
     rule_t before = {.dialect = dialect, .bytes = input.line, .size = pause_at};

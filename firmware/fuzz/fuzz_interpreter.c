@@ -1,11 +1,12 @@
 // The interpreter and the whole board behind it: any bytes in any pieces at any time, with sensors that measure
-// anything, in text mode, binary mode and AHRS test. What goes out is well formed, what is kept is in its range, no
-// servo is told a number that is none, and the next good command is obeyed.
+// anything, in text mode, binary mode and AHRS test. All output is well formed, all kept
+// values are in their ranges, no servo gets NaN, and the next good command is obeyed.
 #include "fuzz.h"
 
 #include <math.h>
 #include <string.h>
 
+#include "app/shell_reply.h"
 #include "app/tty.h"
 #include "flight/board_card.h"
 #include "support/random.h"
@@ -39,17 +40,17 @@ static void start(uint32_t flags)
     start_interpreter();
 }
 
-/// The board anew, with what is on its card.
+/// Restart the board with its card.
 static void restart(uint32_t flags)
 {
     const uint32_t now_ms = rig->now_ms;
-    if (rig->board.config.legacy)
+    if (rig->board.is_legacy)
     {
         start(flags);
     }
     else
     {
-        rig = rig_start_on(rig->board.config.storage);
+        rig = rig_start_on(rig->board.card.storage);
         start_interpreter();
     }
     rig->now_ms = now_ms;
@@ -60,10 +61,10 @@ static bool is_text(char character)
     return (character >= ' ' && character <= '~') || character == '\r' || character == '\n' || character == '\t';
 }
 
-/// The reply as the application takes it out.
+/// Take the reply, as the application does.
 static void take_reply(void)
 {
-    fuzz_require(tty.reply.size <= sizeof reply, "a reply stays inside of its room");
+    fuzz_require(tty.reply.size <= sizeof reply, "a reply stays inside of its buffer");
     for (size_t i = 0; i < tty.reply.size; i++)
     {
         fuzz_require(is_text(reply[i]), "a reply is text");
@@ -71,19 +72,19 @@ static void take_reply(void)
     tty.reply.size = 0U;
 }
 
-/// What the application does for the card, which is a good one here.
+/// Do what the application does for the card, which works here.
 static void store(board_keeps_t what)
 {
-    if (rig->board.config.storage != NULL)
+    if (rig->board.card.storage != NULL)
     {
-        const size_t taken = board_card_take(&rig->board, what);
-        const record_state_t state = board_card_write(&rig->board, what, taken);
-        fuzz_require(state == record_whole, "a good card takes what it is given");
-        (void)board_card_note(&rig->board, what, state);
+        const size_t taken = board_card_take(&rig->board.card, what, &rig->board.tuning, &rig->board.plans);
+        const record_state_t state = board_card_write(&rig->board.card, what, taken);
+        fuzz_require(state == record_whole, "a good card stores what it is given");
+        (void)board_card_note(&rig->board.card, what, state);
     }
 }
 
-/// What the application does when it is asked for something.
+/// Fulfil a request, as the application does.
 static void fulfil(shell_request_t request, uint32_t flags)
 {
     if (request == shell_asks_reset)
@@ -101,8 +102,8 @@ static void fulfil(shell_request_t request, uint32_t flags)
     }
     else if (request == shell_asks_store_plans)
     {
-        for (board_keeps_t next = board_card_next(&rig->board); next != board_keeps_count;
-             next = board_card_next(&rig->board))
+        for (board_keeps_t next = board_card_next(&rig->board.plans); next != board_keeps_count;
+             next = board_card_next(&rig->board.plans))
         {
             store(next);
         }
@@ -129,7 +130,7 @@ static void hear(const uint8_t* bytes, size_t size, uint32_t flags)
     } while (taken < size || request != shell_asks_nothing);
 }
 
-/// Mostly what a sensor measures; now and then what none should.
+/// Mostly a value that a sensor measures, sometimes one that no sensor should.
 static float reading(uint32_t* random)
 {
     static const float odd[] = {NAN, NAN, NAN, INFINITY, -INFINITY, 3.4e38F, -3.4e38F, 1e-40F};
@@ -138,10 +139,10 @@ static float reading(uint32_t* random)
     {
         return odd[(number >> 4U) % (sizeof odd / sizeof odd[0])];
     }
-    return (float)(int32_t)number / 1.0e7F; // to 214 either way
+    return (float)(int32_t)number / 1.0e7F; // up to +-214
 }
 
-/// All messages of the sensors are words, most of them numbers.
+/// Fill all messages of the sensors, which consist of 32-bit words, most of them floats.
 static void measure(uint32_t* random)
 {
     uint8_t payload[MESSAGE_SERVOS_IN_SIZE];
@@ -150,7 +151,7 @@ static void measure(uint32_t* random)
     {
         protocol_put_f32(payload + i, reading(random));
     }
-    board_sensors_t* const sensors = &rig->board.sensors;
+    board_sensors_t* const sensors = &rig->board.measured.sensors;
     message_ahrs_unpack(&sensors->ahrs, payload);
     message_inertial_unpack(&sensors->inertial, payload);
     message_analog_unpack(&sensors->analog, payload);
@@ -166,18 +167,18 @@ static void require_servos(void)
     for (size_t i = 0; i < board_servo_count; i++)
     {
         // written so that a NaN fails
-        fuzz_require(positions[i] >= -1.0F && positions[i] <= 1.0F, "every servo is told a position that it has");
+        fuzz_require(positions[i] >= -1.0F && positions[i] <= 1.0F, "every servo gets a position in its range");
     }
 }
 
 static void require_state(void)
 {
     const board_t* const board = &rig->board;
-    fuzz_require(parameters_are_valid(&board->parameters), "no parameter leaves its range");
-    fuzz_require(board->reading_plan < board_plan_count, "a plan that exists is read back");
+    fuzz_require(parameters_are_valid(&board->tuning.parameters), "no parameter leaves its range");
+    fuzz_require(board->plans.reading < board_plan_count, "a plan that exists is read back");
     for (size_t i = 0; i < board_plan_count; i++)
     {
-        const plan_t* const plan = &board->plans[i];
+        const plan_t* const plan = &board->plans.plan[i];
         fuzz_require(plan->count <= plan_waypoints_max && plan->current <= plan->count,
                      "a plan stays inside of itself");
         for (size_t k = 0; k < plan->count; k++)
@@ -188,33 +189,34 @@ static void require_state(void)
     for (size_t i = 0; i < telemetry_task_count; i++)
     {
         const uint32_t period_ms = board->schedule.period_ms[i];
-        fuzz_require(period_ms >= 20U && period_ms <= 10000U, "no task runs faster or slower than it may");
+        fuzz_require(period_ms >= 20U && period_ms <= 10000U, "every period is in its range");
     }
-    fuzz_require(tty.decoder.received == board->frames_received || tty.mode != tty_binary, "frames are counted once");
+    fuzz_require(tty.decoder.received == board->station.frames_received || tty.mode != tty_binary,
+                 "frames are counted once");
 }
 
 static void require_output(void)
 {
     const frame_decoder_t* const decoder = &rig->out.decoder;
-    fuzz_require(decoder->noise_bytes == 0U && frame_decoder_rejected(decoder) == 0U, "every frame sent is a good one");
-    fuzz_require(!frame_decoder_is_waiting(decoder), "and whole");
+    fuzz_require(decoder->noise_bytes == 0U && frame_decoder_rejected(decoder) == 0U, "every frame sent is good");
+    fuzz_require(!frame_decoder_is_waiting(decoder), "every frame sent is complete");
     for (size_t i = 0; i < rig->out.count && i < line_frames_max; i++)
     {
-        fuzz_require(!rig->board.config.legacy || rig->out.frames[i].type_id < 0x100U, "legacy boards extend nothing");
+        fuzz_require(!rig->board.is_legacy || rig->out.frames[i].type_id < 0x100U, "legacy boards extend nothing");
     }
     line_clear(&rig->out);
 }
 
-/// What the other tasks do meanwhile.
+/// Do what the other tasks do meanwhile.
 static void live(fuzz_input_t* input)
 {
-    // a pause as long as the silence ends a frame: mostly the bytes flow
+    // a pause this long ends a frame, so it is rare
     static const uint32_t flow_ms[] = {0, 1, 10, 20};
     static const uint32_t pauses_ms[] = {100, tty_silence_ms, 600, 1000};
     const bool flows = random_below(&input->random, 32U) != 0U;
     rig->now_ms += (flows ? flow_ms : pauses_ms)[random_below(&input->random, 4U)];
     tty_tick(&tty, rig->now_ms);
-    tty.reply.size = 0U; // records of the AHRS test, which are no text
+    tty.reply.size = 0U; // records of the AHRS test are binary
     if (random_below(&input->random, 4U) == 0U)
     {
         measure(&input->random);

@@ -1,5 +1,5 @@
-// Mission transfer against a model of it: what a plan may be replaced by, and when. A plan in use is either the one
-// before or the whole uploaded one, and each command is answered as the model says.
+// Mission transfer against a model of it: which plan may replace another one, and when. The plan in use is either the
+// earlier one or the complete uploaded one, and each command is answered as the model says.
 #include "fuzz.h"
 
 #include <string.h>
@@ -110,7 +110,7 @@ static void load_route(const route_t* route)
     }
 }
 
-/// What the command is answered with; -1: the model knows no answer of its own to it.
+/// The expected answer to the command; -1: the model does not know.
 static int model_answer(const frame_t* frame)
 {
     switch (frame->type_id)
@@ -145,18 +145,21 @@ static void require_plans(void)
 {
     for (size_t i = 0; i < board_plan_count; i++)
     {
-        const plan_t* const plan = &rig->board.plans[i];
+        const plan_t* const plan = &rig->board.plans.plan[i];
         const model_plan_t* const expected = &model.plans[i];
-        fuzz_require(plan->count == expected->count && plan->loop == expected->loop, "a plan changes whole or not");
-        fuzz_require(plan->count == 0U ? plan->current == 0U : plan->current < plan->count, "a waypoint is flown to");
+        fuzz_require(plan->count == expected->count && plan->loop == expected->loop,
+                     "a plan changes completely or not at all");
+        fuzz_require(plan->count == 0U ? plan->current == 0U : plan->current < plan->count,
+                     "the current waypoint exists");
         for (size_t k = 0; k < plan->count; k++)
         {
-            fuzz_require(is_same_waypoint(&plan->waypoints[k], &expected->waypoints[k]), "with every waypoint of it");
+            fuzz_require(is_same_waypoint(&plan->waypoints[k], &expected->waypoints[k]),
+                         "every waypoint is the expected one");
         }
     }
 }
 
-/// Read a plan to its end: it comes as it is in use, in its order.
+/// Read a plan back to its end: every waypoint of the plan in use comes, in order.
 static void require_read_back(size_t number)
 {
     line_clear(&rig->out);
@@ -180,11 +183,12 @@ static void require_read_back(size_t number)
         message_mission_item_t item;
         message_mission_item_unpack(&item, frame->payload);
         const waypoint_t waypoint = {{item.latitude_deg, item.longitude_deg}, item.altitude_ft, item.speed_kt};
-        fuzz_require(item.plan == (int32_t)number && item.index == (int32_t)at && at < plan->count, "items in order");
+        fuzz_require(item.plan == (int32_t)number && item.index == (int32_t)at && at < plan->count,
+                     "items are read back in order");
         fuzz_require(is_same_waypoint(&waypoint, &plan->waypoints[at]), "a plan is read back as it is flown");
         at++;
     }
-    fuzz_require(at == plan->count, "to its last waypoint");
+    fuzz_require(at == plan->count, "a plan is read back to its last waypoint");
 }
 
 static void hear_command(const frame_t* frame, fuzz_input_t* input)

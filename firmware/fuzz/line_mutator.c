@@ -1,5 +1,5 @@
-// How inputs are changed: bytes as libFuzzer likes, whole frames moved, and then, mostly, the frames made good again.
-// Else hardly an input would come through the checksum to what lies behind it.
+// How inputs are changed: libFuzzer changes bytes, whole frames are moved, and then most frames get a correct checksum
+// and end marker again. Otherwise hardly any input would pass the checksum and test the code after it.
 #include "fuzz.h"
 
 #include <string.h>
@@ -17,10 +17,10 @@ typedef struct
 typedef struct
 {
     size_t at;
-    size_t size; ///< 0: there is none
+    size_t size; ///< 0: no frame found
 } piece_t;
 
-/// Values at which programs break: limits, limits passed by one, numbers that are none.
+/// Values that often break programs: limits, limits plus or minus one, NaN and infinity.
 static const uint32_t words[] = {
     0U,          1U,          2U,          19U,         20U,         99U,         100U,        101U,
     0xFFFFFFFFU, 0x7FFFFFFFU, 0x80000000U, 0x3F800000U, 0xBF800000U, 0x3F800001U, 0x7F800000U, 0xFF800000U,
@@ -47,7 +47,7 @@ static const frame_dialect_t* dialect_at(const line_bytes_t* line, size_t at)
     return NULL;
 }
 
-/// The frame, good or not, whose header is the first one from `at` on.
+/// The first frame from `at` on, good or damaged.
 static piece_t frame_from(const line_bytes_t* line, size_t at)
 {
     for (size_t i = at; i + frame_overhead_bytes <= line->size; i++)
@@ -68,7 +68,7 @@ static piece_t frame_from(const line_bytes_t* line, size_t at)
     return (piece_t){0U, 0U};
 }
 
-/// Any one of the frames.
+/// A random one of the frames.
 static piece_t some_frame(const line_bytes_t* line, uint32_t* random)
 {
     const size_t from = random_below(random, (uint32_t)line->size + 1U);
@@ -76,7 +76,7 @@ static piece_t some_frame(const line_bytes_t* line, uint32_t* random)
     return found.size > 0U ? found : frame_from(line, 0U);
 }
 
-/// Checksum and end marker of every frame as they have to be.
+/// Give every frame its correct checksum and end marker.
 static void repair(line_bytes_t* line)
 {
     for (piece_t frame = frame_from(line, 0U); frame.size > 0U; frame = frame_from(line, frame.at + frame.size))
@@ -122,7 +122,7 @@ static void remove_frame(line_bytes_t* line, uint32_t* random)
     line->size -= frame.size;
 }
 
-/// A word of the payload, or the lowest byte of one, becomes one of the table.
+/// Replace a word of the payload, or the lowest byte of one, by a value of the table.
 static void change_word(line_bytes_t* line, uint32_t* random)
 {
     const piece_t frame = some_frame(line, random);
@@ -162,7 +162,7 @@ size_t LLVMFuzzerCustomMutator(uint8_t* bytes, size_t size, size_t capacity, uns
     };
     uint32_t random = seed * 2654435761U + 1U;
     random = random == 0U ? 1U : random;
-    // the choices too, now and then
+    // sometimes change the choices too
     if (size <= fuzz_choices_bytes || capacity <= fuzz_choices_bytes || random_below(&random, 16U) == 0U)
     {
         return LLVMFuzzerMutate(bytes, size, capacity);

@@ -26,8 +26,7 @@ typedef struct
     size_t size;
 } seed_t;
 
-// Choices (fuzz.h): which dialect, which board. Opening the line is a seed's own beginning where there is a mode to
-// open.
+// Choices (fuzz.h): which dialect, which board. A seed for binary mode begins with the line that opens it.
 static const uint32_t to_board = 3U;   ///< dialect 0
 static const uint32_t from_board = 1U; ///< dialect 1
 static const uint32_t with_card = 0x203U;
@@ -83,7 +82,7 @@ static void add_command(seed_t* seed, uint32_t type_id, const uint8_t* payload, 
     add(seed, frame, frame_encode(&frame_to_board, type_id, payload, size, frame, sizeof frame));
 }
 
-/// One route as a station uploads it, and reads it back.
+/// One route as a station uploads it and reads it back.
 static void add_upload(seed_t* seed, const route_t* route, int32_t plan)
 {
     uint8_t payload[COMMAND_MISSION_ITEM_SIZE];
@@ -145,7 +144,7 @@ static void write_streams(const char* folder)
     }
 }
 
-/// What the deployed station sends, some controls at a time, each behind an opened line.
+/// Commands of the deployed station, a few in each seed, after the line that opens binary mode.
 static void write_commands(const char* folder)
 {
     static const uint32_t boards[] = {to_board, with_card, legacy};
@@ -184,7 +183,7 @@ static void write_lines(const char* folder)
     {
         seed_t seed;
         begin(&seed, with_card);
-        // the zero byte too: it ends the AHRS test's order
+        // with the zero byte, which ends the order that starts the AHRS test
         add(&seed, lines[i], strlen(lines[i]) + 1U);
         write_seed(folder, "interpreter", &seed);
     }

@@ -1,4 +1,4 @@
-"""Run the fuzz targets and say what came of it.
+"""Run the fuzz targets and report the results.
 
 Usage: run.py short|long|planted FOLDER [--runs N | --minutes N] [--results FOLDER] [--compile COMMAND --link COMMAND]
 
@@ -34,7 +34,7 @@ RUNS_MADE = r"stat::number_of_executed_units:\s*(\d+)"
 
 @dataclass(frozen=True)
 class Outcome:
-    """What one target's run came to; `failure` is empty when it is as it should be."""
+    """Result of one target's run; `failure` is empty when all is well."""
 
     name: str
     line: str
@@ -44,7 +44,7 @@ class Outcome:
 
 @dataclass(frozen=True)
 class Planted:
-    """A bug as one replacement in one source, and the finding that it has to lead to (a regular expression)."""
+    """A bug, planted by one replacement in one source, and the finding that has to result (a regular expression)."""
 
     target: str
     source: str
@@ -54,7 +54,7 @@ class Planted:
 
 
 PLANTED = (
-    # behind a refused header the frame that stands in its place is lost, and what is lost is not counted
+    # after a refused header too many bytes are skipped, so that a frame among them is lost
     Planted(
         "frame",
         "src/comms/frame.c",
@@ -62,7 +62,7 @@ PLANTED = (
         "    decoder->start += decoder->end - decoder->start < 12U ? header_bytes : 12U;\n}",
         "finding: not so: .*",
     ),
-    # one byte more is copied than there is room for
+    # one byte more than fits is copied
     Planted(
         "frame",
         "src/comms/frame.c",
@@ -70,23 +70,23 @@ PLANTED = (
         "sizeof decoder->buffer - held + 1U;",
         "heap-buffer-overflow|global-buffer-overflow|runtime error|finding: not so: .*",
     ),
-    # a position that is no number is not refused any more
+    # a position of NaN is not refused any more
     Planted(
         "interpreter",
-        "src/flight/board_command_original.c",
-        "values.position >= -1.0F && values.position <= 1.0F",
-        "!(values.position < -1.0F || values.position > 1.0F)",
-        "every servo is told a position",
+        "src/flight/servo_outputs.c",
+        "position >= -1.0F && position <= 1.0F",
+        "!(position < -1.0F || position > 1.0F)",
+        "every servo gets a position",
     ),
-    # one servo more than there are
+    # a servo that does not exist is accepted
     Planted(
         "interpreter",
-        "src/flight/board_command_original.c",
-        "values.servo < board_servo_count",
-        "values.servo <= board_servo_count",
+        "src/flight/servo_outputs.c",
+        "servo < board_servo_count",
+        "servo <= board_servo_count",
         "index 20 out of bounds",
     ),
-    # a mission with a gap is taken over
+    # a mission with a missing waypoint is accepted
     Planted(
         "mission",
         "src/navigation/mission.c",
@@ -140,7 +140,7 @@ def short(folder: Path, target: str) -> Outcome:
 
 
 def long(folder: Path, target: str, options: argparse.Namespace) -> Outcome:
-    """Run on from what is known to be interesting."""
+    """Continue from the inputs that were kept as interesting."""
     corpus = folder / "corpus" / target
     corpus.mkdir(parents=True, exist_ok=True)
     limit = f"-max_total_time={options.minutes * 60}" if options.minutes else f"-runs={options.runs}"
@@ -161,7 +161,7 @@ def build_planted(folder: Path, bug: Planted, options: argparse.Namespace) -> Pa
     made = copy.with_suffix(".o")
     subprocess.run([*shlex.split(options.compile), "-c", str(copy), "-o", str(made)], cwd=ROOT, check=True)
     program = folder / f"fuzz_{bug.target}"
-    # the changed object comes first, so that its twin in the archive is not taken
+    # the changed object comes first, so that the linker does not take the unchanged one from the archive
     own = options.folder / "object" / "fuzz"
     objects = [made, own / f"fuzz_{bug.target}.o", own / "line_mutator.o", options.folder / "tested.a"]
     link = [*shlex.split(options.link), "-o", str(program), *map(str, objects), "-lm"]
@@ -170,7 +170,7 @@ def build_planted(folder: Path, bug: Planted, options: argparse.Namespace) -> Pa
 
 
 def planted(number: int, options: argparse.Namespace) -> Outcome:
-    """Find a bug that is known to be there."""
+    """Plant one bug and check that the fuzzer finds it."""
     bug = PLANTED[number]
     begun = time.monotonic()
     folder = options.folder / "planted" / str(number)
@@ -198,7 +198,7 @@ def write_results(folder: Path, name: str, outcomes: list[Outcome]) -> None:
 
 
 def main() -> int:
-    """Run what is asked for, two at a time."""
+    """Run the requested targets, two at a time."""
     parser = argparse.ArgumentParser()
     parser.add_argument("what", choices=["short", "long", "planted"])
     parser.add_argument("folder", type=lambda text: Path(text).resolve())

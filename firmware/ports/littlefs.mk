@@ -1,5 +1,5 @@
-# The file system of the card, for every target that has one. It allocates nothing, has no assertions (what they would
-# find is an error code or the CRC of a record) and says nothing. The names of our files are short.
+# The file system of the card, for every target that has one. It allocates nothing, has no assertions (errors
+# are found by error codes and the CRC of a record) and logs nothing. The names of our files are short.
 
 littlefs_folder := third_party/littlefs
 littlefs_sources := $(addprefix $(littlefs_folder)/,lfs.c lfs_util.c)

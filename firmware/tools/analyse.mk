@@ -1,17 +1,16 @@
-# The sources read by other eyes: clang's warnings as errors, clang-tidy (.clang-tidy), cppcheck and MISRA C:2012
-# (MISRA.md). Included by the Makefile. What is not ours (third_party) is not looked into; what is generated is only
-# compiled and seen by cppcheck.
+# Static analysis: clang's warnings as errors, clang-tidy (.clang-tidy), cppcheck with MISRA C:2012 (MISRA.md). Included by
+# the Makefile. third_party is not analysed; generated sources only by the compiler and cppcheck.
 
 .PHONY: analyse analyse-clang analyse-tidy analyse-misra
 
 CLANG_TIDY ?= clang-tidy
 CPPCHECK ?= cppcheck
 
-# what runs on the PC, and what only the processor's compiler can turn into a program
+# sources for the PC, and those that only the processor's compiler can build
 hosted_sources := $(wildcard src/*/*.c ports/models/*.c ports/library/*.c ports/posix/*.c)
 cortex_sources := $(wildcard $(addprefix ports/,cortex_m/*.c $(patsubst %,%/*.c,$(machines) $(card_machine))))
 hosted_flags := -std=c11 $(board_includes) -Iports/library
-# the processor's own C library stands behind clang's headers, which a freestanding program takes first
+# headers of the processor's C library come after clang's own, which a freestanding program uses first
 cortex_flags := -std=c11 --target=arm-none-eabi -mcpu=cortex-m4 -mthumb -mfpu=fpv4-sp-d16 -mfloat-abi=hard -ffreestanding \
   $(arm_includes)
 cortex_headers = $(addprefix -idirafter ,$(abspath $(dir $(shell $(ARM_PREFIX)gcc -print-file-name=libc.a 2>/dev/null))../include))

@@ -1,10 +1,11 @@
-"""Hold the firmware's import rules: which folder of src may include which.
+"""Hold the firmware's import rules: which folder of src may include which, and no circle between modules.
 
-Usage: check_layers.py SRC TESTS
+Usage: check_layers.py SRC TESTS [FOLDER...]
 
 Pure code knows no RTOS, no vendor and no hardware header; only `records` sees the storage interface, only `volume`
-the file system behind it, and only `app` sees everything. Each pure source has a test of its own name. Fails, too,
-when it saw no file: a check of nothing is no check.
+the file system behind it, and only `app` sees everything. Each pure source has a test of its own name. No module of
+any of the folders may depend on itself by way of others (`cycles.py`). Fails, too, when it saw no files, because it
+would then have checked nothing.
 """
 
 from __future__ import annotations
@@ -13,6 +14,8 @@ import re
 import sys
 from collections.abc import Iterator
 from pathlib import Path
+
+from cycles import circle, depend
 
 # folder -> what its files may include besides their own folder
 RULES: dict[str, tuple[str, ...]] = {
@@ -29,7 +32,7 @@ RULES: dict[str, tuple[str, ...]] = {
     "hal": ("common/", "comms/protocol_gen.h"),
 }
 FREE = {"app"}
-# the file system is for one folder
+# libraries that only one folder may use
 LIBRARIES = {"volume": {"lfs.h"}}
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 STANDARD = {
@@ -67,8 +70,8 @@ def untested(source: Path, tests: Path) -> Iterator[str]:
             yield f"{source}: there is no {partner}"
 
 
-def main(src: Path, tests: Path) -> int:
-    """Check every file below `src`; return the exit code."""
+def main(src: Path, tests: Path, others: list[Path]) -> int:
+    """Check the layers of every file below `src` and the circles in all folders; return the exit code."""
     seen = 0
     found: list[str] = []
     for path in sorted(src.glob("*/*.[ch]")):
@@ -83,9 +86,11 @@ def main(src: Path, tests: Path) -> int:
         found += untested(path, tests)
     if seen < len(RULES):
         found.append(f"only {seen} files were seen below {src}")
-    print("\n".join(found) if found else f"layers: {seen} files keep the rules")
+    edges = depend(sorted(path for folder in (src, tests, *others) for path in folder.rglob("*.[ch]")))
+    found += [f"circle: {reason}" for reason in circle(edges)]
+    print("\n".join(found) if found else f"layers: {seen} files keep the rules; no circle among {len(edges)} modules")
     return 1 if found else 0
 
 
 if __name__ == "__main__":
-    sys.exit(main(Path(sys.argv[1]), Path(sys.argv[2])))
+    sys.exit(main(Path(sys.argv[1]), Path(sys.argv[2]), [Path(name) for name in sys.argv[3:]]))

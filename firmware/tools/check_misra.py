@@ -1,4 +1,4 @@
-"""Run cppcheck with its MISRA C:2012 addon over the sources that fly, and compare what it finds with MISRA.md.
+"""Run cppcheck with its MISRA C:2012 addon over the sources, and compare its findings with MISRA.md.
 
 Usage: check_misra.py CPPCHECK MISRA.md FOLDER... -- CPPCHECK_OPTION...
 
@@ -26,13 +26,13 @@ WORKERS = "2"
 
 @dataclass(frozen=True)
 class Deviation:
-    """A rule that is not kept in some files; the reason stands beside it in the table."""
+    """A rule that is not kept in some files; the table gives the reason."""
 
     rule: str
     patterns: tuple[str, ...]
 
     def permits(self, rule: str, file: str) -> bool:
-        """Tell whether this row speaks of the finding."""
+        """Tell whether this row permits the finding."""
         return rule == self.rule and any(fnmatch.fnmatch(file, pattern) for pattern in self.patterns)
 
 
@@ -63,7 +63,7 @@ def run(cppcheck: str, folders: list[str], options: list[str]) -> list[re.Match[
 
 
 def main() -> int:
-    """Compare, and say what is not permitted."""
+    """Print every finding without a permit and every permit without a finding; return the exit code."""
     split = sys.argv.index("--")
     cppcheck, table, *folders = sys.argv[1:split]
     deviations = read_deviations(Path(table))
@@ -82,7 +82,7 @@ def main() -> int:
         print(line, file=sys.stderr)
     for row in stale:
         print(f"{table}: {row.rule} in {', '.join(row.patterns)}: nothing deviates any more", file=sys.stderr)
-    # without a single finding the addon did not run: some rules are deviated from for certain
+    # some deviations always exist, so no finding at all means that the addon did not run
     if refused or stale or not findings:
         print(f"misra: {len(set(refused))} findings without a deviation, {len(stale)} deviations without a finding")
         return 1

@@ -1,9 +1,9 @@
 """What an image needs of its processor: memory, stack and time, measured on the image itself under QEMU.
 
-Usage: report.py BUILD SIZE_PROGRAM [SECONDS], by a Python that has the gateway's packages.
+Usage: report.py BUILD SIZE_PROGRAM [SECONDS]
 
-The image flies in the loop meanwhile: 50 frames a second with every stream on. Times are the computer's, so they mean
-something on one that has little else to do.
+Meanwhile the image flies in the loop: 50 frames a second with every stream on. The times depend on what else this
+computer has to do: measure on an idle one.
 """
 
 from __future__ import annotations
@@ -16,14 +16,33 @@ import tempfile
 import time
 from pathlib import Path
 
-from gateway.codec.encode import encode_command
-from gateway.codec.frame import Frame, FrameDecoder
-from gateway.codec.messages_gen import OPEN_BINARY_MODE
-from launcher.emulated import EmulatedBoard
+from station import OPEN_BINARY_MODE, Listener, command_bytes
 
 PERIOD_S = 0.02
 LEVEL_FLIGHT = (0.0, 0.0, 0.0, 0.5, 0.0, 0.0, 0.0, 28.0, 3.0, 0.0, 1000.0, 0.0, 55.0, 27.95, -15.38)
 STARTED_S = 20.0
+QEMU = "qemu-system-arm"
+MACHINES = {"stm32f405": "netduinoplus2", "mps2_an386": "mps2-an386"}
+"""Folder of the image -> QEMU's name of the machine."""
+BUFFERED = {"stm32f405"}
+"""Machines whose serial port works behind QEMU's multiplexer, which moves 32 bytes at once (firmware/README.md)."""
+
+
+def free_port() -> int:
+    """Return a TCP port of the loopback that nobody listens on."""
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        port: int = probe.getsockname()[1]
+        return port
+
+
+def emulator(build: Path, folder: str, card: Path, port: int) -> list[str]:
+    """Return the command that runs an image, its serial line on a TCP port and `card` as its card."""
+    line = f"socket,id=line,host=127.0.0.1,port={port},server=on,wait=off,nodelay=on"
+    words = [QEMU, "-M", MACHINES[folder], "-kernel", str(build / folder / "epf-board-qemu.elf")]
+    words += ["-display", "none", "-monitor", "none", "-serial", "chardev:line", "-chardev"]
+    words += [f"{line},mux=on", "-echr", "256"] if folder in BUFFERED else [line]
+    return [*words, "-semihosting-config", f"enable=on,target=native,arg=--card,arg={str(card).replace(',', ',,')}"]
 
 
 class Line:
@@ -40,14 +59,14 @@ class Line:
                     sys.exit("report: nobody listens on the image's line")
                 time.sleep(0.05)
         self._socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
-        self._decoder = FrameDecoder()
+        self._listener = Listener()
 
     def send(self, data: bytes) -> None:
-        """All of it."""
+        """Send all of it."""
         self._socket.sendall(data)
 
     def read(self, timeout_s: float) -> bytes:
-        """What comes in; empty when nothing does in this time."""
+        """Return what came in, or nothing after this time."""
         self._socket.settimeout(max(timeout_s, 0.0001))
         try:
             return self._socket.recv(65536)
@@ -55,12 +74,12 @@ class Line:
             return b""
 
     def names(self, timeout_s: float) -> list[str]:
-        """Names of the frames that came in."""
-        return [found.message.name for found in self._decoder.feed(self.read(timeout_s)) if isinstance(found, Frame)]
+        """Return the names of the frames that came in."""
+        return self._listener.feed(self.read(timeout_s))
 
 
 def round_trips_ms(line: Line, seconds: float) -> tuple[list[float], int]:
-    """Milliseconds from each command 50 to the surfaces that answer it, and how many had no answer in a second."""
+    """Return the milliseconds from each command 50 to its answer, and how many had no answer in a second."""
     times: list[float] = []
     lost = 0
     due_s = time.monotonic()
@@ -69,7 +88,7 @@ def round_trips_ms(line: Line, seconds: float) -> tuple[list[float], int]:
         while (rest_s := due_s - time.monotonic()) > 0:
             line.names(rest_s)
         begun_s = time.monotonic()
-        line.send(encode_command("xplane_info", *LEVEL_FLIGHT))
+        line.send(command_bytes("xplane_info", *LEVEL_FLIGHT))
         while "hil_surfaces" not in line.names(begun_s + 1.0 - time.monotonic()):
             if time.monotonic() - begun_s >= 1.0:
                 lost += 1
@@ -80,7 +99,7 @@ def round_trips_ms(line: Line, seconds: float) -> tuple[list[float], int]:
 
 
 def ask(line: Line, words: str) -> str:
-    """The shell's answer."""
+    """Return the shell's answer."""
     while line.read(0.3):
         pass
     line.send(f"{words}\n".encode())
@@ -90,24 +109,22 @@ def ask(line: Line, words: str) -> str:
     return answer.decode("ascii", "replace").replace("\r", "")
 
 
-def fly(name: str, build: Path, card: Path, seconds: float) -> None:
-    """Fly one image and say what it needed."""
-    emulated = EmulatedBoard.named(name)
-    if emulated is None:
-        raise ValueError(name)
-    with subprocess.Popen(emulated.command(build.resolve().parent, card)) as qemu:
+def fly(folder: str, build: Path, card: Path, seconds: float) -> None:
+    """Fly one image and print what it needed."""
+    port = free_port()
+    with subprocess.Popen(emulator(build, folder, card, port)) as qemu:
         try:
-            line = Line(emulated.port)
+            line = Line(port)
             deadline_s = time.monotonic() + STARTED_S
             while "heartbeat" not in line.names(0.5):
                 line.send(OPEN_BINARY_MODE)
                 if time.monotonic() > deadline_s:
                     sys.exit("report: the image does not answer")
-            line.send(encode_command("capabilities") + encode_command("start") + encode_command("hil_load_gando"))
-            line.send(encode_command("control_source", 1) + encode_command("autopilot_on"))
-            line.send(encode_command("store_parameters"))
+            line.send(command_bytes("capabilities") + command_bytes("start") + command_bytes("hil_load_gando"))
+            line.send(command_bytes("control_source", 1) + command_bytes("autopilot_on"))
+            line.send(command_bytes("store_parameters"))
             times, lost = round_trips_ms(line, seconds)
-            line.send(encode_command("stop") + encode_command("exit_binary_mode"))
+            line.send(command_bytes("stop") + command_bytes("exit_binary_mode"))
             ask(line, "help")  # the longest way through the shell
             tasks = ask(line, "tasks")
         finally:
@@ -115,7 +132,7 @@ def fly(name: str, build: Path, card: Path, seconds: float) -> None:
     if not times:
         sys.exit("report: no frame was answered")
     cuts = statistics.quantiles(times, n=100)
-    print(f"\n{emulated.folder} under QEMU, {seconds:.0f} s at 50 Hz with every stream on")
+    print(f"\n{folder} under QEMU, {seconds:.0f} s at 50 Hz with every stream on")
     print(f"HIL round trip: p50 {cuts[49]:.1f} ms, p99 {cuts[98]:.1f} ms; {len(times)} answered, {lost} not")
     print(tasks, end="")
 
@@ -129,8 +146,8 @@ def main(build: Path, size: str, seconds: float) -> None:
     ):
         subprocess.run([program, build / image], check=True)
     with tempfile.TemporaryDirectory() as card:
-        for name in ("qemu", "qemu-an386"):
-            fly(name, build, Path(card), seconds)
+        for folder in MACHINES:
+            fly(folder, build, Path(card), seconds)
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-/// Kernel settings of the board on a Cortex-M4F processor. What is not named here keeps the kernel's own default.
+/// Kernel settings of the board on a Cortex-M4F processor. All other settings keep the kernel's defaults.
 #ifndef FREERTOS_CONFIG_H
 #define FREERTOS_CONFIG_H
 
@@ -26,15 +26,15 @@
 #define configUSE_PORT_OPTIMISED_TASK_SELECTION 1
 
 #define configUSE_IDLE_HOOK 1 // the processor sleeps until the next interrupt
-#define configUSE_TICK_HOOK 1 // looks for bytes of the line that nobody was woken for
+#define configUSE_TICK_HOOK 1 // looks for received bytes whose interrupt woke nobody
 #define configCHECK_FOR_STACK_OVERFLOW 2
 
 // The processor's clock is known once the machine has set it up (machine.h).
 extern uint32_t machine_clock_hz;
 #define configCPU_CLOCK_HZ machine_clock_hz
 
-// Priorities of interrupts: the kernel's own are the lowest, and none above 0x50 (a smaller number) may call it.
-// Only the upper bits count, as many as the processor has.
+// Priorities of interrupts: the kernel's own are the lowest. Those above 0x50 (smaller numbers) must not call the
+// kernel. Only as many of the upper bits count as the processor has.
 #define configKERNEL_INTERRUPT_PRIORITY 0xFF
 #define configMAX_SYSCALL_INTERRUPT_PRIORITY 0x50
 

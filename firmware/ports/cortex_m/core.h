@@ -1,4 +1,4 @@
-/// Registers of the Cortex-M4 core itself (ARMv7-M Architecture Reference Manual, B3), as far as they are used.
+/// Registers of the Cortex-M4 core itself (ARMv7-M Architecture Reference Manual, B3), only those in use.
 #ifndef CORE_H
 #define CORE_H
 
@@ -21,24 +21,24 @@
 #define CORE_INTERRUPT_STATE_TICK_PENDS (1U << 26U)
 #define CORE_VECTOR_TABLE CORE_REGISTER(0xE000ED08U)
 #define CORE_RESET_CONTROL CORE_REGISTER(0xE000ED0CU)
-#define CORE_RESET_CONTROL_RESET 0x05FA0004U ///< the key, and the request
+#define CORE_RESET_CONTROL_RESET 0x05FA0004U ///< the key that allows the write, and the request
 #define CORE_COPROCESSORS CORE_REGISTER(0xE000ED88U)
 #define CORE_COPROCESSORS_FPU (0xFU << 20U) ///< full access to coprocessors 10 and 11
 
-/// Wait until what was written before has taken effect.
+/// Wait until all earlier writes have taken effect.
 static inline void core_barrier(void)
 {
     __asm volatile("dsb\n\tisb" ::: "memory");
 }
 
-/// Let interrupt `number` through, at a priority that may call the kernel.
+/// Enable interrupt `number`, at a priority that may call the kernel.
 static inline void core_interrupt_enable(uint32_t number)
 {
     CORE_INTERRUPT_PRIORITY(number) = 0x60U;
     CORE_INTERRUPT_ENABLE(number) = CORE_INTERRUPT_BIT(number);
 }
 
-/// As if the interrupt's device had raised it.
+/// Raise interrupt `number` by software.
 static inline void core_interrupt_pend(uint32_t number)
 {
     CORE_INTERRUPT_PEND(number) = CORE_INTERRUPT_BIT(number);

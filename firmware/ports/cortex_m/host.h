@@ -1,6 +1,5 @@
-/// What the computer that emulates the processor lends it: a folder as its memory card, and options. An image for the
-/// processor itself (`host_none.c`) has the card in the machine's slot and no options, one for an emulator
-/// (`host_semihosting.c`) asks for both.
+/// Memory card and options. An image for the processor itself (`host_none.c`) uses the card in the machine's slot and
+/// has no options. One for an emulator (`host_semihosting.c`) gets options and a folder as its card from the computer.
 #ifndef HOST_H
 #define HOST_H
 
@@ -9,14 +8,14 @@
 
 #include "hal/storage.h"
 
-/// NULL: there is no place for one, and nothing can be stored.
+/// The card; NULL: there is none, and nothing can be stored.
 const storage_t* host_card(void);
 
-/// Whether the board was started with this option, and the word behind it; NULL without.
+/// Whether the board was started with this option; the word after it, NULL without the option.
 bool host_has_option(const char* option);
 const char* host_word_after(const char* option);
 
-/// `patience` of the watchdog: an emulated processor shares the computer with others.
+/// `patience` of the watchdog: above 1 under an emulator, which shares the computer with other programs.
 extern const uint32_t host_patience;
 
 #endif

@@ -12,7 +12,7 @@ static const int32_t nowhere = -1;
 static struct
 {
     const char* folder;
-    int32_t image; ///< negative: there is none yet
+    int32_t image; ///< handle of the file; negative: it does not exist yet
     volume_t volume;
     storage_t storage;
 } card;
@@ -33,7 +33,7 @@ static bool path_of(const char* name, const char* ending, char path[semihosting_
     return true;
 }
 
-/// The image, made when something is to be written and it is not there.
+/// Open the image; create it when something is to be written and it does not exist.
 static bool open_image(bool for_writing)
 {
     char path[semihosting_path_bytes];
@@ -54,7 +54,7 @@ static bool seek(uint32_t block, uint32_t offset)
     return semihosting_ask(semihosting_seek, arguments) == 0;
 }
 
-/// What is beyond the image's end was never written.
+/// Blocks beyond the image's end were never written: they read as 0xFF.
 static block_status_t read_image(void* context, uint32_t block, uint32_t offset, uint8_t* data, size_t size)
 {
     (void)context;
@@ -99,14 +99,14 @@ static block_status_t erase_image(void* context, uint32_t block)
     return status;
 }
 
-/// The emulator hands on what is written at once.
+/// Nothing to do: the emulator passes each write on at once.
 static block_status_t sync_image(void* context)
 {
     (void)context;
     return block_ok;
 }
 
-/// A record as boards before kept it: in a file of its own beside the card's image.
+/// Read a record as earlier boards kept it: in a file of its own beside the card's image.
 static storage_status_t read_older(void* context, const char* name, uint8_t* data, size_t capacity, size_t* size)
 {
     (void)context;
@@ -130,7 +130,7 @@ static storage_status_t read_older(void* context, const char* name, uint8_t* dat
     return is_long ? storage_too_long : storage_ok;
 }
 
-/// What has moved to the image must not come back when that is damaged later.
+/// Remove the older files of a record that is in the image now: it must not reappear if the image is damaged later.
 static void remove_older(const char* name)
 {
     static const char* const endings[] = CARD_LAYOUT_OLDER_ENDINGS;
@@ -140,7 +140,7 @@ static void remove_older(const char* name)
         if (path_of(name, endings[i], path))
         {
             const uint32_t arguments[] = {semihosting_address(path), (uint32_t)strlen(path)};
-            (void)semihosting_ask(semihosting_remove, arguments); // mostly there is none
+            (void)semihosting_ask(semihosting_remove, arguments); // fails when there is none, the usual case
         }
     }
 }

@@ -1,5 +1,5 @@
-// By Arm's semihosting: for images under an emulator only. The emulator's arguments are the board's options;
-// `--card FOLDER` is the last of them.
+// By Arm's semihosting, for images under an emulator only. The emulator's arguments are the board's options, of which
+// `--card FOLDER` must be the last.
 #include "host.h"
 
 #include <stdbool.h>
@@ -22,7 +22,7 @@ static const char card_option[] = "--card ";
 
 static char folder[folder_bytes];
 
-/// The emulator's arguments, with a blank between them; empty without any.
+/// The emulator's arguments, separated by blanks; empty when there are none.
 static const char* command_line(void)
 {
     static char line[line_bytes];
@@ -51,7 +51,7 @@ const storage_t* host_card(void)
     return host_card_in(folder);
 }
 
-/// Where the option stands in `line`, NULL where it does not; what is behind the card's is a part of its name.
+/// Find the option in `line`; NULL when it is missing. Everything after `--card` is the folder's name, not an option.
 static const char* find_option(const char* line, const char* option)
 {
     const char* const card = strstr(line, card_option);

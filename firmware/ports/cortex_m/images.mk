@@ -1,13 +1,12 @@
 # The board as images of Cortex-M4F processors, built by Debian's ARM compiler: build/<machine>/epf-board.elf (and .bin)
-# for the processor itself, build/<machine>/epf-board-qemu.elf for QEMU, which lends it a folder as its memory card.
+# for the processor itself, build/<machine>/epf-board-qemu.elf for QEMU, with a folder of the computer as its memory card.
 # Included by the Makefile, whose warnings it uses.
 
 .PHONY: images size report
 
-STATION_PYTHON ?= ../.venv/bin/python
 ARM_PREFIX ?= arm-none-eabi-
 machines := stm32f405 mps2_an386
-# only to try the card's driver: its image is for QEMU, and lends nothing of it
+# only for testing the card's driver: its image runs in QEMU without semihosting
 card_machine := lm3s6965evb
 
 arm_flags := -mcpu=cortex-m4 -mthumb -mfpu=fpv4-sp-d16 -mfloat-abi=hard -Os -g -ffp-contract=off -fno-common \
@@ -18,7 +17,7 @@ arm_includes := $(littlefs_flags) -Isrc -Iports/models -Iports/cortex_m -isystem
 none_sources := ports/cortex_m/host_none.c src/volume/volume.c $(card_sources) $(littlefs_sources)
 emulator_sources := $(addprefix ports/cortex_m/,host_semihosting.c host_card.c semihosting.c) src/volume/volume.c \
   $(littlefs_sources)
-# every machine's image has these same objects
+# objects that every machine's image contains
 arm_sources := $(pure_sources) $(wildcard src/app/*.c ports/models/*.c) \
   $(filter-out $(none_sources) $(emulator_sources),$(wildcard ports/cortex_m/*.c))
 arm_object = $(1:%.c=$(BUILD)/cortex_m/object/%.o)
@@ -32,10 +31,9 @@ size: $(foreach machine,$(machines),$(BUILD)/$(machine)/epf-board.elf)
 
 # memory of every target; stack, processor time and HIL round trip of the images, flown in QEMU for SECONDS=20
 report: images board
-	@test -x $(STATION_PYTHON) || { echo "make: the report talks to the images with the gateway's code: make setup" >&2; exit 1; }
-	@$(STATION_PYTHON) tools/report.py $(BUILD) $(ARM_PREFIX)size $(SECONDS)
+	@$(PYTHON) tools/report.py $(BUILD) $(ARM_PREFIX)size $(SECONDS)
 
-# says what is missing before the first file fails
+# say what is missing before the first file fails
 $(BUILD)/cortex_m/compiler:
 	@mkdir -p $(@D)
 	@command -v $(ARM_PREFIX)gcc >$@ || { echo "make: the ARM compiler ($(ARM_PREFIX)gcc) is not here: on Debian or Ubuntu" \
@@ -57,7 +55,7 @@ $(BUILD)/cortex_m/object/%.o: %.c ports/cortex_m/images.mk | $(BUILD)/cortex_m/c
 	@echo "  CC $< (Cortex-M4F)"
 	@$(ARM_PREFIX)gcc $(WARNINGS) $(arm_flags) $(arm_includes) $(DEPENDENCIES) -c $< -o $@
 
-# $(1): machine, $(2): end of the image's name, $(3): what it has for a host
+# $(1): machine, $(2): end of the image's name, $(3): sources of its card and options
 define arm_image
 $(BUILD)/$(1)/epf-board$(2).elf: $$(arm_objects) $$(call arm_object,$$(wildcard ports/$(1)/*.c) $(3)) \
   ports/$(1)/memory.ld ports/cortex_m/sections.ld

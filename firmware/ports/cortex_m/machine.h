@@ -1,4 +1,4 @@
-/// What one processor has to offer besides its core: a clock, one serial line, a watchdog and a slot for a card.
+/// The devices of one processor besides its core: clock, one serial line, watchdog and a slot for a card.
 /// Implemented by each of ports/stm32f405, ports/mps2_an386 and ports/lm3s6965evb.
 #ifndef MACHINE_H
 #define MACHINE_H
@@ -9,30 +9,30 @@
 
 #include "hal/spi.h"
 
-/// Of the core and its tick timer; valid after `machine_start`.
+/// Frequency of the core and its tick timer; valid after `machine_start`.
 extern uint32_t machine_clock_hz;
 
-/// Bring clock and serial line up (115200 8N1), the line's interrupts still masked in the core.
+/// Start clock and serial line (115200 8N1); the core still masks the line's interrupts.
 void machine_start(void);
 
-/// The line's interrupts reach the core from now on.
+/// From now on, let the line's interrupts reach the core.
 void machine_uart_enable(void);
 
 /// Take one received byte; false when there is none.
 bool machine_uart_receive(uint8_t* byte);
 
-/// Whether reception raises the interrupt. Off while there is no room for more.
+/// Switch the receive interrupt. It is off while there is no room for more bytes.
 void machine_uart_watch_receiver(bool on);
 
-/// Give one byte to the transmitter; false when that still has one.
+/// Give one byte to the transmitter; false when it still holds the previous one.
 bool machine_uart_transmit(uint8_t byte);
 
-/// Whether a transmitter that is ready raises the interrupt, and have it raised once now when `on`: not every model of
-/// this processor raises it by itself.
+/// Switch the interrupt of a ready transmitter. When `on`, raise it once by software too, because not every emulator
+/// raises it.
 void machine_uart_watch_transmitter(bool on);
 
-/// Have the watchdog restart the processor unless it is fed at least once a second from now on. Nothing where the
-/// machine has none.
+/// Start the watchdog: from now on it restarts the processor unless it is fed at least once a second. Does nothing
+/// where the machine has none.
 void machine_watchdog_start(void);
 void machine_watchdog_feed(void);
 

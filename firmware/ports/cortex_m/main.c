@@ -1,5 +1,5 @@
-/// The board on a Cortex-M processor: puts its devices together. Sensors and receiver are models around the newest
-/// simulator information, as on a PC: this is the board for hardware in the loop.
+/// The board on a Cortex-M processor: connects the devices to the application. This is the board for hardware in the
+/// loop: its sensors and receiver are models around the newest simulator information, as on a PC.
 #include <string.h>
 
 #include "FreeRTOS.h"

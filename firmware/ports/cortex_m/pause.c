@@ -9,7 +9,7 @@
 
 enum
 {
-    turn_cycles = 3 ///< of the loop below, at least
+    turn_cycles = 3 ///< least number of cycles of one turn of the loop below
 };
 
 void pause_a_millisecond(void* unused)
@@ -17,7 +17,7 @@ void pause_a_millisecond(void* unused)
     (void)unused;
     if (xTaskGetSchedulerState() == taskSCHEDULER_RUNNING)
     {
-        vTaskDelay(2); // the tick that runs already may end at once
+        vTaskDelay(2); // one tick more, because the present one may end at once
         return;
     }
     for (uint32_t turns = machine_clock_hz / 1000U / (uint32_t)turn_cycles; turns > 0U; turns--)

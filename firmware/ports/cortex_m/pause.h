@@ -2,7 +2,8 @@
 #ifndef PAUSE_H
 #define PAUSE_H
 
-/// Let one millisecond pass at least, in which other tasks run once there are any. `unused` makes it a `spi_t.pause`.
+/// Wait for at least one millisecond; other tasks run meanwhile, once the kernel runs. Has the form of `spi_t.pause`,
+/// therefore `unused`.
 void pause_a_millisecond(void* unused);
 
 #endif

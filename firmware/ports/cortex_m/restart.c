@@ -13,10 +13,10 @@ enum
     reason_bytes = 40
 };
 
-/// In memory that the start does not clear; after power-on it holds anything, which the check tells.
+/// In memory that the start does not clear. After power-on its contents are random, which the check detects.
 __attribute__((section(".noinit"))) static struct
 {
-    uint8_t reason[reason_bytes]; ///< text, filled up with zeros
+    uint8_t reason[reason_bytes]; ///< text, padded with zeros
     uint32_t check;
 } kept;
 

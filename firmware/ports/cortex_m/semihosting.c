@@ -23,7 +23,7 @@ int32_t semihosting_open_file(const char* path, uint32_t mode)
 
 bool semihosting_move(uint32_t operation, int32_t file, const void* data, size_t size)
 {
-    // the answer is how many bytes were not moved
+    // the answer is the number of bytes that were not transferred
     const uint32_t arguments[] = {(uint32_t)file, semihosting_address(data), (uint32_t)size};
     return semihosting_ask(operation, arguments) == 0;
 }

@@ -1,4 +1,4 @@
-/// Arm's semihosting: calls that an emulator answers. They are a fault on a processor without a debugger.
+/// Arm's semihosting: calls that an emulator answers. On a processor without a debugger such a call is a fault.
 #ifndef SEMIHOSTING_H
 #define SEMIHOSTING_H
 
@@ -17,9 +17,9 @@ enum
     semihosting_length = 0x0C,
     semihosting_remove = 0x0E,
     semihosting_command_line = 0x15,
-    semihosting_mode_read = 1,   ///< of a file that is there
-    semihosting_mode_change = 3, ///< the same, to write too
-    semihosting_mode_make = 7,   ///< an empty one
+    semihosting_mode_read = 1,   ///< an existing file, to read
+    semihosting_mode_change = 3, ///< an existing file, to read and write
+    semihosting_mode_make = 7,   ///< a new, empty file
     semihosting_path_bytes = 288
 };
 
@@ -35,7 +35,7 @@ int32_t semihosting_open_file(const char* path, uint32_t mode);
 /// Read or write all of `size` bytes of an open file.
 bool semihosting_move(uint32_t operation, int32_t file, const void* data, size_t size);
 
-/// A word of an open file alone: its length, or closing it.
+/// An operation whose only argument is an open file: ask its length, or close it.
 int32_t semihosting_of(uint32_t operation, int32_t file);
 
 #endif

@@ -42,7 +42,7 @@ void startup_reset(void)
 {
     CORE_COPROCESSORS |= CORE_COPROCESSORS_FPU;
     core_barrier();
-    // The image may have been put anywhere, by a boot loader too.
+    // A boot loader may have put the image at another address.
     CORE_VECTOR_TABLE = (uint32_t)(uintptr_t)core_vectors;
     const uint32_t* from = image_data_stored;
     for (uint32_t* to = image_data_start; to < image_data_end; to++)

@@ -4,11 +4,11 @@
 
 #include <stdint.h>
 
-/// What is not served elsewhere: a fault of the program. Restarts the board.
+/// Handler of every interrupt that has no other: a fault of the program. Restarts the board.
 void startup_fault(void);
 
 /// One entry of the vector table: the core's own 16, then the machine's interrupts in the hardware's order (in section
-/// `.vectors.machine`). The first entry is where the stack begins.
+/// `.vectors.machine`). The first entry is the initial stack pointer.
 typedef union
 {
     void (*handler)(void);

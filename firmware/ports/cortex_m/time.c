@@ -17,8 +17,8 @@ uint32_t time_ms(void)
     return (uint32_t)xTaskGetTickCount() * (1000U / configTICK_RATE_HZ);
 }
 
-/// Ticks and what has passed of this one. The kernel asks when it switches tasks, with interrupts held back: a tick
-/// that has passed but was not counted yet is pending then.
+/// Microseconds: the ticks and the elapsed part of the present one. The kernel calls it while it switches tasks with
+/// interrupts masked, so a tick that is over but not counted yet is pending.
 uint32_t cortex_m_run_time_us(void)
 {
     const uint32_t reload = CORE_SYSTICK_RELOAD;

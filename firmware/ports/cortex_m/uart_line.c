@@ -17,9 +17,9 @@ enum
 
 static struct
 {
-    byte_ring_t received; ///< interrupt to task
-    byte_ring_t sending;  ///< task to interrupt
-    bool is_held_back;    ///< the receiver's interrupt is off, as there is no room
+    byte_ring_t received; ///< from interrupt to task
+    byte_ring_t sending;  ///< from task to interrupt
+    bool is_held_back;    ///< the receive interrupt is off because there is no room
     bool is_sending;      ///< the transmitter's interrupt is on
     uint8_t received_bytes[ring_bytes];
     uint8_t sending_bytes[ring_bytes];
@@ -32,9 +32,9 @@ static size_t held(void)
     return ring_bytes - byte_ring_room(&line.received);
 }
 
-/// Fetch what has come in. A ring without room leaves the rest where it is and the interrupt off until it is read.
-/// True when the reader should run: a task for each byte would cost more than all the rest of the line. Frames and
-/// lines end with a line feed; what ends without one, the next tick finds.
+/// Fetch received bytes. When the ring is full, the rest stays in the receiver and its interrupt off until the ring is
+/// read. True when the reader should run: not for each byte, which would cost more than all other work of the line, but
+/// for several, or for a line feed, which ends every frame and line. The next tick finds what ends otherwise.
 static bool fetch(void)
 {
     bool is_end = false;
@@ -54,7 +54,7 @@ static bool fetch(void)
     return has_fetched && (is_end || held() >= wake_bytes);
 }
 
-/// Run the reader, from an interrupt.
+/// Wake the reader, from an interrupt.
 static bool wake(void)
 {
     return line.interrupt != NULL && line.interrupt(line.interrupt_context);
@@ -87,7 +87,7 @@ void uart_line_interrupt(void)
     portYIELD_FROM_ISR(has_news && wake() ? pdTRUE : pdFALSE);
 }
 
-/// The kernel looks for woken tasks itself after this.
+/// The kernel switches to woken tasks by itself after this hook.
 void vApplicationTickHook(void)
 {
     if (held() > 0U)

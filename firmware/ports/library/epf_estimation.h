@@ -12,7 +12,7 @@ void epf_estimation_free(estimator_t* estimator);
 /// One step of `dt_s` (> 0).
 void epf_estimation_step(estimator_t* estimator, const estimator_samples_t* samples, float dt_s, estimate_t* estimate);
 
-/// Samples of one sensor (an `estimator_sensor_t`) that were refused.
+/// Number of refused samples of one sensor (an `estimator_sensor_t`).
 uint32_t epf_estimation_refused(const estimator_t* estimator, uint32_t sensor);
 
 #endif

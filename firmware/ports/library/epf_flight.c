@@ -15,7 +15,7 @@ struct flight
     board_t board;
     frame_decoder_t decoder;
     uint32_t now_ms;
-    float hil_ms; ///< time of HIL steps that is not yet in `now_ms`
+    float hil_ms; ///< time of HIL steps that is not in `now_ms` yet
     uint8_t queue[queue_bytes];
     size_t queued;
     size_t lost;
@@ -63,7 +63,7 @@ static void handle(flight_t* flight, const frame_t* frame)
 {
     if (frame->type_id == COMMAND_XPLANE_INFO_ID)
     {
-        flight->hil_ms += flight->board.config.hil_period_s * 1000.0F;
+        flight->hil_ms += flight->board.hil.period_s * 1000.0F;
         const uint32_t whole_ms = (uint32_t)flight->hil_ms;
         flight->hil_ms -= (float)whole_ms;
         flight->now_ms += whole_ms;

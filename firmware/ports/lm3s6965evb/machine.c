@@ -1,6 +1,5 @@
-// TI's LM3S6965 evaluation board as QEMU has it, with a Cortex-M4F in the place of its Cortex-M3: the only one of
-// QEMU's boards with such a processor that has a memory card on a bus, so the image for it is there to try the card's
-// driver.
+// TI's LM3S6965 evaluation board as QEMU emulates it, with a Cortex-M4F in place of its Cortex-M3. It is the only one
+// of QEMU's boards for such a processor with a memory card on a bus: its image is for testing the card's driver.
 #include "machine.h"
 
 #include "core.h"
@@ -13,7 +12,7 @@ enum
     vector_count = 44
 };
 
-static const uint32_t reset_hz = 12500000U; ///< as QEMU starts it; nothing here needs more
+static const uint32_t reset_hz = 12500000U; ///< at reset; fast enough here
 static const uint32_t baud = 115200U;
 
 uint32_t machine_clock_hz;
@@ -24,7 +23,7 @@ static void serve_uart(void)
     uart_line_interrupt();
 }
 
-/// Every interrupt that is not used is one that nobody enabled: a fault.
+/// An unused interrupt was never enabled, so its arrival is a fault.
 #define UNUSED {.handler = startup_fault}
 #define UNUSED_5 UNUSED, UNUSED, UNUSED, UNUSED, UNUSED
 #define UNUSED_19 UNUSED_5, UNUSED_5, UNUSED_5, UNUSED, UNUSED, UNUSED, UNUSED
@@ -42,7 +41,7 @@ void machine_start(void)
     SYSCTL_RCGC1 |= SYSCTL_RCGC1_UART0 | SYSCTL_RCGC1_SSI0;
     SYSCTL_RCGC2 |= SYSCTL_RCGC2_GPIOD;
     core_barrier();
-    // in 64ths of a sixteenth of the clock
+    // divider of the clock / 16, in 64ths
     const uint32_t divider = (reset_hz * 4U + baud / 2U) / baud;
     UART0_IBRD = divider / 64U;
     UART0_FBRD = divider % 64U;
@@ -96,10 +95,10 @@ void machine_uart_watch_transmitter(bool on)
 
 void machine_watchdog_start(void)
 {
-    // The application's supervisor alone restarts this board.
+    // No watchdog: only the application's supervisor restarts this board.
 }
 
 void machine_watchdog_feed(void)
 {
-    // There is none.
+    // No watchdog to feed.
 }

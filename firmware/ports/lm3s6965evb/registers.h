@@ -1,4 +1,4 @@
-/// Registers of the LM3S6965 (data sheet) and of Arm's PrimeCells in it (PL011, PL022, PL061), as far as they are used.
+/// Registers of the LM3S6965 (data sheet) and of Arm's PrimeCells in it (PL011, PL022, PL061), only those in use.
 #ifndef REGISTERS_H
 #define REGISTERS_H
 
@@ -30,7 +30,7 @@
 #define UART0_ICR REGISTER(0x4000C044U)
 #define UART0_INTERRUPT 5U
 
-// Port D (PL061): pin 0 selects the card. The address says which pins are written.
+// Port D (PL061): pin 0 selects the card. The address selects the pins that are written.
 #define GPIOD_DATA_PIN_0 REGISTER(0x40007004U)
 #define GPIOD_DIR REGISTER(0x40007400U)
 #define GPIOD_DEN REGISTER(0x4000751CU)

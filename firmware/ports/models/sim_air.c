@@ -7,8 +7,8 @@
 static const float sea_level_hpa = 1013.25F;
 static const float air_density_kg_m3 = 1.225F;
 static const float lapse_degc_m = 0.0065F;
-static const float sea_level_degc = 22.0F;   ///< a usual day on the islands
-static const float board_warmth_degc = 5.0F; ///< the electronics' own
+static const float sea_level_degc = 22.0F;   ///< on a usual day on the islands
+static const float board_warmth_degc = 5.0F; ///< how much the electronics warm the sensor
 
 // Ten lithium cells of 20 Ah, as the motor of the simulated aircraft wants (37 V).
 static const float cells = 10.0F;
@@ -57,7 +57,7 @@ void sim_air_read(sim_air_t* model, const sim_truth_t* truth, float throttle, fl
 
     *analog = (message_analog_t){
         .baro_hpa = pressure_hpa(truth->altitude_m) + model->baro_error_hpa + sim_noise_normal(noise, 0.02F),
-        .altitude_m = NAN, // this, the airspeed and the climb are for the board to work out,
+        .altitude_m = NAN, // the board computes altitude, airspeed and climb
         .altitude_external_m = truth->altitude_m + model->external_error_m + sim_noise_normal(noise, 0.1F),
         .pitot_pa = model->pitot_pa + sim_noise_normal(noise, 0.5F),
         .calibrated_airspeed_kt = NAN,

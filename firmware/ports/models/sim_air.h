@@ -13,9 +13,9 @@ typedef struct
     sim_noise_t noise;
     float baro_error_hpa; ///< wanders with the weather
     float external_error_m;
-    float pitot_pa; ///< behind its tubing
+    float pitot_pa; ///< delayed by its tubing
     float temperature_degc;
-    bool is_settled; ///< the lags have a value to start from
+    bool is_settled; ///< the lags have their initial value
     float charge;    ///< of the battery, 0..1
 } sim_air_t;
 

@@ -2,35 +2,38 @@
 
 #include <math.h>
 #include <stdbool.h>
+#include <string.h>
 
 #include "common/angle.h"
 #include "common/limit.h"
-#include "flight/board.h"
+#include "flight/board_sensors.h"
 #include "sim_air.h"
 #include "sim_gps.h"
 #include "sim_inertial.h"
+#include "sim_motion.h"
 
 static const float m_per_ft = 0.3048F;
 static const float m_s_per_kt = 0.514444F;
 static const float m_s_per_ft_min = 0.00508F;
-static const float still_after_s = 1.0F;    ///< simulator information that old is of an aircraft that stands still
-static const float receiver_steps = 512.0F; ///< a receiver's pulses are counted, so its channels move in steps
+static const float still_after_s = 1.0F;    ///< with simulator information older than this, the aircraft stands still
+static const float receiver_steps = 512.0F; ///< a receiver counts its pulses' lengths, so its channels change in steps
 static const float receiver_noise = 0.001F;
 
-/// Gran Canaria (GCLP), beginning of runway 03, nose along it.
+/// Gran Canaria (GCLP), at the beginning of runway 03, heading along it.
 static const sim_truth_t parked = {
-    .latitude_deg = 27.9319, .longitude_deg = -15.3866, .altitude_m = 23.8F, .yaw_deg = 28.0F};
+    .latitude_deg = 27.9319, .longitude_deg = -15.3866, .altitude_m = 23.8F, .yaw_deg = 28.0F, .track_deg = 28.0F};
 
 static struct
 {
     sim_truth_t truth;
-    command_xplane_info_t stick;       ///< the newest one; only its stick is used, all 0 before
-    float throttle;                    ///< of the simulated motor
-    float servo_throttle;              ///< of the real one
-    float switches[board_servo_count]; ///< by receiver channel
+    command_xplane_info_t stick;  ///< the newest command 50, of which only the stick is used; 0 before the first
+    float throttle;               ///< of the simulated motor
+    float servo_throttle;         ///< of the real one
+    message_servos_in_t switches; ///< of the transmitter, by receiver channel; its sticks follow `stick`
     bool is_transmitter_off;
     bool is_observed;
     float age_s; ///< of the newest simulator information
+    sim_motion_t motion;
     sim_noise_t noise;
     sim_inertial_t inertial;
     sim_air_t air;
@@ -49,17 +52,20 @@ static void observe(void* context, const command_xplane_info_t* info, float thro
         .yaw_deg = angle_wrap_360(info->yaw_deg),
         .pitch_deg = info->pitch_deg,
         .roll_deg = info->roll_deg,
+        .ground_speed_m_s = sim.truth.ground_speed_m_s,
+        .track_deg = sim.truth.track_deg,
         .p_rad_s = info->gx_rad_s,
         .q_rad_s = info->gy_rad_s,
         .r_rad_s = info->gz_rad_s,
     };
+    sim_motion_follow(&sim.motion, &sim.truth);
     sim.stick = *info;
     sim.throttle = throttle;
     sim.age_s = 0.0F;
     sim.is_observed = true;
 }
 
-/// One channel as the receiver gives it.
+/// One channel as the receiver measures it.
 static float received(float position, float minimum)
 {
     const float noisy = limit_to(position, minimum, 1.0F) + sim_noise_normal(&sim.noise, receiver_noise);
@@ -80,7 +86,7 @@ static void read_receiver(message_servos_in_t* receiver)
     }
     for (size_t i = 0; i < channels; i++)
     {
-        receiver->channel[i] = received(sim.switches[i], -1.0F);
+        receiver->channel[i] = received(sim.switches.channel[i], -1.0F);
     }
     receiver->channel[rc_channel_aileron] = received(sim.stick.aileron, -1.0F);
     receiver->channel[rc_channel_elevator] = received(sim.stick.elevator, -1.0F);
@@ -96,6 +102,7 @@ static void read_all(void* context, float dt_s, sensors_reading_t* reading)
     if (!is_flying)
     {
         sim.truth.climb_m_s = 0.0F;
+        sim.truth.ground_speed_m_s = 0.0F;
         sim.truth.p_rad_s = 0.0F;
         sim.truth.q_rad_s = 0.0F;
         sim.truth.r_rad_s = 0.0F;
@@ -115,17 +122,17 @@ static void set_switch(void* context, int32_t channel, float position)
     }
     else
     {
-        sim.switches[channel] = position;
+        sim.switches.channel[channel] = position;
     }
 }
 
 sensors_t sim_board_sensors(uint32_t seed)
 {
-    // Each model has its own noise, so that one of them called once more does not change the others.
+    memset(&sim, 0, sizeof sim);
     sim.truth = parked;
-    sim.is_transmitter_off = false;
-    sim.switches[rc_channel_autopilot] = -1.0F;
-    sim.switches[rc_channel_autotrim] = -1.0F;
+    sim.switches.channel[rc_channel_autopilot] = -1.0F;
+    sim.switches.channel[rc_channel_autotrim] = -1.0F;
+    // Each model has its own noise, so that an additional call of one does not change the others.
     sim_noise_init(&sim.noise, seed);
     sim_inertial_init(&sim.inertial, seed + 1U);
     sim_air_init(&sim.air, seed + 2U);

@@ -1,24 +1,14 @@
-/// Model of a GPS receiver: five solutions a second, each out a fifth of a second late, with an error that wanders.
+/// Model of a GPS receiver: five solutions a second, each put out a fifth of a second late, with an error that wanders.
+/// Speed and track are measured directly, as a receiver does by the Doppler effect, and not from two positions and the
+/// time between them: the board's time is not the simulator's (see `sim_motion.h`).
 #ifndef SIM_GPS_H
 #define SIM_GPS_H
 
 #include <stdbool.h>
-#include <stddef.h>
 
 #include "comms/protocol_gen.h"
 #include "sim_noise.h"
 #include "sim_truth.h"
-
-enum
-{
-    sim_gps_places = 6 ///< speed and track come from the way of one second
-};
-
-typedef struct
-{
-    double latitude_deg;
-    double longitude_deg;
-} sim_gps_place_t;
 
 typedef struct
 {
@@ -26,19 +16,16 @@ typedef struct
     float north_error_m;
     float east_error_m;
     float up_error_m;
-    float satellites_wander;                ///< rounded and added to the usual number
-    sim_gps_place_t places[sim_gps_places]; ///< newest first
-    size_t places_held;
-    float age_s;            ///< of the newest solution
-    float heading_deg;      ///< kept while standing
-    message_gps_t computed; ///< to be put out with the next solution
+    float satellites_wander; ///< rounded and added to the usual number
+    float age_s;             ///< of the newest solution
+    message_gps_t computed;  ///< the newest solution, put out when the next one is computed
     message_gps_t put_out;
     bool has_solution;
 } sim_gps_t;
 
 void sim_gps_init(sim_gps_t* model, uint32_t seed);
 
-/// The newest solution that is out, `dt_s` after the last call.
+/// The newest solution that was put out, `dt_s` (> 0) after the last call.
 message_gps_t sim_gps_read(sim_gps_t* model, const sim_truth_t* truth, float dt_s);
 
 #endif

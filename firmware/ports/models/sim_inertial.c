@@ -16,13 +16,13 @@ static const float mag_noise = 0.005F;
 static const float mag_bias = 0.01F;
 static const float bias_time_s = 300.0F;
 
-static const float gyro_drift_rad_s = 0.002F; ///< between a cold and a warm board
+static const float gyro_drift_rad_s = 0.002F; ///< difference between a cold and a warm board
 static const float warm_time_s = 180.0F;
 
 static const float path_lag_s = 0.1F;
 static const float gust_lag_s = 0.5F;
-static const float longest_silence_s = 0.1F; ///< a path that was not told anew for so long is flown on straight
-static const float jump_m_s2 = 50.0F;        ///< more than that is no flight: the aircraft was put elsewhere, or paused
+static const float longest_silence_s = 0.1F; ///< without a change for longer, the path counts as straight
+static const float jump_m_s2 = 50.0F; ///< flight has no larger one: the simulator moved the aircraft, or was paused
 
 // The earth's magnetic field at Gran Canaria: 4 deg west of north, 38 deg down.
 static const float declination_deg = -4.0F;
@@ -41,7 +41,7 @@ void sim_inertial_init(sim_inertial_t* model, uint32_t seed)
     }
 }
 
-/// A vector in axes that are level and turned with the nose (ahead, aside, down) as seen in body axes.
+/// Turn a vector from level axes along the heading (ahead, right, down) into body axes.
 static void tilt(const sim_truth_t* truth, const float level[3], float body[3])
 {
     const float pitch_rad = angle_to_rad(truth->pitch_deg);
@@ -52,7 +52,7 @@ static void tilt(const sim_truth_t* truth, const float level[3], float body[3])
     body[2] = -sinf(roll_rad) * level[1] + cosf(roll_rad) * below;
 }
 
-/// A vector in north, east, down as seen in body axes.
+/// Turn a vector from earth axes (north, east, down) into body axes.
 static void to_body(const sim_truth_t* truth, const float ned[3], float body[3])
 {
     const float yaw_rad = angle_to_rad(truth->yaw_deg);
@@ -61,9 +61,9 @@ static void to_body(const sim_truth_t* truth, const float ned[3], float body[3])
     tilt(truth, level, body);
 }
 
-/// Acceleration of the path (ahead, aside, down) from its speed, direction and climb. Not from the body's rates: in
-/// gusts the nose swings and the path does not. The simulator tells the path less often than the sensors are read, so a
-/// change is one over the time since the last.
+/// Acceleration of the path (ahead, right, down) from the changes of its speed, direction and climb; not from the
+/// body's rates, because in gusts the nose swings but the path does not. The simulator sends the path less often than
+/// the sensors are read, so a change is divided by the time since the last change.
 static void follow_path(sim_inertial_t* model, const sim_truth_t* truth, float dt_s)
 {
     const float turn_rad = angle_to_rad(angle_wrap_180(truth->yaw_deg - model->track_deg));
@@ -82,7 +82,7 @@ static void follow_path(sim_inertial_t* model, const sim_truth_t* truth, float d
     {
         is_flown = is_flown && fabsf(now_m_s2[axis]) < jump_m_s2;
     }
-    // what the airspeed says of a gust is not the aircraft's own acceleration
+    // a gust changes the airspeed without accelerating the aircraft, so the airspeed is smoothed more
     const float lag_s[3] = {gust_lag_s, path_lag_s, path_lag_s};
     for (int axis = 0; axis < 3; axis++)
     {
@@ -96,7 +96,7 @@ static void follow_path(sim_inertial_t* model, const sim_truth_t* truth, float d
     model->has_path = true;
 }
 
-/// Specific force: what an accelerometer feels, that is acceleration without gravity.
+/// Specific force, which an accelerometer measures: acceleration minus gravity.
 static void specific_force(sim_inertial_t* model, const sim_truth_t* truth, float dt_s, float force_m_s2[3])
 {
     follow_path(model, truth, dt_s);

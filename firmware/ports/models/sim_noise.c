@@ -7,7 +7,7 @@ void sim_noise_init(sim_noise_t* noise, uint32_t seed)
     noise->state = seed;
 }
 
-/// SplitMix64: any seed is good, also 0.
+/// SplitMix64: any seed works, also 0.
 static uint64_t next(sim_noise_t* noise)
 {
     noise->state += UINT64_C(0x9E3779B97F4A7C15);

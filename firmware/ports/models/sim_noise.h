@@ -17,7 +17,7 @@ float sim_noise_uniform(sim_noise_t* noise);
 /// About normal, with mean 0 and standard deviation `sigma` (never beyond 6 of it).
 float sim_noise_normal(sim_noise_t* noise, float sigma);
 
-/// One step of `dt_s` of an error that wanders within `sigma` and forgets itself in `time_s` (Gauss-Markov).
+/// One step of `dt_s` of a Gauss-Markov error with standard deviation `sigma` and correlation time `time_s`.
 void sim_noise_wander(sim_noise_t* noise, float* error, float sigma, float time_s, float dt_s);
 
 /// One step of `dt_s` of a first-order lag of `time_s`.

@@ -1,5 +1,5 @@
-// Arm's MPS2 board with image AN386 (application note AN386): a second Cortex-M4F whose serial port is another one
-// (CMSDK APB UART), which shows what the application takes for granted of the first.
+// Arm's MPS2 board with image AN386 (application note AN386): a second Cortex-M4F with another serial port (CMSDK
+// APB UART), which shows where the application relies on properties of the first.
 #include "machine.h"
 
 #include "core.h"
@@ -17,7 +17,7 @@
 #define UART0_CONTROL_RECEIVE 2U
 #define UART0_CONTROL_TRANSMIT_INTERRUPT 4U
 #define UART0_CONTROL_RECEIVE_INTERRUPT 8U
-#define UART0_INTERRUPTS REGISTER(0x4000400CU) ///< which are raised; a 1 written takes one back
+#define UART0_INTERRUPTS REGISTER(0x4000400CU) ///< interrupts that are raised; writing a 1 clears one
 #define UART0_INTERRUPTS_BOTH 3U
 #define UART0_BAUD_DIVIDER REGISTER(0x40004010U)
 
@@ -39,7 +39,7 @@ static void serve_uart(void)
     uart_line_interrupt();
 }
 
-/// Every interrupt that is not used is one that nobody enabled: a fault.
+/// An unused interrupt was never enabled, so its arrival is a fault.
 #define UNUSED {.handler = startup_fault}
 #define UNUSED_5 UNUSED, UNUSED, UNUSED, UNUSED, UNUSED
 #define UNUSED_15 UNUSED_5, UNUSED_5, UNUSED_5
@@ -81,7 +81,7 @@ void machine_uart_watch_receiver(bool on)
         on ? UART0_CONTROL | UART0_CONTROL_RECEIVE_INTERRUPT : UART0_CONTROL & ~UART0_CONTROL_RECEIVE_INTERRUPT;
     if (on && !is_on)
     {
-        // The byte that waits came in without raising it.
+        // A byte that arrived while it was off did not raise it.
         core_interrupt_pend(receive_interrupt);
     }
 }
@@ -111,12 +111,12 @@ void machine_uart_watch_transmitter(bool on)
 
 void machine_watchdog_start(void)
 {
-    // There is none: the application's supervisor alone restarts this board.
+    // No watchdog: only the application's supervisor restarts this board.
 }
 
 void machine_watchdog_feed(void)
 {
-    // There is none.
+    // No watchdog to feed.
 }
 
 const spi_t* machine_card_bus(void)

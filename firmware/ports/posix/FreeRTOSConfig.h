@@ -1,4 +1,4 @@
-/// Kernel settings of the board on a PC. What is not named here keeps the kernel's own default.
+/// Kernel settings of the board on a PC. All other settings keep the kernel's defaults.
 #ifndef FREERTOS_CONFIG_H
 #define FREERTOS_CONFIG_H
 
@@ -17,7 +17,7 @@
 #define configMAX_PRIORITIES 9
 #define configMAX_TASK_NAME_LEN 16
 
-// Words. The kernel's port runs each task on a thread's own stack and keeps only that thread's record in this one.
+// Words. The kernel's port runs each task on the stack of a thread; this stack only holds data about that thread.
 #define configMINIMAL_STACK_SIZE 256
 #define configSTACK_DEPTH_TYPE size_t
 
@@ -26,12 +26,12 @@
 #define configUSE_CO_ROUTINES 0
 #define configUSE_TASK_NOTIFICATIONS 1
 
-// With nothing to do the board sleeps up to the next deadline: a tick each millisecond would cost 5 % of a core.
+// An idle board sleeps until the next deadline, because a tick each millisecond would cost 5 % of a core.
 #define configUSE_IDLE_HOOK 1
 #define configUSE_TICKLESS_IDLE 1
 #define portSUPPRESS_TICKS_AND_SLEEP(expected_ticks) kernel_sleep(expected_ticks)
 
-#define configUSE_TICK_HOOK 1            // looks at the line and the card in case their own interrupt was missed
+#define configUSE_TICK_HOOK 1            // looks at line and card, in case an interrupt of theirs was missed
 #define configCHECK_FOR_STACK_OVERFLOW 0 // these stacks belong to the PC's threads
 
 // Run time in microseconds (kernel.c): the load of the two processors and the shell's `tasks` come from it.

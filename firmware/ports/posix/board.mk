@@ -6,10 +6,10 @@
 kernel_folder := third_party/freertos
 kernel_sources := $(addprefix $(kernel_folder)/,tasks.c queue.c list.c portable/ThirdParty/GCC/Posix/port.c \
   portable/ThirdParty/GCC/Posix/utils/wait_for_event.c)
-# what needs no kernel: tests run it as it is
-board_tested_sources := $(addprefix src/app/,load.c shell.c shell_commands.c shell_reports.c task_table.c text.c tty.c watch.c)
+# sources that need no kernel, so that tests can run them
+board_tested_sources := $(addprefix src/app/,load.c shell.c shell_commands.c shell_reply.c shell_reports.c task_table.c text.c tty.c watch.c)
 board_sources := $(pure_sources) src/volume/volume.c $(wildcard src/app/*.c ports/models/*.c ports/posix/*.c)
-# the kernel's headers are not ours, so they are no place for our warnings
+# as system headers, so that the kernel's headers raise no warnings
 board_includes := $(littlefs_flags) -Isrc -Iports/models -Iports/posix -isystem $(kernel_folder)/include \
   -isystem $(kernel_folder)/portable/ThirdParty/GCC/Posix
 # the port's tick and run-time counter are replaced by those of ports/posix/kernel.c

@@ -27,27 +27,27 @@ typedef enum
     card_replace
 } card_operation_t;
 
-/// One order to the card's thread. A task fills it in, the thread answers in it.
+/// One order to the card's thread, which writes its answer into it.
 typedef struct
 {
     card_operation_t operation;
     const char* name;
     uint8_t* into;
     const uint8_t* from;
-    size_t size; ///< bytes to write, room to read into, then bytes read
+    size_t size; ///< bytes to write, or capacity to read into and then bytes read
     storage_status_t status;
 } card_order_t;
 
 static struct
 {
     const char* folder;
-    storage_t storage; ///< for the tasks; `volume` is for the thread
+    storage_t storage; ///< used by the tasks; the thread uses `volume`
     volume_t volume;
     card_order_t order;
-    sem_t ordered;          ///< the thread waits for it
-    SemaphoreHandle_t done; ///< the task waits for it
+    sem_t ordered;          ///< wakes the thread
+    SemaphoreHandle_t done; ///< wakes the task
     StaticSemaphore_t done_memory;
-    pthread_mutex_t at_work; ///< between the device threads only; no task ever takes it
+    pthread_mutex_t at_work; ///< between device threads only, never locked by a task
 } card = {.at_work = PTHREAD_MUTEX_INITIALIZER};
 
 static bool path_of(const char* name, char* path, size_t path_bytes)
@@ -56,7 +56,7 @@ static bool path_of(const char* name, char* path, size_t path_bytes)
     return length > 0 && (size_t)length < path_bytes;
 }
 
-/// A record as boards before kept it: in a file of its own beside the card's image.
+/// Read a record as earlier boards kept it: in a file of its own beside the card's image.
 static storage_status_t read_older(void* context, const char* name, uint8_t* data, size_t capacity, size_t* size)
 {
     (void)context;
@@ -86,7 +86,7 @@ static storage_status_t read_older(void* context, const char* name, uint8_t* dat
     return rest == 0 ? storage_ok : storage_too_long;
 }
 
-/// What has moved to the image must not come back when that is damaged later.
+/// Remove the older files of a record that is in the image now: it must not reappear if the image is damaged later.
 static void remove_older(const char* name)
 {
     static const char* const endings[] = CARD_LAYOUT_OLDER_ENDINGS;
@@ -162,7 +162,7 @@ static storage_status_t do_order(void)
     return card.order.status;
 }
 
-// NOLINTNEXTLINE(readability-non-const-parameter): it is written by the card's thread, to which its address goes
+// NOLINTNEXTLINE(readability-non-const-parameter): the card's thread, which gets its address, writes it
 static storage_status_t storage_read(void* context, const char* name, uint8_t* data, size_t capacity, size_t* size)
 {
     (void)context;
@@ -179,7 +179,7 @@ static storage_status_t storage_replace(void* context, const char* name, const u
     return do_order();
 }
 
-/// What is wrong with the folder, which is made where there is none; NULL: nothing.
+/// Make the folder if it does not exist. Returns what is wrong with it, or NULL.
 static const char* folder_problem(const char* folder)
 {
     struct stat there;

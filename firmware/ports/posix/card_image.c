@@ -24,7 +24,7 @@ static off_t place_of(uint32_t block, uint32_t offset)
     return (off_t)block * card_layout_block_bytes + (off_t)offset;
 }
 
-/// What is beyond the image's end was never written.
+/// Blocks beyond the image's end were never written: they read as 0xFF.
 static block_status_t read_image(void* context, uint32_t block, uint32_t offset, uint8_t* data, size_t size)
 {
     (void)context;
@@ -90,7 +90,7 @@ const block_device_t* card_image_device(void)
     return &device;
 }
 
-/// The image's name must be on the disk too: it is written when its folder is.
+/// Write the folder to the disk too, because the image's name is stored there.
 static bool sync_folder(const char* path)
 {
     const int folder = open(path, O_RDONLY | O_DIRECTORY | O_CLOEXEC);

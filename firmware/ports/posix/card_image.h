@@ -9,8 +9,8 @@
 /// The device; it works between `card_image_open` and `card_image_close`.
 const block_device_t* card_image_device(void);
 
-/// Open the image. One that is not there is made when something is to be written, else it reads as a card that never
-/// held anything. False when there is one that cannot be opened, or none can be made.
+/// Open the image. A missing image reads as a card that never held anything, and is made by the first write. False when
+/// an existing image cannot be opened, or a missing one could not be made.
 bool card_image_open(const char* folder, bool for_writing);
 
 void card_image_close(void);

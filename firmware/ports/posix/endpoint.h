@@ -1,4 +1,4 @@
-/// Where the serial line comes out on a PC: a pseudo-terminal, a TCP port or a serial device.
+/// The end of the serial line on a PC: a pseudo-terminal, a TCP port or a serial device.
 ///
 /// The line's thread (`line.c`) waits for a peer, moves bytes until the peer goes, and waits for the next one.
 #ifndef ENDPOINT_H
@@ -15,14 +15,14 @@ struct endpoint
     /// once when `stop_fd` becomes readable.
     int (*wait_for_peer)(endpoint_t* endpoint, int stop_fd);
 
-    /// The peer is gone: forget it, and what it did not read.
+    /// The peer has gone: drop it, and the bytes that it did not read.
     void (*drop_peer)(endpoint_t* endpoint);
 
-    /// The board goes down.
+    /// Close everything when the board ends.
     void (*close)(endpoint_t* endpoint);
 
-    char name[256];   ///< as a person would write it: pty:///path, tcp://127.0.0.1:port, serial:///dev/...
-    const char* path; ///< link or device; outlives the endpoint
+    char name[256];   ///< its address: pty:///path, tcp://127.0.0.1:port, serial:///dev/...
+    const char* path; ///< link or device; must stay valid as long as the endpoint
     char target[128]; ///< what the link points to
     int fd;           ///< pseudo-terminal's master, listening socket or device; -1: not open
     int peer_fd;      ///< TCP's connection; -1: none
@@ -39,7 +39,7 @@ bool endpoint_open_pty(endpoint_t* endpoint, const char* path, char error[endpoi
 /// Listen on 127.0.0.1, on a free port when `port` is 0.
 bool endpoint_open_tcp(endpoint_t* endpoint, unsigned int port, char error[endpoint_error_bytes]);
 
-/// Open a serial device with 115200 8N1; it may go and come back later.
+/// Open a serial device with 115200 8N1; it may be unplugged and plugged in again.
 bool endpoint_open_serial(endpoint_t* endpoint, const char* path, char error[endpoint_error_bytes]);
 
 /// Wait until `fd` (-1: nothing) or `stop_fd` is readable or `timeout_ms` is over. True when `fd` is.

@@ -1,4 +1,4 @@
-// Pseudo-terminals need more than POSIX names.
+// Pseudo-terminals need functions that POSIX does not have.
 #define _GNU_SOURCE
 
 #include "endpoint.h"
@@ -13,7 +13,7 @@
 #include <termios.h>
 #include <unistd.h>
 
-/// A pseudo-terminal that nobody has open says "hung up" without pause, so a new peer is looked for at this pace.
+/// A pseudo-terminal that nobody has open reports "hung up" all the time, so look for a peer only at this interval.
 static const int peer_poll_ms = 10;
 
 bool endpoint_wait(int fd, int stop_fd, int timeout_ms)
@@ -26,7 +26,7 @@ static bool has_peer(const endpoint_t* endpoint)
 {
     struct pollfd state = {.fd = endpoint->fd, .events = POLLIN};
     (void)poll(&state, 1, 0);
-    // What a peer wrote before it closed counts as well.
+    // Bytes that a peer wrote before it closed are still read.
     return (state.revents & POLLHUP) == 0 || (state.revents & POLLIN) != 0;
 }
 
@@ -47,13 +47,13 @@ static int wait_for_peer(endpoint_t* endpoint, int stop_fd)
     return -1;
 }
 
-/// Throw away what the last peer left unread, so that the next one begins with fresh bytes.
+/// Throw away what the last peer did not read, so that the next one only gets new bytes.
 static void drop_peer(endpoint_t* endpoint)
 {
     const int terminal = open(endpoint->target, O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
     if (terminal >= 0)
     {
-        // First what is on its way, which would come after, then what has arrived.
+        // First the output, which would otherwise arrive after the input was flushed, then the input.
         (void)tcflush(endpoint->fd, TCOFLUSH);
         (void)tcflush(terminal, TCIFLUSH);
         (void)close(terminal);
@@ -64,7 +64,7 @@ static void close_pty(endpoint_t* endpoint)
 {
     char points_to[sizeof endpoint->target];
     const ssize_t length = readlink(endpoint->path, points_to, sizeof points_to - 1);
-    // Another board may have taken the name over since.
+    // Another board may have put its own link there meanwhile.
     if (length >= 0 && (size_t)length == strlen(endpoint->target) &&
         memcmp(points_to, endpoint->target, (size_t)length) == 0)
     {
@@ -72,7 +72,7 @@ static void close_pty(endpoint_t* endpoint)
     }
 }
 
-/// Raw, so that no byte is changed or echoed. The settings stay while the master is open, whoever closes the other end.
+/// Raw mode, so that no byte is changed or echoed. The settings last while the master is open, even without a peer.
 static bool make_raw(const char* terminal_name)
 {
     const int terminal = open(terminal_name, O_RDWR | O_NOCTTY | O_CLOEXEC);
@@ -89,7 +89,7 @@ static bool make_raw(const char* terminal_name)
     return done;
 }
 
-/// Put the link in place in one step, over a link that an earlier board left behind, but never over a real file.
+/// Create the link in one step. It may replace a link that an earlier board left behind, but never a real file.
 static bool place_link(const endpoint_t* endpoint, char error[endpoint_error_bytes])
 {
     struct stat there;

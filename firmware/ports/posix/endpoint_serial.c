@@ -9,7 +9,7 @@
 #include <termios.h>
 #include <unistd.h>
 
-/// 115200 8N1, no flow control, and no modem line decides whether bytes pass.
+/// 115200 8N1, without flow control and modem lines.
 static bool open_device(endpoint_t* endpoint)
 {
     const int device = open(endpoint->path, O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);

@@ -52,8 +52,8 @@ bool endpoint_open_tcp(endpoint_t* endpoint, unsigned int port, char error[endpo
     address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
     socklen_t address_size = sizeof address;
     const int yes = 1;
-    // Like a serial line, hold little either way: what a station reads after a pause should be new. Connections inherit
-    // it.
+    // Small buffers, like a serial line's, so that a station that reads after a pause gets recent bytes. Connections
+    // inherit the sizes.
     const int held_bytes = 16384;
     if (endpoint->fd < 0 || setsockopt(endpoint->fd, SOL_SOCKET, SO_SNDBUF, &held_bytes, sizeof held_bytes) != 0 ||
         setsockopt(endpoint->fd, SOL_SOCKET, SO_RCVBUF, &held_bytes, sizeof held_bytes) != 0 ||

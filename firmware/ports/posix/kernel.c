@@ -29,8 +29,8 @@ void vApplicationTickHook(void);
 static const int64_t ns_per_us = 1000;
 static const int64_t ns_per_s = 1000000000;
 
-/// Ticks are made up for after a short hold-up, 0.25 ms apart. After a longer one (the PC slept) the clock goes on from
-/// there: a burst of old ticks would make every task run over and over.
+/// After a short hold-up, missed ticks are served 0.25 ms apart. After a longer one (the PC slept) they are dropped and
+/// the clock continues from there: a burst of old ticks would make every task run many times.
 static const int64_t tick_gap_ns = 250000;
 static const int64_t longest_hold_up_ns = 50000000;
 
@@ -57,7 +57,7 @@ uint32_t time_ms(void)
     return (uint32_t)(monotonic_ns() / (1000 * ns_per_us));
 }
 
-/// Serve what is raised; true when a woken task should run now.
+/// Run the handlers of all raised interrupts; true when a woken task should run now.
 static bool serve_pending(void)
 {
     const unsigned int raised = atomic_exchange(&pending, 0U);
@@ -114,12 +114,12 @@ void kernel_raise(kernel_interrupt_t interrupt)
 void vApplicationTickHook(void)
 {
     ticks_served++;
-    // The kernel looks for woken tasks itself after this hook.
+    // The kernel switches to woken tasks by itself after this hook.
     (void)serve_pending();
 }
 
-/// The idle task comes here before each sleep. A sleep of the kernel's is two ticks long at least; what is shorter is
-/// waited for here.
+/// The idle task calls this before each sleep. The kernel's own sleep lasts at least two ticks; shorter waits are done
+/// here.
 void vApplicationIdleHook(void)
 {
     const struct timespec nap = {.tv_nsec = (long)idle_nap_ns};
@@ -132,7 +132,7 @@ static void wait_until(int64_t due_ns)
     (void)sem_clockwait(&tick_changed, CLOCK_MONOTONIC, &due);
 }
 
-/// Every task waits, and the first of them for `expected_ticks`: no tick is needed until then, only an interrupt.
+/// Every task waits, the shortest for `expected_ticks`: until then no tick is needed, only interrupts.
 void kernel_sleep(TickType_t expected_ticks)
 {
     const int64_t expected = expected_ticks < longest_sleep_ticks ? (int64_t)expected_ticks : longest_sleep_ticks;
@@ -167,8 +167,8 @@ void kernel_sleep(TickType_t expected_ticks)
     portENABLE_INTERRUPTS();
 }
 
-/// The tick thread's wait between two ticks. A relative sleep makes the tick some 6 % slow, and a tick sent to a task
-/// that is just being switched out can be lost: so the next deadline follows from the ticks that were really served.
+/// The tick thread's wait between two ticks. A relative sleep would make the tick about 6 % slow, and a tick sent to a
+/// task that is being switched out can be lost; so the deadline is computed from the ticks that were really served.
 int __wrap_usleep(unsigned int period_us)
 {
     static int64_t served_before = 0;
@@ -181,7 +181,7 @@ int __wrap_usleep(unsigned int period_us)
     const int64_t earliest_ns = now_ns + tick_gap_ns;
     for (;;)
     {
-        // The tick that was sent just now counts as served.
+        // Count the tick that was sent just now as served.
         const int64_t served = (int64_t)ticks_served;
         const int64_t next = (served > served_before ? served : served_before + 1) + 1;
         const int64_t asleep_ns = asleep_until_ns;
@@ -202,7 +202,8 @@ int __wrap_usleep(unsigned int period_us)
     return 0;
 }
 
-/// Microseconds, for the kernel's run-time statistics: its own counter is the whole process's CPU time in 10 ms.
+/// Microseconds, for the kernel's run-time statistics. The port's own counter is the CPU time of the whole process, in
+/// steps of 10 ms.
 uint32_t __wrap_ulPortGetRunTime(void)
 {
     return (uint32_t)(monotonic_ns() / ns_per_us);
@@ -218,7 +219,7 @@ void kernel_assert_failed(const char* file, int line)
         text[--at] = (char)('0' + rest % 10);
     }
     static const char begin[] = "epf-board: assertion failed: ";
-    // Nothing can be done about a failing write on the way out.
+    // The program ends: a failing write cannot be reported any more.
     if (write(STDERR_FILENO, begin, sizeof begin - 1) < 0 || write(STDERR_FILENO, file, strlen(file)) < 0 ||
         write(STDERR_FILENO, ":", 1) < 0 || write(STDERR_FILENO, text + at, sizeof text - at) < 0)
     {

@@ -24,8 +24,8 @@ static struct
     endpoint_t* endpoint;
     int stop_fd;
     void (*stopped)(void);
-    /// What tasks write to: the peer, or the null device while there is none. The number never changes, so a task that
-    /// writes while the peer goes hits no foreign descriptor, and what it wrote is gone as on a cut wire.
+    /// The descriptor that tasks write to: the peer, or the null device while there is none. Its number never changes,
+    /// so a task that writes while the peer goes cannot write to another file; its bytes are lost, as on a cut wire.
     int wire_fd;
     int null_fd;
     uint8_t received[receive_bytes];
@@ -40,14 +40,14 @@ static bool is_stopped(void)
     return poll(&stop, 1, 0) > 0;
 }
 
-/// Move what has come in into the ring. False when the peer is gone.
+/// Move received bytes into the ring. False when the peer has gone.
 static bool receive(int peer_fd)
 {
     uint8_t bytes[receive_bytes];
     size_t room = byte_ring_room(&line.ring);
     if (room == 0U)
     {
-        // The board is behind; the PC holds the bytes until it has caught up.
+        // The ring is full: the PC holds the bytes until the board has caught up.
         (void)endpoint_wait(-1, line.stop_fd, 1);
         return true;
     }
@@ -113,7 +113,7 @@ static size_t uart_write(void* context, const uint8_t* bytes, size_t size)
     {
         return (size_t)count;
     }
-    // Full: later. Anything else is a peer that has just gone, for whom the bytes are lost.
+    // Full: try later. Any other error means that the peer has just gone; its bytes are lost.
     return errno == EAGAIN || errno == EINTR ? 0U : size;
 }
 

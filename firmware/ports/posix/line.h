@@ -1,4 +1,4 @@
-/// The serial line's device: a thread that plays the receiver's shift register, and the interrupt it raises.
+/// The serial line's device: a thread that acts as the receiver, and the interrupt that it raises.
 #ifndef LINE_H
 #define LINE_H
 
@@ -6,7 +6,7 @@
 #include "hal/uart.h"
 
 /// Start the line's thread over an open endpoint. It runs until `stop_fd` becomes readable, closes the endpoint and
-/// calls `stopped`. False when no thread can be had.
+/// calls `stopped`. False when the thread cannot be started.
 bool line_start(endpoint_t* endpoint, int stop_fd, void (*stopped)(void));
 
 /// The line as the application sees it.

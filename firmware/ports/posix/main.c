@@ -1,4 +1,4 @@
-/// The board as a program: puts its devices together, and takes them down on a signal.
+/// The board as a program: connects the devices to the application, and closes them on a signal.
 #define _GNU_SOURCE // eventfd
 
 #include <errno.h>
@@ -26,7 +26,7 @@ enum
     exit_hangs = 3
 };
 
-static const uint32_t watchdog_patience = 3; ///< other programs take their share of a PC
+static const uint32_t watchdog_patience = 3; ///< longer deadlines, because other programs use the PC too
 
 static int stop_fd = -1;
 
@@ -35,15 +35,15 @@ static void on_stop_signal(int signal_number)
     (void)signal_number;
     const int saved_errno = errno;
     const uint64_t one = 1;
-    // It can only fail when a stop is under way already.
+    // It only fails when the board is being stopped already.
     if (write(stop_fd, &one, sizeof one) < 0)
     {
     }
     errno = saved_errno;
 }
 
-/// Called by the line's thread when it has closed the line. The tasks need no goodbye: nothing of theirs outlives them
-/// but the card, which is left whole.
+/// Called by the line's thread when it has closed the line. The tasks need not be ended: they leave nothing behind
+/// except the card, on which no write is interrupted.
 static void on_line_stopped(void)
 {
     card_settle();
@@ -61,17 +61,17 @@ static void stop_on_signals(void)
     {
         (void)sigaction(stop_signals[i], &action, NULL);
     }
-    action.sa_handler = SIG_IGN; // a station that closes its connection is no reason to end
+    action.sa_handler = SIG_IGN; // a station that closes its connection must not end the board
     (void)sigaction(SIGPIPE, &action, NULL);
 }
 
 static void feed_watchdog(void* context)
 {
-    (void)context; // a PC has no other watchdog than the board's own
+    (void)context; // a PC has no watchdog besides the board's own
 }
 
-/// A board of its own restarts; this one ends, and whoever started it may start it again. As after a power cut, the
-/// card holds what it held.
+/// A real board restarts here; this program ends, and whoever started it may start it again. As after a power cut, the
+/// card keeps its contents.
 static void give_up(void* context, const char* task)
 {
     (void)context;

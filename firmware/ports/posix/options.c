@@ -18,7 +18,7 @@ static const char help[] =
     "\n"
     "The serial line, exactly one of\n"
     "  --pty PATH          make PATH a link to a new raw pseudo-terminal; a station opens PATH like a serial port,\n"
-    "                      closes it and opens it again as it likes; the link is removed at the end\n"
+    "                      closes it and opens it again; the link is removed at the end\n"
     "  --tcp PORT          listen on 127.0.0.1:PORT for one station at a time; 0 takes a free port and prints it\n"
     "  --serial DEVICE     use a real serial port with 115200 8N1, such as /dev/ttyUSB0; it may be unplugged and\n"
     "                      plugged in again\n"
@@ -26,13 +26,11 @@ static const char help[] =
     "Options\n"
     "  --card DIR          the board's memory card: parameters and uploaded plans are kept in the file card.img\n"
     "                      of this folder (made when missing) and read at start; without it nothing can be stored\n"
-    "  --legacy            be a deployed board: no extension command (0x100 and up) exists\n"
+    "  --legacy            behave like a deployed board, without extension commands (0x100 and up)\n"
     "  --hil-period-ms N   let each command 50 stand for N ms (1..1000) of flight, for a simulator in lock-step;\n"
-    "                      0, the default, takes the time that really passed\n"
-    "  --hang TASK         let this task (as the shell's `tasks` names it) stop after a second, to see the watchdog "
-    "end\n"
-    "                      the board\n"
-    "  --seed N            begin the sensors' noise with this number (0..4294967295, default 1)\n"
+    "                      0, the default, measures the time between two commands\n"
+    "  --hang TASK         make this task (a name from the shell's `tasks`) hang after a second, to test the watchdog\n"
+    "  --seed N            seed of the sensors' noise (0..4294967295, default 1)\n"
     "  --version           print the version and end\n"
     "  --help              print this and end\n"
     "\n"
@@ -83,7 +81,7 @@ static const struct option long_options[] = {
     {NULL, 0, NULL, 0},
 };
 
-/// An option with a number; false with a sentence when it is none or too large.
+/// Read the number of an option; false, with a sentence, when it is not a number or too large.
 static bool take_number(const char* name, unsigned long maximum, unsigned long* number, char* error, size_t error_bytes)
 {
     if (parse_number(optarg, maximum, number))
@@ -106,7 +104,7 @@ static bool is_task(const char* name)
     return false;
 }
 
-/// One option into `options`; false with a sentence when its value is wrong.
+/// Put one option into `options`; false, with a sentence, when its value is wrong.
 static bool take(options_t* options, int option, char* error, size_t error_bytes)
 {
     unsigned long number = 0;
@@ -150,7 +148,7 @@ static bool take(options_t* options, int option, char* error, size_t error_bytes
     return good;
 }
 
-/// One option that getopt found; `options_run` as long as there is nothing that ends the program.
+/// Handle one option that getopt found. Anything but `options_run` ends the program.
 static options_result_t take_found(options_t* options, int option, const char* argument, char* error,
                                    size_t error_bytes)
 {

@@ -22,7 +22,7 @@ typedef struct
     bool legacy;            ///< no extensions
     uint32_t hil_period_ms; ///< 0: measured
     uint32_t seed;
-    const char* hang_task; ///< stops after a second; NULL: none
+    const char* hang_task; ///< this task hangs after a second; NULL: none
 } options_t;
 
 typedef enum

@@ -1,6 +1,6 @@
 // The slot of the memory card: serial peripheral interface 2 on PB12 (select), PB13 (clock), PB14 (from the card) and
-// PB15 (to the card). The task that uses the card moves each byte itself, which every task above it may interrupt: the
-// bus only pauses then.
+// PB15 (to the card). The task that uses the card transfers each byte itself. Every task of higher priority may
+// interrupt it: the bus only pauses then.
 #include <stddef.h>
 
 #include "core.h"
@@ -10,14 +10,14 @@
 #include "registers.h"
 
 static const uint32_t slow_hz = 400000U;
-static const uint32_t fast_hz = 12000000U; ///< a card takes 25 MHz; wires to a slot do not
+static const uint32_t fast_hz = 12000000U; ///< a card allows 25 MHz, but the wires to a slot do not
 
 enum
 {
-    byte_polls = 100000 ///< a byte of the slow clock needs some 5000 cycles
+    byte_polls = 100000 ///< a byte at the slow clock takes about 5000 cycles
 };
 
-/// Wait until `mask` of the state is as `wanted`, but not for ever.
+/// Wait until `mask` of the status is as `wanted`; false after too many polls.
 static bool becomes(uint32_t mask, uint32_t wanted)
 {
     for (uint32_t i = 0U; i < (uint32_t)byte_polls; i++)
@@ -40,7 +40,7 @@ static void set_fast(void* context, bool fast)
         divider++;
     }
     SPI2_CR1 = SPI2_CR1_MASTER | SPI2_CR1_SOFTWARE_SELECT | (divider << SPI2_CR1_DIVIDER_SHIFT);
-    (void)SPI2_DR; // what an exchange that was given up may have left
+    (void)SPI2_DR; // read a byte that an abandoned exchange may have left
     SPI2_CR1 |= SPI2_CR1_ENABLE;
 }
 
@@ -70,7 +70,7 @@ static bool exchange(void* context, const uint8_t* out, uint8_t* in, size_t size
             in[i] = received;
         }
     }
-    // The select line may move now, and the clock's divider be changed.
+    // Now the select line and the clock's divider may change.
     return becomes(SPI2_SR_BUSY, 0U);
 }
 
@@ -80,9 +80,10 @@ const spi_t* machine_card_bus(void)
         .context = NULL, .set_fast = set_fast, .select = choose, .exchange = exchange, .pause = pause_a_millisecond};
     RCC_AHB1ENR |= RCC_AHB1ENR_GPIOB;
     RCC_APB1ENR |= RCC_APB1ENR_SPI2;
-    core_barrier(); // a peripheral listens two cycles after its clock
+    core_barrier(); // a peripheral can be used two cycles after its clock is on
     choose(NULL, false);
-    // Pins 13 to 15 to their function 5, pin 12 driven by hand; the card's line pulled up: an empty slot is at rest.
+    // Pins 13 to 15 to their function 5, pin 12 driven by software. The card's line is pulled up, so that an empty slot
+    // reads as an idle line.
     GPIOB_AFRH = (GPIOB_AFRH & ~(0xFFFU << 20U)) | (0x555U << 20U);
     GPIOB_PUPDR = (GPIOB_PUPDR & ~(0xFFU << 24U)) | (1U << 28U);
     GPIOB_OSPEEDR = (GPIOB_OSPEEDR & ~(0xFFU << 24U)) | (0x55U << 24U);

@@ -7,7 +7,7 @@
 #include "uart_line.h"
 
 static const uint32_t fast_hz = 168000000U;
-static const uint32_t oscillator_hz = 16000000U; ///< the internal one, of the reset
+static const uint32_t oscillator_hz = 16000000U; ///< the internal oscillator, in use after a reset
 static const uint32_t crystal_mhz = 8U;
 static const uint32_t internal_mhz = 16U;
 static const uint32_t baud = 115200U;
@@ -27,7 +27,7 @@ static void serve_uart(void)
     uart_line_interrupt();
 }
 
-/// Every interrupt that is not used is one that nobody enabled: a fault.
+/// An unused interrupt was never enabled, so its arrival is a fault.
 #define UNUSED {.handler = startup_fault}
 #define UNUSED_4 UNUSED, UNUSED, UNUSED, UNUSED
 #define UNUSED_16 UNUSED_4, UNUSED_4, UNUSED_4, UNUSED_4
@@ -37,7 +37,7 @@ __attribute__((section(".vectors.machine"), used)) static const startup_vector_t
     UNUSED_16, UNUSED_16, UNUSED_4, UNUSED_4, UNUSED_4,
 };
 
-/// Wait until `bits` of a register are set, but not for ever: false when they never are.
+/// Wait until `bits` of a register are set; false after too many polls.
 static bool becomes(const volatile uint32_t* status, uint32_t mask, uint32_t wanted)
 {
     for (uint32_t i = 0; i < ready_polls; i++)
@@ -59,7 +59,7 @@ static void start_clock(void)
     machine_slow_bus_hz = fast_hz / 4U;
     if ((RCC_CR & RCC_CR_HSIRDY) == 0U)
     {
-        return; // a processor runs by an oscillator that is ready: this one is emulated, and its clock is always fast
+        return; // no oscillator is ready, so the processor is emulated, and always fast
     }
     RCC_CR |= RCC_CR_HSEON;
     const bool has_crystal = becomes(&RCC_CR, RCC_CR_HSERDY, RCC_CR_HSERDY);
@@ -86,8 +86,8 @@ static void start_uart(void)
 {
     RCC_AHB1ENR |= RCC_AHB1ENR_GPIOA;
     RCC_APB2ENR |= RCC_APB2ENR_USART1;
-    core_barrier(); // a peripheral listens two cycles after its clock
-    // Pins 9 (out) and 10 (in, pulled up: a cut wire is silent) to their function 7.
+    core_barrier(); // a peripheral can be used two cycles after its clock is on
+    // Pins 9 (out) and 10 (in) to their function 7. Pin 10 is pulled up, so that a cut wire reads as an idle line.
     GPIOA_AFRH = (GPIOA_AFRH & ~(0xFFU << 4U)) | (0x77U << 4U);
     GPIOA_PUPDR = (GPIOA_PUPDR & ~(3U << 20U)) | (1U << 20U);
     GPIOA_MODER = (GPIOA_MODER & ~(0xFU << 18U)) | (0xAU << 18U);
@@ -112,7 +112,7 @@ bool machine_uart_receive(uint8_t* byte)
     {
         return false;
     }
-    // Reading status, then data, also forgets an overrun.
+    // Reading status, then data, also clears an overrun.
     *byte = (uint8_t)USART1_DR;
     return true;
 }

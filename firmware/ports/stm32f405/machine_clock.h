@@ -5,6 +5,6 @@
 #include <stdint.h>
 
 extern uint32_t machine_fast_bus_hz; ///< APB2; valid after `machine_start`
-extern uint32_t machine_slow_bus_hz; ///< APB1; the same
+extern uint32_t machine_slow_bus_hz; ///< APB1; valid after `machine_start`
 
 #endif

@@ -1,4 +1,4 @@
-/// Registers of the STM32F405 (reference manual RM0090), as far as they are used.
+/// Registers of the STM32F405 (reference manual RM0090), only those in use.
 #ifndef REGISTERS_H
 #define REGISTERS_H
 
@@ -57,7 +57,7 @@
 #define SPI2_CR1_DIVIDER_SHIFT 3U
 #define SPI2_CR1_DIVIDER_MAX 7U
 #define SPI2_CR1_ENABLE (1U << 6U)
-#define SPI2_CR1_SOFTWARE_SELECT (3U << 8U) ///< no pin of its own: it is always the master
+#define SPI2_CR1_SOFTWARE_SELECT (3U << 8U) ///< the select pin is not used: always the master
 #define SPI2_SR REGISTER(0x40003808U)
 #define SPI2_SR_RXNE (1U << 0U)
 #define SPI2_SR_TXE (1U << 1U)

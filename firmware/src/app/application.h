@@ -2,28 +2,7 @@
 #ifndef APP_APPLICATION_H
 #define APP_APPLICATION_H
 
-#include <stdbool.h>
-#include <stdint.h>
-
-#include "hal/sensors.h"
-#include "hal/servos.h"
-#include "hal/storage.h"
-#include "hal/uart.h"
-#include "hal/watchdog.h"
-
-typedef struct
-{
-    uart_t uart;
-    sensors_t sensors;
-    servos_t servos;
-    const storage_t* storage; ///< NULL: there is no card
-    watchdog_t watchdog;
-    const char* restart_reason; ///< NULL: power-on or a person; else why the board restarted itself
-    const char* hang_task;      ///< to try the watchdog: this task stops after a second; NULL: none
-    bool measures_stacks;       ///< whether the kernel's stacks are those that the tasks run on
-    bool legacy;                ///< like a deployed board: no extension exists
-    uint32_t hil_period_ms;     ///< time of one HIL step; 0: measured
-} application_hardware_t;
+#include "app/application_hardware.h"
 
 /// Start the board's tasks; never returns.
 _Noreturn void application_run(const application_hardware_t* hardware);

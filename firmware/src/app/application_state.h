@@ -1,4 +1,5 @@
-/// Everything the application's tasks share. `board`, `shell`, `tty` and `load` belong to who holds `board_mutex`.
+/// Everything that the application's tasks share. Use `board`, `shell`, `tty` and `load` only while holding
+/// `board_mutex`.
 #ifndef APP_APPLICATION_STATE_H
 #define APP_APPLICATION_STATE_H
 
@@ -6,7 +7,7 @@
 #include "semphr.h"
 #include "task.h"
 
-#include "app/application.h"
+#include "app/application_hardware.h"
 #include "app/load.h"
 #include "app/mailbox.h"
 #include "app/task_table.h"
@@ -29,13 +30,10 @@ typedef struct
     load_t load;
     watch_t watch;
     task_health_t health[task_count];
-    uint32_t stores_asked; ///< by the station, and not yet answered by cardTask
+    uint32_t stores_asked; ///< by the station, not yet answered by cardTask
     uint32_t started_ms;
     TaskHandle_t handles[task_count];
 } application_t;
-
-/// What each task does with the application; none returns.
-extern void (*const task_bodies[task_count])(void* application);
 
 void application_lock(application_t* app);
 void application_unlock(application_t* app);
@@ -45,22 +43,13 @@ TickType_t application_ticks(uint32_t duration_ms);
 /// Milliseconds since the board started, at power-on or by a reset.
 uint32_t application_now_ms(const application_t* app);
 
-/// `task` goes on. Every task says so each `watch_wait_ms` at least.
+/// Milliseconds of the kernel's clock, which no reset sets back.
+uint32_t application_kernel_ms(void);
+
+/// Note that `task` runs. Every task calls it at least each `watch_wait_ms`.
 void application_hear(application_t* app, task_id_t task);
 
 /// Wait to be woken, but not for longer than a task may be silent.
 void application_wait(TickType_t ticks);
-
-/// Begin anew, as after power-on: defaults, the card's parameters and plans, text mode. Without the plans where the
-/// board `may_be_in_flight`.
-void application_reset(application_t* app, bool may_be_in_flight);
-
-/// Put one thing on the card, or take the parameters from there. The calling task waits for the card, the board does
-/// not. True when it is done.
-bool application_store(application_t* app, board_keeps_t what);
-bool application_load(application_t* app);
-
-/// Put every plan on the card that was uploaded and is not there yet.
-void application_store_plans(application_t* app);
 
 #endif

@@ -1,5 +1,5 @@
-/// Load of the processors, from the time that each task has run. The deployed board has two of them, one for the
-/// sensors and one for control; here one processor plays both, and each task counts for the one it belongs to.
+/// Load of the processors, from the time that each task has run. The deployed board has two processors, one for the
+/// sensors and one for control. Here one processor does the work of both, and each task counts for one of the two.
 #ifndef APP_LOAD_H
 #define APP_LOAD_H
 
@@ -29,7 +29,7 @@ typedef struct
 {
     load_task_t tasks[load_tasks_max];
     uint32_t updated_us;                   ///< wraps
-    int16_t percent[load_processor_count]; ///< rounded up, so that a processor at work never shows 0
+    int16_t percent[load_processor_count]; ///< rounded up, so that a working processor never shows 0
 } load_t;
 
 /// Begin to measure: the tasks' run-time counters are `ran_us` at the time `now_us`.

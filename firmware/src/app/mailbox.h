@@ -1,5 +1,5 @@
-/// A mailbox of bytes from many tasks to one: what is put in goes in whole or not at all, guarded by a mutex, so that
-/// the frames of different tasks never mix.
+/// A mailbox of bytes from many tasks to one. A mutex guards it, and a message goes in completely or not at all, so
+/// that the frames of different tasks never mix.
 #ifndef APP_MAILBOX_H
 #define APP_MAILBOX_H
 
@@ -25,14 +25,14 @@ typedef struct
     SemaphoreHandle_t mutex;
     StaticSemaphore_t mutex_memory;
     TaskHandle_t reader;
-    uint32_t refused; ///< times that there was no room
+    uint32_t refused; ///< how often there was no room
 } mailbox_t;
 
 /// An empty mailbox. Set `reader` before anything is put in.
 void mailbox_init(mailbox_t* mailbox);
 
-/// Put `size` bytes in and wake the reader. False, and counted, when there is no room for all of them: a line that is
-/// too slow costs frames and never makes a task wait.
+/// Put `size` bytes in and wake the reader. False, and counted, when there is no room for all of them: on a
+/// line that is too slow, frames are lost, but no task waits.
 bool mailbox_put(mailbox_t* mailbox, const uint8_t* bytes, size_t size);
 
 #endif

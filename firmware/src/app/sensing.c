@@ -12,7 +12,7 @@ void sensing_init(estimator_t* estimator)
     estimator_init(estimator, declination_deg);
 }
 
-/// A sensor that gives NaN did not measure: that is no bad sample.
+/// NaN means that a sensor did not measure; it does not count as a bad sample.
 static estimator_samples_t samples_of(const sensors_reading_t* reading)
 {
     const message_inertial_t* const inertial = &reading->inertial;

@@ -1,15 +1,15 @@
-/// From the sensors' samples to what the board says and flies by: the estimator's state in the telemetry's units.
+/// From the sensors' samples to the readings that the board sends and flies by, in the telemetry's units.
 #ifndef APP_SENSING_H
 #define APP_SENSING_H
 
 #include "estimation/estimator.h"
-#include "flight/board.h"
+#include "flight/board_sensors.h"
 #include "hal/sensors.h"
 
-/// An estimator that knows nothing yet, for where the board flies.
+/// Start the estimator, with the declination of the region where the board flies.
 void sensing_init(estimator_t* estimator);
 
-/// Take one reading, `dt_s` (> 0) after the last, and put everything but the statistics into `sensors`.
+/// Take one reading, `dt_s` (> 0) after the last, and write all of `sensors` except the statistics.
 void sensing_update(estimator_t* estimator, const sensors_reading_t* reading, float dt_s, board_sensors_t* sensors);
 
 #endif

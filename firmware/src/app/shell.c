@@ -1,47 +1,9 @@
 #include "app/shell.h"
 
 #include "app/shell_commands.h"
+#include "app/shell_reply.h"
 
-void shell_begin(text_t* reply)
-{
-    text_add(reply, "\r");
-}
-
-void shell_end(text_t* reply)
-{
-    text_add(reply, "\n");
-}
-
-void shell_line(text_t* reply, const char* words)
-{
-    shell_begin(reply);
-    text_add(reply, words);
-    shell_end(reply);
-}
-
-void shell_tell_result(text_t* reply, command_result_t result)
-{
-    static const char* const sentences[] = {
-        [command_done] = "ok",
-        [command_bad_value] = "refused: the value is outside of its range",
-        [command_bad_state] = "refused: not possible in the present state (see `status`)",
-        [command_unknown] = "refused: this board does not know that command",
-        [command_storage_failed] = "failed: the card is missing or cannot be written",
-    };
-    shell_line(reply, sentences[result]);
-}
-
-void shell_tell_stored(text_t* reply, bool done)
-{
-    shell_tell_result(reply, done ? command_done : command_storage_failed);
-}
-
-void shell_tell_loaded(text_t* reply, bool done)
-{
-    shell_line(reply, done ? "ok" : "failed: the card is missing or holds no whole set; nothing was changed");
-}
-
-/// Cut the line at its blanks; how many words there are, at most `maximum` of them kept.
+/// Split the line at its blanks. Returns the number of words, of which at most `maximum` are kept.
 static size_t split(char* line, const char* words[], size_t maximum)
 {
     size_t count = 0;
@@ -70,7 +32,7 @@ static size_t split(char* line, const char* words[], size_t maximum)
     return count;
 }
 
-/// How many words `own` ("hil load gando") has when `words` begins with them, else 0.
+/// The number of words in `own` ("hil load gando") when `words` begins with them, else 0.
 static size_t match(const char* own, const char* const words[], size_t count)
 {
     size_t matched = 0;

@@ -2,23 +2,10 @@
 
 #include <string.h>
 
-#include "flight/gains.h"
+#include "app/shell_reply.h"
+#include "app/shell_reports.h"
 #include "navigation/routes_gen.h"
 #include "params/parameters_gen.h"
-
-const char* const shell_stream_names[telemetry_stream_count] = {
-    [telemetry_heartbeat] = "heartbeat",   [telemetry_ahrs] = "ahrs",
-    [telemetry_inertial] = "inertial",     [telemetry_analog] = "analog",
-    [telemetry_fms_plan] = "fms_plan",     [telemetry_fms_hil_plan] = "fms_hil_plan",
-    [telemetry_statistics] = "statistics", [telemetry_gps] = "gps",
-    [telemetry_servos_in] = "servos_in",   [telemetry_fly_by_wire] = "fly_by_wire",
-};
-
-const char* const shell_task_names[telemetry_task_count] = {
-    [telemetry_task_param] = "param",
-    [telemetry_task_fms] = "fms",
-    [telemetry_task_servos] = "servos",
-};
 
 static const uint32_t period_commands[telemetry_task_count] = {
     [telemetry_task_param] = COMMAND_SET_PARAMETER_TASK_RATE_ID,
@@ -26,9 +13,9 @@ static const uint32_t period_commands[telemetry_task_count] = {
     [telemetry_task_servos] = COMMAND_SET_SERVOS_TASK_RATE_ID,
 };
 
-static const char not_a_number[] = "refused: that is no number";
+static const char not_a_number[] = "refused: not a number";
 
-/// Place of `word` among `count` names, or `count`.
+/// Index of `word` among `count` names, or `count`.
 static size_t find(const char* word, const char* const names[], size_t count)
 {
     size_t index = 0;
@@ -39,7 +26,7 @@ static size_t find(const char* word, const char* const names[], size_t count)
     return index;
 }
 
-/// 1 for `on`, 0 for `off`, -1 and an answer for anything else.
+/// 1 for `on`, 0 for `off`; anything else is refused, and -1.
 static int on_or_off(const shell_call_t* call, const char* word)
 {
     if (text_is(word, "on") || text_is(word, "off"))
@@ -81,7 +68,7 @@ static void show_parameter(const shell_call_t* call, size_t index)
     shell_begin(call->reply);
     text_add(call->reply, definition->name);
     text_pad(call->reply, start, 18);
-    text_add_number(call->reply, call->shell->board->parameters.values[index], 5);
+    text_add_number(call->reply, call->shell->board->tuning.parameters.values[index], 5);
     text_pad(call->reply, start, 28);
     text_add(call->reply, "(");
     text_add_number(call->reply, definition->minimum, 3);
@@ -95,7 +82,6 @@ static void show_parameter(const shell_call_t* call, size_t index)
 
 static void run_parameter(const shell_call_t* call)
 {
-    board_t* const board = call->shell->board;
     for (size_t i = 0; call->count == 0 && i < parameters_count; i++)
     {
         show_parameter(call, i);
@@ -114,21 +100,16 @@ static void run_parameter(const shell_call_t* call)
     {
         shell_line(call->reply, "refused: no parameter has that name (`param` lists them)");
     }
-    else if (call->count == 1)
-    {
-        show_parameter(call, index);
-    }
-    else if (!text_read_number(call->words[1], &value))
+    else if (call->count == 2 && !text_read_number(call->words[1], &value))
     {
         shell_line(call->reply, not_a_number);
     }
-    else if (!parameters_set(&board->parameters, index, value))
+    else if (call->count == 2 && !tuning_set(&call->shell->board->tuning, index, value))
     {
         shell_tell_result(call->reply, command_bad_value);
     }
     else
     {
-        board->gains = gains_of(&board->parameters);
         show_parameter(call, index);
     }
 }
@@ -263,8 +244,8 @@ const shell_command_t shell_commands[] = {
     {"tasks", "", "the tasks and their load", 0, 0, shell_show_tasks, 0, 0},
     {"sensors", "", "the newest readings", 0, 0, shell_show_sensors, 0, 0},
     {"param", "[name [value]]", "show or set parameters", 0, 2, run_parameter, 0, 0},
-    {"param load", "", "take the parameters from the card", 0, 0, load_parameters, 0, 0},
-    {"param store", "", "put the parameters on the card", 0, 0, store_parameters, 0, 0},
+    {"param load", "", "load the parameters from the card", 0, 0, load_parameters, 0, 0},
+    {"param store", "", "store the parameters on the card", 0, 0, store_parameters, 0, 0},
     {"hil", "", "the simulated aircraft's plan and modes", 0, 0, shell_show_hil, 0, 0},
     {"hil load", "<route>", "gando, isla, alternativa or vuelo", 1, 1, load_route, 0, 0},
     BOARD_COMMAND("hil next", "next waypoint", COMMAND_HIL_FMS_NEXT_WAYPOINT_ID, 0),
@@ -272,9 +253,9 @@ const shell_command_t shell_commands[] = {
     BOARD_COMMAND("hil source joystick", "fly by the station's stick", COMMAND_CONTROL_SOURCE_ID, 1),
     BOARD_COMMAND("hil source rc", "fly by the RC transmitter", COMMAND_CONTROL_SOURCE_ID, 0),
     BOARD_COMMAND("hil autopilot on", "autopilot of the simulated aircraft", COMMAND_AUTOPILOT_ON_ID, 0),
-    BOARD_COMMAND("hil autopilot off", "its stick", COMMAND_AUTOPILOT_OFF_ID, 0),
-    BOARD_COMMAND("hil autotrim on", "its elevator trim", COMMAND_AUTOTRIM_ON_ID, 0),
-    BOARD_COMMAND("hil autotrim off", "no trim at all", COMMAND_AUTOTRIM_OFF_ID, 0),
+    BOARD_COMMAND("hil autopilot off", "manual flight of the simulated aircraft", COMMAND_AUTOPILOT_OFF_ID, 0),
+    BOARD_COMMAND("hil autotrim on", "automatic elevator trim of the simulated aircraft", COMMAND_AUTOTRIM_ON_ID, 0),
+    BOARD_COMMAND("hil autotrim off", "no elevator trim of the simulated aircraft", COMMAND_AUTOTRIM_OFF_ID, 0),
     {"fms", "", "the real aircraft's plan", 0, 0, shell_show_flight_plan, 0, 0},
     BOARD_COMMAND("fms next", "next waypoint", COMMAND_FMS_NEXT_WAYPOINT_ID, 0),
     BOARD_COMMAND("fms prev", "previous waypoint", COMMAND_FMS_PREVIOUS_WAYPOINT_ID, 0),
@@ -289,7 +270,7 @@ const shell_command_t shell_commands[] = {
     BOARD_COMMAND("servos mode fbw", "outputs follow the fly-by-wire", COMMAND_SERVOS_CONTROL_MODE_FLY_BY_WIRE_ID, 0),
     BOARD_COMMAND("servos mode hil", "outputs follow the HIL laws", COMMAND_SERVOS_CONTROL_MODE_HIL_ID, 0),
     {"servo", "<0..19> <-1..1>", "move one output", 2, 2, move_servo, 0, 0},
-    {"reset", "", "start anew", 0, 0, reset_board, 0, 0},
+    {"reset", "", "restart the board", 0, 0, reset_board, 0, 0},
 };
 
 const size_t shell_commands_count = sizeof shell_commands / sizeof shell_commands[0];

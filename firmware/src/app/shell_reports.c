@@ -1,13 +1,27 @@
+#include "app/shell_reports.h"
+
 #include <stdbool.h>
 
-#include "app/shell_commands.h"
-#include "app/task_table.h"
-#include "flight/board_card.h"
+#include "app/shell_reply.h"
 #include "navigation/routes_gen.h"
 
 enum
 {
     name_width = 21
+};
+
+const char* const shell_stream_names[telemetry_stream_count] = {
+    [telemetry_heartbeat] = "heartbeat",   [telemetry_ahrs] = "ahrs",
+    [telemetry_inertial] = "inertial",     [telemetry_analog] = "analog",
+    [telemetry_fms_plan] = "fms_plan",     [telemetry_fms_hil_plan] = "fms_hil_plan",
+    [telemetry_statistics] = "statistics", [telemetry_gps] = "gps",
+    [telemetry_servos_in] = "servos_in",   [telemetry_fly_by_wire] = "fly_by_wire",
+};
+
+const char* const shell_task_names[telemetry_task_count] = {
+    [telemetry_task_param] = "param",
+    [telemetry_task_fms] = "fms",
+    [telemetry_task_servos] = "servos",
 };
 
 /// One line: a name, a number and its unit.
@@ -53,17 +67,17 @@ void shell_show_version(const shell_call_t* call)
     shell_line(call->reply, BOARD_FIRMWARE_NAME " " BOARD_FIRMWARE_VERSION);
 }
 
-static const char* hil_plan_title(const board_t* board)
+static const char* hil_plan_title(const board_plans_t* plans)
 {
-    if (board->hil_plan_name >= 0)
+    if (plans->hil_route >= 0)
     {
-        return routes[board->hil_plan_name].title;
+        return routes[plans->hil_route].title;
     }
-    return board->plans[board_plan_hil].count > 0 ? "uploaded" : "none";
+    return plans->plan[board_plan_hil].count > 0 ? "uploaded" : "none";
 }
 
-/// Every cause that acts, or a dash.
-static void show_failsafes(text_t* reply, const failsafe_t* failsafe)
+/// Every failsafe that is active, or a dash.
+static void show_failsafes(text_t* reply, const failsafe_t* hil, const failsafe_t* flight)
 {
     const size_t start = reply->size;
     shell_begin(reply);
@@ -72,7 +86,7 @@ static void show_failsafes(text_t* reply, const failsafe_t* failsafe)
     const size_t empty = reply->size;
     for (size_t cause = 0; cause < failsafe_count; cause++)
     {
-        if (failsafe_is_active(failsafe, (failsafe_cause_t)cause))
+        if (failsafe_is_active(hil, (failsafe_cause_t)cause) || failsafe_is_active(flight, (failsafe_cause_t)cause))
         {
             text_add(reply, reply->size == empty ? "" : ", ");
             text_add(reply, failsafe_table[cause].name);
@@ -82,8 +96,8 @@ static void show_failsafes(text_t* reply, const failsafe_t* failsafe)
     shell_end(reply);
 }
 
-/// Everything on the card that is not as it should be, or a dash.
-static void add_card_alarms(text_t* reply, const board_t* board)
+/// Everything that is wrong with the card, or a dash.
+static void add_card_alarms(text_t* reply, const board_card_t* card)
 {
     static const char* const names[board_keeps_count] = {
         [board_keeps_parameters] = "parameters",
@@ -97,39 +111,39 @@ static void add_card_alarms(text_t* reply, const board_t* board)
     const size_t empty = reply->size;
     for (size_t what = 0; what < board_keeps_count; what++)
     {
-        if (record_is_alarming(board->kept[what]))
+        if (record_is_alarming(card->kept[what]))
         {
             text_add(reply, reply->size == empty ? "" : ", ");
             text_add(reply, names[what]);
             text_add(reply, " ");
-            text_add(reply, states[board->kept[what]]);
+            text_add(reply, states[card->kept[what]]);
         }
     }
     text_add(reply, reply->size == empty ? "-" : "");
 }
 
-void shell_greet(const board_t* board, text_t* reply)
+void shell_greet(const board_card_t* card, text_t* reply)
 {
-    if (board_card_alarms(board))
+    if (board_card_alarms(card))
     {
         shell_begin(reply);
         text_add(reply, "ALARM: card: ");
-        add_card_alarms(reply, board);
+        add_card_alarms(reply, card);
         text_add(reply, "; defaults are used");
         shell_end(reply);
     }
 }
 
-static void show_card(text_t* reply, const board_t* board)
+static void show_card(text_t* reply, const board_card_t* card)
 {
-    const bool is_readable = board->kept[board_keeps_parameters] != record_unreadable;
+    const bool is_readable = card->kept[board_keeps_parameters] != record_unreadable;
     const char* const there = is_readable ? "present" : "cannot be read";
-    show_words(reply, "card", board->config.storage == NULL ? "none" : there);
+    show_words(reply, "card", card->storage == NULL ? "none" : there);
     const size_t start = reply->size;
     shell_begin(reply);
     text_add(reply, "card alarm");
     text_pad(reply, start, name_width);
-    add_card_alarms(reply, board);
+    add_card_alarms(reply, card);
     shell_end(reply);
 }
 
@@ -139,22 +153,22 @@ void shell_show_status(const shell_call_t* call)
     text_t* const reply = call->reply;
     show_number(reply, "uptime", (float)call->shell->now_ms / 1000.0F, 1, "s");
     show_words(reply, "last restart", call->shell->restart_reason == NULL ? "-" : call->shell->restart_reason);
-    show_words(reply, "extensions", board->config.legacy ? "none (legacy)" : "yes");
-    show_card(reply, board);
-    show_failsafes(reply, &board->failsafe);
-    show_words(reply, "autopilot", on_off(board_flight_autopilot(board)));
-    show_words(reply, "autotrim", on_off(board_flight_autotrim(board)));
+    show_words(reply, "extensions", board->is_legacy ? "none (legacy)" : "yes");
+    show_card(reply, &board->card);
+    show_failsafes(reply, &board->hil.missing, &board->measured.missing);
+    show_words(reply, "autopilot", on_off(measurements_autopilot(&board->measured)));
+    show_words(reply, "autotrim", on_off(measurements_autotrim(&board->measured)));
     show_words(reply, "airspeed source",
-               board->airspeed_source == COMMAND_SELECT_AIRSPEED_SOURCE_SOURCE_GPS ? "gps" : "pitot");
+               board->flight.airspeed_source == COMMAND_SELECT_AIRSPEED_SOURCE_SOURCE_GPS ? "gps" : "pitot");
     show_words(reply, "altitude source",
-               board->altitude_source == COMMAND_SELECT_ALTITUDE_SOURCE_SOURCE_GPS ? "gps" : "barometer");
-    show_words(reply, "servos follow", board->servos_mode == board_servos_hil ? "hil" : "fly-by-wire");
-    show_words(reply, "hil plan", hil_plan_title(board));
-    show_count(reply, "frames received", board->frames_received);
-    show_count(reply, "frames rejected", board->frames_rejected);
+               board->flight.altitude_source == COMMAND_SELECT_ALTITUDE_SOURCE_SOURCE_GPS ? "gps" : "barometer");
+    show_words(reply, "servos follow", board->servos.mode == board_servos_hil ? "hil" : "fly-by-wire");
+    show_words(reply, "hil plan", hil_plan_title(&board->plans));
+    show_count(reply, "frames received", board->station.frames_received);
+    show_count(reply, "frames rejected", board->station.frames_rejected);
     show_count(reply, "frames dropped", *call->shell->frames_dropped);
-    show_count(reply, "hil frames", board->xplane_info_count);
-    show_count(reply, "hil frames refused", board->xplane_info_refused);
+    show_count(reply, "hil frames", board->hil.accepted);
+    show_count(reply, "hil frames refused", board->hil.refused);
     show_number(reply, "sensor load", (float)call->shell->load->percent[load_sensor_dsc], 0, "%");
     show_number(reply, "control load", (float)call->shell->load->percent[load_control_dsc], 0, "%");
 }
@@ -207,7 +221,7 @@ void shell_show_tasks(const shell_call_t* call)
 
 void shell_show_sensors(const shell_call_t* call)
 {
-    const board_sensors_t* const sensors = &call->shell->board->sensors;
+    const board_sensors_t* const sensors = &call->shell->board->measured.sensors;
     text_t* const reply = call->reply;
     show_number(reply, "yaw", sensors->ahrs.yaw_deg, 1, "deg");
     show_number(reply, "pitch", sensors->ahrs.pitch_deg, 1, "deg");
@@ -255,7 +269,7 @@ static void show_values(text_t* reply, const float* values, size_t count)
 
 void shell_show_receiver(const shell_call_t* call)
 {
-    const message_servos_in_t* const servos_in = &call->shell->board->sensors.servos_in;
+    const message_servos_in_t* const servos_in = &call->shell->board->measured.sensors.servos_in;
     show_values(call->reply, servos_in->channel, sizeof servos_in->channel / sizeof servos_in->channel[0]);
 }
 
@@ -264,7 +278,7 @@ void shell_show_servos(const shell_call_t* call)
     float positions[board_servo_count];
     board_servo_positions(call->shell->board, positions);
     show_words(call->reply, "outputs 0..3 follow",
-               call->shell->board->servos_mode == board_servos_hil ? "hil" : "fly-by-wire");
+               call->shell->board->servos.mode == board_servos_hil ? "hil" : "fly-by-wire");
     show_values(call->reply, positions, board_servo_count);
 }
 
@@ -293,16 +307,16 @@ static void show_plan(text_t* reply, const plan_t* plan)
 void shell_show_hil(const shell_call_t* call)
 {
     const board_t* const board = call->shell->board;
-    show_words(call->reply, "source", board->source == board_source_rc ? "rc" : "joystick");
-    show_words(call->reply, "autopilot", on_off(board->hil_autopilot));
-    show_words(call->reply, "autotrim", on_off(board->hil_autotrim));
-    show_words(call->reply, "plan", hil_plan_title(board));
-    show_plan(call->reply, &board->plans[board_plan_hil]);
+    show_words(call->reply, "source", board->hil.source == control_source_rc ? "rc" : "joystick");
+    show_words(call->reply, "autopilot", on_off(board->hil.autopilot));
+    show_words(call->reply, "autotrim", on_off(board->hil.autotrim));
+    show_words(call->reply, "plan", hil_plan_title(&board->plans));
+    show_plan(call->reply, &board->plans.plan[board_plan_hil]);
 }
 
 void shell_show_flight_plan(const shell_call_t* call)
 {
-    const plan_t* const plan = &call->shell->board->plans[board_plan_flight];
+    const plan_t* const plan = &call->shell->board->plans.plan[board_plan_flight];
     show_words(call->reply, "plan", plan->count > 0 ? "uploaded" : "none");
     show_plan(call->reply, plan);
 }

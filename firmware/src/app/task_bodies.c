@@ -1,3 +1,5 @@
+#include "app/task_bodies.h"
+
 #include "app/application_state.h"
 #include "app/sensing.h"
 #include "app/task_line.h"
@@ -12,8 +14,7 @@ static float period_s(task_id_t task)
     return (float)task_table[task].period_ms / 1000.0F;
 }
 
-/// Finds the task that hangs, and restarts the board because of it. That this task itself goes on, the port's watchdog
-/// sees.
+/// Finds a task that hangs, and restarts the board then. The port's watchdog notices when this task itself hangs.
 static void run_watch(void* context)
 {
     application_t* const app = context;
@@ -41,8 +42,8 @@ static void wait_for_next(application_t* app, task_id_t task, TickType_t* woken)
     }
 }
 
-/// Reads every sensor and gives the board what it estimates from them. Models of sensors are told what the simulator
-/// says first.
+/// Reads every sensor and gives the board the estimate. Before that, models of sensors get the newest simulator
+/// information.
 static void run_sensors(void* context)
 {
     application_t* const app = context;
@@ -54,9 +55,9 @@ static void run_sensors(void* context)
     for (;;)
     {
         application_lock(app);
-        const uint32_t count = app->board.xplane_info_count;
-        const command_xplane_info_t info = app->board.xplane_info;
-        const float throttle = app->board.loops[board_plan_hil].surfaces.throttle;
+        const uint32_t count = app->board.hil.accepted;
+        const command_xplane_info_t info = app->board.hil.newest;
+        const float throttle = app->board.hil.loop.surfaces.throttle;
         application_unlock(app);
 
         if (count != observed && sensors->observe != NULL && count != 0U)
@@ -68,13 +69,13 @@ static void run_sensors(void* context)
         sensors->read(sensors->context, period_s(task_sensors), &reading);
 
         application_lock(app);
-        sensing_update(&estimator, &reading, period_s(task_sensors), &app->board.sensors);
+        sensing_update(&estimator, &reading, period_s(task_sensors), &app->board.measured.sensors);
         application_unlock(app);
         wait_for_next(app, task_sensors, &woken);
     }
 }
 
-/// The real aircraft's loop: sensors and receiver to servos.
+/// Runs the real aircraft's loop, from sensors and receiver to servos.
 static void run_control(void* context)
 {
     application_t* const app = context;
@@ -104,7 +105,7 @@ static void wait_for_period(application_t* app, telemetry_task_t task, task_id_t
         const TickType_t elapsed = xTaskGetTickCount() - *begun;
         if (elapsed >= period)
         {
-            // Far behind, the next period begins now: nobody wants the missed ones in one go.
+            // Far behind, the next period begins now, so that the missed ones are not made up for in a burst.
             *begun += elapsed >= 2 * period ? elapsed : period;
             return;
         }
@@ -161,8 +162,8 @@ static void refresh_load(application_t* app)
     application_lock(app);
     refresh_stacks(app);
     load_update(&app->load, ran_us, now_us);
-    app->board.sensors.statistics.sensor_dsc_percent = app->load.percent[load_sensor_dsc];
-    app->board.sensors.statistics.control_dsc_percent = app->load.percent[load_control_dsc];
+    app->board.measured.sensors.statistics.sensor_dsc_percent = app->load.percent[load_sensor_dsc];
+    app->board.measured.sensors.statistics.control_dsc_percent = app->load.percent[load_control_dsc];
     application_unlock(app);
 }
 

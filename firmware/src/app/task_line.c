@@ -2,17 +2,19 @@
 
 #include <string.h>
 
+#include "app/application_card.h"
+#include "app/application_reset.h"
 #include "app/application_state.h"
-#include "flight/board_reports.h"
+#include "app/shell_reply.h"
 
 enum
 {
-    piece_bytes = 64, ///< moved at a time; a receiver's FIFO threshold of 8 fits several times
+    piece_bytes = 64, ///< moved at a time; several times the receiver's FIFO threshold of 8
     reply_piece_bytes = 512
 };
 
-/// Woken by the line's interrupt; moves what it holds into the receive mailbox. When that is full the bytes stay where
-/// they are until ttyTask has caught up.
+/// Woken by the line's interrupt; moves received bytes into the receive mailbox. When that is full, they stay in the
+/// line's buffer until ttyTask has caught up.
 void run_uart_rx(void* context)
 {
     application_t* const app = context;
@@ -36,7 +38,7 @@ void run_uart_rx(void* context)
     }
 }
 
-/// Hands the transmit mailbox to the line, at the line's own pace.
+/// Moves the transmit mailbox to the line, as fast as the line takes it.
 void run_uart_tx(void* context)
 {
     application_t* const app = context;
@@ -59,7 +61,7 @@ void run_uart_tx(void* context)
     }
 }
 
-/// Send what the shell or the AHRS test answered, waiting for room a little: a person's terminal that does not read
+/// Send the answer of the shell or the AHRS test. Wait only briefly for room, because a terminal that does not read
 /// must not stop the board.
 static void send_reply(application_t* app)
 {
@@ -78,8 +80,8 @@ static void send_reply(application_t* app)
     reply->size = 0;
 }
 
-/// What the interpreter asked for.
-static void fulfil(application_t* app, shell_request_t request)
+/// Do what the interpreter asked for.
+static void do_request(application_t* app, shell_request_t request)
 {
     switch (request)
     {
@@ -107,7 +109,7 @@ static void fulfil(application_t* app, shell_request_t request)
     send_reply(app);
 }
 
-/// Tasks in the middle of a long period hear that it has changed.
+/// Wake the tasks whose period may have changed, so that they do not wait for the end of a long old one.
 static void announce_periods(application_t* app)
 {
     for (size_t i = task_servos; i <= task_param; i++)
@@ -116,8 +118,8 @@ static void announce_periods(application_t* app)
     }
 }
 
-/// Received bytes through the interpreter, which runs the HIL laws too. What it asks for is done at once; then it goes
-/// on with what it still holds.
+/// Give received bytes to the interpreter, which runs the HIL laws too. Do what it asks for at once; then let it
+/// continue with the bytes that it still holds.
 static void interpret(application_t* app, const uint8_t* bytes, size_t size)
 {
     size_t taken = 0;
@@ -132,7 +134,7 @@ static void interpret(application_t* app, const uint8_t* bytes, size_t size)
         app->shell.request = shell_asks_nothing;
         application_unlock(app);
         send_reply(app);
-        fulfil(app, request);
+        do_request(app, request);
         if (is_repaced || request == shell_asks_reset)
         {
             announce_periods(app);
@@ -140,7 +142,7 @@ static void interpret(application_t* app, const uint8_t* bytes, size_t size)
     } while (taken < size || request != shell_asks_nothing);
 }
 
-/// What happens by the clock; a command found behind a false header too.
+/// Do what is due by the clock, among it a command that was found after a false header.
 static void tick(application_t* app)
 {
     static const uint8_t nothing[1] = {0};
@@ -182,7 +184,7 @@ void run_tty(void* context)
     }
 }
 
-/// True, and one less is asked for, when the station waits for its parameters to be stored.
+/// Take one request of the station to store its parameters; false when there is none.
 static bool take_store(application_t* app)
 {
     application_lock(app);
@@ -192,8 +194,8 @@ static bool take_store(application_t* app)
     return is_asked;
 }
 
-/// Stores what was uploaded, and the parameters for the station, which gets its answer when they are there; HIL goes on
-/// meanwhile. A plan that was uploaded before a store was asked for is on the card when that is acknowledged.
+/// Stores uploaded plans, and the parameters when the station asks for it, which is acknowledged once they are on the
+/// card; HIL continues meanwhile. A plan uploaded before that request is on the card by then, too.
 void run_card(void* context)
 {
     application_t* const app = context;
@@ -206,10 +208,10 @@ void run_card(void* context)
         {
             const bool done = application_store(app, board_keeps_parameters);
             application_lock(app);
-            if (app->board.extended && app->tty.mode == tty_binary)
+            if (app->board.station.is_extended && app->tty.mode == tty_binary)
             {
-                board_report_acknowledgement(&app->board, COMMAND_STORE_PARAMETERS_ID,
-                                             done ? command_done : command_storage_failed);
+                report_acknowledgement(&app->board.line, COMMAND_STORE_PARAMETERS_ID,
+                                       done ? command_done : command_storage_failed);
             }
             application_unlock(app);
             application_store_plans(app);

@@ -1,5 +1,5 @@
-/// The board's tasks as data. Those of the chapter's figure 19 talk to the station and have the lower priorities, so
-/// that sensors and control keep their time whatever the station asks for.
+/// The board's tasks as data. The tasks that talk to the station (the chapter's figure 19) have the lower priorities,
+/// so that sensors and control run on time whatever the station asks for.
 #ifndef APP_TASK_TABLE_H
 #define APP_TASK_TABLE_H
 
@@ -29,16 +29,16 @@ typedef struct
     uint32_t priority;          ///< higher runs first; 0 is the kernel's idle task
     uint32_t period_ms;         ///< 0: runs when it is woken, or at a period that the station sets
     uint32_t stack_words;       ///< `firmware/README.md` says how they were measured
-    uint32_t watchdog_ms;       ///< the board restarts when it has not been heard of for longer; 0: nobody waits for it
+    uint32_t watchdog_ms;       ///< the board restarts when the task is silent for longer; 0: not watched
     load_processor_t processor; ///< whose load it counts for
 } task_row_t;
 
-/// What was seen of a task since the start.
+/// Measurements of a task since the start.
 typedef struct
 {
-    uint32_t late_periods;      ///< that began when the next one was due already
-    uint32_t stack_spare_words; ///< of its stack, never used
-    bool is_stack_measured;     ///< false where the tasks' stacks are not the kernel's
+    uint32_t late_periods;      ///< periods that began after the next one was due
+    uint32_t stack_spare_words; ///< words of its stack that were never used
+    bool is_stack_measured;     ///< false where the tasks do not run on the kernel's stacks
 } task_health_t;
 
 /// In the order of `task_id_t`.

@@ -105,7 +105,7 @@ void text_pad(text_t* text, size_t line_start, size_t width)
     } while (text->size < text->capacity && text->size - line_start < width);
 }
 
-/// At most `maximum` digits at `*word` behind those in `value`; how many there were.
+/// Append at most `maximum` digits at `*word` to `value`; returns how many.
 static unsigned int read_digits(const char** word, uint64_t* value, unsigned int maximum)
 {
     unsigned int count = 0;

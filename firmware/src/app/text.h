@@ -6,7 +6,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/// A text that grows up to its capacity; what does not fit is left out.
+/// A text that grows up to its capacity; the rest is cut off.
 typedef struct
 {
     char* bytes;
@@ -23,14 +23,14 @@ void text_add_unsigned(text_t* text, uint32_t value);
 void text_add_number(text_t* text, float value, unsigned int decimals);
 void text_add_double(text_t* text, double value, unsigned int decimals);
 
-/// Spaces up to `width` characters from `line_start` (a former `size`), one at least.
+/// Add spaces, at least one, up to `width` characters from `line_start` (the `size` at the start of the line).
 void text_pad(text_t* text, size_t line_start, size_t width);
 
-/// Read a whole word as a number; false when it is none.
+/// Read a whole word as a number; false when it is not one.
 bool text_read_int(const char* word, int32_t* value);
 bool text_read_number(const char* word, float* value);
 
-/// True when both words are the same but for the case of ASCII letters.
+/// True when both words are equal, ignoring the case of ASCII letters.
 bool text_is(const char* a, const char* b);
 
 #endif

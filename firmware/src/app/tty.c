@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "common/bytes.h"
-#include "flight/board_card.h"
 
 static const char open_binary[] = "#QT";
 static const char frame_begin[] = "#QT,";
@@ -29,7 +28,7 @@ static void enter_binary(tty_t* tty, uint32_t now_ms)
     board_open(tty->shell->board, now_ms);
 }
 
-/// A whole line without its end. Lines that nobody typed (parts of frames, noise) get no answer.
+/// Run one complete line. Lines that nobody typed (parts of frames, noise) get no answer.
 static void run_line(tty_t* tty, uint32_t now_ms)
 {
     tty->line[tty->line_size] = '\0';
@@ -66,7 +65,7 @@ static void run_line(tty_t* tty, uint32_t now_ms)
 
 static bool ends_line(const tty_t* tty, uint8_t byte)
 {
-    // The AHRS test's second order ends in a zero byte; anywhere else that is noise.
+    // The second order of the AHRS test ends in a zero byte; anywhere else a zero byte is noise.
     const bool is_start = tty->line_size == sizeof start_ahrs - 1 && memcmp(tty->line, start_ahrs, tty->line_size) == 0;
     return byte == '\n' || byte == '\r' || (byte == '\0' && is_start);
 }
@@ -114,7 +113,7 @@ static size_t receive_text(tty_t* tty, const uint8_t* bytes, size_t size, uint32
     return taken;
 }
 
-/// In the test `q` ends it wherever it stands, and a station that opens the line ends it too.
+/// In the AHRS test: `q` at any place ends the test, and so does a station that opens the line.
 static size_t receive_ahrs_test(tty_t* tty, const uint8_t* bytes, size_t size, uint32_t now_ms)
 {
     size_t taken = 0;
@@ -140,7 +139,7 @@ static size_t receive_ahrs_test(tty_t* tty, const uint8_t* bytes, size_t size, u
     return taken;
 }
 
-/// Back to text mode; how many bytes the decoder held.
+/// Return to text mode; returns how many bytes the decoder held.
 static size_t leave_binary(tty_t* tty)
 {
     const size_t held = tty->decoder.end - tty->decoder.start;
@@ -149,11 +148,11 @@ static size_t leave_binary(tty_t* tty)
     return held;
 }
 
-/// One command. The card would keep the board waiting, so what needs it is asked of the application.
+/// Run one command. The board must not wait for the card, so a command that needs it becomes a request.
 static void run_command(tty_t* tty, const frame_t* frame, uint32_t now_ms)
 {
     board_t* const board = tty->shell->board;
-    const bool has_card = !board->config.legacy && board->config.storage != NULL;
+    const bool has_card = !board->is_legacy && board->card.storage != NULL;
     if (has_card && frame->type_id == COMMAND_STORE_PARAMETERS_ID && frame->payload_size == 0)
     {
         tty->shell->request = shell_asks_store_acknowledged;
@@ -161,7 +160,7 @@ static void run_command(tty_t* tty, const frame_t* frame, uint32_t now_ms)
     }
     const board_action_t action =
         board_handle_command(board, frame->type_id, frame->payload, frame->payload_size, now_ms);
-    if (frame->type_id == COMMAND_MISSION_COMMIT_ID && board_card_next(board) != board_keeps_count)
+    if (frame->type_id == COMMAND_MISSION_COMMIT_ID && board_card_next(&board->plans) != board_keeps_count)
     {
         tty->shell->request = shell_asks_store_plans;
     }
@@ -179,7 +178,7 @@ static void run_command(tty_t* tty, const frame_t* frame, uint32_t now_ms)
     }
 }
 
-/// Do what the decoder holds, up to the end of binary mode or a request; true when more may be held.
+/// Handle the next event of the decoder; true when it may hold another one that can be handled now.
 static bool run_frame(tty_t* tty, uint32_t now_ms)
 {
     frame_t frame;
@@ -204,7 +203,7 @@ static size_t receive_binary(tty_t* tty, const uint8_t* bytes, size_t size, uint
     size_t taken = 0;
     do
     {
-        // What a request left in the decoder comes first.
+        // First the events that a request left in the decoder.
         while (run_frame(tty, now_ms))
         {
         }
@@ -218,7 +217,7 @@ static size_t receive_binary(tty_t* tty, const uint8_t* bytes, size_t size, uint
     {
         return taken;
     }
-    // What came behind the last command is text already.
+    // The bytes after the last command are text already.
     const size_t behind = leave_binary(tty);
     return behind < taken ? taken - behind : taken;
 }
@@ -238,10 +237,10 @@ size_t tty_receive(tty_t* tty, const uint8_t* bytes, size_t size, uint32_t now_m
     return receive_text(tty, bytes, size, now_ms);
 }
 
-/// A record holds an attitude: none is sent while that is not known.
+/// Send no record while the attitude is unknown.
 static void add_record(tty_t* tty)
 {
-    const message_ahrs_t* const ahrs = &tty->shell->board->sensors.ahrs;
+    const message_ahrs_t* const ahrs = &tty->shell->board->measured.sensors.ahrs;
     if (!isfinite(ahrs->yaw_deg) || !isfinite(ahrs->pitch_deg) || !isfinite(ahrs->roll_deg))
     {
         return;
@@ -264,7 +263,7 @@ void tty_tick(tty_t* tty, uint32_t now_ms)
     {
         if (frame_decoder_is_waiting(&tty->decoder) && now_ms - tty->heard_ms >= tty_silence_ms)
         {
-            // A false header may have held good commands back.
+            // A false header may have hidden good commands.
             frame_decoder_expire(&tty->decoder);
             (void)receive_binary(tty, tty->decoder.buffer, 0, now_ms);
         }

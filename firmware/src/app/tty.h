@@ -1,5 +1,5 @@
 /// What ttyTask does with received bytes: text mode, binary mode and the AHRS test, and the changes between them.
-/// Knows no kernel: bytes, board and time come in, text and frames go out.
+/// Independent of the kernel: bytes, board and time come in, text and frames go out.
 #ifndef APP_TTY_H
 #define APP_TTY_H
 
@@ -23,7 +23,7 @@ enum
     tty_line_bytes = 96,
     tty_ahrs_period_ms = 20,
     tty_binary_period_ms = board_tick_period_ms,
-    tty_silence_ms = 250 ///< a frame whose bytes stop for so long is no frame
+    tty_silence_ms = 250 ///< a frame with a longer gap between its bytes is given up
 };
 
 typedef struct
@@ -31,24 +31,24 @@ typedef struct
     tty_mode_t mode;
     char line[tty_line_bytes];
     size_t line_size;
-    bool line_is_noise; ///< it holds bytes that nobody types
+    bool line_is_noise; ///< it holds bytes that no keyboard sends
     bool line_is_long;
     bool ahrs_announced; ///< `#sim` was heard
     frame_decoder_t decoder;
     uint32_t heard_ms;
     uint32_t record_ms; ///< when the last AHRS record was due
     shell_t* shell;
-    text_t reply; ///< text to be sent; the caller takes it out
+    text_t reply; ///< text to be sent; the caller empties it
 } tty_t;
 
 /// Text mode, with an empty line. `reply` gets its room from the caller.
 void tty_init(tty_t* tty, shell_t* shell, char* reply, size_t reply_bytes);
 
 /// Take received bytes up to the end of a line, the end of binary mode or a request (`shell->request`) and return how
-/// many were taken: what is in `reply` must go out, and what is asked be done, before the rest is given again.
+/// many were taken. Send `reply` and do what is requested before giving the rest.
 size_t tty_receive(tty_t* tty, const uint8_t* bytes, size_t size, uint32_t now_ms);
 
-/// What happens by the clock: time-outs, the board's own reports, an AHRS record into `reply`.
+/// Do what is due by the clock: time-outs, the board's own reports, an AHRS record into `reply`.
 void tty_tick(tty_t* tty, uint32_t now_ms);
 
 /// How long the caller may wait before the next `tty_tick`, in ms; UINT32_MAX: until bytes come in.

@@ -32,7 +32,7 @@ size_t byte_ring_put(byte_ring_t* ring, const uint8_t* bytes, size_t size)
     const size_t to_the_end = smaller(count, ring->capacity - at);
     memcpy(ring->bytes + at, bytes, to_the_end);
     memcpy(ring->bytes, bytes + to_the_end, count - to_the_end);
-    // The reader may see the new count only after the bytes: the store is a release.
+    // A release store: the reader must not see the new count before the bytes.
     atomic_store(&ring->written, written + count);
     return count;
 }

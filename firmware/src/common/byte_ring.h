@@ -14,7 +14,7 @@ typedef struct
     atomic_size_t taken;   ///< in all, by the reader; wraps
 } byte_ring_t;
 
-/// An empty ring over `capacity` bytes (a power of two) that outlive it.
+/// Make the ring empty. Its `capacity` bytes (a power of two) must exist as long as the ring.
 void byte_ring_init(byte_ring_t* ring, uint8_t* bytes, size_t capacity);
 
 /// Bytes that can be put now; for the writer.
@@ -29,7 +29,7 @@ size_t byte_ring_take(byte_ring_t* ring, uint8_t* bytes, size_t capacity);
 /// The oldest bytes in one piece, without taking them; returns how many, 0 when the ring is empty.
 size_t byte_ring_peek(const byte_ring_t* ring, const uint8_t** bytes);
 
-/// Take `size` bytes that were looked at.
+/// Remove `size` bytes that `byte_ring_peek` returned.
 void byte_ring_skip(byte_ring_t* ring, size_t size);
 
 #endif

@@ -1,11 +1,11 @@
-/// The interpreter of commands: a table that binds a type to what is done, and the answers to it.
+/// The interpreter of commands: a table from a command's type to its function, and the results of a command.
 #ifndef COMMS_COMMAND_H
 #define COMMS_COMMAND_H
 
 #include <stddef.h>
 #include <stdint.h>
 
-/// What became of a command; the numbers are those of the acknowledgement on the wire.
+/// Result of a command, with the numbers of the acknowledgement on the wire.
 typedef enum
 {
     command_done = 0,
@@ -15,7 +15,8 @@ typedef enum
     command_storage_failed = 4
 } command_result_t;
 
-/// Do one command. `argument` is the table row's own constant, so that rows which differ by a number share a function.
+/// Do one command. `argument` is a constant of the table row, so that commands which differ by a number share a
+/// function.
 typedef command_result_t (*command_fn_t)(void* context, int32_t argument, const uint8_t* payload);
 
 typedef struct

@@ -11,7 +11,7 @@ enum
     payload_offset = 8
 };
 
-// as long as a header, and the same but for its last byte
+// as long as a header and equal to it except for the last byte
 static const char greeting[] = PROTOCOL_OPEN_BINARY_MODE;
 static const uint32_t type_flags_mask = PROTOCOL_TO_PC_TYPE_BIT | PROTOCOL_FORBIDDEN_TYPE_BITS;
 
@@ -34,7 +34,7 @@ const frame_dialect_t frame_to_board = {
     .has_greeting = true,
 };
 
-/// What can be said about the candidate at the start of the buffer.
+/// Verdict on the candidate at the start of the buffer.
 typedef enum
 {
     verdict_incomplete,
@@ -105,7 +105,7 @@ static uint32_t sum_words(const uint8_t* bytes, size_t size)
     return sum;
 }
 
-/// Judge the candidate: as early as its type is known where that is wrong, else when it is complete.
+/// Judge the candidate: refuse it as soon as its type is known to be wrong, else when all its bytes are there.
 static verdict_t judge(const frame_decoder_t* decoder, frame_t* frame, frame_damage_t* damage)
 {
     const uint8_t* const at = decoder->buffer + decoder->start;

@@ -15,22 +15,22 @@ enum
     frame_overhead_bytes = 16,    ///< everything but the payload
     frame_payload_max_bytes = 96, ///< room for every payload of the definition (the longest has 68)
     frame_max_bytes = frame_overhead_bytes + frame_payload_max_bytes,
-    frame_buffer_bytes = 2 * frame_max_bytes ///< one candidate and what came in behind it
+    frame_buffer_bytes = 2 * frame_max_bytes ///< one candidate and the bytes received after it
 };
 
 /// Everything that differs between the two directions.
 typedef struct
 {
     uint32_t header;     ///< as a little-endian word
-    uint32_t type_flags; ///< what bits 28-31 of the type on the wire are: 0x80000000 from the board, 0 to it
+    uint32_t type_flags; ///< bits 28-31 of the type on the wire: 0x80000000 from the board, 0 to the board
     int32_t (*payload_size)(uint32_t type_id); ///< bytes, or negative when the type is unknown
-    bool has_greeting;                         ///< `#QT\n` between frames is a greeting and not noise
+    bool has_greeting;                         ///< `#QT\n` between frames is a greeting, otherwise noise
 } frame_dialect_t;
 
 /// `\rQT,`: what the board sends.
 extern const frame_dialect_t frame_from_board;
 
-/// `#QT,`: what the board receives. Unknown types are refused as damage, as the station's own decoder does.
+/// `#QT,`: what the board receives. Unknown types are refused as damage; the station's decoder does the same.
 extern const frame_dialect_t frame_to_board;
 
 /// A frame that passed every check. `payload` stays valid until the decoder is used again.
@@ -45,7 +45,7 @@ typedef enum
 {
     frame_event_none,    ///< more bytes are needed
     frame_event_frame,   ///< `frame` is filled in
-    frame_event_greeting ///< a station opened the line (again)
+    frame_event_greeting ///< a station opened the line, for the first time or again
 } frame_event_t;
 
 /// Why a candidate (four bytes that look like a header) was refused.
@@ -67,7 +67,7 @@ typedef struct
     uint8_t buffer[frame_buffer_bytes];
     size_t start; ///< first byte that is not yet judged
     size_t end;   ///< one past the newest byte
-    bool expired; ///< no more bytes will come for what is held
+    bool expired; ///< the held bytes will not be completed any more
     uint32_t received;
     uint32_t noise_bytes; ///< bytes outside of frames and of refused candidates' headers
     uint32_t damage[frame_damage_count];
@@ -87,15 +87,16 @@ void frame_decoder_init(frame_decoder_t* decoder, const frame_dialect_t* dialect
 ///     }
 size_t frame_decoder_feed(frame_decoder_t* decoder, const uint8_t* bytes, size_t size);
 
-/// The next thing found. After a refused candidate the search goes on at the byte after its header, so that damage
-/// never costs the frame behind it.
+/// Return the next event. After a refused candidate the search continues at the byte after its header, so that a
+/// damaged frame never hides the good one after it.
 frame_event_t frame_decoder_next(frame_decoder_t* decoder, frame_t* frame);
 
-/// The line has been quiet for too long for what is held to be one frame: refuse it. Call `frame_decoder_next` until
-/// it returns `frame_event_none` afterwards; complete frames inside of the refused candidate come out there.
+/// The line has been silent for longer than a frame may pause: refuse the candidate that is held. Call
+/// `frame_decoder_next` until it returns `frame_event_none` afterwards; complete frames inside of the refused candidate
+/// come out there.
 void frame_decoder_expire(frame_decoder_t* decoder);
 
-/// True while part of a candidate is held, that is, while an inter-byte time-out has something to end.
+/// True while part of a candidate is held, so that a time-out between two bytes has to be watched.
 bool frame_decoder_is_waiting(const frame_decoder_t* decoder);
 
 /// Candidates refused, of all kinds.

@@ -5,7 +5,7 @@
 
 #include "comms/protocol_gen.h"
 
-/// A task's period as its own command has it in the definition.
+/// Default and limits of a task's period, from the definition of the command that sets it.
 #define PERIOD_OF(command)                                                                                             \
     {COMMAND_##command##_PERIOD_MS_DEFAULT, COMMAND_##command##_PERIOD_MS_MINIMUM,                                     \
      COMMAND_##command##_PERIOD_MS_MAXIMUM}

@@ -1,4 +1,4 @@
-/// Altitude, heading and speed held in place of the pilot: gives the fly-by-wire its command.
+/// The autopilot: holds altitude, track and speed by giving the fly-by-wire the command that a pilot would give.
 ///
 /// Source: the specification of the control laws, "Autopilot". Altitudes ft, climb ft/min up, angles deg (pitch up,
 /// roll right, track clockwise from true north), speeds kt indicated.

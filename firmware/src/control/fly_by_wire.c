@@ -6,7 +6,7 @@
 static const float elevator_per_stick = 2.0F;
 static const float aileron_per_stick = 3.0F;
 
-/// Rate in rad/s which a full command asks for; grows with the dynamic pressure that makes the surfaces effective.
+/// Rate in rad/s that a full command asks for. It grows with the speed, as the surfaces become more effective.
 static float rate_scale(float init, float speed_scale_kt, float speed_kt)
 {
     const float ratio = speed_kt / speed_scale_kt;

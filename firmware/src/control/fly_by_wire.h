@@ -1,4 +1,4 @@
-/// The law between stick or autopilot and the surfaces: rate damping that fades with speed, and elevator trim.
+/// The law between stick or autopilot and the surfaces: damping of the rates, less at higher speed, and elevator trim.
 ///
 /// Signs: elevator + nose up, aileron + right wing down, rudder + nose right; P, Q, R body rates in rad/s with the
 /// same signs; throttle 0..1. Source: the specification of the control laws, "Fly-by-wire".
@@ -6,6 +6,8 @@
 #define CONTROL_FLY_BY_WIRE_H
 
 #include <stdbool.h>
+
+#include "control/surfaces.h"
 
 typedef struct
 {
@@ -26,7 +28,7 @@ typedef struct
     float trim; ///< int_elev: the elevator that the automatic trim holds, -1..+1
 } fly_by_wire_state_t;
 
-/// What is asked for, by the pilot (`fly_by_wire_command_of_stick`) or by the autopilot.
+/// The wanted motion, from the pilot (`fly_by_wire_command_of_stick`) or by the autopilot.
 typedef struct
 {
     float elevator;
@@ -41,18 +43,9 @@ typedef struct
     float q_rad_s;
     float r_rad_s;
     float speed_kt; ///< indicated airspeed
-    bool autotrim;  ///< off: no trim at all
+    bool autotrim;  ///< off: the trim is 0
     bool frozen;    ///< below 20 kt or on the ground: the trim keeps its value
 } fly_by_wire_input_t;
-
-/// Deflections: -1..+1, throttle 0..1.
-typedef struct
-{
-    float elevator;
-    float aileron;
-    float rudder;
-    float throttle;
-} surfaces_t;
 
 /// A stick (-1..+1, throttle 0..1) as command: elevator twofold, aileron threefold, the rest straight through.
 control_command_t fly_by_wire_command_of_stick(float elevator, float aileron, float rudder, float throttle);

@@ -2,9 +2,7 @@
 
 #include <math.h>
 
-#include "common/limit.h"
-
-// long enough that no surface jumps, short against the slowest law (some 10 s)
+// long enough that no surface jumps, short compared with the slowest law (about 10 s)
 static const float fade_time_s = 0.7F;
 
 void transition_init(transition_t* transition)
@@ -25,16 +23,16 @@ void transition_begin(transition_t* transition, const surfaces_t* before, const 
 surfaces_t transition_update(transition_t* transition, const surfaces_t* wanted, float dt_s)
 {
     surfaces_t* const offset = &transition->offset;
-    const surfaces_t out = {
-        .elevator = limit_to(wanted->elevator + offset->elevator, -1.0F, 1.0F),
-        .aileron = limit_to(wanted->aileron + offset->aileron, -1.0F, 1.0F),
-        .rudder = limit_to(wanted->rudder + offset->rudder, -1.0F, 1.0F),
-        .throttle = limit_to(wanted->throttle + offset->throttle, 0.0F, 1.0F),
+    const surfaces_t sum = {
+        .elevator = wanted->elevator + offset->elevator,
+        .aileron = wanted->aileron + offset->aileron,
+        .rudder = wanted->rudder + offset->rudder,
+        .throttle = wanted->throttle + offset->throttle,
     };
     const float kept = expf(-dt_s / fade_time_s);
     offset->elevator *= kept;
     offset->aileron *= kept;
     offset->rudder *= kept;
     offset->throttle *= kept;
-    return out;
+    return surfaces_in_limits(&sum);
 }

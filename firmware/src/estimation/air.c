@@ -18,7 +18,8 @@ float air_altitude_m(float static_pa)
 
 float air_calibrated_speed_m_s(float pitot_pa)
 {
-    // Compressible: a0 sqrt(5 ((1 + q / p0) ^ (2/7) - 1)), by expm1 and log1p as a small q would be lost beside 1.
+    // Compressible: a0 sqrt(5 ((1 + q / p0) ^ (2/7) - 1)), with expm1 and log1p, because a small q is lost when 1 is
+    // added to it.
     const float compression = expm1f(2.0F / 7.0F * log1pf(fabsf(pitot_pa) / sea_level_pa));
     return copysignf(sea_level_sound_m_s * sqrtf(5.0F * compression), pitot_pa);
 }

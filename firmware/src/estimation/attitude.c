@@ -11,13 +11,13 @@ enum
     alignment_samples = 10
 };
 
-/// How strongly an error is taken back.
+/// How fast an error is corrected.
 typedef struct
 {
-    float slow_per_s;      ///< gyro trusted: it averages gusts and side-slip over the inverse of this
-    float fast_per_s;      ///< gyro not trusted
-    float bias_per_s2;     ///< into the gyro's bias
-    float new_bias_per_s2; ///< in addition in the first seconds, when the bias is not known at all
+    float slow_per_s;      ///< while the gyro is trusted: gusts and side-slip are averaged over 1 / this
+    float fast_per_s;      ///< while the gyro is not trusted
+    float bias_per_s2;     ///< of the gyro's bias
+    float new_bias_per_s2; ///< added in the first seconds, while the bias is unknown
 } gain_t;
 
 static const gain_t tilt_gain = {0.15F, 2.0F, 0.004F, 0.1F};
@@ -25,21 +25,22 @@ static const gain_t heading_gain = {0.15F, 2.0F, 0.004F, 0.1F};
 
 static const float new_for_s = 8.0F;
 static const float urgent_for_s = 2.0F;  ///< after a silent gyro is heard again
-static const float longest_gap_s = 0.1F; ///< a gap so short is bridged with the last rate
+static const float longest_gap_s = 0.1F; ///< up to this gap, the last rate is used on
 static const float largest_bias_rad_s = 0.2F;
 static const float airspeed_time_s = 0.5F;
-static const float airspeed_new_for_s = 1.0F; ///< its first samples are noise: no change can be told from them
+static const float airspeed_new_for_s = 1.0F; ///< its first samples are noise: no acceleration is computed from them
 
-// Shorter, the compass's turn, the tilt that it tells and the heading that the tilt tells would swing each other up.
+// With less smoothing, the rate of turn from the compass, the tilt computed with that rate, and the heading computed
+// with that tilt would drive each other into an oscillation.
 static const float compass_turn_time_s = 2.0F;
 static const float fastest_turn_rad_s = 1.0F;
 static const float largest_acceleration_m_s2 = 5.0F;
 
-// An estimate so far off is not a matter of the gyro's drift: begin to follow the others.
+// An estimate that is this far off is not explained by the gyro's drift: follow gravity and compass instead.
 static const float far_rad = 0.35F;
 static const float far_for_s = 1.0F;
 
-/// Where the field is steeper than this the compass knows no north (the horizontal share of the field).
+/// Least horizontal share of the magnetic field; below it the field is so steep that the compass shows no north.
 static const float least_horizontal = 0.1F;
 
 void attitude_init(attitude_filter_t* filter)
@@ -62,18 +63,18 @@ static void note_airspeed(attitude_filter_t* filter, const attitude_input_t* inp
 {
     if (!input->has_airspeed)
     {
-        return; // the last one is nearer to the truth than none
+        return; // keep the last airspeed: it is nearer to the truth than no airspeed
     }
     const float change_m_s = input->airspeed_m_s - filter->slow_airspeed_m_s;
     if (!filter->has_airspeed || fabsf(change_m_s) > largest_acceleration_m_s2 * airspeed_time_s)
     {
-        // the first one, a gust, or an aircraft that was put elsewhere: nothing that accelerates it
+        // the first sample, a gust, or an aircraft that the simulator moved: no acceleration
         filter->slow_airspeed_m_s = input->airspeed_m_s;
         filter->has_airspeed = true;
     }
     filter->airspeed_m_s = input->airspeed_m_s;
     filter->airspeed_age_s = fminf(filter->airspeed_age_s + dt_s, 2.0F * airspeed_new_for_s);
-    // A mean at first, a lag later.
+    // The mean of the first samples, then a low-pass filter.
     const float share = fmaxf(1.0F - expf(-dt_s / airspeed_time_s), dt_s / filter->airspeed_age_s);
     filter->slow_airspeed_m_s += share * (filter->airspeed_m_s - filter->slow_airspeed_m_s);
 }
@@ -91,7 +92,7 @@ static gravity_t felt(const attitude_filter_t* filter, const attitude_input_t* i
     return gravity_felt(&gravity);
 }
 
-/// Turn by the gyro, or, while it is silent, by the compass about the vertical.
+/// Turn the estimate by the gyro, or about the vertical by the compass while the gyro is silent.
 static void turn(attitude_filter_t* filter, const attitude_input_t* input, float dt_s)
 {
     filter->without_rate_s = input->has_rate ? 0.0F : filter->without_rate_s + dt_s;
@@ -105,12 +106,12 @@ static void turn(attitude_filter_t* filter, const attitude_input_t* input, float
         const vector_t turning = {.z = filter->compass_turn_rad_s};
         filter->rate_rad_s = rotation_to_body(filter->body, turning);
     }
-    // Samples are instants: the way between two of them is their mean.
+    // Each sample is the rate at one instant, so between two samples the mean rate applies.
     const vector_t mean = vector_scaled(vector_sum(before, filter->rate_rad_s), 0.5F);
     filter->body = rotation_turned(filter->body, vector_scaled(mean, dt_s));
 }
 
-/// Small rotation that would bring the estimated down to the felt one.
+/// Small rotation that would bring the estimated down to the measured one.
 static vector_t tilt_error_rad(const attitude_filter_t* filter, vector_t down)
 {
     const vector_t estimated = rotation_to_body(filter->body, (vector_t){.z = 1.0F});
@@ -120,10 +121,10 @@ static vector_t tilt_error_rad(const attitude_filter_t* filter, vector_t down)
     {
         return error;
     }
-    return vector_scaled(error, 1.0F / length); // beyond a right angle the product would shrink again
+    return vector_scaled(error, 1.0F / length); // beyond a right angle the product would become smaller again
 }
 
-/// True heading less the estimated one, by the levelled compass; false where the field shows no north.
+/// True heading by the compass, corrected for tilt, minus the estimated heading; false where the field shows no north.
 static bool heading_error_rad(const attitude_filter_t* filter, vector_t field, float declination_deg, float* error_rad)
 {
     const vector_t levelled = rotation_to_earth(filter->body, field);
@@ -137,12 +138,12 @@ static bool heading_error_rad(const attitude_filter_t* filter, vector_t field, f
     return true;
 }
 
-/// Turn the body by `error_rad` (body axes) as far as the gain and `trust` say, and learn the bias of it.
+/// Turn the estimate by the share of `error_rad` (body axes) that gain and `trust` allow, and correct the bias by it.
 static void correct(attitude_filter_t* filter, const gain_t* gain, vector_t error_rad, float trust, float dt_s)
 {
     const float per_s = gain->slow_per_s + (gain->fast_per_s - gain->slow_per_s) * filter->urgency;
     filter->body = rotation_turned(filter->body, vector_scaled(error_rad, limit_to(trust * per_s * dt_s, 0.0F, 1.0F)));
-    // After a gap the error is the gap's, not the bias's; so it is where the aircraft was put elsewhere.
+    // After a gap, or when the simulator moved the aircraft, the error does not come from the bias.
     const float newness = expf(-filter->age_s / new_for_s);
     const float learning = (1.0F - filter->urgency) * (gain->bias_per_s2 + gain->new_bias_per_s2 * newness);
     if (attitude_has_rate(filter))
@@ -197,8 +198,8 @@ static float correct_heading(attitude_filter_t* filter, vector_t field, float de
     return fabsf(error_rad);
 }
 
-/// Rate of turn of the heading, smoothed: of the gyro while it lives, so that there is a value to begin with, and of
-/// the compass once it is silent. Without both the turn is taken to end.
+/// Smoothed rate of turn of the heading: from the gyro while it measures, so that there is a value to begin with, and
+/// from the compass once the gyro is silent. Without either, the turn is assumed to end.
 static void note_turn(attitude_filter_t* filter, float heading_before_deg, bool is_measured, float dt_s)
 {
     const float heading_deg = rotation_to_euler(filter->body).yaw_deg;
@@ -219,7 +220,7 @@ static void judge(attitude_filter_t* filter, float error_rad, float dt_s)
     if (filter->disagreed_s >= far_for_s)
     {
         filter->urgency = 1.0F;
-        filter->age_s = 0.0F; // the bias may be as wrong as the attitude: learn it anew
+        filter->age_s = 0.0F; // the bias may be as wrong as the attitude: estimate it anew
         return;
     }
     filter->urgency *= expf(-dt_s / urgent_for_s);

@@ -1,8 +1,8 @@
-/// Attitude and heading: the gyro turned into an angle, held to the felt gravity and to the compass.
+/// Attitude and heading: the integrated gyro, corrected by the measured gravity and by the compass.
 ///
 /// A complementary filter on a quaternion. The accelerometer corrects tilt only and the magnetometer heading only, so a
-/// disturbed magnetic field does not tilt the horizon. What both correct all the time is the gyro's bias. Headings are
-/// true: the compass is corrected by the declination, east positive (true = magnetic + declination).
+/// disturbed magnetic field does not tilt the horizon. Both correct the gyro's bias all the time. Headings are
+/// true: the declination is added to the compass's heading, east positive (true = magnetic + declination).
 #ifndef ESTIMATION_ATTITUDE_H
 #define ESTIMATION_ATTITUDE_H
 
@@ -10,14 +10,14 @@
 
 #include "estimation/rotation.h"
 
-/// What was measured in this step, in body axes; what was not keeps its flag false.
+/// What was measured in this step, in body axes; the flag of a value that was not measured is false.
 typedef struct
 {
     vector_t rate_rad_s;
     bool has_rate;
     vector_t force_m_s2; ///< specific force: 0, 0, -9.8 at rest and level
     bool has_force;
-    vector_t field; ///< of the earth, of any strength
+    vector_t field; ///< magnetic field of the earth, in any unit
     bool has_field;
     float airspeed_m_s; ///< true
     bool has_airspeed;
@@ -32,14 +32,14 @@ typedef struct
     vector_t rate_rad_s;     ///< of the body, without bias
     float without_rate_s;    ///< since the last gyro sample
     float airspeed_m_s;      ///< the last one measured; 0 before
-    float slow_airspeed_m_s; ///< its lag tells the acceleration
+    float slow_airspeed_m_s; ///< low-pass filtered; the difference to `airspeed_m_s` gives the acceleration
     bool has_airspeed;
     float airspeed_age_s;     ///< how long it has been measured, 2 s at most
-    float compass_turn_rad_s; ///< rate of turn by the compass, in place of a silent gyro's
+    float compass_turn_rad_s; ///< rate of turn by the compass, used while the gyro is silent
     float urgency;            ///< 0: trust the gyro; 1: it cannot be trusted, follow gravity and compass
     float disagreed_s;        ///< how long gravity or compass has been far from the estimate
-    float age_s;              ///< since the attitude is known, or was found again
-    vector_t down_sum;        ///< of the samples of the alignment
+    float age_s;              ///< time since the attitude became known, for the first time or again
+    vector_t down_sum;        ///< sum over the samples of the alignment
     int down_count;
 } attitude_filter_t;
 

@@ -10,7 +10,7 @@
 static const float standard_pa = 101325.0F;
 static const float longest_without_pitot_s = 1.0F;
 
-/// Least and largest value of a sound sample, for each of its axes.
+/// Smallest and largest plausible value of each axis of a sample.
 typedef struct
 {
     float minimum;
@@ -21,7 +21,7 @@ static const range_t ranges[estimator_sensor_count] = {
     [estimator_gyro] = {-35.0F, 35.0F},               // 2000 deg/s, the widest range of small gyros
     [estimator_accelerometer] = {-160.0F, 160.0F},    // 16 g
     [estimator_magnetometer] = {-2.0F, 2.0F},         // twice the earth's field
-    [estimator_static_pressure] = {22632.0F, 1.1e5F}, // 11 km, where the atmosphere's law ends
+    [estimator_static_pressure] = {22632.0F, 1.1e5F}, // 11 km, up to where the formulas of the atmosphere hold
     [estimator_pitot] = {-2000.0F, 20000.0F},         // beyond 170 m/s
 };
 
@@ -32,7 +32,7 @@ void estimator_init(estimator_t* estimator, float declination_deg)
     vertical_init(&estimator->vertical);
 }
 
-/// Whether there is a sound sample; one that is not sound is counted.
+/// Whether there is a plausible sample; an implausible one is counted.
 static bool is_sound(estimator_t* estimator, const estimator_samples_t* samples, estimator_sensor_t sensor,
                      const float* values, size_t count)
 {

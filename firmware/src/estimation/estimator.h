@@ -1,7 +1,7 @@
 /// The board's own estimate of its state from the samples of its sensors: the one entry to this folder.
 ///
-/// Samples come in the sensors' units; what a sensor did not measure in a step keeps its flag false. A sample that is
-/// not finite or that no sound sensor gives is refused, counted, and treated as missing.
+/// Samples come in the sensors' units; the flag of a sensor that measured nothing in a step is false. A sample that
+/// is not finite or not plausible is refused, counted, and treated as missing.
 #ifndef ESTIMATION_ESTIMATOR_H
 #define ESTIMATION_ESTIMATOR_H
 
@@ -32,7 +32,7 @@ typedef struct
     bool is_measured[estimator_sensor_count];
 } estimator_samples_t;
 
-/// NaN: not known (yet, or any more).
+/// NaN: not known yet, or not known any more.
 typedef struct
 {
     euler_t attitude;         ///< heading true
@@ -47,7 +47,7 @@ typedef struct
     float declination_deg; ///< of the magnetic field where the aircraft flies, east positive
     attitude_filter_t attitude;
     vertical_filter_t vertical;
-    float static_pa; ///< the last one; the sea level's before
+    float static_pa; ///< the last one; before the first, that at sea level
     float airspeed_m_s;
     float without_pitot_s;
     bool has_airspeed;

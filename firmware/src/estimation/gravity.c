@@ -4,7 +4,7 @@
 
 #include "common/limit.h"
 
-/// Off by so much of g, the reading is a gust, a bump or an impact and says nothing about down.
+/// A reading that differs from g by this share of it is a gust, a bump or an impact, and does not show where down is.
 static const float strength_tolerance = 0.3F;
 
 gravity_t gravity_felt(const gravity_input_t* input)

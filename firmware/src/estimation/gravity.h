@@ -1,7 +1,7 @@
-/// Where down is, by the accelerometer: what it feels less what the flight itself adds.
+/// Where down is, by the accelerometer: its reading minus the accelerations of the flight itself.
 ///
-/// In a coordinated turn the felt force stays in the aircraft's own z axis, so an accelerometer alone would call every
-/// turn level flight. The air is taken to come from ahead: turning then bends the path as fast as the body turns.
+/// In a coordinated turn the felt force stays in the aircraft's own z axis, so an accelerometer alone would take every
+/// turn for level flight. The air is assumed to come from ahead: then the path turns as fast as the body does.
 #ifndef ESTIMATION_GRAVITY_H
 #define ESTIMATION_GRAVITY_H
 
@@ -20,7 +20,7 @@ typedef struct
 typedef struct
 {
     vector_t down; ///< unit vector in body axes
-    float trust;   ///< 1 where what is left is as strong as gravity, 0 where it is far from that
+    float trust;   ///< 1 where the remaining force is as strong as gravity, 0 where it differs much
 } gravity_t;
 
 gravity_t gravity_felt(const gravity_input_t* input);

@@ -67,7 +67,7 @@ euler_t rotation_to_euler(rotation_t q)
     };
 }
 
-/// v + 2 w (q x v) + 2 q x (q x v), the product q v q* without its zeros.
+/// v + 2 w (q x v) + 2 q x (q x v): the product q v q* without the terms that are 0.
 static vector_t turned(vector_t v, vector_t q, float w)
 {
     const vector_t twice = vector_scaled(vector_cross(q, v), 2.0F);
@@ -87,11 +87,11 @@ vector_t rotation_to_body(rotation_t rotation, vector_t earth)
 rotation_t rotation_turned(rotation_t rotation, vector_t angle_rad)
 {
     const float angle = vector_length(angle_rad);
-    // sin(angle / 2) / angle goes to a half; below this the float cannot tell
+    // sin(angle / 2) / angle approaches a half; below this angle a float cannot tell the difference
     const float share = angle > 1e-4F ? sinf(angle / 2.0F) / angle : 0.5F;
     const vector_t axis = vector_scaled(angle_rad, share);
     const rotation_t after = product(rotation, (rotation_t){cosf(angle / 2.0F), axis.x, axis.y, axis.z});
-    // rounding would let the length creep away from 1
+    // rounding would slowly change the length from 1
     const float length = sqrtf(after.w * after.w + after.x * after.x + after.y * after.y + after.z * after.z);
     return (rotation_t){after.w / length, after.x / length, after.y / length, after.z / length};
 }

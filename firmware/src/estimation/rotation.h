@@ -38,7 +38,7 @@ float vector_length(vector_t a);
 rotation_t rotation_from_euler(euler_t angles);
 euler_t rotation_to_euler(rotation_t rotation);
 
-/// A vector given in body axes, in earth axes; and back.
+/// Turn a vector from body axes into earth axes, and back.
 vector_t rotation_to_earth(rotation_t rotation, vector_t body);
 vector_t rotation_to_body(rotation_t rotation, vector_t earth);
 

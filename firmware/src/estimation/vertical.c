@@ -4,12 +4,12 @@
 
 #include "common/limit.h"
 
-// Three equal poles: the barometer rules above this time, the acceleration below it.
+// Three equal poles: changes slower than this time come from the barometer, faster ones from the acceleration.
 static const float time_s = 2.0F;
 
 static const float longest_without_baro_s = 2.0F;
 
-// No aircraft gets so far from its estimate: it was put somewhere else (a simulator does that).
+// Flight does not bring an aircraft that far from its estimate: the simulator moved it.
 static const float far_m = 40.0F;
 static const float far_for_s = 0.25F;
 
@@ -53,7 +53,7 @@ void vertical_update(vertical_filter_t* filter, const vertical_input_t* input, f
     }
     if (filter->disagreed_s > 0.0F)
     {
-        return; // a wild sample, unless it goes on
+        return; // a single outlier, unless it persists
     }
     const float share = dt_s / time_s;
     filter->altitude_m += 3.0F * share * error_m;

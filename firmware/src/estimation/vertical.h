@@ -1,10 +1,10 @@
-/// Altitude and vertical speed: the barometer's altitude, made quick by the vertical acceleration.
+/// Altitude and vertical speed: the barometer's altitude, which the vertical acceleration makes respond faster.
 #ifndef ESTIMATION_VERTICAL_H
 #define ESTIMATION_VERTICAL_H
 
 #include <stdbool.h>
 
-/// What was measured in this step; what was not keeps its flag false.
+/// What was measured in this step; the flag of a value that was not measured is false.
 typedef struct
 {
     float altitude_m; ///< pressure altitude
@@ -17,7 +17,7 @@ typedef struct
 {
     float altitude_m;
     float speed_m_s;      ///< climb is positive
-    float bias_m_s2;      ///< what the measured acceleration lacks
+    float bias_m_s2;      ///< to be added to the measured acceleration
     float without_baro_s; ///< since the last altitude
     float disagreed_s;    ///< how long the barometer has been far from the estimate
     bool has_begun;
@@ -25,7 +25,7 @@ typedef struct
 
 void vertical_init(vertical_filter_t* filter);
 
-/// One step of `dt_s` (> 0). Begins anew at the barometer's altitude when that stays far away from the estimate.
+/// One step of `dt_s` (> 0). Starts again from the barometer's altitude when the estimate stays far away from it.
 void vertical_update(vertical_filter_t* filter, const vertical_input_t* input, float dt_s);
 
 /// False before the first altitude and 2 s after the last one.

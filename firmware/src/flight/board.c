@@ -2,18 +2,12 @@
 
 #include <string.h>
 
-#include "flight/board_card.h"
+#include "flight/board_command_context.h"
 #include "flight/board_commands.h"
-#include "flight/board_reports.h"
+#include "flight/board_streams.h"
 
 static const uint32_t status_period_ms = 1000;
-static const uint32_t first_extension = 0x100; ///< deployed boards know nothing from here on
-
-/// Servo outputs that a law drives, in the order of the receiver's channels.
-enum
-{
-    driven_servos = 4
-};
+static const uint32_t first_extension = 0x100; ///< deployed boards know no command from here on
 
 static int32_t incoming_size(uint32_t type_id)
 {
@@ -31,35 +25,36 @@ const frame_dialect_t board_frames_in = {
 void board_init(board_t* board, const board_config_t* config)
 {
     memset(board, 0, sizeof *board);
-    board->config = *config;
+    board->is_legacy = config->legacy;
+    board->line = (report_line_t){.send = config->send, .context = config->send_context};
     telemetry_init(&board->schedule);
-    parameters_init(&board->parameters);
-    board->source = board_source_rc;
-    board->airspeed_source = COMMAND_SELECT_AIRSPEED_SOURCE_SOURCE_PITOT;
-    board->altitude_source = COMMAND_SELECT_ALTITUDE_SOURCE_SOURCE_BAROMETER;
-    board->servos_mode = board_servos_fly_by_wire;
-    board->hil_plan_name = MESSAGE_BOARD_STATUS_HIL_PLAN_NAME_NONE;
-    board->reading_plan = -1;
-    mission_init(&board->mission);
-    for (size_t i = 0; i < board_plan_count; i++)
+    tuning_init(&board->tuning);
+    board_plans_init(&board->plans);
+    flight_loop_init(&board->flight);
+    hil_loop_init(&board->hil, config->hil_period_s);
+    servo_outputs_init(&board->servos);
+    board_card_init(&board->card, config->storage);
+    if (config->storage != NULL)
     {
-        plan_clear(&board->plans[i]);
-        control_loop_init(&board->loops[i]);
+        board_card_load_parameters(&board->card, config->card_is_silent, &board->tuning);
+        if (!config->legacy && !config->may_be_in_flight)
+        {
+            board_card_load_plans(&board->card, config->card_is_silent, &board->plans);
+        }
     }
-    board_card_load(board);
 }
 
 void board_open(board_t* board, uint32_t now_ms)
 {
-    board->extended = false;
-    board->reading_plan = -1;
-    board->status_ms = now_ms;
+    board->station.is_extended = false;
+    board->station.status_ms = now_ms;
+    board_plans_stop_reading(&board->plans);
 }
 
 command_result_t board_run_command(board_t* board, uint32_t type_id, const uint8_t* payload, size_t size,
                                    uint32_t now_ms)
 {
-    if (board->config.legacy && type_id >= first_extension)
+    if (board->is_legacy && type_id >= first_extension)
     {
         return command_unknown;
     }
@@ -71,9 +66,9 @@ board_action_t board_handle_command(board_t* board, uint32_t type_id, const uint
                                     uint32_t now_ms)
 {
     const command_result_t result = board_run_command(board, type_id, payload, size, now_ms);
-    if (board->extended && type_id != COMMAND_DO_NOTHING_ID && type_id != COMMAND_XPLANE_INFO_ID)
+    if (board->station.is_extended && type_id != COMMAND_DO_NOTHING_ID && type_id != COMMAND_XPLANE_INFO_ID)
     {
-        board_report_acknowledgement(board, type_id, result);
+        report_acknowledgement(&board->line, type_id, result);
     }
     if (result == command_done && type_id == COMMAND_EXIT_BINARY_MODE_ID)
     {
@@ -88,25 +83,19 @@ board_action_t board_handle_command(board_t* board, uint32_t type_id, const uint
 
 bool board_tick(board_t* board, uint32_t now_ms)
 {
-    if (board->extended && now_ms - board->status_ms >= status_period_ms)
+    if (board->station.is_extended && now_ms - board->station.status_ms >= status_period_ms)
     {
-        board->status_ms = now_ms;
-        board_report_status(board);
+        board->station.status_ms = now_ms;
+        board_send_status(board);
     }
-    if (board->reading_plan < 0)
+    const int32_t plan = board->plans.reading;
+    size_t index = 0;
+    const waypoint_t* const waypoint = board_plans_read_next(&board->plans, &index);
+    if (waypoint != NULL)
     {
-        return false;
+        report_mission_item(&board->line, plan, index, waypoint);
     }
-    if (board->reading_index < board->plans[board->reading_plan].count)
-    {
-        board_report_mission_item(board, board->reading_plan, board->reading_index);
-        board->reading_index++;
-    }
-    if (board->reading_index >= board->plans[board->reading_plan].count)
-    {
-        board->reading_plan = -1;
-    }
-    return board->reading_plan >= 0;
+    return board_plans_is_reading(&board->plans);
 }
 
 void board_send_streams(board_t* board, telemetry_task_t task)
@@ -115,30 +104,30 @@ void board_send_streams(board_t* board, telemetry_task_t task)
     {
         if (telemetry_is_due(&board->schedule, task, (telemetry_stream_t)stream))
         {
-            board_report_stream(board, (telemetry_stream_t)stream);
+            board_send_stream(board, (telemetry_stream_t)stream);
         }
     }
 }
 
+void board_flight_step(board_t* board, float dt_s)
+{
+    measurements_note(&board->measured, dt_s);
+    flight_loop_step(&board->flight, &board->measured, &board->tuning.gains, &board->plans.plan[board_plan_flight],
+                     dt_s);
+}
+
+void board_supervise_hil(board_t* board, uint32_t now_ms)
+{
+    hil_loop_supervise(&board->hil, now_ms);
+}
+
 void board_servo_positions(const board_t* board, float positions[board_servo_count])
 {
-    const size_t loop = board->servos_mode == board_servos_hil ? board_plan_hil : board_plan_flight;
-    const surfaces_t* const surfaces = &board->loops[loop].surfaces;
-    const float driven[driven_servos] = {
-        [rc_channel_aileron] = surfaces->aileron,
-        [rc_channel_elevator] = surfaces->elevator,
-        [rc_channel_throttle] = surfaces->throttle,
-        [rc_channel_rudder] = surfaces->rudder,
-    };
-    for (size_t i = 0; i < board_servo_count; i++)
-    {
-        const bool follows_law = i < driven_servos && !board->servo_is_commanded[i];
-        positions[i] = follows_law ? driven[i] : board->servo_out[i];
-    }
+    servo_outputs_positions(&board->servos, &board->flight.loop.surfaces, &board->hil.loop.surfaces, positions);
 }
 
 void board_note_frames(board_t* board, uint32_t received, uint32_t rejected)
 {
-    board->frames_received = received;
-    board->frames_rejected = rejected;
+    board->station.frames_received = received;
+    board->station.frames_rejected = rejected;
 }

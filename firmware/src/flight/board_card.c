@@ -1,6 +1,7 @@
 #include "flight/board_card.h"
 
-#include "flight/gains.h"
+#include <string.h>
+
 #include "records/parameter_record.h"
 
 static const board_keeps_t kept_plans[board_plan_count] = {
@@ -19,74 +20,76 @@ static size_t plan_of(board_keeps_t what)
     return what == board_keeps_flight_plan ? (size_t)board_plan_flight : (size_t)board_plan_hil;
 }
 
-static record_state_t load_plan(board_t* board, size_t plan)
+void board_card_init(board_card_t* card, const storage_t* storage)
 {
-    return plan_record_load(board->config.storage, plan_records[plan], &board->plans[plan], board->card_room,
-                            sizeof board->card_room);
+    memset(card, 0, sizeof *card);
+    card->storage = storage;
 }
 
-void board_card_load(board_t* board)
+void board_card_load_parameters(board_card_t* card, bool is_silent, tuning_t* tuning)
 {
-    const board_config_t* const config = &board->config;
-    const bool knows_plans = !config->legacy && !config->may_be_in_flight;
-    if (config->storage != NULL)
-    {
-        const bool is_silent = config->card_is_silent;
-        board->kept[board_keeps_parameters] =
-            is_silent ? record_unreadable : board_card_read_parameters(board, &board->parameters);
-        for (size_t plan = 0U; knows_plans && plan < (size_t)board_plan_count; plan++)
-        {
-            board->kept[kept_plans[plan]] = is_silent ? record_unreadable : load_plan(board, plan);
-        }
-    }
-    board->gains = gains_of(&board->parameters);
+    parameters_t parameters = tuning->parameters;
+    card->kept[board_keeps_parameters] = is_silent ? record_unreadable : board_card_read_parameters(card, &parameters);
+    tuning_replace(tuning, &parameters);
 }
 
-record_state_t board_card_read_parameters(board_t* board, parameters_t* parameters)
+static record_state_t load_plan(board_card_t* card, size_t plan, board_plans_t* plans)
 {
-    return parameter_record_load(board->config.storage, parameters, board->card_room, sizeof board->card_room);
+    return plan_record_load(card->storage, plan_records[plan], &plans->plan[plan], card->room, sizeof card->room);
 }
 
-size_t board_card_take(board_t* board, board_keeps_t what)
-{
-    if (what == board_keeps_parameters)
-    {
-        return parameter_record_take(&board->parameters, board->card_room);
-    }
-    board->plan_is_to_store[plan_of(what)] = false;
-    return plan_record_take(&board->plans[plan_of(what)], board->card_room);
-}
-
-record_state_t board_card_write(board_t* board, board_keeps_t what, size_t taken)
-{
-    const storage_t* const storage = board->config.storage;
-    if (what == board_keeps_parameters)
-    {
-        return parameter_record_save(storage, board->card_room, sizeof board->card_room, taken);
-    }
-    return plan_record_save(storage, plan_records[plan_of(what)], board->card_room, sizeof board->card_room, taken);
-}
-
-bool board_card_note(board_t* board, board_keeps_t what, record_state_t state)
-{
-    const bool alarmed = board_card_alarms(board);
-    board->kept[what] = state;
-    for (size_t other = 0U; state == record_whole && other < (size_t)board_keeps_count; other++)
-    {
-        if (board->kept[other] == record_unreadable)
-        {
-            // a card that can be written is readable again, and holds nothing else
-            board->kept[other] = record_absent;
-        }
-    }
-    return board_card_alarms(board) != alarmed;
-}
-
-board_keeps_t board_card_next(const board_t* board)
+void board_card_load_plans(board_card_t* card, bool is_silent, board_plans_t* plans)
 {
     for (size_t plan = 0U; plan < (size_t)board_plan_count; plan++)
     {
-        if (board->plan_is_to_store[plan])
+        card->kept[kept_plans[plan]] = is_silent ? record_unreadable : load_plan(card, plan, plans);
+    }
+}
+
+record_state_t board_card_read_parameters(board_card_t* card, parameters_t* parameters)
+{
+    return parameter_record_load(card->storage, parameters, card->room, sizeof card->room);
+}
+
+size_t board_card_take(board_card_t* card, board_keeps_t what, const tuning_t* tuning, board_plans_t* plans)
+{
+    if (what == board_keeps_parameters)
+    {
+        return parameter_record_take(&tuning->parameters, card->room);
+    }
+    plans->is_to_store[plan_of(what)] = false;
+    return plan_record_take(&plans->plan[plan_of(what)], card->room);
+}
+
+record_state_t board_card_write(board_card_t* card, board_keeps_t what, size_t taken)
+{
+    if (what == board_keeps_parameters)
+    {
+        return parameter_record_save(card->storage, card->room, sizeof card->room, taken);
+    }
+    return plan_record_save(card->storage, plan_records[plan_of(what)], card->room, sizeof card->room, taken);
+}
+
+bool board_card_note(board_card_t* card, board_keeps_t what, record_state_t state)
+{
+    const bool alarmed = board_card_alarms(card);
+    card->kept[what] = state;
+    for (size_t other = 0U; state == record_whole && other < (size_t)board_keeps_count; other++)
+    {
+        if (card->kept[other] == record_unreadable)
+        {
+            // a card that can be written is readable again, and holds nothing else
+            card->kept[other] = record_absent;
+        }
+    }
+    return board_card_alarms(card) != alarmed;
+}
+
+board_keeps_t board_card_next(const board_plans_t* plans)
+{
+    for (size_t plan = 0U; plan < (size_t)board_plan_count; plan++)
+    {
+        if (plans->is_to_store[plan])
         {
             return kept_plans[plan];
         }
@@ -94,11 +97,11 @@ board_keeps_t board_card_next(const board_t* board)
     return board_keeps_count;
 }
 
-bool board_card_alarms(const board_t* board)
+bool board_card_alarms(const board_card_t* card)
 {
     for (size_t what = 0U; what < (size_t)board_keeps_count; what++)
     {
-        if (record_is_alarming(board->kept[what]))
+        if (record_is_alarming(card->kept[what]))
         {
             return true;
         }

@@ -1,22 +1,17 @@
-#include "flight/board_command_functions.h"
+#include "flight/board_command_extensions.h"
 
-#include "flight/board_card.h"
-#include "flight/board_reports.h"
+#include "flight/board_command_context.h"
+#include "flight/board_streams.h"
 
 _Static_assert(COMMAND_MISSION_BEGIN_COUNT_MAXIMUM == plan_waypoints_max, "the longest mission fits a plan");
-
-static bool is_plan(int32_t plan)
-{
-    return plan >= 0 && plan < board_plan_count;
-}
 
 command_result_t run_tell_capabilities(void* context, int32_t argument, const uint8_t* payload)
 {
     (void)argument;
     (void)payload;
     board_t* const board = board_of(context);
-    board->extended = true;
-    board_report_capabilities(board, ((board_command_context_t*)context)->now_ms);
+    board->station.is_extended = true;
+    board_send_capabilities(board, ((board_command_context_t*)context)->now_ms);
     return command_done;
 }
 
@@ -25,13 +20,14 @@ command_result_t run_store_parameters(void* context, int32_t argument, const uin
     (void)argument;
     (void)payload;
     board_t* const board = board_of(context);
-    if (board->config.storage == NULL)
+    board_card_t* const card = &board->card;
+    if (card->storage == NULL)
     {
         return command_storage_failed;
     }
-    const size_t taken = board_card_take(board, board_keeps_parameters);
-    const record_state_t state = board_card_write(board, board_keeps_parameters, taken);
-    (void)board_card_note(board, board_keeps_parameters, state);
+    const size_t taken = board_card_take(card, board_keeps_parameters, &board->tuning, &board->plans);
+    const record_state_t state = board_card_write(card, board_keeps_parameters, taken);
+    (void)board_card_note(card, board_keeps_parameters, state);
     return state == record_whole ? command_done : command_storage_failed;
 }
 
@@ -43,7 +39,7 @@ command_result_t run_select_airspeed(void* context, int32_t argument, const uint
     {
         return command_bad_value;
     }
-    board_of(context)->airspeed_source = source;
+    board_of(context)->flight.airspeed_source = source;
     return command_done;
 }
 
@@ -56,7 +52,7 @@ command_result_t run_select_altitude(void* context, int32_t argument, const uint
     {
         return command_bad_value;
     }
-    board_of(context)->altitude_source = source;
+    board_of(context)->flight.altitude_source = source;
     return command_done;
 }
 
@@ -79,11 +75,11 @@ command_result_t run_begin_mission(void* context, int32_t argument, const uint8_
     (void)argument;
     command_mission_begin_t values;
     command_mission_begin_unpack(&values, payload);
-    if (!is_plan(values.plan))
+    if (!board_plans_has(values.plan))
     {
         return command_bad_value;
     }
-    return result_of(mission_begin(&board_of(context)->mission, values.plan, values.count));
+    return result_of(mission_begin(&board_of(context)->plans.upload, values.plan, values.count));
 }
 
 command_result_t run_take_mission_item(void* context, int32_t argument, const uint8_t* payload)
@@ -91,7 +87,7 @@ command_result_t run_take_mission_item(void* context, int32_t argument, const ui
     (void)argument;
     command_mission_item_t values;
     command_mission_item_unpack(&values, payload);
-    if (!is_plan(values.plan))
+    if (!board_plans_has(values.plan))
     {
         return command_bad_value;
     }
@@ -100,7 +96,7 @@ command_result_t run_take_mission_item(void* context, int32_t argument, const ui
         .altitude_ft = values.altitude_ft,
         .speed_kt = values.speed_kt,
     };
-    return result_of(mission_item(&board_of(context)->mission, values.plan, values.index, &waypoint));
+    return result_of(mission_item(&board_of(context)->plans.upload, values.plan, values.index, &waypoint));
 }
 
 command_result_t run_commit_mission(void* context, int32_t argument, const uint8_t* payload)
@@ -108,21 +104,11 @@ command_result_t run_commit_mission(void* context, int32_t argument, const uint8
     (void)argument;
     board_t* const board = board_of(context);
     const int32_t plan = protocol_get_i32(payload);
-    if (!is_plan(plan))
+    if (!board_plans_has(plan))
     {
         return command_bad_value;
     }
-    const mission_status_t status = mission_commit(&board->mission, plan, &board->plans[plan]);
-    if (status == mission_ok)
-    {
-        board->reading_plan = -1;
-        board->plan_is_to_store[plan] = board->config.storage != NULL;
-        if (plan == board_plan_hil)
-        {
-            board->hil_plan_name = MESSAGE_BOARD_STATUS_HIL_PLAN_NAME_NONE;
-        }
-    }
-    return result_of(status);
+    return result_of(board_plans_commit(&board->plans, plan, board->card.storage != NULL));
 }
 
 command_result_t run_read_mission(void* context, int32_t argument, const uint8_t* payload)
@@ -130,14 +116,13 @@ command_result_t run_read_mission(void* context, int32_t argument, const uint8_t
     (void)argument;
     board_t* const board = board_of(context);
     const int32_t plan = protocol_get_i32(payload);
-    if (!is_plan(plan))
+    if (!board_plans_has(plan))
     {
         return command_bad_value;
     }
-    // the items follow one by one with the tick, so that a long plan does not keep the HIL answers waiting
-    board_report_mission_count(board, plan);
-    board->reading_plan = plan;
-    board->reading_index = 0;
+    // the items follow one by one with the tick, so that a long plan does not delay the HIL answers
+    report_mission_count(&board->line, plan, board->plans.plan[plan].count);
+    board_plans_begin_reading(&board->plans, plan);
     return command_done;
 }
 
@@ -146,11 +131,11 @@ command_result_t run_go_to_waypoint(void* context, int32_t argument, const uint8
     (void)argument;
     command_go_to_waypoint_t values;
     command_go_to_waypoint_unpack(&values, payload);
-    if (!is_plan(values.plan))
+    if (!board_plans_has(values.plan))
     {
         return command_bad_value;
     }
-    plan_t* const plan = &board_of(context)->plans[values.plan];
+    plan_t* const plan = &board_of(context)->plans.plan[values.plan];
     if (plan->count == 0)
     {
         return command_bad_state;

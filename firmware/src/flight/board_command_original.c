@@ -1,11 +1,7 @@
-#include "flight/board_command_functions.h"
+#include "flight/board_command_original.h"
 
-#include <string.h>
-
-#include "flight/board_loops.h"
-#include "flight/board_reports.h"
-#include "flight/gains.h"
-#include "navigation/routes_gen.h"
+#include "flight/board_command_context.h"
+#include "flight/board_streams.h"
 
 _Static_assert(COMMAND_SERVO_OUT_SERVO_MAXIMUM == board_servo_count - 1, "every output can be commanded");
 
@@ -14,7 +10,7 @@ static command_result_t done_or(bool done, command_result_t otherwise)
     return done ? command_done : otherwise;
 }
 
-/// Commands whose whole effect is the application's: do nothing, reset, exit.
+/// Commands that only the application carries out: do nothing, reset, exit.
 command_result_t run_do_nothing(void* context, int32_t argument, const uint8_t* payload)
 {
     (void)context;
@@ -36,7 +32,7 @@ command_result_t run_read_all(void* context, int32_t argument, const uint8_t* pa
     (void)payload;
     for (size_t stream = 0; stream < telemetry_stream_count; stream++)
     {
-        board_report_stream(board_of(context), (telemetry_stream_t)stream);
+        board_send_stream(board_of(context), (telemetry_stream_t)stream);
     }
     return command_done;
 }
@@ -55,16 +51,16 @@ command_result_t run_stream_off(void* context, int32_t stream, const uint8_t* pa
     return command_done;
 }
 
-/// With RC as control source the transmitter's switch is the one that counts.
+/// Refused with RC as control source, because then the transmitter's switch decides.
 command_result_t run_switch_autopilot(void* context, int32_t on, const uint8_t* payload)
 {
     (void)payload;
     board_t* const board = board_of(context);
-    if (board->source == board_source_rc)
+    if (board->hil.source == control_source_rc)
     {
         return command_bad_state;
     }
-    board->hil_autopilot = on != 0;
+    board->hil.autopilot = on != 0;
     return command_done;
 }
 
@@ -72,24 +68,24 @@ command_result_t run_switch_autotrim(void* context, int32_t on, const uint8_t* p
 {
     (void)payload;
     board_t* const board = board_of(context);
-    if (board->source == board_source_rc)
+    if (board->hil.source == control_source_rc)
     {
         return command_bad_state;
     }
-    board->hil_autotrim = on != 0;
+    board->hil.autotrim = on != 0;
     return command_done;
 }
 
 command_result_t run_next_waypoint(void* context, int32_t plan, const uint8_t* payload)
 {
     (void)payload;
-    return done_or(plan_next(&board_of(context)->plans[plan]), command_bad_state);
+    return done_or(plan_next(&board_of(context)->plans.plan[plan]), command_bad_state);
 }
 
 command_result_t run_previous_waypoint(void* context, int32_t plan, const uint8_t* payload)
 {
     (void)payload;
-    return done_or(plan_previous(&board_of(context)->plans[plan]), command_bad_state);
+    return done_or(plan_previous(&board_of(context)->plans.plan[plan]), command_bad_state);
 }
 
 command_result_t run_set_period(void* context, int32_t task, const uint8_t* payload)
@@ -104,31 +100,19 @@ command_result_t run_take_xplane_info(void* context, int32_t argument, const uin
     (void)argument;
     command_xplane_info_t info;
     command_xplane_info_unpack(&info, payload);
-    return board_hil_step(board_of(context), &info, ((board_command_context_t*)context)->now_ms);
+    board_t* const board = board_of(context);
+    const bool is_flown =
+        hil_loop_step(&board->hil, &board->measured, &board->tuning.gains, &board->plans.plan[board_plan_hil], &info,
+                      ((board_command_context_t*)context)->now_ms);
+    // a refused command is answered too, with the newest surfaces, because the simulator waits for an answer
+    report_hil_surfaces(&board->line, &board->hil.loop.surfaces);
+    return done_or(is_flown, command_bad_value);
 }
 
 command_result_t run_load_route(void* context, int32_t number, const uint8_t* payload)
 {
     (void)payload;
-    board_t* const board = board_of(context);
-    const route_t* const route = &routes[number];
-    waypoint_t waypoints[ROUTE_WAYPOINTS_MAX];
-    for (size_t i = 0; i < route->count; i++)
-    {
-        waypoints[i] = (waypoint_t){
-            .position = {route->waypoints[i].latitude_deg, route->waypoints[i].longitude_deg},
-            .altitude_ft = route->waypoints[i].altitude_ft,
-            .speed_kt = route->waypoints[i].speed_kt,
-        };
-    }
-    if (!plan_replace(&board->plans[board_plan_hil], waypoints, route->count, route->loop))
-    {
-        return command_bad_value;
-    }
-    board->hil_plan_name = number;
-    board->plan_is_to_store[board_plan_hil] = false; // what is uploaded is kept, not a route that the board knows
-    board->reading_plan = -1;
-    return command_done;
+    return done_or(board_plans_load_route(&board_of(context)->plans, number), command_bad_value);
 }
 
 command_result_t run_choose_source(void* context, int32_t argument, const uint8_t* payload)
@@ -140,56 +124,39 @@ command_result_t run_choose_source(void* context, int32_t argument, const uint8_
     {
         return command_bad_value;
     }
-    board->source = (board_source_t)source;
-    board_refresh_switches(board);
+    board->hil.source = (control_source_t)source;
+    hil_loop_refresh_switches(&board->hil, &board->measured);
     return command_done;
 }
 
-/// A change of mode also hands outputs that were moved by hand back to their law.
+/// Also ends the manual position of every output.
 command_result_t run_set_servos_mode(void* context, int32_t mode, const uint8_t* payload)
 {
     (void)payload;
-    board_t* const board = board_of(context);
-    board->servos_mode = (board_servos_mode_t)mode;
-    memset(board->servo_is_commanded, 0, sizeof board->servo_is_commanded);
+    servo_outputs_set_mode(&board_of(context)->servos, (board_servos_mode_t)mode);
     return command_done;
 }
 
 command_result_t run_move_servo(void* context, int32_t argument, const uint8_t* payload)
 {
     (void)argument;
-    board_t* const board = board_of(context);
     command_servo_out_t values;
     command_servo_out_unpack(&values, payload);
-    // written so that a NaN fails
-    const bool allowed =
-        values.servo >= 0 && values.servo < board_servo_count && values.position >= -1.0F && values.position <= 1.0F;
-    if (!allowed)
-    {
-        return command_bad_value;
-    }
-    board->servo_out[values.servo] = values.position;
-    board->servo_is_commanded[values.servo] = true;
-    return command_done;
+    return done_or(servo_outputs_move(&board_of(context)->servos, values.servo, values.position), command_bad_value);
 }
 
 command_result_t run_load_parameters(void* context, int32_t argument, const uint8_t* payload)
 {
     (void)argument;
     (void)payload;
-    board_report_parameters(board_of(context));
+    const board_t* const board = board_of(context);
+    report_parameters(&board->line, &board->tuning.parameters);
     return command_done;
 }
 
 command_result_t run_set_parameter(void* context, int32_t index, const uint8_t* payload)
 {
-    board_t* const board = board_of(context);
     const float value =
         parameter_definitions[index].is_integer ? (float)protocol_get_i32(payload) : protocol_get_f32(payload);
-    if (!parameters_set(&board->parameters, (size_t)index, value))
-    {
-        return command_bad_value;
-    }
-    board->gains = gains_of(&board->parameters);
-    return command_done;
+    return done_or(tuning_set(&board_of(context)->tuning, (size_t)index, value), command_bad_value);
 }

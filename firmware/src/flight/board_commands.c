@@ -1,9 +1,15 @@
 #include "flight/board_commands.h"
 
-#include "flight/board_command_functions.h"
+#include "comms/protocol_gen.h"
+#include "comms/telemetry.h"
+#include "flight/board_command_extensions.h"
+#include "flight/board_command_original.h"
+#include "flight/board_plans.h"
+#include "flight/servo_outputs.h"
 #include "navigation/routes_gen.h"
+#include "params/parameters_gen.h"
 
-/// Row of a command without an own constant, of a command with one.
+/// Rows of commands without a constant, with a constant, and of those that set a parameter.
 #define ROW(name, run) {COMMAND_##name##_ID, COMMAND_##name##_SIZE, run, 0}
 #define ROW_WITH(name, run, argument) {COMMAND_##name##_ID, COMMAND_##name##_SIZE, run, (int32_t)(argument)}
 #define ROW_PARAMETER(name) ROW_WITH(SET_##name, run_set_parameter, PARAMETER_##name)

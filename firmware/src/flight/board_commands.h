@@ -2,16 +2,11 @@
 #ifndef FLIGHT_BOARD_COMMANDS_H
 #define FLIGHT_BOARD_COMMANDS_H
 
-#include "flight/board.h"
+#include <stddef.h>
 
-/// What the rows of the table get to work on.
-typedef struct
-{
-    board_t* board;
-    uint32_t now_ms;
-} board_command_context_t;
+#include "comms/command.h"
 
-/// Ascending in type; context is a `board_command_context_t`.
+/// In ascending order of type; the functions' context is a `board_command_context_t`.
 extern const command_t board_commands[];
 extern const size_t board_commands_count;
 

@@ -2,15 +2,13 @@
 
 #include <math.h>
 
-#include "common/limit.h"
-
 enum
 {
-    nobody = -1 ///< a source that no input has, so that any of them is a change
+    no_source = -1 ///< differs from the source of every input, so that the next step is a change of source
 };
 
 static const float flying_speed_kt = 20.0F; ///< below it every integral is frozen
-static const float ground_band_ft = 10.0F;  ///< this far from where it last was slow, the aircraft flies
+static const float ground_band_ft = 10.0F;  ///< an aircraft this far above or below the ground is in the air
 static const float ground_run_limit_s = 20.0F;
 
 void control_loop_init(control_loop_t* loop)
@@ -37,9 +35,9 @@ static bool is_finite_input(const control_loop_input_t* input)
     return true;
 }
 
-/// True while the integrals have to keep their value: too slow to fly, or on a take-off run. No source says whether
-/// the wheels touch, so the ground is where the aircraft last was too slow to fly, until it leaves that altitude. A
-/// run has an end: an aircraft that was slow in the air must not be taken for a rolling one for long.
+/// True while the integrals must not change: below flying speed, or during the take-off run. No sensor tells whether
+/// the wheels touch the ground, so the altitude where the aircraft last was below flying speed counts as the ground.
+/// The run has a time limit, because an aircraft that was slow in the air must soon count as flying again.
 static bool is_frozen(control_loop_t* loop, const control_loop_input_t* input, float dt_s)
 {
     if (input->speed_kt < flying_speed_kt)
@@ -58,14 +56,14 @@ static bool is_frozen(control_loop_t* loop, const control_loop_input_t* input, f
     return loop->ground_is_known;
 }
 
-/// What the autopilot flies: the plan, or without one the altitude, course and speed of the moment it was switched on.
+/// The autopilot's target: from the plan, or without one the altitude, course and speed when it was switched on.
 static autopilot_target_t choose_target(control_loop_t* loop, plan_t* plan, const control_loop_input_t* input,
                                         float track_deg)
 {
     plan_guidance_t guidance;
     if (plan_update(plan, &input->position, input->speed_kt, &guidance))
     {
-        // kept as what is held should the position be lost
+        // kept, to be held if the position is lost
         loop->hold = (autopilot_target_t){
             .altitude_ft = guidance.altitude_ft,
             .course_deg = guidance.course_deg,
@@ -83,7 +81,7 @@ static autopilot_target_t choose_target(control_loop_t* loop, plan_t* plan, cons
     return loop->hold;
 }
 
-/// Whether somebody or something else commands than in the last step.
+/// Whether the source of the commands differs from that of the last step: stick, autopilot or autotrim.
 static bool has_changed_hands(const control_loop_t* loop, const control_loop_input_t* input)
 {
     return loop->has_run && (loop->autopilot_was_on != input->autopilot || loop->autotrim_was_on != input->autotrim ||
@@ -120,7 +118,7 @@ static control_command_t command_of_autopilot(control_loop_t* loop, const contro
 static control_command_t command_of_pilot(control_loop_t* loop, plan_t* plan, const control_loop_input_t* input,
                                           float track_deg)
 {
-    // the plan goes on while the pilot flies it by hand
+    // the plan continues while the pilot flies by hand
     (void)choose_target(loop, plan, input, track_deg);
     return fly_by_wire_command_of_stick(input->stick.elevator, input->stick.aileron, input->stick.rudder,
                                         input->stick.throttle);
@@ -128,14 +126,9 @@ static control_command_t command_of_pilot(control_loop_t* loop, plan_t* plan, co
 
 void control_loop_override(control_loop_t* loop, const surfaces_t* surfaces)
 {
-    loop->surfaces = (surfaces_t){
-        .elevator = limit_to(surfaces->elevator, -1.0F, 1.0F),
-        .aileron = limit_to(surfaces->aileron, -1.0F, 1.0F),
-        .rudder = limit_to(surfaces->rudder, -1.0F, 1.0F),
-        .throttle = limit_to(surfaces->throttle, 0.0F, 1.0F),
-    };
+    loop->surfaces = surfaces_in_limits(surfaces);
     transition_init(&loop->transition);
-    loop->source = nobody;
+    loop->source = no_source;
     loop->autopilot_was_on = false;
     loop->has_run = true;
 }
@@ -153,7 +146,7 @@ surfaces_t control_loop_step(control_loop_t* loop, const control_loop_gains_t* g
         .q_rad_s = input->q_rad_s,
         .r_rad_s = input->r_rad_s,
         .speed_kt = input->speed_kt,
-        // the autopilot's elevator command ends at 0.1, less than many airframes need in level flight
+        // the autopilot's elevator command is limited to 0.1, less than many airframes need in level flight
         .autotrim = input->autotrim || input->autopilot,
         .frozen = is_frozen(loop, input, dt_s),
     };

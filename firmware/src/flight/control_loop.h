@@ -1,5 +1,5 @@
-/// One aircraft under control: plan, autopilot, fly-by-wire and bumpless change between them. The board has two, the
-/// real aircraft and the one in the simulator, and both run this very code.
+/// One aircraft under control: plan, autopilot, fly-by-wire and bumpless change between them. The board controls
+/// two, the real aircraft and the simulated one, both with this code.
 #ifndef FLIGHT_CONTROL_LOOP_H
 #define FLIGHT_CONTROL_LOOP_H
 
@@ -12,13 +12,20 @@
 #include "navigation/plan.h"
 #include "navigation/track.h"
 
+/// Whose stick the simulated aircraft obeys, with the numbers of the wire.
+typedef enum
+{
+    control_source_rc = 0,
+    control_source_joystick = 1
+} control_source_t;
+
 typedef struct
 {
     fly_by_wire_gains_t fly_by_wire;
     autopilot_gains_t autopilot;
 } control_loop_gains_t;
 
-/// What is known of the aircraft and what its pilot wants. Signs as in `fly_by_wire.h` and `autopilot.h`.
+/// State of the aircraft, and what its pilot commands. Signs as in `fly_by_wire.h` and `autopilot.h`.
 typedef struct
 {
     surfaces_t stick; ///< -1..+1, throttle 0..1
@@ -32,7 +39,7 @@ typedef struct
     float vvi_ft_min;
     float speed_kt;
     position_t position;
-    int32_t source; ///< whose stick it is; any change of the number is made bumpless
+    int32_t source; ///< whose stick it is; a change of this number is made bumpless
     bool autopilot;
     bool autotrim;
 } control_loop_input_t;
@@ -43,7 +50,7 @@ typedef struct
     autopilot_state_t autopilot;
     transition_t transition;
     track_t track;
-    autopilot_target_t hold;  ///< what the autopilot flies; without a plan, the moment it was switched on
+    autopilot_target_t hold;  ///< the autopilot's target; without a plan, the state when it was switched on
     float ground_altitude_ft; ///< where the aircraft last was below flying speed
     float ground_run_s;       ///< time on the ground at flying speed
     bool ground_is_known;
@@ -56,7 +63,7 @@ typedef struct
 
 void control_loop_init(control_loop_t* loop);
 
-/// Fly by no law: these surfaces, inside of their limits. The next step begins where they are, whoever commands then.
+/// Set the surfaces directly, inside of their limits. The next step begins from them without a jump.
 void control_loop_override(control_loop_t* loop, const surfaces_t* surfaces);
 
 /// One step of `dt_s` (>= 0; 0 after a pause, when nothing may be integrated). Sequences `plan` too. Returns the new

@@ -2,8 +2,8 @@
 
 #include "common/limit.h"
 
-static const float longest_s = 3600.0F; ///< counted no further
-static const float tolerance_s = 1e-4F; ///< of a sum of steps
+static const float longest_s = 3600.0F; ///< longer durations are not counted
+static const float tolerance_s = 1e-4F; ///< for rounding errors in a sum of steps
 
 const failsafe_row_t failsafe_table[failsafe_count] = {
     [failsafe_simulator_silent] = {"simulator silent", 500, failsafe_flies_on, failsafe_neutral_surfaces},
@@ -13,7 +13,7 @@ const failsafe_row_t failsafe_table[failsafe_count] = {
     [failsafe_altitude_unknown] = {"altitude unknown", 0, failsafe_keeps_altitude, failsafe_flies_on},
 };
 
-const float failsafe_throttle = 0.0F;
+const surfaces_t failsafe_surfaces = {.elevator = 0.0F, .aileron = 0.0F, .rudder = 0.0F, .throttle = 0.0F};
 
 void failsafe_note(failsafe_t* failsafe, failsafe_cause_t cause, bool is_there, float dt_s)
 {

@@ -1,10 +1,12 @@
-/// What the board does when something it flies by fails, as data: the cause, how long it has to last, and what happens
-/// then with the autopilot on and with a pilot at the stick. `README.md` tells it in words.
+/// The failsafes as data: the cause, how long it has to last, and what the board does then with the autopilot on and
+/// with a pilot at the stick. `README.md` explains them.
 #ifndef FLIGHT_FAILSAFE_H
 #define FLIGHT_FAILSAFE_H
 
 #include <stdbool.h>
 #include <stdint.h>
+
+#include "control/surfaces.h"
 
 typedef enum
 {
@@ -18,11 +20,11 @@ typedef enum
 
 typedef enum
 {
-    failsafe_flies_on,         ///< by what is left
-    failsafe_keeps_altitude,   ///< the autopilot flies as if the altitude were the wanted one: level, by its trim
-    failsafe_lets_stick_go,    ///< the stick counts as neutral, its throttle as `failsafe_throttle`
-    failsafe_goes_undamped,    ///< the stick moves the surfaces itself
-    failsafe_neutral_surfaces, ///< held, with `failsafe_throttle`, until the cause is gone
+    failsafe_flies_on,         ///< with the remaining measurements
+    failsafe_keeps_altitude,   ///< the autopilot flies as if the altitude were the wanted one: level, as trimmed
+    failsafe_lets_stick_go,    ///< the stick counts as `failsafe_surfaces`
+    failsafe_goes_undamped,    ///< the stick moves the surfaces directly
+    failsafe_neutral_surfaces, ///< `failsafe_surfaces`, until the cause is gone
     failsafe_action_count
 } failsafe_action_t;
 
@@ -37,8 +39,8 @@ typedef struct
 /// In the order of `failsafe_cause_t`.
 extern const failsafe_row_t failsafe_table[failsafe_count];
 
-/// Throttle of an aircraft that nobody commands any more, 0..1: it glides.
-extern const float failsafe_throttle;
+/// Surfaces of an aircraft that nobody commands any more: neutral, without throttle, so that it glides.
+extern const surfaces_t failsafe_surfaces;
 
 /// How long each cause has lasted.
 typedef struct
@@ -46,13 +48,13 @@ typedef struct
     float lasted_s[failsafe_count];
 } failsafe_t;
 
-/// `dt_s` (>= 0) later, and whether the cause is there now. One that goes is forgotten at once.
+/// Note whether the cause is present, `dt_s` (>= 0) after the last call. A cause that ends is forgotten at once.
 void failsafe_note(failsafe_t* failsafe, failsafe_cause_t cause, bool is_there, float dt_s);
 
 /// Whether it has lasted long enough to act.
 bool failsafe_is_active(const failsafe_t* failsafe, failsafe_cause_t cause);
 
-/// What happens now because of `cause`.
+/// What the board has to do now because of `cause`.
 failsafe_action_t failsafe_action(const failsafe_t* failsafe, failsafe_cause_t cause, bool autopilot);
 
 #endif

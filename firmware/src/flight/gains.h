@@ -1,4 +1,4 @@
-/// The parameters as gains of the two laws: the one place where the names on the wire meet those of the laws.
+/// Converts the parameters, named as on the wire, into the gains of the two laws. No other file knows both names.
 #ifndef FLIGHT_GAINS_H
 #define FLIGHT_GAINS_H
 

@@ -1,6 +1,7 @@
-/// What the board measures, and the receiver of the pilot's transmitter. Implemented by each port: drivers on hardware,
-/// models on a PC. The readings are raw samples in the telemetry's units, axes and signs: the board estimates attitude,
-/// altitude, climb and airspeed from them. NaN: not measured this time; a receiver that hears nothing has NaN channels.
+/// The sensors of the board, and the receiver of the pilot's transmitter. Implemented by each port: drivers on
+/// hardware, models on a PC. The readings are raw samples in the telemetry's units, axes and signs: the board estimates
+/// attitude, altitude, climb and airspeed from them. NaN: not measured this time; the channels of a receiver that hears
+/// nothing are NaN.
 #ifndef HAL_SENSORS_H
 #define HAL_SENSORS_H
 
@@ -9,7 +10,7 @@
 typedef struct
 {
     message_inertial_t inertial;
-    message_analog_t analog; ///< altitude, airspeed and climb are not of the sensors: left NaN
+    message_analog_t analog; ///< without altitude, airspeed and climb, which the board computes: NaN
     message_gps_t gps;
     message_servos_in_t receiver;
 } sensors_reading_t;

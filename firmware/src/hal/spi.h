@@ -11,17 +11,17 @@ typedef struct
 {
     void* context;
 
-    /// The clock of a card that is being identified, 100 to 400 kHz, or that of one at work, at most 12 MHz.
+    /// Set the clock: 100 to 400 kHz while the card is being identified, else 12 MHz at most.
     void (*set_fast)(void* context, bool fast);
 
-    /// Pull the device's select line low (`on`) or let it go.
+    /// Select the device (its line low) when `on`, else deselect it.
     void (*select)(void* context, bool on);
 
-    /// Send `size` bytes (NULL: each is 0xFF) and take those that come back (NULL: they are not wanted). False when the
-    /// bus itself does not work.
+    /// Send `size` bytes (NULL: each is 0xFF) and take the bytes that come back (NULL: throw them away). False when
+    /// the bus itself does not work.
     bool (*exchange)(void* context, const uint8_t* out, uint8_t* in, size_t size);
 
-    /// Let one millisecond pass at least; other tasks run meanwhile.
+    /// Wait for at least one millisecond; other tasks run meanwhile.
     void (*pause)(void* context);
 } spi_t;
 

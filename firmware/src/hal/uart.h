@@ -1,4 +1,4 @@
-/// The serial line to the ground station. Implemented by each port; nothing here ever waits.
+/// The serial line to the ground station. Implemented by each port; no call ever waits.
 #ifndef HAL_UART_H
 #define HAL_UART_H
 
@@ -17,7 +17,7 @@ typedef struct
     size_t (*read)(void* context, uint8_t* bytes, size_t capacity);
 
     /// Hand over as many of `size` bytes as the line takes now and return how many. A line with nobody at its other end
-    /// takes everything, as a wire does.
+    /// takes everything, and it is lost.
     size_t (*write)(void* context, const uint8_t* bytes, size_t size);
 
     /// From now on call `interrupt` with `interrupt_context` when bytes come in.

@@ -7,9 +7,9 @@
 typedef struct
 {
     void* context;
-    uint32_t patience; ///< the tasks' deadlines are that many times longer: 1 on a processor of the board's own
+    uint32_t patience; ///< factor of the tasks' deadlines: 1 on a processor that runs nothing else
 
-    /// All tasks are well. Call it at least twice a second from the first call on.
+    /// Say that all tasks run. After the first call, call it at least twice a second.
     void (*feed)(void* context);
 
     /// Restart, because this task hangs; `task` is its name. Does not return.

@@ -45,7 +45,7 @@ float geodesy_bearing_deg(const position_t* from, const position_t* to)
     const float cos_to = cosf(angle_to_rad((float)to->latitude_deg));
     const float sin_half_longitude = sinf(longitude_rad / 2.0F);
     const float east = sinf(longitude_rad) * cos_to;
-    // equal to cos a sin b - sin a cos b cos c, without the difference of two nearly equal numbers
+    // equals cos a sin b - sin a cos b cos c, without subtracting two nearly equal numbers
     const float north = sinf(latitude_rad) + 2.0F * sin_from * cos_to * sin_half_longitude * sin_half_longitude;
     if (east == 0.0F && north == 0.0F)
     {

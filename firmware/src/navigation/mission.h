@@ -1,4 +1,4 @@
-/// Upload of a plan: staged beside the plans in use, and taken over whole or not at all.
+/// Upload of a plan: collected beside the plans in use, and taken over completely or not at all.
 #ifndef NAVIGATION_MISSION_H
 #define NAVIGATION_MISSION_H
 

@@ -7,13 +7,13 @@
 
 static const float capture_minimum_m = 200.0F;
 static const float capture_minimum_to_kt = 55.0F;
-static const float capture_turns = 1.5F; ///< radii of the steepest turn
+static const float capture_turns = 1.5F; ///< a waypoint counts as reached at this many radii of the steepest turn
 static const float gravity_m_s2 = 9.80665F;
 static const float m_s_per_kt = 0.514444F;
 static const float tan_30_deg = 0.57735F;
 
-// How hard the course turns to the circle while holding: 2 brings the aircraft to a fifth outside of the radius,
-// where the heading law's bank equals the one which the circle needs.
+// How strongly the course turns towards the circle while holding. With 2, the aircraft settles a fifth outside of the
+// radius, where the bank that the heading law commands is the one that the circle needs.
 static const float hold_gain = 2.0F;
 
 static const float altitude_minimum_ft = -2000.0F;

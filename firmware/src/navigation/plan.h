@@ -1,4 +1,4 @@
-/// A list of waypoints, which of them is flown to, and the course that flies it.
+/// A list of waypoints, the one that the aircraft flies to, and the course to it.
 #ifndef NAVIGATION_PLAN_H
 #define NAVIGATION_PLAN_H
 
@@ -25,11 +25,11 @@ typedef struct
     waypoint_t waypoints[plan_waypoints_max];
     size_t count;
     size_t current; ///< index from 0 of the waypoint flown to
-    bool loop;      ///< after the last one comes the first; else the last one is circled
+    bool loop;      ///< after the last waypoint the first one follows; else the last one is circled
     bool holding;   ///< the last waypoint was reached and is being circled
 } plan_t;
 
-/// What the plan asks for from a place.
+/// What the plan asks for at a position.
 typedef struct
 {
     float bearing_deg; ///< to the waypoint, 0..360
@@ -43,7 +43,7 @@ typedef struct
 /// No waypoints.
 void plan_clear(plan_t* plan);
 
-/// True when position, altitude and speed are finite and inside of what can be flown
+/// True when position, altitude and speed are finite and can be flown
 /// (-2000..60000 ft, 0..500 kt).
 bool waypoint_is_valid(const waypoint_t* waypoint);
 
@@ -51,16 +51,16 @@ bool waypoint_is_valid(const waypoint_t* waypoint);
 /// waypoint is not valid.
 bool plan_replace(plan_t* plan, const waypoint_t* waypoints, size_t count, bool loop);
 
-/// Fly to another waypoint; false, and nothing changed, when there is none (there is one after the last in a loop).
+/// Fly to another waypoint; false, and nothing changed, when there is none. In a loop the first one follows the last.
 bool plan_next(plan_t* plan);
 bool plan_previous(plan_t* plan);
 bool plan_go_to(plan_t* plan, int32_t index);
 
-/// Radius in m inside of which a waypoint counts as reached: 200 to 55 kt, else 1.5 V^2 / (g tan 30 deg), which is
-/// continuous there within some metres and never below 200.
+/// Distance in m at which a waypoint counts as reached: 200 up to 55 kt, above that 1.5 V^2 / (g tan 30 deg), but at
+/// least 200. At 55 kt the two differ by a few metres only.
 float plan_capture_radius_m(float speed_kt);
 
-/// Go on to the next waypoint when this one is reached, and give the guidance from `position` at `speed_kt`.
+/// Continue with the next waypoint when this one is reached, and give the guidance from `position` at `speed_kt`.
 /// False, and `guidance` all 0, when the plan is empty or the position not valid.
 bool plan_update(plan_t* plan, const position_t* position, float speed_kt, plan_guidance_t* guidance);
 

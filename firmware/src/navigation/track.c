@@ -4,14 +4,15 @@
 
 #include "common/angle.h"
 
-// A stretch is long against what a float of degrees resolves (1-2 m) and short against a turn. A longer one than the
-// maximum is a jump of the simulator, not flight.
+// A stretch has to be long compared with the resolution of a float of degrees (1-2 m) and short compared with a turn.
+// One longer than the maximum is no flight: the simulator moved the aircraft.
 static const float stretch_minimum_m = 40.0F;
 static const float stretch_maximum_m = 200.0F;
 static const float speed_minimum_kt = 20.0F;
-static const float smoothing = 0.2F;         ///< share of a new stretch in the drift
-static const float drift_limit_deg = 60.0F;  ///< more than that is no drift
-static const float straight_minimum = 0.98F; ///< mean length of the directions' unit vectors; below, it was a turn
+static const float smoothing = 0.2F;        ///< share of a new stretch in the drift
+static const float drift_limit_deg = 60.0F; ///< a larger angle cannot be drift and is ignored
+static const float straight_minimum =
+    0.98F; ///< mean length of the directions' unit vectors; below it the stretch was a turn
 
 void track_init(track_t* track)
 {

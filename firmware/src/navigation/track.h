@@ -1,4 +1,4 @@
-/// Ground track from a source that may give only the heading: the drift is taken from successive positions.
+/// Ground track from a source that may only give the heading: the drift is computed from successive positions.
 #ifndef NAVIGATION_TRACK_H
 #define NAVIGATION_TRACK_H
 
@@ -20,7 +20,7 @@ typedef struct
 void track_init(track_t* track);
 
 /// Take one position with the direction that came with it (ground track or heading, deg) and return the ground track
-/// in [0, 360). A source that gives the track itself comes through unchanged but for the noise of the positions.
+/// in [0, 360). For a source that gives the track itself, the result is that track plus the noise of the positions.
 float track_update(track_t* track, const position_t* position, float direction_deg, float speed_kt);
 
 #endif

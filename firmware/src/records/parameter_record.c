@@ -8,7 +8,7 @@ enum
 {
     values_offset = record_payload_offset + 4,
     first_version = 1,
-    first_count_offset = 12, ///< behind the number that told which of the two files was written last
+    first_count_offset = 12, ///< after the sequence number, which tells which of the two files was written last
     first_values_offset = 16,
     first_crc_offset = first_values_offset + 4 * parameters_count,
     first_bytes = first_crc_offset + 4,
@@ -21,7 +21,7 @@ static const char* const first_names[first_files] = {"params.a", "params.b"};
 
 _Static_assert((int)parameter_record_bytes >= (int)first_bytes, "room for a record of today holds one of version 1");
 
-/// All values, or none when one of them is out of its range.
+/// Take all values, or none of them when one is out of its range.
 static bool take_values(const uint8_t* bytes, parameters_t* parameters)
 {
     parameters_t read;
@@ -52,7 +52,7 @@ static bool read_first(const uint8_t* bytes, size_t size, parameters_t* paramete
     return version == (uint32_t)first_version && take_values(bytes + first_values_offset, parameters);
 }
 
-/// The newer whole one of the two files of version 1.
+/// The newer one of the two files of version 1, of those that are complete.
 static record_state_t load_first(const storage_t* storage, parameters_t* parameters, uint8_t* room, size_t capacity)
 {
     record_state_t state = record_absent;
@@ -65,7 +65,7 @@ static record_state_t load_first(const storage_t* storage, parameters_t* paramet
         uint32_t sequence = 0U;
         if (status == storage_ok && read_first(room, size, &read, &sequence))
         {
-            // the number may have gone round
+            // the sequence number may have wrapped
             if (state != record_whole || sequence - newest < 0x80000000U)
             {
                 *parameters = read;
@@ -79,7 +79,7 @@ static record_state_t load_first(const storage_t* storage, parameters_t* paramet
         }
         else
         {
-            // the other file counts
+            // this file adds nothing; the other one decides
         }
     }
     return state;

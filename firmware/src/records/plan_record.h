@@ -30,7 +30,7 @@ record_state_t plan_record_load(const storage_t* storage, plan_record_of_t which
 /// Copy the plan (1..100 waypoints) into `room` for `plan_record_save`; returns how many bytes it is.
 size_t plan_record_take(const plan_t* plan, uint8_t* room);
 
-/// Put the plan that was taken on the card. `room` is not to be used afterwards.
+/// Write the plan that was copied to the card. What is in `room` is overwritten.
 record_state_t plan_record_save(const storage_t* storage, plan_record_of_t which, uint8_t* room, size_t capacity,
                                 size_t taken);
 

@@ -32,7 +32,7 @@ record_state_t record_open(const uint8_t* bytes, size_t size, bool is_cut, uint3
     const bool is_newer = *version > newest;
     if (is_cut)
     {
-        // only a newer layout can need more room than there is; its CRC is out of reach
+        // Only a newer layout can be longer than the buffer; its CRC was not read then.
         return is_newer ? record_newer : record_damaged;
     }
     const size_t crc_offset = size - (size_t)crc_bytes;

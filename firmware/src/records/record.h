@@ -1,4 +1,4 @@
-/// A record: what one file of the card holds, so that damage, another layout and a newer one are told apart.
+/// A record: the contents of one file of the card, in a form that tells damage, another kind and a newer layout apart.
 ///
 /// magic (u32, the kind of record), version (u32, of the layout), length of the payload (u32), payload, CRC-32 of
 /// everything before it. Little-endian. The frame around the payload is the same in every version.
@@ -15,11 +15,11 @@ enum
     record_frame_bytes = 16 ///< magic, version, length and CRC
 };
 
-/// What became of a thing that the card keeps.
+/// State of one record of the card after the last load or store.
 typedef enum
 {
     record_absent,     ///< nothing was stored yet
-    record_whole,      ///< the card holds it
+    record_whole,      ///< the card holds it, complete
     record_damaged,    ///< length, CRC or a value is wrong
     record_newer,      ///< newer firmware wrote it; it is left as it is
     record_unreadable, ///< the card itself cannot be read
@@ -29,13 +29,13 @@ typedef enum
 /// Write the frame around `payload_size` bytes that stand at `bytes + record_payload_offset`; returns the whole size.
 size_t record_close(uint8_t* bytes, uint32_t magic, uint32_t version, size_t payload_size);
 
-/// Look at the frame of what a file holds; `newest` is the version that this firmware writes. `record_whole` with the
-/// record's own version in `*version`, `record_newer` or `record_damaged`. A record cut off at `size` (`is_cut`) can
-/// only be newer or damaged.
+/// Check the frame around the contents of a file; `newest` is the version that this firmware writes. `record_whole`
+/// with the record's own version in `*version`, `record_newer` or `record_damaged`. A record cut off at `size`
+/// (`is_cut`) can only be newer or damaged.
 record_state_t record_open(const uint8_t* bytes, size_t size, bool is_cut, uint32_t magic, uint32_t newest,
                            uint32_t* version);
 
-/// True for the states that a pilot has to be told.
+/// True for the states that the pilot has to hear of.
 bool record_is_alarming(record_state_t state);
 
 #endif

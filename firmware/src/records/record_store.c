@@ -22,7 +22,7 @@ record_state_t record_load(const storage_t* storage, const record_kind_t* kind, 
     return record_unreadable;
 }
 
-/// Only the frame of what is there; `room` is not touched, as it holds what is to be written.
+/// Read the frame of the record on the card. `room` is left alone, because it holds the record that is to be written.
 static bool holds_newer(const storage_t* storage, const record_kind_t* kind)
 {
     uint8_t frame[record_frame_bytes] = {0};

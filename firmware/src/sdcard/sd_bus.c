@@ -5,10 +5,10 @@
 enum
 {
     wake_bytes = 10,    ///< 80 clocks
-    answer_bytes = 9,   ///< an answer comes within eight, behind one that may be anything
-    poll_bytes = 32,    ///< looked at without letting time pass: most waits are shorter
-    busy_pauses = 500,  ///< of a millisecond at least: the longest that a card may be busy
-    token_pauses = 300, ///< a card has to find a sector in 100 ms
+    answer_bytes = 9,   ///< an answer comes within eight bytes, after one byte of any value
+    poll_bytes = 32,    ///< read without a pause between them, because most waits are shorter
+    busy_pauses = 500,  ///< of at least a millisecond each: the longest time that a card may be busy
+    token_pauses = 300, ///< a card has to find a sector within 100 ms
     command_bytes = 6,
     crc_bytes = 2
 };
@@ -19,18 +19,17 @@ static const uint8_t response_mask = 0x1FU;
 static const uint8_t response_accepted = 0x05U;
 static const uint8_t response_crc = 0x0BU;
 static const uint8_t response_failed = 0x0DU;
-static const uint8_t error_token_mask = 0xF0U; ///< the token of an error has zeros there
+static const uint8_t error_token_mask = 0xF0U; ///< these bits are 0 in an error token
 static const uint8_t error_token_worn = 0x06U; ///< card controller, or error correction
 
-/// The next byte from the card; a bus that does not work is a line at rest.
+/// The next byte from the card; 0xFF, as from an idle line, when the bus does not work.
 static uint8_t receive(const spi_t* spi)
 {
     uint8_t byte = 0xFFU;
     return spi->exchange(spi->context, NULL, &byte, 1U) ? byte : idle_line;
 }
 
-/// The first byte that is, or is not, the line at rest; `pauses` bounds the wait. The line's last state when there is
-/// none.
+/// Wait for the first byte that is (or is not) that of an idle line, for `pauses` at most. Returns the last byte read.
 static uint8_t wait_for(const spi_t* spi, bool at_rest, uint32_t pauses)
 {
     uint8_t byte = receive(spi);
@@ -51,7 +50,7 @@ uint8_t sd_bus_command(const spi_t* spi, uint32_t index, uint32_t argument, uint
                                     (uint8_t)(argument >> 8U), (uint8_t)argument,          0U};
     frame[command_bytes - 1] = sd_crc7(frame, (size_t)command_bytes - 1U);
     spi->select(spi->context, true);
-    // A card that is busy hears nothing; the first command ends whatever it is in.
+    // A busy card ignores commands; the first command ends any transfer that it is in.
     if (index != 0U && wait_for(spi, true, busy_pauses) != idle_line)
     {
         return sd_answer_none;

@@ -13,7 +13,7 @@ enum
     set_block_length = 16,
     read_sector = 17,
     write_sector = 24,
-    send_operating_condition = 41, ///< behind `application`
+    send_operating_condition = 41, ///< sent after `application`
     application = 55,
     read_voltages = 58,
     switch_crc = 59
@@ -22,16 +22,16 @@ enum
 enum
 {
     idle_tries = 5,
-    identify_pauses = 800, ///< with the commands between them more than the second that a card may need
-    tries = 3,             ///< of what was damaged on its way
+    identify_pauses = 800, ///< together with the commands between them, more than the second that a card may need
+    tries = 3,             ///< when something arrives damaged
     card_data_bytes = 16,
     word_bytes = 4
 };
 
-static const uint32_t interface_condition = 0x1AAU; ///< 2.7 to 3.6 V, and a pattern to come back
+static const uint32_t interface_condition = 0x1AAU; ///< 2.7 to 3.6 V, and a pattern that the card sends back
 static const uint32_t interface_mask = 0xFFFU;
-static const uint32_t high_capacity = 0x40000000U; ///< the board takes it, the card has it
-static const uint32_t status_protected = 0x23U;    ///< locked or protected: no other sector is better
+static const uint32_t high_capacity = 0x40000000U; ///< the board supports it; in the answer: the card has it
+static const uint32_t status_protected = 0x23U;    ///< locked or protected: other sectors would fail as well
 
 static uint32_t word_of(const uint8_t* bytes)
 {
@@ -95,7 +95,7 @@ static bool becomes_ready(const sd_card_t* card, bool is_second)
 static bool finds_addresses(sd_card_t* card, bool is_second)
 {
     uint8_t voltages[word_bytes] = {0};
-    // Some say here that they are still idle, although they just said that they are not.
+    // Some cards report here that they are idle, although they have just reported the opposite.
     if (is_second && ask(card, read_voltages, 0U, voltages, sizeof voltages) > sd_answer_idle)
     {
         return false;
@@ -104,7 +104,7 @@ static bool finds_addresses(sd_card_t* card, bool is_second)
     return card->counts_sectors || ask(card, set_block_length, sd_sector_bytes, NULL, 0U) == sd_answer_ready;
 }
 
-/// Sectors of the card, from its register of 16 bytes (CSD); 0 when it is of no version that is known.
+/// Number of sectors, from the card's register of 16 bytes (CSD); 0 for an unknown version of that register.
 static uint32_t sectors_in(const uint8_t* data)
 {
     const uint32_t version = (uint32_t)data[0] >> 6U;
@@ -133,8 +133,8 @@ static bool is_large_enough(const sd_card_t* card)
     return is_told && sectors_in(data) >= card->device.block_count * (card->device.block_bytes / sd_sector_bytes);
 }
 
-/// Damage on the way is told by the card too from here on (`switch_crc`): a write that a restart of the board cuts in
-/// two never counts.
+/// From here on the card checks checksums as well (`switch_crc`), so that it refuses a write that a restart of the
+/// board interrupted.
 static bool identify(sd_card_t* card)
 {
     bool is_second = false;
@@ -148,7 +148,7 @@ static bool identify(sd_card_t* card)
     return true;
 }
 
-/// The card's own word on what it did last.
+/// Ask the card how its last operation ended.
 static block_status_t look_at_status(const sd_card_t* card)
 {
     uint8_t status = 0xFFU;
@@ -179,7 +179,7 @@ static sd_result_t try_to_write(const sd_card_t* card, uint32_t address, const u
     return answer == sd_answer_crc ? sd_damaged : sd_silent;
 }
 
-/// One sector, in or (`to` is NULL) out.
+/// Transfer one sector: read it, or write it when `to` is NULL.
 static block_status_t move_sector(sd_card_t* card, uint32_t sector, uint8_t* to, const uint8_t* from)
 {
     const uint32_t address = card->counts_sectors ? sector : sector * (uint32_t)sd_sector_bytes;
@@ -195,7 +195,7 @@ static block_status_t move_sector(sd_card_t* card, uint32_t sector, uint8_t* to,
         status = look_at_status(card);
         status = result == sd_refused && status == block_ok ? block_worn : status;
     }
-    // What failed may be another card by now: nobody goes on with this one before it was looked at again.
+    // After a failure the card may have been exchanged, so it has to be identified again before it is used.
     card->is_ready = card->is_ready && status != block_failed;
     return status;
 }
@@ -237,14 +237,14 @@ static block_status_t program_block(void* context, uint32_t block, uint32_t offs
     return status;
 }
 
-/// Whatever a block holds, whole sectors are written over it.
+/// Nothing to erase: sectors are overwritten as a whole.
 static block_status_t erase_block(void* context, uint32_t block)
 {
     const sd_card_t* const card = context;
     return card->is_ready && block < card->device.block_count ? block_ok : block_failed;
 }
 
-/// Each write has waited for the card.
+/// Nothing to do: each write has waited for the card.
 static block_status_t sync_card(void* context)
 {
     const sd_card_t* const card = context;

@@ -1,6 +1,6 @@
 #include "sdcard/sd_crc.h"
 
-static const uint32_t crc7_polynomial = 0x12U; ///< 0x09, above the end bit
+static const uint32_t crc7_polynomial = 0x12U; ///< 0x09, shifted by the end bit
 static const uint32_t crc16_polynomial = 0x1021U;
 
 uint8_t sd_crc7(const uint8_t* bytes, size_t size)

@@ -5,7 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/// Of a command: seven bits (polynomial x7+x3+1), and the bit 1 that ends the command behind them.
+/// Of a command: seven bits (polynomial x7+x3+1), followed by the 1 bit that ends the command.
 uint8_t sd_crc7(const uint8_t* bytes, size_t size);
 
 /// Of a block of data: x16+x12+x5+1, beginning with 0.

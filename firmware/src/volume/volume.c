@@ -5,10 +5,10 @@
 
 enum
 {
-    wear_cycles = 500 ///< of a block of names, then littlefs moves it to another place
+    wear_cycles = 500 ///< writes of a block of names, after which littlefs moves it elsewhere
 };
 
-static const char staged_name[] = "staged"; ///< a file being written; it takes its own name when it is whole
+static const char staged_name[] = "staged"; ///< name of a file while it is written; it gets its own name when complete
 
 static const block_device_t* device_of(const struct lfs_config* config)
 {
@@ -59,7 +59,7 @@ static int sync_device(const struct lfs_config* config)
 static bool is_blank(volume_t* volume)
 {
     const block_device_t* const device = volume->device;
-    uint8_t* const bytes = volume->read_buffer; // nothing is mounted
+    uint8_t* const bytes = volume->read_buffer; // free while nothing is mounted
     uint32_t ones = 0U;
     uint32_t zeros = 0U;
     for (uint32_t block = 0U; block < 2U; block++)
@@ -80,7 +80,7 @@ static bool is_blank(volume_t* volume)
     return ones == 0U || zeros == 0U;
 }
 
-/// What littlefs says of the device as it is now.
+/// Mount the device as it is.
 static int mount(volume_t* volume)
 {
     const block_device_t* const device = volume->device;
@@ -101,7 +101,7 @@ static storage_status_t mount_to_read(volume_t* volume)
     return error == LFS_ERR_OK ? storage_ok : storage_failed;
 }
 
-/// Only what holds nothing, or nothing that can be made out, is formatted.
+/// Format a device only if it holds nothing, or nothing that can be read.
 static bool mount_to_write(volume_t* volume)
 {
     int error = mount(volume);
@@ -125,7 +125,7 @@ static storage_status_t status_of(int error)
     return error < 0 ? storage_failed : storage_ok;
 }
 
-/// From a mounted volume.
+/// Read a file of the mounted volume.
 static storage_status_t read_mounted(volume_t* volume, const char* name, uint8_t* data, size_t capacity, size_t* size)
 {
     lfs_file_t file;
@@ -145,7 +145,7 @@ static storage_status_t read_mounted(volume_t* volume, const char* name, uint8_t
     return (size_t)length > capacity ? storage_too_long : storage_ok;
 }
 
-/// To a mounted volume: a new file takes the name of the old one in a single step when it is whole.
+/// Write a file of the mounted volume: when the new file is complete, it takes the old one's name in a single step.
 static bool replace_mounted(volume_t* volume, const char* name, const uint8_t* data, size_t size)
 {
     lfs_t* const filesystem = &volume->filesystem;
@@ -157,7 +157,7 @@ static bool replace_mounted(volume_t* volume, const char* name, const uint8_t* d
     }
     const lfs_ssize_t written = lfs_file_write(filesystem, &file, data, (lfs_size_t)size);
     const int closed = lfs_file_close(filesystem, &file);
-    // What a failure leaves of it, the next try begins with.
+    // What a failed call leaves of it, the next call overwrites.
     return written == (lfs_ssize_t)size && closed == LFS_ERR_OK &&
            lfs_rename(filesystem, staged_name, name) == LFS_ERR_OK;
 }
@@ -177,7 +177,7 @@ static storage_status_t read_file(void* context, const char* name, uint8_t* data
     }
     if ((status == storage_missing || status == storage_failed) && volume->older != NULL)
     {
-        // Also where the power was cut while this device was formatted: what is to move here is still there.
+        // Also after a power cut during the formatting: the older file still exists.
         const storage_status_t older = volume->older->read(volume->older->context, name, data, capacity, size);
         status = older == storage_missing ? status : older;
     }

@@ -1,5 +1,5 @@
-/// Small whole files on a device of blocks, by littlefs. The device is mounted for each call and let go afterwards, so
-/// that a card may be changed between two of them.
+/// Small whole files on a device of blocks, by littlefs. The device is mounted for each call and unmounted afterwards,
+/// so that the card may be exchanged between two calls.
 #ifndef VOLUME_VOLUME_H
 #define VOLUME_VOLUME_H
 
@@ -13,10 +13,10 @@
 enum
 {
     volume_cache_bytes = 512,   ///< a multiple of the device's `program_bytes`, and a part of its `block_bytes`
-    volume_lookahead_bytes = 16 ///< one bit a block is looked ahead for a free one
+    volume_lookahead_bytes = 16 ///< one bit for each block that is searched for a free one
 };
 
-/// Private to volume.c but for `storage`.
+/// Private to volume.c except `storage`.
 typedef struct
 {
     lfs_t filesystem;
@@ -32,10 +32,10 @@ typedef struct
 } volume_t;
 
 /// Files on `device`. A device that never held anything has no files and is formatted by the first `replace`; so is one
-/// on which nothing can be made out any more. One that does not answer, or that another version of littlefs or of this
-/// board's layout wrote, is left as it is, and every call fails. What the device has no file for, or would have if
-/// anything on it could be made out, is read from `older` (NULL: from nowhere), where boards kept their files before.
-/// Nothing is written by this call.
+/// on which nothing can be read any more. A device that does not answer, or that another version of littlefs or of this
+/// board's layout wrote, is left as it is, and every call fails. A file that is not on the device, or that cannot be
+/// found because nothing there can be read, is read from `older` (NULL: nowhere), where boards kept their files before.
+/// This call writes nothing.
 void volume_init(volume_t* volume, const block_device_t* device, const storage_t* older);
 
 #endif

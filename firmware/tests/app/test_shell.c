@@ -4,6 +4,8 @@
 
 #include "app/shell.h"
 #include "app/shell_commands.h"
+#include "app/shell_reply.h"
+#include "app/shell_reports.h"
 #include "support/rig.h"
 
 static rig_t* rig;
@@ -71,7 +73,7 @@ static void the_longest_answer_fits(void** state)
     {
         far[i] = (waypoint_t){{-27.123456, -115.123456}, -1999.0F, 499.0F};
     }
-    assert_true(plan_replace(&rig->board.plans[board_plan_hil], far, plan_waypoints_max, false));
+    assert_true(plan_replace(&rig->board.plans.plan[board_plan_hil], far, plan_waypoints_max, false));
     const char* const answer = say("hil");
     assert_lines_are_whole(answer);
     assert_non_null(strstr(answer, "  99 "));
@@ -111,7 +113,7 @@ static void results_of_the_card_are_told(void** state)
     shell_tell_loaded(&reply, false);
     bytes[reply.size] = '\0';
     assert_string_equal(bytes, "\rok\n\rfailed: the card is missing or cannot be written\n"
-                               "\rfailed: the card is missing or holds no whole set; nothing was changed\n");
+                               "\rfailed: the card is missing or holds no complete set; nothing was changed\n");
 }
 
 static void what_is_wrong_with_the_card_is_told_at_the_start_and_in_the_status(void** state)
@@ -119,16 +121,16 @@ static void what_is_wrong_with_the_card_is_told_at_the_start_and_in_the_status(v
     (void)state;
     text_t reply;
     text_init(&reply, bytes, shell_reply_bytes);
-    shell_greet(&rig->board, &reply);
+    shell_greet(&rig->board.card, &reply);
     assert_int_equal(reply.size, 0);
     assert_non_null(strstr(say("status"), "\rcard                present\n\rcard alarm          -\n"));
-    rig->board.kept[board_keeps_parameters] = record_unreadable;
+    rig->board.card.kept[board_keeps_parameters] = record_unreadable;
     assert_non_null(strstr(say("status"), "\rcard                cannot be read\n"));
-    rig->board.kept[board_keeps_parameters] = record_damaged;
-    rig->board.kept[board_keeps_hil_plan] = record_newer;
+    rig->board.card.kept[board_keeps_parameters] = record_damaged;
+    rig->board.card.kept[board_keeps_hil_plan] = record_newer;
     assert_non_null(strstr(say("status"), "\rcard alarm          parameters damaged, hil plan of newer firmware\n"));
     text_init(&reply, bytes, shell_reply_bytes);
-    shell_greet(&rig->board, &reply);
+    shell_greet(&rig->board.card, &reply);
     bytes[reply.size] = '\0';
     assert_string_equal(bytes, "\rALARM: card: parameters damaged, hil plan of newer firmware; defaults are used\n");
 }
@@ -143,7 +145,7 @@ static void a_set_parameter_reaches_the_laws(void** state)
 {
     (void)state;
     (void)say("param k_rudder 0.5");
-    assert_close(rig->board.gains.fly_by_wire.k_rudder, 0.5F, 0.0);
+    assert_close(rig->board.tuning.gains.fly_by_wire.k_rudder, 0.5F, 0.0);
 }
 
 int main(void)

@@ -150,8 +150,8 @@ static void a_committed_plan_is_to_be_stored_before_the_next_command_is_done(voi
     line_clear(&rig->out);
     (void)tty_receive(&tty, bytes, size, 0);
     assert_int_equal(shell.request, shell_asks_store_plans);
-    assert_int_equal(board_card_next(&rig->board), board_keeps_hil_plan);
-    assert_int_equal(rig->board.hil_plan_name, -1);
+    assert_int_equal(board_card_next(&rig->board.plans), board_keeps_hil_plan);
+    assert_int_equal(rig->board.plans.hil_route, -1);
     // one that is refused asks for nothing
     shell.request = shell_asks_nothing;
     assert_true(rig_keep_plans(rig));
@@ -186,7 +186,7 @@ static void a_silence_gives_up_a_false_header_and_frees_the_command_behind_it(vo
 static void the_ahrs_test_sends_marked_records_until_q(void** state)
 {
     (void)state;
-    rig->board.sensors.ahrs = (message_ahrs_t){90.0F, 2.0F, -3.0F};
+    rig->board.measured.sensors.ahrs = (message_ahrs_t){90.0F, 2.0F, -3.0F};
     hear_line("#sim\r");
     assert_string_equal(answer(), "");
     hear("#s00", 5);
@@ -206,7 +206,7 @@ static void the_ahrs_test_sends_marked_records_until_q(void** state)
 static void no_record_is_sent_of_an_attitude_that_is_not_known(void** state)
 {
     (void)state;
-    rig->board.sensors.ahrs = (message_ahrs_t){NAN, 2.0F, -3.0F};
+    rig->board.measured.sensors.ahrs = (message_ahrs_t){NAN, 2.0F, -3.0F};
     hear_line("#sim\r");
     hear("#s00", 5);
     assert_string_equal(answer(), "#SYNCH00\n\r");

@@ -13,8 +13,8 @@ static void after_power_on_the_control_source_is_rc_and_everything_is_off(void**
     const message_heartbeat_t all_off = {0};
     assert_memory_equal(&heartbeat, &all_off, sizeof heartbeat);
     assert_int_equal(rig->out.count, 1);
-    assert_int_equal(rig->board.hil_plan_name, -1);
-    assert_int_equal(rig->board.plans[board_plan_hil].count, 0);
+    assert_int_equal(rig->board.plans.hil_route, -1);
+    assert_int_equal(rig->board.plans.plan[board_plan_hil].count, 0);
 }
 
 static void before_the_station_asks_nothing_is_acknowledged(void** state)
@@ -71,7 +71,7 @@ static void a_deployed_board_knows_no_extension(void** state)
     (void)rig_do(rig, COMMAND_AHRS_ON_ID);
     (void)board_tick(&rig->board, 100000);
     assert_int_equal(rig->out.count, 0);
-    assert_int_equal(rig->board.airspeed_source, 1);
+    assert_int_equal(rig->board.flight.airspeed_source, 1);
     assert_int_equal(rig->card.count, 0);
     assert_int_equal(rig_heartbeat(rig).ahrs, 1);
 }
@@ -131,8 +131,8 @@ static void servo_outputs_follow_the_law_that_was_chosen(void** state)
 {
     (void)state;
     rig_t* const rig = rig_start();
-    rig->board.loops[board_plan_flight].surfaces = (surfaces_t){0.1F, 0.2F, 0.3F, 0.4F};
-    rig->board.loops[board_plan_hil].surfaces = (surfaces_t){-0.1F, -0.2F, -0.3F, 0.9F};
+    rig->board.flight.loop.surfaces = (surfaces_t){0.1F, 0.2F, 0.3F, 0.4F};
+    rig->board.hil.loop.surfaces = (surfaces_t){-0.1F, -0.2F, -0.3F, 0.9F};
     float positions[board_servo_count];
     board_servo_positions(&rig->board, positions);
     assert_close(positions[rc_channel_elevator], 0.1, 1e-6);
@@ -156,10 +156,10 @@ static void stored_parameters_are_there_after_the_next_power_on(void** state)
     protocol_put_f32(payload, 2.5F);
     (void)rig_send(rig, COMMAND_SET_K_PITCH_ID, payload, sizeof payload);
     (void)rig_do(rig, COMMAND_STORE_PARAMETERS_ID);
-    const board_config_t config = rig->board.config;
+    const board_config_t config = rig->config;
     board_init(&rig->board, &config);
-    assert_close(rig->board.parameters.values[PARAMETER_K_PITCH], 2.5, 0.0);
-    assert_close(rig->board.gains.autopilot.k_pitch, 2.5, 0.0);
+    assert_close(rig->board.tuning.parameters.values[PARAMETER_K_PITCH], 2.5, 0.0);
+    assert_close(rig->board.tuning.gains.autopilot.k_pitch, 2.5, 0.0);
 }
 
 static void an_unknown_command_without_payload_gets_through_the_decoder_to_be_answered(void** state)

@@ -7,7 +7,7 @@
 
 static bool has_plan(const rig_t* rig, size_t plan, int32_t count, uint32_t seed)
 {
-    const plan_t* const held = &rig->board.plans[plan];
+    const plan_t* const held = &rig->board.plans.plan[plan];
     const waypoint_t last = rig_waypoint(seed, count - 1);
     return held->count == (size_t)count && memcmp(&held->waypoints[count - 1], &last, sizeof last) == 0;
 }
@@ -35,12 +35,12 @@ static void uploaded_plans_outlive_a_restart(void** state)
     assert_int_equal(rig_upload(rig, board_plan_flight, 3, 1), command_done);
     assert_int_equal(rig_upload(rig, board_plan_hil, 100, 2), command_done);
     assert_true(rig_keep_plans(rig));
-    assert_int_equal(board_card_next(&rig->board), board_keeps_count);
+    assert_int_equal(board_card_next(&rig->board.plans), board_keeps_count);
     rig = restart(rig);
     assert_true(has_plan(rig, board_plan_flight, 3, 1));
     assert_true(has_plan(rig, board_plan_hil, 100, 2));
-    assert_int_equal(rig->board.hil_plan_name, -1);
-    assert_int_equal(board_card_next(&rig->board), board_keeps_count);
+    assert_int_equal(rig->board.plans.hil_route, -1);
+    assert_int_equal(board_card_next(&rig->board.plans), board_keeps_count);
     assert_false(tells_alarm(rig));
 }
 
@@ -51,7 +51,7 @@ static void a_plan_that_is_not_committed_is_not_stored(void** state)
     rig_extend(rig);
     assert_int_equal(rig_ask_with_two(rig, COMMAND_MISSION_BEGIN_ID, board_plan_hil, 3), command_done);
     assert_int_equal(rig_ask_with(rig, COMMAND_MISSION_COMMIT_ID, board_plan_hil), command_bad_state);
-    assert_int_equal(board_card_next(&rig->board), board_keeps_count);
+    assert_int_equal(board_card_next(&rig->board.plans), board_keeps_count);
 }
 
 static void a_route_that_the_board_knows_is_not_stored_in_an_uploaded_plan_s_place(void** state)
@@ -61,7 +61,7 @@ static void a_route_that_the_board_knows_is_not_stored_in_an_uploaded_plan_s_pla
     rig_extend(rig);
     assert_int_equal(rig_upload(rig, board_plan_hil, 3, 1), command_done);
     assert_int_equal(rig_ask(rig, COMMAND_HIL_LOAD_GANDO_ID, NULL, 0), command_done);
-    assert_int_equal(board_card_next(&rig->board), board_keeps_count);
+    assert_int_equal(board_card_next(&rig->board.plans), board_keeps_count);
 }
 
 static void without_a_card_an_uploaded_plan_lives_until_the_restart(void** state)
@@ -70,7 +70,7 @@ static void without_a_card_an_uploaded_plan_lives_until_the_restart(void** state
     rig_t* const rig = rig_start_without_card();
     rig_extend(rig);
     assert_int_equal(rig_upload(rig, board_plan_hil, 3, 1), command_done);
-    assert_int_equal(board_card_next(&rig->board), board_keeps_count);
+    assert_int_equal(board_card_next(&rig->board.plans), board_keeps_count);
     assert_true(has_plan(rig, board_plan_hil, 3, 1));
     assert_false(tells_alarm(rig));
 }
@@ -82,9 +82,9 @@ static void a_deployed_board_does_not_know_the_plans_of_its_card(void** state)
     rig_extend(rig);
     assert_int_equal(rig_upload(rig, board_plan_hil, 3, 1), command_done);
     assert_true(rig_keep_plans(rig));
-    const board_config_t config = {.legacy = true, .storage = &rig->card.storage, .send = rig->board.config.send};
+    const board_config_t config = {.legacy = true, .storage = &rig->card.storage, .send = rig->board.line.send};
     board_init(&rig->board, &config);
-    assert_int_equal(rig->board.plans[board_plan_hil].count, 0);
+    assert_int_equal(rig->board.plans.plan[board_plan_hil].count, 0);
 }
 
 static void a_board_that_restarted_by_itself_has_its_parameters_and_flies_no_plan(void** state)
@@ -96,11 +96,11 @@ static void a_board_that_restarted_by_itself_has_its_parameters_and_flies_no_pla
     assert_int_equal(rig_ask(rig, COMMAND_STORE_PARAMETERS_ID, NULL, 0), command_done);
     assert_int_equal(rig_upload(rig, board_plan_flight, 3, 1), command_done);
     assert_true(rig_keep_plans(rig));
-    board_config_t config = {.may_be_in_flight = true, .storage = &rig->card.storage, .send = rig->board.config.send};
+    board_config_t config = {.may_be_in_flight = true, .storage = &rig->card.storage, .send = rig->board.line.send};
     board_init(&rig->board, &config);
-    assert_int_equal(rig->board.plans[board_plan_flight].count, 0);
-    assert_close(rig->board.parameters.values[PARAMETER_K_ROLL], 3.0F, 0.0);
-    assert_false(board_card_alarms(&rig->board));
+    assert_int_equal(rig->board.plans.plan[board_plan_flight].count, 0);
+    assert_close(rig->board.tuning.parameters.values[PARAMETER_K_ROLL], 3.0F, 0.0);
+    assert_false(board_card_alarms(&rig->board.card));
     config.may_be_in_flight = false;
     board_init(&rig->board, &config);
     assert_true(has_plan(rig, board_plan_flight, 3, 1));
@@ -124,13 +124,13 @@ static void damage_to_one_thing_gives_its_default_and_an_alarm_and_leaves_the_ot
         assert_true(tells_alarm(rig));
         for (size_t what = 0; what < board_keeps_count; what++)
         {
-            assert_int_equal(rig->board.kept[what], what == damaged ? record_damaged : record_whole);
+            assert_int_equal(rig->board.card.kept[what], what == damaged ? record_damaged : record_whole);
         }
-        const float k_roll = rig->board.parameters.values[PARAMETER_K_ROLL];
+        const float k_roll = rig->board.tuning.parameters.values[PARAMETER_K_ROLL];
         assert_close(k_roll, damaged == board_keeps_parameters ? 2.0F : 3.0F, 0.0);
-        assert_close(rig->board.gains.autopilot.k_roll, k_roll, 0.0);
-        assert_int_equal(rig->board.plans[board_plan_flight].count, damaged == board_keeps_flight_plan ? 0 : 3);
-        assert_int_equal(rig->board.plans[board_plan_hil].count, damaged == board_keeps_hil_plan ? 0 : 4);
+        assert_close(rig->board.tuning.gains.autopilot.k_roll, k_roll, 0.0);
+        assert_int_equal(rig->board.plans.plan[board_plan_flight].count, damaged == board_keeps_flight_plan ? 0 : 3);
+        assert_int_equal(rig->board.plans.plan[board_plan_hil].count, damaged == board_keeps_hil_plan ? 0 : 4);
     }
 }
 
@@ -141,13 +141,13 @@ static void a_card_that_cannot_be_read_gives_all_defaults_and_an_alarm_until_it_
     rig->card.has_failed = true;
     rig = restart(rig);
     assert_true(tells_alarm(rig));
-    assert_int_equal(rig->board.kept[board_keeps_hil_plan], record_unreadable);
+    assert_int_equal(rig->board.card.kept[board_keeps_hil_plan], record_unreadable);
     assert_int_equal(rig_ask(rig, COMMAND_STORE_PARAMETERS_ID, NULL, 0), command_storage_failed);
     assert_true(tells_alarm(rig));
     rig->card.has_failed = false;
     assert_int_equal(rig_ask(rig, COMMAND_STORE_PARAMETERS_ID, NULL, 0), command_done);
     assert_false(tells_alarm(rig));
-    assert_int_equal(rig->board.kept[board_keeps_hil_plan], record_absent);
+    assert_int_equal(rig->board.card.kept[board_keeps_hil_plan], record_absent);
 }
 
 static void a_plan_that_cannot_be_stored_is_flown_and_alarmed_until_it_can(void** state)
@@ -170,11 +170,11 @@ static void only_a_change_of_the_alarm_is_news(void** state)
 {
     (void)state;
     rig_t* const rig = rig_start();
-    assert_false(board_card_note(&rig->board, board_keeps_parameters, record_whole));
-    assert_true(board_card_note(&rig->board, board_keeps_hil_plan, record_unwritten));
-    assert_false(board_card_note(&rig->board, board_keeps_parameters, record_unwritten));
-    assert_false(board_card_note(&rig->board, board_keeps_parameters, record_whole));
-    assert_true(board_card_note(&rig->board, board_keeps_hil_plan, record_whole));
+    assert_false(board_card_note(&rig->board.card, board_keeps_parameters, record_whole));
+    assert_true(board_card_note(&rig->board.card, board_keeps_hil_plan, record_unwritten));
+    assert_false(board_card_note(&rig->board.card, board_keeps_parameters, record_unwritten));
+    assert_false(board_card_note(&rig->board.card, board_keeps_parameters, record_whole));
+    assert_true(board_card_note(&rig->board.card, board_keeps_hil_plan, record_whole));
 }
 
 static void a_card_that_does_not_answer_is_not_asked_again_at_the_start(void** state)
@@ -182,15 +182,15 @@ static void a_card_that_does_not_answer_is_not_asked_again_at_the_start(void** s
     (void)state;
     rig_t* rig = rig_start();
     rig_extend(rig);
-    assert_true(parameters_set(&rig->board.parameters, 0, parameter_definitions[0].minimum));
+    assert_true(tuning_set(&rig->board.tuning, 0, parameter_definitions[0].minimum));
     assert_int_equal(rig_ask(rig, COMMAND_STORE_PARAMETERS_ID, NULL, 0), command_done);
-    board_config_t config = rig->board.config;
+    board_config_t config = rig->config;
     config.card_is_silent = true;
     board_init(&rig->board, &config);
     rig_extend(rig);
     parameters_t defaults;
     parameters_init(&defaults);
-    assert_memory_equal(&rig->board.parameters, &defaults, sizeof defaults);
+    assert_memory_equal(&rig->board.tuning.parameters, &defaults, sizeof defaults);
     assert_true(tells_alarm(rig));
     // it answers again, and is used again
     assert_int_equal(rig_ask(rig, COMMAND_STORE_PARAMETERS_ID, NULL, 0), command_done);

@@ -82,7 +82,7 @@ static void sources_are_selected_and_told_in_the_status(void** state)
     assert_int_equal(status.airspeed_source, 0);
     assert_int_equal(status.altitude_source, 0);
     assert_int_equal(rig_ask_with(rig, COMMAND_SELECT_ALTITUDE_SOURCE_ID, 1), command_done);
-    assert_int_equal(rig->board.altitude_source, 1);
+    assert_int_equal(rig->board.flight.altitude_source, 1);
 }
 
 static void an_uploaded_plan_is_read_back_to_the_bit(void** state)
@@ -137,12 +137,12 @@ static void the_plan_in_use_stays_until_the_commit(void** state)
     assert_int_equal(rig_ask_with_two(rig, COMMAND_MISSION_BEGIN_ID, board_plan_hil, 2), command_done);
     assert_int_equal(send_item(rig, board_plan_hil, 0, 28.0, 55.0F), command_done);
     assert_int_equal(rig_ask_with(rig, COMMAND_MISSION_COMMIT_ID, board_plan_hil), command_bad_state);
-    assert_int_equal(rig->board.plans[board_plan_hil].count, 8);
-    assert_int_equal(rig->board.hil_plan_name, 0);
+    assert_int_equal(rig->board.plans.plan[board_plan_hil].count, 8);
+    assert_int_equal(rig->board.plans.hil_route, 0);
     assert_int_equal(send_item(rig, board_plan_hil, 1, 28.1, 55.0F), command_done);
     assert_int_equal(rig_ask_with(rig, COMMAND_MISSION_COMMIT_ID, board_plan_hil), command_done);
-    assert_int_equal(rig->board.plans[board_plan_hil].count, 2);
-    assert_int_equal(rig->board.hil_plan_name, -1);
+    assert_int_equal(rig->board.plans.plan[board_plan_hil].count, 2);
+    assert_int_equal(rig->board.plans.hil_route, -1);
 }
 
 static void what_cannot_be_uploaded_is_refused_with_its_reason(void** state)
@@ -190,11 +190,11 @@ static void go_to_chooses_a_waypoint_of_its_plan(void** state)
     assert_int_equal(rig_ask_with_two(rig, COMMAND_GO_TO_WAYPOINT_ID, board_plan_hil, 0), command_bad_state);
     (void)rig_do(rig, COMMAND_HIL_LOAD_GANDO_ID);
     assert_int_equal(rig_ask_with_two(rig, COMMAND_GO_TO_WAYPOINT_ID, board_plan_hil, 5), command_done);
-    assert_int_equal(rig->board.plans[board_plan_hil].current, 5);
+    assert_int_equal(rig->board.plans.plan[board_plan_hil].current, 5);
     assert_int_equal(rig_ask_with_two(rig, COMMAND_GO_TO_WAYPOINT_ID, board_plan_hil, 8), command_bad_value);
     assert_int_equal(rig_ask_with_two(rig, COMMAND_GO_TO_WAYPOINT_ID, board_plan_hil, -1), command_bad_value);
     assert_int_equal(rig_ask_with_two(rig, COMMAND_GO_TO_WAYPOINT_ID, 9, 0), command_bad_value);
-    assert_int_equal(rig->board.plans[board_plan_hil].current, 5);
+    assert_int_equal(rig->board.plans.plan[board_plan_hil].current, 5);
 }
 
 int main(void)

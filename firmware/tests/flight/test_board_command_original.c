@@ -4,7 +4,7 @@
 
 static int waypoint_of(const rig_t* rig, size_t plan)
 {
-    return (int)rig->board.plans[plan].current;
+    return (int)rig->board.plans.plan[plan].current;
 }
 
 static void each_stream_is_switched_by_its_own_pair_and_told_in_the_heartbeat(void** state)
@@ -104,13 +104,13 @@ static void with_rc_the_transmitters_switches_rule_and_the_buttons_are_refused(v
         assert_int_equal(rig_ask(rig, buttons[i], NULL, 0), command_bad_state);
     }
     assert_int_equal(rig_heartbeat(rig).autopilot_hil, 0);
-    rig->board.sensors.servos_in.channel[rc_channel_autopilot] = 1.0F;
+    rig->board.measured.sensors.servos_in.channel[rc_channel_autopilot] = 1.0F;
     const message_heartbeat_t heartbeat = rig_heartbeat(rig);
     assert_int_equal(heartbeat.autopilot_hil, 1);
     assert_int_equal(heartbeat.autopilot, 1);
     assert_int_equal(heartbeat.auto_switch, 1);
     assert_int_equal(heartbeat.autotrim_hil, 0);
-    rig->board.sensors.servos_in.channel[rc_channel_autotrim] = 1.0F;
+    rig->board.measured.sensors.servos_in.channel[rc_channel_autotrim] = 1.0F;
     assert_int_equal(rig_heartbeat(rig).autotrim_hil, 1);
     assert_int_equal(rig_heartbeat(rig).autotrim, 1);
 }
@@ -135,10 +135,10 @@ static void the_four_routes_load_into_the_hil_plan(void** state)
     for (int32_t i = 0; i < 4; i++)
     {
         (void)rig_do(rig, COMMAND_HIL_LOAD_GANDO_ID + (uint32_t)i);
-        assert_int_equal(rig->board.plans[board_plan_hil].count, counts[i]);
-        assert_int_equal(rig->board.hil_plan_name, i);
+        assert_int_equal(rig->board.plans.plan[board_plan_hil].count, counts[i]);
+        assert_int_equal(rig->board.plans.hil_route, i);
     }
-    assert_int_equal(rig->board.plans[board_plan_flight].count, 0);
+    assert_int_equal(rig->board.plans.plan[board_plan_flight].count, 0);
 }
 
 static void next_and_previous_move_their_own_plan_and_say_when_they_cannot(void** state)
@@ -154,7 +154,7 @@ static void next_and_previous_move_their_own_plan_and_say_when_they_cannot(void*
     assert_int_equal(rig_ask(rig, COMMAND_HIL_FMS_PREVIOUS_WAYPOINT_ID, NULL, 0), command_bad_state);
     assert_int_equal(waypoint_of(rig, board_plan_hil), 0);
     assert_int_equal(rig_ask(rig, COMMAND_FMS_NEXT_WAYPOINT_ID, NULL, 0), command_bad_state);
-    rig->board.plans[board_plan_flight] = rig->board.plans[board_plan_hil];
+    rig->board.plans.plan[board_plan_flight] = rig->board.plans.plan[board_plan_hil];
     assert_int_equal(rig_ask(rig, COMMAND_FMS_NEXT_WAYPOINT_ID, NULL, 0), command_done);
     assert_int_equal(waypoint_of(rig, board_plan_flight), 1);
     assert_int_equal(rig_ask(rig, COMMAND_FMS_PREVIOUS_WAYPOINT_ID, NULL, 0), command_done);
@@ -219,8 +219,8 @@ static void a_parameter_is_set_read_back_and_used_at_once(void** state)
     assert_close(values.k_heading, 1.25, 0.0);
     assert_int_equal(values.k_div_velocidad, 900);
     assert_close(values.k_rudder, 1.0, 0.0);
-    assert_close(rig->board.gains.autopilot.k_heading, 1.25, 0.0);
-    assert_close(rig->board.gains.autopilot.k_div_speed_kt_s, 900.0, 0.0);
+    assert_close(rig->board.tuning.gains.autopilot.k_heading, 1.25, 0.0);
+    assert_close(rig->board.tuning.gains.autopilot.k_div_speed_kt_s, 900.0, 0.0);
 }
 
 static void a_parameter_out_of_its_range_is_refused_and_keeps_its_value(void** state)
@@ -231,8 +231,8 @@ static void a_parameter_out_of_its_range_is_refused_and_keeps_its_value(void** s
     assert_int_equal(rig_ask_parameter(rig, COMMAND_SET_K_ROLL_ID, 100.0F), command_bad_value);
     assert_int_equal(rig_ask_parameter(rig, COMMAND_SET_K_ROLL_ID, NAN), command_bad_value);
     assert_int_equal(rig_ask_with(rig, COMMAND_SET_K_DIV_VELOCIDAD_ID, 9), command_bad_value);
-    assert_close(rig->board.gains.autopilot.k_roll, 2.0, 0.0);
-    assert_close(rig->board.gains.autopilot.k_div_speed_kt_s, 700.0, 0.0);
+    assert_close(rig->board.tuning.gains.autopilot.k_roll, 2.0, 0.0);
+    assert_close(rig->board.tuning.gains.autopilot.k_div_speed_kt_s, 700.0, 0.0);
 }
 
 int main(void)

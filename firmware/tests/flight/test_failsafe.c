@@ -71,7 +71,7 @@ static void every_cause_changes_something_or_is_flown_on_through(void** state)
         assert_non_null(failsafe_table[i].name);
         assert_true(failsafe_table[i].autopilot != failsafe_flies_on || failsafe_table[i].pilot != failsafe_flies_on);
     }
-    assert_true(failsafe_throttle >= 0.0F && failsafe_throttle <= 1.0F);
+    assert_true(failsafe_surfaces.throttle >= 0.0F && failsafe_surfaces.throttle <= 1.0F);
 }
 
 int main(void)

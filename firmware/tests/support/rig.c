@@ -3,8 +3,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "flight/board_card.h"
-
 static void receive(void* context, const uint8_t* frame, size_t size)
 {
     rig_t* const rig = context;
@@ -18,14 +16,14 @@ static rig_t* start(bool legacy, const storage_t* storage)
     rig_t* const rig = &rig_in_use;
     rig->now_ms = 0;
     line_init(&rig->out, &frame_from_board);
-    const board_config_t config = {
+    rig->config = (board_config_t){
         .legacy = legacy,
         .hil_period_s = 0.02F,
         .storage = storage,
         .send = receive,
         .send_context = rig,
     };
-    board_init(&rig->board, &config);
+    board_init(&rig->board, &rig->config);
     board_open(&rig->board, 0);
     return rig;
 }
@@ -154,12 +152,12 @@ int rig_upload(rig_t* rig, int32_t plan, int32_t count, uint32_t seed)
 bool rig_keep_plans(rig_t* rig)
 {
     bool done = true;
-    for (board_keeps_t next = board_card_next(&rig->board); next != board_keeps_count;
-         next = board_card_next(&rig->board))
+    for (board_keeps_t next = board_card_next(&rig->board.plans); next != board_keeps_count;
+         next = board_card_next(&rig->board.plans))
     {
-        const size_t taken = board_card_take(&rig->board, next);
-        const record_state_t state = board_card_write(&rig->board, next, taken);
-        (void)board_card_note(&rig->board, next, state);
+        const size_t taken = board_card_take(&rig->board.card, next, &rig->board.tuning, &rig->board.plans);
+        const record_state_t state = board_card_write(&rig->board.card, next, taken);
+        (void)board_card_note(&rig->board.card, next, state);
         done = done && state == record_whole;
     }
     return done;

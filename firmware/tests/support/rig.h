@@ -9,7 +9,8 @@
 typedef struct
 {
     board_t board;
-    line_t out; ///< what the board sent
+    board_config_t config; ///< what the board was started with
+    line_t out;            ///< what the board sent
     card_t card;
     uint32_t now_ms;
 } rig_t;

@@ -32,7 +32,7 @@ static void set_all(rig_t* rig, uint32_t seed)
 {
     for (size_t i = 0; i < parameters_count; i++)
     {
-        assert_true(parameters_set(&rig->board.parameters, i, parameter_definitions[i].minimum + (float)seed));
+        assert_true(tuning_set(&rig->board.tuning, i, parameter_definitions[i].minimum + (float)seed));
     }
 }
 
@@ -40,7 +40,7 @@ static bool has_all(const rig_t* rig, uint32_t seed)
 {
     for (size_t i = 0; i < parameters_count; i++)
     {
-        if (rig->board.parameters.values[i] != parameter_definitions[i].minimum + (float)seed)
+        if (rig->board.tuning.parameters.values[i] != parameter_definitions[i].minimum + (float)seed)
         {
             return false;
         }
@@ -50,7 +50,7 @@ static bool has_all(const rig_t* rig, uint32_t seed)
 
 static bool has_plan(const rig_t* rig, size_t plan, int32_t count, uint32_t seed)
 {
-    const plan_t* const held = &rig->board.plans[plan];
+    const plan_t* const held = &rig->board.plans.plan[plan];
     bool is_same = held->count == (size_t)count;
     for (int32_t i = 0; is_same && i < count; i++)
     {
@@ -116,7 +116,7 @@ static long writes_of(bool (*work)(rig_t* rig))
 /// The board works as with a card that nothing happened to.
 static void assert_card_works(rig_t* rig)
 {
-    assert_false(board_card_alarms(&rig->board));
+    assert_false(board_card_alarms(&rig->board.card));
     assert_true(store_set(rig));
     assert_true(upload_plan(rig));
     rig = start_again();
@@ -184,7 +184,7 @@ static void a_power_cut_in_the_very_first_store_leaves_the_defaults_or_the_new_s
         {
             assert_false(cut_at(cut, (flash_cut_t)kind, store_set));
             rig_t* const rig = start_again();
-            const bool is_default = memcmp(&rig->board.parameters, &defaults, sizeof defaults) == 0;
+            const bool is_default = memcmp(&rig->board.tuning.parameters, &defaults, sizeof defaults) == 0;
             assert_true(is_default != has_all(rig, new_seed));
             // a card that was being formatted may say so, and is usable all the same
             assert_true(store_set(rig));
@@ -207,7 +207,7 @@ static void the_power_cut_again_and_again_never_leaves_a_mixture(void** state)
         set_all(rig, next);
         (void)rig_ask(rig, COMMAND_STORE_PARAMETERS_ID, NULL, 0);
         rig = start_again();
-        assert_false(board_card_alarms(&rig->board));
+        assert_false(board_card_alarms(&rig->board.card));
         assert_true(has_all(rig, seed) != has_all(rig, next));
         seed = has_all(rig, next) ? next : seed;
     }

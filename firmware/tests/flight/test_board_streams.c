@@ -1,12 +1,12 @@
 #include "support/cmocka_all.h"
 
-#include "flight/board_reports.h"
+#include "flight/board_streams.h"
 #include "support/rig.h"
 
 static message_fms_plan_t hil_plan_of(rig_t* rig)
 {
     line_clear(&rig->out);
-    board_report_stream(&rig->board, telemetry_fms_hil_plan);
+    board_send_stream(&rig->board, telemetry_fms_hil_plan);
     message_fms_plan_t values;
     message_fms_plan_unpack(&values, line_newest(&rig->out, MESSAGE_FMS_HIL_PLAN_ID)->payload);
     return values;
@@ -26,7 +26,7 @@ static void each_stream_is_sent_as_its_own_message(void** state)
     for (size_t stream = 0; stream < telemetry_stream_count; stream++)
     {
         line_clear(&rig->out);
-        board_report_stream(&rig->board, (telemetry_stream_t)stream);
+        board_send_stream(&rig->board, (telemetry_stream_t)stream);
         assert_int_equal(rig->out.count, 1);
         assert_int_equal(rig->out.frames[0].type_id, ids[stream]);
     }
@@ -36,15 +36,15 @@ static void sensor_readings_come_through_unchanged(void** state)
 {
     (void)state;
     rig_t* const rig = rig_start();
-    rig->board.sensors.ahrs = (message_ahrs_t){.yaw_deg = 10.5F, .pitch_deg = 5.25F, .roll_deg = -12.125F};
-    rig->board.sensors.analog.alpha_deg = NAN; // not measured
-    rig->board.sensors.analog.battery_v = 11.5F;
+    rig->board.measured.sensors.ahrs = (message_ahrs_t){.yaw_deg = 10.5F, .pitch_deg = 5.25F, .roll_deg = -12.125F};
+    rig->board.measured.sensors.analog.alpha_deg = NAN; // not measured
+    rig->board.measured.sensors.analog.battery_v = 11.5F;
     line_clear(&rig->out);
-    board_report_stream(&rig->board, telemetry_ahrs);
-    board_report_stream(&rig->board, telemetry_analog);
+    board_send_stream(&rig->board, telemetry_ahrs);
+    board_send_stream(&rig->board, telemetry_analog);
     message_ahrs_t ahrs;
     message_ahrs_unpack(&ahrs, line_newest(&rig->out, MESSAGE_AHRS_ID)->payload);
-    assert_memory_equal(&ahrs, &rig->board.sensors.ahrs, sizeof ahrs);
+    assert_memory_equal(&ahrs, &rig->board.measured.sensors.ahrs, sizeof ahrs);
     message_analog_t analog;
     message_analog_unpack(&analog, line_newest(&rig->out, MESSAGE_ANALOG_ID)->payload);
     assert_true(isnan(analog.alpha_deg));
@@ -102,41 +102,11 @@ static void reporting_a_plan_does_not_move_it_on(void** state)
     (void)rig_do(rig, COMMAND_HIL_LOAD_VUELO_ID);
     command_xplane_info_t info = rig_level_flight();
     (void)rig_fly(rig, &info);
-    rig->board.xplane_info.latitude_deg = 27.960F; // at the first waypoint, before the next step
-    rig->board.xplane_info.longitude_deg = -15.360F;
+    rig->board.hil.newest.latitude_deg = 27.960F; // at the first waypoint, before the next step
+    rig->board.hil.newest.longitude_deg = -15.360F;
     assert_int_equal(hil_plan_of(rig).waypoint, 0);
     assert_int_equal(hil_plan_of(rig).distance_m, 0);
-    assert_int_equal(rig->board.plans[board_plan_hil].current, 0);
-}
-
-static void the_parameters_frame_is_the_one_of_the_definition(void** state)
-{
-    (void)state;
-    rig_t* const rig = rig_start();
-    line_clear(&rig->out);
-    board_report_parameters(&rig->board);
-    message_autopilot_parameters_t values;
-    message_autopilot_parameters_unpack(&values, line_newest(&rig->out, MESSAGE_AUTOPILOT_PARAMETERS_ID)->payload);
-    const message_autopilot_parameters_t defaults = {
-        .k_int_altura = 0.06F,
-        .k_altura = 0.06F,
-        .k_VVI = 0.1F,
-        .k_pitch = 2.0F,
-        .k_heading = 0.8F,
-        .k_roll = 2.0F,
-        .k_div_velocidad = 700,
-        .k_div_P_init = 0.5F,
-        .k_div_P_speed = 30.0F,
-        .k_div_Q_init = 0.2F,
-        .k_div_Q_speed = 40.0F,
-        .k_div_R_init = 0.1F,
-        .k_div_R_speed = 35.0F,
-        .k_int_pitch = 0.6F,
-        .k_elev = 1.0F,
-        .k_airln = 0.6F,
-        .k_rudder = 1.0F,
-    };
-    assert_memory_equal(&values, &defaults, sizeof values);
+    assert_int_equal(rig->board.plans.plan[board_plan_hil].current, 0);
 }
 
 int main(void)
@@ -148,7 +118,6 @@ int main(void)
         cmocka_unit_test(without_a_position_a_plan_is_reported_but_for_the_way_to_its_waypoint),
         cmocka_unit_test(a_plan_is_reported_from_where_the_aircraft_is),
         cmocka_unit_test(reporting_a_plan_does_not_move_it_on),
-        cmocka_unit_test(the_parameters_frame_is_the_one_of_the_definition),
     };
-    return cmocka_run_group_tests_name("flight.board_reports", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("flight.board_streams", tests, NULL, NULL);
 }

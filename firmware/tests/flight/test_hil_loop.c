@@ -1,8 +1,6 @@
 #include "support/cmocka_all.h"
 
-#include <string.h>
-
-#include "flight/board_loops.h"
+#include "flight/hil_loop.h"
 #include "support/rig.h"
 
 static void assert_usable(message_hil_surfaces_t surfaces)
@@ -23,7 +21,7 @@ static void every_command_50_is_answered_by_one_surfaces_frame(void** state)
         info.roll_deg = (float)i / 5.0F;
         assert_usable(rig_fly(rig, &info));
     }
-    assert_int_equal(rig->board.xplane_info_count, 100);
+    assert_int_equal(rig->board.hil.accepted, 100);
 }
 
 static void with_the_joystick_the_stick_of_command_50_flies(void** state)
@@ -36,7 +34,7 @@ static void with_the_joystick_the_stick_of_command_50_flies(void** state)
     info.aileron = -0.2F;
     info.rudder = 0.3F;
     info.throttle = 0.4F;
-    rig->board.sensors.servos_in.channel[rc_channel_elevator] = -0.9F; // not this one
+    rig->board.measured.sensors.servos_in.channel[rc_channel_elevator] = -0.9F; // not this one
     const message_hil_surfaces_t surfaces = rig_fly(rig, &info);
     assert_close(surfaces.elevator, 0.2, 1e-6);
     assert_close(surfaces.aileron, 0.6 * -0.6, 1e-6);
@@ -48,7 +46,7 @@ static void with_rc_the_receivers_channels_fly(void** state)
 {
     (void)state;
     rig_t* const rig = rig_start();
-    float* const channel = rig->board.sensors.servos_in.channel;
+    float* const channel = rig->board.measured.sensors.servos_in.channel;
     channel[rc_channel_aileron] = 0.1F;
     channel[rc_channel_elevator] = -0.2F;
     channel[rc_channel_throttle] = 0.8F;
@@ -115,8 +113,8 @@ static void a_command_50_that_is_not_finite_keeps_the_surfaces_and_is_counted(vo
             assert_memory_equal(&surfaces, &good, sizeof good);
         }
     }
-    assert_int_equal(rig->board.xplane_info_refused, 45);
-    assert_int_equal(rig->board.xplane_info_count, 1);
+    assert_int_equal(rig->board.hil.refused, 45);
+    assert_int_equal(rig->board.hil.accepted, 1);
     const message_hil_surfaces_t after = rig_fly(rig, &info);
     assert_memory_equal(&after, &good, sizeof good);
 }
@@ -160,13 +158,13 @@ static float throttle_after(rig_t* rig, uint32_t period_ms, uint32_t count)
         rig->now_ms += period_ms;
         (void)rig_send(rig, COMMAND_XPLANE_INFO_ID, payload, sizeof payload);
     }
-    return rig->board.loops[board_plan_hil].autopilot.throttle;
+    return rig->board.hil.loop.autopilot.throttle;
 }
 
 static rig_t* start_measured(void)
 {
     rig_t* const rig = rig_start();
-    rig->board.config.hil_period_s = 0.0F;
+    rig->board.hil.period_s = 0.0F;
     (void)rig_do_with(rig, COMMAND_CONTROL_SOURCE_ID, 1);
     (void)rig_do(rig, COMMAND_HIL_LOAD_GANDO_ID); // its first waypoint asks for 55 kt
     (void)rig_do(rig, COMMAND_AUTOPILOT_ON_ID);
@@ -208,69 +206,56 @@ static void the_fixed_step_does_not_look_at_the_clock(void** state)
 {
     (void)state;
     rig_t* const rig = start_measured();
-    rig->board.config.hil_period_s = 0.05F;
+    rig->board.hil.period_s = 0.05F;
     const float before = throttle_after(rig, 3000, 1);
     assert_close(throttle_after(rig, 3000, 10) - before, 10 * 0.05 * 10.0 / 700.0, 1e-5);
 }
 
-static void the_real_loop_flies_by_the_sources_that_were_selected(void** state)
+static void assert_neutral(surfaces_t surfaces)
 {
-    (void)state;
-    rig_t* const rig = rig_start();
-    board_sensors_t* const sensors = &rig->board.sensors;
-    sensors->gps = (message_gps_t){.latitude_deg = 27.9F,
-                                   .longitude_deg = -15.4F,
-                                   .altitude_m = 300.0F,
-                                   .speed_kt = 60.0F,
-                                   .heading_deg = 77.0F,
-                                   .valid = 'A'};
-    sensors->analog.altitude_m = 310.0F;
-    sensors->analog.calibrated_airspeed_kt = 50.0F;
-    control_loop_input_t input = board_flight_input(&rig->board);
-    assert_close(input.speed_kt, 50.0, 0.0);
-    assert_close(input.altitude_ft, 310.0 * 3.28084, 0.01);
-    assert_close(input.direction_deg, 77.0, 0.0);
-    (void)rig_do_with(rig, COMMAND_SELECT_AIRSPEED_SOURCE_ID, 0);
-    (void)rig_do_with(rig, COMMAND_SELECT_ALTITUDE_SOURCE_ID, 0);
-    input = board_flight_input(&rig->board);
-    assert_close(input.speed_kt, 60.0, 0.0);
-    assert_close(input.altitude_ft, 300.0 * 3.28084, 0.01);
+    assert_close(surfaces.elevator, 0.0, 1e-6);
+    assert_close(surfaces.aileron, 0.0, 1e-6);
+    assert_close(surfaces.rudder, 0.0, 1e-6);
+    assert_close(surfaces.throttle, (double)failsafe_surfaces.throttle, 1e-6);
 }
 
-static void a_source_that_measures_nothing_is_replaced_by_the_other(void** state)
+static void a_simulator_that_stops_centres_the_stick_pilots_surfaces(void** state)
 {
     (void)state;
     rig_t* const rig = rig_start();
-    board_sensors_t* const sensors = &rig->board.sensors;
-    sensors->gps = (message_gps_t){.altitude_m = 300.0F, .speed_kt = 60.0F, .heading_deg = 77.0F, .valid = 'A'};
-    sensors->ahrs.yaw_deg = 12.0F;
-    sensors->analog.altitude_m = NAN;
-    sensors->analog.calibrated_airspeed_kt = NAN;
-    sensors->analog.vvi_ft_min = NAN;
-    control_loop_input_t input = board_flight_input(&rig->board);
-    assert_close(input.speed_kt, 60.0, 0.0);
-    assert_close(input.altitude_ft, 300.0 * 3.28084, 0.01);
-    assert_close(input.vvi_ft_min, 0.0, 0.0);
-    sensors->gps.valid = 'V';
-    input = board_flight_input(&rig->board);
-    assert_close(input.speed_kt, 0.0, 0.0);
-    assert_close(input.direction_deg, 12.0, 0.0);
-    assert_false(position_is_valid(&input.position));
+    (void)rig_do_with(rig, COMMAND_CONTROL_SOURCE_ID, 1);
+    command_xplane_info_t info = rig_level_flight();
+    info.elevator = 0.3F;
+    (void)rig_fly(rig, &info);
+    const surfaces_t* const surfaces = &rig->board.hil.loop.surfaces;
+    board_supervise_hil(&rig->board, rig->board.hil.arrived_ms + 480);
+    assert_close(surfaces->elevator, 0.6, 1e-6);
+    board_supervise_hil(&rig->board, rig->board.hil.arrived_ms + 500);
+    assert_neutral(*surfaces);
 }
 
-static void the_real_loop_puts_its_surfaces_into_the_fly_by_wire_stream(void** state)
+static void a_simulator_that_stops_leaves_the_autopilots_surfaces_as_they_are(void** state)
 {
     (void)state;
     rig_t* const rig = rig_start();
-    rig->board.sensors.servos_in.channel[rc_channel_throttle] = 0.7F;
-    rig->board.sensors.servos_in.channel[rc_channel_elevator] = 0.1F;
-    board_flight_step(&rig->board, 0.02F);
-    (void)rig_do(rig, COMMAND_FLY_BY_WIRE_ON_ID);
-    board_send_streams(&rig->board, telemetry_task_servos);
-    message_fly_by_wire_t values;
-    message_fly_by_wire_unpack(&values, line_newest(&rig->out, MESSAGE_FLY_BY_WIRE_ID)->payload);
-    assert_close(values.throttle, 0.7, 1e-6);
-    assert_close(values.elevator, 0.2, 1e-6);
+    (void)rig_do_with(rig, COMMAND_CONTROL_SOURCE_ID, 1);
+    (void)rig_do(rig, COMMAND_AUTOPILOT_ON_ID);
+    command_xplane_info_t info = rig_level_flight();
+    info.roll_deg = 20.0F;
+    (void)rig_fly(rig, &info);
+    const message_hil_surfaces_t before = rig_fly(rig, &info);
+    board_supervise_hil(&rig->board, rig->board.hil.arrived_ms + 60000);
+    assert_true(before.aileron < -0.01F);
+    assert_close(rig->board.hil.loop.surfaces.aileron, before.aileron, 1e-6);
+    assert_close(rig->board.hil.loop.surfaces.throttle, before.throttle, 1e-6);
+}
+
+static void before_the_first_command_50_no_simulator_is_missed(void** state)
+{
+    (void)state;
+    rig_t* const rig = rig_start();
+    board_supervise_hil(&rig->board, 60000);
+    assert_false(failsafe_is_active(&rig->board.hil.missing, failsafe_simulator_silent));
 }
 
 int main(void)
@@ -287,9 +272,9 @@ int main(void)
         cmocka_unit_test(the_measured_step_stays_between_5_and_200_ms),
         cmocka_unit_test(after_a_pause_the_states_stay_and_nothing_is_integrated),
         cmocka_unit_test(the_fixed_step_does_not_look_at_the_clock),
-        cmocka_unit_test(the_real_loop_flies_by_the_sources_that_were_selected),
-        cmocka_unit_test(a_source_that_measures_nothing_is_replaced_by_the_other),
-        cmocka_unit_test(the_real_loop_puts_its_surfaces_into_the_fly_by_wire_stream),
+        cmocka_unit_test(a_simulator_that_stops_centres_the_stick_pilots_surfaces),
+        cmocka_unit_test(a_simulator_that_stops_leaves_the_autopilots_surfaces_as_they_are),
+        cmocka_unit_test(before_the_first_command_50_no_simulator_is_missed),
     };
-    return cmocka_run_group_tests_name("flight.board_loops", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("flight.hil_loop", tests, NULL, NULL);
 }

@@ -1,17 +1,12 @@
-/// What the rows of the command table do. Context is a `board_command_context_t`; `argument` is the row's constant.
-#ifndef FLIGHT_BOARD_COMMAND_FUNCTIONS_H
-#define FLIGHT_BOARD_COMMAND_FUNCTIONS_H
+/// What the rows of the deployed boards' commands do. Context: a `board_command_context_t`. The second argument is the
+/// row's constant: on or off, the stream, the plan, the task, the route, the servos' mode, the parameter's index.
+#ifndef FLIGHT_BOARD_COMMAND_ORIGINAL_H
+#define FLIGHT_BOARD_COMMAND_ORIGINAL_H
 
-#include "flight/board_commands.h"
+#include <stdint.h>
 
-/// The board that a row of the table works on.
-static inline board_t* board_of(void* context)
-{
-    return ((board_command_context_t*)context)->board;
-}
+#include "comms/command.h"
 
-// Commands of deployed boards. Argument: on or off, the stream, the plan, the task, the route, the servos' mode, the
-// parameter's place in the table.
 command_result_t run_do_nothing(void* context, int32_t argument, const uint8_t* payload);
 command_result_t run_switch_all(void* context, int32_t argument, const uint8_t* payload);
 command_result_t run_read_all(void* context, int32_t argument, const uint8_t* payload);
@@ -29,16 +24,5 @@ command_result_t run_set_servos_mode(void* context, int32_t argument, const uint
 command_result_t run_move_servo(void* context, int32_t argument, const uint8_t* payload);
 command_result_t run_load_parameters(void* context, int32_t argument, const uint8_t* payload);
 command_result_t run_set_parameter(void* context, int32_t argument, const uint8_t* payload);
-
-// Extensions. No argument.
-command_result_t run_tell_capabilities(void* context, int32_t argument, const uint8_t* payload);
-command_result_t run_store_parameters(void* context, int32_t argument, const uint8_t* payload);
-command_result_t run_select_airspeed(void* context, int32_t argument, const uint8_t* payload);
-command_result_t run_select_altitude(void* context, int32_t argument, const uint8_t* payload);
-command_result_t run_begin_mission(void* context, int32_t argument, const uint8_t* payload);
-command_result_t run_take_mission_item(void* context, int32_t argument, const uint8_t* payload);
-command_result_t run_commit_mission(void* context, int32_t argument, const uint8_t* payload);
-command_result_t run_read_mission(void* context, int32_t argument, const uint8_t* payload);
-command_result_t run_go_to_waypoint(void* context, int32_t argument, const uint8_t* payload);
 
 #endif
