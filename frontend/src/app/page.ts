@@ -46,6 +46,8 @@ export interface World {
   readonly gamepads: GamepadReader;
   /** Gives the person a file to keep. */
   readonly saveFile: (name: string, content: Blob) => void;
+  /** Tells whoever looks for the cause of an exception in the page's own code: a browser's console. */
+  readonly report: (error: unknown) => void;
 }
 
 const CLIENT_KEY = "epf-gcs.client";
@@ -84,9 +86,16 @@ export function createPage(world: World): {
     },
     () => telemetry.revision,
     now_ms(),
+    fail,
   );
   const client = (): string | null => connection.getState().client;
   const tell = (message: Message): void => say(messages, message, world.wall_ms());
+
+  /** Part of the page failed and the rest goes on: what that part shows may be old. */
+  function fail(error: unknown): void {
+    tell({ level: "error", key: "said.pageFailed", params: {} });
+    world.report(error);
+  }
 
   /** A line that came or went is told; on its way from the one to the other it is not. */
   function tellLinks(before: Status | null, status: Status): void {
@@ -209,7 +218,11 @@ export function createPage(world: World): {
   const ahrs3d = createAhrs3d(asking);
   const missions = createPlanActions(plans, world.saveFile, asking);
   const { mapLayers, takeMapEvent } = createMapLayerActions({ ...asking, timers: world.timers });
-  const { trackBook, takeTrackEvent } = createTrackBook({ rest, timers: world.timers });
+  const { trackBook, takeTrackEvent } = createTrackBook({
+    rest,
+    timers: world.timers,
+    report: fail,
+  });
   const stores = { telemetry, pump, connection, commands, messages, settings };
   return {
     page: {

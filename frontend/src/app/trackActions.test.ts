@@ -7,6 +7,7 @@ import { createTrackBook } from "./trackActions";
 /** A gateway with a growing track, at the test's command. */
 class Gateway {
   readonly asked: string[] = [];
+  readonly reported: unknown[] = [];
   readonly timers = new HandTimers();
   epoch = 5;
   points = 0;
@@ -16,7 +17,11 @@ class Gateway {
 
   constructor() {
     const rest = new Rest({ client: () => "c1", fetch: async (path) => this.#reply(path) });
-    const { trackBook, takeTrackEvent } = createTrackBook({ rest, timers: this.timers });
+    const { trackBook, takeTrackEvent } = createTrackBook({
+      rest,
+      timers: this.timers,
+      report: (error) => this.reported.push(error),
+    });
     this.book = trackBook;
     this.takeTrackEvent = takeTrackEvent;
   }
@@ -137,6 +142,30 @@ test("a gateway that does not answer is asked again, and says why nothing comes"
   gateway.points = 10;
   await gateway.pass(1000);
   expect(gateway.book.store.getState()).toMatchObject({ failure: null, summary: { real: { count: 10 } } });
+});
+
+test("an exception while a track is taken is told once, and the track goes on growing", async () => {
+  const gateway = new Gateway();
+  const broken = new Error("broken listener");
+  gateway.points = 50;
+  const recover = gateway.book.store.subscribe(({ summary }) => {
+    if (summary.real.count > 0) {
+      throw broken;
+    }
+  });
+  gateway.book.watch();
+  await gateway.settle();
+  expect(gateway.asked.some((path) => path.includes("source=hil"))).toBe(true);
+  gateway.points = 60;
+  await gateway.pass(1000);
+  gateway.points = 70;
+  await gateway.pass(1000);
+  expect(gateway.reported).toEqual([broken]);
+  expect(gateway.book.points.real.count).toBe(70);
+  recover();
+  gateway.points = 80;
+  await gateway.pass(1000);
+  expect(gateway.book.store.getState()).toMatchObject({ failure: null, summary: { real: { count: 80 } } });
 });
 
 test("points that lie nowhere on earth are counted and left out", async () => {

@@ -25,10 +25,12 @@ const UNREADABLE = {
 export interface TrackParts {
   readonly rest: Rest;
   readonly timers: Timers;
+  /** Hears of an exception in the page's own code. */
+  readonly report: (error: unknown) => void;
 }
 
 /** The tracks, kept up with the gateway while somebody watches them, and what the stream tells of them. */
-export function createTrackBook({ rest, timers }: TrackParts): {
+export function createTrackBook({ rest, timers, report }: TrackParts): {
   readonly trackBook: TrackBook;
   readonly takeTrackEvent: (event: StreamEvent) => void;
 } {
@@ -37,6 +39,8 @@ export function createTrackBook({ rest, timers }: TrackParts): {
   let watchers = 0;
   let cancel: (() => void) | null = null;
   let isAsking = false;
+  /** The last round of questions ended with an exception, which was reported. */
+  let isFailing = false;
 
   async function askAll(): Promise<void> {
     cancel = null;
@@ -44,16 +48,30 @@ export function createTrackBook({ rest, timers }: TrackParts): {
       return;
     }
     isAsking = true;
-    for (const name of TRACKS) {
-      await ask(name, tracks[name]);
+    const questions = [...TRACKS.map((name) => () => ask(name, tracks[name])), askState];
+    let hasFailed = false;
+    for (const question of questions) {
+      try {
+        await question();
+      } catch (error) {
+        // Whatever went wrong: the other track and the next second are asked for all the same.
+        if (!(isFailing || hasFailed)) {
+          report(error);
+        }
+        hasFailed = true;
+      }
     }
-    if (store.getState().canRestore === null) {
-      const answer = await rest.ask("GET", "/api/v1/track", isTrackState);
-      store.setState({ canRestore: answer.ok ? answer.value.can_restore : null });
-    }
+    isFailing = hasFailed;
     isAsking = false;
     if (watchers > 0) {
       cancel ??= timers.after(PERIOD_MS, () => void askAll());
+    }
+  }
+
+  async function askState(): Promise<void> {
+    if (store.getState().canRestore === null) {
+      const answer = await rest.ask("GET", "/api/v1/track", isTrackState);
+      store.setState({ canRestore: answer.ok ? answer.value.can_restore : null });
     }
   }
 
