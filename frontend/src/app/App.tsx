@@ -58,6 +58,8 @@ export function App() {
       critical: t("words.critical"),
       notANumber: t("words.notANumber"),
       outOfRange: (minimum: string, maximum: string) => t("words.outOfRange", { minimum, maximum }),
+      stillIs: (value: string) => t("words.stillIs", { value }),
+      refusedEdit: (text: string, why: string) => t("words.refusedEdit", { text, why }),
     }),
     [t],
   );
