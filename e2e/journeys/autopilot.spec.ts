@@ -25,6 +25,10 @@ test("both switches move the way of the signal, by keyboard alone", async ({ pag
   await expect(path.getByRole("radio", { name: "Ordenador de a bordo" })).toBeChecked();
   await path.getByRole("radio", { name: "Ordenador de a bordo" }).focus();
   await page.keyboard.press("ArrowLeft");
+  // The autopilot flies: by hand only after a question, whose safe answer has the focus.
+  await expect(page.getByRole("alertdialog", { name: "¿Llevar X-Plane a mano?" })).toBeVisible();
+  await page.keyboard.press("Tab");
+  await page.keyboard.press("Enter");
   await expect.poll(async () => (await flying.status()).hil.path).toBe("manual");
   await expect(path.getByRole("radio", { name: "Manual" })).toBeChecked();
   const source = page.getByRole("group", { name: "Fuente" });

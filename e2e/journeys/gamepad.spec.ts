@@ -29,6 +29,7 @@ test("a pilot flies with a gamepad at the browser, and a gamepad that is pulled 
 
   // By hand straight to the simulator: its own surfaces come back in its rows.
   await page.getByRole("group", { name: "X-Plane" }).getByText("Manual").click();
+  await page.getByRole("button", { name: "Llevar a mano" }).click();
   await expect.poll(async () => await flying.surfaces(), "what the simulator moves").toEqual([1, 0.5, -0.5]);
 
   await gamepad.unplug();

@@ -7,6 +7,7 @@ import { useConnection, usePage, useTelemetry } from "../store/hooks";
 import type { TelemetryStore } from "../store/telemetry";
 import { SegmentedSwitch } from "../ui/SegmentedSwitch";
 import { readAutopilot, readAutotrim } from "./controls";
+import { useChoosePath } from "./useChoosePath";
 import { useSource } from "./useSource";
 
 /** Autopilot and autotrim. */
@@ -67,7 +68,7 @@ function OnOffSwitch({ name, on, off, read }: OnOffProps) {
 
 function PathSwitch() {
   const { t } = useTranslation();
-  const { actions } = usePage();
+  const choosePath = useChoosePath();
   const { state, stateText, wanted } = useAsked("path");
   const blocked = useGatewayBlocked();
   const value = useConnection(({ status, phase }) => (phase === "open" ? (status?.hil.path ?? null) : null));
@@ -80,7 +81,7 @@ function PathSwitch() {
       ]}
       value={value}
       wanted={wanted === "manual" || wanted === "assisted" ? wanted : null}
-      onChange={(path) => void actions.setHil({ path }, { control: "path", asked: path })}
+      onChange={choosePath}
       state={state}
       stateText={stateText}
       disabledReason={blocked}
