@@ -1,13 +1,14 @@
-import { ChevronLeft, ChevronRight, Download, FileDown, FolderOpen, Upload } from "lucide-react";
+import { ChevronLeft, ChevronRight, Download, FileDown, FolderOpen } from "lucide-react";
 import { useState } from "react";
 import { useTranslation } from "react-i18next";
 import { CommandButton } from "../../live/CommandButton";
 import { PLAN } from "../../live/planFacts";
+import { SendPlan } from "../../live/SendPlan";
 import { useAsked } from "../../live/useAsked";
 import { useBoardBlocked } from "../../live/useBlocked";
 import type { ShownPlan } from "../../live/usePlan";
 import { PLAN_FORMATS, type PlanFormat, type PlanName } from "../../protocol/missions";
-import { useConnection, usePage } from "../../store/hooks";
+import { useConnection, usePage, usePlans } from "../../store/hooks";
 import { Button } from "../../ui/Button";
 import { FileButton } from "../../ui/FileButton";
 import { Select } from "../../ui/Select";
@@ -27,7 +28,7 @@ export function PlanTools({ plan, shown, selected, onReplace }: Props) {
   const { missions } = usePage();
   const { canTransfer, issues, waypoints } = shown;
   const download = useAsked(`plan.download.${plan}`);
-  const upload = useAsked(`plan.upload.${plan}`);
+  const onBoard = usePlans((plans) => plans[plan].board);
   const blocked = useBoardBlocked();
   const unsupported = canTransfer ? undefined : t("plans.unsupportedShort");
   const errors = issues.filter(({ level }) => level === "error").length;
@@ -42,11 +43,9 @@ export function PlanTools({ plan, shown, selected, onReplace }: Props) {
       >
         {t("plans.download")}
       </Button>
-      <Button
-        variant="primary"
-        onPress={() => void missions.upload(plan, { control: `plan.upload.${plan}` })}
-        state={upload.state}
-        stateText={upload.stateText}
+      <SendPlan
+        plan={plan}
+        onBoard={onBoard}
         disabledReason={
           blocked ??
           unsupported ??
@@ -56,10 +55,9 @@ export function PlanTools({ plan, shown, selected, onReplace }: Props) {
               ? t("plans.fixFirst", { count: errors })
               : undefined)
         }
-        icon={<Upload aria-hidden="true" size={14} />}
       >
         {t("plans.upload")}
-      </Button>
+      </SendPlan>
       <span className="plans-gap" />
       <CommandButton command={PLAN[plan].previous} icon={<ChevronLeft aria-hidden="true" size={14} />}>
         {t("fms.previous")}
