@@ -1,10 +1,10 @@
 import { BellOff, CheckCheck, Volume2 } from "lucide-react";
 import { useTranslation } from "react-i18next";
 import { formatClock } from "../lib/moment";
-import { useActiveAlarms, useMutedFor_s } from "../live/useAlarms";
+import { useActiveAlarms, useEndedAlarms, useMutedFor_s } from "../live/useAlarms";
 import { usePage } from "../store/hooks";
 import { choose } from "../store/settings";
-import { AlarmStrip, LINES } from "../ui/AlarmStrip";
+import { AlarmStrip, endedWithoutPlace, LINES } from "../ui/AlarmStrip";
 import { Button } from "../ui/Button";
 
 /** What is wrong now, on every tab, with what can be done about it. */
@@ -14,6 +14,9 @@ export function Alarms() {
   const alarms = useActiveAlarms();
   const open = alarms.filter(({ acknowledged }) => !acknowledged);
   const hidden = alarms.length - LINES;
+  const ended = useEndedAlarms();
+  const hiddenEnded = endedWithoutPlace(alarms.length, ended.length);
+  const showList = (): void => choose(settings, "tab", "alarms");
   return (
     <AlarmStrip
       label={t("alarms.label")}
@@ -25,6 +28,19 @@ export function Alarms() {
         detail: formatClock(since_s),
         blocked,
       }))}
+      ended={{
+        label: t("alarmBook.ended"),
+        items: ended.map(({ id, level, name, until_s }) => ({
+          id,
+          level,
+          text: name,
+          detail: formatClock(until_s),
+        })),
+        acknowledge: {
+          label: (text) => t("alarmBook.acknowledgeEnded", { text }),
+          onPress: alarmBook.acknowledgeEnded,
+        },
+      }}
       acknowledge={{
         text: t("alarmBook.acknowledge"),
         label: (text) => t("alarmBook.acknowledgeOne", { text }),
@@ -32,14 +48,16 @@ export function Alarms() {
       }}
     >
       {hidden > 0 && (
-        <Button
-          onPress={() => choose(settings, "tab", "alarms")}
-          label={t("alarmBook.more", { count: hidden })}
-        >
+        <Button onPress={showList} label={t("alarmBook.more", { count: hidden })}>
           {t("alarmBook.moreShort", { count: hidden })}
         </Button>
       )}
-      {open.length > 1 && (
+      {hiddenEnded > 0 && (
+        <Button onPress={showList} label={t("alarmBook.moreEnded", { count: hiddenEnded })}>
+          {t("alarmBook.moreEndedShort", { count: hiddenEnded })}
+        </Button>
+      )}
+      {open.length + ended.length > 1 && (
         <Button
           onPress={() => void alarmBook.acknowledgeAll()}
           disabledReason={open[0]?.blocked}

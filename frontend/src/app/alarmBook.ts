@@ -1,18 +1,23 @@
+import { isNumber, isText, list, nullable, oneOf, shape } from "../lib/check";
 import { isAlarmBook, isThresholds } from "../protocol/alarms";
+import type { StreamEvent } from "../protocol/envelope";
+import { PLANS } from "../protocol/missions";
 import {
   type AlarmBook,
   type AlarmBookStore,
   createAlarmBookStore,
   endOwn,
+  endRestart,
   MUTE_MS,
   raiseOwn,
   type Sounder,
   type Speaker,
 } from "../store/alarmBook";
 import { alarmSettings } from "../store/alarmSettings";
-import { activeAlarms, GATEWAY_LOST, isRecovered } from "../store/alarms";
+import { activeAlarms, BOARD_RESTARTED, GATEWAY_LOST, isRecovered } from "../store/alarms";
 import { Annunciator } from "../store/annunciator";
 import type { Connection, ConnectionStore } from "../store/connection";
+import { endedBetween, withEnded } from "../store/endedAlarms";
 import { failureMessage } from "../store/messages";
 import type { SettingsStore } from "../store/settings";
 import type { TelemetryStore } from "../store/telemetry";
@@ -37,10 +42,15 @@ export function createAlarmBook(parts: AlarmParts): AlarmBook {
   const ring = createBell(parts, store);
   // What the page says about its own line has to be known before anybody looks.
   connection.subscribe((now) => followLine(now, store, wall_ms() / 1000));
+  connection.subscribe((now, before) => followEnded(now, before, store));
   connection.subscribe(ring);
   parts.settings.subscribe(ring);
   store.subscribe((now, before) => {
-    if (now.own !== before.own || now.mutedUntil_ms !== before.mutedUntil_ms) {
+    if (
+      now.own !== before.own ||
+      now.restart !== before.restart ||
+      now.mutedUntil_ms !== before.mutedUntil_ms
+    ) {
       ring();
     }
   });
@@ -50,6 +60,10 @@ export function createAlarmBook(parts: AlarmParts): AlarmBook {
     const { own } = store.getState();
     if (id === GATEWAY_LOST && own !== null) {
       store.setState({ own: { ...own, acknowledged: true } });
+      return;
+    }
+    if (id === BOARD_RESTARTED) {
+      endRestart(store, wall_ms() / 1000);
       return;
     }
     await simply(
@@ -62,10 +76,14 @@ export function createAlarmBook(parts: AlarmParts): AlarmBook {
   return {
     store,
     acknowledge: (id, asker) => acknowledge(id, asker.control),
+    acknowledgeEnded: (id) =>
+      store.setState(({ ended }) => ({ ended: ended.filter((alarm) => alarm.id !== id) })),
     acknowledgeAll: async () => {
-      const open = activeAlarms(connection.getState(), store.getState().own).filter(
+      const { own, restart } = store.getState();
+      const open = activeAlarms(connection.getState(), own, restart).filter(
         ({ acknowledged }) => !acknowledged,
       );
+      store.setState({ ended: [] });
       await Promise.all(open.map(({ id }) => acknowledge(id, `acknowledge.${id}`)));
     },
     mute: () => {
@@ -116,9 +134,53 @@ export function createAlarmBook(parts: AlarmParts): AlarmBook {
 /** The page's own alarm follows its line: raised when the line falls silent or breaks, over when it is open. */
 function followLine({ phase, status }: Connection, store: AlarmBookStore, now_s: number): void {
   if (phase === "open") {
-    endOwn(store, now_s, { id: GATEWAY_LOST, text: "The gateway was not heard." });
+    const alarm = { id: GATEWAY_LOST, text: "The gateway was not heard." };
+    const isUnseen = store.getState().own?.acknowledged === false;
+    endOwn(store, now_s, alarm);
+    if (isUnseen) {
+      const news = [{ ...alarm, level: "critical" as const, until_s: now_s }];
+      store.setState(({ ended }) => ({ ended: withEnded(ended, news, []) }));
+    }
   } else if (phase !== "connecting" || status !== null) {
     raiseOwn(store, now_s);
+    store.setState(({ ended }) => ({ ended: withEnded(ended, [], [GATEWAY_LOST]) }));
+  }
+}
+
+/** From one status to the next: an alarm that ended before anybody acknowledged it leaves a trace. */
+function followEnded({ status }: Connection, before: Connection, store: AlarmBookStore): void {
+  if (status === null || before.status === null || status === before.status) {
+    return;
+  }
+  const news = endedBetween(before.status.alarms, status.alarms, status.server_time_s);
+  const active = status.alarms.map(({ id }) => id);
+  store.setState(({ ended }) => ({ ended: withEnded(ended, news, active) }));
+}
+
+const isRestart = shape({
+  silent_s: nullable(isNumber),
+  /** Gains that were not on the board's card, and plans that it had. */
+  parameters: list(isText),
+  plans: list(oneOf(...PLANS)),
+});
+/** So many gains are named. */
+const NAMED = 4;
+
+/** What the stream tells of alarms: one came or went, or the board started anew. */
+export function takeAlarmEvent({ store }: AlarmBook, { event, data, t_s }: StreamEvent): void {
+  if (event === "alarm") {
+    store.setState(({ reported }) => ({ reported: reported + 1 }));
+  } else if (event === BOARD_RESTARTED && isRestart(data)) {
+    const { parameters, plans } = data;
+    const more = parameters.length > NAMED ? "…" : "";
+    const gains = `${parameters.slice(0, NAMED).join(", ")}${more}`;
+    const lost = `@lostPlans.${plans.length > 1 ? "both" : (plans[0] ?? "both")}`;
+    store.setState({
+      restart: {
+        since_s: t_s,
+        params: { ...(gains === "" ? {} : { gains }), ...(plans.length === 0 ? {} : { plans: lost }) },
+      },
+    });
   }
 }
 
@@ -150,7 +212,7 @@ function createBell(parts: AlarmParts, store: AlarmBookStore): () => void {
     isCalled = false;
     cancelAgain();
     const now_ms = timers.now_ms();
-    const { own, mutedUntil_ms } = store.getState();
+    const { own, restart, mutedUntil_ms } = store.getState();
     const isMuted = mutedUntil_ms !== null && now_ms < mutedUntil_ms;
     if (mutedUntil_ms !== null && !isMuted) {
       store.setState({ mutedUntil_ms: null });
@@ -159,7 +221,7 @@ function createBell(parts: AlarmParts, store: AlarmBookStore): () => void {
     const chosen = settings.getState();
     const heard = alarmSettings(chosen);
     const { sound, speech, again_ms } = annunciator.look({
-      alarms: activeAlarms(facts, own),
+      alarms: activeAlarms(facts, own, restart),
       isRecovered: (id) => isRecovered(id, facts, telemetry, now_ms),
       settings: heard,
       isMuted,

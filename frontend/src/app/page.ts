@@ -18,7 +18,7 @@ import { Rest } from "../transport/rest";
 import { StreamSocket, type Timers, type Wire, type WireListener } from "../transport/socket";
 import { createActions, resultMessage } from "./actions";
 import { createAhrs3d } from "./ahrs3dActions";
-import { createAlarmBook } from "./alarmBook";
+import { createAlarmBook, takeAlarmEvent } from "./alarmBook";
 import { createBoardConsole } from "./boardConsole";
 import { createFrameActions } from "./frameActions";
 import { createGamepadDesk, type GamepadReader } from "./gamepadDesk";
@@ -135,9 +135,8 @@ export function createPage(world: World): {
     takeMapEvent(message);
     takeTrackEvent(message);
     gamepads.takeEvent(message);
-    if (event === "alarm") {
-      alarmBook.store.setState(({ reported }) => ({ reported: reported + 1 }));
-    } else if (event === "error" && isErrorEvent(data)) {
+    takeAlarmEvent(alarmBook, message);
+    if (event === "error" && isErrorEvent(data)) {
       tell(failureMessage(data, "warning"));
     } else if (
       event === "command" &&

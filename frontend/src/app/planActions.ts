@@ -5,6 +5,7 @@ import type { StreamEvent } from "../protocol/envelope";
 import { isImportedPlan, isMission, isMissionEvent, type PlanName } from "../protocol/missions";
 import type { Status } from "../protocol/status";
 import type { Asker } from "../store/actions";
+import { BOARD_RESTARTED } from "../store/alarms";
 import { wordsOf } from "../store/messages";
 import {
   boardHas,
@@ -129,6 +130,9 @@ export function takePlanEvent(plans: PlanStore, { event, data }: StreamEvent, cl
     // Of one's own it is told as it begins: by its end the plan may already have been read again.
     (data.client !== client || data.state === "pending")
   ) {
+    forgetBoardPlan(plans, "hil");
+  } else if (event === BOARD_RESTARTED) {
+    forgetBoardPlan(plans, "flight");
     forgetBoardPlan(plans, "hil");
   }
 }

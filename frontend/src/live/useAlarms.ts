@@ -2,7 +2,8 @@ import { useMemo } from "react";
 import { useStore } from "zustand";
 import { useSentence } from "../i18n/useSentence";
 import type { AlarmBookState } from "../store/alarmBook";
-import { type ActiveAlarm, activeAlarms, GATEWAY_LOST } from "../store/alarms";
+import { type ActiveAlarm, activeAlarms, isOwn } from "../store/alarms";
+import type { EndedAlarm } from "../store/endedAlarms";
 import { useConnection, usePage, useTelemetry } from "../store/hooks";
 import { useGatewayBlocked } from "./useBlocked";
 
@@ -23,16 +24,36 @@ export function useActiveAlarms(): readonly ShownAlarm[] {
   const phase = useConnection((connection) => connection.phase);
   const status = useConnection((connection) => connection.status);
   const own = useAlarmBook((state) => state.own);
+  const restart = useAlarmBook((state) => state.restart);
   const blocked = useGatewayBlocked();
   return useMemo(
     () =>
-      activeAlarms({ phase, status }, own).map((alarm) => ({
+      activeAlarms({ phase, status }, own, restart).map((alarm) => ({
         ...alarm,
         text: sentence(alarm.message),
-        // The page's own alarm asks nobody; the gateway's are acknowledged for everybody, by whoever has control.
-        blocked: alarm.id === GATEWAY_LOST ? undefined : blocked,
+        // The page's own alarms ask nobody; the gateway's are acknowledged for everybody, by whoever has control.
+        blocked: isOwn(alarm.id) ? undefined : blocked,
       })),
-    [phase, status, own, sentence, blocked],
+    [phase, status, own, restart, sentence, blocked],
+  );
+}
+
+export interface ShownEnded extends EndedAlarm {
+  /** What it is called, in the page's language. */
+  readonly name: string;
+}
+
+/** Alarms that ended before anybody acknowledged them, newest first. */
+export function useEndedAlarms(): readonly ShownEnded[] {
+  const sentence = useSentence();
+  const ended = useAlarmBook((state) => state.ended);
+  return useMemo(
+    () =>
+      ended.map((alarm) => ({
+        ...alarm,
+        name: sentence({ level: "info", key: `alarmName.${alarm.id}`, params: {}, fallback: alarm.text }),
+      })),
+    [ended, sentence],
   );
 }
 

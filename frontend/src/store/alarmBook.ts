@@ -1,7 +1,8 @@
 import { createStore, type StoreApi } from "zustand/vanilla";
 import type { AlarmBookAnswer, ThresholdAnswer } from "../protocol/alarms";
 import type { Asker } from "./actions";
-import type { AlarmLevel, OwnAlarm } from "./alarms";
+import { type AlarmLevel, BOARD_RESTARTED, type BoardRestart, type OwnAlarm } from "./alarms";
+import type { EndedAlarm } from "./endedAlarms";
 import type { Message } from "./messages";
 import type { Language } from "./settings";
 
@@ -40,6 +41,10 @@ const OWN_PAST_MOST = 50;
 export interface AlarmBookState {
   /** The page does not hear the gateway; null while it does. */
   readonly own: OwnAlarm | null;
+  /** The board started anew and nobody has acknowledged it; the newest time. */
+  readonly restart: BoardRestart | null;
+  /** Alarms that ended before anybody acknowledged them, newest first. */
+  readonly ended: readonly EndedAlarm[];
   /** The page's own alarms that are over, newest first. */
   readonly ownPast: readonly PastAlarm[];
   /** The gateway's list, newest first; null until it was asked. */
@@ -61,6 +66,8 @@ export type AlarmBookStore = StoreApi<AlarmBookState>;
 export function createAlarmBookStore(): AlarmBookStore {
   return createStore<AlarmBookState>(() => ({
     own: null,
+    restart: null,
+    ended: [],
     ownPast: [],
     past: null,
     thresholds: null,
@@ -92,6 +99,28 @@ export function endOwn(store: AlarmBookStore, until_s: number, alarm: Pick<PastA
   );
 }
 
+/** Somebody has seen (Unix seconds) that the board started anew. */
+export function endRestart(store: AlarmBookStore, until_s: number): void {
+  store.setState(({ restart, ownPast }) =>
+    restart === null
+      ? {}
+      : {
+          restart: null,
+          ownPast: [
+            {
+              ...restart,
+              id: BOARD_RESTARTED,
+              text: "The board restarted.",
+              level: "critical" as const,
+              acknowledged: true,
+              until_s,
+            },
+            ...ownPast.slice(0, OWN_PAST_MOST - 1),
+          ],
+        },
+  );
+}
+
 /** All alarms that are over, the gateway's and the page's own, newest first. */
 export function pastAlarms({
   past,
@@ -107,7 +136,9 @@ export function pastAlarms({
 export interface AlarmBook {
   readonly store: AlarmBookStore;
   readonly acknowledge: (id: string, asker: Asker) => Promise<void>;
-  /** Everything that is not acknowledged yet; does nothing where all is. */
+  /** Somebody has seen that an alarm came and went: its trace goes from this page. */
+  readonly acknowledgeEnded: (id: string) => void;
+  /** Everything that is not acknowledged yet, what has ended included; does nothing where all is. */
   readonly acknowledgeAll: () => Promise<void>;
   /** No sound and no speech for two minutes, or until `unmute`. */
   readonly mute: () => void;

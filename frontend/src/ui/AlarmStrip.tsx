@@ -16,8 +16,25 @@ export interface AlarmItem {
   blocked?: string | undefined;
 }
 
+/** An alarm that is over and that nobody acknowledged. */
+export interface EndedItem {
+  id: string;
+  level: AlarmItem["level"];
+  text: string;
+  /** When it ended. */
+  detail: string;
+}
+
+interface Ended {
+  label: string;
+  items: readonly EndedItem[];
+  /** Accessible name of the button that acknowledges one. */
+  acknowledge: { label: (text: string) => string; onPress: (id: string) => void };
+}
+
 interface Props {
   label: string;
+  ended: Ended;
   /** The most urgent first. */
   alarms: readonly AlarmItem[];
   /** Accessible name and text of the button that acknowledges one alarm. */
@@ -28,13 +45,21 @@ interface Props {
 
 /** So many alarms have a line; the others are heard by screen readers and are counted. */
 export const LINES = 2;
+/** So many ended ones share the line that the alarms leave. */
+const CHIPS = 3;
+
+/** How many of the ended alarms have no place in the strip. */
+export function endedWithoutPlace(alarms: number, ended: number): number {
+  return alarms < LINES ? Math.max(0, ended - CHIPS) : ended;
+}
 
 /**
  * The alarms in force, never higher than two lines: the page under it must stay where the eye knows it. The two live
  * regions are always in the document: a region that appears together with its text is not read out by every reader.
  */
-export function AlarmStrip({ label, alarms, acknowledge, children }: Props) {
+export function AlarmStrip({ label, alarms, ended, acknowledge, children }: Props) {
   const seen = alarms.slice(0, LINES);
+  const hasTraces = ended.items.length > 0 && seen.length < LINES;
   const lines = (wanted: AlarmItem["level"]): ReactNode =>
     alarms
       .filter(({ level }) => level === wanted)
@@ -42,7 +67,7 @@ export function AlarmStrip({ label, alarms, acknowledge, children }: Props) {
         <AlarmLine key={alarm.id} alarm={alarm} isSeen={seen.includes(alarm)} acknowledge={acknowledge} />
       ));
   return (
-    <section className="ui-alarms" aria-label={label} data-lines={seen.length}>
+    <section className="ui-alarms" aria-label={label} data-lines={seen.length + (hasTraces ? 1 : 0)}>
       <div className="ui-alarms-lines">
         <div role="alert" aria-atomic="false" aria-relevant="additions">
           {lines("critical")}
@@ -50,9 +75,37 @@ export function AlarmStrip({ label, alarms, acknowledge, children }: Props) {
         <div role="status" aria-atomic="false" aria-relevant="additions">
           {lines("warning")}
         </div>
+        {hasTraces && <Traces {...ended} />}
       </div>
-      {alarms.length > 0 && <div className="ui-alarms-actions">{children}</div>}
+      {alarms.length + ended.items.length > 0 && <div className="ui-alarms-actions">{children}</div>}
     </section>
+  );
+}
+
+/** Outside the live regions: that an alarm ended is no news that interrupts anybody. */
+function Traces({ label, items, acknowledge }: Ended) {
+  return (
+    <div className="ui-alarms-ended">
+      <span className="ui-alarms-ended-label">{label}</span>
+      <ul className="ui-alarms-chips">
+        {items.slice(0, CHIPS).map(({ id, level, text, detail }) => (
+          <li key={id} className="ui-alarms-chip" data-level={level}>
+            <span className="ui-alarms-chip-text" title={text}>
+              {text}
+            </span>
+            <span className="ui-alarm-detail">{detail}</span>
+            <button
+              type="button"
+              className="ui-alarms-chip-button"
+              aria-label={acknowledge.label(text)}
+              onClick={() => acknowledge.onPress(id)}
+            >
+              <Check size={14} aria-hidden="true" />
+            </button>
+          </li>
+        ))}
+      </ul>
+    </div>
   );
 }
 

@@ -3,7 +3,7 @@ import { useTranslation } from "react-i18next";
 import { useSentence } from "../../i18n/useSentence";
 import { formatAge } from "../../lib/format";
 import { formatClock } from "../../lib/moment";
-import { type ShownAlarm, useActiveAlarms } from "../../live/useAlarms";
+import { type ShownAlarm, type ShownEnded, useActiveAlarms, useEndedAlarms } from "../../live/useAlarms";
 import { useAsked } from "../../live/useAsked";
 import { GATEWAY_LOST } from "../../store/alarms";
 import { usePage, useTelemetry } from "../../store/hooks";
@@ -17,28 +17,33 @@ export function ActiveAlarms() {
   const { alarmBook } = usePage();
   const alarms = useActiveAlarms();
   const open = alarms.filter(({ acknowledged }) => !acknowledged);
+  const ended = useEndedAlarms();
   return (
     <Panel
       title={t("alarmBook.active")}
       actions={
         <Button
           onPress={() => void alarmBook.acknowledgeAll()}
-          disabledReason={open.length === 0 ? t("alarmBook.nothingOpen") : open[0]?.blocked}
+          disabledReason={open.length + ended.length === 0 ? t("alarmBook.nothingOpen") : open[0]?.blocked}
           icon={<CheckCheck size={14} aria-hidden="true" />}
         >
           {t("alarmBook.acknowledgeAll")}
         </Button>
       }
     >
-      {alarms.length === 0 ? (
+      {alarms.length === 0 && (
         <p className="alarms-none">
           <CircleCheck size={16} aria-hidden="true" />
           {t("alarmBook.none")}
         </p>
-      ) : (
+      )}
+      {alarms.length + ended.length > 0 && (
         <ul className="alarms-active">
           {alarms.map((alarm) => (
             <Active key={alarm.id} alarm={alarm} />
+          ))}
+          {ended.map((alarm) => (
+            <EndedUnseen key={`ended ${alarm.id}`} alarm={alarm} />
           ))}
         </ul>
       )}
@@ -82,6 +87,27 @@ function Active({ alarm }: { alarm: ShownAlarm }) {
           {t("alarmBook.acknowledge")}
         </Button>
       )}
+    </li>
+  );
+}
+
+/** Over, and nobody has acknowledged it: it stands here until somebody has. */
+function EndedUnseen({ alarm: { id, level, name, until_s } }: { alarm: ShownEnded }) {
+  const { t } = useTranslation();
+  const { alarmBook } = usePage();
+  return (
+    <li className="alarms-item" data-level={level} data-acknowledged={true}>
+      <LevelMark level={level} />
+      <div className="alarms-item-text">
+        <p className="alarms-item-title">{name}</p>
+        <p className="alarms-item-since">{t("alarmBook.endedAt", { clock: formatClock(until_s) })}</p>
+      </div>
+      <Button
+        onPress={() => alarmBook.acknowledgeEnded(id)}
+        label={t("alarmBook.acknowledgeEnded", { text: name })}
+      >
+        {t("alarmBook.acknowledge")}
+      </Button>
     </li>
   );
 }
