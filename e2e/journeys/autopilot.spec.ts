@@ -40,6 +40,17 @@ test("both switches move the way of the signal, by keyboard alone", async ({ pag
   await page.keyboard.press("ArrowRight");
   await expect.poll(async () => (await flying.status()).hil.source).toBe("rc");
   await expect.poll(async () => await flying.value("heartbeat", "source_joystick")).toBe(false);
+
+  // A transmitter that is switched off leaves both off; the page says so on the way back, and offers to undo it.
+  await source.getByRole("radio", { name: "RC" }).focus();
+  await page.keyboard.press("ArrowLeft");
+  const leftOff = page.getByRole("status", { name: "Tras RC" });
+  await expect(leftOff).toContainText("siguen quitados: Autopilot, Autotrim.");
+  await leftOff.getByRole("button", { name: "Autopilot On" }).press("Enter");
+  await expect(leftOff).toContainText("siguen quitados: Autotrim.");
+  await leftOff.getByRole("button", { name: "Autotrim On" }).press("Enter");
+  await expect(leftOff).toBeEmpty();
+  await expect.poll(async () => await flying.value("heartbeat", "autopilot_hil")).toBe(true);
 });
 
 test("looking at every tab sends the board nothing but the simulator's information", async ({

@@ -12,6 +12,7 @@ import { Header } from "./Header";
 import { LeftPanel } from "./LeftPanel";
 import { MainTabs } from "./MainTabs";
 import { motionOf } from "./motion";
+import { SourceBanner } from "./SourceBanner";
 import { StatusBar } from "./StatusBar";
 import { Shortcuts } from "./shortcuts/Shortcuts";
 import { Tuning } from "./Tuning";
@@ -75,6 +76,7 @@ export function App() {
             <div className="app-warnings">
               <EmulationBanner />
               <AhrsTestBanner />
+              <SourceBanner />
               <Alarms />
             </div>
             <div className="app-middle">

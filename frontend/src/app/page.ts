@@ -2,6 +2,7 @@ import { isNumber, isObject, isText, nullable, oneOf, shape } from "../lib/check
 import type { StreamEvent, StreamMessage } from "../protocol/envelope";
 import type { Status } from "../protocol/status";
 import type { Sounder, Speaker } from "../store/alarmBook";
+import { BOARD_RESTARTED } from "../store/alarms";
 import { createCommands } from "../store/commands";
 import { createConnection } from "../store/connection";
 import { DamageRate } from "../store/damage";
@@ -13,6 +14,7 @@ import { createPlans } from "../store/plans";
 import { type FrameSource, Pump } from "../store/pump";
 import { StreamRates } from "../store/rates";
 import { createSettings, type Shelf } from "../store/settings";
+import { createSourceReturn, NOTHING_LEFT_OFF, takeHeartbeats } from "../store/sourceReturn";
 import { TelemetryStore } from "../store/telemetry";
 import { Rest } from "../transport/rest";
 import { StreamSocket, type Timers, type Wire, type WireListener } from "../transport/socket";
@@ -75,6 +77,7 @@ export function createPage(world: World): {
   const settings = createSettings(world.shelf);
   const book = createParameters();
   const plans = createPlans(world.shelf);
+  const sourceReturn = createSourceReturn();
   const damage = new DamageRate();
   const rates = new StreamRates();
   const now_ms = world.timers.now_ms;
@@ -112,7 +115,11 @@ export function createPage(world: World): {
     telemetry.heard(at_ms);
     servos.takeStatus(status);
     tellLinks(connection.getState().status, status);
-    takePlanStatus(plans, connection.getState().status?.board ?? null, status.board);
+    const board = connection.getState().status?.board ?? null;
+    takePlanStatus(plans, board, status.board);
+    if (board !== null && board.url !== status.board.url) {
+      sourceReturn.setState(NOTHING_LEFT_OFF);
+    }
     telemetry.setStaleAfter(
       Object.entries(status.topics).map(([topic, { stale_after_s }]) => [topic, stale_after_s]),
     );
@@ -136,7 +143,10 @@ export function createPage(world: World): {
     takeTrackEvent(message);
     gamepads.takeEvent(message);
     takeAlarmEvent(alarmBook, message);
-    if (event === "error" && isErrorEvent(data)) {
+    if (event === BOARD_RESTARTED) {
+      // Its restart is told by itself, with all that it switched off.
+      sourceReturn.setState(NOTHING_LEFT_OFF);
+    } else if (event === "error" && isErrorEvent(data)) {
       tell(failureMessage(data, "warning"));
     } else if (
       event === "command" &&
@@ -154,6 +164,7 @@ export function createPage(world: World): {
     switch (message.type) {
       case "batch":
         telemetry.apply(message.t_s, message.samples, at_ms);
+        takeHeartbeats(sourceReturn, message.samples);
         if (message.rows !== null) {
           telemetry.applyRows(message.rows);
         }
@@ -231,6 +242,7 @@ export function createPage(world: World): {
       alarmBook,
       parameters,
       missions,
+      sourceReturn,
       ahrs3d,
       mapSelection: createMapSelection(),
       mapLayers,

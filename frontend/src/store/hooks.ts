@@ -19,6 +19,7 @@ import type { Pump } from "./pump";
 import type { Servo, ServoDesk } from "./servos";
 import { UNMOVED } from "./servos";
 import type { Settings, SettingsStore } from "./settings";
+import type { SourceReturnStore } from "./sourceReturn";
 import type { TelemetryStore } from "./telemetry";
 import type { TrackBook, Tracks } from "./track";
 
@@ -39,6 +40,8 @@ export interface Page {
   readonly inspector: Inspector;
   readonly parameters: ParameterActions;
   readonly missions: PlanActions;
+  /** What a stay with RC as source left off. */
+  readonly sourceReturn: SourceReturnStore;
   readonly ahrs3d: Ahrs3d;
   readonly mapSelection: MapSelectionStore;
   readonly mapLayers: MapLayerActions;
