@@ -31,6 +31,10 @@ test("the board's line is pulled: everything goes stale and the alarm shows; plu
   await expect(attitude(page)).toHaveAttribute("data-state", "live");
   await expect(alarms.getByRole("alert")).not.toContainText("latido");
   await expect(page.getByRole("contentinfo")).toContainText("conectado");
+  // Nobody acknowledged it: that it was there stays in sight until somebody does.
+  await expect(alarms.getByRole("listitem").filter({ hasText: "latido perdido" })).toBeVisible();
+  await alarms.getByRole("button", { name: "Reconocer que terminó: latido perdido" }).click();
+  await expect(alarms.getByRole("listitem").filter({ hasText: "latido perdido" })).toHaveCount(0);
   // The board never stopped flying, and flies on under the station.
   await expect.poll(async () => await flying.value("heartbeat", "autopilot_hil")).toBe(true);
 });
