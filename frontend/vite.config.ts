@@ -34,7 +34,7 @@ export default defineConfig({
             },
             // In one piece, and in no other: only the map's tab asks for it.
             { name: "globe-engine", test: /node_modules[\\/]@cesium[\\/]/ },
-            { name: "words", test: /src[\\/]i18n[\\/].*\.json$/ },
+            { name: "words", test: /src[\\/].*\.(es|en)\.json$/ },
           ],
         },
       },

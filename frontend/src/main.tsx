@@ -4,8 +4,9 @@ import { createRoot } from "react-dom/client";
 import { I18nextProvider } from "react-i18next";
 import { App } from "./app/App";
 import { browserWorld } from "./app/browser";
+import { CATALOGUES } from "./app/catalogues";
+import { loadParts } from "./app/loadParts";
 import { createPage } from "./app/page";
-import { loadParts } from "./app/parts";
 import { createI18n } from "./i18n/i18n";
 import { PageContext } from "./store/hooks";
 import { applyTheme } from "./theme/theme";
@@ -19,7 +20,7 @@ const { page, start } = createPage(browserWorld(window));
 applyTheme(document.documentElement, page.settings.getState().theme);
 createRoot(root).render(
   <StrictMode>
-    <I18nextProvider i18n={createI18n(page.settings.getState().language)}>
+    <I18nextProvider i18n={createI18n(CATALOGUES, page.settings.getState().language)}>
       <PageContext value={page}>
         <App />
       </PageContext>
@@ -33,7 +34,7 @@ setTimeout(() => {
     const { choices } = page.settings.getState();
     if (choices["map.opened"] === "yes" && choices["map.kind"] !== "2d") {
       (window.requestIdleCallback ?? setTimeout)(
-        () => void import("./scene/globe/kept").catch(() => undefined),
+        () => void import("./scene/globe/keptGlobe").catch(() => undefined),
       );
     }
   });

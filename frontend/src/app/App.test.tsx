@@ -1,8 +1,8 @@
 import { screen, within } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { describe, expect, test } from "vitest";
+import { aStatus } from "../test/aStatus";
 import { Station } from "../test/station";
-import { aStatus } from "../test/status";
 
 const heartbeat = {
   autopilot: false,

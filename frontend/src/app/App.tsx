@@ -1,18 +1,18 @@
 import { useEffect, useMemo, useRef } from "react";
 import { useTranslation } from "react-i18next";
+import { AhrsTestBanner } from "../features/ahrs/AhrsTestBanner";
+import { AlarmBar } from "../features/alarms/AlarmBar";
 import { useSettings } from "../store/hooks";
 import { applyTheme } from "../theme/theme";
 import { WordsProvider } from "../ui/words";
-import { AhrsTestBanner } from "./AhrsTestBanner";
-import { Alarms } from "./Alarms";
 import "./app.css";
+import { SourceBanner } from "../features/controls/SourceBanner";
+import { EmulationBanner } from "../features/emulation/EmulationBanner";
 import { DialogsProvider } from "./dialogs/dialogs";
-import { EmulationBanner } from "./emulation";
 import { Header } from "./Header";
 import { LeftPanel } from "./LeftPanel";
 import { MainTabs } from "./MainTabs";
 import { motionOf } from "./motion";
-import { SourceBanner } from "./SourceBanner";
 import { StatusBar } from "./StatusBar";
 import { Shortcuts } from "./shortcuts/Shortcuts";
 import { Tuning } from "./Tuning";
@@ -77,7 +77,7 @@ export function App() {
               <EmulationBanner />
               <AhrsTestBanner />
               <SourceBanner />
-              <Alarms />
+              <AlarmBar />
             </div>
             <div className="app-middle">
               <Dock edge="left" />

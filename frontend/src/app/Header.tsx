@@ -1,6 +1,7 @@
 import { useTranslation } from "react-i18next";
-import { useAsked } from "../live/useAsked";
-import { useConnection, usePage, useSettings } from "../store/hooks";
+import { ACTIONS } from "../requests/actions";
+import { useAsked } from "../requests/useAsked";
+import { useConnection, usePage, usePart, useSettings } from "../store/hooks";
 import { LANGUAGES } from "../store/settings";
 import { THEMES } from "../theme/theme";
 import { Button } from "../ui/Button";
@@ -30,7 +31,7 @@ export function Header() {
 /** Who may command; with the button that takes control while nobody has it, or gives it back. */
 function ControlHolder() {
   const { t } = useTranslation();
-  const { actions } = usePage();
+  const actions = usePart(ACTIONS);
   const { state, stateText } = useAsked("control");
   const isOpen = useConnection(({ phase }) => phase === "open");
   const control = useConnection(({ status }) => status?.control ?? null);

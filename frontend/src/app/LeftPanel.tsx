@@ -1,12 +1,12 @@
 import { useTranslation } from "react-i18next";
-import { heading, tenths } from "../live/formats";
-import { LiveAttitude } from "../live/LiveAttitude";
-import { boardBearing_deg, boardHeading_deg, LiveHeading } from "../live/LiveHeading";
-import { LiveReadout } from "../live/LiveReadout";
-import { StreamPanel } from "../live/StreamPanel";
+import { ControlsPanel } from "../features/controls/ControlsPanel";
+import { LiveControlPath } from "../features/controls/LiveControlPath";
+import { heading, tenths } from "../readouts/formats";
+import { LiveAttitude } from "../readouts/LiveAttitude";
+import { boardBearing_deg, boardHeading_deg, LiveHeading } from "../readouts/LiveHeading";
+import { LiveReadout } from "../readouts/LiveReadout";
+import { StreamPanel } from "../readouts/StreamPanel";
 import { ReadoutGrid } from "../ui/Readout";
-import { ControlsPanel } from "./ControlsPanel";
-import { LiveControlPath } from "./LiveControlPath";
 import "./left-panel.css";
 
 /** Attitude over heading, their numbers, and the controls of the chosen source: always in sight. */

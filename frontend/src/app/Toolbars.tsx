@@ -1,14 +1,15 @@
 import { Cpu, Gamepad2, Hand, RadioTower } from "lucide-react";
 import { useTranslation } from "react-i18next";
-import { useAsked } from "../live/useAsked";
-import { useBoardBlocked, useGatewayBlocked } from "../live/useBlocked";
+import { readAutopilot, readAutotrim } from "../features/controls/axes";
+import { useSource } from "../features/controls/useSource";
 import type { CommandName } from "../protocol/messages.gen";
-import { useConnection, usePage, useTelemetry } from "../store/hooks";
+import { ACTIONS } from "../requests/actions";
+import { useAsked } from "../requests/useAsked";
+import { useBoardBlocked, useGatewayBlocked } from "../requests/useBlocked";
+import { useConnection, usePart, useTelemetry } from "../store/hooks";
 import type { TelemetryStore } from "../store/telemetry";
 import { SegmentedSwitch } from "../ui/SegmentedSwitch";
-import { readAutopilot, readAutotrim } from "./controls";
 import { useChoosePath } from "./useChoosePath";
-import { useSource } from "./useSource";
 
 /** Autopilot and autotrim. */
 export function AutomaticControls() {
@@ -39,7 +40,7 @@ interface OnOffProps {
 
 function OnOffSwitch({ name, on, off, read }: OnOffProps) {
   const { t } = useTranslation();
-  const { actions } = usePage();
+  const actions = usePart(ACTIONS);
   const { state, stateText, wanted } = useAsked(name);
   const blocked = useBoardBlocked();
   const source = useSource();
@@ -91,7 +92,7 @@ function PathSwitch() {
 
 function SourceSwitch() {
   const { t } = useTranslation();
-  const { actions } = usePage();
+  const actions = usePart(ACTIONS);
   const { state, stateText, wanted } = useAsked("source");
   const blocked = useBoardBlocked();
   return (

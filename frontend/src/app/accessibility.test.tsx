@@ -2,8 +2,8 @@ import { screen } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import axe from "axe-core";
 import { expect, test } from "vitest";
+import { aStatus } from "../test/aStatus";
 import { Station } from "../test/station";
-import { aStatus } from "../test/status";
 
 /** The checker is slow in a document without a browser, the more so on a busy machine. */
 const LIMIT_MS = 120_000;

@@ -1,6 +1,6 @@
-import type { Shelf } from "../store/settings";
-import { browserSounder, browserSpeaker } from "./browserAlarms";
-import { browserGamepads } from "./browserGamepads";
+import { browserSounder, browserSpeaker } from "../features/alarms/browserAlarms";
+import { browserGamepads } from "../features/gamepad/browserGamepads";
+import type { BrowserStorage } from "../store/settings";
 import type { World } from "./page";
 
 /** How often the page is painted at most, in hertz. */
@@ -48,8 +48,8 @@ export function browserWorld(window: Window & typeof globalThis): World {
     },
     report: (error) => window.reportError(error),
     gamepads: browserGamepads(window),
-    shelf: shelfOf(() => window.localStorage),
-    tabShelf: shelfOf(() => window.sessionStorage),
+    storage: storageOf(() => window.localStorage),
+    tabStorage: storageOf(() => window.sessionStorage),
     sounder: browserSounder(window),
     speaker: browserSpeaker(window),
   };
@@ -72,7 +72,7 @@ function frameMeter(window: Window & typeof globalThis): (spent: (cost_ms: numbe
 }
 
 /** A browser that forbids its storage throws at the very mention of it. */
-function shelfOf(storage: () => Storage): Shelf | null {
+function storageOf(storage: () => Storage): BrowserStorage | null {
   try {
     return storage();
   } catch {

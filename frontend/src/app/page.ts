@@ -1,35 +1,51 @@
-import { isNumber, isObject, isText, nullable, oneOf, shape } from "../lib/check";
+import { ABOUT, createAbout } from "../features/about/aboutRequests";
+import { createAhrs3d } from "../features/ahrs/ahrsRequests";
+import { AHRS } from "../features/ahrs/alignment";
+import type { Sounder, Speaker } from "../features/alarms/alarmLog";
+import { ALARM_LOG, takeAlarmEvent } from "../features/alarms/alarmLog";
+import { createAlarmLog } from "../features/alarms/alarmRequests";
+import {
+  createSourceReturn,
+  NOTHING_LEFT_OFF,
+  SOURCE_RETURN,
+  takeHeartbeats,
+} from "../features/controls/sourceReturn";
+import { createEmulation, EMULATION } from "../features/emulation/emulationRequests";
+import { createGamepadInput, type GamepadReader } from "../features/gamepad/gamepadInput";
+import { GAMEPADS } from "../features/gamepad/gamepadList";
+import { MAP_LAYERS } from "../features/map/layers/layerList";
+import { createMapLayerActions } from "../features/map/layers/layerRequests";
+import { createMapSelection, MAP_SELECTION } from "../features/map/mapSelection";
+import { createTrackEdits, TRACK_EDITS } from "../features/map/trackEdits";
+import { TRACK_LOG } from "../features/map/trackLog";
+import { createTrackLog } from "../features/map/trackRequests";
+import { createInspector, INSPECTOR } from "../features/messages/inspectorRequests";
+import { createParameterActions, takeParameterEvent } from "../features/parameters/parameterRequests";
+import { createParameters, forget, PARAMETER_REQUESTS } from "../features/parameters/parameterValues";
+import { SERVO_SLIDERS } from "../features/servos/servoPositions";
+import { createServoSliders } from "../features/servos/servoSliders";
+import { BOARD_CONSOLE } from "../features/setup/consoleLog";
+import { createBoardConsole } from "../features/setup/consoleRequests";
+import type { Timers } from "../lib/timers";
+import { createPlanActions, takePlanEvent, takePlanStatus } from "../missions/missionRequests";
+import { createPlans, MISSIONS } from "../missions/planDrafts";
+import { BOARD_RESTARTED } from "../protocol/boardRestart";
 import type { StreamEvent, StreamMessage } from "../protocol/envelope";
 import type { Status } from "../protocol/status";
-import type { Sounder, Speaker } from "../store/alarmBook";
-import { BOARD_RESTARTED } from "../store/alarms";
+import { ACTIONS, createActions } from "../requests/actions";
 import { createCommands } from "../store/commands";
 import { createConnection } from "../store/connection";
 import { DamageRate } from "../store/damage";
 import type { Page } from "../store/hooks";
-import { createMapSelection } from "../store/mapSelection";
-import { createMessages, failureMessage, type Message, say } from "../store/messages";
-import { createParameters, forget } from "../store/parameters";
-import { createPlans } from "../store/plans";
+import { createMessages, type Message, say } from "../store/messages";
+import { Parts } from "../store/parts";
 import { type FrameSource, Pump } from "../store/pump";
 import { StreamRates } from "../store/rates";
-import { createSettings, type Shelf } from "../store/settings";
-import { createSourceReturn, NOTHING_LEFT_OFF, takeHeartbeats } from "../store/sourceReturn";
+import { type BrowserStorage, createSettings } from "../store/settings";
 import { TelemetryStore } from "../store/telemetry";
 import { Rest } from "../transport/rest";
-import { StreamSocket, type Timers, type Wire, type WireListener } from "../transport/socket";
-import { createActions, resultMessage } from "./actions";
-import { createAhrs3d } from "./ahrs3dActions";
-import { createAlarmBook, takeAlarmEvent } from "./alarmBook";
-import { createBoardConsole } from "./boardConsole";
-import { createFrameActions } from "./frameActions";
-import { createGamepadDesk, type GamepadReader } from "./gamepadDesk";
-import { createInspector } from "./inspector";
-import { createMapLayerActions } from "./mapLayerActions";
-import { createParameterActions, takeParameterEvent } from "./parameterActions";
-import { createPlanActions, takePlanEvent, takePlanStatus } from "./planActions";
-import { createServoDesk } from "./servoDesk";
-import { createTrackBook } from "./trackActions";
+import { StreamSocket, type Wire, type WireListener } from "../transport/socket";
+import { eventMessage, linkMessages } from "./announcements";
 
 /** What the page needs of the world around it: a browser's window, or a test. */
 export interface World {
@@ -41,8 +57,8 @@ export interface World {
   readonly cancelFrame: (handle: number) => void;
   readonly measureFrame?: FrameSource["measure"];
   /** Remembered for ever, and for as long as this browser tab lives. */
-  readonly shelf: Shelf | null;
-  readonly tabShelf: Shelf | null;
+  readonly storage: BrowserStorage | null;
+  readonly tabStorage: BrowserStorage | null;
   readonly sounder: Sounder;
   readonly speaker: Speaker;
   readonly gamepads: GamepadReader;
@@ -54,16 +70,6 @@ export interface World {
 
 const CLIENT_KEY = "epf-gcs.client";
 
-const isCommandEvent = shape({
-  name: isText,
-  client: nullable(isText),
-  state: oneOf("pending", "confirmed", "rejected", "timed_out", "sent"),
-  by: isText,
-  ms: nullable(isNumber),
-  reason: nullable(isText),
-});
-const isErrorEvent = shape({ code: isText, detail: isText, params: isObject });
-
 /** Puts stores, transport and actions together: here alone each message goes from the one to the others. */
 export function createPage(world: World): {
   readonly page: Page;
@@ -74,9 +80,9 @@ export function createPage(world: World): {
   const connection = createConnection();
   const commands = createCommands();
   const messages = createMessages();
-  const settings = createSettings(world.shelf);
-  const book = createParameters();
-  const plans = createPlans(world.shelf);
+  const settings = createSettings(world.storage);
+  const parameterValues = createParameters();
+  const plans = createPlans(world.storage);
   const sourceReturn = createSourceReturn();
   const damage = new DamageRate();
   const rates = new StreamRates();
@@ -100,21 +106,10 @@ export function createPage(world: World): {
     world.report(error);
   }
 
-  /** A line that came or went is told; on its way from the one to the other it is not. */
-  function tellLinks(before: Status | null, status: Status): void {
-    for (const end of ["board", "simulator"] as const) {
-      const { state } = status[end];
-      if (before !== null && before[end].state !== state && state !== "opening") {
-        const level = state === "lost" ? "warning" : "info";
-        tell({ level, key: "said.link", params: { what: `@end.${end}`, state: `@link.${state}` } });
-      }
-    }
-  }
-
   function takeStatus(status: Status, at_ms: number): void {
     telemetry.heard(at_ms);
     servos.takeStatus(status);
-    tellLinks(connection.getState().status, status);
+    linkMessages(connection.getState().status, status).forEach(tell);
     const board = connection.getState().status?.board ?? null;
     takePlanStatus(plans, board, status.board);
     if (board !== null && board.url !== status.board.url) {
@@ -134,29 +129,21 @@ export function createPage(world: World): {
   }
 
   function takeEvent(message: StreamEvent): void {
-    const { event, data } = message;
     servos.takeEvent(message);
     takeConsole(message);
-    takeParameterEvent(book, message, world.wall_ms());
+    takeParameterEvent(parameterValues, message, world.wall_ms());
     takePlanEvent(plans, message, client());
     takeMapEvent(message);
     takeTrackEvent(message);
     gamepads.takeEvent(message);
-    takeAlarmEvent(alarmBook, message);
-    if (event === BOARD_RESTARTED) {
+    takeAlarmEvent(alarmLog.store, message);
+    if (message.event === BOARD_RESTARTED) {
       // Its restart is told by itself, with all that it switched off.
       sourceReturn.setState(NOTHING_LEFT_OFF);
-    } else if (event === "error" && isErrorEvent(data)) {
-      tell(failureMessage(data, "warning"));
-    } else if (
-      event === "command" &&
-      isCommandEvent(data) &&
-      data.client !== client() &&
-      data.state !== "pending" &&
-      !(data.name === "servo_out" && data.state !== "rejected" && data.state !== "timed_out")
-    ) {
-      const { name, state, by, ms, reason } = data;
-      tell(resultMessage(`@command.${name}`, { state, by, ms: ms ?? 0, reason }));
+    }
+    const said = eventMessage(message, client());
+    if (said !== null) {
+      tell(said);
     }
   }
 
@@ -179,19 +166,19 @@ export function createPage(world: World): {
       case "hello":
         telemetry.greet(message.server_time_s, at_ms);
         connection.setState({ client: message.client });
-        remember(world.tabShelf, message.client);
+        remember(world.tabStorage, message.client);
         takeStatus(message.status, at_ms);
     }
   }
 
   const socket = new StreamSocket({
-    dial: (listener) => world.dial(client() ?? remembered(world.tabShelf), listener),
+    dial: (listener) => world.dial(client() ?? remembered(world.tabStorage), listener),
     timers: world.timers,
     onMessage: take,
     onState: ({ kind }) => {
       if (kind !== "open") {
         telemetry.silence();
-        forget(book);
+        forget(parameterValues);
       }
       connection.setState({ phase: kind });
     },
@@ -202,11 +189,10 @@ export function createPage(world: World): {
   });
   const rest = new Rest({ fetch: world.fetch, client });
   const asking = { rest, commands, messages, now_ms, wall_ms: world.wall_ms };
-  const servos = createServoDesk({ rest, timers: world.timers, client, tell });
+  const servos = createServoSliders({ rest, timers: world.timers, client, tell });
   const { boardConsole, takeEvent: takeConsole } = createBoardConsole({ rest, wall_ms: world.wall_ms });
   const actions = createActions({ ...asking, client });
-  const frame = createFrameActions(asking);
-  const gamepads = createGamepadDesk({
+  const gamepads = createGamepadInput({
     reader: world.gamepads,
     timers: world.timers,
     connection,
@@ -215,7 +201,7 @@ export function createPage(world: World): {
     send: (text) => socket.offer(text),
     tell,
   });
-  const alarmBook = createAlarmBook({
+  const alarmLog = createAlarmLog({
     ...asking,
     connection,
     telemetry,
@@ -224,33 +210,34 @@ export function createPage(world: World): {
     sounder: world.sounder,
     speaker: world.speaker,
   });
-  const parameters = createParameterActions(book, asking);
-  const ahrs3d = createAhrs3d(asking);
-  const missions = createPlanActions(plans, world.saveFile, asking);
   const { mapLayers, takeMapEvent } = createMapLayerActions({ ...asking, timers: world.timers });
-  const { trackBook, takeTrackEvent } = createTrackBook({
-    rest,
-    timers: world.timers,
-    report: fail,
-  });
-  const stores = { telemetry, pump, connection, commands, messages, settings };
+  const { trackLog, takeTrackEvent } = createTrackLog({ rest, timers: world.timers, report: fail });
+  const parts = new Parts()
+    .with(ACTIONS, actions)
+    .with(ALARM_LOG, alarmLog)
+    .with(PARAMETER_REQUESTS, createParameterActions(parameterValues, asking))
+    .with(MISSIONS, createPlanActions(plans, world.saveFile, asking))
+    .with(AHRS, createAhrs3d(asking))
+    .with(SOURCE_RETURN, sourceReturn)
+    .with(MAP_SELECTION, createMapSelection())
+    .with(MAP_LAYERS, mapLayers)
+    .with(TRACK_LOG, trackLog)
+    .with(TRACK_EDITS, createTrackEdits(asking))
+    .with(SERVO_SLIDERS, servos.sliders)
+    .with(GAMEPADS, gamepads.gamepads)
+    .with(BOARD_CONSOLE, boardConsole)
+    .with(INSPECTOR, createInspector(rest))
+    .with(EMULATION, createEmulation(asking))
+    .with(ABOUT, createAbout(asking));
   return {
     page: {
-      ...stores,
-      actions,
-      frame,
-      alarmBook,
-      parameters,
-      missions,
-      sourceReturn,
-      ahrs3d,
-      mapSelection: createMapSelection(),
-      mapLayers,
-      servos: servos.desk,
-      gamepads: gamepads.desk,
-      boardConsole,
-      trackBook,
-      inspector: createInspector(rest),
+      telemetry,
+      pump,
+      connection,
+      commands,
+      messages,
+      settings,
+      parts,
       saveFile: world.saveFile,
     },
     start: () => {
@@ -264,18 +251,18 @@ export function createPage(world: World): {
   };
 }
 
-function remembered(shelf: Shelf | null): string | null {
+function remembered(storage: BrowserStorage | null): string | null {
   try {
-    return shelf?.getItem(CLIENT_KEY) ?? null;
+    return storage?.getItem(CLIENT_KEY) ?? null;
   } catch {
     return null;
   }
 }
 
 /** The name of this tab's connection, so that a reload is the same client and keeps control. */
-function remember(shelf: Shelf | null, client: string): void {
+function remember(storage: BrowserStorage | null, client: string): void {
   try {
-    shelf?.setItem(CLIENT_KEY, client);
+    storage?.setItem(CLIENT_KEY, client);
   } catch {
     // Without a memory a reload is a new client.
   }

@@ -1,5 +1,6 @@
 import { useTranslation } from "react-i18next";
-import { usePage } from "../store/hooks";
+import { ACTIONS } from "../requests/actions";
+import { usePage, usePart } from "../store/hooks";
 import { useDialogs } from "./dialogs/dialogs";
 
 /**
@@ -8,7 +9,8 @@ import { useDialogs } from "./dialogs/dialogs";
  */
 export function useChoosePath(): (path: "manual" | "assisted") => void {
   const { t } = useTranslation();
-  const { actions, connection, telemetry } = usePage();
+  const { connection, telemetry } = usePage();
+  const actions = usePart(ACTIONS);
   const { ask } = useDialogs();
   return (path) => {
     const choose = (): void => void actions.setHil({ path }, { control: "path", asked: path });

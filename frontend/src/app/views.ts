@@ -18,21 +18,21 @@ export type TabName = (typeof TABS)[number];
 
 /** Each tab is a file of its own, so that the first look at the page does not wait for all of them. */
 export const VIEWS: Readonly<Record<TabName, LazyPart>> = {
-  flight: lazyPart(async () => (await import("../views/flight/FlightView")).FlightView),
-  six: lazyPart(async () => (await import("../views/six/BoardSixView")).BoardSixView),
-  params: lazyPart(async () => (await import("../views/params/ParamsView")).ParamsView),
-  hil: lazyPart(async () => (await import("../views/hil/HilView")).HilView),
-  hilSix: lazyPart(async () => (await import("../views/six/HilSixView")).HilSixView),
-  plans: lazyPart(async () => (await import("../views/plans/PlansView")).PlansView),
-  map: lazyPart(async () => (await import("../views/map/MapView")).MapView),
-  ahrs3d: lazyPart(async () => (await import("../views/ahrs3d/Ahrs3dView")).Ahrs3dView),
-  messages: lazyPart(async () => (await import("../views/messages/MessagesView")).MessagesView),
-  alarms: lazyPart(async () => (await import("../views/alarms/AlarmsView")).AlarmsView),
-  setup: lazyPart(async () => (await import("../views/setup/SetupView")).SetupView),
+  flight: lazyPart(async () => (await import("./tabs/FlightTab")).FlightTab),
+  six: lazyPart(async () => (await import("../features/six/BoardSixView")).BoardSixView),
+  params: lazyPart(async () => (await import("../features/parameters/ParamsView")).ParamsView),
+  hil: lazyPart(async () => (await import("../features/hil/HilView")).HilView),
+  hilSix: lazyPart(async () => (await import("../features/six/HilSixView")).HilSixView),
+  plans: lazyPart(async () => (await import("../features/plans/PlansView")).PlansView),
+  map: lazyPart(async () => (await import("../features/map/MapView")).MapView),
+  ahrs3d: lazyPart(async () => (await import("../features/ahrs/Ahrs3dView")).Ahrs3dView),
+  messages: lazyPart(async () => (await import("../features/messages/MessagesView")).MessagesView),
+  alarms: lazyPart(async () => (await import("../features/alarms/AlarmsView")).AlarmsView),
+  setup: lazyPart(async () => (await import("./tabs/SetupTab")).SetupTab),
 };
 
 /** The tuning view, which stays open under any tab. */
-export const TUNING = lazyPart(async () => (await import("../views/params/TuningDock")).TuningDock);
+export const TUNING = lazyPart(async () => (await import("./tabs/TuningTab")).TuningTab);
 
 export async function loadViews(): Promise<void> {
   for (const { load } of [...Object.values(VIEWS), TUNING]) {

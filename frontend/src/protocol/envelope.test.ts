@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import { aStatus } from "../test/status";
+import { aStatus } from "../test/aStatus";
 import { parseMessage } from "./envelope";
 
 function parse(message: unknown) {

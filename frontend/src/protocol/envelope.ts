@@ -1,5 +1,5 @@
 import { dictionary, isNumber, isObject, isText, list, nullable, oneOf } from "../lib/check";
-import { isStatus, type Status } from "./status";
+import { isStatus, type Status } from "./guards.gen";
 import { FIELD_KINDS } from "./topics";
 
 /** One message of a topic: when the gateway had it (Unix seconds of its clock) and what it said; null is "no data". */

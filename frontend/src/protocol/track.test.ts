@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import { trackBytes } from "../test/track";
+import { trackBytes } from "../test/trackBytes";
 import { readTrackPiece } from "./track";
 
 const GANDO = { t_ms: 20, latitude_e7: 279_300_000, longitude_e7: -153_800_000, altitude_mm: 24_500 };

@@ -1,16 +1,8 @@
-import { type Checked, isFlag, isNumber, shape } from "../lib/check";
-import type { TrackPoint } from "../lib/track/points";
-import type { components } from "./api.gen";
+import type { TrackPoint } from "../lib/track/trackPoints";
 
 /** The flown tracks: of the aircraft by its GPS, and of the simulator's. */
 export const TRACKS = ["real", "hil"] as const;
 export type TrackName = (typeof TRACKS)[number];
-
-export const isTrackState = shape({ real_points: isNumber, hil_points: isNumber, can_restore: isFlag });
-/** Does not compile when the gateway describes its answer otherwise than it is checked here. */
-export const trackStateIsAsDescribed: components["schemas"]["TrackState"] extends Checked<typeof isTrackState>
-  ? true
-  : false = true;
 
 /** Points of a track from one index on. */
 export interface TrackPiece {

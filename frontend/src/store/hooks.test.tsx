@@ -1,7 +1,7 @@
 import { act, render, screen } from "@testing-library/react";
 import { useCallback, useRef } from "react";
 import { describe, expect, test } from "vitest";
-import { HandFrames } from "../test/frames";
+import { ManualFrames } from "../test/frames";
 import { createCommands } from "./commands";
 import { createConnection } from "./connection";
 import { type Page, PageContext, useTelemetry } from "./hooks";
@@ -11,7 +11,7 @@ import { createSettings } from "./settings";
 import { TelemetryStore } from "./telemetry";
 import { usePaint } from "./usePaint";
 
-const frames = new HandFrames();
+const frames = new ManualFrames();
 const telemetry = new TelemetryStore();
 // What these hooks touch of a page.
 const page = {

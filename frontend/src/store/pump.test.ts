@@ -1,9 +1,9 @@
 import { describe, expect, test, vi } from "vitest";
-import { HandFrames } from "../test/frames";
+import { ManualFrames } from "../test/frames";
 import { Pump } from "./pump";
 
 function setup() {
-  const frames = new HandFrames();
+  const frames = new ManualFrames();
   let revision = 0;
   const failures: unknown[] = [];
   const pump = new Pump(
@@ -61,7 +61,7 @@ test.each([
 ])(
   "where frames are $name instruments move in every $of one, and texts as often as ever",
   ({ cost_ms, least, most }) => {
-    const frames = new HandFrames();
+    const frames = new ManualFrames();
     let revision = 0;
     const source = { request: frames.request, cancel: frames.cancel };
     const pump = new Pump(

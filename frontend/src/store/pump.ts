@@ -1,5 +1,5 @@
 import { NUMBER_PERIOD_MS, Pace } from "../lib/pace";
-import { RedrawBudget } from "./budget";
+import { RedrawBudget } from "./paintBudget";
 
 /** Where displayed frames come from: the browser's, or a test's. */
 export interface FrameSource {

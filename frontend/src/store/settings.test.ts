@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
-import { choose, createSettings, type Shelf } from "./settings";
+import { type BrowserStorage, choose, createSettings } from "./settings";
 
-class MemoryShelf implements Shelf {
+class MemoryStorage implements BrowserStorage {
   readonly kept = new Map<string, string>();
   getItem(key: string): string | null {
     return this.kept.get(key) ?? null;
@@ -12,7 +12,7 @@ class MemoryShelf implements Shelf {
 }
 
 test("a first visit is in Spanish and dark", () => {
-  expect(createSettings(new MemoryShelf()).getState()).toEqual({
+  expect(createSettings(new MemoryStorage()).getState()).toEqual({
     language: "es",
     theme: "dark",
     choices: {},
@@ -20,12 +20,12 @@ test("a first visit is in Spanish and dark", () => {
 });
 
 test("what was chosen is there after a reload", () => {
-  const shelf = new MemoryShelf();
-  const before = createSettings(shelf);
+  const storage = new MemoryStorage();
+  const before = createSettings(storage);
   before.setState({ language: "en", theme: "light" });
   choose(before, "tab", "setup");
   choose(before, "board.device", "tcp://127.0.0.1:5760");
-  expect(createSettings(shelf).getState()).toEqual({
+  expect(createSettings(storage).getState()).toEqual({
     language: "en",
     theme: "light",
     choices: { tab: "setup", "board.device": "tcp://127.0.0.1:5760" },
@@ -35,9 +35,9 @@ test("what was chosen is there after a reload", () => {
 test.each(["not JSON", "[]", "null", '{"language":"fr","theme":7,"choices":{"tab":1}}'])(
   "a spoilt memory (%s) is a first visit",
   (text) => {
-    const shelf = new MemoryShelf();
-    shelf.setItem("epf-gcs.settings", text);
-    expect(createSettings(shelf).getState()).toEqual({ language: "es", theme: "dark", choices: {} });
+    const storage = new MemoryStorage();
+    storage.setItem("epf-gcs.settings", text);
+    expect(createSettings(storage).getState()).toEqual({ language: "es", theme: "dark", choices: {} });
   },
 );
 

@@ -15,19 +15,19 @@ export interface Settings {
 export type SettingsStore = StoreApi<Settings>;
 
 /** The part of localStorage that is used; it may throw when the browser forbids it. */
-export interface Shelf {
+export interface BrowserStorage {
   getItem(key: string): string | null;
   setItem(key: string, value: string): void;
 }
 
 const KEY = "epf-gcs.settings";
 
-/** The chosen settings, kept on the shelf at each change; without a usable shelf they last as long as the page. */
-export function createSettings(shelf: Shelf | null): SettingsStore {
-  const store = createStore<Settings>(() => read(shelf));
+/** The chosen settings, kept on the storage at each change; without a usable storage they last as long as the page. */
+export function createSettings(storage: BrowserStorage | null): SettingsStore {
+  const store = createStore<Settings>(() => read(storage));
   store.subscribe((settings) => {
     try {
-      shelf?.setItem(KEY, JSON.stringify(settings));
+      storage?.setItem(KEY, JSON.stringify(settings));
     } catch {
       // Full or forbidden: the page works without a memory.
     }
@@ -39,8 +39,8 @@ export function choose(store: SettingsStore, name: string, value: string): void 
   store.setState(({ choices }) => ({ choices: { ...choices, [name]: value } }));
 }
 
-function read(shelf: Shelf | null): Settings {
-  const stored = parse(shelf);
+function read(storage: BrowserStorage | null): Settings {
+  const stored = parse(storage);
   const { choices, language, theme } = stored;
   return {
     language: LANGUAGES.find((known) => known === language) ?? "es",
@@ -53,9 +53,9 @@ function read(shelf: Shelf | null): Settings {
   };
 }
 
-function parse(shelf: Shelf | null): Readonly<Record<string, unknown>> {
+function parse(storage: BrowserStorage | null): Readonly<Record<string, unknown>> {
   try {
-    const value: unknown = JSON.parse(shelf?.getItem(KEY) ?? "null");
+    const value: unknown = JSON.parse(storage?.getItem(KEY) ?? "null");
     return isObject(value) ? value : {};
   } catch {
     return {};

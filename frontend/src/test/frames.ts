@@ -1,7 +1,7 @@
 import type { FrameSource } from "../store/pump";
 
 /** Displayed frames at the test's command. */
-export class HandFrames implements FrameSource {
+export class ManualFrames implements FrameSource {
   #pending = new Map<number, (now_ms: number) => void>();
   #next = 1;
 

@@ -1,8 +1,8 @@
-import type { GamepadReader } from "../app/gamepadDesk";
-import type { Pad } from "../lib/gamepad";
+import type { GamepadReader } from "../features/gamepad/gamepadInput";
+import type { Pad } from "../features/gamepad/stickMapping";
 
 /** The gamepads of a browser at the test's command. */
-export class HandGamepads implements GamepadReader {
+export class ManualGamepads implements GamepadReader {
   pads: readonly Pad[] = [];
   visible = true;
   #changed: () => void = () => undefined;

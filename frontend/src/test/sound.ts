@@ -1,9 +1,9 @@
-import type { Sounder, SounderState, Speaker, SpeakerState } from "../store/alarmBook";
-import type { AlarmLevel } from "../store/alarms";
+import type { Sounder, SounderState, Speaker, SpeakerState } from "../features/alarms/alarmLog";
+import type { AlarmLevel } from "../features/alarms/raisedAlarms";
 import type { Language } from "../store/settings";
 
 /** Tones that are written down. */
-export class HandSounder implements Sounder {
+export class ManualSounder implements Sounder {
   readonly played: Array<AlarmLevel | "hush"> = [];
   #state: SounderState = "ready";
   readonly #listeners: Array<() => void> = [];
@@ -28,7 +28,7 @@ export class HandSounder implements Sounder {
 }
 
 /** Sentences that are written down. */
-export class HandSpeaker implements Speaker {
+export class ManualSpeaker implements Speaker {
   readonly said: string[] = [];
   #state: SpeakerState = "ready";
   readonly #listeners: Array<() => void> = [];

@@ -2,20 +2,21 @@ import { act, render } from "@testing-library/react";
 import type { ReactElement } from "react";
 import { I18nextProvider } from "react-i18next";
 import { App } from "../app/App";
+import { CATALOGUES } from "../app/catalogues";
+import { loadParts } from "../app/loadParts";
 import { createPage, type World } from "../app/page";
-import { loadParts } from "../app/parts";
 import { createI18n } from "../i18n/i18n";
 import type { Sample } from "../protocol/envelope";
 import type { Status } from "../protocol/status";
 import { FIELD_KINDS } from "../protocol/topics";
 import { type Page, PageContext } from "../store/hooks";
-import type { Shelf } from "../store/settings";
+import type { BrowserStorage } from "../store/settings";
+import { aStatus } from "./aStatus";
 import { installCanvas } from "./canvas";
-import { HandFrames } from "./frames";
-import { HandGamepads } from "./gamepads";
-import { HandSounder, HandSpeaker } from "./sound";
-import { aStatus } from "./status";
-import { HandTimers, HandWire } from "./wire";
+import { ManualFrames } from "./frames";
+import { ManualGamepads } from "./gamepads";
+import { ManualSounder, ManualSpeaker } from "./sound";
+import { ManualTimers, ManualWire } from "./wire";
 
 /** What the page asked over REST, and what it is told. */
 export interface Asked {
@@ -30,7 +31,7 @@ await loadParts();
 
 const START_S = 1_700_000_000;
 
-class MemoryShelf implements Shelf {
+class MemoryStorage implements BrowserStorage {
   readonly #kept = new Map<string, string>();
   getItem = (key: string): string | null => this.#kept.get(key) ?? null;
   setItem = (key: string, value: string): void => {
@@ -40,12 +41,12 @@ class MemoryShelf implements Shelf {
 
 /** The whole page in a document, with a gateway, a clock and displayed frames at the test's command. */
 export class Station {
-  readonly timers = new HandTimers();
-  readonly frames = new HandFrames();
-  readonly sounder = new HandSounder();
-  readonly speaker = new HandSpeaker();
-  readonly gamepads = new HandGamepads();
-  readonly wires: HandWire[] = [];
+  readonly timers = new ManualTimers();
+  readonly frames = new ManualFrames();
+  readonly sounder = new ManualSounder();
+  readonly speaker = new ManualSpeaker();
+  readonly gamepads = new ManualGamepads();
+  readonly wires: ManualWire[] = [];
   readonly asked: Asked[] = [];
   readonly clients: Array<string | null> = [];
   /** The files that the page gave the person to keep. */
@@ -62,7 +63,7 @@ export class Station {
       timers: this.timers,
       wall_ms: () => START_S * 1000 + this.timers.now_ms(),
       dial: (client, listener) => {
-        const wire = new HandWire(listener);
+        const wire = new ManualWire(listener);
         this.wires.push(wire);
         this.clients.push(client);
         return wire;
@@ -70,8 +71,8 @@ export class Station {
       fetch: (path, init) => this.#ask(path, init),
       requestFrame: this.frames.request,
       cancelFrame: this.frames.cancel,
-      shelf: new MemoryShelf(),
-      tabShelf: new MemoryShelf(),
+      storage: new MemoryStorage(),
+      tabStorage: new MemoryStorage(),
       sounder: this.sounder,
       speaker: this.speaker,
       gamepads: this.gamepads,
@@ -81,7 +82,7 @@ export class Station {
     const { page, start } = createPage(world);
     this.page = page;
     render(
-      <I18nextProvider i18n={createI18n("es")}>
+      <I18nextProvider i18n={createI18n(CATALOGUES, "es")}>
         <PageContext value={page}>{shown}</PageContext>
       </I18nextProvider>,
     );

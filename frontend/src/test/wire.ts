@@ -1,7 +1,8 @@
-import type { Timers, Wire, WireListener } from "../transport/socket";
+import type { Timers } from "../lib/timers";
+import type { Wire, WireListener } from "../transport/socket";
 
 /** A stream's line at the test's command. */
-export class HandWire implements Wire {
+export class ManualWire implements Wire {
   readonly sent: string[] = [];
   closed = false;
   /** Bytes that wait in the browser. */
@@ -39,7 +40,7 @@ export class HandWire implements Wire {
 }
 
 /** A clock and timers at the test's command. */
-export class HandTimers implements Timers {
+export class ManualTimers implements Timers {
   #now_ms = 0;
   #waiting: Array<{ readonly due_ms: number; readonly run: () => void }> = [];
 

@@ -1,17 +1,17 @@
 import { beforeEach, describe, expect, test } from "vitest";
 import type { StreamMessage } from "../protocol/envelope";
-import { aStatus } from "../test/status";
-import { HandTimers, HandWire } from "../test/wire";
+import { aStatus } from "../test/aStatus";
+import { ManualTimers, ManualWire } from "../test/wire";
 import { type SocketState, StreamSocket } from "./socket";
 
-let timers: HandTimers;
-let wires: HandWire[];
+let timers: ManualTimers;
+let wires: ManualWire[];
 let messages: StreamMessage[];
 let states: SocketState[];
 let malformed: number;
 let socket: StreamSocket;
 
-function wire(): HandWire {
+function wire(): ManualWire {
   const newest = wires.at(-1);
   if (newest === undefined) {
     throw new Error("nothing was dialled");
@@ -23,14 +23,14 @@ const status = { type: "status", data: aStatus() };
 const batch = (seq: number) => ({ type: "batch", seq, t_s: 1, missed: 0, missed_events: 0, samples: [] });
 
 beforeEach(() => {
-  timers = new HandTimers();
+  timers = new ManualTimers();
   wires = [];
   messages = [];
   states = [];
   malformed = 0;
   socket = new StreamSocket({
     dial: (listener) => {
-      wires.push(new HandWire(listener));
+      wires.push(new ManualWire(listener));
       return wire();
     },
     timers,
@@ -60,11 +60,11 @@ describe("batches", () => {
   });
 
   test("one that its receiver could not take is acknowledged too", () => {
-    const broken = new HandTimers();
-    const only: HandWire[] = [];
+    const broken = new ManualTimers();
+    const only: ManualWire[] = [];
     const failing = new StreamSocket({
       dial: (listener) => {
-        const dialled = new HandWire(listener);
+        const dialled = new ManualWire(listener);
         only.push(dialled);
         return dialled;
       },

@@ -1,3 +1,4 @@
+import type { Timers } from "../lib/timers";
 import type { StreamMessage } from "../protocol/envelope";
 import { batchNumber, parseMessage } from "../protocol/envelope";
 
@@ -13,12 +14,6 @@ export interface Wire {
 export interface WireListener {
   readonly onMessage: (data: unknown) => void;
   readonly onClose: () => void;
-}
-
-/** Time and timers, from the browser or from a test. */
-export interface Timers {
-  readonly now_ms: () => number;
-  readonly after: (delay_ms: number, run: () => void) => () => void;
 }
 
 /**

@@ -2,7 +2,7 @@ import { screen, within } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { afterEach, expect, test, vi } from "vitest";
 import { type AlarmItem, AlarmStrip, type EndedItem, endedWithoutPlace } from "./AlarmStrip";
-import { renderWithWords } from "./test/words";
+import { renderWithWords } from "./test/testWords";
 
 const LOST: AlarmItem = {
   id: "heartbeat_lost",

@@ -3,7 +3,7 @@ import userEvent from "@testing-library/user-event";
 import { expect, test, vi } from "vitest";
 import { Button } from "./Button";
 import type { CommandState } from "./states";
-import { renderWithWords } from "./test/words";
+import { renderWithWords } from "./test/testWords";
 
 test("a press by pointer or keyboard is one press", async () => {
   const onPress = vi.fn();

@@ -3,7 +3,7 @@ import userEvent from "@testing-library/user-event";
 import { expect, test, vi } from "vitest";
 import { Checkbox } from "./Checkbox";
 import { RangeField } from "./RangeField";
-import { renderWithWords } from "./test/words";
+import { renderWithWords } from "./test/testWords";
 
 test("a box is ticked by keyboard, and tells which way", async () => {
   const onChange = vi.fn();

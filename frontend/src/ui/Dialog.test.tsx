@@ -2,7 +2,7 @@ import { screen } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { expect, test, vi } from "vitest";
 import { ConfirmDialog, Dialog } from "./Dialog";
-import { renderWithWords } from "./test/words";
+import { renderWithWords } from "./test/testWords";
 
 function draw() {
   const onClose = vi.fn();

@@ -2,7 +2,7 @@ import { screen } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { expect, test, vi } from "vitest";
 import { FileButton } from "./FileButton";
-import { renderWithWords } from "./test/words";
+import { renderWithWords } from "./test/testWords";
 
 function draw(disabledReason?: string) {
   const onFile = vi.fn();

@@ -2,7 +2,7 @@ import { screen } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { expect, test, vi } from "vitest";
 import { Notice } from "./Notice";
-import { renderWithWords } from "./test/words";
+import { renderWithWords } from "./test/testWords";
 
 test("an error interrupts and can be put away", async () => {
   const onDismiss = vi.fn();

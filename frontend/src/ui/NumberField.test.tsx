@@ -3,7 +3,7 @@ import userEvent from "@testing-library/user-event";
 import type { ComponentProps } from "react";
 import { expect, test, vi } from "vitest";
 import { NumberField } from "./NumberField";
-import { renderWithWords } from "./test/words";
+import { renderWithWords } from "./test/testWords";
 
 function draw(props: Partial<ComponentProps<typeof NumberField>> = {}) {
   const onCommit = vi.fn();

@@ -2,7 +2,7 @@ import { render, screen } from "@testing-library/react";
 import { createRef } from "react";
 import { expect, test } from "vitest";
 import { Readout, ReadoutGrid, type ReadoutHandle } from "./Readout";
-import { renderWithWords, WORDS } from "./test/words";
+import { renderWithWords, WORDS } from "./test/testWords";
 import { WordsProvider } from "./words";
 
 function draw() {

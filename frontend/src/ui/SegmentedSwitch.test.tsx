@@ -2,7 +2,7 @@ import { screen } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { afterEach, expect, test, vi } from "vitest";
 import { SegmentedSwitch } from "./SegmentedSwitch";
-import { renderWithWords } from "./test/words";
+import { renderWithWords } from "./test/testWords";
 
 const OPTIONS = [
   { value: "joystick", label: "Joystick" },

@@ -1,7 +1,7 @@
 import { screen } from "@testing-library/react";
 import { expect, test } from "vitest";
 import { StatusFlag } from "./StatusFlag";
-import { renderWithWords } from "./test/words";
+import { renderWithWords } from "./test/testWords";
 
 test.each([
   [true, "w-on", "on"],

@@ -2,7 +2,7 @@ import { render } from "@testing-library/react";
 import { createRef } from "react";
 import { expect, test } from "vitest";
 import { StreamBadge, type StreamBadgeHandle } from "./StreamBadge";
-import { renderWithWords, WORDS } from "./test/words";
+import { renderWithWords, WORDS } from "./test/testWords";
 import { WordsProvider } from "./words";
 
 test("the badge tells state and age in words, from the first moment on", () => {

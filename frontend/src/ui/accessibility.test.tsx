@@ -17,7 +17,7 @@ import { StreamBadge } from "./StreamBadge";
 import { Tabs } from "./Tabs";
 import { TextField } from "./TextField";
 import { Toolbar } from "./Toolbar";
-import { renderWithWords } from "./test/words";
+import { renderWithWords } from "./test/testWords";
 
 const nothing = () => undefined;
 const PATHS = [

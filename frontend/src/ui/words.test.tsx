@@ -2,7 +2,7 @@ import { render, screen } from "@testing-library/react";
 import { expect, test, vi } from "vitest";
 import { StatusFlag } from "./StatusFlag";
 import type { CommandState, DataState } from "./states";
-import { WORDS } from "./test/words";
+import { WORDS } from "./test/testWords";
 import { commandWord, dataWord, WordsProvider } from "./words";
 
 test("every state but rest has a word of its own", () => {

@@ -1,8 +1,8 @@
 import type { ReactNode } from "react";
 import { useTranslation } from "react-i18next";
+import { AS_SENT, chooseUnit, QUANTITIES, type Quantity, unitChoice, unitsOf } from "../../store/chosenUnits";
 import { usePage, useSettings } from "../../store/hooks";
 import { choose, LANGUAGES } from "../../store/settings";
-import { AS_SENT, chooseUnit, QUANTITIES, type Quantity, unitChoice, unitsOf } from "../../store/units";
 import { THEMES } from "../../theme/theme";
 import { SegmentedSwitch } from "../../ui/SegmentedSwitch";
 import { MOTION, motionOf } from "../motion";

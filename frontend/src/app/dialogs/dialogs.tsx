@@ -8,8 +8,8 @@ import { Notice } from "../../ui/Notice";
 
 /** The windows that a menu or a key opens; each is loaded when it is first wanted. */
 export const DIALOGS = {
-  about: lazyPart(async () => (await import("./AboutDialog")).AboutContent),
-  guide: lazyPart(async () => (await import("../../views/guide/GuideContent")).GuideContent),
+  about: lazyPart(async () => (await import("../../features/about/AboutDialog")).AboutContent),
+  guide: lazyPart(async () => (await import("../../features/guide/GuideContent")).GuideContent),
   settings: lazyPart(async () => (await import("./SettingsDialog")).SettingsContent),
   shortcuts: lazyPart(async () => (await import("./ShortcutsDialog")).ShortcutsContent),
 } as const satisfies Readonly<Record<string, LazyPart>>;

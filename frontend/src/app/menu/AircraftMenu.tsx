@@ -1,10 +1,13 @@
 import { useTranslation } from "react-i18next";
-import { useBoardBlocked, useGatewayBlocked } from "../../live/useBlocked";
-import { useGamepadBlocked, useStickIsMine, useStickKind } from "../../live/useStick";
-import { usePage, useTelemetry } from "../../store/hooks";
+import { type Source, useSource } from "../../features/controls/useSource";
+import { GAMEPADS } from "../../features/gamepad/gamepadList";
+import { useGamepadBlocked } from "../../features/gamepad/useGamepadBlocked";
+import { useStickIsMine, useStickKind } from "../../readouts/useStick";
+import { ACTIONS } from "../../requests/actions";
+import { useBoardBlocked, useGatewayBlocked } from "../../requests/useBlocked";
+import { usePage, usePart, useTelemetry } from "../../store/hooks";
 import { choose } from "../../store/settings";
 import { Menu, MenuAction, MenuGroup, MenuRule } from "../../ui/MenuBar";
-import { type Source, useSource } from "../useSource";
 import { CommandItem, useOutcome } from "./items";
 
 /** Numbers of `servos_control_mode` on the wire. */
@@ -30,7 +33,7 @@ export function AircraftMenu() {
 }
 
 function SourceItem({ source, label }: { source: Source; label: string }) {
-  const { actions } = usePage();
+  const actions = usePart(ACTIONS);
   const current = useSource();
   return (
     <MenuAction
@@ -46,7 +49,8 @@ function SourceItem({ source, label }: { source: Source; label: string }) {
 /** Where the stick comes from while the source is the joystick. */
 function StickItems() {
   const { t } = useTranslation();
-  const { gamepads, settings } = usePage();
+  const { settings } = usePage();
+  const gamepads = usePart(GAMEPADS);
   const kind = useStickKind();
   const isMine = useStickIsMine();
   return (

@@ -1,13 +1,14 @@
 import { useTranslation } from "react-i18next";
-import { useBoardBlocked } from "../../live/useBlocked";
+import { readAutopilot, readAutotrim } from "../../features/controls/axes";
+import { useSource } from "../../features/controls/useSource";
 import type { CommandName } from "../../protocol/messages.gen";
 import type { NumberField } from "../../protocol/topics";
-import { useConnection, usePage, useTelemetry } from "../../store/hooks";
+import { ACTIONS } from "../../requests/actions";
+import { useBoardBlocked } from "../../requests/useBlocked";
+import { useConnection, usePart, useTelemetry } from "../../store/hooks";
 import type { TelemetryStore } from "../../store/telemetry";
 import { Menu, MenuChoice, MenuRule } from "../../ui/MenuBar";
-import { readAutopilot, readAutotrim } from "../controls";
 import { useDialogs } from "../dialogs/dialogs";
-import { useSource } from "../useSource";
 import { CommandItem, useOutcome } from "./items";
 
 export function AutopilotMenu() {
@@ -95,7 +96,7 @@ interface SourceProps {
 
 function SourceChoice({ label, command, field, words }: SourceProps) {
   const { t } = useTranslation();
-  const { actions } = usePage();
+  const actions = usePart(ACTIONS);
   const blocked = useBoardBlocked();
   const hasSources = useConnection(({ status }) => status?.board.features.sources === true);
   const value = useTelemetry((telemetry, now_ms) => telemetry.liveNumber("board_status", field, now_ms));

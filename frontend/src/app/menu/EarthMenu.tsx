@@ -1,6 +1,7 @@
 import { useTranslation } from "react-i18next";
-import { useGatewayBlocked } from "../../live/useBlocked";
-import { usePage } from "../../store/hooks";
+import { TRACK_EDITS } from "../../features/map/trackEdits";
+import { useGatewayBlocked } from "../../requests/useBlocked";
+import { usePart } from "../../store/hooks";
 import { Menu, MenuAction, MenuLink, MenuRule } from "../../ui/MenuBar";
 import { useDialogs } from "../dialogs/dialogs";
 import { useOutcome } from "./items";
@@ -20,7 +21,7 @@ export function EarthMenu() {
 
 function TrackReset() {
   const { t } = useTranslation();
-  const { frame } = usePage();
+  const trackEdits = usePart(TRACK_EDITS);
   const { ask } = useDialogs();
   return (
     <MenuAction
@@ -33,7 +34,7 @@ function TrackReset() {
           text: t("menu.trackResetText"),
           confirm: t("menu.trackResetConfirm"),
           danger: true,
-          onConfirm: () => void frame.resetTrack({ control: "track.reset" }),
+          onConfirm: () => void trackEdits.reset({ control: "track.reset" }),
         })
       }
       {...useOutcome("track.reset")}
@@ -43,12 +44,12 @@ function TrackReset() {
 
 function TrackRestore() {
   const { t } = useTranslation();
-  const { frame } = usePage();
+  const trackEdits = usePart(TRACK_EDITS);
   return (
     <MenuAction
       label={t("menu.trackRestore")}
       disabledReason={useGatewayBlocked()}
-      onChoose={() => void frame.restoreTrack({ control: "track.restore" })}
+      onChoose={() => void trackEdits.restore({ control: "track.restore" })}
       {...useOutcome("track.restore")}
     />
   );

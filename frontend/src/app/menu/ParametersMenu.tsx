@@ -1,10 +1,11 @@
 import { useTranslation } from "react-i18next";
-import { useGatewayBlocked } from "../../live/useBlocked";
+import { useEmulation } from "../../features/emulation/EmulationBanner";
+import { EMULATION } from "../../features/emulation/emulationRequests";
 import type { CommandName } from "../../protocol/messages.gen";
 import type { FlagField } from "../../protocol/topics";
-import { usePage, useTelemetry } from "../../store/hooks";
+import { useGatewayBlocked } from "../../requests/useBlocked";
+import { usePart, useTelemetry } from "../../store/hooks";
 import { Menu, MenuRule, MenuSwitch } from "../../ui/MenuBar";
-import { useEmulation } from "../emulation";
 import { CommandItem, FlagSwitch, useOutcome } from "./items";
 
 interface Stream {
@@ -72,7 +73,7 @@ function PlanItems({ topic, on, off }: PlanProps) {
 
 function EmulationSwitch() {
   const { t } = useTranslation();
-  const { frame } = usePage();
+  const emulation = usePart(EMULATION);
   const blocked = useGatewayBlocked();
   const { isOn, before_url } = useEmulation();
   const asker = { control: "emulation" };
@@ -80,9 +81,7 @@ function EmulationSwitch() {
     <MenuSwitch
       label={t("menu.emulation")}
       checked={isOn}
-      onChange={(checked) =>
-        void (checked ? frame.startEmulation(asker) : frame.endEmulation(before_url, asker))
-      }
+      onChange={(checked) => void (checked ? emulation.start(asker) : emulation.end(before_url, asker))}
       disabledReason={blocked}
       {...useOutcome("emulation")}
     />

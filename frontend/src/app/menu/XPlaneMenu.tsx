@@ -1,5 +1,5 @@
 import { useTranslation } from "react-i18next";
-import { useGatewayBlocked } from "../../live/useBlocked";
+import { useGatewayBlocked } from "../../requests/useBlocked";
 import { useConnection, useTelemetry } from "../../store/hooks";
 import { Menu, MenuAction, MenuRule } from "../../ui/MenuBar";
 import { useChoosePath } from "../useChoosePath";

@@ -1,11 +1,12 @@
 import type { ReactNode } from "react";
 import { useTranslation } from "react-i18next";
 import { useSentence } from "../../i18n/useSentence";
-import { useBoardBlocked } from "../../live/useBlocked";
 import type { CommandName } from "../../protocol/messages.gen";
-import type { CommandValue } from "../../store/actions";
+import type { CommandValue } from "../../requests/actions";
+import { ACTIONS } from "../../requests/actions";
+import { useBoardBlocked } from "../../requests/useBlocked";
 import type { CommandState } from "../../store/commands";
-import { useCommandEntry, usePage, useTelemetry } from "../../store/hooks";
+import { useCommandEntry, usePart, useTelemetry } from "../../store/hooks";
 import type { TelemetryStore } from "../../store/telemetry";
 import { MenuAction, MenuSwitch } from "../../ui/MenuBar";
 
@@ -54,7 +55,7 @@ export function CommandItem(props: CommandProps): ReactNode {
     confirm,
   } = props;
   const { t } = useTranslation();
-  const { actions } = usePage();
+  const actions = usePart(ACTIONS);
   const blocked = useBoardBlocked();
   const outcome = useOutcome(control, asked);
   const send = (): void =>
@@ -82,7 +83,7 @@ interface SwitchProps {
 /** A switch that stands where the heartbeat's flag says. Without a live heartbeat nobody knows where it stands. */
 export function FlagSwitch({ label, control, on, off, read }: SwitchProps): ReactNode {
   const { t } = useTranslation();
-  const { actions } = usePage();
+  const actions = usePart(ACTIONS);
   const blocked = useBoardBlocked();
   const outcome = useOutcome(control);
   const flag = useTelemetry((telemetry, now_ms) =>

@@ -1,5 +1,7 @@
+import { ALARM_LOG } from "../../features/alarms/alarmLog";
 import { CAMERA_CHOICE, cameraOf, nextCamera } from "../../lib/mapCamera";
 import type { CommandName } from "../../protocol/messages.gen";
+import { ACTIONS } from "../../requests/actions";
 import type { Page } from "../../store/hooks";
 import type { MessageParams } from "../../store/messages";
 import { choose } from "../../store/settings";
@@ -33,7 +35,7 @@ function command(key: string, name: CommandName, control: string, asked?: string
     words: `command.${name}`,
     isArmed: true,
     run: ({ page }) =>
-      void page.actions.command(name, asked === undefined ? { control } : { control, asked }),
+      void page.parts.get(ACTIONS).command(name, asked === undefined ? { control } : { control, asked }),
   };
 }
 
@@ -62,7 +64,8 @@ export const SHORTCUTS: readonly Shortcut[] = [
       group: "flight",
       words: `command.hil_source_${source}`,
       isArmed: true,
-      run: ({ page }) => void page.actions.setHil({ source }, { control: "source", asked: source }),
+      run: ({ page }) =>
+        void page.parts.get(ACTIONS).setHil({ source }, { control: "source", asked: source }),
     }),
   ),
   ...(["manual", "assisted"] as const).map(
@@ -71,7 +74,7 @@ export const SHORTCUTS: readonly Shortcut[] = [
       group: "flight",
       words: `command.hil_path_${path}`,
       isArmed: true,
-      run: ({ page }) => void page.actions.setHil({ path }, { control: "path", asked: path }),
+      run: ({ page }) => void page.parts.get(ACTIONS).setHil({ path }, { control: "path", asked: path }),
     }),
   ),
   {
@@ -79,14 +82,14 @@ export const SHORTCUTS: readonly Shortcut[] = [
     group: "flight",
     words: "command.read_all",
     isArmed: false,
-    run: ({ page }) => void page.actions.command("read_all", { control: "read_all" }),
+    run: ({ page }) => void page.parts.get(ACTIONS).command("read_all", { control: "read_all" }),
   },
   {
     key: "c",
     group: "flight",
     words: "control.take",
     isArmed: false,
-    run: ({ page }) => void page.actions.takeControl({ control: "control" }),
+    run: ({ page }) => void page.parts.get(ACTIONS).takeControl({ control: "control" }),
   },
   {
     key: "v",
@@ -101,9 +104,9 @@ export const SHORTCUTS: readonly Shortcut[] = [
   {
     key: "s",
     group: "window",
-    words: "alarmBook.mute",
+    words: "alarmLog.mute",
     isArmed: false,
-    run: ({ page }) => page.alarmBook.mute(),
+    run: ({ page }) => page.parts.get(ALARM_LOG).mute(),
   },
   {
     key: ",",

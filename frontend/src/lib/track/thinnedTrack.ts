@@ -1,6 +1,6 @@
 import type { TrackBlock } from "./block";
-import type { TrackPoints } from "./points";
 import { type Thinned, thin } from "./thinning";
+import type { TrackPoints } from "./trackPoints";
 
 /**
  * The complete blocks of a track with their levels of detail. They are made a few at a time: two hours that come in

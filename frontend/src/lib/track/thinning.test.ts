@@ -1,9 +1,9 @@
 import { expect, test } from "vitest";
 import { writeEcef } from "../ecef";
 import { DEGREES_PER_UNIT, METRES_PER_UNIT, type TrackBlock } from "./block";
-import { TrackPoints } from "./points";
 import { ThinnedTrack } from "./thinnedTrack";
 import { kept, type Thinned } from "./thinning";
+import { TrackPoints } from "./trackPoints";
 
 /** Circles, climbs and a straight leg, with the noise of a receiver. */
 function flown(count: number): TrackPoints {

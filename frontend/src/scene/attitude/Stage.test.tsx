@@ -2,7 +2,7 @@ import { PerspectiveCamera, Scene } from "three";
 import { beforeEach, describe, expect, test, vi } from "vitest";
 import { quaternionOf } from "../../lib/attitude";
 import { AttitudeMotion } from "../../lib/attitudeMotion";
-import { HandFrames } from "../../test/frames";
+import { ManualFrames } from "../../test/frames";
 import { type Act, type Drawer, Stage } from "./Stage";
 
 class CountingDrawer implements Drawer {
@@ -62,14 +62,14 @@ class StillAct implements Act {
 }
 
 let drawer: CountingDrawer;
-let frames: HandFrames;
+let frames: ManualFrames;
 let stage: Stage;
 let act: StillAct;
 let host: HTMLElement;
 
 beforeEach(() => {
   drawer = new CountingDrawer();
-  frames = new HandFrames();
+  frames = new ManualFrames();
   stage = new Stage(drawer, frames);
   act = new StillAct();
   host = document.createElement("div");

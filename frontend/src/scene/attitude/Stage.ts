@@ -1,6 +1,6 @@
 import type { PerspectiveCamera, Scene } from "three";
 import { FrameBudget } from "../frameBudget";
-import { stageLimits } from "./budget";
+import { stageLimits } from "./stageBudget";
 
 /** What really draws: WebGL, or a test's counter. */
 export interface Drawer {

@@ -1,8 +1,8 @@
 import { type PerspectiveCamera, type Scene, WebGLRenderer } from "three";
 import { CopiedPicture } from "../CopiedPicture";
 import { drawsInSoftware, FrameCost } from "../graphics";
-import { softwareRatio } from "./budget";
 import type { Drawer } from "./Stage";
+import { softwareRatio } from "./stageBudget";
 
 /** Sharper than this nobody sees, and it costs by the square. */
 const MOST_PIXELS_PER_PIXEL = 2;

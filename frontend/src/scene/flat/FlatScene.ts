@@ -1,5 +1,5 @@
 import type { Position } from "../../lib/geodesy";
-import type { TrackPoints } from "../../lib/track/points";
+import type { TrackPoints } from "../../lib/track/trackPoints";
 import type { Island } from "../globe/chart/coast";
 import type { CompassLetters } from "../globe/chart/graticule";
 import type { Grip, GroundPlace } from "../tools/MapPointer";

@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 import type { Position } from "../../lib/geodesy";
 import { BLOCK_POINTS } from "../../lib/track/block";
-import { type TrackPoint, TrackPoints } from "../../lib/track/points";
+import { type TrackPoint, TrackPoints } from "../../lib/track/trackPoints";
 import { FlatTrack, type FlatTrackLook } from "./FlatTrack";
 import { around, type FlatView, type ScreenPoint, toScreen } from "./projection";
 

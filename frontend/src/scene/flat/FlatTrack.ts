@@ -1,8 +1,8 @@
 import { DEGREES_PER_UNIT, METRES_PER_UNIT, type TrackBlock } from "../../lib/track/block";
-import { type Colouring, colourOf, type Range, SCALES } from "../../lib/track/colours";
-import type { TrackPoints } from "../../lib/track/points";
 import { ThinnedTrack } from "../../lib/track/thinnedTrack";
 import { kept, type Thinned } from "../../lib/track/thinning";
+import { type Colouring, colourOf, type Range, SCALES } from "../../lib/track/trackColours";
+import type { TrackPoints } from "../../lib/track/trackPoints";
 import { type Box, boxOf, overlaps } from "../globe/chart/geometry";
 import { boxSeen, type FlatView, metresPerPixel, toScreen } from "./projection";
 

@@ -13,7 +13,7 @@ import { tellTiming } from "../../lib/timing";
 import { CopiedPicture } from "../CopiedPicture";
 import { FrameBudget } from "../frameBudget";
 import { drawsInSoftware, FrameCost } from "../graphics";
-import { globeLimits, softwareScale } from "./budget";
+import { globeLimits, softwareScale } from "./globeBudget";
 import { Ground } from "./ground";
 import { hastenTiles, setQuality, setScale } from "./quality";
 

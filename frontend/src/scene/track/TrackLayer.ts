@@ -1,6 +1,8 @@
 import { BoundingSphere, Cartesian3, Cartesian4, type RendererFrame } from "@cesium/engine";
 import { tellTiming } from "../../lib/timing";
 import { METRES_PER_UNIT } from "../../lib/track/block";
+import { ThinnedTrack } from "../../lib/track/thinnedTrack";
+import type { Thinned } from "../../lib/track/thinning";
 import {
   COLOURINGS,
   type Colouring,
@@ -8,10 +10,8 @@ import {
   SCALES,
   type Range as Scale,
   UNKNOWN_COLOUR,
-} from "../../lib/track/colours";
-import type { TrackPoints } from "../../lib/track/points";
-import { ThinnedTrack } from "../../lib/track/thinnedTrack";
-import type { Thinned } from "../../lib/track/thinning";
+} from "../../lib/track/trackColours";
+import type { TrackPoints } from "../../lib/track/trackPoints";
 import type { Globe } from "../globe/Globe";
 import { downToTheSea, isWithin } from "../ribbon/ball";
 import { Ribbon, type RibbonStyle } from "../ribbon/Ribbon";

@@ -1,8 +1,8 @@
 import { expect, test } from "vitest";
 import { writeEcef } from "../../lib/ecef";
 import { DEGREES_PER_UNIT, METRES_PER_UNIT, type TrackBlock } from "../../lib/track/block";
-import { TrackPoints } from "../../lib/track/points";
 import { ThinnedTrack } from "../../lib/track/thinnedTrack";
+import { TrackPoints } from "../../lib/track/trackPoints";
 import { POINT_FLOATS, placeOf } from "../ribbon/vertices";
 import { type Eye, MAX_BODY_POINTS, TrackBody } from "./body";
 

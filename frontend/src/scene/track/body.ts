@@ -1,7 +1,7 @@
 import type { ThinnedTrack } from "../../lib/track/thinnedTrack";
 import { PIECE_POINTS, type Thinned } from "../../lib/track/thinning";
 import { POINT_FLOATS } from "../ribbon/vertices";
-import { writePoint } from "./points";
+import { writePoint } from "./writePoint";
 
 /** From where the track is seen: earth-centred metres, and the angle, radians, by which a line may stray from what was flown. */
 export interface Eye {

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { TrackPoints } from "../../lib/track/points";
+import { TrackPoints } from "../../lib/track/trackPoints";
 import { POINT_FLOATS, placeOf } from "../ribbon/vertices";
 import { type Tip, TrackTail } from "./tail";
 

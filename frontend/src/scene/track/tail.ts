@@ -1,7 +1,7 @@
 import { BLOCK_POINTS, DEGREES_PER_UNIT, type TrackBlock } from "../../lib/track/block";
-import { isInterrupted, type TrackPoints } from "../../lib/track/points";
+import { isInterrupted, type TrackPoints } from "../../lib/track/trackPoints";
 import { type Place, POINT_FLOATS, writePlace } from "../ribbon/vertices";
-import { writePoint } from "./points";
+import { writePoint } from "./writePoint";
 
 /** Where the aircraft is shown now, and when it was there by the gateway's clock (Unix seconds). */
 export interface Tip extends Place {

@@ -1,0 +1,46 @@
+import { isNumber, isObject, isText, nullable, oneOf, shape } from "../lib/check";
+import type { StreamEvent } from "../protocol/envelope";
+import type { Status } from "../protocol/status";
+import { resultMessage } from "../requests/actions";
+import { failureMessage, type Message } from "../store/messages";
+
+const isCommandEvent = shape({
+  name: isText,
+  client: nullable(isText),
+  state: oneOf("pending", "confirmed", "rejected", "timed_out", "sent"),
+  by: isText,
+  ms: nullable(isNumber),
+  reason: nullable(isText),
+});
+const isErrorEvent = shape({ code: isText, detail: isText, params: isObject });
+
+/** Says that a link came or went; while it is being opened nothing is said. */
+export function linkMessages(before: Status | null, status: Status): readonly Message[] {
+  return (["board", "simulator"] as const).flatMap((end): readonly Message[] => {
+    const { state } = status[end];
+    if (before === null || before[end].state === state || state === "opening") {
+      return [];
+    }
+    const level = state === "lost" ? "warning" : "info";
+    return [{ level, key: "said.link", params: { what: `@end.${end}`, state: `@link.${state}` } }];
+  });
+}
+
+/** What to say of an event: the gateway's errors, and what became of another browser's command. */
+export function eventMessage({ event, data }: StreamEvent, client: string | null): Message | null {
+  if (event === "error" && isErrorEvent(data)) {
+    return failureMessage(data, "warning");
+  }
+  if (
+    event === "command" &&
+    isCommandEvent(data) &&
+    data.client !== client &&
+    data.state !== "pending" &&
+    // A servo's slider moves twenty times a second: only what failed is said.
+    !(data.name === "servo_out" && data.state !== "rejected" && data.state !== "timed_out")
+  ) {
+    const { name, state, by, ms, reason } = data;
+    return resultMessage(`@command.${name}`, { state, by, ms: ms ?? 0, reason });
+  }
+  return null;
+}

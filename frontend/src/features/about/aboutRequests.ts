@@ -1,0 +1,20 @@
+import { type About, isAbout } from "../../protocol/guards.gen";
+import type { AskingParts } from "../../requests/asking";
+import { failureMessage, type Message } from "../../store/messages";
+import { partName } from "../../store/parts";
+
+export interface AboutRequests {
+  /** What the gateway is made of, or the sentence that says why it does not tell. */
+  readonly read: () => Promise<About | Message>;
+}
+
+export const ABOUT = partName<AboutRequests>("about");
+
+export function createAbout({ rest }: Pick<AskingParts, "rest">): AboutRequests {
+  return {
+    read: async () => {
+      const answer = await rest.ask("GET", "/api/v1/about", isAbout);
+      return answer.ok ? answer.value : failureMessage(answer.problem);
+    },
+  };
+}

@@ -1,0 +1,26 @@
+import type { Vector } from "../../lib/attitude";
+import { useConnection } from "../../store/hooks";
+import type { TelemetryStore } from "../../store/telemetry";
+import type { AttitudeSource } from "./alignment";
+
+/** Where the attitude comes from: the board's frames, or its AHRS test, in which it sends nothing else. */
+export function useAttitudeSource(): AttitudeSource {
+  return useConnection(({ status }) => ((status?.board.ahrs_test ?? "off") === "off" ? "ahrs" : "ahrs_test"));
+}
+
+/** The accelerometer's and the magnetometer's newest, ahead-right-down; null while they are not live or not whole. */
+export function liveVectors(
+  telemetry: TelemetryStore,
+  now_ms: number,
+): { readonly acceleration_m_s2: Vector | null; readonly field: Vector | null } {
+  const read = (field: "accx_m_s2" | "accy_m_s2" | "accz_m_s2" | "magx" | "magy" | "magz") =>
+    telemetry.liveNumber("inertial", field, now_ms);
+  return {
+    acceleration_m_s2: vector(read("accx_m_s2"), read("accy_m_s2"), read("accz_m_s2")),
+    field: vector(read("magx"), read("magy"), read("magz")),
+  };
+}
+
+export function vector(x: number | null, y: number | null, z: number | null): Vector | null {
+  return x === null || y === null || z === null ? null : [x, y, z];
+}

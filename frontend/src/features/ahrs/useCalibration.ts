@@ -1,0 +1,95 @@
+import { useCallback, useRef, useState } from "react";
+import type { Vector } from "../../lib/attitude";
+import { coverageOf, type FieldFit, type FitAnswer, fitField } from "../../lib/ellipsoid";
+import { cover, missingSide, type Side } from "../../lib/sphereCover";
+import { usePart } from "../../store/hooks";
+import type { TelemetryStore } from "../../store/telemetry";
+import { usePaint } from "../../store/usePaint";
+import { AHRS } from "./alignment";
+import { liveVectors } from "./source";
+
+/** A fit takes some milliseconds: nobody reads one faster than this. */
+const FIT_EVERY_MS = 500;
+
+export interface Calibration {
+  readonly count: number;
+  readonly answer: FitAnswer;
+  readonly fit: FieldFit | null;
+  /** Where the readings lie round, and how far: the fit's, or a rough one. */
+  readonly centre: Vector;
+  readonly radius: number;
+  readonly seen: readonly number[];
+  readonly missing: Side | null;
+}
+
+/** All that follows from the readings. */
+export function calibrate(points: readonly Vector[]): Calibration {
+  const answer = fitField(points);
+  const fit = answer.kind === "refused" ? null : answer;
+  const { centre, radius } = fit === null ? rough(points) : { centre: fit.offset, radius: fit.radius };
+  const seen = cover(points, centre);
+  return {
+    count: points.length,
+    answer:
+      fit === null ? { ...answer, coverage: points.length > 0 ? coverageOf(points, centre) : 0 } : answer,
+    fit,
+    centre,
+    radius,
+    seen,
+    missing: missingSide(seen),
+  };
+}
+
+/** Middle and half of the range; of less than a handful, where a board without faults would have them. */
+function rough(points: readonly Vector[]): { centre: Vector; radius: number } {
+  const ends = [0, 1, 2].map((axis) => {
+    const values = points.map((point) => point[axis] ?? 0);
+    return [Math.min(...values), Math.max(...values)] as const;
+  });
+  const half = Math.max(...ends.map(([low, high]) => (high - low) / 2));
+  if (points.length === 0 || !(half > 0.4)) {
+    return { centre: [0, 0, 0], radius: 1 };
+  }
+  const [x = 0, y = 0, z = 0] = ends.map(([low, high]) => (low + high) / 2);
+  return { centre: [x, y, z], radius: half };
+}
+
+interface Collecting {
+  readonly calibration: Calibration;
+  /** Told of each reading of the moment; null while there is none. */
+  readonly onReading: (listener: ((reading: Vector | null) => void) | null) => void;
+}
+
+/** Collects while `isOn`, and works out what follows some times a second. */
+export function useCalibration(isOn: boolean): Collecting {
+  const { samples } = usePart(AHRS);
+  const [calibration, setCalibration] = useState(() => calibrate(samples.points));
+  const listener = useRef<((reading: Vector | null) => void) | null>(null);
+  const last = useRef({ at_s: null as number | null, revision: samples.revision, fit_ms: 0 });
+
+  const collect = useCallback(
+    (telemetry: TelemetryStore, now_ms: number) => {
+      const { field } = liveVectors(telemetry, now_ms);
+      const at_s = telemetry.newestAt_s("inertial");
+      if (isOn && field !== null && at_s !== last.current.at_s) {
+        samples.add(field);
+      }
+      last.current.at_s = at_s;
+      listener.current?.(field);
+      if (samples.revision !== last.current.revision && now_ms - last.current.fit_ms >= FIT_EVERY_MS) {
+        last.current.revision = samples.revision;
+        last.current.fit_ms = now_ms;
+        setCalibration(calibrate(samples.points));
+      }
+    },
+    [isOn, samples],
+  );
+  usePaint("frame", collect);
+
+  return {
+    calibration,
+    onReading: useCallback((told) => {
+      listener.current = told;
+    }, []),
+  };
+}

@@ -1,0 +1,90 @@
+import { BellOff, CheckCheck, Volume2 } from "lucide-react";
+import { useTranslation } from "react-i18next";
+import { formatClock } from "../../lib/moment";
+import { usePage, usePart } from "../../store/hooks";
+import { choose } from "../../store/settings";
+import { AlarmStrip, endedWithoutPlace, LINES } from "../../ui/AlarmStrip";
+import { Button } from "../../ui/Button";
+import { ALARM_LOG } from "./alarmLog";
+import { useActiveAlarms, useEndedAlarms, useMutedFor_s } from "./useAlarms";
+
+/** What is wrong now, on every tab, with what can be done about it. */
+export function AlarmBar() {
+  const { t } = useTranslation();
+  const { settings } = usePage();
+  const alarmLog = usePart(ALARM_LOG);
+  const alarms = useActiveAlarms();
+  const open = alarms.filter(({ acknowledged }) => !acknowledged);
+  const hidden = alarms.length - LINES;
+  const ended = useEndedAlarms();
+  const hiddenEnded = endedWithoutPlace(alarms.length, ended.length);
+  const showList = (): void => choose(settings, "tab", "alarms");
+  return (
+    <AlarmStrip
+      label={t("alarms.label")}
+      alarms={alarms.map(({ id, level, text, acknowledged, since_s, blocked }) => ({
+        id,
+        level,
+        text,
+        acknowledged,
+        detail: formatClock(since_s),
+        blocked,
+      }))}
+      ended={{
+        label: t("alarmLog.ended"),
+        items: ended.map(({ id, level, name, until_s }) => ({
+          id,
+          level,
+          text: name,
+          detail: formatClock(until_s),
+        })),
+        acknowledge: {
+          label: (text) => t("alarmLog.acknowledgeEnded", { text }),
+          onPress: alarmLog.acknowledgeEnded,
+        },
+      }}
+      acknowledge={{
+        text: t("alarmLog.acknowledge"),
+        label: (text) => t("alarmLog.acknowledgeOne", { text }),
+        onPress: (id) => void alarmLog.acknowledge(id, { control: `acknowledge.${id}` }),
+      }}
+    >
+      {hidden > 0 && (
+        <Button onPress={showList} label={t("alarmLog.more", { count: hidden })}>
+          {t("alarmLog.moreShort", { count: hidden })}
+        </Button>
+      )}
+      {hiddenEnded > 0 && (
+        <Button onPress={showList} label={t("alarmLog.moreEnded", { count: hiddenEnded })}>
+          {t("alarmLog.moreEndedShort", { count: hiddenEnded })}
+        </Button>
+      )}
+      {open.length + ended.length > 1 && (
+        <Button
+          onPress={() => void alarmLog.acknowledgeAll()}
+          disabledReason={open[0]?.blocked}
+          icon={<CheckCheck size={14} aria-hidden="true" />}
+        >
+          {t("alarmLog.acknowledgeAll")}
+        </Button>
+      )}
+      {open.length > 0 && <MuteButton />}
+    </AlarmStrip>
+  );
+}
+
+/** Two minutes of silence; while they last, how many seconds are left, and sound again at a press. */
+function MuteButton() {
+  const { t } = useTranslation();
+  const alarmLog = usePart(ALARM_LOG);
+  const muted_s = useMutedFor_s();
+  return muted_s === null ? (
+    <Button onPress={alarmLog.mute} icon={<BellOff size={14} aria-hidden="true" />}>
+      {t("alarmLog.mute")}
+    </Button>
+  ) : (
+    <Button onPress={alarmLog.unmute} icon={<Volume2 size={14} aria-hidden="true" />}>
+      {t("alarmLog.muted", { seconds: muted_s })}
+    </Button>
+  );
+}

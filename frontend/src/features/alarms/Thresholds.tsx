@@ -1,0 +1,83 @@
+import { RotateCcw } from "lucide-react";
+import { useEffect } from "react";
+import { useTranslation } from "react-i18next";
+import { useSentence } from "../../i18n/useSentence";
+import { useAsked } from "../../requests/useAsked";
+import { useGatewayBlocked } from "../../requests/useBlocked";
+import { useConnection, usePart } from "../../store/hooks";
+import { Button } from "../../ui/Button";
+import { NumberField } from "../../ui/NumberField";
+import { Panel } from "../../ui/Panel";
+import type { Threshold } from "./alarmLog";
+import { ALARM_LOG } from "./alarmLog";
+import { useAlarmLogState } from "./useAlarms";
+
+/** From when on something is an alarm. The limits belong to the station: they hold for every page. */
+export function Thresholds() {
+  const { t } = useTranslation();
+  const alarmLog = usePart(ALARM_LOG);
+  const thresholds = useAlarmLogState((state) => state.thresholds);
+  const isOpen = useConnection(({ phase }) => phase === "open");
+  useEffect(() => {
+    if (isOpen) {
+      void alarmLog.readThresholds();
+    }
+  }, [alarmLog, isOpen]);
+  return (
+    <Panel title={t("alarmLog.thresholds")}>
+      {thresholds === null ? (
+        <p className="alarms-none">{t("alarmLog.notRead")}</p>
+      ) : (
+        <ul className="alarms-thresholds">
+          {thresholds.map((threshold) => (
+            <Field key={threshold.name} threshold={threshold} />
+          ))}
+        </ul>
+      )}
+    </Panel>
+  );
+}
+
+/** A tenth where a tenth matters, else one. */
+function stepOf({ maximum, default: usual }: Threshold): number {
+  return maximum >= 100 && usual >= 10 ? 1 : 0.1;
+}
+
+function Field({ threshold }: { threshold: Threshold }) {
+  const { t } = useTranslation();
+  const alarmLog = usePart(ALARM_LOG);
+  const sentence = useSentence();
+  const blocked = useGatewayBlocked();
+  const { name, value, default: usual, minimum, maximum, unit } = threshold;
+  const control = `threshold.${name}`;
+  const { state, stateText } = useAsked(control);
+  const label = sentence({ level: "info", key: `alarmThreshold.${name}`, params: {}, fallback: name });
+  return (
+    <li className="alarms-threshold">
+      <NumberField
+        label={label}
+        value={value}
+        onCommit={(next) => void alarmLog.setThreshold(name, next, { control })}
+        minimum={minimum}
+        maximum={maximum}
+        step={stepOf(threshold)}
+        unit={unit}
+        state={state}
+        stateText={stateText}
+        disabledReason={blocked}
+      />
+      <Button
+        onPress={() => void alarmLog.setThreshold(name, usual, { control })}
+        disabledReason={blocked ?? (value === usual ? t("alarmLog.isDefault") : undefined)}
+        icon={<RotateCcw size={14} aria-hidden="true" />}
+        label={t("alarmLog.resetOne", { label })}
+      >
+        {null}
+      </Button>
+      <span className="alarms-range">
+        <span>{t("alarmLog.range", { minimum, maximum, unit })}</span>
+        <span>{t("alarmLog.default", { value: usual, unit })}</span>
+      </span>
+    </li>
+  );
+}

@@ -1,0 +1,177 @@
+import { createStore, type StoreApi } from "zustand/vanilla";
+import { BOARD_RESTARTED, isBoardRestart } from "../../protocol/boardRestart";
+import type { StreamEvent } from "../../protocol/envelope";
+import type { AlarmBook, ThresholdList } from "../../protocol/guards.gen";
+import type { Asker } from "../../requests/asking";
+import type { Message } from "../../store/messages";
+import { partName } from "../../store/parts";
+import type { Language } from "../../store/settings";
+import type { EndedAlarm } from "./endedAlarms";
+import type { AlarmLevel, BoardRestart, OwnAlarm } from "./raisedAlarms";
+
+export type PastAlarm = AlarmBook["past"][number];
+export type Threshold = ThresholdList["thresholds"][number];
+
+/** `waits`: the browser wants a press of anything first. `none`: it has none. */
+export type SounderState = "ready" | "waits" | "none";
+
+/** Makes the alarms' tones. */
+export interface Sounder {
+  readonly state: () => SounderState;
+  /** Volume 0..1. What still sounds is ended first. */
+  readonly play: (level: AlarmLevel, volume: number) => void;
+  readonly hush: () => void;
+  readonly onState: (changed: () => void) => void;
+}
+
+/** `foreign`: there are voices, none of this language. */
+export type SpeakerState = SounderState | "foreign";
+
+/** Says sentences. */
+export interface Speaker {
+  readonly state: (language: Language) => SpeakerState;
+  /** What it was saying is cut off: there is never a queue. Volume 0..1. */
+  readonly say: (text: string, language: Language, volume: number) => void;
+  readonly hush: () => void;
+  readonly onState: (changed: () => void) => void;
+}
+
+/** How long `mute` lasts. */
+export const MUTE_MS = 120_000;
+/** How many of the page's own past alarms are kept. */
+const OWN_PAST_MOST = 50;
+
+export interface AlarmLogState {
+  /** The page does not hear the gateway; null while it does. */
+  readonly own: OwnAlarm | null;
+  /** The board started anew and nobody has acknowledged it; the newest time. */
+  readonly restart: BoardRestart | null;
+  /** Alarms that ended before anybody acknowledged them, newest first. */
+  readonly ended: readonly EndedAlarm[];
+  /** The page's own alarms that are over, newest first. */
+  readonly ownPast: readonly PastAlarm[];
+  /** The gateway's list, newest first; null until it was asked. */
+  readonly past: readonly PastAlarm[] | null;
+  readonly thresholds: readonly Threshold[] | null;
+  /** Why the list or the thresholds could not be read. */
+  readonly failure: Message | null;
+  /** Counts the gateway's reports of alarms that came or went: the list is out of date when it moves. */
+  readonly reported: number;
+  /** Milliseconds of the page's clock; null while nothing is muted. */
+  readonly mutedUntil_ms: number | null;
+  readonly sounder: SounderState;
+  /** By language. */
+  readonly speaker: Readonly<Record<Language, SpeakerState>>;
+}
+
+export type AlarmLogStore = StoreApi<AlarmLogState>;
+
+export function createAlarmLogStore(): AlarmLogStore {
+  return createStore<AlarmLogState>(() => ({
+    own: null,
+    restart: null,
+    ended: [],
+    ownPast: [],
+    past: null,
+    thresholds: null,
+    failure: null,
+    reported: 0,
+    mutedUntil_ms: null,
+    sounder: "none",
+    speaker: { es: "none", en: "none" },
+  }));
+}
+
+/** So many gains are named. */
+const NAMED = 4;
+
+/** What the stream tells of alarms: one came or went, or the board started anew. */
+export function takeAlarmEvent(store: AlarmLogStore, { event, data, t_s }: StreamEvent): void {
+  if (event === "alarm") {
+    store.setState(({ reported }) => ({ reported: reported + 1 }));
+  } else if (event === BOARD_RESTARTED && isBoardRestart(data)) {
+    const { parameters, plans } = data;
+    const more = parameters.length > NAMED ? "…" : "";
+    const gains = `${parameters.slice(0, NAMED).join(", ")}${more}`;
+    const lost = `@lostPlans.${plans.length > 1 ? "both" : (plans[0] ?? "both")}`;
+    store.setState({
+      restart: {
+        since_s: t_s,
+        params: { ...(gains === "" ? {} : { gains }), ...(plans.length === 0 ? {} : { plans: lost }) },
+      },
+    });
+  }
+}
+
+/** The page's own alarm came (Unix seconds). */
+export function raiseOwn(store: AlarmLogStore, since_s: number): void {
+  store.setState(({ own }) => ({ own: own ?? { since_s, acknowledged: false } }));
+}
+
+/** The page's own alarm is over (Unix seconds) and goes to the list. */
+export function endOwn(store: AlarmLogStore, until_s: number, alarm: Pick<PastAlarm, "id" | "text">): void {
+  store.setState(({ own, ownPast }) =>
+    own === null
+      ? {}
+      : {
+          own: null,
+          ownPast: [
+            { ...alarm, ...own, level: "critical" as const, params: {}, until_s },
+            ...ownPast.slice(0, OWN_PAST_MOST - 1),
+          ],
+        },
+  );
+}
+
+/** Somebody has seen (Unix seconds) that the board started anew. */
+export function endRestart(store: AlarmLogStore, until_s: number): void {
+  store.setState(({ restart, ownPast }) =>
+    restart === null
+      ? {}
+      : {
+          restart: null,
+          ownPast: [
+            {
+              ...restart,
+              id: BOARD_RESTARTED,
+              text: "The board restarted.",
+              level: "critical" as const,
+              acknowledged: true,
+              until_s,
+            },
+            ...ownPast.slice(0, OWN_PAST_MOST - 1),
+          ],
+        },
+  );
+}
+
+/** All alarms that are over, the gateway's and the page's own, newest first. */
+export function pastAlarms({ past, ownPast }: Pick<AlarmLogState, "past" | "ownPast">): readonly PastAlarm[] {
+  return [...(past ?? []), ...ownPast].sort((first, second) => second.until_s - first.until_s);
+}
+
+/**
+ * What a person can do about alarms. None throws; outcomes go to the command store under the asker's name and to the
+ * messages.
+ */
+export interface AlarmLog {
+  readonly store: AlarmLogStore;
+  readonly acknowledge: (id: string, asker: Asker) => Promise<void>;
+  /** Somebody has seen that an alarm came and went: its trace goes from this page. */
+  readonly acknowledgeEnded: (id: string) => void;
+  /** Everything that is not acknowledged yet, what has ended included; does nothing where all is. */
+  readonly acknowledgeAll: () => Promise<void>;
+  /** No sound and no speech for two minutes, or until `unmute`. */
+  readonly mute: () => void;
+  readonly unmute: () => void;
+  /** Ask the gateway for the list of past alarms. */
+  readonly readPast: () => Promise<void>;
+  readonly readThresholds: () => Promise<void>;
+  readonly setThreshold: (name: string, value: number, asker: Asker) => Promise<void>;
+  /** Sound and speak as an alarm of this level would, whatever is switched on. */
+  /** Unix seconds, this browser's clock. */
+  readonly wall_s: () => number;
+  readonly test: (channel: "sound" | "speech", level: AlarmLevel) => void;
+}
+
+export const ALARM_LOG = partName<AlarmLog>("alarm log");

@@ -1,0 +1,222 @@
+import type { Timers } from "../../lib/timers";
+import { BOARD_RESTARTED } from "../../protocol/boardRestart";
+import { isAlarmBook, isThresholdList } from "../../protocol/guards.gen";
+import { type AskingParts, createAsking, info } from "../../requests/asking";
+import type { Connection, ConnectionStore } from "../../store/connection";
+import { failureMessage } from "../../store/messages";
+import type { SettingsStore } from "../../store/settings";
+import type { TelemetryStore } from "../../store/telemetry";
+import {
+  type AlarmLog,
+  type AlarmLogStore,
+  createAlarmLogStore,
+  endOwn,
+  endRestart,
+  MUTE_MS,
+  raiseOwn,
+  type Sounder,
+  type Speaker,
+} from "./alarmLog";
+import { spokenPhrase, testPhrase } from "./alarmPhrases";
+import { alarmSettings } from "./alarmSettings";
+import { Annunciator } from "./annunciator";
+import { endedBetween, withEnded } from "./endedAlarms";
+import { activeAlarms, GATEWAY_LOST, isRecovered } from "./raisedAlarms";
+
+export interface AlarmParts extends AskingParts {
+  readonly connection: ConnectionStore;
+  readonly telemetry: TelemetryStore;
+  readonly settings: SettingsStore;
+  readonly timers: Timers;
+  readonly sounder: Sounder;
+  readonly speaker: Speaker;
+}
+
+/** The alarms' side of the page: what is asked of the gateway about them, and what is heard of them. */
+export function createAlarmLog(parts: AlarmParts): AlarmLog {
+  const { rest, connection, wall_ms } = parts;
+  const { run, simply } = createAsking(parts);
+  const store = createAlarmLogStore();
+  const ring = createBell(parts, store);
+  // What the page says about its own line has to be known before anybody looks.
+  connection.subscribe((now) => followLine(now, store, wall_ms() / 1000));
+  connection.subscribe((now, before) => followEnded(now, before, store));
+  connection.subscribe(ring);
+  parts.settings.subscribe(ring);
+  store.subscribe((now, before) => {
+    if (
+      now.own !== before.own ||
+      now.restart !== before.restart ||
+      now.mutedUntil_ms !== before.mutedUntil_ms
+    ) {
+      ring();
+    }
+  });
+  watchBrowser(parts, store, ring);
+
+  async function acknowledge(id: string, control: string): Promise<void> {
+    const { own } = store.getState();
+    if (id === GATEWAY_LOST && own !== null) {
+      store.setState({ own: { ...own, acknowledged: true } });
+      return;
+    }
+    if (id === BOARD_RESTARTED) {
+      endRestart(store, wall_ms() / 1000);
+      return;
+    }
+    await simply(
+      { control },
+      ["POST", `/api/v1/alarms/${encodeURIComponent(id)}/acknowledge`],
+      info("alarmSaid.acknowledged", { what: `@alarmName.${id}` }),
+    );
+  }
+
+  return {
+    store,
+    acknowledge: (id, asker) => acknowledge(id, asker.control),
+    acknowledgeEnded: (id) =>
+      store.setState(({ ended }) => ({ ended: ended.filter((alarm) => alarm.id !== id) })),
+    acknowledgeAll: async () => {
+      const { own, restart } = store.getState();
+      const open = activeAlarms(connection.getState(), own, restart).filter(
+        ({ acknowledged }) => !acknowledged,
+      );
+      store.setState({ ended: [] });
+      await Promise.all(open.map(({ id }) => acknowledge(id, `acknowledge.${id}`)));
+    },
+    mute: () => {
+      parts.sounder.hush();
+      parts.speaker.hush();
+      store.setState({ mutedUntil_ms: parts.now_ms() + MUTE_MS });
+    },
+    wall_s: () => wall_ms() / 1000,
+    unmute: () => store.setState({ mutedUntil_ms: null }),
+    readPast: async () => {
+      const answer = await rest.ask("GET", "/api/v1/alarms", isAlarmBook);
+      store.setState(
+        answer.ok ? { past: answer.value.past, failure: null } : { failure: failureMessage(answer.problem) },
+      );
+    },
+    readThresholds: async () => {
+      const answer = await rest.ask("GET", "/api/v1/alarms/thresholds", isThresholdList);
+      store.setState(
+        answer.ok
+          ? { thresholds: answer.value.thresholds, failure: null }
+          : { failure: failureMessage(answer.problem) },
+      );
+    },
+    setThreshold: (name, value, asker) =>
+      run(
+        asker,
+        rest.ask("PUT", "/api/v1/alarms/thresholds", isThresholdList, { [name]: value }),
+        ({ thresholds }) => {
+          store.setState({ thresholds });
+          return {
+            state: "confirmed",
+            message: info("alarmSaid.threshold", { what: `@alarmThreshold.${name}`, value }),
+          };
+        },
+      ),
+    test: (channel, level) => {
+      const { volume } = alarmSettings(parts.settings.getState());
+      const { language } = parts.settings.getState();
+      if (channel === "sound") {
+        parts.sounder.play(level, volume);
+      } else {
+        parts.speaker.say(testPhrase(level, language), language, volume);
+      }
+    },
+  };
+}
+
+/** The page's own alarm follows its line: raised when the line falls silent or breaks, over when it is open. */
+function followLine({ phase, status }: Connection, store: AlarmLogStore, now_s: number): void {
+  if (phase === "open") {
+    const alarm = { id: GATEWAY_LOST, text: "The gateway was not heard." };
+    const isUnseen = store.getState().own?.acknowledged === false;
+    endOwn(store, now_s, alarm);
+    if (isUnseen) {
+      const news = [{ ...alarm, level: "critical" as const, until_s: now_s }];
+      store.setState(({ ended }) => ({ ended: withEnded(ended, news, []) }));
+    }
+  } else if (phase !== "connecting" || status !== null) {
+    raiseOwn(store, now_s);
+    store.setState(({ ended }) => ({ ended: withEnded(ended, [], [GATEWAY_LOST]) }));
+  }
+}
+
+/** From one status to the next: an alarm that ended before anybody acknowledged it leaves a trace. */
+function followEnded({ status }: Connection, before: Connection, store: AlarmLogStore): void {
+  if (status === null || before.status === null || status === before.status) {
+    return;
+  }
+  const news = endedBetween(before.status.alarms, status.alarms, status.server_time_s);
+  const active = status.alarms.map(({ id }) => id);
+  store.setState(({ ended }) => ({ ended: withEnded(ended, news, active) }));
+}
+
+/** What the browser can do with sound and voices changes: with the first press, and as voices are found. */
+function watchBrowser({ sounder, speaker }: AlarmParts, store: AlarmLogStore, ring: () => void): void {
+  const look = (): void => {
+    store.setState({
+      sounder: sounder.state(),
+      speaker: { es: speaker.state("es"), en: speaker.state("en") },
+    });
+    ring();
+  };
+  look();
+  sounder.onState(look);
+  speaker.onState(look);
+}
+
+/**
+ * Calls for a look at the alarms and acts on what the annunciator decides. The look comes when the present message has
+ * been taken in whole: in its midst a line may be open again and the status still be the old one.
+ */
+function createBell(parts: AlarmParts, store: AlarmLogStore): () => void {
+  const { connection, telemetry, settings, timers, sounder, speaker } = parts;
+  const annunciator = new Annunciator();
+  let isCalled = false;
+  let cancelAgain: () => void = () => undefined;
+
+  function look(): void {
+    isCalled = false;
+    cancelAgain();
+    const now_ms = timers.now_ms();
+    const { own, restart, mutedUntil_ms } = store.getState();
+    const isMuted = mutedUntil_ms !== null && now_ms < mutedUntil_ms;
+    if (mutedUntil_ms !== null && !isMuted) {
+      store.setState({ mutedUntil_ms: null });
+    }
+    const facts = connection.getState();
+    const chosen = settings.getState();
+    const heard = alarmSettings(chosen);
+    const { sound, speech, again_ms } = annunciator.look({
+      alarms: activeAlarms(facts, own, restart),
+      isRecovered: (id) => isRecovered(id, facts, telemetry, now_ms),
+      settings: heard,
+      isMuted,
+      canSound: sounder.state() === "ready",
+      canSpeak: speaker.state(chosen.language) === "ready",
+      now_ms,
+    });
+    if (sound !== null) {
+      sounder.play(sound, heard.volume);
+    }
+    if (speech === "hush") {
+      speaker.hush();
+    } else if (speech !== null) {
+      speaker.say(spokenPhrase(speech, chosen.language), chosen.language, heard.volume);
+    }
+    const next_ms = isMuted ? mutedUntil_ms : again_ms;
+    cancelAgain = next_ms === null ? () => undefined : timers.after(next_ms - now_ms, ring);
+  }
+
+  function ring(): void {
+    if (!isCalled) {
+      isCalled = true;
+      timers.after(0, look);
+    }
+  }
+  return ring;
+}

@@ -1,0 +1,142 @@
+import type { Language } from "../../store/settings";
+import type { Sounder, Speaker } from "./alarmLog";
+import { SIGNALS } from "./tones";
+
+type BrowserWindow = Window & typeof globalThis;
+
+/** Any of these may be the press that a browser wants before a page may be heard. */
+const PRESSES = ["pointerdown", "pointerup", "keydown"] as const;
+/** A tone that begins and ends at once clicks; this long it swells and fades. */
+const RAMP_S = 0.012;
+
+/** Calls `pressed` at each press that the browser counts as one. */
+function onPress(window: BrowserWindow, pressed: () => void): void {
+  for (const press of PRESSES) {
+    window.addEventListener(
+      press,
+      () => {
+        if (hasBeenPressed(window)) {
+          pressed();
+        }
+      },
+      { capture: true, passive: true },
+    );
+  }
+}
+
+/** A browser that does not tell is taken at its press. */
+function hasBeenPressed({ navigator }: BrowserWindow): boolean {
+  return (navigator.userActivation as UserActivation | undefined)?.hasBeenActive ?? true;
+}
+
+/** Tones by Web Audio. Its context is made with the first press: made before, the browser refuses it and complains. */
+export function browserSounder(window: BrowserWindow): Sounder {
+  const changed = new Set<() => void>();
+  const tell = (): void => {
+    for (const listener of changed) {
+      listener();
+    }
+  };
+  let context: AudioContext | null = null;
+  let output: GainNode | null = null;
+
+  function wake(): void {
+    if (context === null) {
+      context = new window.AudioContext();
+      context.addEventListener("statechange", tell);
+    }
+    if (context.state === "suspended") {
+      void context.resume();
+    }
+  }
+
+  function hush(): void {
+    output?.disconnect();
+    output = null;
+  }
+
+  const isKnown = "AudioContext" in window;
+  if (isKnown) {
+    onPress(window, wake);
+  }
+  return {
+    state: () => (isKnown ? (context?.state === "running" ? "ready" : "waits") : "none"),
+    onState: (listener) => changed.add(listener),
+    hush,
+    play: (level, volume) => {
+      if (context?.state !== "running") {
+        return;
+      }
+      hush();
+      output = context.createGain();
+      output.gain.value = volume;
+      output.connect(context.destination);
+      const start_s = context.currentTime + RAMP_S;
+      for (const { at_s, duration_s, frequency_hz, wave, level: share } of SIGNALS[level]) {
+        const tone = context.createOscillator();
+        const envelope = context.createGain();
+        tone.type = wave;
+        tone.frequency.value = frequency_hz;
+        const [from_s, to_s] = [start_s + at_s, start_s + at_s + duration_s];
+        envelope.gain.setValueAtTime(0, from_s);
+        envelope.gain.linearRampToValueAtTime(share, from_s + RAMP_S);
+        envelope.gain.setValueAtTime(share, to_s - RAMP_S);
+        envelope.gain.linearRampToValueAtTime(0, to_s);
+        tone.connect(envelope).connect(output);
+        tone.start(from_s);
+        tone.stop(to_s);
+      }
+    },
+  };
+}
+
+/** The voices of this machine. A voice that lives on somebody's server would send the words out: it is not used. */
+export function browserSpeaker(window: BrowserWindow): Speaker {
+  const synthesis = (window.speechSynthesis as SpeechSynthesis | undefined) ?? null;
+  const changed = new Set<() => void>();
+  const tell = (): void => {
+    for (const listener of changed) {
+      listener();
+    }
+  };
+  let isAllowed = false;
+  if (synthesis !== null) {
+    synthesis.addEventListener("voiceschanged", tell);
+    onPress(window, () => {
+      if (!isAllowed) {
+        isAllowed = true;
+        tell();
+      }
+    });
+  }
+  const voices = (): readonly SpeechSynthesisVoice[] =>
+    (synthesis?.getVoices() ?? []).filter(({ localService }) => localService);
+  const voiceOf = (language: Language): SpeechSynthesisVoice | undefined =>
+    voices().find(({ lang }) => lang.toLowerCase().startsWith(language));
+
+  return {
+    state: (language) => {
+      if (voices().length === 0) {
+        return "none";
+      }
+      if (voiceOf(language) === undefined) {
+        return "foreign";
+      }
+      return isAllowed ? "ready" : "waits";
+    },
+    onState: (listener) => changed.add(listener),
+    hush: () => synthesis?.cancel(),
+    say: (text, language, volume) => {
+      const voice = voiceOf(language);
+      if (synthesis === null || voice === undefined) {
+        return;
+      }
+      synthesis.cancel();
+      const utterance = new window.SpeechSynthesisUtterance(text);
+      utterance.voice = voice;
+      utterance.lang = voice.lang;
+      utterance.volume = volume;
+      synthesis.speak(utterance);
+    },
+  };
+}

@@ -1,0 +1,165 @@
+import { BOARD_RESTARTED } from "../../protocol/boardRestart";
+import type { Alarm } from "../../protocol/status";
+import type { TopicName } from "../../protocol/topics";
+import type { Connection } from "../../store/connection";
+import { type Message, type MessageParams, wordsOf } from "../../store/messages";
+import type { TelemetryStore } from "../../store/telemetry";
+
+export type AlarmLevel = Alarm["level"];
+
+/** The one alarm that the page raises itself: it does not hear the gateway. */
+export const GATEWAY_LOST = "gateway_lost";
+
+/**
+ * A start of the board in the midst of its work: no state that ends by itself, it stands until somebody has seen it. Unix seconds of the gateway; `params` say what is lost.
+ */
+export interface BoardRestart {
+  readonly since_s: number;
+  readonly params: MessageParams;
+}
+
+/** Whether the page raised an alarm itself: it is acknowledged here, and nobody else has to be asked. */
+export function isOwn(id: string): boolean {
+  return id === GATEWAY_LOST || id === BOARD_RESTARTED;
+}
+
+/** The page's own alarm. Unix seconds, this browser's clock. */
+export interface OwnAlarm {
+  readonly since_s: number;
+  readonly acknowledged: boolean;
+}
+
+/** One thing that is wrong now. `since_s` is Unix time of whoever raised it. */
+export interface ActiveAlarm {
+  readonly id: string;
+  readonly level: AlarmLevel;
+  readonly since_s: number;
+  readonly acknowledged: boolean;
+  readonly message: Message;
+}
+
+type HilStatus = NonNullable<Connection["status"]>["simulator"];
+
+/** The gateway has one alarm for the loop; where it is open can be seen from the state of its two ends. */
+function hilKey({ state, missing_rows }: HilStatus): string {
+  if (state !== "open") {
+    return "hil_lost_simulator";
+  }
+  return missing_rows.length > 0 ? "hil_lost_rows" : "hil_lost";
+}
+
+/** The sentence of an alarm; `text` is the gateway's own, for an alarm that this page does not know. */
+export function alarmMessage(
+  {
+    id,
+    text,
+    params,
+  }: { readonly id: string; readonly text: string; readonly params: Readonly<Record<string, unknown>> },
+  simulator: HilStatus | null,
+): Message {
+  let key = id;
+  if (id === "hil_lost" && simulator !== null) {
+    key = hilKey(simulator);
+  } else if (id === "gps_lost" && params["reason"] === "silent") {
+    key = "gps_lost_silent";
+  } else if (id === BOARD_RESTARTED) {
+    key = `board_restarted${"gains" in params ? "_gains" : ""}${"plans" in params ? "_plans" : ""}`;
+  }
+  const rows = simulator?.missing_rows.join(", ") ?? "";
+  return {
+    level: "warning",
+    key: `alarm.${key}`,
+    params: { ...wordsOf(params), rows },
+    fallback: text,
+  };
+}
+
+/**
+ * What is wrong now, the most urgent first. Without the gateway nothing that it said of now counts; that the board
+ * started anew stays true.
+ */
+export function activeAlarms(
+  { phase, status }: Pick<Connection, "phase" | "status">,
+  own: OwnAlarm | null,
+  restart: BoardRestart | null = null,
+): readonly ActiveAlarm[] {
+  const restarted = restart === null ? [] : [restartAlarm(restart)];
+  if (own !== null) {
+    const key = phase === "silent" ? "alarm.gateway_silent" : "alarm.gateway_lost";
+    const message: Message = { level: "error", key, params: {} };
+    return [{ id: GATEWAY_LOST, level: "critical", ...own, message }, ...restarted];
+  }
+  if (phase !== "open" || status === null) {
+    return restarted;
+  }
+  const told = status.alarms.map(
+    (alarm): ActiveAlarm => ({
+      id: alarm.id,
+      level: alarm.level,
+      since_s: alarm.since_s,
+      acknowledged: alarm.acknowledged,
+      message: alarmMessage(alarm, status.simulator),
+    }),
+  );
+  return [...told, ...restarted].sort(
+    (first, second) => urgency(first) - urgency(second) || second.since_s - first.since_s,
+  );
+}
+
+function restartAlarm({ since_s, params }: BoardRestart): ActiveAlarm {
+  const message = alarmMessage({ id: BOARD_RESTARTED, text: "", params }, null);
+  return { id: BOARD_RESTARTED, level: "critical", since_s, acknowledged: false, message };
+}
+
+/** 0 is the most urgent: what nobody has acknowledged comes first, critical before warning. */
+function urgency({ acknowledged, level }: ActiveAlarm): number {
+  return (acknowledged ? 2 : 0) + (level === "critical" ? 0 : 1);
+}
+
+interface Facts {
+  readonly status: NonNullable<Connection["status"]>;
+  readonly damagedLastSecond: number;
+  readonly telemetry: TelemetryStore;
+  readonly now_ms: number;
+}
+
+/**
+ * What has to be seen before an alarm that went may be called recovered. An alarm also goes because a line was closed or
+ * a stream ended: then nothing is known to be well again. An id that is not here is never called so.
+ */
+const PROOFS: Readonly<Record<string, (facts: Facts) => boolean>> = {
+  [GATEWAY_LOST]: () => true,
+  heartbeat_lost: (facts) => facts.status.board.state === "open" && isFresh("heartbeat", facts),
+  no_heartbeat: (facts) => facts.status.board.state === "open" && isFresh("heartbeat", facts),
+  hil_lost: (facts) => facts.status.simulator.state === "open" && isFresh("hil_surfaces", facts),
+  frames_damaged: (facts) => facts.damagedLastSecond === 0 && isFresh("heartbeat", facts),
+  recorder_failed: ({ status }) => status.recording.active && status.recording.failure === null,
+  battery_low: (facts) => isFresh("analog", facts),
+  gps_lost: (facts) => isFresh("gps", facts) && facts.telemetry.newestFlag("gps", "valid") === true,
+  cpu_high: (facts) => isFresh("statistics", facts),
+};
+
+/**
+ * A sample of the last one and a half periods. "Live" would not do: the alarm of a stream that has just ended goes while
+ * its last sample still counts as live here.
+ */
+function isFresh(topic: TopicName, { status, telemetry, now_ms }: Facts): boolean {
+  const age_s = telemetry.age_s(topic, now_ms);
+  const limit_s = status.topics[topic]?.stale_after_s;
+  return limit_s != null && age_s !== null && age_s < limit_s / 2;
+}
+
+/** Whether what was wrong is now seen to be well: that an alarm has gone is no proof of it. */
+export function isRecovered(
+  id: string,
+  { phase, status, damagedLastSecond }: Connection,
+  telemetry: TelemetryStore,
+  now_ms: number,
+): boolean {
+  return (
+    phase === "open" &&
+    status !== null &&
+    !status.alarms.some((alarm) => alarm.id === id) &&
+    PROOFS[id]?.({ status, damagedLastSecond, telemetry, now_ms }) === true
+  );
+}

@@ -1,0 +1,67 @@
+import { useMemo } from "react";
+import { useStore } from "zustand";
+import { useSentence } from "../../i18n/useSentence";
+import { useGatewayBlocked } from "../../requests/useBlocked";
+import { useConnection, usePart, useTelemetry } from "../../store/hooks";
+import type { AlarmLogState } from "./alarmLog";
+import { ALARM_LOG } from "./alarmLog";
+import type { EndedAlarm } from "./endedAlarms";
+import { type ActiveAlarm, activeAlarms, isOwn } from "./raisedAlarms";
+
+export interface ShownAlarm extends ActiveAlarm {
+  readonly text: string;
+  /** Why this page may not acknowledge it; undefined where it may. */
+  readonly blocked: string | undefined;
+}
+
+/** One thing of the alarm log; the component renders again when it changes. */
+export function useAlarmLogState<T>(select: (state: AlarmLogState) => T): T {
+  return useStore(usePart(ALARM_LOG).store, select);
+}
+
+/** What is wrong now, in the page's language, the most urgent first. */
+export function useActiveAlarms(): readonly ShownAlarm[] {
+  const sentence = useSentence();
+  const phase = useConnection((connection) => connection.phase);
+  const status = useConnection((connection) => connection.status);
+  const own = useAlarmLogState((state) => state.own);
+  const restart = useAlarmLogState((state) => state.restart);
+  const blocked = useGatewayBlocked();
+  return useMemo(
+    () =>
+      activeAlarms({ phase, status }, own, restart).map((alarm) => ({
+        ...alarm,
+        text: sentence(alarm.message),
+        // The page's own alarms ask nobody; the gateway's are acknowledged for everybody, by whoever has control.
+        blocked: isOwn(alarm.id) ? undefined : blocked,
+      })),
+    [phase, status, own, restart, sentence, blocked],
+  );
+}
+
+export interface ShownEnded extends EndedAlarm {
+  /** What it is called, in the page's language. */
+  readonly name: string;
+}
+
+/** Alarms that ended before anybody acknowledged them, newest first. */
+export function useEndedAlarms(): readonly ShownEnded[] {
+  const sentence = useSentence();
+  const ended = useAlarmLogState((state) => state.ended);
+  return useMemo(
+    () =>
+      ended.map((alarm) => ({
+        ...alarm,
+        name: sentence({ level: "info", key: `alarmName.${alarm.id}`, params: {}, fallback: alarm.text }),
+      })),
+    [ended, sentence],
+  );
+}
+
+/** Whole seconds for which the alarms stay mute; null while they are not. */
+export function useMutedFor_s(): number | null {
+  const until_ms = useAlarmLogState((state) => state.mutedUntil_ms);
+  return useTelemetry((_telemetry, now_ms) =>
+    until_ms === null ? null : Math.max(0, Math.ceil((until_ms - now_ms) / 1000)),
+  );
+}

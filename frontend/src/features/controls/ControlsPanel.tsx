@@ -1,0 +1,87 @@
+import { useCallback, useRef } from "react";
+import { useTranslation } from "react-i18next";
+import { ControlCross, type ControlCrossHandle } from "../../instruments/controls/ControlCross";
+import { hundredths } from "../../readouts/formats";
+import { LiveFlag } from "../../readouts/LiveFlag";
+import { stickKind, useStickKind } from "../../readouts/useStick";
+import { usePage } from "../../store/hooks";
+import type { TelemetryStore } from "../../store/telemetry";
+import { usePaint } from "../../store/usePaint";
+import { Panel } from "../../ui/Panel";
+import { Readout, ReadoutGrid, type ReadoutHandle } from "../../ui/Readout";
+import { AXES, type Axis, axisNumber, axisState, readAutopilot, readAutotrim } from "./axes";
+import { useSource } from "./useSource";
+
+/** "Controles": stick and throttle of the chosen source, and its autopilot and autotrim. */
+export function ControlsPanel() {
+  const { t } = useTranslation();
+  const source = useSource() ?? "unknown";
+  const stick = useStickKind();
+  return (
+    <Panel
+      title={t("controls.title")}
+      className="left-controls"
+      badge={
+        <span className="left-source" data-lost={source === "joystick" && stick === "lost"}>
+          {source === "joystick" && (stick === "gamepad" || stick === "lost")
+            ? t(`gamepad.badge.${stick}`)
+            : t(`source.${source}`)}
+        </span>
+      }
+    >
+      <Cross />
+      <ReadoutGrid>
+        {AXES.map((axis) => (
+          <AxisReadout key={axis} axis={axis} label={t(`control.${axis}`)} />
+        ))}
+      </ReadoutGrid>
+      <div className="left-flags">
+        <LiveFlag topic="heartbeat" read={readAutopilot} label={t("flag.autopilot")} />
+        <LiveFlag topic="heartbeat" read={readAutotrim} label={t("flag.autotrim")} />
+      </div>
+    </Panel>
+  );
+}
+
+function Cross() {
+  const { t } = useTranslation();
+  const { connection } = usePage();
+  const cross = useRef<ControlCrossHandle>(null);
+  const paint = useCallback(
+    (telemetry: TelemetryStore, now_ms: number) => {
+      const state = axisState(telemetry, now_ms, stickKind(connection.getState()));
+      const live = (axis: Axis): number | null => (state === "live" ? axisNumber(telemetry, axis) : null);
+      cross.current?.paint(
+        {
+          aileron: live("aileron"),
+          elevator: live("elevator"),
+          rudder: live("rudder"),
+          throttle: live("throttle"),
+        },
+        now_ms,
+      );
+    },
+    [connection],
+  );
+  usePaint("frame", paint);
+  return (
+    <div className="left-cross">
+      <ControlCross ref={cross} label={t("controls.picture")} noDataText={t("words.noData")} />
+    </div>
+  );
+}
+
+function AxisReadout({ axis, label }: { axis: Axis; label: string }) {
+  const { connection } = usePage();
+  const readout = useRef<ReadoutHandle>(null);
+  const paint = useCallback(
+    (telemetry: TelemetryStore, now_ms: number) =>
+      readout.current?.paint(
+        hundredths(axisNumber(telemetry, axis)),
+        axisState(telemetry, now_ms, stickKind(connection.getState())),
+      ),
+    [axis, connection],
+  );
+  usePaint("text", paint);
+  return <Readout ref={readout} label={label} chars={5} />;
+}

@@ -1,0 +1,59 @@
+import { useMemo } from "react";
+import { useTranslation } from "react-i18next";
+import { ControlPath } from "../../instruments/path/ControlPath";
+import { useStickKind } from "../../readouts/useStick";
+import { useConnection, useTelemetry } from "../../store/hooks";
+import { readAutopilot } from "./axes";
+import { useSource } from "./useSource";
+
+/** The way that the control signal takes now, as board and gateway report it. */
+export function LiveControlPath() {
+  const { t } = useTranslation();
+  const source = useSource();
+  const stick = useStickKind();
+  const gamepad = stick === "gamepad" || stick === "lost" ? stick : null;
+  // Where no heartbeat tells the source, no signal is known to take any way.
+  const chosenPath = useConnection(({ status, phase }) =>
+    phase === "open" ? (status?.hil.path ?? null) : null,
+  );
+  const path = source === null ? null : chosenPath;
+  const autopilot = useTelemetry((telemetry, now_ms) =>
+    telemetry.state("heartbeat", now_ms) === "live" ? readAutopilot(telemetry) : null,
+  );
+  const labels = useMemo(
+    () => ({
+      joystick: gamepad === null ? t("path.joystick") : t(`gamepad.badge.${gamepad}`),
+      rc: t("path.rc"),
+      manual: t("path.manual"),
+      assisted: t("path.assistedShort"),
+      computer: t("path.computer"),
+      autopilot: t("path.autopilot"),
+      surfaces: t("path.surfaces"),
+      ignored: t("path.ignored"),
+      unknown: t("words.unknown"),
+    }),
+    [t, gamepad],
+  );
+  const isAutomatic = path === "assisted" && autopilot === true;
+  const description = isAutomatic
+    ? t("path.sentenceAutomatic")
+    : t("path.sentence", {
+        source:
+          source === "joystick" && gamepad !== null
+            ? t(`gamepad.badge.${gamepad}`)
+            : t(`source.${source ?? "unknown"}`),
+        path: t(`path.${path ?? "unknown"}`),
+      });
+  return (
+    <div className="left-path">
+      <ControlPath
+        label={t("path.label")}
+        description={description}
+        labels={labels}
+        source={source}
+        path={path}
+        autopilot={autopilot}
+      />
+    </div>
+  );
+}

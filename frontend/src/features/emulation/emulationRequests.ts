@@ -1,0 +1,26 @@
+import { type Asker, type AskingParts, createAsking, info } from "../../requests/asking";
+import { partName } from "../../store/parts";
+
+const BOARD = "/api/v1/links/board";
+/** The address of the link that plays example values. */
+const EMULATION_URL = "emulation:";
+
+/** Starts and ends the emulation; none throws. */
+export interface EmulationRequests {
+  readonly start: (asker: Asker) => Promise<void>;
+  /** Back to the line that was open before; without one the line is closed. */
+  readonly end: (before_url: string | null, asker: Asker) => Promise<void>;
+}
+
+export const EMULATION = partName<EmulationRequests>("emulation");
+
+export function createEmulation(parts: AskingParts): EmulationRequests {
+  const { simply } = createAsking(parts);
+  return {
+    start: (asker) => simply(asker, ["PUT", BOARD, { url: EMULATION_URL }], info("said.emulationStarted")),
+    end: (before_url, asker) =>
+      before_url === null
+        ? simply(asker, ["DELETE", BOARD], info("said.emulationEnded"))
+        : simply(asker, ["PUT", BOARD, { url: before_url }], info("said.boardOpening", { url: before_url })),
+  };
+}

@@ -1,0 +1,218 @@
+import { act, screen, within } from "@testing-library/react";
+import userEvent from "@testing-library/user-event";
+import { beforeEach, describe, expect, test } from "vitest";
+import type { Status } from "../../protocol/status";
+import { aStatus } from "../../test/aStatus";
+import { aPad } from "../../test/gamepads";
+import { Station } from "../../test/station";
+import { WORDS } from "../../ui/test/testWords";
+import { WordsProvider } from "../../ui/words";
+import { StickPanel } from "./StickPanel";
+
+let station: Station;
+const user = userEvent.setup();
+
+type Stick = NonNullable<Status["hil"]["stick"]>;
+const SIMULATOR: Stick = {
+  source: "simulator",
+  state: null,
+  client: null,
+  name: null,
+  gamepad: null,
+  samples: {},
+};
+
+/** The gateway's word on the stick. */
+function withStick(stick: Partial<Stick>, others: Partial<Status> = {}): Status {
+  return aStatus({ hil: { ...aStatus().hil, stick: { ...SIMULATOR, ...stick } }, ...others });
+}
+
+const MINE = { source: "gamepad", state: "live", client: "c1", name: "Torre", gamepad: "Test Pad" } as const;
+
+function panel(): HTMLElement {
+  return screen.getByRole("region", { name: "Palanca del piloto" });
+}
+
+function choice(name: string): HTMLElement {
+  return within(panel()).getByRole("radio", { name });
+}
+
+function bar(axis: string): string | null {
+  const [, inner] = within(panel()).getAllByRole("group", { name: axis });
+  return inner?.getAttribute("data-value") ?? null;
+}
+
+/** The samples that left since the last look. */
+function samples(): Array<Record<string, unknown>> {
+  const sent = station.wires.at(-1)?.sent.splice(0) ?? [];
+  return sent.map((text) => JSON.parse(text)).filter(({ type }) => type === "stick");
+}
+
+/** The panel alone: nothing of the window round it is needed. */
+beforeEach(() => {
+  station = new Station(
+    <WordsProvider words={WORDS}>
+      <StickPanel />
+    </WordsProvider>,
+  );
+  station.greet();
+});
+
+test("without a gamepad none can be chosen, and the panel says what to do", () => {
+  expect(choice("Mando de este navegador").getAttribute("aria-disabled")).toBe("true");
+  expect(within(panel()).getByText(/pulsa uno de sus botones/, { selector: ".ui-notice-text" })).toBeTruthy();
+});
+
+test("a viewer's gamepad cannot be chosen", () => {
+  act(() => station.gamepads.plug(aPad()));
+  station.status(aStatus({ control: { client: "c2", name: "Otra" } }));
+  expect(choice("Mando de este navegador").getAttribute("aria-disabled")).toBe("true");
+});
+
+describe("with a gamepad", () => {
+  beforeEach(() => act(() => station.gamepads.plug(aPad())));
+
+  test("each axis has a bar that follows it, and nothing is sent", () => {
+    act(() => station.gamepads.plug(aPad({ axes: [0, 0, 0.55, -1] })));
+    station.pass(40);
+    expect([bar("Elevator"), bar("Aileron"), bar("Throttle")]).toEqual(["-1.000", "0.500", "0.000"]);
+    expect(samples()).toEqual([]);
+  });
+
+  test("it is chosen by its name, and its first samples leave with the question", async () => {
+    await user.click(choice("Mando de este navegador"));
+    expect(station.asked.at(-1)).toMatchObject({
+      method: "PUT",
+      path: "/api/v1/hil",
+      body: { stick: "gamepad", gamepad: "Test Pad" },
+    });
+    expect(samples()).toMatchObject([{ elevator: 0, aileron: 0, rudder: 0, throttle: 0 }]);
+  });
+
+  test("a refusal stands beside the switch in the page's language", async () => {
+    await user.click(choice("Mando de este navegador"));
+    await station.asked.at(-1)?.answer({ code: "stick_silent", detail: "Silent.", params: {} }, 409);
+    expect(within(panel()).getByRole("alert").textContent).toContain("no llega nada de él");
+    station.pass(1500);
+    samples();
+    station.pass(500);
+    expect(samples()).toEqual([]);
+  });
+
+  test("an axis is assigned by moving it, in its direction, and remembered for this gamepad", async () => {
+    await user.click(within(panel()).getByRole("button", { name: "Asignar Aileron" }));
+    expect(within(panel()).getByText("Mueve hacia la derecha…")).toBeTruthy();
+    station.pass(40);
+    act(() => station.gamepads.plug(aPad({ axes: [-0.9, 0, 0, 0] })));
+    station.pass(40);
+    act(() => station.gamepads.plug());
+    station.pass(40);
+    expect(within(panel()).queryByRole("button", { name: "Asignar Aileron" })).toBeNull();
+    act(() => station.gamepads.plug(aPad({ axes: [-1, 0, 1, 0] })));
+    station.pass(40);
+    expect(bar("Aileron")).toBe("1.000");
+    expect(within(panel()).getByRole("checkbox", { name: "Invertir Aileron" })).toHaveProperty(
+      "checked",
+      true,
+    );
+  });
+
+  test("without an axis for the elevator it cannot be chosen", async () => {
+    await user.click(within(panel()).getByRole("button", { name: "Asignar Rudder" }));
+    station.pass(40);
+    act(() => station.gamepads.plug(aPad({ axes: [0, 0, 0, 1] })));
+    station.pass(40);
+    expect(choice("Mando de este navegador").getAttribute("aria-disabled")).toBe("true");
+    expect(
+      within(panel()).getByText("Asigna antes Elevator, Aileron y Throttle.", {
+        selector: ".ui-notice-text",
+      }),
+    ).toBeTruthy();
+  });
+
+  describe("that flies", () => {
+    beforeEach(() => {
+      station.status(withStick(MINE));
+      station.pass(600);
+      act(() => station.gamepads.plug(aPad({ axes: [1, -1, 0.55, 1] })));
+      samples();
+    });
+
+    test("its position leaves fifty times a second with the page's clock", () => {
+      station.send({});
+      const from_ms = station.timers.now_ms();
+      station.pass(200);
+      const sent = samples().filter(({ t_ms }) => Number(t_ms) > from_ms && Number(t_ms) <= from_ms + 200);
+      expect(sent).toHaveLength(10);
+      expect(sent[0]).toMatchObject({ elevator: 1, aileron: 0.5, rudder: 1, throttle: 1 });
+    });
+
+    test("nothing leaves once it is pulled out, and another gamepad does not fly in its place", () => {
+      act(() => station.gamepads.plug(aPad({ id: "Other Pad" })));
+      samples();
+      station.pass(200);
+      expect(samples()).toEqual([]);
+      expect(within(panel()).queryByRole("group", { name: "Elevator" })).toBeNull();
+      act(() => station.gamepads.plug(aPad()));
+      station.pass(100);
+      expect(samples().length).toBeGreaterThan(0);
+    });
+
+    test("nothing leaves while the page is hidden, for the browser does not read the gamepad then", () => {
+      station.gamepads.visible = false;
+      station.pass(200);
+      expect(samples()).toEqual([]);
+    });
+
+    test("nothing leaves behind what still waits in the browser", () => {
+      const wire = station.wires.at(-1);
+      if (wire !== undefined) {
+        wire.waiting_bytes = 100;
+      }
+      station.pass(200);
+      expect(samples()).toEqual([]);
+    });
+
+    test("nothing leaves any more when the gateway takes the stick from it", () => {
+      station.status(withStick({}));
+      samples();
+      station.pass(200);
+      expect(samples()).toEqual([]);
+    });
+
+    test("that it is lost stands there as long as it is", () => {
+      station.status(withStick({ ...MINE, state: "lost" }));
+      expect(within(panel()).getByRole("alert").textContent).toContain("No llega nada del mando Test Pad");
+    });
+  });
+
+  test("a gamepad at another page is named with that page, and this one's stays still", () => {
+    station.status(withStick({ ...MINE, client: "c2" }, { control: { client: "c2", name: "Torre" } }));
+    expect(within(panel()).getByText("La palanca es el mando Test Pad de la página Torre.")).toBeTruthy();
+    station.pass(200);
+    expect(samples()).toEqual([]);
+  });
+});
+
+function told() {
+  return station.page.messages.getState().last;
+}
+
+test("every page is told who flies with what, and why that ended", () => {
+  const data = { source: "gamepad", state: "live", client: "c2", name: "Torre", gamepad: "Test Pad" };
+  station.deliver({ type: "event", event: "stick", t_s: 0, data: { ...data, reason: "chosen" } });
+  expect(told()).toMatchObject({
+    key: "stickSaid.other",
+    params: { gamepad: "Test Pad", name: "Torre" },
+  });
+  const gone = {
+    ...data,
+    source: "simulator",
+    state: null,
+    client: null,
+    name: null,
+    reason: "control_lost",
+  };
+  station.deliver({ type: "event", event: "stick", t_s: 0, data: gone });
+  expect(told()).toMatchObject({ level: "warning", key: "stickSaid.control_lost" });
+});

@@ -1,0 +1,277 @@
+import { isText, nullable, oneOf, shape } from "../../lib/check";
+import type { Timers } from "../../lib/timers";
+import type { StreamEvent } from "../../protocol/envelope";
+import type { Actions } from "../../requests/actions";
+import type { ConnectionStore } from "../../store/connection";
+import type { Message } from "../../store/messages";
+import type { SettingsStore } from "../../store/settings";
+import { type AxisPositions, createGamepads, type GamepadInput, type PadName } from "./gamepadList";
+import { rememberedMapping, rememberMapping } from "./mappingMemory";
+import {
+  assigned,
+  atRest,
+  axisPosition,
+  defaultMapping,
+  movedInput,
+  type Pad,
+  type StickAxis,
+  type StickMapping,
+  stickPosition,
+} from "./stickMapping";
+
+/** The browser's gamepads, or a test's. */
+export interface GamepadReader {
+  readonly read: () => readonly Pad[];
+  /** A browser neither reads gamepads nor keeps time for a page that is out of sight: what it says then is old. */
+  readonly isInSight: () => boolean;
+  /** Run when one came or went; the answer ends it. */
+  readonly onChange: (run: () => void) => () => void;
+}
+
+interface Parts {
+  readonly reader: GamepadReader;
+  readonly timers: Timers;
+  readonly connection: ConnectionStore;
+  readonly settings: SettingsStore;
+  readonly setStick: Actions["setStick"];
+  readonly send: (text: string) => void;
+  readonly tell: (message: Message) => void;
+}
+
+/** While somebody looks or flies: 50 Hz. Else only whether there is one. */
+const SAMPLE_EVERY_MS = 20;
+const SEARCH_EVERY_MS = 500;
+const DECIMALS = 1e4;
+
+const NOWHERE: AxisPositions = { elevator: null, aileron: null, rudder: null, throttle: null };
+
+const isStickEvent = shape({
+  source: oneOf("simulator", "gamepad"),
+  reason: oneOf("chosen", "control_lost", "lost", "back"),
+  client: nullable(isText),
+  name: nullable(isText),
+  gamepad: nullable(isText),
+});
+
+/** Reads the gamepads, maps the selected one, and sends its position while it flies. */
+export function createGamepadInput(parts: Parts): {
+  readonly gamepads: GamepadInput;
+  readonly takeEvent: (event: StreamEvent) => void;
+  readonly start: () => void;
+  readonly stop: () => void;
+} {
+  const { reader, timers, connection, settings } = parts;
+  const store = createGamepads();
+  const watchers = new Set<(positions: AxisPositions) => void>();
+  let cancelTimer: () => void = () => undefined;
+  let cancelEvents: () => void = () => undefined;
+  let before: Pad | null = null;
+  let asking = 0;
+
+  /** The gateway takes this page's gamepad for the stick. */
+  function flies(): boolean {
+    const { phase, status, client } = connection.getState();
+    return phase === "open" && client !== null && status?.hil.stick?.client === client;
+  }
+
+  function mappingOf(pad: Pad): StickMapping {
+    return rememberedMapping(settings, pad.id) ?? defaultMapping(pad);
+  }
+
+  /** The selected one where it is there; another takes its place only while none flies. */
+  function choosePad(pads: readonly Pad[]): Pad | null {
+    const { selected } = store.getState();
+    const flown = flies() ? connection.getState().status?.hil.stick?.gamepad : null;
+    const wanted = selected?.id ?? flown;
+    const same = pads.filter(({ id }) => id === wanted);
+    const found = same.find(({ index }) => index === selected?.index) ?? same[0];
+    return found ?? (flies() ? null : (pads[0] ?? null));
+  }
+
+  function look(): Pad | null {
+    const pads = reader.read();
+    const pad = choosePad(pads);
+    const { pads: known, selected } = store.getState();
+    if (!isSameList(known, pads)) {
+      store.setState({ pads: pads.map(({ id, index }) => ({ id, index })) });
+    }
+    if (pad === null) {
+      // What flew keeps its name: only the same gamepad may fly on when it comes back.
+      if (store.getState().mapping !== null) {
+        store.setState({ mapping: null, assigning: null, ...(flies() ? {} : { selected: null }) });
+      }
+    } else if (store.getState().mapping === null || !isSame(selected, pad)) {
+      store.setState({
+        selected: { id: pad.id, index: pad.index },
+        mapping: mappingOf(pad),
+        assigning: null,
+      });
+    }
+    return pad;
+  }
+
+  function keep(mapping: StickMapping): void {
+    const { selected } = store.getState();
+    if (selected !== null) {
+      store.setState({ mapping });
+      rememberMapping(settings, selected.id, mapping);
+    }
+  }
+
+  function waitForMove(pad: Pad, mapping: StickMapping): void {
+    const { assigning } = store.getState();
+    if (assigning === null) {
+      before = null;
+      return;
+    }
+    before ??= pad;
+    const input = movedInput(before, pad, assigning);
+    if (input !== null) {
+      keep(assigned(mapping, assigning, input, before, pad));
+      store.setState({ assigning: null });
+      before = null;
+    }
+  }
+
+  function send(pad: Pad, mapping: StickMapping): void {
+    const position = stickPosition(pad, mapping);
+    if (position !== null && reader.isInSight()) {
+      const rounded = Object.entries(position).map(([axis, value]) => [
+        axis,
+        Math.round(value * DECIMALS) / DECIMALS,
+      ]);
+      const sample = { type: "stick", ...Object.fromEntries(rounded), t_ms: timers.now_ms() };
+      parts.send(JSON.stringify(sample));
+    }
+  }
+
+  function work(pad: Pad, mapping: StickMapping): AxisPositions {
+    waitForMove(pad, mapping);
+    const current = store.getState().mapping ?? mapping;
+    if (asking > 0 || flies()) {
+      send(pad, current);
+    }
+    return positionsOf(pad, current);
+  }
+
+  function step(): void {
+    const pad = look();
+    const { mapping } = store.getState();
+    const positions = pad === null || mapping === null ? NOWHERE : work(pad, mapping);
+    for (const paint of watchers) {
+      paint(positions);
+    }
+    const isBusy = watchers.size > 0 || asking > 0 || flies();
+    cancelTimer = timers.after(isBusy ? SAMPLE_EVERY_MS : SEARCH_EVERY_MS, step);
+  }
+
+  function now(): void {
+    cancelTimer();
+    step();
+  }
+
+  const gamepads: GamepadInput = {
+    store,
+    watch: (paint) => {
+      watchers.add(paint);
+      now();
+      return () => watchers.delete(paint);
+    },
+    select: (pad) => {
+      store.setState({ selected: pad, mapping: null, assigning: null });
+      now();
+    },
+    change: (axis, change) => {
+      const { mapping } = store.getState();
+      if (mapping !== null) {
+        keep({ ...mapping, [axis]: { ...mapping[axis], ...change } });
+      }
+    },
+    assign: (axis) => {
+      before = null;
+      store.setState({ assigning: axis });
+    },
+    centre: () => {
+      const { mapping } = store.getState();
+      const pad = look();
+      if (mapping !== null && pad !== null) {
+        keep(atRest(mapping, pad));
+      }
+    },
+    reset: () => {
+      const pad = look();
+      if (pad !== null) {
+        keep(defaultMapping(pad));
+      }
+    },
+    fly: async (asker) => {
+      const { selected } = store.getState();
+      if (selected === null) {
+        return;
+      }
+      asking += 1;
+      now();
+      await parts.setStick({ stick: "gamepad", gamepad: selected.id }, asker);
+      // Until the status says so itself, a moment later.
+      timers.after(1000, () => {
+        asking -= 1;
+      });
+    },
+    flySimulator: (asker) => parts.setStick({ stick: "simulator" }, asker),
+  };
+
+  return {
+    gamepads,
+    takeEvent: ({ event, data }) => {
+      const message = event === "stick" ? messageOf(data, connection.getState().client) : null;
+      if (message !== null) {
+        parts.tell(message);
+      }
+    },
+    start: () => {
+      cancelEvents = reader.onChange(now);
+      step();
+    },
+    stop: () => {
+      cancelEvents();
+      cancelTimer();
+    },
+  };
+}
+
+/** The sentence of an event; null where this page says it as the outcome of its own question, or where it is none. */
+function messageOf(data: unknown, ownClient: string | null): Message | null {
+  if (!isStickEvent(data)) {
+    return null;
+  }
+  const { reason, source, client, name, gamepad } = data;
+  if (reason === "chosen" && client !== null && client === ownClient) {
+    return null;
+  }
+  const chosen = source === "gamepad" ? "other" : "simulator";
+  return {
+    level: reason === "lost" || reason === "control_lost" ? "warning" : "info",
+    key: `stickSaid.${reason === "chosen" ? chosen : reason}`,
+    params: { gamepad: gamepad ?? "", name: name ?? "" },
+  };
+}
+
+function positionsOf(pad: Pad, mapping: StickMapping): AxisPositions {
+  const of = (axis: StickAxis): number | null => axisPosition(pad, axis, mapping[axis]);
+  return {
+    elevator: of("elevator"),
+    aileron: of("aileron"),
+    rudder: of("rudder"),
+    throttle: of("throttle"),
+  };
+}
+
+function isSame(first: PadName | null, second: PadName): boolean {
+  return first?.id === second.id && first.index === second.index;
+}
+
+function isSameList(first: readonly PadName[], second: readonly PadName[]): boolean {
+  return (
+    first.length === second.length && first.every((one, place) => second[place] && isSame(one, second[place]))
+  );
+}

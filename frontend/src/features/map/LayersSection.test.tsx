@@ -1,0 +1,89 @@
+import userEvent from "@testing-library/user-event";
+import { expect, test } from "vitest";
+import { type Asked, Station } from "../../test/station";
+import { WORDS } from "../../ui/test/testWords";
+import { WordsProvider } from "../../ui/words";
+import { LayersSection } from "./LayersSection";
+
+const user = userEvent.setup();
+const ONLINE = { enabled: false, limit_bytes: 1e9, cached_bytes: 0, sources: [] };
+const SOUND = { problem: null, problem_code: null, problem_params: {} };
+
+function terrain(name: string, problem: object = SOUND): object {
+  const bounds = { west_deg: -16, south_deg: 27, east_deg: -15, north_deg: 28 };
+  const zooms = { minimum_zoom: 0, maximum_zoom: 12 };
+  const about = { name, kind: "terrain", format: "hgt", attribution: "", bytes: 2_884_802 };
+  return { id: `${name}-hgt`, ...about, ...bounds, ...zooms, ...problem };
+}
+
+function converting(name: string, percent: number): object {
+  const problem = {
+    problem: "later",
+    problem_code: "map_raster_converting",
+    problem_params: { name, percent },
+  };
+  return terrain(name, problem);
+}
+
+function damaged(name: string): object {
+  const problem_params = { name, why: "cut off" };
+  return terrain(name, { problem: "no", problem_code: "map_file_damaged", problem_params });
+}
+
+function open(): Station {
+  const station = new Station(
+    <WordsProvider words={WORDS}>
+      <LayersSection />
+    </WordsProvider>,
+  );
+  station.greet();
+  return station;
+}
+
+function newest(station: Station, method: string, path: RegExp): Asked {
+  const asked = station.asked.filter((one) => one.method === method && path.test(one.path)).at(-1);
+  if (asked === undefined) throw new Error(`the page asked nothing with ${method} ${path}`);
+  return asked;
+}
+
+async function answerLayers(station: Station, layers: readonly object[]): Promise<void> {
+  await newest(station, "GET", /map\/online$/).answer(ONLINE);
+  await newest(station, "GET", /map\/layers$/).answer({ folder: "/maps", layers });
+  station.show();
+}
+
+function choices(): string[] {
+  return [...document.querySelectorAll("select option")].map(({ textContent }) => textContent);
+}
+
+test("heights that cannot be shown are listed with the reason, and are no choice", async () => {
+  const station = open();
+  await answerLayers(station, [terrain("N27W016"), damaged("N28W016")]);
+  expect(choices()).toEqual(["Sin relieve (nivel del mar)", "N27W016"]);
+  expect(document.querySelector('[role="alert"]')?.textContent).toContain(
+    "N28W016 no se puede leer (cut off)",
+  );
+});
+
+test("a file of heights put into the folder is followed until it is terrain, and then no more", async () => {
+  const station = open();
+  await answerLayers(station, [converting("N27W016", 12)]);
+  expect(document.querySelector(".map-layer")?.textContent).toContain("convirtiendo en relieve (12 %)");
+  const asked = () => station.asked.filter(({ path }) => path.endsWith("/map/layers")).length;
+  const before = asked();
+  station.pass(2000);
+  expect(asked()).toBe(before + 1);
+  await answerLayers(station, [terrain("N27W016")]);
+  expect(choices()).toContain("N27W016");
+  station.pass(60_000);
+  expect(asked()).toBe(before + 1);
+});
+
+test("terrain can be taken out of the list, and brought back", async () => {
+  const station = open();
+  await answerLayers(station, [terrain("N27W016")]);
+  await user.click(document.querySelector('button[aria-label="Quitar N27W016"]') as HTMLButtonElement);
+  await newest(station, "DELETE", /layers\/N27W016-hgt$/).answer({ folder: "/maps", layers: [] });
+  expect(choices()).toEqual(["Sin relieve (nivel del mar)"]);
+  expect(document.body.textContent).toContain("Recuperar N27W016");
+});

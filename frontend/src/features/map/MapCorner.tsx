@@ -1,0 +1,161 @@
+import { Compass, House, Maximize } from "lucide-react";
+import { useEffect, useRef } from "react";
+import { useTranslation } from "react-i18next";
+import { CAMERA_CHOICE, cameraOf } from "../../lib/mapCamera";
+import { roundLength } from "../../lib/scaleBar";
+import { METRES_PER_FOOT } from "../../lib/units";
+import { coordinate } from "../../readouts/formats";
+import { type Unit, useUnit } from "../../readouts/useUnit";
+import type { PlaceInSpace } from "../../scene/tools/MapTools";
+import { usePage, useSettings } from "../../store/hooks";
+import { choose } from "../../store/settings";
+import { Button } from "../../ui/Button";
+import { aircraftPlace } from "./plan/aircraftPlace";
+import { useHome } from "./plan/useHome";
+import { useMapPlan } from "./plan/useMapPlan";
+import { useMapTools } from "./tools/useMapTools";
+import "./tools/tools.css";
+
+/** No longer than this on the screen, pixels. */
+const LONGEST_PX = 130;
+
+/** What belongs to any map: scale, place under the pointer, north, and the ways back. */
+export function MapCorner() {
+  return (
+    <>
+      <ViewButtons />
+      <div className="map-legend">
+        <ScaleBar />
+        <PointerPlace />
+      </div>
+    </>
+  );
+}
+
+function ViewButtons() {
+  const { t } = useTranslation();
+  const { settings, telemetry } = usePage();
+  const tools = useMapTools();
+  const home = useHome();
+  const flight = useMapPlan("flight");
+  const hil = useMapPlan("hil");
+  const isFree = useSettings(({ choices }) => cameraOf(choices[CAMERA_CHOICE]) === "free");
+  const missing = tools === null ? t("map.view.loading") : undefined;
+  const icon = { size: 16, "aria-hidden": true } as const;
+
+  function look(places: readonly PlaceInSpace[]): void {
+    choose(settings, CAMERA_CHOICE, "free");
+    tools?.lookAt(places);
+  }
+
+  function everything(): readonly PlaceInSpace[] {
+    const aircraft = [aircraftPlace(telemetry, "flight"), aircraftPlace(telemetry, "hil")];
+    return [
+      ...[...flight.waypoints, ...hil.waypoints].map((waypoint) => ({
+        ...waypoint,
+        altitude_m: waypoint.altitude_ft * METRES_PER_FOOT,
+      })),
+      ...aircraft.filter((place) => place !== null),
+      { ...home, altitude_m: 0 },
+    ];
+  }
+
+  return (
+    <div className="map-views" role="toolbar" aria-label={t("map.tools.views")}>
+      <Button
+        onPress={() => tools?.northUp()}
+        icon={<Compass {...icon} />}
+        label={t("map.tools.northUp")}
+        disabledReason={missing ?? (isFree ? undefined : t("map.tools.northFree"))}
+      >
+        {null}
+      </Button>
+      <Button
+        onPress={() => look([{ ...home, altitude_m: 0 }])}
+        icon={<House {...icon} />}
+        label={t("map.tools.goHome")}
+        disabledReason={missing}
+      >
+        {null}
+      </Button>
+      <Button
+        onPress={() => look(everything())}
+        icon={<Maximize {...icon} />}
+        label={t("map.tools.showAll")}
+        disabledReason={missing}
+      >
+        {null}
+      </Button>
+    </div>
+  );
+}
+
+/** How long a stretch of ground in the middle of the picture is, and where north is. */
+function ScaleBar() {
+  const { t } = useTranslation();
+  const tools = useMapTools();
+  const distance = useUnit("distance");
+  const bar = useRef<HTMLSpanElement>(null);
+  const text = useRef<HTMLSpanElement>(null);
+  const needle = useRef<HTMLSpanElement>(null);
+  useEffect(() => {
+    tools?.onScale((scale) => {
+      if (bar.current !== null && text.current !== null && needle.current !== null) {
+        const { width_px, length } = barOf(scale.metresPerPixel, distance);
+        needle.current.style.transform = `rotate(${(-scale.heading_deg).toFixed(0)}deg)`;
+        bar.current.style.width = `${width_px}px`;
+        text.current.textContent =
+          length === null ? "" : `${Number(length.toPrecision(3))} ${distance.label}`;
+      }
+    });
+    return () => tools?.onScale(null);
+  }, [tools, distance]);
+  return (
+    <span className="map-scale">
+      <span ref={needle} className="map-needle" role="img" aria-label={t("map.tools.north")} />
+      <span className="map-scale-bar">
+        <span ref={text} />
+        <span ref={bar} className="map-scale-line" />
+      </span>
+    </span>
+  );
+}
+
+/** The longest bar of a round length in the person's unit; none where the scale is not known. */
+function barOf(metresPerPixel: number | null, unit: Unit): { width_px: number; length: number | null } {
+  if (metresPerPixel === null || !(metresPerPixel > 0)) {
+    return { width_px: 0, length: null };
+  }
+  const length = roundLength(unit.convert(metresPerPixel * LONGEST_PX));
+  return { width_px: unit.revert(length) / metresPerPixel, length };
+}
+
+function PointerPlace() {
+  const { t } = useTranslation();
+  const tools = useMapTools();
+  const altitude = useUnit("altitude", "m");
+  const text = useRef<HTMLSpanElement>(null);
+  const deg = t("unit.deg");
+  const dash = t("words.dash");
+  const ground = t("map.tools.ground");
+  useEffect(
+    () =>
+      tools?.onHover((place) => {
+        if (text.current === null) return;
+        const height =
+          place === null || place.height_m === null
+            ? ""
+            : ` · ${ground} ${altitude.format(place.height_m)} ${altitude.label}`;
+        text.current.textContent =
+          place === null
+            ? dash
+            : `${coordinate(place.latitude_deg)}${deg} ${coordinate(place.longitude_deg)}${deg}${height}`;
+      }),
+    [tools, altitude, deg, dash, ground],
+  );
+  return (
+    <span className="map-pointer" aria-label={t("map.tools.pointer")} role="img">
+      <span ref={text}>{dash}</span>
+    </span>
+  );
+}

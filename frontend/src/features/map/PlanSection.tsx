@@ -1,0 +1,161 @@
+import { useCallback, useState } from "react";
+import { useTranslation } from "react-i18next";
+import type { Whose } from "../../lib/mapThing";
+import { legsOf } from "../../lib/plan";
+import { useIssueText } from "../../missions/useIssueText";
+import { useUnit } from "../../readouts/useUnit";
+import { usePage, usePart, useSettings } from "../../store/hooks";
+import { choose } from "../../store/settings";
+import { Checkbox } from "../../ui/Checkbox";
+import { Panel } from "../../ui/Panel";
+import { SegmentedSwitch } from "../../ui/SegmentedSwitch";
+import { Select } from "../../ui/Select";
+import { MAP_SELECTION, selectThing } from "./mapSelection";
+import { PlanTransfer } from "./plan/PlanTransfer";
+import { type MapPlan, useMapPlan } from "./plan/useMapPlan";
+import { type HeldWaypoint, usePlanScene } from "./plan/usePlanScene";
+import { WaypointEditor } from "./plan/WaypointEditor";
+import { useMapThing } from "./useMapThing";
+import "./plan/map-plan.css";
+
+const WHOSE = ["flight", "hil"] as const;
+
+/** The flight plans on the globe: what the board has, what is edited here, and the waypoint that is chosen. */
+export function PlanSection() {
+  const { t } = useTranslation();
+  const { settings } = usePage();
+  const mapSelection = usePart(MAP_SELECTION);
+  const plans = { flight: useMapPlan("flight"), hil: useMapPlan("hil") };
+  const isShown = {
+    flight: useSettings(({ choices }) => choices["map.plan.flight"] !== "off"),
+    hil: useSettings(({ choices }) => choices["map.plan.hil"] !== "off"),
+  };
+  const chosen = useSettings(({ choices }) => WHOSE.find((whose) => whose === choices["map.plan.open"]));
+  const thing = useMapThing();
+  const [held, setHeld] = useState<HeldWaypoint | null>(null);
+  const onHold = useCallback((now: HeldWaypoint | null) => setHeld(now), []);
+  usePlanScene(plans, isShown, onHold);
+
+  // What is pressed on the globe is what the panel is about; without a choice, the plan that is there.
+  const open =
+    thing?.kind === "waypoint"
+      ? thing.plan
+      : (chosen ?? (plans.flight.waypoints.length === 0 ? "hil" : "flight"));
+  const plan = plans[open];
+  const row =
+    thing?.kind === "waypoint" && thing.plan === open && thing.row < plan.waypoints.length ? thing.row : null;
+
+  return (
+    <Panel title={t("map.plan.title")} className="map-plan">
+      <SegmentedSwitch
+        label={t("map.plan.which")}
+        hideLabel
+        options={WHOSE.map((value) => ({
+          value,
+          label: value === "flight" ? t("map.plan.real") : t("map.plan.hil"),
+        }))}
+        value={open}
+        onChange={(next) => {
+          choose(settings, "map.plan.open", next);
+          if (thing?.kind === "waypoint") selectThing(mapSelection, null);
+        }}
+      />
+      <Checkbox
+        label={open === "flight" ? t("map.plan.showFlight") : t("map.plan.showHil")}
+        checked={isShown[open]}
+        onChange={(isOn) => choose(settings, `map.plan.${open}`, isOn ? "on" : "off")}
+      />
+      <PlanState plan={plan} />
+      <PlanTransfer whose={open} plan={plan} row={row} />
+      <WaypointChoice whose={open} plan={plan} row={row} />
+      {row !== null && (
+        <WaypointEditor
+          whose={open}
+          waypoints={plan.waypoints}
+          row={row}
+          held={held?.plan === open && held.row === row ? held.to : null}
+        />
+      )}
+      <Issues
+        plan={plan}
+        onGo={(at) => selectThing(mapSelection, { kind: "waypoint", plan: open, row: at })}
+      />
+    </Panel>
+  );
+}
+
+/** Whether the board has what is shown, where it flies to, and what it does at the end. */
+function PlanState({ plan }: { plan: MapPlan }) {
+  const { t } = useTranslation();
+  const distance = useUnit("distance");
+  const { waypoints, state, flownTo, ending } = plan;
+  const total_m = legsOf(waypoints).reduce((sum, leg) => sum + leg.distance_m, 0);
+  return (
+    <div className="map-plan-state">
+      <p role="status" data-state={state}>
+        {t(`planState.${state}`)}
+      </p>
+      {waypoints.length > 0 && (
+        <p>
+          {t("plans.total", {
+            distance: `${distance.format(total_m) ?? t("words.dash")} ${distance.label}`,
+            count: waypoints.length,
+          })}
+        </p>
+      )}
+      <p>{flownTo === null ? t("plans.flownToNone") : t("plans.flownTo", { number: flownTo + 1 })}</p>
+      {ending !== null && <p>{ending === "loop" ? t("map.plan.endsLoop") : t("map.plan.endsHold")}</p>}
+    </div>
+  );
+}
+
+function WaypointChoice({ whose, plan, row }: { whose: Whose; plan: MapPlan; row: number | null }) {
+  const { t } = useTranslation();
+  const mapSelection = usePart(MAP_SELECTION);
+  const altitude = useUnit("altitude");
+  return (
+    <Select
+      label={t("map.plan.waypoint")}
+      placeholder={t("map.plan.waypointNone")}
+      value={row === null ? null : String(row)}
+      onChange={(value) => selectThing(mapSelection, { kind: "waypoint", plan: whose, row: Number(value) })}
+      options={plan.waypoints.map(({ altitude_ft }, index) => ({
+        value: String(index),
+        label: `${index + 1} · ${altitude.format(altitude_ft) ?? t("words.dash")} ${altitude.label}`,
+      }))}
+      disabledReason={plan.waypoints.length === 0 ? t("map.plan.none") : undefined}
+    />
+  );
+}
+
+function Issues({ plan, onGo }: { plan: MapPlan; onGo: (row: number) => void }) {
+  const text = useIssueText();
+  const { t } = useTranslation();
+  const { issues, waypoints } = plan;
+  if (waypoints.length === 0) {
+    return null;
+  }
+  const sorted = [...issues].sort(
+    (one, other) => Number(one.level !== "error") - Number(other.level !== "error"),
+  );
+  return (
+    <div className="map-plan-issues">
+      <p role="status">
+        {issues.length === 0 ? t("plans.noIssues") : t("map.plan.issues", { count: issues.length })}
+      </p>
+      <ul>
+        {sorted.map((issue) => (
+          <li key={`${issue.code} ${issue.row} ${issue.field}`} data-level={issue.level}>
+            {issue.row === null ? (
+              text(issue)
+            ) : (
+              <button type="button" onClick={() => issue.row !== null && onGo(issue.row)}>
+                {text(issue)}
+              </button>
+            )}
+          </li>
+        ))}
+      </ul>
+    </div>
+  );
+}

@@ -1,0 +1,64 @@
+import { House, Plane } from "lucide-react";
+import { useTranslation } from "react-i18next";
+import type { MapThing } from "../../lib/mapThing";
+import { usePart, useTelemetry } from "../../store/hooks";
+import { Button } from "../../ui/Button";
+import { Panel } from "../../ui/Panel";
+import { MAP_SELECTION, selectThing } from "./mapSelection";
+import { PLACE_TOPIC } from "./plan/aircraftPlace";
+import { useMapThing } from "./useMapThing";
+
+/** What can be pressed on the globe, for those who do not press there. Waypoints are chosen with their plan. */
+export function ThingsSection() {
+  const { t } = useTranslation();
+  const mapSelection = usePart(MAP_SELECTION);
+  const chosen = useMapThing();
+  const flight = useTelemetry((telemetry, now_ms) => telemetry.state(PLACE_TOPIC.flight, now_ms));
+  const hil = useTelemetry((telemetry, now_ms) => telemetry.state(PLACE_TOPIC.hil, now_ms));
+  const unheard = t("map.plan.unheard");
+  const things: ReadonlyArray<{ thing: MapThing; label: string; reason: string | undefined }> = [
+    {
+      thing: { kind: "aircraft", plan: "flight" },
+      label: t("map.plan.aircraftFlight"),
+      reason: flight === "none" ? unheard : undefined,
+    },
+    {
+      thing: { kind: "aircraft", plan: "hil" },
+      label: t("map.plan.aircraftHil"),
+      reason: hil === "none" ? unheard : undefined,
+    },
+    { thing: { kind: "home" }, label: t("map.plan.home"), reason: undefined },
+  ];
+  return (
+    <Panel title={t("map.plan.things")}>
+      <div className="map-plan-buttons">
+        {things.map(({ thing, label, reason }) => {
+          const isChosen = isSame(thing, chosen);
+          return (
+            <Button
+              key={label}
+              pressed={isChosen}
+              onPress={() => selectThing(mapSelection, isChosen ? null : thing)}
+              disabledReason={reason}
+              icon={
+                thing.kind === "home" ? (
+                  <House size={14} aria-hidden="true" />
+                ) : (
+                  <Plane size={14} aria-hidden="true" />
+                )
+              }
+            >
+              {label}
+            </Button>
+          );
+        })}
+      </div>
+    </Panel>
+  );
+}
+
+function isSame(one: MapThing, other: MapThing | null): boolean {
+  return one.kind === "aircraft"
+    ? other?.kind === "aircraft" && one.plan === other.plan
+    : one.kind === other?.kind;
+}

@@ -1,0 +1,135 @@
+import { attitudeOf, between, type FullAttitude, type Quaternion, quaternionOf } from "../../lib/attitude";
+import { formatAge } from "../../lib/format";
+import type { Whose } from "../../lib/mapThing";
+import type { NumberField, TopicName } from "../../protocol/topics";
+import type { AircraftSeen, AllSeen } from "../../scene/aircraft/AircraftLayer";
+import type { Place } from "../../scene/aircraft/pose";
+import type { TelemetryStore } from "../../store/telemetry";
+import { aircraftPlace, PLACE_TOPIC } from "./plan/aircraftPlace";
+import { Playout } from "./playout";
+
+/** The topic that tells how an aircraft lies, and its field of the heading. */
+const ATTITUDE = {
+  flight: { topic: "ahrs", yaw: "yaw_deg" },
+  hil: { topic: "simulator", yaw: "true_heading_deg" },
+} as const;
+
+/** Why an aircraft is not drawn, or how it is. */
+export type Showing = "live" | "stale" | "noPosition" | "notHeard" | "noAttitude";
+
+export function showing(telemetry: TelemetryStore, whose: Whose, now_ms: number): Showing {
+  const position = telemetry.state(PLACE_TOPIC[whose], now_ms);
+  if (position === "none") {
+    return "notHeard";
+  }
+  if (placeOf(telemetry, whose) === null) {
+    return "noPosition";
+  }
+  if (attitudeNow(telemetry, whose) === null) {
+    return "noAttitude";
+  }
+  const isLive = position === "live" && telemetry.state(ATTITUDE[whose].topic, now_ms) === "live";
+  return isLive ? "live" : "stale";
+}
+
+/** Where an aircraft was heard last; null where its receiver says that it does not know. */
+function placeOf(telemetry: TelemetryStore, whose: Whose): Place | null {
+  return whose === "flight" && telemetry.newestFlag("gps", "valid") === false
+    ? null
+    : aircraftPlace(telemetry, whose);
+}
+
+function attitudeNow(telemetry: TelemetryStore, whose: Whose): FullAttitude | null {
+  const [yaw_deg, pitch_deg, roll_deg] =
+    whose === "flight"
+      ? numbers(telemetry, "ahrs", ["yaw_deg", "pitch_deg", "roll_deg"])
+      : numbers(telemetry, "simulator", ["true_heading_deg", "pitch_deg", "roll_deg"]);
+  return yaw_deg == null || pitch_deg == null || roll_deg == null ? null : { yaw_deg, pitch_deg, roll_deg };
+}
+
+function numbers<T extends TopicName>(
+  telemetry: TelemetryStore,
+  topic: T,
+  fields: readonly NumberField<T>[],
+): (number | null)[] {
+  return fields.map((field) => telemetry.newestNumber(topic, field));
+}
+
+/** Both aircraft as they are shown: between the samples of their streams, behind by one of them. */
+export class AircraftMotion {
+  readonly #places: Readonly<Record<Whose, Playout<Place>>> = {
+    flight: new Playout(placeBetween),
+    hil: new Playout(placeBetween),
+  };
+  readonly #turns: Readonly<Record<Whose, Playout<Quaternion>>> = {
+    flight: new Playout(between),
+    hil: new Playout(between),
+  };
+
+  /** Take what is new: often enough to miss no sample. */
+  take(telemetry: TelemetryStore, now_ms: number): void {
+    for (const whose of ["flight", "hil"] as const) {
+      push(this.#places[whose], telemetry, PLACE_TOPIC[whose], placeOf(telemetry, whose), now_ms);
+      const attitude = attitudeNow(telemetry, whose);
+      const turn = attitude === null ? null : quaternionOf(attitude);
+      push(this.#turns[whose], telemetry, ATTITUDE[whose].topic, turn, now_ms);
+    }
+  }
+
+  seen(telemetry: TelemetryStore, names: Readonly<Record<Whose, string>>, now_ms: number): AllSeen {
+    return {
+      flight: this.#seen(telemetry, "flight", names.flight, now_ms),
+      hil: this.#seen(telemetry, "hil", names.hil, now_ms),
+    };
+  }
+
+  #seen(telemetry: TelemetryStore, whose: Whose, name: string, now_ms: number): AircraftSeen | null {
+    const how = showing(telemetry, whose, now_ms);
+    const place = at(this.#places[whose], telemetry, PLACE_TOPIC[whose], now_ms);
+    if (place === null || how === "notHeard" || how === "noPosition") {
+      return null;
+    }
+    const turn = at(this.#turns[whose], telemetry, ATTITUDE[whose].topic, now_ms);
+    const ages = [PLACE_TOPIC[whose], ATTITUDE[whose].topic].map(
+      (topic) => telemetry.age_s(topic, now_ms) ?? 0,
+    );
+    return {
+      place: place.value,
+      t_s: place.t_s,
+      attitude: turn === null || how === "noAttitude" ? null : attitudeOf(turn.value),
+      isLive: how === "live",
+      label: how === "live" ? name : `${name} · ${formatAge(Math.max(...ages))}`,
+    };
+  }
+}
+
+function push<T>(
+  playout: Playout<T>,
+  telemetry: TelemetryStore,
+  topic: TopicName,
+  value: T | null,
+  now_ms: number,
+): void {
+  const sampled_s = telemetry.sampled_s(topic);
+  const age_s = telemetry.age_s(topic, now_ms);
+  if (value === null) {
+    playout.clear();
+  } else if (sampled_s !== null && age_s !== null) {
+    playout.push(sampled_s, value, sampled_s + age_s);
+  }
+}
+
+function at<T>(playout: Playout<T>, telemetry: TelemetryStore, topic: TopicName, now_ms: number) {
+  const sampled_s = telemetry.sampled_s(topic);
+  const age_s = telemetry.age_s(topic, now_ms);
+  return sampled_s === null || age_s === null ? null : playout.at(sampled_s + age_s);
+}
+
+function placeBetween(from: Place, to: Place, share: number): Place {
+  const mix = (one: number, other: number): number => one + share * (other - one);
+  return {
+    latitude_deg: mix(from.latitude_deg, to.latitude_deg),
+    longitude_deg: mix(from.longitude_deg, to.longitude_deg),
+    altitude_m: mix(from.altitude_m, to.altitude_m),
+  };
+}

@@ -1,0 +1,159 @@
+import { Crosshair, House, Maximize, ZoomIn, ZoomOut } from "lucide-react";
+import { type ReactNode, useCallback, useEffect, useRef, useState } from "react";
+import { useTranslation } from "react-i18next";
+import type { Position } from "../../../lib/geodesy";
+import type { Whose } from "../../../lib/mapThing";
+import { roundLength } from "../../../lib/scaleBar";
+import { coordinate } from "../../../readouts/formats";
+import { useUnit } from "../../../readouts/useUnit";
+import type { FlatScene } from "../../../scene/flat/FlatScene";
+import { usePage, useSettings } from "../../../store/hooks";
+import { choose } from "../../../store/settings";
+import type { TelemetryStore } from "../../../store/telemetry";
+import { usePaint } from "../../../store/usePaint";
+import { Button } from "../../../ui/Button";
+import { aircraftPlace } from "../plan/aircraftPlace";
+import { useHome } from "../plan/useHome";
+import { useMapPlan } from "../plan/useMapPlan";
+import { useFollowed } from "../useFlightScene";
+import { flatAircraft } from "./flatAircraft";
+import { useFlatContents } from "./useFlatContents";
+import { useFlatScene } from "./useFlatScene";
+import "../tools/tools.css";
+import "./flat.css";
+
+const FOLLOW = "map.flat.follow";
+/** What comes last lies above. */
+const WHOSE: readonly Whose[] = ["hil", "flight"];
+/** No longer than this on the screen, pixels. */
+const LONGEST_PX = 130;
+
+/** The map without WebGL: the same flight seen from straight above. `onScene` is told of it while it is there. */
+export function FlatMap({ onScene }: { onScene: (scene: FlatScene | null) => void }) {
+  const { t } = useTranslation();
+  const { settings } = usePage();
+  const canvas = useRef<HTMLCanvasElement>(null);
+  const pointer = useRef<HTMLSpanElement>(null);
+  const [pixel_m, setPixel_m] = useState(0);
+  const contents = useFlatContents();
+  const isFollowing = useSettings(({ choices }) => choices[FOLLOW] !== "off");
+  const follow = useCallback((isOn: boolean) => choose(settings, FOLLOW, isOn ? "on" : "off"), [settings]);
+  const deg = t("unit.deg");
+  const dash = t("words.dash");
+  const scene = useFlatScene(canvas, {
+    onScale: setPixel_m,
+    onPointer: (place) => {
+      if (pointer.current !== null) {
+        pointer.current.textContent =
+          place === null
+            ? dash
+            : `${coordinate(place.latitude_deg)}${deg} ${coordinate(place.longitude_deg)}${deg}`;
+      }
+    },
+    onMoved: () => isFollowing && follow(false),
+  });
+  useEffect(() => scene?.setContents(contents), [scene, contents]);
+  useEffect(() => {
+    onScene(scene);
+    return () => onScene(null);
+  }, [scene, onScene]);
+  useAircraft(scene, isFollowing);
+  return (
+    <>
+      <div
+        className="map-flat"
+        role="application"
+        aria-label={t("map.flat.scene")}
+        // biome-ignore lint/a11y/noNoninteractiveTabindex: the map is moved by keys
+        tabIndex={0}
+        onKeyDown={(event) => {
+          if (!(event.altKey || event.ctrlKey || event.metaKey) && scene?.key(event.key) === true) {
+            event.preventDefault();
+            event.stopPropagation();
+          }
+        }}
+      >
+        <canvas ref={canvas} />
+      </div>
+      <FlatButtons scene={scene} isFollowing={isFollowing} onFollow={follow} />
+      <div className="map-legend">
+        <FlatScale pixel_m={pixel_m} />
+        <span className="map-pointer" role="img" aria-label={t("map.tools.pointer")}>
+          <span ref={pointer}>{dash}</span>
+        </span>
+      </div>
+    </>
+  );
+}
+
+interface ButtonsProps {
+  scene: FlatScene | null;
+  isFollowing: boolean;
+  onFollow: (isOn: boolean) => void;
+}
+
+function FlatButtons({ scene, isFollowing, onFollow }: ButtonsProps) {
+  const { t } = useTranslation();
+  const { telemetry } = usePage();
+  const home = useHome();
+  const flight = useMapPlan("flight");
+  const hil = useMapPlan("hil");
+  function show(places: readonly Position[]): void {
+    onFollow(false);
+    scene?.lookAt(places);
+  }
+  function everything(): readonly Position[] {
+    const aircraft = WHOSE.map((whose) => aircraftPlace(telemetry, whose)).filter((place) => place !== null);
+    return [...flight.waypoints, ...hil.waypoints, ...aircraft, home];
+  }
+  const button = (label: string, icon: ReactNode, onPress: () => void, pressed?: boolean) => (
+    <Button onPress={onPress} icon={icon} label={label} pressed={pressed}>
+      {null}
+    </Button>
+  );
+  const look = { size: 16, "aria-hidden": true } as const;
+  return (
+    <div className="map-views" role="toolbar" aria-label={t("map.tools.views")}>
+      {button(t("map.flat.nearer"), <ZoomIn {...look} />, () => scene?.zoom(1))}
+      {button(t("map.flat.farther"), <ZoomOut {...look} />, () => scene?.zoom(-1))}
+      {button(t("map.flat.follow"), <Crosshair {...look} />, () => onFollow(!isFollowing), isFollowing)}
+      {button(t("map.tools.goHome"), <House {...look} />, () => show([home]))}
+      {button(t("map.tools.showAll"), <Maximize {...look} />, () => show(everything()))}
+    </div>
+  );
+}
+
+/** Both aircraft, ten times a second. */
+function useAircraft(scene: FlatScene | null, isFollowing: boolean): void {
+  const { t } = useTranslation();
+  const followed = useFollowed();
+  const real = t("map.view.real");
+  const hil = t("map.view.hil");
+  const paint = useCallback(
+    (telemetry: TelemetryStore, now_ms: number) => {
+      const names: Readonly<Record<Whose, string>> = { flight: real, hil };
+      const seen = WHOSE.map((whose) => flatAircraft(telemetry, whose, names[whose], now_ms)).filter(
+        (aircraft) => aircraft !== null,
+      );
+      const middle = isFollowing ? seen.find(({ plan }) => plan === followed)?.place : undefined;
+      scene?.setAircraft(seen, middle ?? null);
+    },
+    [scene, isFollowing, followed, real, hil],
+  );
+  usePaint("text", paint);
+}
+
+/** The longest bar of a round length in the person's unit. */
+function FlatScale({ pixel_m }: { pixel_m: number }) {
+  const distance = useUnit("distance");
+  if (pixel_m === 0) {
+    return null;
+  }
+  const length = roundLength(distance.convert(pixel_m * LONGEST_PX));
+  return (
+    <span className="map-scale-bar">
+      <span>{`${Number(length.toPrecision(3))} ${distance.label}`}</span>
+      <span className="map-scale-line" style={{ width: `${distance.revert(length) / pixel_m}px` }} />
+    </span>
+  );
+}

@@ -1,0 +1,35 @@
+import { useMemo } from "react";
+import { TRACKS } from "../../../protocol/track";
+import type { FlatContents } from "../../../scene/flat/FlatScene";
+import { usePart, useSettings } from "../../../store/hooks";
+import { shownLayers, stackOfLayers } from "../layers/useGround";
+import { useMapLayers } from "../layers/useMapLayers";
+import { TRACK_KINDS } from "../trackKinds";
+import { TRACK_LOG } from "../trackLog";
+import { useGraticule } from "../useGraticule";
+import { useTrackLook } from "../useTrackLook";
+
+/** What the flat map shows beside the plans: the same layers and tracks that are chosen for the globe. */
+export function useFlatContents(): FlatContents {
+  const trackLog = usePart(TRACK_LOG);
+  const { colouring, range, isShown } = useTrackLook();
+  const graticule = useGraticule();
+  const known = useMapLayers((all) => all.layers);
+  const remembered = useSettings(({ choices }) => choices["map.layers.stack"]);
+  const layers = useMemo(
+    () => shownLayers(known, stackOfLayers(known, remembered)).reverse(),
+    [known, remembered],
+  );
+  const tracks = useMemo(
+    () =>
+      TRACKS.filter((name) => isShown[name])
+        // What comes last lies above.
+        .sort((one, other) => TRACK_KINDS[one].rank - TRACK_KINDS[other].rank)
+        .map((name) => ({
+          points: trackLog.points[name],
+          look: { ...TRACK_KINDS[name], colouring, range },
+        })),
+    [isShown, trackLog, colouring, range],
+  );
+  return useMemo(() => ({ layers, tracks, graticule }), [layers, tracks, graticule]);
+}

@@ -1,0 +1,24 @@
+import { useSettings } from "../../../store/hooks";
+import { useFlat } from "../flat/useFlat";
+import { stackOfLayers } from "./useGround";
+import { useMapLayers } from "./useMapLayers";
+
+/** Whose work the visible layers are. */
+export function Attribution() {
+  const layers = useMapLayers((known) => known.layers);
+  const remembered = useSettings(({ choices }) => choices["map.layers.stack"]);
+  const terrain = useSettings(({ choices }) => choices["map.layers.terrain"]);
+  const { isShown: isFlat } = useFlat();
+  const shown = new Set(
+    stackOfLayers(layers, remembered)
+      .filter(({ isOn, opacity }) => isOn && opacity > 0)
+      .map(({ id }) => id),
+  );
+  const names = layers
+    .filter(
+      ({ id, attribution, problem }) =>
+        problem === null && attribution !== "" && (shown.has(id) || (id === terrain && !isFlat)),
+    )
+    .map(({ attribution }) => attribution);
+  return names.length === 0 ? null : <p className="map-attribution">{[...new Set(names)].join(" · ")}</p>;
+}

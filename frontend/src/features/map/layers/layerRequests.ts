@@ -1,0 +1,113 @@
+import type { Timers } from "../../../lib/timers";
+import type { StreamEvent } from "../../../protocol/envelope";
+import { isMapImport, isMapLayers, isOnlineState } from "../../../protocol/guards.gen";
+import { isConverting, type MapLayer } from "../../../protocol/mapLayers";
+import { type AskingParts, createAsking, info } from "../../../requests/asking";
+import { failureMessage } from "../../../store/messages";
+import {
+  createMapLayers,
+  forgetImport,
+  type MapLayerActions,
+  type MapLayerStore,
+  noteImport,
+} from "./layerList";
+
+const LAYERS = "/api/v1/map/layers";
+const ONLINE = "/api/v1/map/online";
+const IMPORTS = "/api/v1/map/imports";
+/** Gigabytes over a field's radio link. */
+const SEND_MS = 6 * 3600_000;
+/** How often it is asked how far the station is with a file that somebody put into its folder. */
+const CONVERTING_MS = 2000;
+
+type Named = Pick<MapLayer, "id" | "name">;
+
+/** What a person can ask about map layers, as questions to the gateway with their outcome in the stores. */
+export function createMapLayerActions(parts: AskingParts & { readonly timers: Timers }): {
+  readonly mapLayers: MapLayerActions;
+  readonly takeMapEvent: (event: StreamEvent) => void;
+} {
+  const { rest, timers } = parts;
+  const { run } = createAsking(parts);
+  const store: MapLayerStore = createMapLayers();
+  let cancelNext: () => void = () => undefined;
+
+  async function read(): Promise<void> {
+    cancelNext();
+    const asked = rest.ask("GET", ONLINE, isOnlineState);
+    const answer = await rest.ask("GET", LAYERS, isMapLayers);
+    const online = await asked;
+    if (online.ok) {
+      store.setState({ online: online.value });
+    }
+    store.setState(
+      answer.ok ? { ...answer.value, failure: null } : { failure: failureMessage(answer.problem) },
+    );
+    if (answer.ok && answer.value.layers.some(isConverting)) {
+      cancelNext();
+      cancelNext = timers.after(CONVERTING_MS, () => void read());
+    }
+  }
+
+  function takeMapEvent({ event, data }: StreamEvent): void {
+    if (event === "map_import" && isMapImport(data)) {
+      noteImport(store, data);
+      if (data.state === "done") {
+        void read();
+      }
+    }
+  }
+
+  const mapLayers: MapLayerActions = {
+    store,
+    read,
+
+    importFile: (file, asker) => {
+      const path = `${IMPORTS}?name=${encodeURIComponent(file.name)}`;
+      return run(asker, rest.ask("POST", path, isMapImport, file, SEND_MS), (entry) => {
+        noteImport(store, entry);
+        void read();
+        const params = { file: entry.name };
+        return entry.state === "converting"
+          ? { state: "confirmed", message: info("map.layers.saidConverting", params) }
+          : { state: "confirmed", message: info("map.layers.saidImported", params) };
+      });
+    },
+
+    cancelImport: (id, asker) =>
+      run(asker, rest.ask("DELETE", `${IMPORTS}/${id}`, isMapImport), (entry) => {
+        forgetImport(store, id);
+        return { state: "confirmed", message: info("map.layers.saidCancelled", { file: entry.name }) };
+      }),
+
+    forgetImport: (id) => forgetImport(store, id),
+
+    remove: ({ id, name }: Named, asker) =>
+      run(asker, rest.ask("DELETE", `${LAYERS}/${id}`, isMapLayers), (value) => {
+        store.setState(({ removed }) => ({ ...value, removed: [{ id, name }, ...removed] }));
+        return { state: "confirmed", message: info("map.layers.saidRemoved", { name }) };
+      }),
+
+    chooseOnline: (choice, asker) =>
+      run(asker, rest.ask("PUT", ONLINE, isOnlineState, choice), (online) => {
+        store.setState({ online });
+        // Its sources are layers like others.
+        void read();
+        const key = online.enabled ? "map.online.saidOn" : "map.online.saidOff";
+        return { state: "confirmed", message: info(key) };
+      }),
+
+    clearOnline: (asker) =>
+      run(asker, rest.ask("DELETE", `${ONLINE}/cache`, isOnlineState), (online) => {
+        store.setState({ online });
+        return { state: "confirmed", message: info("map.online.saidCleared") };
+      }),
+
+    restore: ({ id, name }: Named, asker) =>
+      run(asker, rest.ask("POST", `${LAYERS}/${id}/restore`, isMapLayers), (value) => {
+        store.setState(({ removed }) => ({ ...value, removed: removed.filter((one) => one.id !== id) }));
+        return { state: "confirmed", message: info("map.layers.saidRestored", { name }) };
+      }),
+  };
+  return { mapLayers, takeMapEvent };
+}

@@ -1,0 +1,87 @@
+import { useEffect, useMemo, useState } from "react";
+import type { MapLayer } from "../../../protocol/mapLayers";
+import type { ShownLayer } from "../../../scene/tools/LayerStack";
+import { usePage, useSettings } from "../../../store/hooks";
+import { choose } from "../../../store/settings";
+import { useGlobeLayer } from "../useGlobe";
+import { movedLayer, rememberedStack, type Stacked, stackOf, withLayer } from "./mapStack";
+import { useMapLayers } from "./useMapLayers";
+
+const STACK = "map.layers.stack";
+const TERRAIN = "map.layers.terrain";
+const PATH = "/api/v1/map/layers";
+
+export interface GroundChoice {
+  /** The layers of pictures from the topmost down. */
+  readonly stack: readonly Stacked[];
+  readonly layerOf: (id: string) => MapLayer | undefined;
+  readonly change: (id: string, change: Partial<Omit<Stacked, "id">>) => void;
+  readonly move: (id: string, by: -1 | 1) => void;
+  /** All of them, also those that cannot be shown, or not yet. */
+  readonly terrains: readonly MapLayer[];
+  readonly terrain: string | null;
+  readonly terrainFailed: boolean;
+  readonly chooseTerrain: (id: string | null) => void;
+}
+
+/** The layers as the person has stacked them: remembered by this browser, and laid on the globe. */
+export function useGround(): GroundChoice {
+  const { settings } = usePage();
+  const layers = useMapLayers((known) => known.layers);
+  const remembered = useSettings(({ choices }) => choices[STACK]);
+  const wanted = useSettings(({ choices }) => choices[TERRAIN] ?? "");
+  const stack = useMemo(() => stackOfLayers(layers, remembered), [layers, remembered]);
+  const terrains = layers.filter(({ kind }) => kind === "terrain");
+  const terrain = terrains.some(({ id, problem }) => id === wanted && problem === null) ? wanted : null;
+  const layerOf = (id: string): MapLayer | undefined => layers.find((layer) => layer.id === id);
+  const put = (next: readonly Stacked[]): void => choose(settings, STACK, rememberedStack(next, remembered));
+  const terrainFailed = useOnGlobe(layers, stack, terrain);
+  return {
+    stack,
+    layerOf,
+    change: (id, change) => put(withLayer(stack, id, change)),
+    move: (id, by) => put(movedLayer(stack, id, by)),
+    terrains,
+    terrain,
+    terrainFailed,
+    chooseTerrain: (id) => choose(settings, TERRAIN, id ?? ""),
+  };
+}
+
+export function stackOfLayers(
+  layers: readonly MapLayer[],
+  remembered: string | undefined,
+): readonly Stacked[] {
+  const imagery = layers.filter(({ kind }) => kind === "imagery");
+  return stackOf(
+    imagery.map(({ id, format }) => ({ id, isOnByItself: format !== "online" })),
+    remembered,
+  );
+}
+
+/** The layers that are to be seen, from the topmost down, and where their tiles are. */
+export function shownLayers(layers: readonly MapLayer[], stack: readonly Stacked[]): ShownLayer[] {
+  return stack.flatMap(({ id, isOn, opacity }) => {
+    const layer = layers.find((one) => one.id === id);
+    return layer !== undefined && isOn && layer.problem === null
+      ? [{ ...layer, opacity, url: `${PATH}/${id}/tiles/{z}/{x}/{y}` }]
+      : [];
+  });
+}
+
+/** Lays the layers on the globe; tells whether the terrain could not be read. */
+function useOnGlobe(layers: readonly MapLayer[], stack: readonly Stacked[], terrain: string | null): boolean {
+  const laid = useGlobeLayer(
+    "layers",
+    async () => (await import("../../../scene/tools/LayerStack")).LayerStack,
+  );
+  const [failed, setFailed] = useState<string | null>(null);
+  useEffect(() => {
+    laid?.show(shownLayers(layers, stack));
+  }, [laid, layers, stack]);
+  useEffect(() => {
+    setFailed(null);
+    laid?.showTerrain(terrain === null ? null : `${PATH}/${terrain}/terrain`).catch(() => setFailed(terrain));
+  }, [laid, terrain]);
+  return failed !== null && failed === terrain;
+}

@@ -1,0 +1,64 @@
+import { useMemo } from "react";
+import type { Whose } from "../../../lib/mapThing";
+import { samePlan, type Waypoint } from "../../../lib/plan";
+import { checkPlan, type PlanIssue } from "../../../lib/planCheck";
+import type { PlanState } from "../../../missions/planDrafts";
+import { PLAN } from "../../../missions/planFacts";
+import { usePlans } from "../../../missions/usePlans";
+import { ROUTES } from "../../../protocol/messages.gen";
+import { PLAN_LIMITS } from "../../../protocol/missions";
+import { useConnection, useTelemetry } from "../../../store/hooks";
+
+export interface MapPlan {
+  /** What is shown and edited: the draft, or while there is none, what the board has. */
+  readonly waypoints: readonly Waypoint[];
+  /** As the board has it: read back, or by the name of the route that it says it flies; null: not known. */
+  readonly onBoard: readonly Waypoint[] | null;
+  readonly state: PlanState;
+  readonly issues: readonly PlanIssue[];
+  /** Index of the waypoint that the board flies to, while that is live. */
+  readonly flownTo: number | null;
+  /** What comes after the board's last waypoint; null where the board has not said. */
+  readonly ending: "loop" | "hold" | null;
+  readonly canTransfer: boolean;
+}
+
+const NOTHING: readonly Waypoint[] = [];
+
+/** A plan as the map shows it. */
+export function useMapPlan(plan: Whose): MapPlan {
+  const draft = usePlans((plans) => plans[plan].draft.present);
+  const read = usePlans((plans) => plans[plan].board);
+  // As it was told last, like a plan that was read: a pause of the link takes no plan out of the hand that edits it.
+  const route = useTelemetry((telemetry) =>
+    plan === "hil" ? telemetry.newestNumber("board_status", "hil_plan_name") : null,
+  );
+  const flownTo = useTelemetry((telemetry, now_ms) =>
+    telemetry.liveNumber(PLAN[plan].topic, "waypoint", now_ms),
+  );
+  const canTransfer = useConnection(({ status }) => status?.board.features.missions === true);
+  const named = ROUTES.find(({ planName }) => planName === route);
+  const onBoard = read ?? named?.waypoints ?? null;
+  const waypoints = draft.length === 0 ? (onBoard ?? NOTHING) : draft;
+  const issues = useMemo(() => checkPlan(waypoints, PLAN_LIMITS), [waypoints]);
+  return {
+    waypoints,
+    onBoard,
+    state: stateOf(waypoints, onBoard),
+    issues,
+    flownTo,
+    ending: plan === "flight" || route === -1 ? "hold" : named === undefined ? null : endingOf(named),
+    canTransfer,
+  };
+}
+
+function endingOf({ loop }: { readonly loop: boolean }): "loop" | "hold" {
+  return loop ? "loop" : "hold";
+}
+
+function stateOf(waypoints: readonly Waypoint[], onBoard: readonly Waypoint[] | null): PlanState {
+  if (waypoints.length === 0) {
+    return "empty";
+  }
+  return onBoard === null ? "unknown" : samePlan(waypoints, onBoard) ? "same" : "differs";
+}

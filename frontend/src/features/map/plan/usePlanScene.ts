@@ -1,0 +1,98 @@
+import { useEffect, useMemo } from "react";
+import { useTranslation } from "react-i18next";
+import type { Whose } from "../../../lib/mapThing";
+import { placed, unsentOf, type Waypoint } from "../../../lib/plan";
+import { editPlan, MISSIONS } from "../../../missions/planDrafts";
+import { useUnit } from "../../../readouts/useUnit";
+import type { PlanScene } from "../../../scene/plan/PlanScene";
+import type { DrawnPlan } from "../../../scene/plan/shape";
+import { usePage } from "../../../store/hooks";
+import { useFlat } from "../flat/useFlat";
+import { MAP_SELECTION, selectThing } from "../mapSelection";
+import { useGlobeLayer } from "../useGlobe";
+import { useMapThing } from "../useMapThing";
+import { aircraftPlace } from "./aircraftPlace";
+import { useHome } from "./useHome";
+import type { MapPlan } from "./useMapPlan";
+
+/** Where a waypoint is while the pointer holds it. */
+export interface HeldWaypoint {
+  readonly plan: Whose;
+  readonly row: number;
+  readonly to: Pick<Waypoint, "latitude_deg" | "longitude_deg" | "altitude_ft">;
+}
+
+/** Shows the plans on the globe, or on the flat map in its place, and takes in what the pointer does to them. */
+export function usePlanScene(
+  plans: Readonly<Record<Whose, MapPlan>>,
+  isShown: Readonly<Record<Whose, boolean>>,
+  onHold: (held: HeldWaypoint | null) => void,
+): void {
+  const page = usePage();
+  const onGlobe = useGlobeLayer(
+    "plan",
+    async () => (await import("../../../scene/plan/PlanScene")).PlanScene,
+  );
+  const flat = useFlat();
+  const scene: Pick<PlanScene, "show" | "showHome" | "listen"> | null = flat.isShown
+    ? (flat.scene?.plans ?? null)
+    : onGlobe;
+  const { flight, hil } = plans;
+  const drawnFlight = useDrawn("flight", flight, isShown.flight);
+  const drawnHil = useDrawn("hil", hil, isShown.hil);
+  const { t } = useTranslation();
+  const home = useHome();
+  const homeLabel = t("map.plan.home");
+
+  useEffect(() => scene?.show("flight", drawnFlight), [scene, drawnFlight]);
+  useEffect(() => scene?.show("hil", drawnHil), [scene, drawnHil]);
+  useEffect(
+    () =>
+      scene?.showHome({
+        latitude_deg: home.latitude_deg,
+        longitude_deg: home.longitude_deg,
+        label: homeLabel,
+      }),
+    [scene, home.latitude_deg, home.longitude_deg, homeLabel],
+  );
+  useEffect(() => {
+    scene?.listen(
+      {
+        pick: (thing) => selectThing(page.parts.get(MAP_SELECTION), thing),
+        drag: onHold,
+        drop: (plan, row, to) => {
+          const { waypoints } = plan === "flight" ? flight : hil;
+          editPlan(page.parts.get(MISSIONS).plans, plan, placed(waypoints, row, to));
+        },
+      },
+      (plan) => aircraftPlace(page.telemetry, plan),
+    );
+    return () => scene?.listen(null);
+  }, [scene, page, onHold, flight, hil]);
+}
+
+/** A plan as the globe draws it; the same object for as long as nothing of it changes. */
+function useDrawn(plan: Whose, { waypoints, onBoard, state, flownTo, ending }: MapPlan, isShown: boolean) {
+  const { t } = useTranslation();
+  const altitude = useUnit("altitude");
+  const thing = useMapThing();
+  const selected = thing?.kind === "waypoint" && thing.plan === plan ? thing.row : null;
+  return useMemo((): DrawnPlan | null => {
+    const board = state === "differs" ? onBoard : null;
+    const last = waypoints.length - 1;
+    return isShown && waypoints.length > 0
+      ? {
+          waypoints,
+          board,
+          unsent: unsentOf(waypoints, onBoard),
+          active: onBoard !== null && flownTo !== null && flownTo < onBoard.length ? flownTo : null,
+          loops: ending === "loop" && board === null,
+          selected,
+          label: (waypoint, row) => {
+            const height = `${row + 1} · ${altitude.format(waypoint.altitude_ft)} ${altitude.label}`;
+            return row === last && ending === "hold" ? `${height} · ${t("map.plan.holds")}` : height;
+          },
+        }
+      : null;
+  }, [t, altitude, waypoints, onBoard, state, flownTo, ending, selected, isShown]);
+}

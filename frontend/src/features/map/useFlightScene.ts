@@ -1,0 +1,68 @@
+import { useCallback, useEffect, useMemo } from "react";
+import { useTranslation } from "react-i18next";
+import { CAMERA_CHOICE, type CameraMode, cameraOf } from "../../lib/mapCamera";
+import type { Whose } from "../../lib/mapThing";
+import type { FlightScene } from "../../scene/aircraft/FlightScene";
+import { usePage, usePart, useSettings, useTelemetry } from "../../store/hooks";
+import type { TelemetryStore } from "../../store/telemetry";
+import { usePaint } from "../../store/usePaint";
+import { AircraftMotion, showing } from "./aircraftFeed";
+import { TRACK_LOG } from "./trackLog";
+import { useGlobe, useGlobeLayer } from "./useGlobe";
+
+export const FOLLOWED_CHOICE = "map.followed";
+
+/** How the globe is looked at: as chosen last. */
+export function useCameraMode(): CameraMode {
+  return useSettings(({ choices }) => cameraOf(choices[CAMERA_CHOICE]));
+}
+
+/** Which aircraft the camera is with: the chosen one; without a choice the simulator's for as long as it flies. */
+export function useFollowed(): Whose {
+  const chosen = useSettings(({ choices }) => choices[FOLLOWED_CHOICE]);
+  const hil = useTelemetry((telemetry, now_ms) => showing(telemetry, "hil", now_ms));
+  if (chosen === "flight" || chosen === "hil") {
+    return chosen;
+  }
+  return hil === "live" || hil === "stale" ? "hil" : "flight";
+}
+
+/** Shows both aircraft on the globe and moves the camera as chosen, and hands the tracks the place of their tips. */
+export function useFlightScene(): FlightScene | null {
+  const { t } = useTranslation();
+  const { telemetry } = usePage();
+  const trackLog = usePart(TRACK_LOG);
+  const globe = useGlobe();
+  const scene = useGlobeLayer(
+    "flight",
+    async () => (await import("../../scene/aircraft/FlightScene")).FlightScene,
+  );
+  const track = useGlobeLayer("track", async () => (await import("../../scene/track/TrackLayer")).TrackLayer);
+  const mode = useCameraMode();
+  const followed = useFollowed();
+  const motion = useMemo(() => new AircraftMotion(), []);
+  const take = useCallback((from: TelemetryStore, now_ms: number) => motion.take(from, now_ms), [motion]);
+  usePaint("frame", take);
+  const real = t("map.view.real");
+  const hil = t("map.view.hil");
+  useEffect(() => {
+    scene?.aircraft.setFeed((now_ms) => motion.seen(telemetry, { flight: real, hil }, now_ms));
+    return () => scene?.aircraft.setFeed(null);
+  }, [scene, motion, telemetry, real, hil]);
+  useEffect(() => scene?.camera.set(mode, followed), [scene, mode, followed]);
+  useEffect(() => {
+    if (globe === null || scene === null || track === null) {
+      return undefined;
+    }
+    return globe.onBeforeFrame(() => {
+      for (const [whose, name] of [
+        ["flight", "real"],
+        ["hil", "hil"],
+      ] as const) {
+        const seen = scene.aircraft.seen(whose);
+        track.setTip(trackLog.points[name], seen?.isLive === true ? { ...seen.place, t_s: seen.t_s } : null);
+      }
+    });
+  }, [globe, scene, track, trackLog]);
+  return scene;
+}

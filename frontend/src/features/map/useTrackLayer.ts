@@ -1,0 +1,20 @@
+import { useEffect } from "react";
+import { TRACKS } from "../../protocol/track";
+import { usePart } from "../../store/hooks";
+import { TRACK_KINDS } from "./trackKinds";
+import { TRACK_LOG } from "./trackLog";
+import { useGlobeLayer } from "./useGlobe";
+import type { TrackChoices } from "./useTrackLook";
+
+/** Draws the tracks on the globe as they are chosen to look. */
+export function useTrackLayer({ colouring, range, hasCurtain, isShown }: TrackChoices): void {
+  const trackLog = usePart(TRACK_LOG);
+  const layer = useGlobeLayer("track", async () => (await import("../../scene/track/TrackLayer")).TrackLayer);
+  useEffect(() => {
+    for (const name of TRACKS) {
+      layer?.add(trackLog.points[name], TRACK_KINDS[name]);
+      layer?.setVisible(trackLog.points[name], isShown[name]);
+    }
+    layer?.setLook({ colouring, range, hasCurtain });
+  }, [layer, trackLog, colouring, range, hasCurtain, isShown]);
+}

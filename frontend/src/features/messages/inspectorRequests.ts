@@ -1,0 +1,22 @@
+import { isInspector } from "../../protocol/guards.gen";
+import type { Inspection } from "../../protocol/inspector";
+import type { Gateway } from "../../requests/asking";
+import { failureMessage, type Message } from "../../store/messages";
+import { partName } from "../../store/parts";
+
+/** What went over the lines, asked for by whoever looks at it. */
+export interface Inspector {
+  /** All of it now, or why there is none. */
+  readonly read: () => Promise<Inspection | Message>;
+}
+
+export const INSPECTOR = partName<Inspector>("inspector");
+
+export function createInspector(rest: Gateway): Inspector {
+  return {
+    read: async () => {
+      const answer = await rest.ask("GET", "/api/v1/inspector", isInspector);
+      return answer.ok ? answer.value : failureMessage(answer.problem);
+    },
+  };
+}

@@ -1,0 +1,65 @@
+import { FIELDS, XPLANE_ROWS, type XplaneProfile } from "../../protocol/messages.gen";
+import { FIELD_KINDS } from "../../protocol/topics";
+import type { Signal, TopicSignal } from "../../readouts/signals";
+import { PLOT_COLOURS } from "../../ui/plotColours";
+import { unitSymbol } from "./unitSymbols";
+
+/** As many lines as tell themselves apart. */
+export const MOST_PLOTTED = PLOT_COLOURS;
+
+/** What stands for a signal where it is remembered: "ahrs.roll_deg", "row.17.0". */
+export type PlotKeyText = string;
+
+export function rowKey(row: number, index: number): PlotKeyText {
+  return `row.${row}.${index}`;
+}
+
+/** The key of a board message's field, or null where no number of it is on the page's stream. */
+export function fieldKey(topic: string, field: string): PlotKeyText | null {
+  const isNumber =
+    FIELD_KINDS.get(topic)?.some(([name, kind]) => name === field && kind === "number") === true;
+  return isNumber ? `${topic}.${field}` : null;
+}
+
+/** Unit of a board message's field as people write it; nothing where it has none or nobody knows it. */
+export function fieldUnit(topic: string, field: string): string {
+  const fields: Readonly<Record<string, Readonly<Record<string, { readonly unit: string }>>>> = FIELDS;
+  return unitSymbol(fields[topic]?.[field]?.unit ?? "");
+}
+
+/** What one of a row's eight values is, by the simulator's profile; null where the definition says nothing of it. */
+export function rowValue(
+  profile: XplaneProfile,
+  row: number,
+  index: number,
+): { readonly name: string; readonly unit: string } | null {
+  const value = XPLANE_ROWS[profile]
+    .find(({ id }) => id === row)
+    ?.values.find((candidate) => candidate.index === index);
+  return value === undefined ? null : { name: value.name, unit: unitSymbol(value.unit) };
+}
+
+/** The signal that a key stands for, or null where it stands for none (any more). */
+export function signalOf(key: PlotKeyText, profile: XplaneProfile): Signal | null {
+  const row = /^row\.(\d{1,4})\.([0-7])$/.exec(key);
+  if (row !== null) {
+    const [number, index] = [Number(row[1]), Number(row[2])];
+    const known = rowValue(profile, number, index);
+    return { row: number, index, label: `${number}: ${known?.name ?? index}`, unit: known?.unit ?? "" };
+  }
+  const [topic = "", field = ""] = key.split(".");
+  return fieldKey(topic, field) === null
+    ? null
+    : ({ topic, field, label: key, unit: fieldUnit(topic, field) } as unknown as TopicSignal);
+}
+
+/** The remembered keys that still stand for something, each once, no more than can be told apart. */
+export function parsePlotted(text: string | undefined, profile: XplaneProfile): readonly PlotKeyText[] {
+  const keys = new Set((text ?? "").split(" ").filter((key) => signalOf(key, profile) !== null));
+  return [...keys].slice(0, MOST_PLOTTED);
+}
+
+/** The key taken in, or out again. */
+export function toggled(keys: readonly PlotKeyText[], key: PlotKeyText): readonly PlotKeyText[] {
+  return keys.includes(key) ? keys.filter((other) => other !== key) : [...keys, key];
+}

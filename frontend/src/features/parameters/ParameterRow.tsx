@@ -1,0 +1,85 @@
+import { ChartSpline, RotateCcw } from "lucide-react";
+import { useTranslation } from "react-i18next";
+import type { ParameterName } from "../../protocol/messages.gen";
+import { loopOf } from "../../protocol/tuning";
+import { useBoardBlocked } from "../../requests/useBlocked";
+import { usePage } from "../../store/hooks";
+import { choose } from "../../store/settings";
+import { Button } from "../../ui/Button";
+import { ParameterField } from "./ParameterField";
+import { INFO } from "./useFreshParameters";
+import { useParameters } from "./useParameters";
+
+interface Props {
+  name: ParameterName;
+  /** Ask whether this one shall have its default. */
+  onReset: (name: ParameterName) => void;
+}
+
+/** A gain with its range, its default, and what it differs from. */
+export function ParameterRow({ name, onReset }: Props) {
+  const { t } = useTranslation();
+  const { settings } = usePage();
+  const { value, loaded } = useParameters((values) => values.held[name]);
+  const blocked = useBoardBlocked();
+  const info = INFO[name];
+  return (
+    <div className="params-row" data-parameter={name}>
+      <ParameterField name={name} />
+      <div className="params-marks">
+        {value !== null && value !== info.default && (
+          <Mark
+            kind="default"
+            short={t("params.notDefault")}
+            long={t("params.notDefaultLong", { value: info.default })}
+          />
+        )}
+        {value !== null && loaded !== null && value !== loaded && (
+          <Mark
+            kind="loaded"
+            short={t("params.notLoaded")}
+            long={t("params.notLoadedLong", { value: loaded })}
+          />
+        )}
+      </div>
+      <div className="params-actions">
+        <Button
+          onPress={() => onReset(name)}
+          icon={<RotateCcw aria-hidden="true" size={14} />}
+          label={t("params.resetOne", { name })}
+          disabledReason={blocked ?? (value === info.default ? t("params.isDefault") : undefined)}
+        >
+          {null}
+        </Button>
+        <Button
+          onPress={() => choose(settings, "tuning.loop", loopOf(name))}
+          icon={<ChartSpline aria-hidden="true" size={14} />}
+          label={t("params.tune", { name })}
+        >
+          {null}
+        </Button>
+      </div>
+      <p className="params-doc">
+        <span>{t(`paramDoc.${name}`)}</span>
+        <span className="params-facts">
+          {t("params.facts", {
+            default: info.default,
+            minimum: info.minimum,
+            maximum: info.maximum,
+            step: info.step,
+          })}
+        </span>
+      </p>
+    </div>
+  );
+}
+
+/** A short sign with the whole sentence for pointer and screen reader. */
+function Mark({ kind, short, long }: { kind: "default" | "loaded"; short: string; long: string }) {
+  return (
+    <span className="params-mark" data-kind={kind} title={long}>
+      <span aria-hidden="true">{short}</span>
+      <span className="visually-hidden">{long}</span>
+    </span>
+  );
+}

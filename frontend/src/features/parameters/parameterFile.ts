@@ -1,0 +1,121 @@
+import { isNumber, isObject, isText } from "../../lib/check";
+import { PARAMETERS, type ParameterInfo, type ParameterName } from "../../protocol/messages.gen";
+
+const FORMAT = "epf-gcs-parameters";
+const VERSION = 1;
+
+export interface BoardFirmware {
+  readonly name: string | null;
+  readonly version: string | null;
+}
+
+export type ParameterFault = "no_name" | "unknown" | "not_a_number" | "out_of_range" | "not_whole" | "twice";
+
+/** One line of a parameter file. Where nothing is wrong with it, `parameter` says whose value it is. */
+export type FileLine =
+  | { readonly name: string; readonly text: string; readonly fault: ParameterFault; readonly parameter: null }
+  | {
+      readonly name: ParameterName;
+      readonly text: string;
+      readonly fault: ParameterFault | null;
+      readonly parameter: ParameterInfo;
+      readonly value: number | null;
+    };
+
+export interface ParameterFile {
+  /** When it was saved, as it says itself. */
+  readonly saved: string | null;
+  readonly board: BoardFirmware | null;
+  readonly lines: readonly FileLine[];
+  /** The parameters of which it says nothing. */
+  readonly missing: readonly ParameterName[];
+}
+
+/** Why a file as a whole cannot be read. */
+export type FileRefusal = "not_json" | "not_parameters" | "newer";
+
+/** The text of a file with these values: a line each, in the order of the definition. */
+export function writeParameterFile(
+  values: Readonly<Record<ParameterName, number>>,
+  board: BoardFirmware | null,
+  saved: Date,
+): string {
+  const file = {
+    format: FORMAT,
+    version: VERSION,
+    saved: saved.toISOString(),
+    board,
+    parameters: PARAMETERS.map(({ name }) => ({ name, value: values[name] })),
+  };
+  return `${JSON.stringify(file, null, 2)}\n`;
+}
+
+/** What a file holds, line by line with what is wrong with it; or why it is no parameter file. */
+export function readParameterFile(text: string): ParameterFile | FileRefusal {
+  const file = parse(text);
+  if (file === undefined) {
+    return "not_json";
+  }
+  if (!(isObject(file) && file["format"] === FORMAT && Array.isArray(file["parameters"]))) {
+    return "not_parameters";
+  }
+  if (file["version"] !== VERSION) {
+    return "newer";
+  }
+  const seen = new Set<string>();
+  const lines = file["parameters"].map((entry: unknown) => readLine(entry, seen));
+  const { saved, board } = file;
+  return {
+    saved: isText(saved) ? saved : null,
+    board: isObject(board) ? { name: textOf(board["name"]), version: textOf(board["version"]) } : null,
+    lines,
+    missing: PARAMETERS.map(({ name }) => name).filter((name) => !seen.has(name)),
+  };
+}
+
+function readLine(entry: unknown, seen: Set<string>): FileLine {
+  const name = isObject(entry) && isText(entry["name"]) ? entry["name"] : null;
+  const raw = isObject(entry) ? entry["value"] : entry;
+  const text = isText(raw) ? raw : (JSON.stringify(raw) ?? "");
+  if (name === null) {
+    return { name: "", text, fault: "no_name", parameter: null };
+  }
+  const parameter = PARAMETERS.find((known) => known.name === name);
+  if (parameter === undefined) {
+    return { name, text, fault: "unknown", parameter: null };
+  }
+  const isTwice = seen.has(name);
+  seen.add(name);
+  const fault = isTwice ? "twice" : valueFault(parameter, raw);
+  const value = fault === null && isNumber(raw) ? raw : null;
+  return { name: parameter.name, text, fault, parameter, value };
+}
+
+/** Why the board would not take this value; null where it would. */
+export function valueFault(
+  { minimum, maximum, isInteger }: ParameterInfo,
+  value: unknown,
+): "not_a_number" | "out_of_range" | "not_whole" | null {
+  if (!isNumber(value)) {
+    return "not_a_number";
+  }
+  if (value < minimum || value > maximum) {
+    return "out_of_range";
+  }
+  return isInteger && !Number.isInteger(value) ? "not_whole" : null;
+}
+
+/** Some programs write NaN and Infinity, which JSON does not know: taken as text, so that their lines can be told. */
+const NO_JSON = /"(?:[^"\\]|\\.)*"|-?\b(?:NaN|Infinity)\b/g;
+
+function parse(text: string): unknown {
+  try {
+    return JSON.parse(text.replace(NO_JSON, (token) => (token.startsWith('"') ? token : `"${token}"`)));
+  } catch {
+    return undefined;
+  }
+}
+
+function textOf(value: unknown): string | null {
+  return isText(value) ? value : null;
+}

@@ -1,0 +1,160 @@
+import { isNumber, isText, nullable, oneOf, shape } from "../../lib/check";
+import type { StreamEvent } from "../../protocol/envelope";
+import {
+  isCommandOutcome,
+  isParameterJournal,
+  isParameterList,
+  type ParameterList,
+} from "../../protocol/guards.gen";
+import type { ParameterName } from "../../protocol/messages.gen";
+import { isParameterName } from "../../protocol/parameterName";
+import { type HeldParameter, isJournalEvent, isParameterEvent } from "../../protocol/parameters";
+import { resultMessage } from "../../requests/actions";
+import type { Asker } from "../../requests/asking";
+import { type AskingParts, createAsking, type Ended, info } from "../../requests/asking";
+import { failureMessage, type Message } from "../../store/messages";
+import {
+  type Changes,
+  type ParameterActions,
+  type ParameterStore,
+  take,
+  takeEntry,
+  takeJournal,
+  takeStored,
+} from "./parameterValues";
+
+const PATH = "/api/v1/parameters";
+
+/** What a person can ask about the gains, as questions to the gateway with their outcome in the stores. */
+export function createParameterActions(values: ParameterStore, parts: AskingParts): ParameterActions {
+  const { rest, wall_ms } = parts;
+  const { run } = createAsking(parts);
+  /** Edits under way, each with the newest wish that waits behind it. */
+  const underWay = new Map<ParameterName, number | null>();
+
+  function takeList({ parameters }: ParameterList): void {
+    take(values, Object.fromEntries(parameters.map(({ name, ...held }) => [name, held])));
+  }
+
+  /** A question that answers with all the gains; the failure's sentence, or null. */
+  async function ask(
+    question: readonly ["POST" | "PATCH", string, object?],
+    asker: Asker,
+    end: (listed: ParameterList) => Ended,
+  ): Promise<Message | null> {
+    const [method, path, body] = question;
+    const asked = rest.ask(method, path, isParameterList, body);
+    await run(asker, asked, (listed) => {
+      takeList(listed);
+      return end(listed);
+    });
+    const answer = await asked;
+    return answer.ok ? null : failureMessage(answer.problem);
+  }
+
+  function write(changes: Changes, asker: Asker): Promise<Message | null> {
+    return ask(["PATCH", PATH, changes], asker, (listed) => writtenEnd(changes, listed));
+  }
+
+  async function move(kind: "undo" | "redo", asker: Asker): Promise<void> {
+    const moves = values.getState().journal?.[kind] ?? [];
+    const changes: Changes = Object.fromEntries(moves.map(({ name, after }) => [name, after]));
+    await ask(["POST", `${PATH}/${kind}`], asker, (listed) => writtenEnd(changes, listed));
+  }
+
+  return {
+    values,
+    write,
+
+    refresh: async () => {
+      const [listed, journal] = await Promise.all([
+        rest.ask("GET", PATH, isParameterList),
+        rest.ask("GET", `${PATH}/journal`, isParameterJournal),
+      ]);
+      if (listed.ok) takeList(listed.value);
+      if (journal.ok) takeJournal(values, journal.value);
+    },
+
+    load: async (asker) => {
+      await ask(["POST", `${PATH}/load`], asker, () => ({
+        state: "confirmed",
+        message: info("params.saidLoaded"),
+      }));
+    },
+
+    edit: async (name, value) => {
+      if (underWay.has(name)) {
+        underWay.set(name, value);
+        return;
+      }
+      for (let wish: number | null = value; wish !== null; wish = underWay.get(name) ?? null) {
+        underWay.set(name, null);
+        await write({ [name]: wish }, { control: `parameter.${name}` });
+      }
+      underWay.delete(name);
+    },
+
+    undo: (asker) => move("undo", asker),
+    redo: (asker) => move("redo", asker),
+
+    store: (asker) =>
+      run(asker, rest.ask("POST", `${PATH}/store`, isCommandOutcome), (result) => {
+        if (result.state !== "confirmed") {
+          return { state: result.state, message: resultMessage("@command.store_parameters", result) };
+        }
+        takeStored(values, wall_ms());
+        return { state: "confirmed", message: info("params.saidStored") };
+      }),
+  };
+}
+
+/** What became of a step: the gains say it, after they were read back. */
+function writtenEnd(changes: Changes, { parameters }: ParameterList): Ended {
+  const written = parameters.filter(({ name }) => changes[name] !== undefined);
+  const refused = written.filter(({ state }) => state !== "confirmed");
+  const [first] = refused;
+  if (first !== undefined) {
+    return {
+      state: "rejected",
+      message: {
+        level: "error",
+        key: "params.saidRefused",
+        params: {
+          names: refused.map(({ name }) => name).join(", "),
+          wanted: changes[first.name] ?? "",
+          value: first.value ?? "@words.unknown",
+        },
+      },
+    };
+  }
+  const what = written.map(({ name, value }) => `${name} = ${value ?? ""}`).join(", ");
+  return { state: "confirmed", message: info("params.saidWritten", { what }) };
+}
+
+const isStoreEvent = shape({
+  name: oneOf("store_parameters"),
+  client: nullable(isText),
+  state: oneOf("confirmed"),
+  ms: nullable(isNumber),
+});
+
+/** What the stream tells of the gains, whoever asked for it. */
+export function takeParameterEvent(
+  values: ParameterStore,
+  { event, data }: StreamEvent,
+  wall_ms: number,
+): void {
+  if (event === "parameter" && isParameterEvent(data)) {
+    const news: Partial<Record<ParameterName, HeldParameter>> = {};
+    for (const [name, held] of Object.entries(data.parameters)) {
+      if (isParameterName(name)) {
+        news[name] = held;
+      }
+    }
+    take(values, news);
+  } else if (event === "journal" && isJournalEvent(data)) {
+    takeEntry(values, data);
+  } else if (event === "command" && isStoreEvent(data)) {
+    takeStored(values, wall_ms);
+  }
+}

@@ -1,0 +1,99 @@
+import { createStore, type StoreApi } from "zustand/vanilla";
+import { PARAMETERS, type ParameterName } from "../../protocol/messages.gen";
+import type { HeldParameter, Journal, JournalEntry, ParameterMoves } from "../../protocol/parameters";
+import type { Asker } from "../../requests/asking";
+import type { Message } from "../../store/messages";
+import { partName } from "../../store/parts";
+
+/** A gain's change in a question: what it shall be, by name. */
+export type Changes = Readonly<Partial<Record<ParameterName, number>>>;
+
+/** The 17 gains as the gateway knows them, and the journal of what was written to them. */
+export interface ParameterValues {
+  readonly held: Readonly<Record<ParameterName, HeldParameter>>;
+  /** Null until the gateway has told it. */
+  readonly journal: Journal | null;
+  /** When the board said that these very values are on its card, milliseconds of the calendar; null: not known. */
+  readonly stored_ms: number | null;
+}
+
+export type ParameterStore = StoreApi<ParameterValues>;
+
+/** What a person can ask about the gains; nothing here throws. */
+export interface ParameterActions {
+  readonly values: ParameterStore;
+  /** Ask the gateway what it knows; nothing is asked of the board. */
+  readonly refresh: () => Promise<void>;
+  readonly load: (asker: Asker) => Promise<void>;
+  /** Write one; while its last write is under way only the newest wish waits. */
+  readonly edit: (name: ParameterName, value: number) => Promise<void>;
+  /** Write some in one step, and read them back. The sentence of what failed, or null: then `held` says of each. */
+  readonly write: (changes: Changes, asker: Asker) => Promise<Message | null>;
+  readonly undo: (asker: Asker) => Promise<void>;
+  readonly redo: (asker: Asker) => Promise<void>;
+  readonly store: (asker: Asker) => Promise<void>;
+}
+
+export const PARAMETER_REQUESTS = partName<ParameterActions>("parameters");
+
+const UNKNOWN: HeldParameter = { value: null, loaded: null, state: "unknown" };
+const NOTHING: ParameterValues = {
+  held: fill(() => UNKNOWN),
+  journal: null,
+  stored_ms: null,
+};
+
+export function createParameters(): ParameterStore {
+  return createStore<ParameterValues>(() => NOTHING);
+}
+
+/** Nothing is known any more: the gateway is away. */
+export function forget(store: ParameterStore): void {
+  store.setState(NOTHING);
+}
+
+/** The gateway says this of some gains. What stands on the card is not what the board has, once a value moves. */
+export function take(
+  store: ParameterStore,
+  news: Readonly<Partial<Record<ParameterName, HeldParameter>>>,
+): void {
+  store.setState(({ held, stored_ms }) => {
+    const next = fill((name) => news[name] ?? held[name]);
+    const isSame = PARAMETERS.every(({ name }) => next[name].value === held[name].value);
+    return { held: next, stored_ms: isSame ? stored_ms : null };
+  });
+}
+
+export function takeJournal(store: ParameterStore, journal: Journal): void {
+  store.setState({ journal });
+}
+
+/** How many entries the page keeps: as many as the gateway does. */
+const KEPT = 1000;
+
+/** One step more, and what can be undone after it. Before the whole journal is there nothing is kept. */
+export function takeEntry(
+  store: ParameterStore,
+  news: {
+    readonly entry: JournalEntry | null;
+    readonly undo: ParameterMoves;
+    readonly redo: ParameterMoves;
+  },
+): void {
+  store.setState(({ journal }) => {
+    if (journal === null) {
+      return {};
+    }
+    const { entry, undo, redo } = news;
+    const entries = entry === null ? journal.entries : [entry, ...journal.entries].slice(0, KEPT);
+    return { journal: { entries, undo, redo } };
+  });
+}
+
+export function takeStored(store: ParameterStore, at_ms: number): void {
+  store.setState({ stored_ms: at_ms });
+}
+
+function fill(of: (name: ParameterName) => HeldParameter): ParameterValues["held"] {
+  return Object.fromEntries(PARAMETERS.map(({ name }) => [name, of(name)])) as ParameterValues["held"];
+}

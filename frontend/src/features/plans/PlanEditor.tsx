@@ -1,0 +1,122 @@
+import { useState } from "react";
+import { useTranslation } from "react-i18next";
+import { useSentence } from "../../i18n/useSentence";
+import { MISSIONS, notePlan } from "../../missions/planDrafts";
+import { usePlan } from "../../missions/usePlan";
+import { usePlans } from "../../missions/usePlans";
+import type { PlanName } from "../../protocol/missions";
+import { useAsked } from "../../requests/useAsked";
+import { usePart } from "../../store/hooks";
+import { ConfirmDialog } from "../../ui/Dialog";
+import { Notice } from "../../ui/Notice";
+import { LiveSketch } from "./LiveSketch";
+import { PlanHead } from "./PlanHead";
+import { PlanIssues } from "./PlanIssues";
+import { PlanTable } from "./PlanTable";
+import { PlanTools } from "./PlanTools";
+import { RowTools } from "./RowTools";
+import { useEditing } from "./useEditing";
+
+/** One of the two plans: its table, its sketch, what is wrong with it, and the ways to and from board and files. */
+export function PlanEditor({ plan }: { plan: PlanName }) {
+  const { t } = useTranslation();
+  const shown = usePlan(plan);
+  const { waypoints } = shown;
+  const [chosen, setChosen] = useState<number | null>(null);
+  const selected = chosen !== null && chosen < waypoints.length ? chosen : null;
+  const [question, setQuestion] = useState<(() => void) | null>(null);
+  const edit = useEditing(plan, selected, setChosen);
+
+  return (
+    <div className="plans-editor">
+      <PlanTools
+        plan={plan}
+        shown={shown}
+        selected={selected}
+        onReplace={(replace) => {
+          const isUnsent = waypoints.length > 0 && shown.state !== "same";
+          if (isUnsent) setQuestion(() => replace);
+          else replace();
+        }}
+      />
+      <PlanHead shown={shown} />
+      {!shown.canTransfer && <Notice level="info">{t("plans.unsupported")}</Notice>}
+      <Said plan={plan} />
+      <div className="plans-body">
+        <div className="plans-main">
+          <RowTools plan={plan} selected={selected} count={waypoints.length} edit={edit} />
+          {/* biome-ignore lint/a11y/noStaticElementInteractions: the keys are those of the cells within */}
+          <div ref={edit.frame} className="plans-frame" onKeyDown={edit.onKeyDown}>
+            {waypoints.length === 0 ? (
+              <p className="plans-empty">{t("plans.empty")}</p>
+            ) : (
+              <PlanTable
+                waypoints={waypoints}
+                issues={shown.issues}
+                active={shown.active}
+                selected={selected}
+                onSelect={setChosen}
+                onEdit={edit.change}
+                onGo={edit.go}
+              />
+            )}
+          </div>
+          <p className="plans-keys">{t("plans.keys")}</p>
+        </div>
+        <aside className="plans-side" aria-label={t("plans.issues")}>
+          <LiveSketch
+            plan={plan}
+            waypoints={waypoints}
+            active={shown.active}
+            selected={selected}
+            onSelect={(row) => edit.go(row, "latitude_deg")}
+          />
+          <PlanIssues issues={shown.issues} onGo={edit.go} />
+        </aside>
+      </div>
+      {question !== null && (
+        <ConfirmDialog
+          title={t("plans.replaceTitle")}
+          text={t("plans.replaceText")}
+          confirmLabel={t("plans.replace")}
+          cancelLabel={t("plans.keep")}
+          onConfirm={() => {
+            setQuestion(null);
+            question();
+          }}
+          onCancel={() => setQuestion(null)}
+        />
+      )}
+    </div>
+  );
+}
+
+/** What the last transfer or file had to say, and what was supposed in a file. */
+function Said({ plan }: { plan: PlanName }) {
+  const sentence = useSentence();
+  const missions = usePart(MISSIONS);
+  const notes = usePlans((plans) => plans[plan].notes);
+  const failures = [
+    useAsked(`plan.download.${plan}`),
+    useAsked(`plan.upload.${plan}`),
+    useAsked(`plan.goTo.${plan}`),
+    useAsked(`plan.import.${plan}`),
+    useAsked(`plan.export.${plan}`),
+  ].filter(({ state }) => state === "rejected" || state === "timed_out");
+  return (
+    <>
+      {failures.map(({ stateText }) => (
+        <Notice key={stateText} level="error">
+          {stateText}
+        </Notice>
+      ))}
+      {notes.length > 0 && (
+        <Notice level="warning" onDismiss={() => notePlan(missions.plans, plan, [])}>
+          {notes.map((note) => (
+            <p key={note.key}>{sentence(note)}</p>
+          ))}
+        </Notice>
+      )}
+    </>
+  );
+}

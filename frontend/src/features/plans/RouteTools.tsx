@@ -1,0 +1,73 @@
+import { useState } from "react";
+import { useTranslation } from "react-i18next";
+import { editPlan, MISSIONS, type RouteCommand } from "../../missions/planDrafts";
+import { ROUTES } from "../../protocol/messages.gen";
+import { useAsked } from "../../requests/useAsked";
+import { useBoardBlocked } from "../../requests/useBlocked";
+import { usePart } from "../../store/hooks";
+import { Button } from "../../ui/Button";
+import { Select } from "../../ui/Select";
+
+const COMMANDS = {
+  gando: "hil_load_gando",
+  ruta_isla: "hil_load_ruta_isla",
+  alternativa: "hil_load_alternativa",
+  vuelo: "hil_load_vuelo",
+} as const satisfies Readonly<Record<string, RouteCommand>>;
+type RouteName = keyof typeof COMMANDS;
+
+interface Props {
+  canTransfer: boolean;
+  onReplace: (replace: () => void) => void;
+}
+
+/** The four routes that every board has built in: into the board, or into the table alone. */
+export function RouteTools({ canTransfer, onReplace }: Props) {
+  const { t } = useTranslation();
+  const missions = usePart(MISSIONS);
+  const [route, setRoute] = useState<RouteName | null>(null);
+  const { state, stateText } = useAsked("plan.route");
+  const blocked = useBoardBlocked();
+  const none = route === null ? t("plans.routeNone") : undefined;
+
+  function load(): void {
+    if (route !== null) {
+      void missions.loadRoute(COMMANDS[route], canTransfer, { control: "plan.route" });
+    }
+  }
+
+  function take(): void {
+    const found = ROUTES.find(({ name }) => name === route);
+    if (found !== undefined) {
+      editPlan(missions.plans, "hil", found.waypoints);
+    }
+  }
+
+  return (
+    <>
+      <span className="plans-gap" />
+      <Select
+        label={t("plans.route")}
+        hideLabel
+        placeholder={t("plans.routeChoose")}
+        value={route}
+        onChange={setRoute}
+        options={(Object.keys(COMMANDS) as RouteName[]).map((value) => ({
+          value,
+          label: ROUTES.find(({ name }) => name === value)?.title ?? value,
+        }))}
+      />
+      <Button
+        onPress={() => (canTransfer ? onReplace(load) : load())}
+        state={state}
+        stateText={stateText}
+        disabledReason={blocked ?? none}
+      >
+        {t("plans.routeLoad")}
+      </Button>
+      <Button onPress={() => onReplace(take)} disabledReason={none}>
+        {t("plans.routeTake")}
+      </Button>
+    </>
+  );
+}

@@ -1,0 +1,51 @@
+import { createStore, type StoreApi } from "zustand/vanilla";
+import type { CommandState } from "../../store/commands";
+import type { Message } from "../../store/messages";
+import { partName } from "../../store/parts";
+
+/** Servo outputs of the board. */
+export const SERVO_COUNT = 20;
+/** The first four follow the autopilot's law until they are moved, and again when the control mode is chosen. */
+export const DRIVEN_SERVOS = 4;
+
+export interface Servo {
+  /** Where somebody moved it last, -1..+1; null while nobody has: the board does not say where its servos are. */
+  readonly position: number | null;
+  /** What became of the newest move. */
+  readonly state: CommandState;
+  readonly message: Message | null;
+}
+
+export const UNMOVED: Servo = { position: null, state: "idle", message: null };
+
+export interface Servos {
+  readonly servos: readonly Servo[];
+}
+
+export type ServoStore = StoreApi<Servos>;
+
+/** The sliders of the servo outputs. */
+export interface ServoSliders {
+  readonly store: ServoStore;
+  /** Ask for this position; of moves that come faster than they go out, each servo's newest wins. */
+  readonly move: (servo: number, position: number) => void;
+}
+
+export const SERVO_SLIDERS = partName<ServoSliders>("servos");
+
+export function createServos(): ServoStore {
+  return createStore<Servos>(() => ({ servos: Array.from({ length: SERVO_COUNT }, () => UNMOVED) }));
+}
+
+export function setServo(store: ServoStore, index: number, change: Partial<Servo>): void {
+  store.setState(({ servos }) => ({
+    servos: servos.map((servo, at) => (at === index ? { ...servo, ...change } : servo)),
+  }));
+}
+
+/** From now on nobody knows where the first `count` servos are. */
+export function forgetServos(store: ServoStore, count: number = SERVO_COUNT): void {
+  store.setState(({ servos }) => ({
+    servos: servos.map((servo, index) => (index < count ? UNMOVED : servo)),
+  }));
+}

@@ -1,0 +1,131 @@
+import { isNumber, isText, list, nullable, oneOf, shape } from "../../lib/check";
+import type { Timers } from "../../lib/timers";
+import type { StreamEvent } from "../../protocol/envelope";
+import { isCommandOutcome } from "../../protocol/guards.gen";
+import type { Status } from "../../protocol/status";
+import { resultMessage } from "../../requests/actions";
+import type { Gateway } from "../../requests/asking";
+import type { Outcome } from "../../store/commands";
+import { failureMessage, type Message } from "../../store/messages";
+import {
+  createServos,
+  DRIVEN_SERVOS,
+  forgetServos,
+  SERVO_COUNT,
+  type ServoSliders,
+  setServo,
+} from "./servoPositions";
+
+/** Moves go out no faster than this: twenty a second are a quarter of what the slowest usual line carries. */
+const PERIOD_MS = 50;
+
+interface Parts {
+  readonly rest: Gateway;
+  readonly timers: Timers;
+  readonly client: () => string | null;
+  readonly tell: (message: Message) => void;
+}
+
+export interface ServoSlidersEnds {
+  readonly sliders: ServoSliders;
+  /** Another browser's moves, and commands after which nobody knows where the servos are. */
+  readonly takeEvent: (event: StreamEvent) => void;
+  readonly takeStatus: (status: Status) => void;
+}
+
+const isDone = oneOf("confirmed", "sent");
+const isMoveEvent = shape({
+  name: oneOf("servo_out"),
+  client: nullable(isText),
+  state: isDone,
+  value: list(isNumber),
+});
+const isModeEvent = shape({
+  name: oneOf("servos_control_mode_fly_by_wire", "servos_control_mode_hil"),
+  state: isDone,
+});
+const isResetEvent = shape({ name: oneOf("reset"), state: isDone });
+
+/** Sends what the sliders ask for: one move of a servo under way at a time, its newest position next. */
+export function createServoSliders({ rest, timers, client, tell }: Parts): ServoSlidersEnds {
+  const store = createServos();
+  const wanted = new Map<number, number>();
+  const underWay = new Set<number>();
+  let isWaiting = false;
+  let board = "";
+
+  function sendNext(): void {
+    const next = [...wanted].find(([servo]) => !underWay.has(servo));
+    if (isWaiting || next === undefined) {
+      return;
+    }
+    const [servo, position] = next;
+    wanted.delete(servo);
+    underWay.add(servo);
+    isWaiting = true;
+    timers.after(PERIOD_MS, () => {
+      isWaiting = false;
+      sendNext();
+    });
+    void send(servo, position);
+  }
+
+  async function send(servo: number, position: number): Promise<void> {
+    const value = { servo, position };
+    const answer = await rest.ask("POST", "/api/v1/commands/servo_out", isCommandOutcome, { value });
+    underWay.delete(servo);
+    if (!wanted.has(servo)) {
+      const state = answer.ok ? answer.value.state : "rejected";
+      const message = answer.ok
+        ? resultMessage("@command.servo_out", answer.value)
+        : failureMessage(answer.problem);
+      settle(servo, position, state, message);
+    }
+    sendNext();
+  }
+
+  function settle(servo: number, position: number, state: Outcome, message: Message): void {
+    if (state === "confirmed" || state === "sent") {
+      setServo(store, servo, { position, state, message: null });
+      return;
+    }
+    // Refused or lost: where the servo is now, nobody knows.
+    setServo(store, servo, { position: null, state, message });
+    tell(message);
+  }
+
+  return {
+    sliders: {
+      store,
+      move: (servo, position) => {
+        if (servo < 0 || servo >= SERVO_COUNT) {
+          return;
+        }
+        setServo(store, servo, { position, state: "pending", message: null });
+        wanted.set(servo, position);
+        sendNext();
+      },
+    },
+    takeEvent: ({ event, data }) => {
+      if (event !== "command") {
+        return;
+      }
+      if (isMoveEvent(data) && data.client !== client()) {
+        const [servo = -1, position = 0] = data.value;
+        setServo(store, servo, { position, state: data.state, message: null });
+      } else if (isModeEvent(data)) {
+        forgetServos(store, DRIVEN_SERVOS);
+      } else if (isResetEvent(data)) {
+        forgetServos(store);
+      }
+    },
+    takeStatus: ({ board: { state, url, reopened } }) => {
+      const now = `${state} ${url} ${reopened}`;
+      if (now !== board) {
+        board = now;
+        wanted.clear();
+        forgetServos(store);
+      }
+    },
+  };
+}

@@ -1,0 +1,105 @@
+import { useCallback, useRef } from "react";
+import { useTranslation } from "react-i18next";
+import { formatAge, formatMeasured, WIRE_FIGURES } from "../../lib/format";
+import { useTelemetry } from "../../store/hooks";
+import type { TelemetryStore } from "../../store/telemetry";
+import { usePaint } from "../../store/usePaint";
+import { Panel } from "../../ui/Panel";
+import { SteadyText, type SteadyTextHandle } from "../../ui/SteadyText";
+import { useRowName } from "./useRowName";
+
+const VALUES = [0, 1, 2, 3, 4, 5, 6, 7] as const;
+
+/** Every row that X-Plane sent, live: its number and its eight values. */
+export function RowTable() {
+  const { t } = useTranslation();
+  // As text, so that React renders only when a row joins or one falls silent.
+  const heard = useTelemetry((telemetry) => [...telemetry.rows.keys()].sort((a, b) => a - b).join());
+  const live = useTelemetry(
+    (telemetry, now_ms) =>
+      [...telemetry.rows.keys()].filter((row) => telemetry.rowState(row, now_ms) === "live").length,
+  );
+  const rows = heard === "" ? [] : heard.split(",").map(Number);
+  return (
+    <Panel title={t("rowTable.title", { number: live })} className="setup-rows">
+      {rows.length === 0 ? (
+        <p className="setup-log-empty">{t("rowTable.none")}</p>
+      ) : (
+        <section
+          className="setup-rows-scroll"
+          aria-label={t("rowTable.label")}
+          // biome-ignore lint/a11y/noNoninteractiveTabindex: the keyboard must be able to scroll it
+          tabIndex={0}
+        >
+          <table className="setup-table">
+            <thead>
+              <tr>
+                <th scope="col">{t("rowTable.row")}</th>
+                <th scope="col">{t("rowTable.name")}</th>
+                {VALUES.map((index) => (
+                  <th key={index} scope="col" className="setup-table-number">
+                    {index}
+                  </th>
+                ))}
+                <th scope="col" className="setup-table-number">
+                  {t("rowTable.age")}
+                </th>
+              </tr>
+            </thead>
+            <tbody>
+              {rows.map((row) => (
+                <Row key={row} row={row} />
+              ))}
+            </tbody>
+          </table>
+        </section>
+      )}
+    </Panel>
+  );
+}
+
+/** One row, painted without a render; what is old or absent is no data. */
+function Row({ row }: { row: number }) {
+  const { t } = useTranslation();
+  const name = useRowName(row);
+  const dash = t("words.dash");
+  const line = useRef<HTMLTableRowElement>(null);
+  const cells = useRef<Array<SteadyTextHandle | null>>([]);
+  const age = useRef<SteadyTextHandle>(null);
+  const paint = useCallback(
+    (telemetry: TelemetryStore, now_ms: number) => {
+      for (const index of VALUES) {
+        const value = telemetry.liveRowValue(row, index, now_ms);
+        cells.current[index]?.write(formatMeasured(value, WIRE_FIGURES) ?? dash);
+      }
+      const age_s = telemetry.rowAge_s(row, now_ms);
+      age.current?.write(age_s === null ? dash : formatAge(age_s));
+      if (line.current !== null) {
+        line.current.dataset["state"] = telemetry.rowState(row, now_ms);
+      }
+    },
+    [row, dash],
+  );
+  usePaint("text", paint);
+  return (
+    <tr ref={line}>
+      <th scope="row" className="setup-table-row">
+        {row}
+      </th>
+      <td>{name}</td>
+      {VALUES.map((index) => (
+        <td key={index} className="setup-table-number">
+          <SteadyText
+            ref={(cell) => {
+              cells.current[index] = cell;
+            }}
+            chars={9}
+          />
+        </td>
+      ))}
+      <td className="setup-table-number setup-table-age">
+        <SteadyText ref={age} chars={6} />
+      </td>
+    </tr>
+  );
+}

@@ -1,0 +1,132 @@
+import { screen, within } from "@testing-library/react";
+import userEvent from "@testing-library/user-event";
+import { beforeEach, describe, expect, test } from "vitest";
+import { aStatus } from "../../test/aStatus";
+import { type Asked, Station } from "../../test/station";
+
+let station: Station;
+const user = userEvent.setup();
+const closed = aStatus({
+  board: { ...aStatus().board, state: "closed", url: null, mode: null, firmware: null },
+  simulator: { ...aStatus().simulator, state: "closed" },
+});
+
+function board(): HTMLElement {
+  return screen.getByRole("region", { name: "Comunicación con el Piloto Automático" });
+}
+
+function simulator(): HTMLElement {
+  return screen.getByRole("region", { name: "XPlane" });
+}
+
+function newest(method: string): Asked {
+  const asked = station.asked.filter((question) => question.method === method).at(-1);
+  if (asked === undefined) {
+    throw new Error(`the page asked nothing with ${method}`);
+  }
+  return asked;
+}
+
+beforeEach(async () => {
+  station = new Station();
+  station.greet(closed);
+  await user.click(screen.getByRole("tab", { name: "Setup" }));
+  const port = { path: "/dev/ttyUSB0", url: "serial:///dev/ttyUSB0", description: "FT232R", identity: null };
+  await newest("GET").answer({ ports: [port] });
+});
+
+describe("the board's line", () => {
+  test("is opened at the chosen port and speed", async () => {
+    await user.selectOptions(within(board()).getByRole("combobox", { name: "Puerto" }), "/dev/ttyUSB0");
+    await user.selectOptions(within(board()).getByRole("combobox", { name: "Velocidad" }), "57600");
+    await user.click(within(board()).getByRole("button", { name: /Open/ }));
+    expect(newest("PUT")).toMatchObject({
+      path: "/api/v1/links/board",
+      body: { url: "serial:///dev/ttyUSB0?baud=57600" },
+    });
+  });
+
+  test("is opened at a written address", async () => {
+    await user.selectOptions(within(board()).getByRole("combobox", { name: "Puerto" }), "other");
+    await user.type(
+      within(board()).getByRole("textbox", { name: "Dirección" }),
+      "tcp://127.0.0.1:5760{Enter}",
+    );
+    await user.click(within(board()).getByRole("button", { name: /Open/ }));
+    expect(newest("PUT").body).toEqual({ url: "tcp://127.0.0.1:5760" });
+  });
+
+  test("that cannot be opened says which, why and what to do, in the page's language", async () => {
+    await user.selectOptions(within(board()).getByRole("combobox", { name: "Puerto" }), "/dev/ttyUSB0");
+    await user.click(within(board()).getByRole("button", { name: /Open/ }));
+    await newest("PUT").answer(
+      { code: "link_busy", detail: "It is in use.", params: { target: "/dev/ttyUSB0" } },
+      409,
+    );
+    expect(within(board()).getByRole("alert").textContent).toBe(
+      "/dev/ttyUSB0 lo está usando otro programa: ciérralo y vuelve a abrir.",
+    );
+  });
+
+  test("with a problem that this page does not know shows the gateway's own sentence", async () => {
+    await user.selectOptions(within(board()).getByRole("combobox", { name: "Puerto" }), "/dev/ttyUSB0");
+    await user.click(within(board()).getByRole("button", { name: /Open/ }));
+    await newest("PUT").answer({ code: "new_code", detail: "The moon is in the way.", params: {} }, 409);
+    expect(within(board()).getByRole("alert").textContent).toBe("The moon is in the way.");
+  });
+
+  test("that was lost says so for as long as it is", () => {
+    const failure = {
+      code: "link_lost",
+      detail: "Lost.",
+      params: { target: "/dev/ttyUSB0", reason: "gone" },
+    };
+    station.status({ ...closed, board: { ...closed.board, state: "lost", failure } });
+    expect(within(board()).getByRole("alert").textContent).toContain(
+      "Se ha perdido la línea con /dev/ttyUSB0",
+    );
+    station.status(aStatus());
+    expect(within(board()).queryByRole("alert")).toBeNull();
+  });
+
+  test("cannot be closed while it is closed, and says why", async () => {
+    await user.click(within(board()).getByRole("button", { name: "Close" }));
+    expect(station.asked.some(({ method }) => method === "DELETE")).toBe(false);
+    station.status(aStatus());
+    await user.click(within(board()).getByRole("button", { name: "Close" }));
+    expect(newest("DELETE").path).toBe("/api/v1/links/board");
+  });
+});
+
+test("the ports are read again on demand, and a failure to read them is said", async () => {
+  await user.click(within(board()).getByRole("button", { name: /Actualizar/ }));
+  await newest("GET").answer("<html>", 502);
+  expect(within(board()).getByRole("alert").textContent).toContain("502");
+});
+
+describe("the simulator's line", () => {
+  test("is opened with the fields as they stand", async () => {
+    const host = within(simulator()).getByRole("textbox", { name: "IP XPlane" });
+    await user.clear(host);
+    await user.type(host, "192.168.1.9");
+    await user.click(within(simulator()).getByRole("button", { name: /Open/ }));
+    expect(newest("PUT")).toMatchObject({
+      path: "/api/v1/links/simulator",
+      body: { receive_port: 49003, send_host: "192.168.1.9", send_port: 49000, profile: "xp10" },
+    });
+  });
+
+  test("whose port is taken says so", () => {
+    const failure = { code: "port_taken", detail: "Taken.", params: { target: "UDP 49003" } };
+    station.status({ ...closed, simulator: { ...closed.simulator, state: "lost", failure } });
+    expect(within(simulator()).getByRole("alert").textContent).toContain("UDP 49003 lo tiene otro programa");
+  });
+
+  test("names the rows that came and those that are missing", () => {
+    station.status(
+      aStatus({ simulator: { ...aStatus().simulator, rows: [3, 4, 8], missing_rows: [16, 17] } }),
+    );
+    expect(simulator().textContent).toContain("3, 4, 8");
+    expect(simulator().textContent).toContain("Faltan las filas 16, 17");
+  });
+});

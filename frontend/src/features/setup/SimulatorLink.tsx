@@ -1,0 +1,176 @@
+import { Plug, Unplug } from "lucide-react";
+import { useState } from "react";
+import { useTranslation } from "react-i18next";
+import { useSentence } from "../../i18n/useSentence";
+import { formatFixed } from "../../lib/format";
+import type { SimulatorLink as Link } from "../../requests/actions";
+import { ACTIONS } from "../../requests/actions";
+import { useAsked } from "../../requests/useAsked";
+import { useGatewayBlocked } from "../../requests/useBlocked";
+import { useCommandEntry, useConnection, usePage, usePart, useSettings } from "../../store/hooks";
+import { failureMessage } from "../../store/messages";
+import { choose } from "../../store/settings";
+import { Button } from "../../ui/Button";
+import { Notice } from "../../ui/Notice";
+import { NumberField } from "../../ui/NumberField";
+import { Panel } from "../../ui/Panel";
+import { Select } from "../../ui/Select";
+import { TextField } from "../../ui/TextField";
+import { Facts } from "./Facts";
+
+const RECEIVE_PORT = 49003;
+const SEND_PORT = 49000;
+const PROFILES = ["xp10", "xp12"] as const;
+
+/** "XPlane": where the simulator is, which ports, and what comes from it. */
+export function SimulatorLink() {
+  const { t } = useTranslation();
+  return (
+    <Panel title={t("setup.simulator")} className="setup-simulator">
+      <SimulatorForm />
+      <SimulatorFacts />
+    </Panel>
+  );
+}
+
+function port(text: string | undefined, fallback: number): number {
+  const number = Number(text);
+  return Number.isInteger(number) && number >= 1 && number <= 65535 ? number : fallback;
+}
+
+/** The fields as they were last filled in here; else as the link is open; else the usual ones. */
+function useLink(): Link {
+  const choices = useSettings((settings) => settings.choices);
+  const open = useConnection(({ status }) => status?.simulator);
+  const profile = choices["simulator.profile"];
+  return {
+    send_host: choices["simulator.host"] ?? open?.send_host ?? "127.0.0.1",
+    send_port: port(choices["simulator.sendPort"], open?.send_port ?? SEND_PORT),
+    receive_port: port(choices["simulator.receivePort"], open?.receive_port ?? RECEIVE_PORT),
+    profile: PROFILES.find((known) => known === profile) ?? open?.profile ?? "xp10",
+  };
+}
+
+function SimulatorForm() {
+  const { t } = useTranslation();
+  const { settings } = usePage();
+  const actions = usePart(ACTIONS);
+  const sentence = useSentence();
+  const link = useLink();
+  const [draft, setDraft] = useState<string | null>(null);
+  const host = (draft ?? link.send_host).trim();
+  const state = useConnection(({ status }) => status?.simulator.state ?? "closed");
+  const opening = useAsked("simulator");
+  const refusal = useCommandEntry("simulator")?.message ?? null;
+  const failure = useConnection(({ status }) => status?.simulator.failure ?? null);
+  const notice = failure === null ? refusal : failureMessage(failure);
+  const blocked = useGatewayBlocked();
+  return (
+    <div className="setup-form">
+      <div className="setup-row">
+        <TextField
+          label={t("setup.host")}
+          value={link.send_host}
+          onCommit={(value) => {
+            setDraft(null);
+            choose(settings, "simulator.host", value.trim());
+          }}
+          onEdit={setDraft}
+          monospace
+        />
+        <Select
+          label={t("setup.profile")}
+          options={PROFILES.map((value) => ({ value, label: t(`profile.${value}`) }))}
+          value={link.profile}
+          onChange={(value) => choose(settings, "simulator.profile", value)}
+          placeholder={t("setup.profile")}
+        />
+      </div>
+      <div className="setup-row">
+        <NumberField
+          label={t("setup.sendPort")}
+          value={link.send_port}
+          onCommit={(value) => choose(settings, "simulator.sendPort", String(value))}
+          minimum={1}
+          maximum={65535}
+          step={1}
+        />
+        <NumberField
+          label={t("setup.receivePort")}
+          value={link.receive_port}
+          onCommit={(value) => choose(settings, "simulator.receivePort", String(value))}
+          minimum={1}
+          maximum={65535}
+          step={1}
+        />
+      </div>
+      <div className="setup-buttons">
+        <Button
+          variant="primary"
+          onPress={() => void actions.openSimulator({ ...link, send_host: host }, { control: "simulator" })}
+          state={opening.wanted === "close" ? "idle" : opening.state}
+          disabledReason={blocked ?? (host === "" ? t("setup.noHost") : undefined)}
+          icon={<Plug aria-hidden="true" size={14} />}
+        >
+          {t("setup.open")}
+        </Button>
+        <Button
+          onPress={() => void actions.closeSimulator({ control: "simulator", asked: "close" })}
+          disabledReason={blocked ?? (state === "closed" ? t("setup.alreadyClosed") : undefined)}
+          icon={<Unplug aria-hidden="true" size={14} />}
+        >
+          {t("setup.close")}
+        </Button>
+      </div>
+      {notice?.level === "error" && <Notice level="error">{sentence(notice)}</Notice>}
+      <Advice />
+    </div>
+  );
+}
+
+/** What is missing although the port is open. */
+function Advice() {
+  const { t } = useTranslation();
+  const state = useConnection(({ status, phase }) =>
+    phase === "open" ? status?.simulator.state : undefined,
+  );
+  const missing = useConnection(({ status }) => status?.simulator.missing_rows.join(", ") ?? "");
+  if (state === "opening") {
+    return <Notice level="info">{t("setup.nothingHeard")}</Notice>;
+  }
+  return state === "open" && missing !== "" ? (
+    <Notice level="warning">{t("setup.missingRows", { rows: missing })}</Notice>
+  ) : null;
+}
+
+function SimulatorFacts() {
+  const { t } = useTranslation();
+  const simulator = useConnection(({ status, phase }) =>
+    phase === "open" ? (status?.simulator ?? null) : null,
+  );
+  if (simulator === null) {
+    return <Facts facts={[[t("setup.state"), t("link.unknown")]]} />;
+  }
+  const { newest, p99 } = simulator.hil_round_trip_ms;
+  const newestText = formatFixed(newest, 1);
+  const dash = t("words.dash");
+  return (
+    <Facts
+      facts={[
+        [t("setup.state"), t(`link.${simulator.state}`)],
+        [
+          t("setup.rows", { number: simulator.rows.length }),
+          simulator.rows.length === 0 ? dash : simulator.rows.join(", "),
+        ],
+        [t("setup.datagramsReceived"), String(simulator.datagrams_received)],
+        [t("setup.datagramsDropped"), String(simulator.datagrams_dropped)],
+        [
+          t("setup.roundTrip"),
+          newestText === null
+            ? dash
+            : t("setup.roundTripValue", { newest: newestText, p99: formatFixed(p99, 1) ?? dash }),
+        ],
+      ]}
+    />
+  );
+}

@@ -1,0 +1,11 @@
+import { useSyncExternalStore } from "react";
+import { usePage, usePart } from "../../store/hooks";
+import type { ConsoleLog } from "./consoleLog";
+import { BOARD_CONSOLE } from "./consoleLog";
+
+/** The raw line's log, looked at ten times a second: a board that talks fast must not render for each line. */
+export function useConsole(): ConsoleLog {
+  const { pump } = usePage();
+  const boardConsole = usePart(BOARD_CONSOLE);
+  return useSyncExternalStore(pump.onTick, () => boardConsole.store.getState());
+}

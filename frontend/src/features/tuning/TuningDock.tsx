@@ -1,0 +1,110 @@
+import { Maximize2, Minimize2, X } from "lucide-react";
+import { Fragment, type ReactNode, useMemo } from "react";
+import { useTranslation } from "react-i18next";
+import type { ParameterName } from "../../protocol/messages.gen";
+import {
+  AIRCRAFT,
+  type Aircraft,
+  LOOPS,
+  type LoopName,
+  loopParameters,
+  loopSignals,
+} from "../../protocol/tuning";
+import { LivePlot } from "../../readouts/LivePlot";
+import type { Signal } from "../../readouts/signals";
+import { usePage, useSettings } from "../../store/hooks";
+import { choose } from "../../store/settings";
+import { Button } from "../../ui/Button";
+import { SegmentedSwitch } from "../../ui/SegmentedSwitch";
+import { Select } from "../../ui/Select";
+import "./tuning.css";
+
+/** The loop whose tuning view is open, or null. */
+export function useTuningLoop(): LoopName | null {
+  return useSettings(({ choices }) => LOOPS.find((loop) => loop === choices["tuning.loop"]) ?? null);
+}
+
+/**
+ * The gains of one control loop beside a live plot of what they move. It stands under whichever tab is open, so that
+ * one sees the aircraft answer while one changes a gain, and its plot keeps its past from tab to tab.
+ */
+export function TuningDock({ field }: { field: (name: ParameterName) => ReactNode }) {
+  const { t } = useTranslation();
+  const { settings } = usePage();
+  const loop = useTuningLoop();
+  const aircraft = useSettings(
+    ({ choices }) => AIRCRAFT.find((one) => one === choices["tuning.aircraft"]) ?? "hil",
+  );
+  const isLarge = useSettings(({ choices }) => choices["tuning.size"] === "large");
+  const signals = useSignals(loop, aircraft);
+  if (loop === null) {
+    return null;
+  }
+  return (
+    <section className="tuning" aria-label={t("tuning.title")} data-size={isLarge ? "large" : "small"}>
+      <header className="tuning-head">
+        <h2 className="ui-panel-title">{t("tuning.title")}</h2>
+        <Select
+          label={t("tuning.loop")}
+          hideLabel
+          placeholder={t("tuning.choose")}
+          value={loop}
+          onChange={(next) => choose(settings, "tuning.loop", next)}
+          options={LOOPS.map((value) => ({ value, label: t(`tuningLoop.${value}`) }))}
+        />
+        <SegmentedSwitch
+          label={t("tuning.aircraft")}
+          hideLabel
+          value={aircraft}
+          onChange={(next) => choose(settings, "tuning.aircraft", next)}
+          options={[
+            { value: "hil", label: t("tuning.hil") },
+            { value: "real", label: t("tuning.real") },
+          ]}
+        />
+        <span className="tuning-gap" />
+        <Button
+          onPress={() => choose(settings, "tuning.size", isLarge ? "small" : "large")}
+          label={t(isLarge ? "tuning.smaller" : "tuning.larger")}
+          icon={
+            isLarge ? <Minimize2 aria-hidden="true" size={14} /> : <Maximize2 aria-hidden="true" size={14} />
+          }
+        >
+          {null}
+        </Button>
+        <Button
+          onPress={() => choose(settings, "tuning.loop", "")}
+          label={t("tuning.close")}
+          icon={<X aria-hidden="true" size={14} />}
+        >
+          {null}
+        </Button>
+      </header>
+      <div className="tuning-body">
+        <div className="tuning-fields">
+          {loopParameters(loop).map((name) => (
+            <Fragment key={name}>{field(name)}</Fragment>
+          ))}
+        </div>
+        <LivePlot signals={signals} label={t("tuning.plot", { loop: t(`tuningLoop.${loop}`) })} />
+      </div>
+    </section>
+  );
+}
+
+function useSignals(loop: LoopName | null, aircraft: Aircraft): readonly Signal[] {
+  const { t } = useTranslation();
+  return useMemo(
+    () =>
+      loop === null
+        ? []
+        : loopSignals(loop, aircraft).map(
+            ([name, { unit, ...signal }]): Signal => ({
+              ...signal,
+              label: t(`signal.${name}`),
+              ...(unit === null ? {} : { unit: t(`unit.${unit}`) }),
+            }),
+          ),
+    [t, loop, aircraft],
+  );
+}

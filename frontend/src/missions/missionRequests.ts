@@ -1,0 +1,151 @@
+import { isText, nullable, oneOf, shape } from "../lib/check";
+import { BOARD_RESTARTED } from "../protocol/boardRestart";
+import type { StreamEvent } from "../protocol/envelope";
+import { isCommandOutcome, isMission, isMissionImport } from "../protocol/guards.gen";
+import { isMissionEvent, type PlanName } from "../protocol/missions";
+import type { Status } from "../protocol/status";
+import { resultMessage } from "../requests/actions";
+import type { Asker } from "../requests/asking";
+import { type AskingParts, createAsking, info } from "../requests/asking";
+import { wordsOf } from "../store/messages";
+import {
+  boardHas,
+  editPlan,
+  forgetBoardPlan,
+  notePlan,
+  type PlanActions,
+  type PlanStore,
+} from "./planDrafts";
+import { PLAN } from "./planFacts";
+
+const PATH = "/api/v1/missions";
+/** A hundred waypoints, each acknowledged, over a slow radio, and all of them read back. */
+const TRANSFER_MS = 120_000;
+
+/** What a person can ask about the flight plans, as questions to the gateway with their outcome in the stores. */
+export function createPlanActions(
+  plans: PlanStore,
+  saveFile: (name: string, content: Blob) => void,
+  parts: AskingParts,
+): PlanActions {
+  const { rest } = parts;
+  const { run } = createAsking(parts);
+
+  function download(plan: PlanName, asker: Asker): Promise<void> {
+    const asked = rest.ask("GET", `${PATH}/${plan}`, isMission, undefined, TRANSFER_MS);
+    return run(asker, asked, ({ waypoints }) => {
+      boardHas(plans, plan, waypoints);
+      editPlan(plans, plan, waypoints);
+      notePlan(plans, plan, []);
+      return { state: "confirmed", message: info("plans.saidDownloaded", named(plan, waypoints.length)) };
+    });
+  }
+
+  /** Without the board's proof it is said that the plan may have been started again. */
+  function goOn(plan: PlanName, index: number): Promise<void> {
+    const body = { value: { plan: PLAN[plan].number, index } };
+    const asked = rest.ask("POST", "/api/v1/commands/go_to_waypoint", isCommandOutcome, body);
+    return run({ control: `plan.goTo.${plan}` }, asked, (result) => ({
+      state: result.state,
+      message:
+        result.state === "confirmed"
+          ? resultMessage("@command.go_to_waypoint", result)
+          : { level: "error", key: "plans.saidNotGone", params: { number: index + 1 } },
+    }));
+  }
+
+  return {
+    plans,
+    download,
+
+    upload: async (plan, asker, goOnTo) => {
+      const body = { waypoints: plans.getState()[plan].draft.present };
+      const asked = rest.ask("PUT", `${PATH}/${plan}`, isMission, body, TRANSFER_MS);
+      let isTaken = false;
+      await run(asker, asked, ({ waypoints }) => {
+        isTaken = true;
+        boardHas(plans, plan, waypoints);
+        return { state: "confirmed", message: info("plans.saidUploaded", named(plan, waypoints.length)) };
+      });
+      if (isTaken && goOnTo !== null) {
+        await goOn(plan, goOnTo);
+      }
+    },
+
+    loadRoute: async (route, canRead, asker) => {
+      let isTaken = false;
+      await run(asker, rest.ask("POST", `/api/v1/commands/${route}`, isCommandOutcome, {}), (result) => {
+        isTaken = result.state === "confirmed" || result.state === "sent";
+        return { state: result.state, message: resultMessage(`@command.${route}`, result) };
+      });
+      if (isTaken && canRead) {
+        await download("hil", asker);
+      }
+    },
+
+    importFile: (plan, file, asker) => {
+      const path = `${PATH}/import?name=${encodeURIComponent(file.name)}`;
+      return run(asker, rest.ask("POST", path, isMissionImport, file), ({ waypoints, notes }) => {
+        editPlan(plans, plan, waypoints);
+        const said = notes.map(({ code, params }) => ({
+          level: "warning" as const,
+          key: `planNote.${code}`,
+          params: wordsOf(params),
+          fallback: code,
+        }));
+        notePlan(plans, plan, said);
+        const params = { file: file.name, count: waypoints.length };
+        return { state: "confirmed", message: info("plans.saidImported", params) };
+      });
+    },
+
+    exportFile: (plan, format, name, asker) => {
+      const body = { name, waypoints: plans.getState()[plan].draft.present };
+      return run(asker, rest.file(`${PATH}/export?format=${format}`, body), (content) => {
+        const file = `${name}.${format}`;
+        saveFile(file, content);
+        return { state: "confirmed", message: info("plans.saidExported", { file }) };
+      });
+    },
+  };
+}
+
+function named(plan: PlanName, count: number) {
+  return { what: `@planName.${plan}`, count };
+}
+
+const isRouteEvent = shape({
+  name: oneOf("hil_load_gando", "hil_load_ruta_isla", "hil_load_alternativa", "hil_load_vuelo"),
+  state: isText,
+  client: nullable(isText),
+});
+
+/** What the stream tells of the board's plans: one that somebody else changes is not known here any more. */
+export function takePlanEvent(plans: PlanStore, { event, data }: StreamEvent, client: string | null): void {
+  if (event === "mission" && isMissionEvent(data) && data.client !== client) {
+    forgetBoardPlan(plans, data.plan);
+  } else if (
+    event === "command" &&
+    isRouteEvent(data) &&
+    // Of one's own it is told as it begins: by its end the plan may already have been read again.
+    (data.client !== client || data.state === "pending")
+  ) {
+    forgetBoardPlan(plans, "hil");
+  } else if (event === BOARD_RESTARTED) {
+    forgetBoardPlan(plans, "flight");
+    forgetBoardPlan(plans, "hil");
+  }
+}
+
+/** A board that is not there, or another one, has plans that nobody here knows. */
+export function takePlanStatus(
+  plans: PlanStore,
+  before: Status["board"] | null,
+  board: Status["board"],
+): void {
+  const isOther = before !== null && (before.url !== board.url || before.reopened !== board.reopened);
+  if (board.state !== "open" || isOther) {
+    forgetBoardPlan(plans, "flight");
+    forgetBoardPlan(plans, "hil");
+  }
+}

@@ -1,0 +1,135 @@
+import { createStore, type StoreApi } from "zustand/vanilla";
+import { isNumber, isObject, list, shape } from "../lib/check";
+import { amended, begun, edited, type History, redone, undone } from "../lib/history";
+import { samePlan, type Waypoint } from "../lib/plan";
+import type { CommandName } from "../protocol/messages.gen";
+import { PLANS, type PlanFormat, type PlanName } from "../protocol/missions";
+import type { Asker } from "../requests/asking";
+import type { Message } from "../store/messages";
+import { partName } from "../store/parts";
+import type { BrowserStorage } from "../store/settings";
+
+/** A flight plan as it is edited here, and as the board has it. */
+export interface Plan {
+  readonly draft: History<readonly Waypoint[]>;
+  /** As the board has it, proven; null where that is not known. */
+  readonly board: readonly Waypoint[] | null;
+  /** What was supposed when the draft was read from a file. */
+  readonly notes: readonly Message[];
+}
+
+export type Plans = Readonly<Record<PlanName, Plan>>;
+export type PlanStore = StoreApi<Plans>;
+
+/** What a person can ask about the flight plans; nothing here throws. */
+export interface PlanActions {
+  readonly plans: PlanStore;
+  /** Read it from the board; it becomes the draft. */
+  readonly download: (plan: PlanName, asker: Asker) => Promise<void>;
+  /**
+   * Send the draft, whole or not at all, and read it back. The board starts it at its first waypoint, or goes on to the
+   * row `goOnTo`: that is commanded once the board has the plan, under the control of "go to".
+   */
+  readonly upload: (plan: PlanName, asker: Asker, goOnTo: number | null) => Promise<void>;
+  /** Let the board take a route that it has built in, and read that. `canRead`: the board can tell its plan. */
+  readonly loadRoute: (route: RouteCommand, canRead: boolean, asker: Asker) => Promise<void>;
+  readonly importFile: (plan: PlanName, file: File, asker: Asker) => Promise<void>;
+  /** The draft as a file of another program, for the person to keep. */
+  readonly exportFile: (plan: PlanName, format: PlanFormat, name: string, asker: Asker) => Promise<void>;
+}
+
+export const MISSIONS = partName<PlanActions>("missions");
+
+export type RouteCommand = Extract<
+  CommandName,
+  "hil_load_gando" | "hil_load_ruta_isla" | "hil_load_alternativa" | "hil_load_vuelo"
+>;
+
+const KEY = "epf-gcs.plans";
+const isDraft = list(
+  shape({ latitude_deg: isNumber, longitude_deg: isNumber, altitude_ft: isNumber, speed_kt: isNumber }),
+);
+
+/** The plans with the drafts that this browser remembers: an unsent edit outlasts the page. */
+export function createPlans(storage: BrowserStorage | null): PlanStore {
+  const kept = read(storage);
+  const store = createStore<Plans>(() => ({ flight: begin(kept["flight"]), hil: begin(kept["hil"]) }));
+  store.subscribe((plans, before) => {
+    if (PLANS.some((plan) => plans[plan].draft.present !== before[plan].draft.present)) {
+      write(storage, { flight: plans.flight.draft.present, hil: plans.hil.draft.present });
+    }
+  });
+  return store;
+}
+
+/** An edit of the draft; one step of its undo. */
+export function editPlan(store: PlanStore, plan: PlanName, waypoints: readonly Waypoint[]): void {
+  change(store, plan, ({ draft }) => ({ draft: edited(draft, waypoints) }));
+}
+
+/** The newest edit taken further; its undo takes back both. */
+export function amendPlan(store: PlanStore, plan: PlanName, waypoints: readonly Waypoint[]): void {
+  change(store, plan, ({ draft }) => ({ draft: amended(draft, waypoints) }));
+}
+
+export function undoPlan(store: PlanStore, plan: PlanName): void {
+  change(store, plan, ({ draft }) => ({ draft: undone(draft) }));
+}
+
+export function redoPlan(store: PlanStore, plan: PlanName): void {
+  change(store, plan, ({ draft }) => ({ draft: redone(draft) }));
+}
+
+/** The board has this plan, as it says itself. */
+export function boardHas(store: PlanStore, plan: PlanName, waypoints: readonly Waypoint[]): void {
+  change(store, plan, () => ({ board: waypoints }));
+}
+
+/** Nobody knows any more what the board has: it is gone, or its plan was changed from elsewhere. */
+export function forgetBoardPlan(store: PlanStore, plan: PlanName): void {
+  if (store.getState()[plan].board !== null) {
+    change(store, plan, () => ({ board: null }));
+  }
+}
+
+export function notePlan(store: PlanStore, plan: PlanName, notes: readonly Message[]): void {
+  change(store, plan, () => ({ notes }));
+}
+
+/** `empty`: nothing to send; `unknown`: what the board has is not known. */
+export type PlanState = "empty" | "unknown" | "same" | "differs";
+
+export function planState({ draft, board }: Plan): PlanState {
+  if (board === null) {
+    return draft.present.length === 0 ? "empty" : "unknown";
+  }
+  return samePlan(draft.present, board) ? "same" : "differs";
+}
+
+function begin(waypoints: unknown): Plan {
+  return { draft: begun(isDraft(waypoints) ? waypoints : []), board: null, notes: [] };
+}
+
+function change(store: PlanStore, plan: PlanName, by: (before: Plan) => Partial<Plan>): void {
+  store.setState((plans) => ({ [plan]: { ...plans[plan], ...by(plans[plan]) } }));
+}
+
+function read(storage: BrowserStorage | null): Readonly<Record<string, unknown>> {
+  try {
+    const value: unknown = JSON.parse(storage?.getItem(KEY) ?? "null");
+    return isObject(value) ? value : {};
+  } catch {
+    return {};
+  }
+}
+
+function write(
+  storage: BrowserStorage | null,
+  drafts: Readonly<Record<PlanName, readonly Waypoint[]>>,
+): void {
+  try {
+    storage?.setItem(KEY, JSON.stringify(drafts));
+  } catch {
+    // Full or forbidden: the drafts last as long as the page.
+  }
+}

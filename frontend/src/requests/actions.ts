@@ -1,0 +1,142 @@
+import { isCommandOutcome, isPorts } from "../protocol/guards.gen";
+import type { CommandName } from "../protocol/messages.gen";
+import type { Outcome } from "../store/commands";
+import { failureMessage, type Message } from "../store/messages";
+import { partName } from "../store/parts";
+import type { Asker } from "./asking";
+import { type AskingParts, createAsking, info } from "./asking";
+/** A way in to the board, as the gateway found it. */
+export interface Port {
+  readonly device: string;
+  readonly description: string;
+}
+
+export interface SimulatorLink {
+  readonly receive_port: number;
+  readonly send_host: string;
+  readonly send_port: number;
+  readonly profile: "xp10" | "xp12";
+}
+
+/** Arguments of a command: one number, or several by name. */
+export type CommandValue = number | Readonly<Record<string, number>>;
+
+/**
+ * What a person can ask of the gateway. Each writes its progress into the command store under the asker's name and
+ * its outcome into the messages; none throws, and the promise only says that it is over.
+ */
+export interface Actions {
+  readonly command: (name: CommandName, asker: Asker, value?: CommandValue) => Promise<void>;
+  readonly setHil: (
+    change: { readonly source: "joystick" | "rc" } | { readonly path: "manual" | "assisted" },
+    asker: Asker,
+  ) => Promise<void>;
+  /** Where the pilot's stick comes from: the simulator, or this page's gamepad by its name. */
+  readonly setStick: (
+    change: { readonly stick: "simulator" } | { readonly stick: "gamepad"; readonly gamepad: string },
+    asker: Asker,
+  ) => Promise<void>;
+  readonly openBoard: (url: string, asker: Asker) => Promise<void>;
+  readonly closeBoard: (asker: Asker) => Promise<void>;
+  readonly openSimulator: (link: SimulatorLink, asker: Asker) => Promise<void>;
+  readonly closeSimulator: (asker: Asker) => Promise<void>;
+  readonly takeControl: (asker: Asker) => Promise<void>;
+  readonly releaseControl: (asker: Asker) => Promise<void>;
+  /** The ports, or the sentence that says why there is no list. */
+  readonly listPorts: () => Promise<readonly Port[] | Message>;
+}
+
+export const ACTIONS = partName<Actions>("actions");
+
+export interface ActionParts extends AskingParts {
+  readonly client: () => string | null;
+}
+
+/** What a person can ask, as questions to the gateway with their progress in the stores. */
+export function createActions(parts: ActionParts): Actions {
+  const { rest } = parts;
+  const { run, simply } = createAsking(parts);
+
+  return {
+    command: (name, asker, value) => {
+      const body = value === undefined ? {} : { value };
+      return run(asker, rest.ask("POST", `/api/v1/commands/${name}`, isCommandOutcome, body), (result) => ({
+        state: result.state,
+        message: resultMessage(`@command.${name}`, result),
+      }));
+    },
+
+    setHil: (change, asker) => {
+      const what =
+        "source" in change ? `@command.hil_source_${change.source}` : `@command.hil_path_${change.path}`;
+      return simply(asker, ["PUT", "/api/v1/hil", change], info("said.confirmed", { what }));
+    },
+
+    setStick: (change, asker) =>
+      simply(
+        asker,
+        ["PUT", "/api/v1/hil", change],
+        "gamepad" in change
+          ? info("stickSaid.taken", { gamepad: change.gamepad })
+          : info("stickSaid.simulator"),
+      ),
+
+    openBoard: (url, asker) =>
+      simply(asker, ["PUT", "/api/v1/links/board", { url }], info("said.boardOpening", { url })),
+    closeBoard: (asker) => simply(asker, ["DELETE", "/api/v1/links/board"], info("said.boardClosed")),
+
+    openSimulator: (link, asker) =>
+      simply(
+        asker,
+        ["PUT", "/api/v1/links/simulator", link],
+        info("said.simulatorOpened", { port: link.receive_port }),
+      ),
+    closeSimulator: (asker) =>
+      simply(asker, ["DELETE", "/api/v1/links/simulator"], info("said.simulatorClosed")),
+
+    takeControl: (asker) =>
+      simply(
+        asker,
+        ["POST", "/api/v1/control", { client: parts.client(), action: "take" }],
+        info("said.controlTaken"),
+      ),
+    releaseControl: (asker) =>
+      simply(
+        asker,
+        ["POST", "/api/v1/control", { client: parts.client(), action: "release" }],
+        info("said.controlReleased"),
+      ),
+
+    listPorts: async () => {
+      const answer = await rest.ask("GET", "/api/v1/ports", isPorts);
+      return answer.ok
+        ? answer.value.ports.map(({ path, description }) => ({ device: path, description }))
+        : failureMessage(answer.problem);
+    },
+  };
+}
+
+interface Result {
+  readonly state: Outcome;
+  readonly by: string;
+  readonly ms: number;
+  readonly reason: string | null;
+}
+
+/** The sentence for what became of a command; also for what another browser's command became. */
+export function resultMessage(what: string, { state, by, ms, reason }: Result): Message {
+  switch (state) {
+    case "confirmed":
+      return info("said.confirmedBy", { what, by: `@by.${by}`, ms: Math.round(ms) });
+    case "sent":
+      return info("said.sent", { what });
+    case "rejected":
+      return {
+        level: "error",
+        key: "said.rejected",
+        params: { what, reason: `@reason.${reason ?? "unknown"}` },
+      };
+    case "timed_out":
+      return { level: "error", key: "said.timed_out", params: { what } };
+  }
+}

@@ -1,0 +1,75 @@
+import type { Check } from "../lib/check";
+import { type Answer, isDone } from "../protocol/answers";
+import { begin, type CommandStore, finish, type Outcome } from "../store/commands";
+import { failureMessage, type Message, type MessageStore, say } from "../store/messages";
+
+/** The gateway as it is asked; never throws: an answer is what was asked for, or a problem. */
+export interface Gateway {
+  /** A question and its checked answer. */
+  readonly ask: <T>(
+    method: "GET" | "POST" | "PUT" | "PATCH" | "DELETE",
+    path: string,
+    check: Check<T>,
+    body?: object,
+    patience_ms?: number,
+  ) => Promise<Answer<T>>;
+  readonly file: (path: string, body: object) => Promise<Answer<Blob>>;
+  readonly bytes: (path: string, patience_ms?: number) => Promise<Answer<ArrayBuffer>>;
+}
+
+/** Which control asked, so that it can show what becomes of it; `asked` is the position that it shall take. */
+export interface Asker {
+  readonly control: string;
+  readonly asked?: string;
+}
+
+export interface AskingParts {
+  readonly rest: Gateway;
+  readonly commands: CommandStore;
+  readonly messages: MessageStore;
+  /** Milliseconds of the page's clock, and of the calendar. */
+  readonly now_ms: () => number;
+  readonly wall_ms: () => number;
+}
+
+export interface Ended {
+  readonly state: Outcome;
+  readonly message: Message;
+}
+
+export type Question = readonly ["PUT" | "DELETE" | "POST", string, object?];
+
+/** Questions to the gateway whose progress stands in the command store and whose outcome is said. */
+export interface Asking {
+  /** The outcome is worked out from the answer's value. */
+  readonly run: <T>(asker: Asker, ask: Promise<Answer<T>>, end: (value: T) => Ended) => Promise<void>;
+  /** The answer has nothing to say beyond that it was done. */
+  readonly simply: (
+    asker: Asker,
+    question: Question,
+    message: Message,
+    check?: Check<object | null>,
+  ) => Promise<void>;
+}
+
+export function createAsking({ rest, commands, messages, now_ms, wall_ms }: AskingParts): Asking {
+  async function run<T>(asker: Asker, ask: Promise<Answer<T>>, end: (value: T) => Ended): Promise<void> {
+    const entry = begin(commands, asker.control, asker.asked ?? null);
+    const answer = await ask;
+    const ended: Ended = answer.ok
+      ? end(answer.value)
+      : { state: "rejected", message: failureMessage(answer.problem) };
+    finish(commands, asker.control, entry, ended, now_ms());
+    say(messages, ended.message, wall_ms());
+  }
+
+  return {
+    run,
+    simply: (asker, [method, path, body], message, check = isDone) =>
+      run(asker, rest.ask(method, path, check, body), () => ({ state: "confirmed", message })),
+  };
+}
+
+export function info(key: string, params: Message["params"] = {}): Message {
+  return { level: "info", key, params };
+}

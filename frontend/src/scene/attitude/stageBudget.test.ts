@@ -1,0 +1,40 @@
+import { describe, expect, test } from "vitest";
+import { FrameBudget } from "../frameBudget";
+import { softwareRatio, stageLimits } from "./stageBudget";
+
+describe("how fine the processor draws", () => {
+  test("while it moves, no finer than the page, and less so the larger it is", () => {
+    expect(softwareRatio(300, 300, true)).toBe(1);
+    expect(softwareRatio(660, 560, true)).toBeLessThan(1);
+    expect(softwareRatio(900, 700, true)).toBeLessThan(softwareRatio(660, 560, true));
+  });
+
+  test("never so coarse that its words cannot be read", () => {
+    expect(softwareRatio(3000, 2000, true)).toBe(0.6);
+  });
+
+  test("at rest finer than the page, which smooths its edges, where that is not too much", () => {
+    expect(softwareRatio(660, 560, false)).toBe(2);
+    expect(softwareRatio(3000, 2000, false)).toBe(1);
+  });
+});
+
+test("without a graphics processor frames stay dear, however short they seem", () => {
+  const budget = new FrameBudget(true, stageLimits(true));
+  for (let frame = 0; frame < 100; frame += 1) {
+    budget.observe(3);
+  }
+  expect(budget.period_ms(false)).toBe(80);
+});
+
+test("on a graphics processor some slow frames pass", () => {
+  const budget = new FrameBudget(false, stageLimits(false));
+  for (let frame = 0; frame < 100; frame += 1) {
+    budget.observe(90);
+  }
+  expect(budget.period_ms(false)).toBeGreaterThan(0);
+  for (let frame = 0; frame < 100; frame += 1) {
+    budget.observe(17);
+  }
+  expect(budget.period_ms(false)).toBe(0);
+});

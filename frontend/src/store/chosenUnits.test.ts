@@ -1,0 +1,61 @@
+import { describe, expect, test } from "vitest";
+import {
+  AS_SENT,
+  chooseUnit,
+  QUANTITIES,
+  unitChoice,
+  unitDigits,
+  unitOfField,
+  unitsOf,
+  usualUnit,
+} from "./chosenUnits";
+import { createSettings } from "./settings";
+
+describe("the chosen unit", () => {
+  test("is that of the sender until somebody chooses", () => {
+    const settings = createSettings(null);
+    expect(QUANTITIES.map((quantity) => unitChoice(settings.getState(), quantity))).toEqual(
+      QUANTITIES.map(() => AS_SENT),
+    );
+  });
+
+  test("of one quantity leaves the others alone, and goes back", () => {
+    const settings = createSettings(null);
+    chooseUnit(settings, "altitude", "m");
+    expect(unitChoice(settings.getState(), "altitude")).toBe("m");
+    expect(unitChoice(settings.getState(), "distance")).toBe(AS_SENT);
+    chooseUnit(settings, "altitude", AS_SENT);
+    expect(unitChoice(settings.getState(), "altitude")).toBe(AS_SENT);
+  });
+
+  test("that the quantity does not have is no choice", () => {
+    const settings = createSettings(null);
+    chooseUnit(settings, "altitude", "kt");
+    expect(unitChoice(settings.getState(), "altitude")).toBe(AS_SENT);
+  });
+});
+
+test("every quantity has more than one unit, and its usual one is among them", () => {
+  for (const quantity of QUANTITIES) {
+    expect(unitsOf(quantity).length).toBeGreaterThan(1);
+    expect(unitsOf(quantity)).toContain(usualUnit(quantity));
+  }
+});
+
+test("a metre of altitude has a tenth, a metre of distance has none", () => {
+  expect([unitDigits("altitude", "m"), unitDigits("distance", "m")]).toEqual([1, 0]);
+});
+
+test.each([
+  ["vvi_ft_min", "ftPerMin"],
+  ["altitude_msl_ft", "ft"],
+  ["calibrated_airspeed_kt", "kt"],
+  ["distance_m", "m"],
+  ["temperature_degc", "degC"],
+] as const)("%s comes in %s", (field, unit) => {
+  expect(unitOfField(field)).toBe(unit);
+});
+
+test("a field without such a unit is refused", () => {
+  expect(() => unitOfField("roll_deg")).toThrow("roll_deg");
+});

@@ -1,0 +1,27 @@
+/** Names a part of the page that is not everybody's: only who can import the name can read the part. */
+export interface PartName<T> {
+  readonly name: string;
+  /** Ties the name to the part's type; never set. */
+  readonly part?: T;
+}
+
+export function partName<T>(name: string): PartName<T> {
+  return { name };
+}
+
+/** The parts that features bring to the page, each under its name. */
+export class Parts {
+  readonly #parts = new Map<PartName<unknown>, unknown>();
+
+  with<T>(name: PartName<T>, part: T): this {
+    this.#parts.set(name, part);
+    return this;
+  }
+
+  get<T>(name: PartName<T>): T {
+    if (!this.#parts.has(name)) {
+      throw new Error(`the page was put together without its ${name.name}`);
+    }
+    return this.#parts.get(name) as T;
+  }
+}
