@@ -37,7 +37,9 @@ export const isAdviceState = shape({
 });
 export type AdviceState = Checked<typeof isAdviceState>;
 
-/** Something that is wrong now; an acknowledged one is shown quietly until its cause goes. */
+/** Something that is wrong now; an acknowledged one is shown quietly until its cause goes.
+ *
+ * `until_s` is null while it lasts. One that has an end has recovered, and is listed until it is acknowledged. */
 export const isAlarmState = shape({
   acknowledged: isFlag,
   id: isText,
@@ -45,6 +47,7 @@ export const isAlarmState = shape({
   params: dictionary(nullable(either(isText, isNumber, isFlag))),
   since_s: isNumber,
   text: isText,
+  until_s: nullable(isNumber),
 });
 export type AlarmState = Checked<typeof isAlarmState>;
 
@@ -548,7 +551,7 @@ export type ThresholdList = Checked<typeof isThresholdList>;
 /** What is drawn now; `can_restore`: the track that was cleared last is still kept. */
 export const isTrackState = shape({
   can_restore: isFlag,
+  flight_points: isNumber,
   hil_points: isNumber,
-  real_points: isNumber,
 });
 export type TrackState = Checked<typeof isTrackState>;

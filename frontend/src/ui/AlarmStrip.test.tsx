@@ -98,6 +98,15 @@ test("what ended stands in the line that the alarms leave, outside of what inter
   expect(onSeen.mock.calls).toEqual([["gps_lost"]]);
 });
 
+test("what ended and may not be acknowledged here says why, and does nothing", async () => {
+  onSeen.mockClear();
+  renderWithWords(strip([], [{ ...ENDED, blocked: "viewer" }]));
+  const button = screen.getByRole("button", { name: "seen GPS lost" });
+  await userEvent.setup().click(button);
+  expect(onSeen).not.toHaveBeenCalled();
+  expect(document.getElementById(button.getAttribute("aria-describedby") ?? "")?.textContent).toBe("viewer");
+});
+
 test("what ended gives way to two alarms, and more than three are left to the list", () => {
   renderWithWords(strip([LOST, HIL], [ENDED]));
   expect(screen.queryByRole("listitem")).toBeNull();

@@ -23,6 +23,8 @@ export interface EndedItem {
   text: string;
   /** When it ended. */
   detail: string;
+  /** Why it cannot be acknowledged here. */
+  blocked?: string | undefined;
 }
 
 interface Ended {
@@ -88,20 +90,18 @@ function Traces({ label, items, acknowledge }: Ended) {
     <div className="ui-alarms-ended">
       <span className="ui-alarms-ended-label">{label}</span>
       <ul className="ui-alarms-chips">
-        {items.slice(0, CHIPS).map(({ id, level, text, detail }) => (
+        {items.slice(0, CHIPS).map(({ id, level, text, detail, blocked }) => (
           <li key={id} className="ui-alarms-chip" data-level={level}>
             <span className="ui-alarms-chip-text" title={text}>
               {text}
             </span>
             <span className="ui-alarm-detail">{detail}</span>
-            <button
-              type="button"
+            <AcknowledgeButton
               className="ui-alarms-chip-button"
-              aria-label={acknowledge.label(text)}
-              onClick={() => acknowledge.onPress(id)}
-            >
-              <Check size={14} aria-hidden="true" />
-            </button>
+              label={acknowledge.label(text)}
+              blocked={blocked}
+              onPress={() => acknowledge.onPress(id)}
+            />
           </li>
         ))}
       </ul>
@@ -138,29 +138,46 @@ function AlarmLine({ alarm, isSeen, acknowledge }: LineProps) {
         {alarm.text}
       </span>
       {alarm.detail !== undefined && <span className="ui-alarm-detail">{alarm.detail}</span>}
-      {!alarm.acknowledged && <AcknowledgeButton alarm={alarm} acknowledge={acknowledge} />}
+      {!alarm.acknowledged && (
+        <AcknowledgeButton
+          className="ui-alarm-button"
+          label={acknowledge.label(alarm.text)}
+          blocked={alarm.blocked}
+          onPress={() => acknowledge.onPress(alarm.id)}
+        >
+          {acknowledge.text}
+        </AcknowledgeButton>
+      )}
     </div>
   );
 }
 
-function AcknowledgeButton({ alarm, acknowledge }: Pick<LineProps, "alarm" | "acknowledge">) {
+interface ButtonProps {
+  className: string;
+  /** Accessible name. */
+  label: string;
+  blocked: string | undefined;
+  onPress: () => void;
+  children?: ReactNode;
+}
+
+function AcknowledgeButton({ className, label, blocked, onPress, children }: ButtonProps) {
   const noteId = useId();
-  const { blocked } = alarm;
   return (
     <>
       <Tooltip text={blocked ?? ""}>
         <button
           type="button"
-          className="ui-alarm-button"
-          aria-label={acknowledge.label(alarm.text)}
+          className={className}
+          aria-label={label}
           aria-disabled={blocked !== undefined || undefined}
           aria-describedby={blocked === undefined ? undefined : noteId}
           onClick={() => {
-            if (blocked === undefined) acknowledge.onPress(alarm.id);
+            if (blocked === undefined) onPress();
           }}
         >
           <Check size={14} aria-hidden="true" />
-          {acknowledge.text}
+          {children}
         </button>
       </Tooltip>
       {/* Hidden from the live region around it: it must not be read out with the alarm. */}

@@ -10,7 +10,7 @@ import { Panel } from "../../ui/Panel";
 import { ALARM_LOG } from "./alarmLog";
 import { LevelMark } from "./LevelMark";
 import { GATEWAY_LOST } from "./raisedAlarms";
-import { type ShownAlarm, type ShownEnded, useActiveAlarms, useEndedAlarms } from "./useAlarms";
+import { blockedAmong, type ShownAlarm, type ShownEnded, useActiveAlarms, useEndedAlarms } from "./useAlarms";
 
 /** All that is wrong now, each with what to do about it. */
 export function ActiveAlarms() {
@@ -25,7 +25,9 @@ export function ActiveAlarms() {
       actions={
         <Button
           onPress={() => void alarmLog.acknowledgeAll()}
-          disabledReason={open.length + ended.length === 0 ? t("alarmLog.nothingOpen") : open[0]?.blocked}
+          disabledReason={
+            open.length + ended.length === 0 ? t("alarmLog.nothingOpen") : blockedAmong([...open, ...ended])
+          }
           icon={<CheckCheck size={14} aria-hidden="true" />}
         >
           {t("alarmLog.acknowledgeAll")}
@@ -93,9 +95,11 @@ function Active({ alarm }: { alarm: ShownAlarm }) {
 }
 
 /** Over, and nobody has acknowledged it: it stands here until somebody has. */
-function EndedUnseen({ alarm: { id, level, name, until_s } }: { alarm: ShownEnded }) {
+function EndedUnseen({ alarm: { id, level, name, until_s, blocked } }: { alarm: ShownEnded }) {
   const { t } = useTranslation();
   const alarmLog = usePart(ALARM_LOG);
+  const control = `acknowledge.${id}`;
+  const { state, stateText } = useAsked(control);
   return (
     <li className="alarms-item" data-level={level} data-acknowledged={true}>
       <LevelMark level={level} />
@@ -104,7 +108,10 @@ function EndedUnseen({ alarm: { id, level, name, until_s } }: { alarm: ShownEnde
         <p className="alarms-item-since">{t("alarmLog.endedAt", { clock: formatClock(until_s) })}</p>
       </div>
       <Button
-        onPress={() => alarmLog.acknowledgeEnded(id)}
+        onPress={() => void alarmLog.acknowledge(id, { control })}
+        state={state}
+        stateText={stateText}
+        disabledReason={blocked}
         label={t("alarmLog.acknowledgeEnded", { text: name })}
       >
         {t("alarmLog.acknowledge")}

@@ -6,7 +6,7 @@ import { choose } from "../../store/settings";
 import { AlarmStrip, endedWithoutPlace, LINES } from "../../ui/AlarmStrip";
 import { Button } from "../../ui/Button";
 import { ALARM_LOG } from "./alarmLog";
-import { useActiveAlarms, useEndedAlarms, useMutedFor_s } from "./useAlarms";
+import { blockedAmong, useActiveAlarms, useEndedAlarms, useMutedFor_s } from "./useAlarms";
 
 /** What is wrong now, on every tab, with what can be done about it. */
 export function AlarmBar() {
@@ -32,15 +32,16 @@ export function AlarmBar() {
       }))}
       ended={{
         label: t("alarmLog.ended"),
-        items: ended.map(({ id, level, name, until_s }) => ({
+        items: ended.map(({ id, level, name, until_s, blocked }) => ({
           id,
           level,
           text: name,
           detail: formatClock(until_s),
+          blocked,
         })),
         acknowledge: {
           label: (text) => t("alarmLog.acknowledgeEnded", { text }),
-          onPress: alarmLog.acknowledgeEnded,
+          onPress: (id) => void alarmLog.acknowledge(id, { control: `acknowledge.${id}` }),
         },
       }}
       acknowledge={{
@@ -62,7 +63,7 @@ export function AlarmBar() {
       {open.length + ended.length > 1 && (
         <Button
           onPress={() => void alarmLog.acknowledgeAll()}
-          disabledReason={open[0]?.blocked}
+          disabledReason={blockedAmong([...open, ...ended])}
           icon={<CheckCheck size={14} aria-hidden="true" />}
         >
           {t("alarmLog.acknowledgeAll")}

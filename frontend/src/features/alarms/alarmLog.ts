@@ -46,8 +46,8 @@ export interface AlarmLogState {
   readonly own: OwnAlarm | null;
   /** The board started anew and nobody has acknowledged it; the newest time. */
   readonly restart: BoardRestart | null;
-  /** Alarms that ended before anybody acknowledged them, newest first. */
-  readonly ended: readonly EndedAlarm[];
+  /** The page's own alarm, over before anybody acknowledged it; null where there is none. */
+  readonly ownEnded: EndedAlarm | null;
   /** The page's own alarms that are over, newest first. */
   readonly ownPast: readonly PastAlarm[];
   /** The gateway's list, newest first; null until it was asked. */
@@ -70,7 +70,7 @@ export function createAlarmLogStore(): AlarmLogStore {
   return createStore<AlarmLogState>(() => ({
     own: null,
     restart: null,
-    ended: [],
+    ownEnded: null,
     ownPast: [],
     past: null,
     thresholds: null,
@@ -105,7 +105,7 @@ export function takeAlarmEvent(store: AlarmLogStore, { event, data, t_s }: Strea
 
 /** The page's own alarm came (Unix seconds). */
 export function raiseOwn(store: AlarmLogStore, since_s: number): void {
-  store.setState(({ own }) => ({ own: own ?? { since_s, acknowledged: false } }));
+  store.setState(({ own }) => ({ own: own ?? { since_s, acknowledged: false }, ownEnded: null }));
 }
 
 /** The page's own alarm is over (Unix seconds) and goes to the list. */
@@ -115,12 +115,26 @@ export function endOwn(store: AlarmLogStore, until_s: number, alarm: Pick<PastAl
       ? {}
       : {
           own: null,
+          ownEnded: own.acknowledged ? null : { ...alarm, level: "critical" as const, until_s },
           ownPast: [
             { ...alarm, ...own, level: "critical" as const, params: {}, until_s },
             ...ownPast.slice(0, OWN_PAST_MOST - 1),
           ],
         },
   );
+}
+
+/** Somebody knows of the page's own alarm, while it lasts or after its end. */
+export function acknowledgeOwn(store: AlarmLogStore): void {
+  store.setState(({ own, ownEnded, ownPast }) => ({
+    own: own && { ...own, acknowledged: true },
+    ownEnded: null,
+    ownPast: ownPast.map((alarm) =>
+      alarm.id === ownEnded?.id && alarm.until_s === ownEnded.until_s
+        ? { ...alarm, acknowledged: true }
+        : alarm,
+    ),
+  }));
 }
 
 /** Somebody has seen (Unix seconds) that the board started anew. */
@@ -156,9 +170,8 @@ export function pastAlarms({ past, ownPast }: Pick<AlarmLogState, "past" | "ownP
  */
 export interface AlarmLog {
   readonly store: AlarmLogStore;
+  /** An alarm that lasts, or one that is over and not acknowledged yet. */
   readonly acknowledge: (id: string, asker: Asker) => Promise<void>;
-  /** Somebody has seen that an alarm came and went: its trace goes from this page. */
-  readonly acknowledgeEnded: (id: string) => void;
   /** Everything that is not acknowledged yet, what has ended included; does nothing where all is. */
   readonly acknowledgeAll: () => Promise<void>;
   /** No sound and no speech for two minutes, or until `unmute`. */
@@ -168,9 +181,9 @@ export interface AlarmLog {
   readonly readPast: () => Promise<void>;
   readonly readThresholds: () => Promise<void>;
   readonly setThreshold: (name: string, value: number, asker: Asker) => Promise<void>;
-  /** Sound and speak as an alarm of this level would, whatever is switched on. */
   /** Unix seconds, this browser's clock. */
   readonly wall_s: () => number;
+  /** Sound and speak as an alarm of this level would, whatever is switched on. */
   readonly test: (channel: "sound" | "speech", level: AlarmLevel) => void;
 }
 

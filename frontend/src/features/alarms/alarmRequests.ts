@@ -9,6 +9,7 @@ import type { TelemetryStore } from "../../store/telemetry";
 import {
   type AlarmLog,
   type AlarmLogStore,
+  acknowledgeOwn,
   createAlarmLogStore,
   endOwn,
   endRestart,
@@ -20,7 +21,7 @@ import {
 import { spokenPhrase, testPhrase } from "./alarmPhrases";
 import { alarmSettings } from "./alarmSettings";
 import { Annunciator } from "./annunciator";
-import { endedBetween, withEnded } from "./endedAlarms";
+import { endedAlarms } from "./endedAlarms";
 import { activeAlarms, GATEWAY_LOST, isRecovered } from "./raisedAlarms";
 
 export interface AlarmParts extends AskingParts {
@@ -40,7 +41,6 @@ export function createAlarmLog(parts: AlarmParts): AlarmLog {
   const ring = createBell(parts, store);
   // What the page says about its own line has to be known before anybody looks.
   connection.subscribe((now) => followLine(now, store, wall_ms() / 1000));
-  connection.subscribe((now, before) => followEnded(now, before, store));
   connection.subscribe(ring);
   parts.settings.subscribe(ring);
   store.subscribe((now, before) => {
@@ -55,9 +55,8 @@ export function createAlarmLog(parts: AlarmParts): AlarmLog {
   watchBrowser(parts, store, ring);
 
   async function acknowledge(id: string, control: string): Promise<void> {
-    const { own } = store.getState();
-    if (id === GATEWAY_LOST && own !== null) {
-      store.setState({ own: { ...own, acknowledged: true } });
+    if (id === GATEWAY_LOST) {
+      acknowledgeOwn(store);
       return;
     }
     if (id === BOARD_RESTARTED) {
@@ -74,15 +73,12 @@ export function createAlarmLog(parts: AlarmParts): AlarmLog {
   return {
     store,
     acknowledge: (id, asker) => acknowledge(id, asker.control),
-    acknowledgeEnded: (id) =>
-      store.setState(({ ended }) => ({ ended: ended.filter((alarm) => alarm.id !== id) })),
     acknowledgeAll: async () => {
-      const { own, restart } = store.getState();
-      const open = activeAlarms(connection.getState(), own, restart).filter(
-        ({ acknowledged }) => !acknowledged,
-      );
-      store.setState({ ended: [] });
-      await Promise.all(open.map(({ id }) => acknowledge(id, `acknowledge.${id}`)));
+      const { own, ownEnded, restart } = store.getState();
+      const now = connection.getState();
+      const open = activeAlarms(now, own, restart).filter(({ acknowledged }) => !acknowledged);
+      const ids = [...open, ...endedAlarms(now, ownEnded)].map(({ id }) => id);
+      await Promise.all(ids.map((id) => acknowledge(id, `acknowledge.${id}`)));
     },
     mute: () => {
       parts.sounder.hush();
@@ -132,27 +128,10 @@ export function createAlarmLog(parts: AlarmParts): AlarmLog {
 /** The page's own alarm follows its line: raised when the line falls silent or breaks, over when it is open. */
 function followLine({ phase, status }: Connection, store: AlarmLogStore, now_s: number): void {
   if (phase === "open") {
-    const alarm = { id: GATEWAY_LOST, text: "The gateway was not heard." };
-    const isUnseen = store.getState().own?.acknowledged === false;
-    endOwn(store, now_s, alarm);
-    if (isUnseen) {
-      const news = [{ ...alarm, level: "critical" as const, until_s: now_s }];
-      store.setState(({ ended }) => ({ ended: withEnded(ended, news, []) }));
-    }
+    endOwn(store, now_s, { id: GATEWAY_LOST, text: "The gateway was not heard." });
   } else if (phase !== "connecting" || status !== null) {
     raiseOwn(store, now_s);
-    store.setState(({ ended }) => ({ ended: withEnded(ended, [], [GATEWAY_LOST]) }));
   }
-}
-
-/** From one status to the next: an alarm that ended before anybody acknowledged it leaves a trace. */
-function followEnded({ status }: Connection, before: Connection, store: AlarmLogStore): void {
-  if (status === null || before.status === null || status === before.status) {
-    return;
-  }
-  const news = endedBetween(before.status.alarms, status.alarms, status.server_time_s);
-  const active = status.alarms.map(({ id }) => id);
-  store.setState(({ ended }) => ({ ended: withEnded(ended, news, active) }));
 }
 
 /** What the browser can do with sound and voices changes: with the first press, and as voices are found. */

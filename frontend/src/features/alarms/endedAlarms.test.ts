@@ -1,33 +1,21 @@
 import { expect, test } from "vitest";
-import { type EndedAlarm, endedBetween, withEnded } from "./endedAlarms";
+import type { Alarm } from "../../protocol/status";
+import { aStatus } from "../../test/aStatus";
+import { type EndedAlarm, endedAlarms } from "./endedAlarms";
 
-const raised = { level: "warning", since_s: 10, text: "said", params: {}, acknowledged: false } as const;
+const OWN: EndedAlarm = { id: "own", level: "critical", text: "not heard", until_s: 20 };
 
-function ended(id: string, until_s = 20): EndedAlarm {
-  return { id, level: "warning", text: "said", until_s };
+function listed(id: string, until_s: number | null): Alarm {
+  return { id, level: "warning", since_s: 10, until_s, text: "said", params: {}, acknowledged: false };
 }
 
-test("an alarm has ended when it is gone and nobody had acknowledged it", () => {
-  const before = [
-    { ...raised, id: "gone" },
-    { ...raised, id: "known", acknowledged: true },
-    { ...raised, id: "stays" },
-  ];
-  expect(endedBetween(before, [{ ...raised, id: "stays" }], 20)).toEqual([ended("gone")]);
+const status = aStatus({ alarms: [listed("first", 15), listed("lasting", null), listed("last", 30)] });
+
+test("what ended stands in the order of its end, the page's own among it; what lasts is not there", () => {
+  expect(endedAlarms({ phase: "open", status }, OWN).map(({ id }) => id)).toEqual(["last", "own", "first"]);
 });
 
-test("the newest stands first, one for each alarm", () => {
-  const kept = [ended("b"), ended("a")];
-  expect(withEnded(kept, [ended("a", 30)], [])).toEqual([ended("a", 30), ended("b")]);
-});
-
-test("what is raised again leaves, and where nothing changes the list is the same one", () => {
-  const kept = [ended("b"), ended("a")];
-  expect(withEnded(kept, [], ["a"])).toEqual([ended("b")]);
-  expect(withEnded(kept, [], ["c"])).toBe(kept);
-});
-
-test("a page that stays open for weeks keeps the newest alone", () => {
-  const news = Array.from({ length: 30 }, (_, index) => ended(`alarm ${index}`));
-  expect(withEnded([], news, [])).toEqual(news.slice(0, 20));
+test("without the gateway nothing that it listed can be acknowledged, and is not shown", () => {
+  expect(endedAlarms({ phase: "waiting", status }, OWN)).toEqual([OWN]);
+  expect(endedAlarms({ phase: "connecting", status: null }, null)).toEqual([]);
 });

@@ -1,4 +1,4 @@
-import type { Alarm } from "../../protocol/status";
+import type { Connection } from "../../store/connection";
 import type { AlarmLevel } from "./raisedAlarms";
 
 /** An alarm that is over and that nobody has acknowledged. Unix seconds; `text` as whoever raised it says it. */
@@ -9,27 +9,17 @@ export interface EndedAlarm {
   readonly until_s: number;
 }
 
-/** More than anybody looks through in the strip: the list of past alarms has them all. */
-const KEPT = 20;
-
-/** The unacknowledged alarms of one status that the next one does not have any more. */
-export function endedBetween(
-  before: readonly Alarm[],
-  now: readonly Alarm[],
-  until_s: number,
+/**
+ * What is over and not acknowledged, newest first: the gateway's, which lists it until somebody acknowledges it, and
+ * the page's own. Without the gateway the page's own alone.
+ */
+export function endedAlarms(
+  { phase, status }: Pick<Connection, "phase" | "status">,
+  own: EndedAlarm | null,
 ): readonly EndedAlarm[] {
-  return before
-    .filter(({ id, acknowledged }) => !(acknowledged || now.some((alarm) => alarm.id === id)))
-    .map(({ id, level, text }) => ({ id, level, text, until_s }));
-}
-
-/** `kept` with `news`, newest first and one for each alarm; what is raised again is seen as an alarm itself. */
-export function withEnded(
-  kept: readonly EndedAlarm[],
-  news: readonly EndedAlarm[],
-  active: readonly string[],
-): readonly EndedAlarm[] {
-  const newer = [...news.map(({ id }) => id), ...active];
-  const old = kept.filter(({ id }) => !newer.includes(id));
-  return news.length === 0 && old.length === kept.length ? kept : [...news, ...old].slice(0, KEPT);
+  const told = phase === "open" ? (status?.alarms ?? []) : [];
+  const ended = told.flatMap(({ id, level, text, until_s }): readonly EndedAlarm[] =>
+    until_s === null ? [] : [{ id, level, text, until_s }],
+  );
+  return [...ended, ...(own === null ? [] : [own])].sort((first, second) => second.until_s - first.until_s);
 }

@@ -92,7 +92,7 @@ export function activeAlarms(
   if (phase !== "open" || status === null) {
     return restarted;
   }
-  const told = status.alarms.map(
+  const told = status.alarms.filter(isLasting).map(
     (alarm): ActiveAlarm => ({
       id: alarm.id,
       level: alarm.level,
@@ -104,6 +104,11 @@ export function activeAlarms(
   return [...told, ...restarted].sort(
     (first, second) => urgency(first) - urgency(second) || second.since_s - first.since_s,
   );
+}
+
+/** The gateway also lists what recovered, until somebody acknowledges it. */
+function isLasting({ until_s }: Alarm): boolean {
+  return until_s === null;
 }
 
 function restartAlarm({ since_s, params }: BoardRestart): ActiveAlarm {
@@ -159,7 +164,7 @@ export function isRecovered(
   return (
     phase === "open" &&
     status !== null &&
-    !status.alarms.some((alarm) => alarm.id === id) &&
+    !status.alarms.some((alarm) => alarm.id === id && isLasting(alarm)) &&
     PROOFS[id]?.({ status, damagedLastSecond, telemetry, now_ms }) === true
   );
 }

@@ -5,13 +5,16 @@ import { useGatewayBlocked } from "../../requests/useBlocked";
 import { useConnection, usePart, useTelemetry } from "../../store/hooks";
 import type { AlarmLogState } from "./alarmLog";
 import { ALARM_LOG } from "./alarmLog";
-import type { EndedAlarm } from "./endedAlarms";
+import { type EndedAlarm, endedAlarms } from "./endedAlarms";
 import { type ActiveAlarm, activeAlarms, isOwn } from "./raisedAlarms";
 
-export interface ShownAlarm extends ActiveAlarm {
-  readonly text: string;
+interface Acknowledgeable {
   /** Why this page may not acknowledge it; undefined where it may. */
   readonly blocked: string | undefined;
+}
+
+export interface ShownAlarm extends ActiveAlarm, Acknowledgeable {
+  readonly text: string;
 }
 
 /** One thing of the alarm log; the component renders again when it changes. */
@@ -39,7 +42,7 @@ export function useActiveAlarms(): readonly ShownAlarm[] {
   );
 }
 
-export interface ShownEnded extends EndedAlarm {
+export interface ShownEnded extends EndedAlarm, Acknowledgeable {
   /** What it is called, in the page's language. */
   readonly name: string;
 }
@@ -47,15 +50,24 @@ export interface ShownEnded extends EndedAlarm {
 /** Alarms that ended before anybody acknowledged them, newest first. */
 export function useEndedAlarms(): readonly ShownEnded[] {
   const sentence = useSentence();
-  const ended = useAlarmLogState((state) => state.ended);
+  const phase = useConnection((connection) => connection.phase);
+  const status = useConnection((connection) => connection.status);
+  const own = useAlarmLogState((state) => state.ownEnded);
+  const blocked = useGatewayBlocked();
   return useMemo(
     () =>
-      ended.map((alarm) => ({
+      endedAlarms({ phase, status }, own).map((alarm) => ({
         ...alarm,
         name: sentence({ level: "info", key: `alarmName.${alarm.id}`, params: {}, fallback: alarm.text }),
+        blocked: isOwn(alarm.id) ? undefined : blocked,
       })),
-    [ended, sentence],
+    [phase, status, own, sentence, blocked],
   );
+}
+
+/** Why not all of these can be acknowledged at once; undefined where they can. */
+export function blockedAmong(alarms: readonly Acknowledgeable[]): string | undefined {
+  return alarms.find(({ blocked }) => blocked !== undefined)?.blocked;
 }
 
 /** Whole seconds for which the alarms stay mute; null while they are not. */

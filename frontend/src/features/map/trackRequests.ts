@@ -15,6 +15,8 @@ import {
 } from "./trackLog";
 
 const PERIOD_MS = 1000;
+/** The tracks by the words of the gateway. */
+const SOURCE: Readonly<Record<TrackName, string>> = { real: "flight", hil: "hil" };
 /** Two tracks of four hours, also over a slow network. */
 const PATIENCE_MS = 60_000;
 const UNREADABLE = {
@@ -79,7 +81,7 @@ export function createTrackLog({ rest, timers, report }: TrackParts): {
   async function ask(name: TrackName, track: GrowingTrack): Promise<void> {
     const { epoch, next } = track.known;
     const known = epoch === null ? "" : `&epoch=${epoch}&after=${next}`;
-    const answer = await rest.bytes(`/api/v1/track/points?source=${name}${known}`, PATIENCE_MS);
+    const answer = await rest.bytes(`/api/v1/track/points?source=${SOURCE[name]}${known}`, PATIENCE_MS);
     if (!answer.ok) {
       store.setState({ failure: failureMessage(answer.problem) });
       return;
