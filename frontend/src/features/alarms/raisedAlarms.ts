@@ -134,6 +134,7 @@ interface Facts {
  */
 const PROOFS: Readonly<Record<string, (facts: Facts) => boolean>> = {
   [GATEWAY_LOST]: () => true,
+  flight_lost: () => true,
   heartbeat_lost: (facts) => facts.status.board.state === "open" && isFresh("heartbeat", facts),
   no_heartbeat: (facts) => facts.status.board.state === "open" && isFresh("heartbeat", facts),
   hil_lost: (facts) => facts.status.simulator.state === "open" && isFresh("hil_surfaces", facts),
