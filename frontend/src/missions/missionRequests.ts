@@ -1,4 +1,5 @@
 import { isText, nullable, oneOf, shape } from "../lib/check";
+import { BOARD_RESTARTED } from "../protocol/boardRestart";
 import type { StreamEvent } from "../protocol/envelope";
 import { isCommandOutcome, isMission, isMissionImport } from "../protocol/guards.gen";
 import { isMissionEvent, type PlanName } from "../protocol/missions";
@@ -15,6 +16,7 @@ import {
   type PlanActions,
   type PlanStore,
 } from "./planDrafts";
+import { PLAN } from "./planFacts";
 
 const PATH = "/api/v1/missions";
 /** A hundred waypoints, each acknowledged, over a slow radio, and all of them read back. */
@@ -39,17 +41,35 @@ export function createPlanActions(
     });
   }
 
+  /** Without the board's proof it is said that the plan may have been started again. */
+  function goOn(plan: PlanName, index: number): Promise<void> {
+    const body = { value: { plan: PLAN[plan].number, index } };
+    const asked = rest.ask("POST", "/api/v1/commands/go_to_waypoint", isCommandOutcome, body);
+    return run({ control: `plan.goTo.${plan}` }, asked, (result) => ({
+      state: result.state,
+      message:
+        result.state === "confirmed"
+          ? resultMessage("@command.go_to_waypoint", result)
+          : { level: "error", key: "plans.saidNotGone", params: { number: index + 1 } },
+    }));
+  }
+
   return {
     plans,
     download,
 
-    upload: (plan, asker) => {
+    upload: async (plan, asker, goOnTo) => {
       const body = { waypoints: plans.getState()[plan].draft.present };
       const asked = rest.ask("PUT", `${PATH}/${plan}`, isMission, body, TRANSFER_MS);
-      return run(asker, asked, ({ waypoints }) => {
+      let isTaken = false;
+      await run(asker, asked, ({ waypoints }) => {
+        isTaken = true;
         boardHas(plans, plan, waypoints);
         return { state: "confirmed", message: info("plans.saidUploaded", named(plan, waypoints.length)) };
       });
+      if (isTaken && goOnTo !== null) {
+        await goOn(plan, goOnTo);
+      }
     },
 
     loadRoute: async (route, canRead, asker) => {
@@ -110,6 +130,9 @@ export function takePlanEvent(plans: PlanStore, { event, data }: StreamEvent, cl
     // Of one's own it is told as it begins: by its end the plan may already have been read again.
     (data.client !== client || data.state === "pending")
   ) {
+    forgetBoardPlan(plans, "hil");
+  } else if (event === BOARD_RESTARTED) {
+    forgetBoardPlan(plans, "flight");
     forgetBoardPlan(plans, "hil");
   }
 }

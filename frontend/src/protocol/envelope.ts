@@ -73,6 +73,16 @@ export function parseMessage(text: string): StreamMessage | null {
   return null;
 }
 
+/** The number of a batch of which nothing else has to be as agreed; null for what is no batch. */
+export function batchNumber(text: string): number | null {
+  try {
+    const value: unknown = JSON.parse(text);
+    return isObject(value) && value["type"] === "batch" && isNumber(value["seq"]) ? value["seq"] : null;
+  } catch {
+    return null;
+  }
+}
+
 type Json = Readonly<Record<string, unknown>>;
 
 const isRole = oneOf("operator", "viewer");

@@ -16,7 +16,12 @@ const telemetry = new TelemetryStore();
 // What these hooks touch of a page.
 const page = {
   telemetry,
-  pump: new Pump({ request: frames.request, cancel: frames.cancel }, () => telemetry.revision, 0),
+  pump: new Pump(
+    { request: frames.request, cancel: frames.cancel },
+    () => telemetry.revision,
+    0,
+    () => undefined,
+  ),
   connection: createConnection(),
   commands: createCommands(),
   messages: createMessages(),

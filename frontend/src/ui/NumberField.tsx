@@ -1,107 +1,52 @@
 import { Minus, Plus } from "lucide-react";
-import { type KeyboardEvent, useId, useState } from "react";
-import { parseNumber, stepped } from "./number";
+import { useId } from "react";
 import { StateMark } from "./StateMark";
-import type { CommandState } from "./states";
 import { Tooltip } from "./Tooltip";
+import { type NumberEditing, useNumberEdit } from "./useNumberEdit";
 import { commandWord, useWords } from "./words";
 import "./Field.css";
 
 /** Stands where no number is known: nobody can take it for one. */
 const DASHES = "\u2013\u2009\u2013\u2009\u2013";
 
-interface Props {
+interface Props extends NumberEditing {
   label: string;
-  /** The value as the board has it; `null` is not known. */
-  value: number | null;
-  /** Called once for each finished edit, never for a keystroke, and only with a number in the range. */
-  onCommit: (value: number) => void;
-  minimum: number;
-  maximum: number;
-  step: number;
-  /** Numbers in the reader's notation. */
-  format?: ((value: number) => string) | undefined;
   unit?: string | undefined;
-  /** More that a number must satisfy than its range: the complaint about one that does not. */
-  refuse?: ((value: number) => string | null) | undefined;
-  state?: CommandState | undefined;
   stateText?: string | undefined;
-  disabledReason?: string | undefined;
 }
 
 /**
  * A number that becomes a command. An edit goes out on Enter, on leaving the field or by a step button; Escape
- * takes it back, and the wheel does nothing. Out of range is refused with the range, not silently cut.
+ * takes it back, and the wheel does nothing. Out of range is refused with the range, not silently cut. A refused edit
+ * stands while the field has the focus; once that is left the value is seen again.
  */
 export function NumberField(props: Props) {
-  const { label, value, onCommit, minimum, maximum, step, format = String, unit } = props;
-  const { state = "idle", stateText, disabledReason, refuse } = props;
+  const { label, value, unit, state = "idle", stateText, disabledReason } = props;
   const words = useWords();
   const inputId = useId();
   const noteId = useId();
-  const [draft, setDraft] = useState<string | null>(null);
-  const [asked, setAsked] = useState<number | null>(null);
-  const [complaint, setComplaint] = useState("");
+  const edit = useNumberEdit(props);
+  const { complaint, isInvalid, canStep } = edit;
 
   const disabled = disabledReason !== undefined;
-  // While the board has not answered, what was asked for stands here, marked as pending.
-  const held = state === "pending" && asked !== null ? asked : value;
-  const shown = draft ?? (held === null ? "" : format(held));
-  const note = disabledReason ?? (complaint === "" ? (stateText ?? commandWord(words, state)) : complaint);
-
-  function forget(): void {
-    setDraft(null);
-    setComplaint("");
-  }
-
-  function send(next: number): void {
-    forget();
-    if (next !== held) {
-      setAsked(next);
-      onCommit(next);
-    }
-  }
-
-  function finish(): void {
-    if (draft === null) return;
-    const typed = parseNumber(draft);
-    if (draft.trim() === "") {
-      forget();
-    } else if (typed === null) {
-      setComplaint(words.notANumber);
-    } else if (typed < minimum || typed > maximum) {
-      setComplaint(words.outOfRange(format(minimum), format(maximum)));
-    } else {
-      const refusal = refuse?.(typed) ?? null;
-      if (refusal === null) send(typed);
-      else setComplaint(refusal);
-    }
-  }
-
-  // A step needs a number to go from: from one that nobody knows it would be a jump to the end of the range.
-  const from = (draft === null ? null : parseNumber(draft)) ?? held;
-  const canStep = !disabled && from !== null;
-
-  function move(direction: 1 | -1): void {
-    if (canStep) send(stepped(from, step, direction, minimum, maximum));
-  }
-
-  function onKeyDown(event: KeyboardEvent): void {
-    if (event.key === "Enter") finish();
-    else if (event.key === "Escape") forget();
-    else if (event.key === "ArrowUp") move(1);
-    else if (event.key === "ArrowDown") move(-1);
-    else return;
-    event.preventDefault();
-  }
+  // What became of an earlier number says nothing of the one that is typed, or was refused.
+  const isOther = state !== "pending" && (edit.isEdited || complaint !== "");
+  const mark = isOther ? "idle" : state;
+  const outcome = isOther ? "" : (stateText ?? commandWord(words, state));
+  const note = disabledReason ?? (complaint || outcome);
 
   return (
-    <div className="ui-field" data-state={state} data-edited={draft !== null}>
+    <div className="ui-field" data-state={mark} data-edited={edit.isEdited}>
       <label htmlFor={inputId} className="ui-field-label">
         {label}
       </label>
-      <span className="ui-field-frame" data-invalid={complaint !== ""} data-disabled={disabled}>
-        <StepButton label={`${words.decrease} ${label}`} down disabled={!canStep} onPress={() => move(-1)} />
+      <span className="ui-field-frame" data-invalid={isInvalid} data-disabled={disabled}>
+        <StepButton
+          label={`${words.decrease} ${label}`}
+          down
+          disabled={!canStep}
+          onPress={() => edit.move(-1)}
+        />
         <Tooltip text={note}>
           <input
             id={inputId}
@@ -110,23 +55,20 @@ export function NumberField(props: Props) {
             inputMode="decimal"
             autoComplete="off"
             spellCheck={false}
-            value={shown}
+            value={edit.shown}
             placeholder={value === null ? DASHES : undefined}
             readOnly={disabled}
             aria-disabled={disabled || undefined}
-            aria-invalid={complaint !== "" || undefined}
+            aria-invalid={isInvalid || undefined}
             aria-describedby={noteId}
-            onChange={(event) => {
-              setDraft(event.currentTarget.value);
-              setComplaint("");
-            }}
-            onBlur={finish}
-            onKeyDown={onKeyDown}
+            onChange={(event) => edit.type(event.currentTarget.value)}
+            onBlur={edit.leave}
+            onKeyDown={edit.onKeyDown}
           />
         </Tooltip>
         {unit !== undefined && <span className="ui-field-unit">{unit}</span>}
-        <StateMark state={state} />
-        <StepButton label={`${words.increase} ${label}`} disabled={!canStep} onPress={() => move(1)} />
+        <StateMark state={mark} />
+        <StepButton label={`${words.increase} ${label}`} disabled={!canStep} onPress={() => edit.move(1)} />
       </span>
       <span id={noteId} className={complaint === "" ? "visually-hidden" : "ui-field-complaint"} role="status">
         {note}

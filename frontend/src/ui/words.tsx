@@ -24,6 +24,10 @@ export interface Words {
   notANumber: string;
   /** A number field's complaint about a number outside its range, given already written. */
   outOfRange: (minimum: string, maximum: string) => string;
+  /** Which value a number field has while something else is typed in it. */
+  stillIs: (value: string) => string;
+  /** An edit that was refused and is no longer seen. */
+  refusedEdit: (text: string, why: string) => string;
 }
 
 const WordsContext = createContext<Words | null>(null);

@@ -1,11 +1,13 @@
 import { createStore, type StoreApi } from "zustand/vanilla";
+import { BOARD_RESTARTED, isBoardRestart } from "../../protocol/boardRestart";
 import type { StreamEvent } from "../../protocol/envelope";
 import type { AlarmBook, ThresholdList } from "../../protocol/guards.gen";
 import type { Asker } from "../../requests/asking";
 import type { Message } from "../../store/messages";
 import { partName } from "../../store/parts";
 import type { Language } from "../../store/settings";
-import type { AlarmLevel, OwnAlarm } from "./raisedAlarms";
+import type { EndedAlarm } from "./endedAlarms";
+import type { AlarmLevel, BoardRestart, OwnAlarm } from "./raisedAlarms";
 
 export type PastAlarm = AlarmBook["past"][number];
 export type Threshold = ThresholdList["thresholds"][number];
@@ -42,6 +44,10 @@ const OWN_PAST_MOST = 50;
 export interface AlarmLogState {
   /** The page does not hear the gateway; null while it does. */
   readonly own: OwnAlarm | null;
+  /** The board started anew and nobody has acknowledged it; the newest time. */
+  readonly restart: BoardRestart | null;
+  /** The page's own alarm, over before anybody acknowledged it; null where there is none. */
+  readonly ownEnded: EndedAlarm | null;
   /** The page's own alarms that are over, newest first. */
   readonly ownPast: readonly PastAlarm[];
   /** The gateway's list, newest first; null until it was asked. */
@@ -63,6 +69,8 @@ export type AlarmLogStore = StoreApi<AlarmLogState>;
 export function createAlarmLogStore(): AlarmLogStore {
   return createStore<AlarmLogState>(() => ({
     own: null,
+    restart: null,
+    ownEnded: null,
     ownPast: [],
     past: null,
     thresholds: null,
@@ -74,16 +82,30 @@ export function createAlarmLogStore(): AlarmLogStore {
   }));
 }
 
-/** Counts the gateway's reports of alarms that came or went. */
-export function takeAlarmEvent(store: AlarmLogStore, { event }: StreamEvent): void {
+/** So many gains are named. */
+const NAMED = 4;
+
+/** What the stream tells of alarms: one came or went, or the board started anew. */
+export function takeAlarmEvent(store: AlarmLogStore, { event, data, t_s }: StreamEvent): void {
   if (event === "alarm") {
     store.setState(({ reported }) => ({ reported: reported + 1 }));
+  } else if (event === BOARD_RESTARTED && isBoardRestart(data)) {
+    const { parameters, plans } = data;
+    const more = parameters.length > NAMED ? "…" : "";
+    const gains = `${parameters.slice(0, NAMED).join(", ")}${more}`;
+    const lost = `@lostPlans.${plans.length > 1 ? "both" : (plans[0] ?? "both")}`;
+    store.setState({
+      restart: {
+        since_s: t_s,
+        params: { ...(gains === "" ? {} : { gains }), ...(plans.length === 0 ? {} : { plans: lost }) },
+      },
+    });
   }
 }
 
 /** The page's own alarm came (Unix seconds). */
 export function raiseOwn(store: AlarmLogStore, since_s: number): void {
-  store.setState(({ own }) => ({ own: own ?? { since_s, acknowledged: false } }));
+  store.setState(({ own }) => ({ own: own ?? { since_s, acknowledged: false }, ownEnded: null }));
 }
 
 /** The page's own alarm is over (Unix seconds) and goes to the list. */
@@ -93,8 +115,44 @@ export function endOwn(store: AlarmLogStore, until_s: number, alarm: Pick<PastAl
       ? {}
       : {
           own: null,
+          ownEnded: own.acknowledged ? null : { ...alarm, level: "critical" as const, until_s },
           ownPast: [
             { ...alarm, ...own, level: "critical" as const, params: {}, until_s },
+            ...ownPast.slice(0, OWN_PAST_MOST - 1),
+          ],
+        },
+  );
+}
+
+/** Somebody knows of the page's own alarm, while it lasts or after its end. */
+export function acknowledgeOwn(store: AlarmLogStore): void {
+  store.setState(({ own, ownEnded, ownPast }) => ({
+    own: own && { ...own, acknowledged: true },
+    ownEnded: null,
+    ownPast: ownPast.map((alarm) =>
+      alarm.id === ownEnded?.id && alarm.until_s === ownEnded.until_s
+        ? { ...alarm, acknowledged: true }
+        : alarm,
+    ),
+  }));
+}
+
+/** Somebody has seen (Unix seconds) that the board started anew. */
+export function endRestart(store: AlarmLogStore, until_s: number): void {
+  store.setState(({ restart, ownPast }) =>
+    restart === null
+      ? {}
+      : {
+          restart: null,
+          ownPast: [
+            {
+              ...restart,
+              id: BOARD_RESTARTED,
+              text: "The board restarted.",
+              level: "critical" as const,
+              acknowledged: true,
+              until_s,
+            },
             ...ownPast.slice(0, OWN_PAST_MOST - 1),
           ],
         },
@@ -112,8 +170,9 @@ export function pastAlarms({ past, ownPast }: Pick<AlarmLogState, "past" | "ownP
  */
 export interface AlarmLog {
   readonly store: AlarmLogStore;
+  /** An alarm that lasts, or one that is over and not acknowledged yet. */
   readonly acknowledge: (id: string, asker: Asker) => Promise<void>;
-  /** Everything that is not acknowledged yet; does nothing where all is. */
+  /** Everything that is not acknowledged yet, what has ended included; does nothing where all is. */
   readonly acknowledgeAll: () => Promise<void>;
   /** No sound and no speech for two minutes, or until `unmute`. */
   readonly mute: () => void;
@@ -122,9 +181,9 @@ export interface AlarmLog {
   readonly readPast: () => Promise<void>;
   readonly readThresholds: () => Promise<void>;
   readonly setThreshold: (name: string, value: number, asker: Asker) => Promise<void>;
-  /** Sound and speak as an alarm of this level would, whatever is switched on. */
   /** Unix seconds, this browser's clock. */
   readonly wall_s: () => number;
+  /** Sound and speak as an alarm of this level would, whatever is switched on. */
   readonly test: (channel: "sound" | "speech", level: AlarmLevel) => void;
 }
 

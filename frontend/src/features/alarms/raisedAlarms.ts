@@ -1,13 +1,27 @@
+import { BOARD_RESTARTED } from "../../protocol/boardRestart";
 import type { Alarm } from "../../protocol/status";
 import type { TopicName } from "../../protocol/topics";
 import type { Connection } from "../../store/connection";
-import { type Message, wordsOf } from "../../store/messages";
+import { type Message, type MessageParams, wordsOf } from "../../store/messages";
 import type { TelemetryStore } from "../../store/telemetry";
 
 export type AlarmLevel = Alarm["level"];
 
 /** The one alarm that the page raises itself: it does not hear the gateway. */
 export const GATEWAY_LOST = "gateway_lost";
+
+/**
+ * A start of the board in the midst of its work: no state that ends by itself, it stands until somebody has seen it. Unix seconds of the gateway; `params` say what is lost.
+ */
+export interface BoardRestart {
+  readonly since_s: number;
+  readonly params: MessageParams;
+}
+
+/** Whether the page raised an alarm itself: it is acknowledged here, and nobody else has to be asked. */
+export function isOwn(id: string): boolean {
+  return id === GATEWAY_LOST || id === BOARD_RESTARTED;
+}
 
 /** The page's own alarm. Unix seconds, this browser's clock. */
 export interface OwnAlarm {
@@ -48,6 +62,8 @@ export function alarmMessage(
     key = hilKey(simulator);
   } else if (id === "gps_lost" && params["reason"] === "silent") {
     key = "gps_lost_silent";
+  } else if (id === BOARD_RESTARTED) {
+    key = `board_restarted${"gains" in params ? "_gains" : ""}${"plans" in params ? "_plans" : ""}`;
   }
   const rows = simulator?.missing_rows.join(", ") ?? "";
   return {
@@ -58,27 +74,46 @@ export function alarmMessage(
   };
 }
 
-/** What is wrong now, the most urgent first. Without the gateway nothing that it said counts: that alone is wrong. */
+/**
+ * What is wrong now, the most urgent first. Without the gateway nothing that it said of now counts; that the board
+ * started anew stays true.
+ */
 export function activeAlarms(
   { phase, status }: Pick<Connection, "phase" | "status">,
   own: OwnAlarm | null,
+  restart: BoardRestart | null = null,
 ): readonly ActiveAlarm[] {
+  const restarted = restart === null ? [] : [restartAlarm(restart)];
   if (own !== null) {
     const key = phase === "silent" ? "alarm.gateway_silent" : "alarm.gateway_lost";
-    return [{ id: GATEWAY_LOST, level: "critical", ...own, message: { level: "error", key, params: {} } }];
+    const message: Message = { level: "error", key, params: {} };
+    return [{ id: GATEWAY_LOST, level: "critical", ...own, message }, ...restarted];
   }
   if (phase !== "open" || status === null) {
-    return [];
+    return restarted;
   }
-  return status.alarms
-    .map((alarm) => ({
+  const told = status.alarms.filter(isLasting).map(
+    (alarm): ActiveAlarm => ({
       id: alarm.id,
       level: alarm.level,
       since_s: alarm.since_s,
       acknowledged: alarm.acknowledged,
       message: alarmMessage(alarm, status.simulator),
-    }))
-    .sort((first, second) => urgency(first) - urgency(second) || second.since_s - first.since_s);
+    }),
+  );
+  return [...told, ...restarted].sort(
+    (first, second) => urgency(first) - urgency(second) || second.since_s - first.since_s,
+  );
+}
+
+/** The gateway also lists what recovered, until somebody acknowledges it. */
+function isLasting({ until_s }: Alarm): boolean {
+  return until_s === null;
+}
+
+function restartAlarm({ since_s, params }: BoardRestart): ActiveAlarm {
+  const message = alarmMessage({ id: BOARD_RESTARTED, text: "", params }, null);
+  return { id: BOARD_RESTARTED, level: "critical", since_s, acknowledged: false, message };
 }
 
 /** 0 is the most urgent: what nobody has acknowledged comes first, critical before warning. */
@@ -130,7 +165,7 @@ export function isRecovered(
   return (
     phase === "open" &&
     status !== null &&
-    !status.alarms.some((alarm) => alarm.id === id) &&
+    !status.alarms.some((alarm) => alarm.id === id && isLasting(alarm)) &&
     PROOFS[id]?.({ status, damagedLastSecond, telemetry, now_ms }) === true
   );
 }

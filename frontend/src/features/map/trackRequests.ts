@@ -15,6 +15,8 @@ import {
 } from "./trackLog";
 
 const PERIOD_MS = 1000;
+/** The tracks by the words of the gateway. */
+const SOURCE: Readonly<Record<TrackName, string>> = { real: "flight", hil: "hil" };
 /** Two tracks of four hours, also over a slow network. */
 const PATIENCE_MS = 60_000;
 const UNREADABLE = {
@@ -26,10 +28,12 @@ const UNREADABLE = {
 export interface TrackParts {
   readonly rest: Gateway;
   readonly timers: Timers;
+  /** Hears of an exception in the page's own code. */
+  readonly report: (error: unknown) => void;
 }
 
 /** The tracks, kept up with the gateway while somebody watches them, and what the stream tells of them. */
-export function createTrackLog({ rest, timers }: TrackParts): {
+export function createTrackLog({ rest, timers, report }: TrackParts): {
   readonly trackLog: TrackLog;
   readonly takeTrackEvent: (event: StreamEvent) => void;
 } {
@@ -38,6 +42,8 @@ export function createTrackLog({ rest, timers }: TrackParts): {
   let watchers = 0;
   let cancel: (() => void) | null = null;
   let isAsking = false;
+  /** The last round of questions ended with an exception, which was reported. */
+  let isFailing = false;
 
   async function askAll(): Promise<void> {
     cancel = null;
@@ -45,23 +51,37 @@ export function createTrackLog({ rest, timers }: TrackParts): {
       return;
     }
     isAsking = true;
-    for (const name of TRACKS) {
-      await ask(name, tracks[name]);
+    const questions = [...TRACKS.map((name) => () => ask(name, tracks[name])), askState];
+    let hasFailed = false;
+    for (const question of questions) {
+      try {
+        await question();
+      } catch (error) {
+        // Whatever went wrong: the other track and the next second are asked for all the same.
+        if (!(isFailing || hasFailed)) {
+          report(error);
+        }
+        hasFailed = true;
+      }
     }
-    if (store.getState().canRestore === null) {
-      const answer = await rest.ask("GET", "/api/v1/track", isTrackState);
-      store.setState({ canRestore: answer.ok ? answer.value.can_restore : null });
-    }
+    isFailing = hasFailed;
     isAsking = false;
     if (watchers > 0) {
       cancel ??= timers.after(PERIOD_MS, () => void askAll());
     }
   }
 
+  async function askState(): Promise<void> {
+    if (store.getState().canRestore === null) {
+      const answer = await rest.ask("GET", "/api/v1/track", isTrackState);
+      store.setState({ canRestore: answer.ok ? answer.value.can_restore : null });
+    }
+  }
+
   async function ask(name: TrackName, track: GrowingTrack): Promise<void> {
     const { epoch, next } = track.known;
     const known = epoch === null ? "" : `&epoch=${epoch}&after=${next}`;
-    const answer = await rest.bytes(`/api/v1/track/points?source=${name}${known}`, PATIENCE_MS);
+    const answer = await rest.bytes(`/api/v1/track/points?source=${SOURCE[name]}${known}`, PATIENCE_MS);
     if (!answer.ok) {
       store.setState({ failure: failureMessage(answer.problem) });
       return;
