@@ -19,10 +19,10 @@ export type TabName = (typeof TABS)[number];
 /** Each tab is a file of its own, so that the first look at the page does not wait for all of them. */
 export const VIEWS: Readonly<Record<TabName, LazyPart>> = {
   flight: lazyPart(async () => (await import("./tabs/FlightTab")).FlightTab),
-  six: lazyPart(async () => (await import("../features/six/BoardSixView")).BoardSixView),
+  six: lazyPart(async () => (await import("../features/six/SixView")).BoardSixView),
   params: lazyPart(async () => (await import("../features/parameters/ParamsView")).ParamsView),
   hil: lazyPart(async () => (await import("../features/hil/HilView")).HilView),
-  hilSix: lazyPart(async () => (await import("../features/six/HilSixView")).HilSixView),
+  hilSix: lazyPart(async () => (await import("../features/six/SixView")).HilSixView),
   plans: lazyPart(async () => (await import("../features/plans/PlansView")).PlansView),
   map: lazyPart(async () => (await import("../features/map/MapView")).MapView),
   ahrs3d: lazyPart(async () => (await import("../features/ahrs/Ahrs3dView")).Ahrs3dView),

@@ -28,3 +28,26 @@ export function LiveServoBar<T extends TopicName>({ topic, field, ...rest }: Pro
   usePaint("frame", paint);
   return <ServoBar ref={bar} noDataText={t("words.dash")} format={position} {...rest} />;
 }
+
+type Control = "elevator" | "aileron" | "rudder" | "throttle";
+
+/** The positions of the aircraft's controls, one bar under the other. */
+export function LiveControlBars({
+  topic,
+  controls,
+}: {
+  topic: "fly_by_wire" | "hil_surfaces";
+  controls: readonly Control[];
+}) {
+  const { t } = useTranslation();
+  return controls.map((control) => (
+    <LiveServoBar
+      key={control}
+      topic={topic}
+      field={control}
+      label={t(`control.${control}`)}
+      kind={control === "throttle" ? "throttle" : "surface"}
+      orientation="horizontal"
+    />
+  ));
+}

@@ -1,5 +1,5 @@
 import type { Sample, SimulatorRows } from "../protocol/envelope";
-import type { FieldName, FlagField, NumberField, TopicName } from "../protocol/topics";
+import type { FlagField, NumberField, TopicName } from "../protocol/topics";
 import { ServerClock } from "./clock";
 
 /** `live`: shown as it is. `stale`: was heard, too long ago. `none`: never heard. */
@@ -112,8 +112,7 @@ export class TelemetryStore {
 
   /** A number of a topic's newest sample, however old: ask `state` before showing it. */
   newestNumber<T extends TopicName>(topic: T, field: NumberField<T>): number | null {
-    const value = this.#value(topic, field);
-    return typeof value === "number" ? value : null;
+    return this.newestNumberOf(topic, field);
   }
 
   /** A number of a topic if it is live, else null: nothing old can be drawn by mistake. */
@@ -121,10 +120,15 @@ export class TelemetryStore {
     return this.state(topic, now_ms) === "live" ? this.newestNumber(topic, field) : null;
   }
 
-  /** The same for a field whose name is only known at run time; of a field that is not there, null. */
-  liveNumberOf(topic: TopicName, field: string, now_ms: number): number | null {
-    const value = this.state(topic, now_ms) === "live" ? this.#newest.get(topic)?.values[field] : null;
+  /** `newestNumber` of a field whose name is only known at run time; null if the topic has no such field. */
+  newestNumberOf(topic: TopicName, field: string): number | null {
+    const value = this.#newest.get(topic)?.values[field];
     return typeof value === "number" ? value : null;
+  }
+
+  /** `liveNumber` of a field whose name is only known at run time; null if the topic has no such field. */
+  liveNumberOf(topic: TopicName, field: string, now_ms: number): number | null {
+    return this.state(topic, now_ms) === "live" ? this.newestNumberOf(topic, field) : null;
   }
 
   /** Every row of the simulator that was ever heard, by number: ask `rowState` before showing it. */
@@ -154,16 +158,12 @@ export class TelemetryStore {
 
   /** A flag of a topic's newest sample, however old. */
   newestFlag<T extends TopicName>(topic: T, field: FlagField<T>): boolean | null {
-    const value = this.#value(topic, field);
+    const value = this.#newest.get(topic)?.values[field];
     return typeof value === "boolean" ? value : null;
   }
 
   /** A flag of a topic if it is live, else null. */
   liveFlag<T extends TopicName>(topic: T, field: FlagField<T>, now_ms: number): boolean | null {
     return this.state(topic, now_ms) === "live" ? this.newestFlag(topic, field) : null;
-  }
-
-  #value<T extends TopicName>(topic: T, field: FieldName<T>): number | boolean | null | undefined {
-    return this.#newest.get(topic)?.values[field];
   }
 }
