@@ -1,10 +1,10 @@
+import type { Aircraft } from "../lib/aircraft";
 import { type Checked, isFlag, isNumber, shape } from "../lib/check";
 import type { TrackPoint } from "../lib/track/trackPoints";
 import type { components } from "./api.gen";
 
-/** The flown tracks: of the aircraft by its GPS, and of the simulator's. */
-export const TRACKS = ["real", "hil"] as const;
-export type TrackName = (typeof TRACKS)[number];
+/** How the gateway names the two tracks: of the aircraft by its GPS, and of the simulator's. */
+export const TRACK_SOURCE: Readonly<Record<Aircraft, string>> = { flight: "real", hil: "hil" };
 
 export const isTrackState = shape({ real_points: isNumber, hil_points: isNumber, can_restore: isFlag });
 /** Does not compile when the gateway describes its answer otherwise than it is checked here. */

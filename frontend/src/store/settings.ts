@@ -47,10 +47,20 @@ function read(storage: BrowserStorage | null): Settings {
     theme: isThemeName(theme) ? theme : "dark",
     choices: isObject(choices)
       ? Object.fromEntries(
-          Object.entries(choices).filter((entry): entry is [string, string] => isText(entry[1])),
+          Object.entries(choices)
+            .filter((entry): entry is [string, string] => isText(entry[1]))
+            .map(renamed),
         )
       : {},
   };
+}
+
+/** A choice that an earlier version kept, when the aircraft in flight was called "real". */
+function renamed([name, value]: [string, string]): [string, string] {
+  if (name === "map.track.real") {
+    return ["map.track.flight", value];
+  }
+  return [name, name === "tuning.aircraft" && value === "real" ? "flight" : value];
 }
 
 function parse(storage: BrowserStorage | null): Readonly<Record<string, unknown>> {

@@ -2,9 +2,10 @@ import type { ParseKeys } from "i18next";
 import { X } from "lucide-react";
 import { type ReactNode, useCallback, useEffect, useId, useRef } from "react";
 import { useTranslation } from "react-i18next";
+import type { Aircraft } from "../../lib/aircraft";
 import { formatHeading } from "../../lib/format";
 import { bearing_deg, distance_m, type Position } from "../../lib/geodesy";
-import type { MapThing, Whose } from "../../lib/mapThing";
+import type { MapThing } from "../../lib/mapThing";
 import { captureRadius_m, unsentOf } from "../../lib/plan";
 import { coordinate, heading } from "../../readouts/formats";
 import type { ReadoutRow, ReadoutRows } from "../../readouts/LiveReadout";
@@ -126,7 +127,7 @@ const HIL_ATTITUDE: ReadoutRows = {
   rows: [{ field: "true_heading_deg", label: "map.plan.heading", as: HEADING }, ...PITCH_ROLL],
 };
 
-function AircraftValues({ aircraft }: { aircraft: Whose }) {
+function AircraftValues({ aircraft }: { aircraft: Aircraft }) {
   return aircraft === "flight" ? (
     <>
       <LiveBadge topic="gps" />
@@ -155,13 +156,13 @@ function HomeValues() {
     <>
       <p className="map-card-note">{source}</p>
       <Facts place={home} />
-      <FromAircraft whose="flight" to={home} />
-      <FromAircraft whose="hil" to={home} />
+      <FromAircraft aircraft="flight" to={home} />
+      <FromAircraft aircraft="hil" to={home} />
     </>
   );
 }
 
-function WaypointValues({ plan, row }: { plan: Whose; row: number }) {
+function WaypointValues({ plan, row }: { plan: Aircraft; row: number }) {
   const { t } = useTranslation();
   const altitude = useUnit("altitude");
   const speed = useUnit("speed");
@@ -198,7 +199,7 @@ function WaypointValues({ plan, row }: { plan: Whose; row: number }) {
             : t("map.plan.sent")}
       </p>
       <Facts place={waypoint} more={facts} />
-      <FromAircraft whose={plan} to={waypoint} />
+      <FromAircraft aircraft={plan} to={waypoint} />
     </>
   );
 }
@@ -226,7 +227,7 @@ function Facts({ place, more = [] }: { place: Position; more?: readonly Fact[] }
 }
 
 /** How far, and in which direction, the place is from an aircraft: as live as the aircraft's own place. */
-function FromAircraft({ whose, to }: { whose: Whose; to: Position }) {
+function FromAircraft({ aircraft, to }: { aircraft: Aircraft; to: Position }) {
   const { t } = useTranslation();
   const unit = useUnit("distance");
   const away = useRef<ReadoutHandle>(null);
@@ -234,16 +235,16 @@ function FromAircraft({ whose, to }: { whose: Whose; to: Position }) {
   const { latitude_deg, longitude_deg } = to;
   const paint = useCallback(
     (telemetry: TelemetryStore, now_ms: number) => {
-      const from = aircraftPlace(telemetry, whose);
+      const from = aircraftPlace(telemetry, aircraft);
       const place = { latitude_deg, longitude_deg };
-      const state = telemetry.state(PLACE_TOPIC[whose], now_ms);
+      const state = telemetry.state(PLACE_TOPIC[aircraft], now_ms);
       away.current?.paint(from === null ? null : unit.format(distance_m(from, place)), state);
       bearing.current?.paint(from === null ? null : heading(bearing_deg(from, place)), state);
     },
-    [whose, latitude_deg, longitude_deg, unit],
+    [aircraft, latitude_deg, longitude_deg, unit],
   );
   usePaint("text", paint);
-  const name = whose === "flight" ? t("map.plan.fromFlight") : t("map.plan.fromHil");
+  const name = aircraft === "flight" ? t("map.plan.fromFlight") : t("map.plan.fromHil");
   return (
     <ReadoutGrid columns={1}>
       <Readout ref={away} label={name} unit={unit.label} />

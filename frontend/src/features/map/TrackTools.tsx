@@ -19,7 +19,7 @@ export function TrackTools() {
   const trackEdits = usePart(TRACK_EDITS);
   const [isAsking, setAsking] = useState(false);
   const canRestore = useTracks((tracks) => tracks.canRestore);
-  const points = useTracks(({ summary }) => summary.real.count + summary.hil.count);
+  const points = useTracks(({ summary }) => summary.flight.count + summary.hil.count);
   const blocked = useGatewayBlocked();
   const reset = useAsked(RESET);
   const restore = useAsked(RESTORE);

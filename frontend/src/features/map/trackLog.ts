@@ -1,6 +1,7 @@
 import { createStore, type StoreApi } from "zustand/vanilla";
+import { AIRCRAFT, type Aircraft } from "../../lib/aircraft";
 import { TrackPoints } from "../../lib/track/trackPoints";
-import { TRACKS, type TrackName, type TrackPiece } from "../../protocol/track";
+import type { TrackPiece } from "../../protocol/track";
 import type { Message } from "../../store/messages";
 import { partName } from "../../store/parts";
 
@@ -15,7 +16,7 @@ export interface TrackSummary {
 }
 
 export interface Tracks {
-  readonly summary: Readonly<Record<TrackName, TrackSummary>>;
+  readonly summary: Readonly<Record<Aircraft, TrackSummary>>;
   /** A track that was cleared can be brought back; null while nobody has told. */
   readonly canRestore: boolean | null;
   /** Why the newest question found no answer. */
@@ -29,7 +30,7 @@ export type TrackStore = StoreApi<Tracks>;
 /** The flown tracks as far as this page knows them. */
 export interface TrackLog {
   readonly store: TrackStore;
-  readonly points: Readonly<Record<TrackName, TrackPoints>>;
+  readonly points: Readonly<Record<Aircraft, TrackPoints>>;
   /** Asks for what is missing once a second until the returned function is called; any number may watch. */
   readonly watch: () => () => void;
 }
@@ -40,7 +41,7 @@ const NONE: TrackSummary = { count: 0, first_s: null, last_s: null, total: 0 };
 
 export function createTracks(): TrackStore {
   return createStore<Tracks>(() => ({
-    summary: { real: NONE, hil: NONE },
+    summary: { flight: NONE, hil: NONE },
     canRestore: null,
     failure: null,
     malformed: 0,
@@ -108,15 +109,15 @@ export class GrowingTrack {
   }
 }
 
-export function growingTracks(): Readonly<Record<TrackName, GrowingTrack>> {
-  return { real: new GrowingTrack(), hil: new GrowingTrack() };
+export function growingTracks(): Readonly<Record<Aircraft, GrowingTrack>> {
+  return { flight: new GrowingTrack(), hil: new GrowingTrack() };
 }
 
 /** What the tracks are now; a state that says the same is no new one. */
-export function summarise(store: TrackStore, tracks: Readonly<Record<TrackName, GrowingTrack>>): void {
+export function summarise(store: TrackStore, tracks: Readonly<Record<Aircraft, GrowingTrack>>): void {
   const before = store.getState().summary;
-  const now = { real: tracks.real.summary, hil: tracks.hil.summary };
-  const isSame = TRACKS.every(
+  const now = { flight: tracks.flight.summary, hil: tracks.hil.summary };
+  const isSame = AIRCRAFT.every(
     (name) =>
       before[name].count === now[name].count &&
       before[name].total === now[name].total &&

@@ -59,7 +59,7 @@ class Gateway {
     );
   }
 
-  get real(): string[] {
+  get flight(): string[] {
     return this.asked.filter((path) => path.includes("source=real"));
   }
 }
@@ -73,10 +73,10 @@ test("nothing is asked while nobody watches; then once a second, and only for wh
   await gateway.settle();
   gateway.points = 150;
   await gateway.pass(1000);
-  expect(gateway.log.store.getState().summary.real).toMatchObject({ count: 150, total: 150 });
+  expect(gateway.log.store.getState().summary.flight).toMatchObject({ count: 150, total: 150 });
   end();
   await gateway.pass(5000);
-  expect(gateway.real).toEqual([
+  expect(gateway.flight).toEqual([
     "/api/v1/track/points?source=real",
     "/api/v1/track/points?source=real&epoch=5&after=100",
   ]);
@@ -86,12 +86,12 @@ test("two hours come in one piece, in slices between which the page works", asyn
   const gateway = new Gateway();
   gateway.points = 45_000;
   const counts = new Set<number>();
-  gateway.log.store.subscribe(({ summary }) => counts.add(summary.real.count));
+  gateway.log.store.subscribe(({ summary }) => counts.add(summary.flight.count));
   gateway.log.watch();
   await gateway.settle();
-  expect(gateway.real).toHaveLength(1);
+  expect(gateway.flight).toHaveLength(1);
   expect([...counts]).toEqual([10_000, 20_000, 30_000, 40_000, 45_000]);
-  expect(gateway.log.points.real.count).toBe(45_000);
+  expect(gateway.log.points.flight.count).toBe(45_000);
 });
 
 test("another epoch starts the track over", async () => {
@@ -102,8 +102,8 @@ test("another epoch starts the track over", async () => {
   gateway.epoch = 6;
   gateway.points = 20;
   await gateway.pass(1000);
-  expect(gateway.log.points.real.count).toBe(20);
-  expect(gateway.log.store.getState().summary.real.count).toBe(20);
+  expect(gateway.log.points.flight.count).toBe(20);
+  expect(gateway.log.store.getState().summary.flight.count).toBe(20);
 });
 
 test("an answer that is not as agreed is told and counted, leaves the track, and the next one mends it", async () => {
@@ -117,12 +117,12 @@ test("an answer that is not as agreed is told and counted, leaves the track, and
     malformed: 2,
     failure: { key: "problem.answer_unreadable" },
   });
-  expect(gateway.log.points.real.count).toBe(50);
+  expect(gateway.log.points.flight.count).toBe(50);
   gateway.answer = null;
   gateway.points = 60;
   await gateway.pass(1000);
   expect(gateway.log.store.getState().failure).toBeNull();
-  expect(gateway.log.points.real.count).toBe(60);
+  expect(gateway.log.points.flight.count).toBe(60);
 });
 
 test("a gateway that does not answer is asked again, and says why nothing comes", async () => {
@@ -136,7 +136,7 @@ test("a gateway that does not answer is asked again, and says why nothing comes"
   gateway.answer = null;
   gateway.points = 10;
   await gateway.pass(1000);
-  expect(gateway.log.store.getState()).toMatchObject({ failure: null, summary: { real: { count: 10 } } });
+  expect(gateway.log.store.getState()).toMatchObject({ failure: null, summary: { flight: { count: 10 } } });
 });
 
 test("points that lie nowhere on earth are counted and left out", async () => {
@@ -153,7 +153,7 @@ test("points that lie nowhere on earth are counted and left out", async () => {
     );
   gateway.log.watch();
   await gateway.settle();
-  expect(gateway.log.store.getState()).toMatchObject({ malformed: 1, summary: { real: { count: 2 } } });
+  expect(gateway.log.store.getState()).toMatchObject({ malformed: 1, summary: { flight: { count: 2 } } });
 });
 
 test("whether a cleared track can be brought back is asked once and then told by the stream", async () => {

@@ -1,7 +1,8 @@
+import { AIRCRAFT, type Aircraft } from "../../lib/aircraft";
 import type { Timers } from "../../lib/timers";
 import { tellTiming } from "../../lib/timing";
 import type { StreamEvent } from "../../protocol/envelope";
-import { isTrackState, readTrackPiece, TRACKS, type TrackName } from "../../protocol/track";
+import { isTrackState, readTrackPiece, TRACK_SOURCE } from "../../protocol/track";
 import type { Gateway } from "../../requests/asking";
 import { failureMessage } from "../../store/messages";
 import {
@@ -44,7 +45,7 @@ export function createTrackLog({ rest, timers }: TrackParts): {
       return;
     }
     isAsking = true;
-    for (const name of TRACKS) {
+    for (const name of AIRCRAFT) {
       await ask(name, tracks[name]);
     }
     if (store.getState().canRestore === null) {
@@ -57,10 +58,10 @@ export function createTrackLog({ rest, timers }: TrackParts): {
     }
   }
 
-  async function ask(name: TrackName, track: GrowingTrack): Promise<void> {
+  async function ask(name: Aircraft, track: GrowingTrack): Promise<void> {
     const { epoch, next } = track.known;
     const known = epoch === null ? "" : `&epoch=${epoch}&after=${next}`;
-    const answer = await rest.bytes(`/api/v1/track/points?source=${name}${known}`, PATIENCE_MS);
+    const answer = await rest.bytes(`/api/v1/track/points?source=${TRACK_SOURCE[name]}${known}`, PATIENCE_MS);
     if (!answer.ok) {
       store.setState({ failure: failureMessage(answer.problem) });
       return;
@@ -88,7 +89,7 @@ export function createTrackLog({ rest, timers }: TrackParts): {
   return {
     trackLog: {
       store,
-      points: { real: tracks.real.points, hil: tracks.hil.points },
+      points: { flight: tracks.flight.points, hil: tracks.hil.points },
       watch: () => {
         watchers += 1;
         if (watchers === 1 && !isAsking) {

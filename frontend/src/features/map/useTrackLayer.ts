@@ -1,5 +1,5 @@
 import { useEffect } from "react";
-import { TRACKS } from "../../protocol/track";
+import { AIRCRAFT } from "../../lib/aircraft";
 import { usePart } from "../../store/hooks";
 import { TRACK_KINDS } from "./trackKinds";
 import { TRACK_LOG } from "./trackLog";
@@ -11,7 +11,7 @@ export function useTrackLayer({ colouring, range, hasCurtain, isShown }: TrackCh
   const trackLog = usePart(TRACK_LOG);
   const layer = useGlobeLayer("track", async () => (await import("../../scene/track/TrackLayer")).TrackLayer);
   useEffect(() => {
-    for (const name of TRACKS) {
+    for (const name of AIRCRAFT) {
       layer?.add(trackLog.points[name], TRACK_KINDS[name]);
       layer?.setVisible(trackLog.points[name], isShown[name]);
     }

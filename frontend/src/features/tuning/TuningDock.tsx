@@ -1,15 +1,9 @@
 import { Maximize2, Minimize2, X } from "lucide-react";
 import { Fragment, type ReactNode, useMemo } from "react";
 import { useTranslation } from "react-i18next";
+import { AIRCRAFT, type Aircraft } from "../../lib/aircraft";
 import type { ParameterName } from "../../protocol/messages.gen";
-import {
-  AIRCRAFT,
-  type Aircraft,
-  LOOPS,
-  type LoopName,
-  loopParameters,
-  loopSignals,
-} from "../../protocol/tuning";
+import { LOOPS, type LoopName, loopParameters, loopSignals } from "../../protocol/tuning";
 import { LivePlot } from "../../readouts/LivePlot";
 import type { Signal } from "../../readouts/signals";
 import { usePage, useSettings } from "../../store/hooks";
@@ -59,7 +53,7 @@ export function TuningDock({ field }: { field: (name: ParameterName) => ReactNod
           onChange={(next) => choose(settings, "tuning.aircraft", next)}
           options={[
             { value: "hil", label: t("tuning.hil") },
-            { value: "real", label: t("tuning.real") },
+            { value: "flight", label: t("tuning.flight") },
           ]}
         />
         <span className="tuning-gap" />

@@ -10,9 +10,9 @@ import {
   Model,
   VerticalOrigin,
 } from "@cesium/engine";
+import type { Aircraft } from "../../lib/aircraft";
 import type { FullAttitude } from "../../lib/attitude";
-import type { Whose } from "../../lib/mapThing";
-import { AIRCRAFT } from "../colours";
+import { AIRCRAFT_COLOURS } from "../colours";
 import type { Globe } from "../globe/Globe";
 import { LETTERING } from "../lettering";
 import { airframeFaces } from "./airframe";
@@ -32,7 +32,7 @@ export interface AircraftSeen {
   readonly label: string;
 }
 
-export type AllSeen = Readonly<Record<Whose, AircraftSeen | null>>;
+export type AllSeen = Readonly<Record<Aircraft, AircraftSeen | null>>;
 /** What is to be shown in a frame; null: not drawn. */
 export type AircraftFeed = (now_ms: number) => AllSeen;
 
@@ -40,7 +40,7 @@ const GHOST = 0.32;
 /** From afar it is drawn larger than it is, or it would not be seen. */
 const LEAST_PX = 112;
 /** Over and under it, in pixels: both aircraft are often in one place. */
-const NAME_PLACE: Readonly<Record<Whose, Cartesian2>> = {
+const NAME_PLACE: Readonly<Record<Aircraft, Cartesian2>> = {
   flight: new Cartesian2(22, -18),
   hil: new Cartesian2(22, 34),
 };
@@ -51,12 +51,12 @@ const STILL_TURN = 2e-4;
 /** The two aircraft on the globe, each where its feed says it is in this frame. */
 export class AircraftLayer {
   readonly #globe: Globe;
-  readonly #drawn: Readonly<Record<Whose, DrawnAircraft>>;
+  readonly #drawn: Readonly<Record<Aircraft, DrawnAircraft>>;
   readonly #labels = new LabelCollection();
   readonly #endFrames: () => void;
   #feed: AircraftFeed | null = null;
   #seen: AllSeen = { flight: null, hil: null };
-  #within: Whose | null = null;
+  #within: Aircraft | null = null;
 
   constructor(globe: Globe) {
     this.#globe = globe;
@@ -75,13 +75,13 @@ export class AircraftLayer {
   }
 
   /** The eye sits in this aircraft: its airframe is not drawn. */
-  setWithin(whose: Whose | null): void {
-    this.#within = whose;
+  setWithin(aircraft: Aircraft | null): void {
+    this.#within = aircraft;
   }
 
   /** As in the frame that is shown. */
-  seen(whose: Whose): AircraftSeen | null {
-    return this.#seen[whose];
+  seen(aircraft: Aircraft): AircraftSeen | null {
+    return this.#seen[aircraft];
   }
 
   dispose(): void {
@@ -111,17 +111,17 @@ class DrawnAircraft {
   #matrix: readonly number[] = [];
   #shown = "";
 
-  constructor(globe: Globe, labels: LabelCollection, whose: Whose) {
+  constructor(globe: Globe, labels: LabelCollection, aircraft: Aircraft) {
     this.#globe = globe;
     this.#labels = labels;
-    this.#colour = Color.fromCssColorString(AIRCRAFT[whose]);
+    this.#colour = Color.fromCssColorString(AIRCRAFT_COLOURS[aircraft]);
     this.#label = labels.add({
       ...LETTERING,
       position: Cartesian3.ZERO,
       show: false,
       horizontalOrigin: HorizontalOrigin.LEFT,
       verticalOrigin: VerticalOrigin.BOTTOM,
-      pixelOffset: NAME_PLACE[whose],
+      pixelOffset: NAME_PLACE[aircraft],
       disableDepthTestDistance: Number.POSITIVE_INFINITY,
     });
     void this.#load();

@@ -7,9 +7,9 @@ import {
   PerspectiveFrustum,
   Transforms,
 } from "@cesium/engine";
+import type { Aircraft } from "../../lib/aircraft";
 import { wrap180 } from "../../lib/angles";
 import type { CameraMode } from "../../lib/mapCamera";
-import type { Whose } from "../../lib/mapThing";
 import type { Globe } from "../globe/Globe";
 import type { AircraftLayer, AircraftSeen } from "./AircraftLayer";
 import { poseOf } from "./pose";
@@ -31,7 +31,7 @@ export class CameraRig {
   readonly #aircraft: AircraftLayer;
   readonly #endFrames: () => void;
   #mode: CameraMode = "free";
-  #whose: Whose = "flight";
+  #followed: Aircraft = "flight";
   #heading_deg: number | null = null;
   #moved_ms = 0;
   /** Where the eye was, as seen from the aircraft, when following was left. */
@@ -44,15 +44,15 @@ export class CameraRig {
     this.#endFrames = globe.onBeforeFrame((now_ms) => this.#beforeFrame(now_ms));
   }
 
-  set(mode: CameraMode, whose: Whose): void {
-    if (this.#isHeld && (mode !== "follow" || whose !== this.#whose)) {
+  set(mode: CameraMode, aircraft: Aircraft): void {
+    if (this.#isHeld && (mode !== "follow" || aircraft !== this.#followed)) {
       this.#release();
     }
-    if (whose !== this.#whose) {
+    if (aircraft !== this.#followed) {
       this.#heading_deg = null;
     }
     this.#mode = mode;
-    this.#whose = whose;
+    this.#followed = aircraft;
     const { camera, screenSpaceCameraController } = this.#globe.scene;
     screenSpaceCameraController.enableInputs = mode !== "cockpit";
     if (camera.frustum instanceof PerspectiveFrustum) {
@@ -111,8 +111,8 @@ export class CameraRig {
   }
 
   #beforeFrame(now_ms: number): void {
-    const seen = this.#aircraft.seen(this.#whose);
-    this.#aircraft.setWithin(this.#mode === "cockpit" && seen?.attitude != null ? this.#whose : null);
+    const seen = this.#aircraft.seen(this.#followed);
+    this.#aircraft.setWithin(this.#mode === "cockpit" && seen?.attitude != null ? this.#followed : null);
     if (seen === null || this.#mode === "free") {
       this.#release();
     } else if (this.#mode === "follow") {

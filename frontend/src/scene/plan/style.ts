@@ -1,10 +1,10 @@
 import { Color } from "@cesium/engine";
-import type { Whose } from "../../lib/mapThing";
+import type { Aircraft } from "../../lib/aircraft";
 import { EDGE, PLAN, STRONG, UNSENT } from "../colours";
 import type { LineLook } from "../ribbon/RibbonLines";
 import type { LineKind } from "./shape";
 
-export type PlanKind = Whose;
+export type PlanKind = Aircraft;
 
 export const PLAN_COLOUR: Readonly<Record<PlanKind, Color>> = {
   flight: Color.fromCssColorString(PLAN.flight),

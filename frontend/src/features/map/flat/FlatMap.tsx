@@ -127,18 +127,18 @@ function FlatButtons({ scene, isFollowing, onFollow }: ButtonsProps) {
 function useAircraft(scene: FlatScene | null, isFollowing: boolean): void {
   const { t } = useTranslation();
   const followed = useFollowed();
-  const real = t("map.view.real");
+  const flight = t("map.view.flight");
   const hil = t("map.view.hil");
   const paint = useCallback(
     (telemetry: TelemetryStore, now_ms: number) => {
-      const names: Readonly<Record<Whose, string>> = { flight: real, hil };
+      const names: Readonly<Record<Whose, string>> = { flight, hil };
       const seen = WHOSE.map((whose) => flatAircraft(telemetry, whose, names[whose], now_ms)).filter(
         (aircraft) => aircraft !== null,
       );
       const middle = isFollowing ? seen.find(({ plan }) => plan === followed)?.place : undefined;
       scene?.setAircraft(seen, middle ?? null);
     },
-    [scene, isFollowing, followed, real, hil],
+    [scene, isFollowing, followed, flight, hil],
   );
   usePaint("text", paint);
 }

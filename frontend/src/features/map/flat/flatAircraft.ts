@@ -31,7 +31,7 @@ export function flatAircraft(
     plan,
     place: { latitude_deg: place.latitude_deg, longitude_deg: place.longitude_deg },
     heading_deg,
-    colour: TRACK_KINDS[plan === "hil" ? "hil" : "real"].plain,
+    colour: TRACK_KINDS[plan].plain,
     label: isLive ? name : `${name} · ${formatAge(age_s)}`,
     isLive,
   };

@@ -1,5 +1,5 @@
 import { useMemo } from "react";
-import type { Whose } from "../../../lib/mapThing";
+import type { Aircraft } from "../../../lib/aircraft";
 import { samePlan, type Waypoint } from "../../../lib/plan";
 import { checkPlan, type PlanIssue } from "../../../lib/planCheck";
 import type { PlanState } from "../../../missions/planDrafts";
@@ -26,7 +26,7 @@ export interface MapPlan {
 const NOTHING: readonly Waypoint[] = [];
 
 /** A plan as the map shows it. */
-export function useMapPlan(plan: Whose): MapPlan {
+export function useMapPlan(plan: Aircraft): MapPlan {
   const draft = usePlans((plans) => plans[plan].draft.present);
   const read = usePlans((plans) => plans[plan].board);
   // As it was told last, like a plan that was read: a pause of the link takes no plan out of the hand that edits it.
