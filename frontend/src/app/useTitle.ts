@@ -2,7 +2,7 @@ import { useEffect } from "react";
 import { useTranslation } from "react-i18next";
 import { useConnection } from "../store/hooks";
 
-/** The window's title tells the state of the board's link, also to who looks at another window. */
+/** Shows the state of the board's link in the window's title, where it is seen from other windows too. */
 export function useTitle(): void {
   const { t } = useTranslation();
   const state = useConnection(({ status, phase }) =>

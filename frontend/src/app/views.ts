@@ -1,6 +1,6 @@
 import { type LazyPart, lazyPart } from "../ui/lazyPart";
 
-/** The main tabs in the order in which they stand. */
+/** The main tabs, in their order. */
 export const TABS = [
   "flight",
   "six",
@@ -16,7 +16,7 @@ export const TABS = [
 ] as const;
 export type TabName = (typeof TABS)[number];
 
-/** Each tab is a file of its own, so that the first look at the page does not wait for all of them. */
+/** Each tab is loaded by itself, so that the first display does not wait for all of them. */
 export const VIEWS: Readonly<Record<TabName, LazyPart>> = {
   flight: lazyPart(async () => (await import("./tabs/FlightTab")).FlightTab),
   six: lazyPart(async () => (await import("../features/six/SixView")).BoardSixView),

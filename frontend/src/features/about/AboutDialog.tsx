@@ -14,7 +14,7 @@ interface Package {
   readonly licence: string | null;
 }
 
-/** Put in when the page is built, from its lock file. */
+/** Set by the build, from the lock file. */
 declare const PAGE_VERSION: string;
 declare const PAGE_PACKAGES: readonly Package[];
 

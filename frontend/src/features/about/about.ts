@@ -1,7 +1,7 @@
 import { type Checked, isText, list, nullable, oneOf, shape } from "../../lib/check";
 import type { components } from "../../protocol/api.gen";
 
-/** What the gateway is made of, and which board is open. */
+/** Versions of the gateway and its libraries, and the open board. */
 export const isAbout = shape({
   version: isText,
   python: isText,

@@ -4,7 +4,7 @@ import { partName } from "../../store/parts";
 import { type About, isAbout } from "./about";
 
 export interface AboutRequests {
-  /** What the gateway is made of, or the sentence that says why it does not tell. */
+  /** Versions and licences, or the message of the failure. */
   readonly read: () => Promise<About | Message>;
 }
 

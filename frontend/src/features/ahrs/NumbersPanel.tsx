@@ -15,7 +15,7 @@ import { useAlignment } from "./useAlignment";
 
 interface Props {
   source: AttitudeSource;
-  /** The present yaw became zero, or is none any more. */
+  /** The user aligned the present yaw to zero, or removed the alignment. */
   onAligned: () => void;
 }
 
@@ -35,7 +35,7 @@ export function NumbersPanel({ source, onAligned }: Props) {
   );
 }
 
-/** Yaw from the heading that was made zero: -180..180, to the right positive. */
+/** Yaw relative to the aligned heading: -180..180, positive to the right. */
 function AlignedYaw({ source }: { source: AttitudeSource }) {
   const { t } = useTranslation();
   const zero_deg = useAlignment((alignment) => alignment[source]);

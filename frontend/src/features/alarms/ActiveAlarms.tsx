@@ -12,7 +12,7 @@ import { LevelMark } from "./LevelMark";
 import { GATEWAY_LOST } from "./raisedAlarms";
 import { type ShownAlarm, useActiveAlarms } from "./useAlarms";
 
-/** All that is wrong now, each with what to do about it. */
+/** The active alarms, each with its advice. */
 export function ActiveAlarms() {
   const { t } = useTranslation();
   const alarmLog = usePart(ALARM_LOG);
@@ -87,7 +87,7 @@ function Active({ alarm }: { alarm: ShownAlarm }) {
   );
 }
 
-/** How long it has lasted, by the clock of whoever raised it. */
+/** How long it has lasted, by the clock of the side that raised it. */
 function Lasting({ alarm: { id, since_s } }: { alarm: ShownAlarm }) {
   const { connection } = usePage();
   const alarmLog = usePart(ALARM_LOG);

@@ -4,7 +4,7 @@ import { Heard } from "./Heard";
 import { PastAlarms } from "./PastAlarms";
 import { Thresholds } from "./Thresholds";
 
-/** "Alarmas": what is wrong, what was, from when on something is, and what is heard of it. */
+/** "Alarmas": active and past alarms, their thresholds, sound and speech. */
 export function AlarmsView() {
   return (
     <div className="alarms">

@@ -10,25 +10,25 @@ import type { AlarmLevel, OwnAlarm } from "./raisedAlarms";
 export type PastAlarm = AlarmBookAnswer["past"][number];
 export type Threshold = ThresholdAnswer["thresholds"][number];
 
-/** `waits`: the browser wants a press of anything first. `none`: it has none. */
+/** `waits`: the browser needs a user gesture first. `none`: it cannot play sound. */
 export type SounderState = "ready" | "waits" | "none";
 
 /** Makes the alarms' tones. */
 export interface Sounder {
   readonly state: () => SounderState;
-  /** Volume 0..1. What still sounds is ended first. */
+  /** Volume 0..1. Stops a signal that is still playing. */
   readonly play: (level: AlarmLevel, volume: number) => void;
   readonly hush: () => void;
   readonly onState: (changed: () => void) => void;
 }
 
-/** `foreign`: there are voices, none of this language. */
+/** `foreign`: there are voices, but none for this language. */
 export type SpeakerState = SounderState | "foreign";
 
-/** Says sentences. */
+/** Speaks sentences. */
 export interface Speaker {
   readonly state: (language: Language) => SpeakerState;
-  /** What it was saying is cut off: there is never a queue. Volume 0..1. */
+  /** Replaces what is being spoken: there is never a queue. Volume 0..1. */
   readonly say: (text: string, language: Language, volume: number) => void;
   readonly hush: () => void;
   readonly onState: (changed: () => void) => void;
@@ -40,18 +40,18 @@ export const MUTE_MS = 120_000;
 const OWN_PAST_MOST = 50;
 
 export interface AlarmLogState {
-  /** The page does not hear the gateway; null while it does. */
+  /** The page's own alarm, that it does not hear the gateway; null while it does. */
   readonly own: OwnAlarm | null;
-  /** The page's own alarms that are over, newest first. */
+  /** The page's own past alarms, newest first. */
   readonly ownPast: readonly PastAlarm[];
-  /** The gateway's list, newest first; null until it was asked. */
+  /** The gateway's past alarms, newest first; null until read. */
   readonly past: readonly PastAlarm[] | null;
   readonly thresholds: readonly Threshold[] | null;
   /** Why the list or the thresholds could not be read. */
   readonly failure: Message | null;
-  /** Counts the gateway's reports of alarms that came or went: the list is out of date when it moves. */
+  /** Counts the gateway's reports that an alarm was raised or ended: when it changes, the list is out of date. */
   readonly reported: number;
-  /** Milliseconds of the page's clock; null while nothing is muted. */
+  /** End of the mute, milliseconds of the page's clock; null while not muted. */
   readonly mutedUntil_ms: number | null;
   readonly sounder: SounderState;
   /** By language. */
@@ -74,19 +74,19 @@ export function createAlarmLogStore(): AlarmLogStore {
   }));
 }
 
-/** Counts the gateway's reports of alarms that came or went. */
+/** Count a report of the gateway that an alarm was raised or ended. */
 export function takeAlarmEvent(store: AlarmLogStore, { event }: StreamEvent): void {
   if (event === "alarm") {
     store.setState(({ reported }) => ({ reported: reported + 1 }));
   }
 }
 
-/** The page's own alarm came (Unix seconds). */
+/** The page's own alarm was raised (Unix seconds). */
 export function raiseOwn(store: AlarmLogStore, since_s: number): void {
   store.setState(({ own }) => ({ own: own ?? { since_s, acknowledged: false } }));
 }
 
-/** The page's own alarm is over (Unix seconds) and goes to the list. */
+/** The page's own alarm ended (Unix seconds) and joins the past ones. */
 export function endOwn(store: AlarmLogStore, until_s: number, alarm: Pick<PastAlarm, "id" | "text">): void {
   store.setState(({ own, ownPast }) =>
     own === null
@@ -101,19 +101,19 @@ export function endOwn(store: AlarmLogStore, until_s: number, alarm: Pick<PastAl
   );
 }
 
-/** All alarms that are over, the gateway's and the page's own, newest first. */
+/** All past alarms, the gateway's and the page's own, newest first. */
 export function pastAlarms({ past, ownPast }: Pick<AlarmLogState, "past" | "ownPast">): readonly PastAlarm[] {
   return [...(past ?? []), ...ownPast].sort((first, second) => second.until_s - first.until_s);
 }
 
 /**
- * What a person can do about alarms. None throws; outcomes go to the command store under the asker's name and to the
+ * What a user can do about alarms. None throws; outcomes go to the command store under the asker's name and to the
  * messages.
  */
 export interface AlarmLog {
   readonly store: AlarmLogStore;
   readonly acknowledge: (id: string, asker: Asker) => Promise<void>;
-  /** Everything that is not acknowledged yet; does nothing where all is. */
+  /** Acknowledge every alarm that is not yet; does nothing if there is none. */
   readonly acknowledgeAll: () => Promise<void>;
   /** No sound and no speech for two minutes, or until `unmute`. */
   readonly mute: () => void;

@@ -15,7 +15,7 @@ export interface OwnAlarm {
   readonly acknowledged: boolean;
 }
 
-/** One thing that is wrong now. `since_s` is Unix time of whoever raised it. */
+/** One active alarm. `since_s` is Unix time of the side that raised it. */
 export interface ActiveAlarm {
   readonly id: string;
   readonly level: AlarmLevel;
@@ -26,7 +26,7 @@ export interface ActiveAlarm {
 
 type HilStatus = NonNullable<Connection["status"]>["simulator"];
 
-/** The gateway has one alarm for the loop; where it is open can be seen from the state of its two ends. */
+/** The gateway has one alarm for the HIL loop; which end is open follows from the states of the two ends. */
 function hilKey({ state, missing_rows }: HilStatus): string {
   if (state !== "open") {
     return "hil_lost_simulator";
@@ -58,7 +58,9 @@ export function alarmMessage(
   };
 }
 
-/** What is wrong now, the most urgent first. Without the gateway nothing that it said counts: that alone is wrong. */
+/**
+ * The active alarms, the most urgent first. Without the gateway its alarms are unknown, and its loss is the only one.
+ */
 export function activeAlarms(
   { phase, status }: Pick<Connection, "phase" | "status">,
   own: OwnAlarm | null,
@@ -81,7 +83,7 @@ export function activeAlarms(
     .sort((first, second) => urgency(first) - urgency(second) || second.since_s - first.since_s);
 }
 
-/** 0 is the most urgent: what nobody has acknowledged comes first, critical before warning. */
+/** 0 is the most urgent: unacknowledged before acknowledged, then critical before warning. */
 function urgency({ acknowledged, level }: ActiveAlarm): number {
   return (acknowledged ? 2 : 0) + (level === "critical" ? 0 : 1);
 }
@@ -94,8 +96,8 @@ interface Facts {
 }
 
 /**
- * What has to be seen before an alarm that went may be called recovered. An alarm also goes because a line was closed or
- * a stream ended: then nothing is known to be well again. An id that is not here is never called so.
+ * The proof that an ended alarm has recovered. An alarm also ends because a link was closed or a stream stopped: that
+ * proves nothing. An id without a proof never counts as recovered.
  */
 const PROOFS: Readonly<Record<string, (facts: Facts) => boolean>> = {
   [GATEWAY_LOST]: () => true,
@@ -110,8 +112,8 @@ const PROOFS: Readonly<Record<string, (facts: Facts) => boolean>> = {
 };
 
 /**
- * A sample of the last one and a half periods. "Live" would not do: the alarm of a stream that has just ended goes while
- * its last sample still counts as live here.
+ * Whether the newest sample is at most one and a half periods old. "Live" is not enough: when a stream stops, its
+ * alarm ends while its last sample still counts as live.
  */
 function isFresh(topic: TopicName, { status, telemetry, now_ms }: Facts): boolean {
   const age_s = telemetry.age_s(topic, now_ms);
@@ -119,7 +121,7 @@ function isFresh(topic: TopicName, { status, telemetry, now_ms }: Facts): boolea
   return limit_s != null && age_s !== null && age_s < limit_s / 2;
 }
 
-/** Whether what was wrong is now seen to be well: that an alarm has gone is no proof of it. */
+/** Whether an ended alarm is proven to have recovered: its end alone is no proof. */
 export function isRecovered(
   id: string,
   { phase, status, damagedLastSecond }: Connection,

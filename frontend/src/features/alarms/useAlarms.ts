@@ -13,12 +13,12 @@ export interface ShownAlarm extends ActiveAlarm {
   readonly blocked: string | undefined;
 }
 
-/** One thing of the alarm log; the component renders again when it changes. */
+/** One value of the alarm log; the component renders again when it changes. */
 export function useAlarmLogState<T>(select: (state: AlarmLogState) => T): T {
   return useStore(usePart(ALARM_LOG).store, select);
 }
 
-/** What is wrong now, in the page's language, the most urgent first. */
+/** The active alarms in the page's language, the most urgent first. */
 export function useActiveAlarms(): readonly ShownAlarm[] {
   const sentence = useSentence();
   const phase = useConnection((connection) => connection.phase);
@@ -30,7 +30,8 @@ export function useActiveAlarms(): readonly ShownAlarm[] {
       activeAlarms({ phase, status }, own).map((alarm) => ({
         ...alarm,
         text: sentence(alarm.message),
-        // The page's own alarm asks nobody; the gateway's are acknowledged for everybody, by whoever has control.
+        // The page's own alarm needs no request; the gateway's are acknowledged for everybody, by the client in
+        // control.
         blocked: alarm.id === GATEWAY_LOST ? undefined : blocked,
       })),
     [phase, status, own, sentence, blocked],

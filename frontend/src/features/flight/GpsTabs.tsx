@@ -8,7 +8,7 @@ import { usePage, useSettings } from "../../store/hooks";
 import { choose } from "../../store/settings";
 import { Tabs } from "../../ui/Tabs";
 
-/** A fix is there when the receiver gives its kind and does not call it void. */
+/** There is a fix when the receiver reports its kind and does not mark it invalid. */
 export const hasFix: ReadFlag = (telemetry) => {
   const fix = telemetry.newestNumber("gps", "fix");
   return fix === null ? null : fix > 0 && telemetry.newestFlag("gps", "valid") !== false;
