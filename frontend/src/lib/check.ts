@@ -1,6 +1,6 @@
 /**
- * Checks of what came from outside, put together from small ones. Each says whether an unknown value has the type;
- * unknown extra properties are left alone, so that a newer gateway does not blind an older page.
+ * Checks of data from outside, composed of small ones. Each is a type guard. Unknown properties are allowed, so that
+ * an older page works with a newer gateway.
  */
 export type Check<T> = (value: unknown) => value is T;
 export type Checked<C> = C extends Check<infer T> ? T : never;
@@ -13,7 +13,7 @@ export function isFlag(value: unknown): value is boolean {
   return typeof value === "boolean";
 }
 
-/** A finite number: JSON cannot carry another, but a hand-made message can carry 1e999. */
+/** A finite number: JSON has no others, but a forged message can hold 1e999. */
 export function isNumber(value: unknown): value is number {
   return typeof value === "number" && Number.isFinite(value);
 }
@@ -26,7 +26,7 @@ export function nullable<T>(check: Check<T>): Check<T | null> {
   return (value): value is T | null => value === null || check(value);
 }
 
-/** What an older gateway does not tell may be missing. */
+/** May be missing, for an older gateway does not send it. */
 export function optional<T>(check: Check<T>): Check<T | undefined> {
   return (value): value is T | undefined => value === undefined || check(value);
 }

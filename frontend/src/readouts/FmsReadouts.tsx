@@ -26,7 +26,7 @@ const ROWS: readonly ReadoutRow<NumberField<"fms_plan">>[] = [
   { field: "waypoint", label: "fms.waypoint", as: COUNT },
 ];
 
-/** What a flight plan asks for, and the two buttons that step through its waypoints. */
+/** The targets of a flight plan, and two buttons that step through its waypoints. */
 export function FmsReadouts({ topic, columns }: { topic: keyof typeof PLANS; columns: number }) {
   const { t } = useTranslation();
   const plan = PLANS[topic];

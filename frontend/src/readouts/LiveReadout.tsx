@@ -10,7 +10,7 @@ import type { Format } from "./formats";
 import type { Notation } from "./notations";
 import { useUnit } from "./useUnit";
 
-/** How a readout is laid out; a table says it once for all of its rows. */
+/** Layout of a readout; a table can set it for all its rows. */
 export interface ReadoutLayout {
   readonly chars?: number | undefined;
   readonly size?: "normal" | "large" | undefined;
@@ -20,15 +20,15 @@ export interface ReadoutLayout {
 export interface ReadoutRow<Field extends string = string> extends ReadoutLayout {
   readonly field: Field;
   readonly label: ParseKeys;
-  /** Named before the label, where readouts of several groups stand together: "Analog · Speed". */
+  /** Shown before the label where readouts of several groups are together: "Analog · Speed". */
   readonly group?: ParseKeys;
-  /** A quantity has the unit that the user chose; the wire's unit is the end of the field's name. */
+  /** A quantity is shown in the user's unit; its wire unit is the end of the field's name. */
   readonly as: Notation | Quantity;
-  /** A finer word for the wire's own unit of a quantity: kias for knots. */
+  /** A more specific name of a quantity's wire unit: kias for knots. */
   readonly unit?: ParseKeys;
 }
 
-/** Readouts of one topic: a field that the topic does not have, or that is no number, does not compile. */
+/** Readouts of one topic. A field that the topic does not have, or that is not a number, does not compile. */
 export type ReadoutRows = {
   [T in TopicName]: { readonly topic: T; readonly rows: ReadonlyArray<ReadoutRow<NumberField<T>>> };
 }[TopicName];
@@ -37,7 +37,7 @@ interface Props extends ReadoutRow {
   readonly topic: TopicName;
 }
 
-/** One number of a topic, with its state: ten times a second, without a render. */
+/** One number of a topic, with its state: painted ten times a second, without a render. */
 export function LiveReadout({ as, ...rest }: Props) {
   return typeof as === "string" ? (
     <QuantityReadout {...rest} quantity={as} />
@@ -57,7 +57,7 @@ function QuantityReadout({ quantity, unit, ...rest }: Omit<Props, "as"> & { quan
 
 interface Painted extends Omit<Props, "as"> {
   readonly format: Format;
-  /** The unit's word, where it is not that of `unit`. */
+  /** The unit's name if it does not come from `unit`. */
   readonly word?: string;
 }
 

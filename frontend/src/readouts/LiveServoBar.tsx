@@ -16,7 +16,7 @@ interface Props<T extends TopicName> {
 
 const position = (value: number): string => hundredths(value) ?? "";
 
-/** One control's position as a bar that moves with every frame. */
+/** One control's position as a bar that is painted in each animation frame. */
 export function LiveServoBar<T extends TopicName>({ topic, field, ...rest }: Props<T>) {
   const { t } = useTranslation();
   const bar = useRef<ServoBarHandle>(null);

@@ -4,7 +4,7 @@ import { ReadoutGrid } from "../ui/Readout";
 import { LiveReadout, type ReadoutLayout, type ReadoutRows } from "./LiveReadout";
 import { StreamPanel } from "./StreamPanel";
 
-/** The readouts of a table without its frame, to stand between others in a grid. */
+/** The readouts of a table without its grid, to be combined with others. */
 export function Readouts({ topic, rows, chars, size }: ReadoutRows & ReadoutLayout) {
   return rows.map((row) => (
     <LiveReadout key={`${topic}.${row.field}`} topic={topic} chars={chars} size={size} {...row} />

@@ -10,10 +10,10 @@ import {
   whole,
 } from "./formats";
 
-/** How a number is written whose unit nobody chooses. */
+/** The notation of a number whose unit cannot be chosen. */
 export interface Notation {
   readonly format: Format;
-  /** The word after the number; without one it has no unit. */
+  /** Key of the unit's symbol; none for a number without a unit. */
   readonly unit?: ParseKeys;
 }
 

@@ -2,28 +2,28 @@ import type { Sample, SimulatorRows } from "../protocol/envelope";
 import type { FlagField, NumberField, TopicName } from "../protocol/topics";
 import { ServerClock } from "./clock";
 
-/** `live`: shown as it is. `stale`: was heard, too long ago. `none`: never heard. */
+/** `live`: recent. `stale`: received too long ago. `none`: never received. */
 export type DataState = "live" | "stale" | "none";
 
-/** A gateway that says nothing for so long is not there: it sends its status twice a second. */
+/** A gateway that is silent for this long counts as lost: it sends its status twice a second. */
 export const SILENCE_MS = 1000;
-/** Until the gateway has said how old a topic may be. */
+/** Default, until the gateway has sent each topic's limit. */
 const DEFAULT_STALE_AFTER_S = 1;
 /**
- * What a sample may be older on the screen than at the gateway: one batch, the way here, one displayed frame. The
- * gateway's three periods can be as short as 60 ms.
+ * Extra age allowed for transport and display: one batch, the network, one animation frame. Three periods of the
+ * fastest stream are only 60 ms.
  */
 const WAY_S = 0.15;
-/** The gateway tells a row of the simulator five times a second, for as long as it is not older than a second. */
+/** The gateway sends a row of the simulator five times a second, until it is a second old. */
 const ROW_STALE_AFTER_S = 1;
 
-/** A row of the simulator: its eight values, null where it has none, and when the gateway told it last. */
+/** A row of the simulator: its eight values, null where it has none, and when the gateway last sent it. */
 export interface HeardRow {
   readonly t_s: number;
   readonly values: ReadonlyArray<number | null>;
 }
 
-/** The newest sample of every topic, changed in place: the pump's painters read it, nothing is told of a change. */
+/** The newest sample of every topic, changed in place. It notifies nobody: the pump's painters read it. */
 export class TelemetryStore {
   readonly #newest = new Map<string, Sample>();
   readonly #staleAfter_s = new Map<string, number>();
@@ -32,25 +32,25 @@ export class TelemetryStore {
   #heard_ms = Number.NEGATIVE_INFINITY;
   #revision = 0;
 
-  /** Differs from what it was whenever something new arrived. */
+  /** Changes whenever something new arrives. */
   get revision(): number {
     return this.#revision;
   }
 
-  /** A connection was opened, and the gateway's clock showed `server_s`. What an earlier gateway sent is history. */
+  /** A connection was opened when the gateway's clock showed `server_s`. Start a new estimate of its clock. */
   greet(server_s: number, now_ms: number): void {
     this.#clock.reset();
     this.#clock.observe(server_s, now_ms / 1000);
     this.heard(now_ms);
   }
 
-  /** Any message arrived: the gateway lives. */
+  /** A message arrived: the gateway is alive. */
   heard(now_ms: number): void {
     this.#heard_ms = now_ms;
     this.#revision += 1;
   }
 
-  /** The connection is gone: nothing is live from this moment. */
+  /** The connection is lost: nothing is live from now on. */
   silence(): void {
     this.#heard_ms = Number.NEGATIVE_INFINITY;
     this.#revision += 1;
@@ -65,38 +65,41 @@ export class TelemetryStore {
     }
   }
 
-  /** The simulator's rows as the gateway has them; one that is missing has not been heard for a second. */
+  /** The simulator's rows as the gateway has them; it leaves out those that are more than a second old. */
   applyRows({ t_s, rows }: SimulatorRows): void {
     for (const [row, values] of rows) {
       this.#rows.set(row, { t_s, values });
     }
   }
 
-  /** How old each topic's newest sample may be: three periods of its stream; null while the gateway does not know. */
+  /** Greatest age of each live topic: three periods of its stream; null while the gateway does not know them. */
   setStaleAfter(limits: Iterable<readonly [string, number | null]>): void {
     for (const [topic, limit_s] of limits) {
       this.#staleAfter_s.set(topic, limit_s ?? DEFAULT_STALE_AFTER_S);
     }
   }
 
-  /** Whether the gateway was heard within the last second. */
+  /** Whether a message arrived within the last second. */
   isConnected(now_ms: number): boolean {
     return now_ms - this.#heard_ms <= SILENCE_MS;
   }
 
-  /** When the gateway had the topic's newest sample, seconds of its clock: differs for each; null where there is none. */
+  /**
+   * When the gateway received the topic's newest sample, seconds of its clock: different for each sample; null if
+   * there is none.
+   */
   newestAt_s(topic: TopicName): number | null {
     return this.#newest.get(topic)?.t_s ?? null;
   }
 
-  /** Seconds since the gateway had the topic's newest sample; null where there is none. */
+  /** Age of the topic's newest sample since it reached the gateway, seconds; null if there is none. */
   age_s(topic: TopicName, now_ms: number): number | null {
     const sample = this.#newest.get(topic);
     const server_s = this.#clock.now_s(now_ms / 1000);
     return sample === undefined || server_s === null ? null : Math.max(0, server_s - sample.t_s);
   }
 
-  /** When the gateway had the topic's newest sample, seconds of its clock; null where there is none. */
+  /** When the gateway received the topic's newest sample, seconds of its clock; null if there is none. */
   sampled_s(topic: TopicName): number | null {
     return this.#newest.get(topic)?.t_s ?? null;
   }
@@ -110,7 +113,7 @@ export class TelemetryStore {
     return this.isConnected(now_ms) && age_s <= limit_s ? "live" : "stale";
   }
 
-  /** A number of a topic's newest sample, however old: ask `state` before showing it. */
+  /** A number of a topic's newest sample, however old: check `state` before showing it. */
   newestNumber<T extends TopicName>(topic: T, field: NumberField<T>): number | null {
     return this.newestNumberOf(topic, field);
   }
@@ -131,12 +134,12 @@ export class TelemetryStore {
     return this.state(topic, now_ms) === "live" ? this.newestNumberOf(topic, field) : null;
   }
 
-  /** Every row of the simulator that was ever heard, by number: ask `rowState` before showing it. */
+  /** Every row of the simulator received so far, by number: check `rowState` before showing it. */
   get rows(): ReadonlyMap<number, HeardRow> {
     return this.#rows;
   }
 
-  /** Seconds since the gateway last told this row; null where it never did. */
+  /** Seconds since the gateway last sent this row; null if it never did. */
   rowAge_s(row: number, now_ms: number): number | null {
     const heard = this.#rows.get(row);
     const server_s = this.#clock.now_s(now_ms / 1000);

@@ -74,7 +74,7 @@ export function CameraSection() {
   );
 }
 
-/** How the camera lies, and how often the globe is drawn. */
+/** The camera's direction and height, and how often the globe is drawn. */
 function Eye({ scene }: { scene: FlightScene | null }) {
   const { t } = useTranslation();
   const globe = useGlobe();
@@ -109,7 +109,7 @@ function Eye({ scene }: { scene: FlightScene | null }) {
   );
 }
 
-/** One line on an aircraft: live, a ghost, or why it is not drawn. */
+/** One line per aircraft: live, a ghost, or why it is not drawn. */
 function HowShown({ aircraft, name }: { aircraft: Aircraft; name: string }) {
   const { t } = useTranslation();
   const how: Showing = useTelemetry((telemetry, now_ms) => showing(telemetry, aircraft, now_ms));

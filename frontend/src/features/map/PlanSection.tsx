@@ -36,7 +36,7 @@ export function PlanSection() {
   const onHold = useCallback((now: HeldWaypoint | null) => setHeld(now), []);
   usePlanScene(plans, isShown, onHold);
 
-  // What is pressed on the globe is what the panel is about; without a choice, the plan that is there.
+  // The panel follows what is clicked on the map; without a choice it shows the plan that exists.
   const open =
     thing?.kind === "waypoint"
       ? thing.plan
@@ -84,7 +84,7 @@ export function PlanSection() {
   );
 }
 
-/** Whether the board has what is shown, where it flies to, and what it does at the end. */
+/** Whether the board has the shown plan, where it flies to, and what it does at the end. */
 function PlanState({ plan }: { plan: MapPlan }) {
   const { t } = useTranslation();
   const distance = useUnit("distance");

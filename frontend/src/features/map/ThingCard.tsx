@@ -25,7 +25,7 @@ import { useMapPlan } from "./plan/useMapPlan";
 import { useMapThing } from "./useMapThing";
 import "./plan/card.css";
 
-/** The values of what is chosen on the map, over its corner. Escape closes it. */
+/** A card with the values of what is selected on the map. Escape closes it. */
 export function ThingCard() {
   const thing = useMapThing();
   return thing === null ? null : <Card thing={thing} />;
@@ -38,7 +38,7 @@ function Card({ thing }: { thing: MapThing }) {
   const close = useCallback(() => selectThing(mapSelection, null), [mapSelection]);
   useEffect(() => {
     const press = (event: KeyboardEvent): void => {
-      // One that something else has taken, an edit or a window, is not for the card.
+      // Not for the card: an edit or a dialog has handled the key.
       if (
         event.key === "Escape" &&
         !event.defaultPrevented &&
@@ -206,7 +206,7 @@ function WaypointValues({ plan, row }: { plan: Aircraft; row: number }) {
 
 type Fact = readonly [label: ParseKeys, text: string];
 
-/** Where something is, and what else is known of it: no stream brings it. */
+/** Position and other facts that come from no stream. */
 function Facts({ place, more = [] }: { place: Position; more?: readonly Fact[] }) {
   const { t } = useTranslation();
   const facts: readonly Fact[] = [
@@ -226,7 +226,7 @@ function Facts({ place, more = [] }: { place: Position; more?: readonly Fact[] }
   );
 }
 
-/** How far, and in which direction, the place is from an aircraft: as live as the aircraft's own place. */
+/** Distance and bearing of the place from an aircraft; stale when the aircraft's position is. */
 function FromAircraft({ aircraft, to }: { aircraft: Aircraft; to: Position }) {
   const { t } = useTranslation();
   const unit = useUnit("distance");

@@ -21,7 +21,7 @@ import { useTrackLook } from "./useTrackLook";
 import { useTracks } from "./useTracks";
 import "./track.css";
 
-/** What was flown: how it is drawn, how much there is of it, and what can be done with it. */
+/** The tracks: how they are drawn, how many points they have, and their commands. */
 export function TrackSection() {
   const { t } = useTranslation();
   const sentence = useSentence();

@@ -8,13 +8,13 @@ import type { TelemetryStore } from "../../store/telemetry";
 import { aircraftPlace, PLACE_TOPIC } from "./plan/aircraftPlace";
 import { Playout } from "./playout";
 
-/** The topic that tells how an aircraft lies, and its field of the heading. */
+/** The topic with an aircraft's attitude, and its heading field. */
 const ATTITUDE = {
   flight: { topic: "ahrs", yaw: "yaw_deg" },
   hil: { topic: "simulator", yaw: "true_heading_deg" },
 } as const;
 
-/** Why an aircraft is not drawn, or how it is. */
+/** Whether an aircraft is drawn live or stale, or why it is not drawn. */
 export type Showing = "live" | "stale" | "noPosition" | "notHeard" | "noAttitude";
 
 export function showing(telemetry: TelemetryStore, aircraft: Aircraft, now_ms: number): Showing {
@@ -32,7 +32,7 @@ export function showing(telemetry: TelemetryStore, aircraft: Aircraft, now_ms: n
   return isLive ? "live" : "stale";
 }
 
-/** Where an aircraft was heard last; null where its receiver says that it does not know. */
+/** An aircraft's last known position; null if its receiver marks it invalid. */
 function placeOf(telemetry: TelemetryStore, aircraft: Aircraft): Place | null {
   return aircraft === "flight" && telemetry.newestFlag("gps", "valid") === false
     ? null
@@ -55,7 +55,7 @@ function numbers<T extends TopicName>(
   return fields.map((field) => telemetry.newestNumber(topic, field));
 }
 
-/** Both aircraft as they are shown: between the samples of their streams, behind by one of them. */
+/** Both aircraft as they are drawn: interpolated between samples, one sample behind. */
 export class AircraftMotion {
   readonly #places: Readonly<Record<Aircraft, Playout<Place>>> = {
     flight: new Playout(placeBetween),
@@ -66,7 +66,7 @@ export class AircraftMotion {
     hil: new Playout(between),
   };
 
-  /** Take what is new: often enough to miss no sample. */
+  /** Take new samples: called often enough to miss none. */
   take(telemetry: TelemetryStore, now_ms: number): void {
     for (const aircraft of ["flight", "hil"] as const) {
       push(this.#places[aircraft], telemetry, PLACE_TOPIC[aircraft], placeOf(telemetry, aircraft), now_ms);

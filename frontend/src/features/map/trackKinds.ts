@@ -8,8 +8,8 @@ interface Kind {
 }
 
 /**
- * A track has its aircraft's colour. The edges tell the two apart when values colour them; where they lie over each
- * other, the real one is seen.
+ * A track has its aircraft's colour. When values colour the tracks, their edges tell them apart. Where they overlap,
+ * the real one is on top.
  */
 export const TRACK_KINDS: Readonly<Record<Aircraft, Kind>> = {
   flight: { plain: AIRCRAFT_COLOURS.flight, casing: "#12100a", rank: 1 },

@@ -15,7 +15,7 @@ import {
 } from "./trackLog";
 
 const PERIOD_MS = 1000;
-/** Two tracks of four hours, also over a slow network. */
+/** Time for two tracks of four hours over a slow network. */
 const PATIENCE_MS = 60_000;
 const UNREADABLE = {
   code: "answer_unreadable",
@@ -28,7 +28,7 @@ export interface TrackParts {
   readonly timers: Timers;
 }
 
-/** The tracks, kept up with the gateway while somebody watches them, and what the stream tells of them. */
+/** Loads the tracks while somebody watches them, and handles the stream's events about them. */
 export function createTrackLog({ rest, timers }: TrackParts): {
   readonly trackLog: TrackLog;
   readonly takeTrackEvent: (event: StreamEvent) => void;

@@ -12,12 +12,12 @@ import { useGlobe, useGlobeLayer } from "./useGlobe";
 
 export const FOLLOWED_CHOICE = "map.followed";
 
-/** How the globe is looked at: as chosen last. */
+/** The chosen camera mode. */
 export function useCameraMode(): CameraMode {
   return useSettings(({ choices }) => cameraOf(choices[CAMERA_CHOICE]));
 }
 
-/** Which aircraft the camera is with: the chosen one; without a choice the simulator's for as long as it flies. */
+/** The aircraft that the camera follows: the chosen one; by default the simulator's while it is heard. */
 export function useFollowed(): Aircraft {
   const chosen = useSettings(({ choices }) => choices[FOLLOWED_CHOICE]);
   const hil = useTelemetry((telemetry, now_ms) => showing(telemetry, "hil", now_ms));
@@ -27,7 +27,7 @@ export function useFollowed(): Aircraft {
   return hil === "live" || hil === "stale" ? "hil" : "flight";
 }
 
-/** Shows both aircraft on the globe and moves the camera as chosen, and hands the tracks the place of their tips. */
+/** Shows both aircraft on the globe, moves the camera as chosen, and draws the tracks up to the aircraft. */
 export function useFlightScene(): FlightScene | null {
   const { t } = useTranslation();
   const { telemetry } = usePage();

@@ -6,7 +6,7 @@ import { TRACK_LOG } from "./trackLog";
 import { useGlobeLayer } from "./useGlobe";
 import type { TrackChoices } from "./useTrackLook";
 
-/** Draws the tracks on the globe as they are chosen to look. */
+/** Draws the tracks on the globe in the chosen style. */
 export function useTrackLayer({ colouring, range, hasCurtain, isShown }: TrackChoices): void {
   const trackLog = usePart(TRACK_LOG);
   const layer = useGlobeLayer("track", async () => (await import("../../scene/track/TrackLayer")).TrackLayer);

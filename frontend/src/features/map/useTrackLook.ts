@@ -6,12 +6,12 @@ import { usePart, useSettings } from "../../store/hooks";
 import { TRACK_LOG } from "./trackLog";
 import { useTracks } from "./useTracks";
 
-/** What is chosen for the tracks, and what their colours stand for. */
+/** The chosen style of the tracks, and the values that their colours stand for. */
 export interface TrackChoices {
   readonly colouring: Colouring;
   readonly hasCurtain: boolean;
   readonly isShown: Readonly<Record<Aircraft, boolean>>;
-  /** In the shown unit, round numbers; null while nothing is known. */
+  /** Round numbers in the shown unit; null while unknown. */
   readonly shown: Range | null;
   /** The same in metres or metres a second. */
   readonly range: Range | null;

@@ -91,7 +91,7 @@ export function PlanEditor({ plan }: { plan: PlanName }) {
   );
 }
 
-/** What the last transfer or file had to say, and what was supposed in a file. */
+/** The outcome of the last transfer or file, and the assumptions made in reading a file. */
 function Said({ plan }: { plan: PlanName }) {
   const sentence = useSentence();
   const missions = usePart(MISSIONS);

@@ -19,8 +19,8 @@ export function useTuningLoop(): LoopName | null {
 }
 
 /**
- * The gains of one control loop beside a live plot of what they move. It stands under whichever tab is open, so that
- * one sees the aircraft answer while one changes a gain, and its plot keeps its past from tab to tab.
+ * The gains of one control loop beside a live plot of its signals. It is docked under every tab, so that the
+ * aircraft's answer can be watched while a gain is changed; its plot keeps its past when the tab changes.
  */
 export function TuningDock({ field }: { field: (name: ParameterName) => ReactNode }) {
   const { t } = useTranslation();

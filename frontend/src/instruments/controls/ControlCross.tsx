@@ -15,7 +15,7 @@ import {
 } from "./geometry";
 
 export interface ControlCrossHandle {
-  /** Show the four controls; `null` (and any of them missing) shows the cross. */
+  /** Show the four controls; `null`, or any missing value, shows the cross. */
   paint(controls: Controls | null, now_ms?: number): void;
 }
 

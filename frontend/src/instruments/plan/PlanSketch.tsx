@@ -5,7 +5,7 @@ import { frameAround, project, scaleBar } from "./geometry";
 import "./plan.css";
 
 export interface PlanSketchHandle {
-  /** Draw the aircraft here; `heading_deg` clockwise from north, null where it is not known; null: not live. */
+  /** Draw the aircraft here; null: it is not live. `heading_deg` is clockwise from north, null if unknown. */
   paintAircraft(place: Position | null, heading_deg: number | null): void;
 }
 
@@ -14,11 +14,11 @@ interface Props {
   /** Accessible name: what it shows, in words. */
   label: string;
   waypoints: readonly Waypoint[];
-  /** Index of the waypoint which is flown to; null where that is not known. */
+  /** Index of the waypoint that is flown to; null if unknown. */
   active: number | null;
   selected: number | null;
   onSelect: (index: number) => void;
-  /** Where the aircraft was when the picture was last fitted: it belongs into it. */
+  /** The aircraft's position when the picture was last fitted; the picture includes it. */
   aircraft: Position | null;
   north: string;
   /** A length in the reader's unit. */

@@ -23,12 +23,15 @@ import "../tools/tools.css";
 import "./flat.css";
 
 const FOLLOW = "map.flat.follow";
-/** What comes last lies above. */
+/** Drawing order: the last is on top. */
 const WHOSE: readonly Whose[] = ["hil", "flight"];
-/** No longer than this on the screen, pixels. */
+/** Greatest length of the scale bar, pixels. */
 const LONGEST_PX = 130;
 
-/** The map without WebGL: the same flight seen from straight above. `onScene` is told of it while it is there. */
+/**
+ * The map without WebGL: the same flight from straight above. `onScene` is called with the scene, and with null when
+ * it is gone.
+ */
 export function FlatMap({ onScene }: { onScene: (scene: FlatScene | null) => void }) {
   const { t } = useTranslation();
   const { settings } = usePage();
@@ -143,7 +146,7 @@ function useAircraft(scene: FlatScene | null, isFollowing: boolean): void {
   usePaint("text", paint);
 }
 
-/** The longest bar of a round length in the person's unit. */
+/** The longest bar of a round length in the user's unit. */
 function FlatScale({ pixel_m }: { pixel_m: number }) {
   const distance = useUnit("distance");
   if (pixel_m === 0) {

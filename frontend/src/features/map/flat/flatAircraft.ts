@@ -8,7 +8,7 @@ import { TRACK_KINDS } from "../trackKinds";
 
 const ATTITUDE_TOPIC = { flight: "ahrs", hil: "simulator" } as const;
 
-/** An aircraft seen from straight above: live, hollow with its age, or null where it is not drawn. */
+/** An aircraft seen from above: live, or hollow with its age; null if it is not drawn. */
 export function flatAircraft(
   telemetry: TelemetryStore,
   plan: Whose,

@@ -23,7 +23,7 @@ export function useFlatContents(): FlatContents {
   const tracks = useMemo(
     () =>
       AIRCRAFT.filter((name) => isShown[name])
-        // What comes last lies above.
+        // Drawing order: the last is on top.
         .sort((one, other) => TRACK_KINDS[one].rank - TRACK_KINDS[other].rank)
         .map((name) => ({
           points: trackLog.points[name],

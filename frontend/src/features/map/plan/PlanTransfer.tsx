@@ -18,11 +18,11 @@ import type { MapPlan } from "./useMapPlan";
 interface Props {
   aircraft: Aircraft;
   plan: MapPlan;
-  /** The waypoint that is chosen. */
+  /** Index of the selected waypoint. */
   row: number | null;
 }
 
-/** From the board and to it, and what is done to the plan as a whole. */
+/** Buttons to read the plan from the board, send it, and edit it as a whole. */
 export function PlanTransfer({ aircraft, plan, row }: Props) {
   return (
     <>

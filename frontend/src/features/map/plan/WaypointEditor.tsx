@@ -18,11 +18,11 @@ interface Props {
   aircraft: Aircraft;
   waypoints: readonly Waypoint[];
   row: number;
-  /** Where the pointer holds it now. */
+  /** Where the pointer drags it; null if it is not being dragged. */
   held: HeldWaypoint["to"] | null;
 }
 
-/** The steps of the keys: metres along the ground, feet upwards. */
+/** Step sizes of the buttons: metres along the ground, feet upwards. */
 const STEPS = { "1": 1, "10": 10, "100": 100 } as const;
 type Step = keyof typeof STEPS;
 
@@ -35,7 +35,7 @@ const KEYS: Readonly<Record<string, (step: number) => Push>> = {
   PageDown: (step) => ({ up_ft: -step }),
 };
 
-/** The chosen waypoint: its numbers, and keys that push it. */
+/** The selected waypoint: number fields, and buttons that move it. */
 export function WaypointEditor({ aircraft, waypoints, row, held }: Props) {
   const { t } = useTranslation();
   const waypoint = waypoints[row];
@@ -87,7 +87,7 @@ function Fields({ aircraft, waypoints, row, waypoint }: Omit<Props, "held"> & { 
   );
 }
 
-/** Four arrows and two heights: by the pointer, or by the keys of the same names while anything in here has the focus. */
+/** Buttons to move the waypoint; their keys work while anything in here has the focus. */
 function Pusher({ aircraft, waypoints, row }: Omit<Props, "held">) {
   const { t } = useTranslation();
   const flat = useFlat();
@@ -100,7 +100,7 @@ function Pusher({ aircraft, waypoints, row }: Omit<Props, "held">) {
   );
 
   function push(by: Push, isRepeat: boolean): void {
-    // A held key is one edit to the undo, however far it goes.
+    // The repeats of a held key are one step to the undo.
     const put = isRepeat ? amendPlan : editPlan;
     put(missions.plans, aircraft, pushed(waypoints, row, by));
   }

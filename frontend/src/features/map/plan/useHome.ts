@@ -6,14 +6,14 @@ import { TRACK_LOG, type TrackLog } from "../trackLog";
 import { useTracks } from "../useTracks";
 
 export interface Home extends Position {
-  /** The first position of the flight that was heard, real or simulated; or the runway, until there is one. */
+  /** The first known position of the flight, real or simulated; the runway until there is one. */
   readonly source: "first" | "firstHil" | "runway";
 }
 
-/** Gran Canaria's airport: where this project flies from. */
+/** Gran Canaria's airport, where this project flies. */
 const RUNWAY: Home = { latitude_deg: 27.9319, longitude_deg: -15.3866, source: "runway" };
 
-/** Where the flight set out from, as far as is known. */
+/** Where the flight started, as far as is known. */
 export function useHome(): Home {
   const { points } = usePart(TRACK_LOG);
   const flight_s = useTracks(({ summary }) => summary.flight.first_s);

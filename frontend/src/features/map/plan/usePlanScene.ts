@@ -15,14 +15,14 @@ import { aircraftPlace } from "./aircraftPlace";
 import { useHome } from "./useHome";
 import type { MapPlan } from "./useMapPlan";
 
-/** Where a waypoint is while the pointer holds it. */
+/** A waypoint that is being dragged, and where it is now. */
 export interface HeldWaypoint {
   readonly plan: Aircraft;
   readonly row: number;
   readonly to: Pick<Waypoint, "latitude_deg" | "longitude_deg" | "altitude_ft">;
 }
 
-/** Shows the plans on the globe, or on the flat map in its place, and takes in what the pointer does to them. */
+/** Shows the plans on the globe or the flat map, and applies clicks and drags to them. */
 export function usePlanScene(
   plans: Readonly<Record<Aircraft, MapPlan>>,
   isShown: Readonly<Record<Aircraft, boolean>>,
@@ -71,7 +71,7 @@ export function usePlanScene(
   }, [scene, page, onHold, flight, hil]);
 }
 
-/** A plan as the globe draws it; the same object for as long as nothing of it changes. */
+/** A plan as it is drawn; the same object while nothing of it changes. */
 function useDrawn(plan: Aircraft, { waypoints, onBoard, state, flownTo, ending }: MapPlan, isShown: boolean) {
   const { t } = useTranslation();
   const altitude = useUnit("altitude");
