@@ -1,32 +1,38 @@
-/** Weight of the newest frame: some frames decide, not the one in which a shader was compiled. */
+/** Weight of the newest measurement: several pictures decide, not the one in which a shader was compiled. */
 const WEIGHT = 0.2;
 
-/** How much of the processor's time frames may take where they are dear. Times in milliseconds. */
+/** The share of time that pictures may take on slow graphics. Times in milliseconds. */
 export interface BudgetLimits {
-  /** A frame dearer than this is drawn by the processor alone; one cheaper than the next, by a graphics processor. */
+  /**
+   * A picture that costs more than this was drawn by the processor; one that costs less than the next, by a graphics
+   * processor.
+   */
   readonly dear_ms: number;
   readonly cheap_ms: number;
-  /** From the start of a frame to the next, by what a frame costs. */
+  /** Limits of the period, from the start of a picture to the next, by a picture's cost. */
   readonly shortest_ms: number;
   readonly longest_ms: number;
-  /** Of the time between two frames, how much one may take. */
+  /** Share of the period that a picture may take. */
   readonly share: number;
-  /** While a person turns the picture it may take more, for as long as that lasts. */
+  /** Larger share while the user turns the picture. */
   readonly held: { readonly shortest_ms: number; readonly share: number };
-  /** Of a frame that takes longer than the longest time between two: no sooner than so many times its cost. */
+  /**
+   * For a picture that takes longer than the longest period: the next starts no sooner than this many times its cost.
+   */
   readonly leastRest: number;
 }
 
 /**
- * How often something may be drawn. With a graphics processor: in each displayed frame. Without one each frame takes
- * time of the processor that also moves the instruments and runs the gateway: then more seldom, by what a frame costs.
+ * Limits how often something is drawn. With a graphics processor: in each animation frame. Without one, pictures take
+ * time of the processor that also moves the instruments and runs the gateway: less often, depending on a picture's
+ * cost.
  */
 export class FrameBudget {
   readonly #limits: BudgetLimits;
   #cost_ms: number;
   #isDear: boolean;
 
-  /** `startsDear`: what the browser says of its graphics, until frames have told. */
+  /** `startsDear`: what the browser reports of its graphics, until pictures are measured. */
   constructor(startsDear: boolean, limits: BudgetLimits) {
     this.#limits = limits;
     this.#isDear = startsDear;
@@ -37,7 +43,7 @@ export class FrameBudget {
     return this.#isDear;
   }
 
-  /** Least time from the start of one frame to the next; 0: every displayed one. `isHeld`: a person is turning it. */
+  /** Shortest period between pictures; 0: every animation frame. `isHeld`: the user is turning it. */
   period_ms(isHeld: boolean): number {
     if (!this.#isDear) {
       return 0;
@@ -48,7 +54,7 @@ export class FrameBudget {
     return Math.max(wanted_ms, leastRest * this.#cost_ms);
   }
 
-  /** A frame took so long, from its start until the graphics had finished it. */
+  /** Note a picture's cost, from its start until the graphics had finished it. */
   observe(cost_ms: number): void {
     this.#cost_ms += WEIGHT * (cost_ms - this.#cost_ms);
     this.#isDear = this.#cost_ms > (this.#isDear ? this.#limits.cheap_ms : this.#limits.dear_ms);

@@ -5,7 +5,7 @@ import "./Dialog.css";
 
 interface Props {
   title: string;
-  /** What happens, and what does not come back. */
+  /** What happens, and what cannot be undone. */
   text: string;
   confirmLabel: string;
   cancelLabel: string;
@@ -14,7 +14,7 @@ interface Props {
   onCancel: () => void;
 }
 
-/** A question before something that is not undone by itself. The safe answer has the focus. */
+/** A question before something that cannot be undone. The safe answer has the focus. */
 export function ConfirmDialog(props: Props) {
   const { title, text, confirmLabel, cancelLabel, danger = false, onConfirm, onCancel } = props;
   const foot = useRef<HTMLElement>(null);

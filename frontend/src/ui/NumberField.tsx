@@ -7,14 +7,14 @@ import { Tooltip } from "./Tooltip";
 import { commandWord, useWords } from "./words";
 import "./Field.css";
 
-/** Stands where no number is known: nobody can take it for one. */
+/** Shown for an unknown number: cannot be taken for one. */
 const DASHES = "\u2013\u2009\u2013\u2009\u2013";
 
 interface Props {
   label: string;
-  /** The value as the board has it; `null` is not known. */
+  /** The board's value; `null` is unknown. */
   value: number | null;
-  /** Called once for each finished edit, never for a keystroke, and only with a number in the range. */
+  /** Called once per finished edit, not per keystroke, and only with a number in the range. */
   onCommit: (value: number) => void;
   minimum: number;
   maximum: number;
@@ -22,7 +22,7 @@ interface Props {
   /** Numbers in the reader's notation. */
   format?: ((value: number) => string) | undefined;
   unit?: string | undefined;
-  /** More that a number must satisfy than its range: the complaint about one that does not. */
+  /** A further check besides the range: returns the complaint about a number, or null. */
   refuse?: ((value: number) => string | null) | undefined;
   state?: CommandState | undefined;
   stateText?: string | undefined;
@@ -30,8 +30,8 @@ interface Props {
 }
 
 /**
- * A number that becomes a command. An edit goes out on Enter, on leaving the field or by a step button; Escape
- * takes it back, and the wheel does nothing. Out of range is refused with the range, not silently cut.
+ * A number field that sends a command. An edit is sent on Enter, on blur or by a step button; Escape cancels it, and
+ * the wheel does nothing. A number out of range is refused with the range, not silently limited.
  */
 export function NumberField(props: Props) {
   const { label, value, onCommit, minimum, maximum, step, format = String, unit } = props;
@@ -44,7 +44,7 @@ export function NumberField(props: Props) {
   const [complaint, setComplaint] = useState("");
 
   const disabled = disabledReason !== undefined;
-  // While the board has not answered, what was asked for stands here, marked as pending.
+  // Until the board answers, show the requested value, marked as pending.
   const held = state === "pending" && asked !== null ? asked : value;
   const shown = draft ?? (held === null ? "" : format(held));
   const note = disabledReason ?? (complaint === "" ? (stateText ?? commandWord(words, state)) : complaint);
@@ -78,7 +78,7 @@ export function NumberField(props: Props) {
     }
   }
 
-  // A step needs a number to go from: from one that nobody knows it would be a jump to the end of the range.
+  // A step needs a known number: from an unknown one it would jump to the end of the range.
   const from = (draft === null ? null : parseNumber(draft)) ?? held;
   const canStep = !disabled && from !== null;
 
@@ -142,7 +142,7 @@ interface StepButtonProps {
   down?: boolean;
 }
 
-/** For the pointer only: on the keyboard the arrow keys in the field do the same. */
+/** Only for the pointer: the arrow keys in the field do the same. */
 function StepButton({ label, disabled, onPress, down = false }: StepButtonProps) {
   return (
     <button
@@ -151,7 +151,7 @@ function StepButton({ label, disabled, onPress, down = false }: StepButtonProps)
       tabIndex={-1}
       aria-label={label}
       aria-disabled={disabled || undefined}
-      // The press must not take the focus first: leaving the field would send the draft as well as the step.
+      // The press must not take the focus first: the blur would send the draft as well as the step.
       onMouseDown={(event) => event.preventDefault()}
       onClick={onPress}
     >

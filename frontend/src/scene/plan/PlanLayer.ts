@@ -21,7 +21,7 @@ const LABEL = {
   pixelOffset: new Cartesian2(10, -10),
 };
 
-/** One flight plan on the globe. Drawn anew when it changes, and only then. */
+/** One flight plan on the globe. Rebuilt only when it changes. */
 export class PlanLayer {
   readonly #globe: Globe;
   readonly #colour: Color;
@@ -78,7 +78,7 @@ export class PlanLayer {
     const colour = isUnsent ? UNSENT_COLOUR : this.#colour;
     this.#dots.add({
       position,
-      // Hollow: not on the board.
+      // Hollow: the board does not have it.
       color: isActive ? ACTIVE_COLOUR : isUnsent ? EDGE_COLOUR : colour,
       pixelSize: isStrong ? 13 : 10,
       outlineColor: isSelected ? ACTIVE_COLOUR : isActive || isUnsent ? colour : EDGE_COLOUR,

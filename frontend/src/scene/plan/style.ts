@@ -15,7 +15,7 @@ export const ACTIVE_COLOUR = Color.fromCssColorString(STRONG);
 export const EDGE_COLOUR = Color.fromCssColorString(EDGE);
 const DASH_PX = 9;
 
-/** How each kind of line looks: the real plan is drawn through, the simulator's is dashed, told apart without colours too. */
+/** The style of each kind of line. The real plan is solid, the simulator's dashed: told apart without colours too. */
 export function looksOf(plan: PlanKind): Readonly<Record<LineKind, LineLook>> {
   const colour = PLAN_COLOUR[plan];
   const dashes = plan === "hil" && { dash_px: DASH_PX };
