@@ -45,7 +45,7 @@ function ask(whether: (graphics: WebGL2RenderingContext | null) => boolean): boo
  * Measures the cost of a canvas's pictures until the graphics have finished them: the page's own part is the smaller
  * one.
  */
-export class FrameCost {
+export class PictureCost {
   readonly #graphics: WebGL2RenderingContext | null;
   readonly #timing: string;
   #started_ms = 0;

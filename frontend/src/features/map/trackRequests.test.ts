@@ -4,7 +4,7 @@ import { packedFlight, trackBytes } from "../../test/trackBytes";
 import { ManualTimers } from "../../test/wire";
 import { createTrackLog } from "./trackRequests";
 
-/** A gateway with a growing track, at the test's command. */
+/** A gateway with a growing track under the test's control. */
 class Gateway {
   readonly asked: string[] = [];
   readonly timers = new ManualTimers();
@@ -21,7 +21,7 @@ class Gateway {
     this.takeTrackEvent = takeTrackEvent;
   }
 
-  /** Let everything happen that needs no time, and then this time pass. */
+  /** Run everything that is due now, then let this time pass. */
   async pass(duration_ms: number): Promise<void> {
     await this.settle();
     this.timers.pass(duration_ms);

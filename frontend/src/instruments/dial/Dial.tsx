@@ -9,7 +9,7 @@ export interface DialProps {
   noDataText: string;
 }
 
-interface FrameProps {
+interface HousingProps {
   ref: Ref<HTMLDivElement>;
   descriptionRef: Ref<HTMLSpanElement>;
   label: string;
@@ -21,12 +21,12 @@ interface FrameProps {
  * overlap. `data-state` starts as `none` and is changed only by the painter: React renders it once, so no render can
  * undo what was painted.
  */
-export function InstrumentFrame({ ref, descriptionRef, label, children }: FrameProps) {
+export function InstrumentHousing({ ref, descriptionRef, label, children }: HousingProps) {
   const description = useId();
   return (
     <div
       ref={ref}
-      className="inst-frame"
+      className="inst-housing"
       role="img"
       aria-label={label}
       aria-describedby={description}
@@ -52,7 +52,7 @@ interface RoundProps extends DialProps {
 export function Dial({ ref, descriptionRef, label, noDataText, face, over, children }: RoundProps) {
   const bezel = useId();
   return (
-    <InstrumentFrame ref={ref} descriptionRef={descriptionRef} label={label}>
+    <InstrumentHousing ref={ref} descriptionRef={descriptionRef} label={label}>
       <svg className="inst-picture" viewBox="-100 -100 200 200" aria-hidden="true">
         <defs>
           <linearGradient id={bezel} x1="0.2" y1="0" x2="0.8" y2="1">
@@ -76,6 +76,6 @@ export function Dial({ ref, descriptionRef, label, noDataText, face, over, child
           <text y="4.6">{noDataText}</text>
         </g>
       </svg>
-    </InstrumentFrame>
+    </InstrumentHousing>
   );
 }

@@ -1,5 +1,5 @@
 import type { PerspectiveCamera, Scene } from "three";
-import { FrameBudget } from "../frameBudget";
+import { PictureBudget } from "../pictureBudget";
 import { stageLimits } from "./stageBudget";
 
 /** What draws: WebGL, or a test's counter. */
@@ -57,7 +57,7 @@ export class Stage {
   #latest: Act | null = null;
   #host: HTMLElement | null = null;
   #handle: number | null = null;
-  readonly #budget: FrameBudget;
+  readonly #budget: PictureBudget;
   #prepared = new WeakSet<Act>();
   #isDirty = false;
   #isCoarse = false;
@@ -73,7 +73,7 @@ export class Stage {
     this.#drawer = drawer;
     this.#frames = frames;
     this.#watch = typeof ResizeObserver === "undefined" ? null : new ResizeObserver(() => this.#resize());
-    this.#budget = new FrameBudget(drawer.isSoftware, stageLimits(drawer.isSoftware));
+    this.#budget = new PictureBudget(drawer.isSoftware, stageLimits(drawer.isSoftware));
     drawer.picture.addEventListener("webglcontextlost", this.#lose);
     drawer.picture.addEventListener("webglcontextrestored", this.#restore);
   }

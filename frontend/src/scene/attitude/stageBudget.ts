@@ -1,4 +1,4 @@
-import type { BudgetLimits } from "../frameBudget";
+import type { BudgetLimits } from "../pictureBudget";
 
 /** Slow graphics draw some ten pictures a second, with a quarter of the time between them. */
 const LIMITS: BudgetLimits = {

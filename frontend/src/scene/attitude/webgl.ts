@@ -1,6 +1,6 @@
 import { type PerspectiveCamera, type Scene, WebGLRenderer } from "three";
 import { CopiedPicture } from "../CopiedPicture";
-import { drawsInSoftware, FrameCost } from "../graphics";
+import { drawsInSoftware, PictureCost } from "../graphics";
 import type { Drawer } from "./Stage";
 import { softwareRatio } from "./stageBudget";
 
@@ -29,7 +29,7 @@ class WebglDrawer implements Drawer {
   readonly picture: HTMLCanvasElement;
   readonly isSoftware: boolean;
   readonly #copied: CopiedPicture | null;
-  readonly #cost: FrameCost;
+  readonly #cost: PictureCost;
   readonly #renderer: WebGLRenderer;
   /** Whether the pending work is a picture, not a preparation. */
   #isDrawn = false;
@@ -42,7 +42,7 @@ class WebglDrawer implements Drawer {
     this.canvas = copied?.canvas ?? picture;
     this.isSoftware = copied !== null;
     this.#copied = copied;
-    this.#cost = new FrameCost(context, "attitude.frame");
+    this.#cost = new PictureCost(context, "attitude.frame");
     this.#renderer = new WebGLRenderer({ canvas: picture, context });
     this.#renderer.debug.checkShaderErrors = false;
     this.#renderer.setPixelRatio(Math.min(MOST_PIXELS_PER_PIXEL, window.devicePixelRatio));

@@ -11,8 +11,8 @@ import {
 } from "@cesium/engine";
 import { tellTiming } from "../../lib/timing";
 import { CopiedPicture } from "../CopiedPicture";
-import { FrameBudget } from "../frameBudget";
-import { drawsInSoftware, FrameCost } from "../graphics";
+import { drawsInSoftware, PictureCost } from "../graphics";
+import { PictureBudget } from "../pictureBudget";
 import { globeLimits, softwareScale } from "./globeBudget";
 import { Ground } from "./ground";
 import { hastenTiles, setQuality, setScale } from "./quality";
@@ -54,8 +54,8 @@ export class Globe {
   readonly #element = document.createElement("div");
   readonly #listeners = new Set<(now_ms: number) => void>();
   readonly #owned = new Set<() => void>();
-  readonly #budget: FrameBudget;
-  readonly #cost: FrameCost;
+  readonly #budget: PictureBudget;
+  readonly #cost: PictureCost;
   #handle: number | null = null;
   #ticked_ms = Number.NEGATIVE_INFINITY;
   readonly #copied: CopiedPicture | null;
@@ -100,8 +100,8 @@ export class Globe {
     this.scene.backgroundColor = Color.fromCssColorString(SKY);
     this.scene.canvas.classList.add("globe-picture");
     this.#copied = this.isSoftware ? this.#seenBy(this.scene.canvas) : null;
-    this.#cost = new FrameCost(this.scene.canvas.getContext("webgl2"), "globe.frame");
-    this.#budget = new FrameBudget(this.isSoftware, globeLimits(this.isSoftware));
+    this.#cost = new PictureCost(this.scene.canvas.getContext("webgl2"), "globe.frame");
+    this.#budget = new PictureBudget(this.isSoftware, globeLimits(this.isSoftware));
     this.ground = new Ground(this);
     this.scene.camera.setView({
       destination: Cartesian3.fromDegrees(-15.3, 27.75, 25_000),

@@ -1,4 +1,4 @@
-import type { BudgetLimits } from "../frameBudget";
+import type { BudgetLimits } from "../pictureBudget";
 
 /**
  * On slow graphics, two to five pictures a second with a third of the time between them; fewer only if a picture

@@ -27,7 +27,7 @@ export interface BudgetLimits {
  * time of the processor that also moves the instruments and runs the gateway: less often, depending on a picture's
  * cost.
  */
-export class FrameBudget {
+export class PictureBudget {
   readonly #limits: BudgetLimits;
   #cost_ms: number;
   #isDear: boolean;
