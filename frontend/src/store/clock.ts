@@ -1,5 +1,5 @@
 /** How fast an old estimate decays, to follow the drift between the two clocks: 0.5 ms each second. */
-const GIVE_WAY = 0.0005;
+const DECAY = 0.0005;
 
 /**
  * Estimates the gateway's clock. Every batch carries the time it was made. The fastest one gives the best offset,
@@ -21,7 +21,7 @@ export class ServerClock {
     const given_way_s =
       this.#offset_s === null
         ? candidate_s
-        : this.#offset_s - GIVE_WAY * Math.max(0, local_s - this.#observed_s);
+        : this.#offset_s - DECAY * Math.max(0, local_s - this.#observed_s);
     this.#offset_s = Math.max(candidate_s, given_way_s);
     this.#observed_s = local_s;
   }

@@ -13,7 +13,7 @@ const DEFAULT_STALE_AFTER_S = 1;
  * Extra age allowed for transport and display: one batch, the network, one animation frame. Three periods of the
  * fastest stream are only 60 ms.
  */
-const WAY_S = 0.15;
+const TRANSPORT_S = 0.15;
 /** The gateway sends a row of the simulator five times a second, until it is a second old. */
 const ROW_STALE_AFTER_S = 1;
 
@@ -99,17 +99,12 @@ export class TelemetryStore {
     return sample === undefined || server_s === null ? null : Math.max(0, server_s - sample.t_s);
   }
 
-  /** When the gateway received the topic's newest sample, seconds of its clock; null if there is none. */
-  sampled_s(topic: TopicName): number | null {
-    return this.#newest.get(topic)?.t_s ?? null;
-  }
-
   state(topic: TopicName, now_ms: number): DataState {
     const age_s = this.age_s(topic, now_ms);
     if (age_s === null) {
       return "none";
     }
-    const limit_s = (this.#staleAfter_s.get(topic) ?? DEFAULT_STALE_AFTER_S) + WAY_S;
+    const limit_s = (this.#staleAfter_s.get(topic) ?? DEFAULT_STALE_AFTER_S) + TRANSPORT_S;
     return this.isConnected(now_ms) && age_s <= limit_s ? "live" : "stale";
   }
 
@@ -151,7 +146,7 @@ export class TelemetryStore {
     if (age_s === null) {
       return "none";
     }
-    return this.isConnected(now_ms) && age_s <= ROW_STALE_AFTER_S + WAY_S ? "live" : "stale";
+    return this.isConnected(now_ms) && age_s <= ROW_STALE_AFTER_S + TRANSPORT_S ? "live" : "stale";
   }
 
   /** One of a row's eight values if the row is live and has it, else null. */

@@ -14,7 +14,7 @@ const ATTRIBUTES: Readonly<Record<Angle, string>> = {
 };
 
 /** What the feed needs of the scene. */
-export type Fed = Pick<
+export type FeedScene = Pick<
   AttitudeScene,
   "sample" | "clear" | "setLive" | "setVectors" | "look" | "shownAttitude"
 >;
@@ -35,7 +35,7 @@ export function isWhole(telemetry: TelemetryStore, source: AttitudeSource, now_m
 
 /** Hands each sample to the scene once, and requests a new picture only when something differs. */
 export class AttitudeFeed {
-  readonly #scene: Fed;
+  readonly #scene: FeedScene;
   readonly #changed: () => void;
   #source: AttitudeSource | null = null;
   #at_s: number | null = null;
@@ -43,7 +43,7 @@ export class AttitudeFeed {
   #vectors = "";
   #told = "";
 
-  constructor(scene: Fed, changed: () => void) {
+  constructor(scene: FeedScene, changed: () => void) {
     this.#scene = scene;
     this.#changed = changed;
   }

@@ -1,7 +1,7 @@
 import { ActiveAlarms } from "./ActiveAlarms";
 import "./alarms.css";
-import { Heard } from "./Heard";
 import { PastAlarms } from "./PastAlarms";
+import { SoundSettings } from "./SoundSettings";
 import { Thresholds } from "./Thresholds";
 
 /** "Alarmas": active and past alarms, their thresholds, sound and speech. */
@@ -13,7 +13,7 @@ export function AlarmsView() {
         <PastAlarms />
       </div>
       <div className="alarms-settings">
-        <Heard />
+        <SoundSettings />
         <Thresholds />
       </div>
     </div>

@@ -110,7 +110,7 @@ function push<T>(
   value: T | null,
   now_ms: number,
 ): void {
-  const sampled_s = telemetry.sampled_s(topic);
+  const sampled_s = telemetry.newestAt_s(topic);
   const age_s = telemetry.age_s(topic, now_ms);
   if (value === null) {
     playout.clear();
@@ -120,7 +120,7 @@ function push<T>(
 }
 
 function at<T>(playout: Playout<T>, telemetry: TelemetryStore, topic: TopicName, now_ms: number) {
-  const sampled_s = telemetry.sampled_s(topic);
+  const sampled_s = telemetry.newestAt_s(topic);
   const age_s = telemetry.age_s(topic, now_ms);
   return sampled_s === null || age_s === null ? null : playout.at(sampled_s + age_s);
 }

@@ -7,12 +7,13 @@ import {
   PointPrimitiveCollection,
   VerticalOrigin,
 } from "@cesium/engine";
+import type { Aircraft } from "../../lib/aircraft";
 import { METRES_PER_FOOT } from "../../lib/units";
 import type { Globe } from "../globe/Globe";
 import { LETTERING, STRONG_FONT, THROUGH_GROUND_M } from "../lettering";
 import { RibbonLines } from "../ribbon/RibbonLines";
 import { type Dot, type DrawnPlan, dotsOf, linesOf } from "./shape";
-import { ACTIVE_COLOUR, EDGE_COLOUR, looksOf, PLAN_COLOUR, type PlanKind, UNSENT_COLOUR } from "./style";
+import { ACTIVE_COLOUR, EDGE_COLOUR, looksOf, PLAN_COLOUR, UNSENT_COLOUR } from "./style";
 
 const LABEL = {
   ...LETTERING,
@@ -31,7 +32,7 @@ export class PlanLayer {
   readonly #labels = new LabelCollection();
   #plan: DrawnPlan | null = null;
 
-  constructor(globe: Globe, kind: PlanKind) {
+  constructor(globe: Globe, kind: Aircraft) {
     this.#globe = globe;
     this.#colour = PLAN_COLOUR[kind];
     this.#looks = looksOf(kind);

@@ -1,4 +1,5 @@
 import { Cartesian3 } from "@cesium/engine";
+import type { Aircraft } from "../../lib/aircraft";
 import type { Position } from "../../lib/geodesy";
 import type { MapThing } from "../../lib/mapThing";
 import { placed } from "../../lib/plan";
@@ -10,7 +11,6 @@ import { awayFromLine, nearest, type Point, type Spot } from "./geometry";
 import { HomeMark } from "./HomeMark";
 import { PlanLayer } from "./PlanLayer";
 import type { DrawnPlan } from "./shape";
-import type { PlanKind } from "./style";
 import { type DragWay, WaypointDrag } from "./WaypointDrag";
 
 export interface PlanListener {
@@ -18,14 +18,14 @@ export interface PlanListener {
   readonly pick: (thing: MapThing) => void;
   /** A waypoint is dragged to here; null: the drag ended or was cancelled. */
   readonly drag: (
-    place: { readonly plan: PlanKind; readonly row: number; readonly to: Point } | null,
+    place: { readonly plan: Aircraft; readonly row: number; readonly to: Point } | null,
   ) => void;
   /** A waypoint was dropped here. */
-  readonly drop: (plan: PlanKind, row: number, to: Point) => void;
+  readonly drop: (plan: Aircraft, row: number, to: Point) => void;
 }
 
 /** Where an aircraft is drawn, if it is. */
-type AircraftPlace = (plan: PlanKind) => (Position & { readonly altitude_m: number }) | null;
+type AircraftPlace = (plan: Aircraft) => (Position & { readonly altitude_m: number }) | null;
 
 /** Greatest distance from the pointer to hit a thing, pixels. */
 const REACH_PX = 14;
@@ -35,13 +35,13 @@ const STEM_REACH_PX = 6;
 export class PlanScene {
   readonly #globe: Globe;
   readonly #pointer: MapPointer;
-  readonly #layers: Readonly<Record<PlanKind, PlanLayer>>;
+  readonly #layers: Readonly<Record<Aircraft, PlanLayer>>;
   readonly #home: HomeMark;
   readonly #forget: () => void;
-  readonly #plans: Record<PlanKind, DrawnPlan | null> = { flight: null, hil: null };
+  readonly #plans: Record<Aircraft, DrawnPlan | null> = { flight: null, hil: null };
   #listener: PlanListener | null = null;
   #aircraft: AircraftPlace = () => null;
-  #held: { readonly plan: PlanKind; readonly row: number; readonly to: Point } | null = null;
+  #held: { readonly plan: Aircraft; readonly row: number; readonly to: Point } | null = null;
 
   constructor(globe: Globe) {
     this.#globe = globe;
@@ -57,7 +57,7 @@ export class PlanScene {
     this.#aircraft = aircraft;
   }
 
-  show(plan: PlanKind, drawn: DrawnPlan | null): void {
+  show(plan: Aircraft, drawn: DrawnPlan | null): void {
     this.#plans[plan] = drawn;
     this.#draw(plan);
   }
@@ -74,7 +74,7 @@ export class PlanScene {
   }
 
   /** While a waypoint is dragged, its plan is drawn with the waypoint at the pointer. */
-  #draw(plan: PlanKind): void {
+  #draw(plan: Aircraft): void {
     const drawn = this.#plans[plan];
     const held = this.#held;
     this.#layers[plan].show(
@@ -149,7 +149,7 @@ export class PlanScene {
     ];
   }
 
-  #waypointGrip(listener: PlanListener, plan: PlanKind, row: number, way: DragWay): Grip {
+  #waypointGrip(listener: PlanListener, plan: Aircraft, row: number, way: DragWay): Grip {
     return {
       cursor: way === "level" ? "grab" : "ns-resize",
       click: () => listener.pick({ kind: "waypoint", plan, row }),

@@ -4,9 +4,7 @@ import { EDGE, PLAN, STRONG, UNSENT } from "../colours";
 import type { LineLook } from "../ribbon/RibbonLines";
 import type { LineKind } from "./shape";
 
-export type PlanKind = Aircraft;
-
-export const PLAN_COLOUR: Readonly<Record<PlanKind, Color>> = {
+export const PLAN_COLOUR: Readonly<Record<Aircraft, Color>> = {
   flight: Color.fromCssColorString(PLAN.flight),
   hil: Color.fromCssColorString(PLAN.hil),
 };
@@ -16,7 +14,7 @@ export const EDGE_COLOUR = Color.fromCssColorString(EDGE);
 const DASH_PX = 9;
 
 /** The style of each kind of line. The real plan is solid, the simulator's dashed: told apart without colours too. */
-export function looksOf(plan: PlanKind): Readonly<Record<LineKind, LineLook>> {
+export function looksOf(plan: Aircraft): Readonly<Record<LineKind, LineLook>> {
   const colour = PLAN_COLOUR[plan];
   const dashes = plan === "hil" && { dash_px: DASH_PX };
   return {

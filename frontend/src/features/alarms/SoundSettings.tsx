@@ -15,7 +15,7 @@ import { useAlarmLogState, useMutedFor_s } from "./useAlarms";
 const LEVELS: readonly AlarmLevel[] = ["critical", "warning"];
 
 /** Sound and speech of alarms. Stored in this browser: another one near the same pilot may stay silent. */
-export function Heard() {
+export function SoundSettings() {
   const { t } = useTranslation();
   const sounder = useAlarmLogState((state) => state.sounder);
   const language = useSettings((settings) => settings.language);
