@@ -23,7 +23,10 @@ const STEP = 0.01;
 const INDICES = Array.from({ length: SERVO_COUNT }, (_, index) => index);
 const MODES = ["fly_by_wire", "hil"] as const;
 
-/** "ServosOut": a slider for each servo output. The board never says where they are, so a slider only knows its own moves. */
+/**
+ * "ServosOut": a slider for each servo output. The board never reports their positions, so a slider only knows its
+ * own moves.
+ */
 export function ServosOut() {
   const { t } = useTranslation();
   const servos = usePart(SERVO_SLIDERS);

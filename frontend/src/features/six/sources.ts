@@ -139,7 +139,9 @@ function hasFix(telemetry: TelemetryStore, now_ms: number): boolean {
   );
 }
 
-/** Whether the board takes its airspeed from the GPS: it says so once a second. If it does not say, it has only the tube. */
+/**
+ * Whether the board takes its airspeed from the GPS: it says so once a second. If it does not, it has only the tube.
+ */
 export function isGpsSpeed(telemetry: TelemetryStore, now_ms: number): boolean {
   return telemetry.liveNumber("board_status", "airspeed_source", now_ms) === GPS;
 }
