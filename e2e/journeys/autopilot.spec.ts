@@ -7,14 +7,18 @@ test("the autopilot is switched off and on, each time with the board's proof", a
   await expect(autopilot.getByRole("radio", { name: "On" })).toBeChecked();
 
   await autopilot.getByText("Off", { exact: true }).click();
-  await expect(page.getByRole("status", { name: "Último mensaje" })).toContainText(/Autopilot Off: confirmado/);
+  await expect(page.getByRole("status", { name: "Último mensaje" })).toContainText(
+    /Autopilot Off: confirmado/,
+  );
   await expect(autopilot.getByRole("radio", { name: "Off" })).toBeChecked();
   expect((await flying.status()).hil).toMatchObject({ source: "joystick", path: "assisted" });
   await expect.poll(async () => await flying.value("heartbeat", "autopilot_hil")).toBe(false);
   await expect(picture).not.toContainText("ignorado");
 
   await autopilot.getByText("On", { exact: true }).click();
-  await expect(page.getByRole("status", { name: "Último mensaje" })).toContainText(/Autopilot On: confirmado/);
+  await expect(page.getByRole("status", { name: "Último mensaje" })).toContainText(
+    /Autopilot On: confirmado/,
+  );
   await expect.poll(async () => await flying.value("heartbeat", "autopilot_hil")).toBe(true);
   await expect(picture).toContainText("ignorado");
 });
@@ -25,6 +29,10 @@ test("both switches move the way of the signal, by keyboard alone", async ({ pag
   await expect(path.getByRole("radio", { name: "Ordenador de a bordo" })).toBeChecked();
   await path.getByRole("radio", { name: "Ordenador de a bordo" }).focus();
   await page.keyboard.press("ArrowLeft");
+  // The autopilot flies: by hand only after a question, whose safe answer has the focus.
+  await expect(page.getByRole("alertdialog", { name: "¿Llevar X-Plane a mano?" })).toBeVisible();
+  await page.keyboard.press("Tab");
+  await page.keyboard.press("Enter");
   await expect.poll(async () => (await flying.status()).hil.path).toBe("manual");
   await expect(path.getByRole("radio", { name: "Manual" })).toBeChecked();
   const source = page.getByRole("group", { name: "Fuente" });
@@ -32,9 +40,23 @@ test("both switches move the way of the signal, by keyboard alone", async ({ pag
   await page.keyboard.press("ArrowRight");
   await expect.poll(async () => (await flying.status()).hil.source).toBe("rc");
   await expect.poll(async () => await flying.value("heartbeat", "source_joystick")).toBe(false);
+
+  // A transmitter that is switched off leaves both off; the page says so on the way back, and offers to undo it.
+  await source.getByRole("radio", { name: "RC" }).focus();
+  await page.keyboard.press("ArrowLeft");
+  const leftOff = page.getByRole("status", { name: "Tras RC" });
+  await expect(leftOff).toContainText("siguen quitados: Autopilot, Autotrim.");
+  await leftOff.getByRole("button", { name: "Autopilot On" }).press("Enter");
+  await expect(leftOff).toContainText("siguen quitados: Autotrim.");
+  await leftOff.getByRole("button", { name: "Autotrim On" }).press("Enter");
+  await expect(leftOff).toBeEmpty();
+  await expect.poll(async () => await flying.value("heartbeat", "autopilot_hil")).toBe(true);
 });
 
-test("looking at every tab sends the board nothing but the simulator's information", async ({ page, flying }) => {
+test("looking at every tab sends the board nothing but the simulator's information", async ({
+  page,
+  flying,
+}) => {
   await open(page, flying);
   await expect(page.getByText("Tienes el control", { exact: true })).toBeVisible();
   flying.line.forget();

@@ -7,7 +7,9 @@ test("a pilot flies with a gamepad at the browser, and a gamepad that is pulled 
 }) => {
   const told = async () => {
     const stick = ["elevator", "aileron", "rudder", "throttle"];
-    return await Promise.all(stick.map(async (axis) => Number((await flying.value("xplane_info", axis)).toFixed(2))));
+    return await Promise.all(
+      stick.map(async (axis) => Number((await flying.value("xplane_info", axis)).toFixed(2))),
+    );
   };
   const gamepad = await Gamepad.at(page);
   await open(page, flying);
@@ -29,6 +31,7 @@ test("a pilot flies with a gamepad at the browser, and a gamepad that is pulled 
 
   // By hand straight to the simulator: its own surfaces come back in its rows.
   await page.getByRole("group", { name: "X-Plane" }).getByText("Manual").click();
+  await page.getByRole("button", { name: "Llevar a mano" }).click();
   await expect.poll(async () => await flying.surfaces(), "what the simulator moves").toEqual([1, 0.5, -0.5]);
 
   await gamepad.unplug();

@@ -10,3 +10,28 @@ test("language and theme are one click away and remembered", async ({ page, flyi
   await expect(page.locator("html")).toHaveAttribute("data-theme", "light");
   await expect(page.locator("html")).toHaveAttribute("lang", "en");
 });
+
+test("what is said beside a gain lies clear of its buttons, in a narrow window too", async ({
+  page,
+  station,
+}) => {
+  await station.openBoard();
+  await open(page, station);
+  await page.getByRole("tab", { name: "Autopilot Param", exact: true }).click();
+  await page.getByRole("button", { name: "Load", exact: true }).click();
+  for (const name of ["k_elev", "k_roll"]) {
+    const field = page.getByRole("textbox", { name, exact: true });
+    await expect(field).not.toHaveValue("");
+    await field.fill("12.5");
+    await field.press("Enter");
+    const reset = page.getByRole("button", { name: `Poner ${name} en su valor por defecto` });
+    for (const said of ["≠ defecto", "≠ carga"]) {
+      const mark = page.locator(`[data-parameter="${name}"]`).getByText(said);
+      await expect(mark).toBeVisible();
+      const [left, right] = [await mark.boundingBox(), await reset.boundingBox()];
+      if (left === null || right === null) throw new Error(`${said} or the button of ${name} is not shown`);
+      const isClear = left.x + left.width <= right.x || left.y >= right.y + right.height;
+      expect(isClear, `${said} of ${name}`).toBe(true);
+    }
+  }
+});

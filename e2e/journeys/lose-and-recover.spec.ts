@@ -11,12 +11,17 @@ test("the board's line is pulled: everything goes stale and the alarm shows; plu
   const alarms = page.getByRole("region", { name: "Alarmas" });
   await expect(alarms.getByRole("alert")).toContainText("Se ha perdido el latido de la placa");
   await expect(attitude(page)).not.toHaveAttribute("data-state", "live");
-  await expect(page.getByRole("img", { name: "Indicador de rumbo" })).not.toHaveAttribute("data-state", "live");
+  await expect(page.getByRole("img", { name: "Indicador de rumbo" })).not.toHaveAttribute(
+    "data-state",
+    "live",
+  );
   const panel = page.getByRole("tabpanel", { name: "Datos de vuelo", exact: true });
   await expect(panel.getByText("en vivo")).toHaveCount(0);
   await expect(page.getByRole("contentinfo")).toContainText("perdido");
   // A command cannot be given, and says why.
-  await expect(page.getByRole("group", { name: "Autopilot" }).getByRole("radio", { name: "Off" })).toBeDisabled();
+  await expect(
+    page.getByRole("group", { name: "Autopilot" }).getByRole("radio", { name: "Off" }),
+  ).toBeDisabled();
   for (const tab of ["HIL", "Setup"]) {
     await page.getByRole("tab", { name: tab, exact: true }).click();
     await expect(alarms.getByRole("alert")).toContainText("Se ha perdido el latido de la placa");
@@ -26,6 +31,10 @@ test("the board's line is pulled: everything goes stale and the alarm shows; plu
   await expect(attitude(page)).toHaveAttribute("data-state", "live");
   await expect(alarms.getByRole("alert")).not.toContainText("latido");
   await expect(page.getByRole("contentinfo")).toContainText("conectado");
+  // Nobody acknowledged it: that it was there stays in sight until somebody does.
+  await expect(alarms.getByRole("listitem").filter({ hasText: "latido perdido" })).toBeVisible();
+  await alarms.getByRole("button", { name: "Reconocer que terminó: latido perdido" }).click();
+  await expect(alarms.getByRole("listitem").filter({ hasText: "latido perdido" })).toHaveCount(0);
   // The board never stopped flying, and flies on under the station.
   await expect.poll(async () => await flying.value("heartbeat", "autopilot_hil")).toBe(true);
 });

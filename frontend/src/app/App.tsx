@@ -6,6 +6,7 @@ import { useSettings } from "../store/hooks";
 import { applyTheme } from "../theme/theme";
 import { WordsProvider } from "../ui/words";
 import "./app.css";
+import { SourceBanner } from "../features/controls/SourceBanner";
 import { EmulationBanner } from "../features/emulation/EmulationBanner";
 import { DialogsProvider } from "./dialogs/dialogs";
 import { Header } from "./Header";
@@ -58,6 +59,8 @@ export function App() {
       critical: t("words.critical"),
       notANumber: t("words.notANumber"),
       outOfRange: (minimum: string, maximum: string) => t("words.outOfRange", { minimum, maximum }),
+      stillIs: (value: string) => t("words.stillIs", { value }),
+      refusedEdit: (text: string, why: string) => t("words.refusedEdit", { text, why }),
     }),
     [t],
   );
@@ -73,6 +76,7 @@ export function App() {
             <div className="app-warnings">
               <EmulationBanner />
               <AhrsTestBanner />
+              <SourceBanner />
               <AlarmBar />
             </div>
             <div className="app-middle">

@@ -102,6 +102,34 @@ describe("a switch", () => {
   });
 });
 
+describe("X-Plane by hand", () => {
+  test("in automatic flight is asked for first, and nothing is sent when it is left", async () => {
+    const station = flying({ autopilot_hil: true });
+    await press("X-Plane", "Manual");
+    expect(station.asked).toEqual([]);
+    const question = screen.getByRole("alertdialog", { name: "¿Llevar X-Plane a mano?" });
+    expect(question.textContent).toContain("El autopilot está volando");
+    await userEvent.setup().click(within(question).getByRole("button", { name: "Cancelar" }));
+    expect(station.asked).toEqual([]);
+    expect(position("X-Plane")).toBe("assisted");
+  });
+
+  test("in automatic flight is sent once it is confirmed", async () => {
+    const station = flying({ autopilot_hil: true });
+    await press("X-Plane", "Manual");
+    await userEvent.setup().click(screen.getByRole("button", { name: "Llevar a mano" }));
+    expect(newest(station)).toMatchObject({ method: "PUT", path: "/api/v1/hil", body: { path: "manual" } });
+  });
+
+  test("asks although the heartbeat is old: nobody said that the autopilot is off", async () => {
+    const station = flying({ autopilot_hil: true });
+    station.pass(700);
+    station.status(aStatus());
+    await press("X-Plane", "Manual");
+    expect(screen.getByRole("alertdialog")).toBeDefined();
+  });
+});
+
 describe("with RC as source", () => {
   test("the transmitter's flags are shown, and its switch decides", async () => {
     const station = flying({ source_joystick: false, autopilot: true });

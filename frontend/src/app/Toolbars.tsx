@@ -9,6 +9,7 @@ import { useBoardBlocked, useGatewayBlocked } from "../requests/useBlocked";
 import { useConnection, usePart, useTelemetry } from "../store/hooks";
 import type { TelemetryStore } from "../store/telemetry";
 import { SegmentedSwitch } from "../ui/SegmentedSwitch";
+import { useChoosePath } from "./useChoosePath";
 
 /** Autopilot and autotrim. */
 export function AutomaticControls() {
@@ -68,7 +69,7 @@ function OnOffSwitch({ name, on, off, read }: OnOffProps) {
 
 function PathSwitch() {
   const { t } = useTranslation();
-  const actions = usePart(ACTIONS);
+  const choosePath = useChoosePath();
   const { state, stateText, wanted } = useAsked("path");
   const blocked = useGatewayBlocked();
   const value = useConnection(({ status, phase }) => (phase === "open" ? (status?.hil.path ?? null) : null));
@@ -81,7 +82,7 @@ function PathSwitch() {
       ]}
       value={value}
       wanted={wanted === "manual" || wanted === "assisted" ? wanted : null}
-      onChange={(path) => void actions.setHil({ path }, { control: "path", asked: path })}
+      onChange={choosePath}
       state={state}
       stateText={stateText}
       disabledReason={blocked}

@@ -46,6 +46,7 @@ export function browserWorld(window: Window & typeof globalThis): World {
       // Not before the browser has begun to read it.
       window.setTimeout(() => URL.revokeObjectURL(address), 10_000);
     },
+    report: (error) => window.reportError(error),
     gamepads: browserGamepads(window),
     storage: storageOf(() => window.localStorage),
     tabStorage: storageOf(() => window.sessionStorage),

@@ -4,6 +4,12 @@ import { AHRS } from "../features/ahrs/alignment";
 import type { Sounder, Speaker } from "../features/alarms/alarmLog";
 import { ALARM_LOG, takeAlarmEvent } from "../features/alarms/alarmLog";
 import { createAlarmLog } from "../features/alarms/alarmRequests";
+import {
+  createSourceReturn,
+  NOTHING_LEFT_OFF,
+  SOURCE_RETURN,
+  takeHeartbeats,
+} from "../features/controls/sourceReturn";
 import { createEmulation, EMULATION } from "../features/emulation/emulationRequests";
 import { createGamepadInput, type GamepadReader } from "../features/gamepad/gamepadInput";
 import { GAMEPADS } from "../features/gamepad/gamepadList";
@@ -23,6 +29,7 @@ import { createBoardConsole } from "../features/setup/consoleRequests";
 import type { Timers } from "../lib/timers";
 import { createPlanActions, takePlanEvent, takePlanStatus } from "../missions/missionRequests";
 import { createPlans, MISSIONS } from "../missions/planDrafts";
+import { BOARD_RESTARTED } from "../protocol/boardRestart";
 import type { StreamEvent, StreamMessage } from "../protocol/envelope";
 import type { Status } from "../protocol/status";
 import { ACTIONS, createActions } from "../requests/actions";
@@ -57,6 +64,8 @@ export interface World {
   readonly gamepads: GamepadReader;
   /** Saves a file on the user's computer. */
   readonly saveFile: (name: string, content: Blob) => void;
+  /** Reports an exception in the page's own code: to the browser's console. */
+  readonly report: (error: unknown) => void;
 }
 
 const CLIENT_KEY = "epf-gcs.client";
@@ -74,6 +83,7 @@ export function createPage(world: World): {
   const settings = createSettings(world.storage);
   const parameterValues = createParameters();
   const plans = createPlans(world.storage);
+  const sourceReturn = createSourceReturn();
   const damage = new DamageRate();
   const rates = new StreamRates();
   const now_ms = world.timers.now_ms;
@@ -85,15 +95,26 @@ export function createPage(world: World): {
     },
     () => telemetry.revision,
     now_ms(),
+    fail,
   );
   const client = (): string | null => connection.getState().client;
   const tell = (message: Message): void => say(messages, message, world.wall_ms());
+
+  /** Part of the page failed and the rest goes on: what that part shows may be old. */
+  function fail(error: unknown): void {
+    tell({ level: "error", key: "said.pageFailed", params: {} });
+    world.report(error);
+  }
 
   function takeStatus(status: Status, at_ms: number): void {
     telemetry.heard(at_ms);
     servos.takeStatus(status);
     linkMessages(connection.getState().status, status).forEach(tell);
-    takePlanStatus(plans, connection.getState().status?.board ?? null, status.board);
+    const board = connection.getState().status?.board ?? null;
+    takePlanStatus(plans, board, status.board);
+    if (board !== null && board.url !== status.board.url) {
+      sourceReturn.setState(NOTHING_LEFT_OFF);
+    }
     telemetry.setStaleAfter(
       Object.entries(status.topics).map(([topic, { stale_after_s }]) => [topic, stale_after_s]),
     );
@@ -116,6 +137,10 @@ export function createPage(world: World): {
     takeTrackEvent(message);
     gamepads.takeEvent(message);
     takeAlarmEvent(alarmLog.store, message);
+    if (message.event === BOARD_RESTARTED) {
+      // Its restart is reported on its own, with all that it switched off.
+      sourceReturn.setState(NOTHING_LEFT_OFF);
+    }
     const said = eventMessage(message, client());
     if (said !== null) {
       tell(said);
@@ -126,6 +151,7 @@ export function createPage(world: World): {
     switch (message.type) {
       case "batch":
         telemetry.apply(message.t_s, message.samples, at_ms);
+        takeHeartbeats(sourceReturn, message.samples);
         if (message.rows !== null) {
           telemetry.applyRows(message.rows);
         }
@@ -185,13 +211,14 @@ export function createPage(world: World): {
     speaker: world.speaker,
   });
   const { mapLayers, takeMapEvent } = createMapLayerActions({ ...asking, timers: world.timers });
-  const { trackLog, takeTrackEvent } = createTrackLog({ rest, timers: world.timers });
+  const { trackLog, takeTrackEvent } = createTrackLog({ rest, timers: world.timers, report: fail });
   const parts = new Parts()
     .with(ACTIONS, actions)
     .with(ALARM_LOG, alarmLog)
     .with(PARAMETER_REQUESTS, createParameterActions(parameterValues, asking))
     .with(MISSIONS, createPlanActions(plans, world.saveFile, asking))
     .with(AHRS, createAhrs3d(asking))
+    .with(SOURCE_RETURN, sourceReturn)
     .with(MAP_SELECTION, createMapSelection())
     .with(MAP_LAYERS, mapLayers)
     .with(TRACK_LOG, trackLog)

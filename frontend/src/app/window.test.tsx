@@ -47,7 +47,7 @@ describe("the emulation", () => {
 });
 
 describe("the window's title", () => {
-  test("tells the state of the board's link, and how many alarms there are", () => {
+  test("tells the state of the board's link, and how many alarms last", () => {
     const station = flying();
     expect(document.title).toBe("conectado · EPF GCS");
     station.status(aStatus({ board: { ...aStatus().board, state: "lost" } }));
@@ -56,12 +56,15 @@ describe("the window's title", () => {
       id: "heartbeat_lost",
       level: "critical",
       since_s: 1,
+      until_s: null,
       text: "",
       params: {},
       acknowledged: false,
     } as const;
     station.status(aStatus({ alarms: [alarm] }));
     expect(document.title).toBe("(1) conectado · EPF GCS");
+    station.status(aStatus({ alarms: [{ ...alarm, until_s: 5 }] }));
+    expect(document.title).toBe("conectado · EPF GCS");
     station.breakOff();
     expect(document.title).toBe("desconocido · EPF GCS");
   });

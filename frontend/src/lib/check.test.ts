@@ -1,6 +1,8 @@
 import { expect, test } from "vitest";
 import {
   dictionary,
+  either,
+  faultIn,
   isFlag,
   isNumber,
   isObject,
@@ -51,6 +53,34 @@ test.each([
   ["a list", [port]],
 ])("%s fails", (_, value) => {
   expect(isPort(value)).toBe(false);
+});
+
+test.each([
+  ["a field", { ...port, device: 7 }, ".device"],
+  ["a missing field", { ...port, kind: undefined }, ".kind"],
+  ["an entry of a list", { ...port, tags: ["a", 1] }, ".tags[1]"],
+  ["an entry of a dictionary", { ...port, counts: { n: null } }, ".counts.n"],
+  ["a list that is none", { ...port, tags: {} }, ".tags"],
+  ["the whole", [port], ""],
+  ["nothing", port, null],
+])("of what does not fit, the fault names %s", (_, value, fault) => {
+  expect(faultIn(isPort, value)).toBe(fault);
+});
+
+test("one of several types fits, and no other", () => {
+  const isTextOrFlags = either(isText, list(isFlag));
+  expect([isTextOrFlags("a"), isTextOrFlags([true]), isTextOrFlags(1), isTextOrFlags([1])]).toEqual([
+    true,
+    true,
+    false,
+    false,
+  ]);
+});
+
+test("another shape is made of the fields of one", () => {
+  const { device } = isPort.fields;
+  const isNamed = shape({ device });
+  expect([isNamed({ device: "a" }), isNamed({ device: 1 })]).toEqual([true, false]);
 });
 
 test("a list and null are not objects", () => {

@@ -5,6 +5,3 @@ export type MapThing =
   | { readonly kind: "waypoint"; readonly plan: Aircraft; readonly row: number }
   | { readonly kind: "aircraft"; readonly plan: Aircraft }
   | { readonly kind: "home" };
-
-/** The flat map's name of the type. */
-export type Whose = Aircraft;

@@ -10,6 +10,7 @@ import {
   pushed,
   removed,
   samePlan,
+  sameRow,
   unsentOf,
   type Waypoint,
 } from "./plan";
@@ -154,6 +155,30 @@ test("what the board does not have as it is here is unsent; of an unknown plan a
   expect(unsentOf(plan, plan)).toEqual([false, false, false]);
   expect(unsentOf([first, { ...second, speed_kt: 56 }, third], [first, second])).toEqual([false, true, true]);
   expect(unsentOf(plan, null)).toEqual([true, true, true]);
+});
+
+describe("the waypoint flown to is found again in an edited plan", () => {
+  test("in its old place", () => {
+    expect(sameRow([first, second, { ...third, speed_kt: 56 }], plan, 1)).toBe(1);
+  });
+
+  test("where points before it came or went", () => {
+    expect(sameRow([first, waypoint(27.5, -15.5), second, third], plan, 1)).toBe(2);
+    expect(sameRow([second, third], plan, 1)).toBe(0);
+  });
+
+  test("by its number where it was changed itself, or the board's plan is not known", () => {
+    expect(sameRow([first, { ...second, altitude_ft: 1300 }, third], plan, 1)).toBe(1);
+    expect(sameRow(plan, null, 2)).toBe(2);
+  });
+
+  test("nearest to its old place where it stands twice", () => {
+    expect(sameRow([second, first, third, second], [first, third, second], 2)).toBe(3);
+  });
+
+  test("or not at all where the plan ends before it", () => {
+    expect(sameRow([first], plan, 2)).toBeNull();
+  });
 });
 
 describe("two plans are the same", () => {

@@ -69,6 +69,22 @@ export function unsentOf(
   return waypoints.map((waypoint, index) => board === null || !sameWaypoint(waypoint, board[index]));
 }
 
+/**
+ * Row of the edited plan to which a board goes on that flies to row `flownTo` of its own: the same waypoint, nearest to
+ * where it was; else the one that has its number. Null where the plan ends before that.
+ */
+export function sameRow(
+  waypoints: readonly Waypoint[],
+  board: readonly Waypoint[] | null,
+  flownTo: number,
+): number | null {
+  const sought = board?.[flownTo];
+  const rows = [...waypoints.keys()]
+    .filter((row) => sought !== undefined && sameWaypoint(sought, waypoints[row]))
+    .sort((one, other) => Math.abs(one - flownTo) - Math.abs(other - flownTo));
+  return rows[0] ?? (flownTo < waypoints.length ? flownTo : null);
+}
+
 function sameWaypoint(waypoint: Waypoint, twin: Waypoint | undefined): boolean {
   return (
     twin !== undefined &&

@@ -1,7 +1,8 @@
 import { isText, nullable, oneOf, shape } from "../lib/check";
-import { isCommandResult } from "../protocol/answers";
+import { BOARD_RESTARTED } from "../protocol/boardRestart";
 import type { StreamEvent } from "../protocol/envelope";
-import { isImportedPlan, isMission, isMissionEvent, type PlanName } from "../protocol/missions";
+import { isCommandOutcome, isMission, isMissionImport } from "../protocol/guards.gen";
+import { isMissionEvent, type PlanName } from "../protocol/missions";
 import type { Status } from "../protocol/status";
 import { resultMessage } from "../requests/actions";
 import type { Asker } from "../requests/asking";
@@ -15,6 +16,7 @@ import {
   type PlanActions,
   type PlanStore,
 } from "./planDrafts";
+import { PLAN } from "./planFacts";
 
 const PATH = "/api/v1/missions";
 /** Time to send a hundred waypoints over a slow radio, each acknowledged, and to read them all back. */
@@ -39,22 +41,40 @@ export function createPlanActions(
     });
   }
 
+  /** Without the board's confirmation the message says that the plan may have been started again. */
+  function goOn(plan: PlanName, index: number): Promise<void> {
+    const body = { value: { plan: PLAN[plan].number, index } };
+    const asked = rest.ask("POST", "/api/v1/commands/go_to_waypoint", isCommandOutcome, body);
+    return run({ control: `plan.goTo.${plan}` }, asked, (result) => ({
+      state: result.state,
+      message:
+        result.state === "confirmed"
+          ? resultMessage("@command.go_to_waypoint", result)
+          : { level: "error", key: "plans.saidNotGone", params: { number: index + 1 } },
+    }));
+  }
+
   return {
     plans,
     download,
 
-    upload: (plan, asker) => {
+    upload: async (plan, asker, goOnTo) => {
       const body = { waypoints: plans.getState()[plan].draft.present };
       const asked = rest.ask("PUT", `${PATH}/${plan}`, isMission, body, TRANSFER_MS);
-      return run(asker, asked, ({ waypoints }) => {
+      let isTaken = false;
+      await run(asker, asked, ({ waypoints }) => {
+        isTaken = true;
         boardHas(plans, plan, waypoints);
         return { state: "confirmed", message: info("plans.saidUploaded", named(plan, waypoints.length)) };
       });
+      if (isTaken && goOnTo !== null) {
+        await goOn(plan, goOnTo);
+      }
     },
 
     loadRoute: async (route, canRead, asker) => {
       let isTaken = false;
-      await run(asker, rest.ask("POST", `/api/v1/commands/${route}`, isCommandResult, {}), (result) => {
+      await run(asker, rest.ask("POST", `/api/v1/commands/${route}`, isCommandOutcome, {}), (result) => {
         isTaken = result.state === "confirmed" || result.state === "sent";
         return { state: result.state, message: resultMessage(`@command.${route}`, result) };
       });
@@ -65,7 +85,7 @@ export function createPlanActions(
 
     importFile: (plan, file, asker) => {
       const path = `${PATH}/import?name=${encodeURIComponent(file.name)}`;
-      return run(asker, rest.ask("POST", path, isImportedPlan, file), ({ waypoints, notes }) => {
+      return run(asker, rest.ask("POST", path, isMissionImport, file), ({ waypoints, notes }) => {
         editPlan(plans, plan, waypoints);
         const said = notes.map(({ code, params }) => ({
           level: "warning" as const,
@@ -110,6 +130,9 @@ export function takePlanEvent(plans: PlanStore, { event, data }: StreamEvent, cl
     // For this page's own transfer only its beginning counts: by its end the plan may have been read again.
     (data.client !== client || data.state === "pending")
   ) {
+    forgetBoardPlan(plans, "hil");
+  } else if (event === BOARD_RESTARTED) {
+    forgetBoardPlan(plans, "flight");
     forgetBoardPlan(plans, "hil");
   }
 }

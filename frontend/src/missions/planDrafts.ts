@@ -26,8 +26,11 @@ export interface PlanActions {
   readonly plans: PlanStore;
   /** Read it from the board; it becomes the draft. */
   readonly download: (plan: PlanName, asker: Asker) => Promise<void>;
-  /** Send the draft completely or not at all, and read it back. */
-  readonly upload: (plan: PlanName, asker: Asker) => Promise<void>;
+  /**
+   * Send the draft completely or not at all, and read it back. The board starts it at its first waypoint, or goes on to
+   * the row `goOnTo`: that is commanded once the board has the plan, under the control of "go to".
+   */
+  readonly upload: (plan: PlanName, asker: Asker, goOnTo: number | null) => Promise<void>;
   /** Make the board load one of its built-in routes, and read it. `canRead`: the board can send its plan. */
   readonly loadRoute: (route: RouteCommand, canRead: boolean, asker: Asker) => Promise<void>;
   readonly importFile: (plan: PlanName, file: File, asker: Asker) => Promise<void>;

@@ -7,6 +7,8 @@ interface PlanFacts {
   readonly topic: "fms_plan" | "fms_hil_plan";
   /** Its number on the wire. */
   readonly number: 0 | 1;
+  /** The heartbeat's flag of the autopilot that flies it. */
+  readonly autopilot: "autopilot" | "autopilot_hil";
   readonly previous: CommandName;
   readonly next: CommandName;
   /** Base name of its files. */
@@ -17,6 +19,7 @@ export const PLAN: Readonly<Record<PlanName, PlanFacts>> = {
   flight: {
     topic: "fms_plan",
     number: 0,
+    autopilot: "autopilot",
     previous: "fms_previous_waypoint",
     next: "fms_next_waypoint",
     file: "epf-flight-plan",
@@ -24,6 +27,7 @@ export const PLAN: Readonly<Record<PlanName, PlanFacts>> = {
   hil: {
     topic: "fms_hil_plan",
     number: 1,
+    autopilot: "autopilot_hil",
     previous: "hil_fms_previous_waypoint",
     next: "hil_fms_next_waypoint",
     file: "epf-hil-plan",

@@ -1,5 +1,4 @@
-import { type Checked, isNumber, isObject, isText, list, nullable, oneOf, shape } from "../lib/check";
-import type { components } from "./api.gen";
+import { isObject } from "../lib/check";
 
 /** What the gateway says when it did not do something (RFC 9457), or what stands in for it when it says nothing. */
 export interface Problem {
@@ -10,28 +9,14 @@ export interface Problem {
   readonly params: Readonly<Record<string, unknown>>;
 }
 
-export type Answer<T> =
-  | { readonly ok: true; readonly value: T }
-  | { readonly ok: false; readonly problem: Problem };
+export interface Refused {
+  readonly ok: false;
+  readonly problem: Problem;
+}
 
-/** What became of a command. `reason` is the board's own, where it refused. */
-export const isCommandResult = shape({
-  state: oneOf("confirmed", "rejected", "timed_out", "sent"),
-  by: isText,
-  ms: isNumber,
-  reason: nullable(isText),
-});
-
-export const isPorts = shape({ ports: list(shape({ path: isText, description: isText })) });
+export type Answer<T> = { readonly ok: true; readonly value: T } | Refused;
 
 /** An answer whose content does not matter: that it came says that it was done. */
 export function isDone(value: unknown): value is object | null {
   return value === null || isObject(value);
 }
-
-type Described = components["schemas"];
-/** Do not compile when the gateway describes its answers otherwise than they are checked here. */
-export const outcomeIsAsDescribed: Described["CommandOutcome"] extends Checked<typeof isCommandResult>
-  ? true
-  : false = true;
-export const portsAreAsDescribed: Described["Ports"] extends Checked<typeof isPorts> ? true : false = true;

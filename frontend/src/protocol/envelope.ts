@@ -1,5 +1,5 @@
 import { dictionary, isNumber, isObject, isText, list, nullable, oneOf } from "../lib/check";
-import { isStatus, type Status } from "./status";
+import { isStatus, type Status } from "./guards.gen";
 import { FIELD_KINDS } from "./topics";
 
 /** One message of a topic: when the gateway had it (Unix seconds of its clock) and what it said; null is "no data". */
@@ -71,6 +71,16 @@ export function parseMessage(text: string): StreamMessage | null {
     }
   }
   return null;
+}
+
+/** The number of a batch, whose other parts may be malformed; null if it is no batch. */
+export function batchNumber(text: string): number | null {
+  try {
+    const value: unknown = JSON.parse(text);
+    return isObject(value) && value["type"] === "batch" && isNumber(value["seq"]) ? value["seq"] : null;
+  } catch {
+    return null;
+  }
 }
 
 type Json = Readonly<Record<string, unknown>>;

@@ -1,25 +1,17 @@
-import { type Checked, isNumber, isObject, isText, list, nullable, oneOf, shape } from "../lib/check";
+import { isText, nullable, oneOf, shape } from "../lib/check";
 import type { WaypointField } from "../lib/plan";
 import type { PlanLimits } from "../lib/planCheck";
-import type { components } from "./api.gen";
+import { isMission, type Mission } from "./guards.gen";
 import { COMMANDS } from "./messages.gen";
 
-export const PLANS = ["flight", "hil"] as const;
-export type PlanName = (typeof PLANS)[number];
+export type PlanName = Mission["plan"];
+export const PLANS = ["flight", "hil"] as const satisfies readonly PlanName[];
 
-const isWaypoint = shape({
-  latitude_deg: isNumber,
-  longitude_deg: isNumber,
-  altitude_ft: isNumber,
-  speed_kt: isNumber,
-});
-
-/** A plan as the board has it. */
-export const isMission = shape({ plan: oneOf(...PLANS), waypoints: list(isWaypoint) });
+const { plan } = isMission.fields;
 
 /** What becomes of a plan on its way to the board, whoever sends it. */
 export const isMissionEvent = shape({
-  plan: oneOf(...PLANS),
+  plan,
   state: oneOf("pending", "confirmed", "rejected"),
   client: nullable(isText),
 });
@@ -27,14 +19,6 @@ export const isMissionEvent = shape({
 /** The form in which other programs keep plans. */
 export const PLAN_FORMATS = ["kml", "gpx", "csv", "plan"] as const;
 export type PlanFormat = (typeof PLAN_FORMATS)[number];
-
-/** A plan out of a file, with what had to be supposed on the way. */
-export const isImportedPlan = shape({
-  format: isText,
-  waypoints: list(isWaypoint),
-  notes: list(shape({ code: isText, params: isObject })),
-});
-export type ImportedPlan = Checked<typeof isImportedPlan>;
 
 /** What the board takes, out of the definition of its commands. */
 export const PLAN_LIMITS: PlanLimits = {
@@ -54,8 +38,3 @@ function range(command: "mission_begin" | "mission_item", name: string) {
   }
   return { minimum: argument.minimum, maximum: argument.maximum };
 }
-
-/** Does not compile when the gateway describes its plans otherwise than they are checked here. */
-export const missionIsAsDescribed: components["schemas"]["Mission"] extends Checked<typeof isMission>
-  ? true
-  : false = true;

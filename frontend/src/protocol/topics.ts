@@ -1,44 +1,42 @@
 import { FIELDS, type Telemetry } from "./messages.gen";
 
 /** What X-Plane's rows say, by the names of the definition; null until a row has arrived. */
-export interface SimulatorValues {
-  readonly indicated_airspeed_kt: number | null;
-  readonly mach: number | null;
-  readonly vvi_ft_min: number | null;
-  readonly g_normal: number | null;
-  readonly g_axial: number | null;
-  readonly g_side: number | null;
-  readonly p_rad_s: number | null;
-  readonly q_rad_s: number | null;
-  readonly r_rad_s: number | null;
-  readonly pitch_deg: number | null;
-  readonly roll_deg: number | null;
-  readonly true_heading_deg: number | null;
-  readonly alpha_deg: number | null;
-  readonly beta_deg: number | null;
-  readonly horizontal_path_deg: number | null;
-  readonly vertical_path_deg: number | null;
-  readonly latitude_deg: number | null;
-  readonly longitude_deg: number | null;
-  readonly altitude_msl_ft: number | null;
-  readonly altitude_indicated_ft: number | null;
-  readonly stick_elevator: number | null;
-  readonly stick_aileron: number | null;
-  readonly stick_rudder: number | null;
-  readonly throttle_command: number | null;
-}
+const SIMULATOR_FIELDS = [
+  "indicated_airspeed_kt",
+  "mach",
+  "vvi_ft_min",
+  "g_normal",
+  "g_axial",
+  "g_side",
+  "p_rad_s",
+  "q_rad_s",
+  "r_rad_s",
+  "pitch_deg",
+  "roll_deg",
+  "true_heading_deg",
+  "alpha_deg",
+  "beta_deg",
+  "horizontal_path_deg",
+  "vertical_path_deg",
+  "latitude_deg",
+  "longitude_deg",
+  "altitude_msl_ft",
+  "altitude_indicated_ft",
+  "stick_elevator",
+  "stick_aileron",
+  "stick_rudder",
+  "throttle_command",
+] as const;
 
 /** The attitude of the AHRS test, in which the board sends nothing else. */
-export interface AhrsTestValues {
-  readonly yaw_deg: number | null;
-  readonly pitch_deg: number | null;
-  readonly roll_deg: number | null;
-}
+const AHRS_TEST_FIELDS = ["yaw_deg", "pitch_deg", "roll_deg"] as const;
+
+type Numbers<F extends readonly string[]> = Readonly<Record<F[number], number | null>>;
 
 /** Values of every topic of the stream: the board's messages, its AHRS test, and the simulator's rows. */
 export interface Topics extends Telemetry {
-  readonly ahrs_test: AhrsTestValues;
-  readonly simulator: SimulatorValues;
+  readonly ahrs_test: Numbers<typeof AHRS_TEST_FIELDS>;
+  readonly simulator: Numbers<typeof SIMULATOR_FIELDS>;
 }
 
 export type TopicName = keyof Topics;
@@ -52,39 +50,6 @@ export type FlagField<T extends TopicName> = {
   [F in FieldName<T>]: Topics[T][F] extends boolean | null ? F : never;
 }[FieldName<T>];
 
-const SIMULATOR_FIELDS: Readonly<Record<keyof SimulatorValues, "number">> = {
-  indicated_airspeed_kt: "number",
-  mach: "number",
-  vvi_ft_min: "number",
-  g_normal: "number",
-  g_axial: "number",
-  g_side: "number",
-  p_rad_s: "number",
-  q_rad_s: "number",
-  r_rad_s: "number",
-  pitch_deg: "number",
-  roll_deg: "number",
-  true_heading_deg: "number",
-  alpha_deg: "number",
-  beta_deg: "number",
-  horizontal_path_deg: "number",
-  vertical_path_deg: "number",
-  latitude_deg: "number",
-  longitude_deg: "number",
-  altitude_msl_ft: "number",
-  altitude_indicated_ft: "number",
-  stick_elevator: "number",
-  stick_aileron: "number",
-  stick_rudder: "number",
-  throttle_command: "number",
-};
-
-const AHRS_TEST_FIELDS: Readonly<Record<keyof AhrsTestValues, "number">> = {
-  yaw_deg: "number",
-  pitch_deg: "number",
-  roll_deg: "number",
-};
-
 type Kind = "number" | "boolean";
 
 function kinds(
@@ -96,6 +61,6 @@ function kinds(
 /** Every field that a sample of a topic must have, with the type of its value where that is not null. */
 export const FIELD_KINDS: ReadonlyMap<string, ReadonlyArray<readonly [string, Kind]>> = new Map([
   ...Object.entries(FIELDS).map(([topic, fields]) => [topic, kinds(fields)] as const),
-  ["ahrs_test", Object.entries(AHRS_TEST_FIELDS)] as const,
-  ["simulator", Object.entries(SIMULATOR_FIELDS)] as const,
+  ["ahrs_test", AHRS_TEST_FIELDS.map((name) => [name, "number"] as const)] as const,
+  ["simulator", SIMULATOR_FIELDS.map((name) => [name, "number"] as const)] as const,
 ]);

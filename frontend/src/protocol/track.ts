@@ -1,16 +1,4 @@
-import type { Aircraft } from "../lib/aircraft";
-import { type Checked, isFlag, isNumber, shape } from "../lib/check";
 import type { TrackPoint } from "../lib/track/trackPoints";
-import type { components } from "./api.gen";
-
-/** How the gateway names the two tracks: of the aircraft by its GPS, and of the simulator's. */
-export const TRACK_SOURCE: Readonly<Record<Aircraft, string>> = { flight: "real", hil: "hil" };
-
-export const isTrackState = shape({ real_points: isNumber, hil_points: isNumber, can_restore: isFlag });
-/** Does not compile when the gateway describes its answer otherwise than it is checked here. */
-export const trackStateIsAsDescribed: components["schemas"]["TrackState"] extends Checked<typeof isTrackState>
-  ? true
-  : false = true;
 
 /** Points of a track from one index on. */
 export interface TrackPiece {

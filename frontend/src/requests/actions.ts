@@ -1,4 +1,4 @@
-import { isCommandResult, isPorts } from "../protocol/answers";
+import { isCommandOutcome, isPorts } from "../protocol/guards.gen";
 import type { CommandName } from "../protocol/messages.gen";
 import type { Outcome } from "../store/commands";
 import { failureMessage, type Message } from "../store/messages";
@@ -60,7 +60,7 @@ export function createActions(parts: ActionParts): Actions {
   return {
     command: (name, asker, value) => {
       const body = value === undefined ? {} : { value };
-      return run(asker, rest.ask("POST", `/api/v1/commands/${name}`, isCommandResult, body), (result) => ({
+      return run(asker, rest.ask("POST", `/api/v1/commands/${name}`, isCommandOutcome, body), (result) => ({
         state: result.state,
         message: resultMessage(`@command.${name}`, result),
       }));

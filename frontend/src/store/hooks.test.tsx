@@ -16,7 +16,12 @@ const telemetry = new TelemetryStore();
 // The parts of a page that these hooks use.
 const page = {
   telemetry,
-  pump: new Pump({ request: frames.request, cancel: frames.cancel }, () => telemetry.revision, 0),
+  pump: new Pump(
+    { request: frames.request, cancel: frames.cancel },
+    () => telemetry.revision,
+    0,
+    () => undefined,
+  ),
   connection: createConnection(),
   commands: createCommands(),
   messages: createMessages(),

@@ -1,12 +1,18 @@
-import { expect, test, vi } from "vitest";
+import { describe, expect, test, vi } from "vitest";
 import { ManualFrames } from "../test/frames";
 import { Pump } from "./pump";
 
 function setup() {
   const frames = new ManualFrames();
   let revision = 0;
-  const pump = new Pump(frames, () => revision, 0);
-  return { frames, pump, arrive: () => (revision += 1) };
+  const failures: unknown[] = [];
+  const pump = new Pump(
+    frames,
+    () => revision,
+    0,
+    (error) => failures.push(error),
+  );
+  return { frames, pump, failures, arrive: () => (revision += 1) };
 }
 
 test("a burst of arrivals is one paint in the next frame", () => {
@@ -58,7 +64,12 @@ test.each([
     const frames = new ManualFrames();
     let revision = 0;
     const source = { request: frames.request, cancel: frames.cancel };
-    const pump = new Pump({ ...source, measure: (spent) => spent(cost_ms) }, () => revision, 0);
+    const pump = new Pump(
+      { ...source, measure: (spent) => spent(cost_ms) },
+      () => revision,
+      0,
+      () => undefined,
+    );
     const instrument = vi.fn();
     const text = vi.fn();
     pump.add("frame", instrument);
@@ -79,17 +90,50 @@ test.each([
   },
 );
 
-test("a painter that throws does not stop the loop", () => {
-  const { frames, pump } = setup();
-  const broken = pump.add("text", () => {
-    throw new Error("broken painter");
+describe("a painter that throws", () => {
+  const broken = new Error("broken painter");
+  const fail = () => {
+    throw broken;
+  };
+
+  test("stops neither the painters after it nor the texts, for as long as it is there", () => {
+    const { frames, pump, arrive } = setup();
+    const instrument = vi.fn();
+    const text = vi.fn();
+    pump.add("frame", fail);
+    pump.add("frame", instrument);
+    pump.add("text", fail);
+    pump.add("text", text);
+    for (let round = 0; round < 3; round += 1) {
+      arrive();
+      frames.show(1000 + 100 * round);
+    }
+    expect(instrument).toHaveBeenCalledTimes(3);
+    expect(text).toHaveBeenCalledTimes(3);
+    expect(pump.now_ms).toBe(1200);
   });
-  expect(() => frames.show(1000)).toThrow("broken painter");
-  broken();
-  const paint = vi.fn();
-  pump.add("text", paint);
-  frames.show(1200);
-  expect(paint).toHaveBeenCalledOnce();
+
+  test("is reported once, not in each frame", () => {
+    const { frames, pump, failures, arrive } = setup();
+    pump.add("frame", fail);
+    for (let round = 0; round < 3; round += 1) {
+      arrive();
+      frames.show(1000 + 100 * round);
+    }
+    expect(failures).toEqual([broken]);
+  });
+
+  test("is tried again with each round, because what it could not paint changes", () => {
+    const { frames, pump, failures, arrive } = setup();
+    const paint = vi.fn().mockImplementationOnce(fail);
+    pump.add("frame", paint);
+    arrive();
+    frames.show(1000);
+    arrive();
+    frames.show(1100);
+    expect(paint).toHaveBeenCalledTimes(2);
+    expect(failures).toEqual([broken]);
+  });
 });
 
 test("nothing to paint asks for no frames", () => {

@@ -21,6 +21,9 @@ export type Paint = (now_ms: number) => void;
 export class Pump {
   readonly #frames: FrameSource;
   readonly #revision: () => number;
+  readonly #onFailure: (error: unknown) => void;
+  /** Painters that threw and were reported. */
+  readonly #reported = new WeakSet<Paint>();
   readonly #painters: Readonly<Record<PaintRate, Set<Paint>>> = { frame: new Set(), text: new Set() };
   #handle: number | null = null;
   readonly #budget = new RedrawBudget();
@@ -29,11 +32,20 @@ export class Pump {
   readonly #texts = new Pace(NUMBER_PERIOD_MS);
   #now_ms: number;
 
-  /** `revision` tells whether there is anything new: it differs from the last call's when there is. */
-  constructor(frames: FrameSource, revision: () => number, now_ms: number) {
+  /**
+   * `revision` tells whether there is anything new: it differs from the last call's when there is. `onFailure` hears
+   * once of each painter that throws.
+   */
+  constructor(
+    frames: FrameSource,
+    revision: () => number,
+    now_ms: number,
+    onFailure: (error: unknown) => void,
+  ) {
     this.#frames = frames;
     this.#revision = revision;
     this.#now_ms = now_ms;
+    this.#onFailure = onFailure;
   }
 
   /** Time of the newest text round: all that is decided by time in React agrees on it. */
@@ -61,7 +73,6 @@ export class Pump {
   readonly onTick = (changed: () => void): (() => void) => this.add("text", () => changed());
 
   readonly #frame = (now_ms: number): void => {
-    // Asked for first, so that a painter which throws does not stop the others for ever.
     this.#handle = this.#frames.request(this.#frame);
     const textIsDue = this.#texts.due(now_ms);
     const revision = this.#revision();
@@ -70,15 +81,28 @@ export class Pump {
       this.#frames.measure?.((cost_ms) => this.#budget.observe(cost_ms));
       this.#painted = revision;
       this.#frame_ms = now_ms;
-      for (const paint of this.#painters.frame) {
-        paint(now_ms);
-      }
+      this.#run("frame", now_ms);
     }
     if (textIsDue) {
       this.#now_ms = now_ms;
-      for (const paint of this.#painters.text) {
-        paint(now_ms);
-      }
+      this.#run("text", now_ms);
     }
   };
+
+  /**
+   * A painter that throws must not hold up the others: their ages would freeze and old values look live. It is called
+   * again in each round, because it may fail at one value and not at the next, and left out it would show an old one.
+   */
+  #run(rate: PaintRate, now_ms: number): void {
+    for (const paint of this.#painters[rate]) {
+      try {
+        paint(now_ms);
+      } catch (error) {
+        if (!this.#reported.has(paint)) {
+          this.#reported.add(paint);
+          this.#onFailure(error);
+        }
+      }
+    }
+  }
 }

@@ -1,5 +1,10 @@
 import type { Status } from "../protocol/status";
 
+/** How a topic arrives as it should, with some parts changed. */
+export function aTopic(parts: Partial<Status["topics"][string]> = {}): Status["topics"][string] {
+  return { count: 100, rate_hz: 10, age_s: 0.05, stale_after_s: 0.3, implausible: {}, ...parts };
+}
+
 /** A status as the gateway sends it in flight, with some parts changed. */
 export function aStatus(parts: Partial<Status> = {}): Status {
   return {
@@ -24,6 +29,9 @@ export function aStatus(parts: Partial<Status> = {}): Status {
       heartbeat_age_s: 0.05,
       frames_received: 1000,
       frames_damaged: 0,
+      damage: {},
+      bytes_in: 300_000,
+      bytes_out: 100_000,
       rx_percent: 42.5,
       tx_percent: 33.1,
     },
@@ -38,18 +46,32 @@ export function aStatus(parts: Partial<Status> = {}): Status {
       rows: [3, 4, 8, 16, 17, 18, 20, 25],
       datagrams_received: 5000,
       datagrams_dropped: 0,
+      drop_reasons: {},
+      advice: null,
+      bytes_in: 1_500_000,
+      frames_to_board: 4990,
+      frames_to_simulator: 4990,
+      frames_skipped: {},
       percent: 22.4,
       hil_round_trip_ms: { newest: 9.8, p50: 9.9, p99: 12.5 },
     },
     hil: {
       source: "joystick",
       path: "assisted",
-      stick: { source: "simulator", state: null, client: null, name: null, gamepad: null },
+      stick: { source: "simulator", state: null, client: null, name: null, gamepad: null, samples: {} },
     },
     control: { client: "c1", name: "127.0.0.1" },
-    recording: { active: true, failure: null, file: "data/recordings/flight.mcap", bytes: 61_500_000 },
-    topics: { ahrs: { count: 100, stale_after_s: 0.3 }, heartbeat: { count: 100, stale_after_s: 0.3 } },
+    recording: {
+      active: true,
+      failure: null,
+      file: "data/recordings/flight.mcap",
+      bytes: 61_500_000,
+      bytes_lost: 0,
+    },
+    topics: { ahrs: aTopic(), heartbeat: aTopic() },
     alarms: [],
+    errors: {},
+    viewers: 1,
     ...parts,
   };
 }

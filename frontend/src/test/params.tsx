@@ -1,6 +1,7 @@
 import { screen, within } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { ParamsView } from "../features/parameters/ParamsView";
+import type { ParameterList } from "../protocol/guards.gen";
 import { PARAMETERS, type ParameterName } from "../protocol/messages.gen";
 import type { HeldParameter } from "../protocol/parameters";
 import { WORDS } from "../ui/test/testWords";
@@ -14,10 +15,12 @@ export let station: Station;
 export type Known = Partial<Record<ParameterName, Partial<HeldParameter>>>;
 
 /** The gateway's list when the board has its defaults except for these. */
-export function listed(known: Known = {}) {
+export function listed(known: Known = {}): ParameterList {
   return {
-    parameters: PARAMETERS.map((info) => ({
-      name: info.name,
+    parameters: PARAMETERS.map(({ setId, isInteger, ...info }) => ({
+      ...info,
+      is_integer: isInteger,
+      unit: "",
       value: info.default,
       loaded: info.default,
       state: "loaded",

@@ -51,6 +51,8 @@ export class Station {
   readonly clients: Array<string | null> = [];
   /** The files that the page saved for the user. */
   readonly saved: Array<{ readonly name: string; readonly content: Blob }> = [];
+  /** Exceptions in the page's own code. */
+  readonly reported: unknown[] = [];
   readonly page: Page;
   #seq = 0;
 
@@ -74,6 +76,7 @@ export class Station {
       sounder: this.sounder,
       speaker: this.speaker,
       gamepads: this.gamepads,
+      report: (error) => this.reported.push(error),
       saveFile: (name, content) => this.saved.push({ name, content }),
     };
     const { page, start } = createPage(world);

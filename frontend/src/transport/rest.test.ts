@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { isText, shape } from "../lib/check";
+import { isText, list, shape } from "../lib/check";
 import { Rest } from "./rest";
 
 const isNamed = shape({ name: isText });
@@ -70,16 +70,26 @@ test("a gateway that is not there is a problem and no exception", async () => {
   });
 });
 
-test.each(['{"name":7}', "not JSON", ""])(
-  "an answer that is not as agreed (%s) is a problem",
-  async (text) => {
-    const { rest } = restThat(() => new Response(text));
-    expect(await rest.ask("GET", "/x", isNamed)).toMatchObject({
-      ok: false,
-      problem: { code: "answer_unreadable" },
-    });
-  },
-);
+test("an answer of which a part does not fit is a problem that says which part", async () => {
+  const isFleet = shape({ planes: list(isNamed) });
+  const { rest } = restThat(() => Response.json({ planes: [{ name: "x" }, { name: 7 }] }));
+  expect(await rest.ask("GET", "/x", isFleet)).toEqual({
+    ok: false,
+    problem: {
+      code: "answer_misfit",
+      detail: "The gateway's answer is not as agreed at planes[1].name: load the page again.",
+      params: { field: "planes[1].name" },
+    },
+  });
+});
+
+test.each(["[7]", "not JSON", ""])("an answer that is not as agreed (%s) is a problem", async (text) => {
+  const { rest } = restThat(() => new Response(text));
+  expect(await rest.ask("GET", "/x", isNamed)).toMatchObject({
+    ok: false,
+    problem: { code: "answer_unreadable" },
+  });
+});
 
 test("an answer that breaks off is a gateway that is not there", async () => {
   const { rest } = restThat(

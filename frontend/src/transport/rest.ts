@@ -1,5 +1,5 @@
-import { type Check, isObject, isText } from "../lib/check";
-import type { Answer, Problem } from "../protocol/answers";
+import { type Check, faultIn, isObject, isText } from "../lib/check";
+import type { Answer, Problem, Refused } from "../protocol/answers";
 
 export interface RestOptions {
   readonly fetch: (path: string, init: RequestInit) => Promise<Response>;
@@ -36,9 +36,7 @@ export class Rest {
     if (value === UNREACHABLE) {
       return unreachable();
     }
-    return check(value)
-      ? { ok: true, value }
-      : failed("answer_unreadable", "The gateway's answer is not as agreed: load the page again.");
+    return check(value) ? { ok: true, value } : misfit(faultIn(check, value) ?? "");
   }
 
   /** A request whose answer is a file. */
@@ -117,12 +115,22 @@ async function jsonOf(response: Response): Promise<unknown> {
   return text === "" ? null : parse(text);
 }
 
-function unreachable(): { readonly ok: false; readonly problem: Problem } {
+function unreachable(): Refused {
   return failed("gateway_unreachable", "The gateway does not answer: check that it runs, then try again.");
 }
 
-function failed(code: string, detail: string): { readonly ok: false; readonly problem: Problem } {
-  return { ok: false, problem: { code, detail, params: {} } };
+/** An answer that does not fit at this path of `faultIn`. */
+function misfit(path: string): Refused {
+  const field = path.replace(/^\./, "");
+  return field === ""
+    ? failed("answer_unreadable", "The gateway's answer is not as agreed: load the page again.")
+    : failed("answer_misfit", `The gateway's answer is not as agreed at ${field}: load the page again.`, {
+        field,
+      });
+}
+
+function failed(code: string, detail: string, params: Problem["params"] = {}): Refused {
+  return { ok: false, problem: { code, detail, params } };
 }
 
 function parse(text: string): unknown {

@@ -50,6 +50,36 @@ describe("batches", () => {
     expect(wire().sent).toEqual(['{"type":"ack","seq":7}']);
   });
 
+  test("one that is not as agreed is acknowledged too: the gateway sends no more than four without it", () => {
+    for (const seq of [1, 2, 3, 4]) {
+      wire().deliver({ ...batch(seq), samples: "none" });
+    }
+    expect(malformed).toBe(4);
+    expect(messages).toHaveLength(0);
+    expect(wire().sent).toEqual([1, 2, 3, 4].map((seq) => `{"type":"ack","seq":${seq}}`));
+  });
+
+  test("one that its receiver could not take is acknowledged too", () => {
+    const broken = new ManualTimers();
+    const only: ManualWire[] = [];
+    const failing = new StreamSocket({
+      dial: (listener) => {
+        const dialled = new ManualWire(listener);
+        only.push(dialled);
+        return dialled;
+      },
+      timers: broken,
+      onMessage: () => {
+        throw new Error("broken receiver");
+      },
+      onState: () => undefined,
+      onMalformed: () => undefined,
+    });
+    failing.start();
+    expect(() => only[0]?.deliver(batch(3))).toThrow("broken receiver");
+    expect(only[0]?.sent).toEqual(['{"type":"ack","seq":3}']);
+  });
+
   test("other messages are not acknowledged", () => {
     wire().deliver(status);
     expect(wire().sent).toEqual([]);

@@ -1,6 +1,6 @@
 import type { Timers } from "../lib/timers";
 import type { StreamMessage } from "../protocol/envelope";
-import { parseMessage } from "../protocol/envelope";
+import { batchNumber, parseMessage } from "../protocol/envelope";
 
 /** One connection, as a browser's WebSocket is. */
 export interface Wire {
@@ -91,8 +91,10 @@ export class StreamSocket {
 
   #receive(wire: Wire, data: unknown): void {
     const now_ms = this.#options.timers.now_ms();
-    const message = typeof data === "string" ? parseMessage(data) : null;
+    const text = typeof data === "string" ? data : "";
+    const message = parseMessage(text);
     if (message === null) {
+      acknowledge(wire, batchNumber(text));
       this.#options.onMalformed();
       return;
     }
@@ -101,9 +103,10 @@ export class StreamSocket {
     if (this.#state.kind !== "open") {
       this.#become({ kind: "open" });
     }
-    this.#options.onMessage(message, now_ms);
-    if (message.type === "batch") {
-      wire.send(`{"type":"ack","seq":${message.seq}}`);
+    try {
+      this.#options.onMessage(message, now_ms);
+    } finally {
+      acknowledge(wire, message.type === "batch" ? message.seq : null);
     }
   }
 
@@ -144,5 +147,15 @@ export class StreamSocket {
   #become(state: SocketState): void {
     this.#state = state;
     this.#options.onState(state);
+  }
+}
+
+/**
+ * Every batch is acknowledged, also one that could not be read or handled: after a few batches without an
+ * acknowledgement the gateway sends no more.
+ */
+function acknowledge(wire: Wire, seq: number | null): void {
+  if (seq !== null) {
+    wire.send(`{"type":"ack","seq":${seq}}`);
   }
 }

@@ -1,7 +1,7 @@
 import { screen, within } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { afterEach, expect, test, vi } from "vitest";
-import { type AlarmItem, AlarmStrip } from "./AlarmStrip";
+import { type AlarmItem, AlarmStrip, type EndedItem, endedWithoutPlace } from "./AlarmStrip";
 import { renderWithWords } from "./test/testWords";
 
 const LOST: AlarmItem = {
@@ -19,9 +19,17 @@ afterEach(() => onPress.mockClear());
 
 const acknowledge = { label: (text: string) => `know ${text}`, text: "know", onPress };
 
-function strip(alarms: readonly AlarmItem[]) {
+const ENDED: EndedItem = { id: "gps_lost", level: "warning", text: "GPS lost", detail: "12:03" };
+const onSeen = vi.fn();
+
+function strip(alarms: readonly AlarmItem[], items: readonly EndedItem[] = []) {
+  const ended = {
+    label: "ended",
+    items,
+    acknowledge: { label: (text: string) => `seen ${text}`, onPress: onSeen },
+  };
   return (
-    <AlarmStrip label="Alarms" alarms={alarms} acknowledge={acknowledge}>
+    <AlarmStrip label="Alarms" alarms={alarms} ended={ended} acknowledge={acknowledge}>
       <button type="button">all</button>
     </AlarmStrip>
   );
@@ -79,4 +87,28 @@ test("what can be done about all of them is there while there is any", () => {
   expect(screen.getByRole("button", { name: "all" })).toBeDefined();
   rerender(strip([]));
   expect(screen.queryByRole("button", { name: "all" })).toBeNull();
+});
+
+test("what ended stands in the line that the alarms leave, outside of what interrupts, and each can be acknowledged", async () => {
+  renderWithWords(strip([LOST], [ENDED]));
+  expect(screen.getByRole("listitem").textContent).toBe("GPS lost12:03");
+  expect(screen.getByRole("region").dataset["lines"]).toBe("2");
+  expect(screen.getByRole("alert").textContent).not.toContain("GPS");
+  await userEvent.setup().click(screen.getByRole("button", { name: "seen GPS lost" }));
+  expect(onSeen.mock.calls).toEqual([["gps_lost"]]);
+});
+
+test("what ended and may not be acknowledged here says why, and does nothing", async () => {
+  onSeen.mockClear();
+  renderWithWords(strip([], [{ ...ENDED, blocked: "viewer" }]));
+  const button = screen.getByRole("button", { name: "seen GPS lost" });
+  await userEvent.setup().click(button);
+  expect(onSeen).not.toHaveBeenCalled();
+  expect(document.getElementById(button.getAttribute("aria-describedby") ?? "")?.textContent).toBe("viewer");
+});
+
+test("what ended gives way to two alarms, and more than three are left to the list", () => {
+  renderWithWords(strip([LOST, HIL], [ENDED]));
+  expect(screen.queryByRole("listitem")).toBeNull();
+  expect([endedWithoutPlace(2, 1), endedWithoutPlace(1, 1), endedWithoutPlace(0, 5)]).toEqual([1, 0, 2]);
 });

@@ -16,8 +16,27 @@ export interface AlarmItem {
   blocked?: string | undefined;
 }
 
+/** An alarm that ended unacknowledged. */
+export interface EndedItem {
+  id: string;
+  level: AlarmItem["level"];
+  text: string;
+  /** When it ended. */
+  detail: string;
+  /** Why it cannot be acknowledged here. */
+  blocked?: string | undefined;
+}
+
+interface Ended {
+  label: string;
+  items: readonly EndedItem[];
+  /** Accessible name of the button that acknowledges one. */
+  acknowledge: { label: (text: string) => string; onPress: (id: string) => void };
+}
+
 interface Props {
   label: string;
+  ended: Ended;
   /** The most urgent first. */
   alarms: readonly AlarmItem[];
   /** Accessible name and text of the button that acknowledges one alarm. */
@@ -28,13 +47,21 @@ interface Props {
 
 /** So many alarms have a line; the others are heard by screen readers and are counted. */
 export const LINES = 2;
+/** Most ended alarms that are shown beside the active ones. */
+const CHIPS = 3;
+
+/** Number of ended alarms that do not fit in the strip. */
+export function endedWithoutPlace(alarms: number, ended: number): number {
+  return alarms < LINES ? Math.max(0, ended - CHIPS) : ended;
+}
 
 /**
  * The alarms in force, never higher than two lines: the page under it must stay where the eye knows it. The two live
  * regions are always in the document: a region that appears together with its text is not read out by every reader.
  */
-export function AlarmStrip({ label, alarms, acknowledge, children }: Props) {
+export function AlarmStrip({ label, alarms, ended, acknowledge, children }: Props) {
   const seen = alarms.slice(0, LINES);
+  const hasTraces = ended.items.length > 0 && seen.length < LINES;
   const lines = (wanted: AlarmItem["level"]): ReactNode =>
     alarms
       .filter(({ level }) => level === wanted)
@@ -42,7 +69,7 @@ export function AlarmStrip({ label, alarms, acknowledge, children }: Props) {
         <AlarmLine key={alarm.id} alarm={alarm} isSeen={seen.includes(alarm)} acknowledge={acknowledge} />
       ));
   return (
-    <section className="ui-alarms" aria-label={label} data-lines={seen.length}>
+    <section className="ui-alarms" aria-label={label} data-lines={seen.length + (hasTraces ? 1 : 0)}>
       <div className="ui-alarms-lines">
         <div role="alert" aria-atomic="false" aria-relevant="additions">
           {lines("critical")}
@@ -50,9 +77,35 @@ export function AlarmStrip({ label, alarms, acknowledge, children }: Props) {
         <div role="status" aria-atomic="false" aria-relevant="additions">
           {lines("warning")}
         </div>
+        {hasTraces && <Traces {...ended} />}
       </div>
-      {alarms.length > 0 && <div className="ui-alarms-actions">{children}</div>}
+      {alarms.length + ended.items.length > 0 && <div className="ui-alarms-actions">{children}</div>}
     </section>
+  );
+}
+
+/** Outside the live regions: the end of an alarm must not interrupt a screen reader. */
+function Traces({ label, items, acknowledge }: Ended) {
+  return (
+    <div className="ui-alarms-ended">
+      <span className="ui-alarms-ended-label">{label}</span>
+      <ul className="ui-alarms-chips">
+        {items.slice(0, CHIPS).map(({ id, level, text, detail, blocked }) => (
+          <li key={id} className="ui-alarms-chip" data-level={level}>
+            <span className="ui-alarms-chip-text" title={text}>
+              {text}
+            </span>
+            <span className="ui-alarm-detail">{detail}</span>
+            <AcknowledgeButton
+              className="ui-alarms-chip-button"
+              label={acknowledge.label(text)}
+              blocked={blocked}
+              onPress={() => acknowledge.onPress(id)}
+            />
+          </li>
+        ))}
+      </ul>
+    </div>
   );
 }
 
@@ -85,29 +138,46 @@ function AlarmLine({ alarm, isSeen, acknowledge }: LineProps) {
         {alarm.text}
       </span>
       {alarm.detail !== undefined && <span className="ui-alarm-detail">{alarm.detail}</span>}
-      {!alarm.acknowledged && <AcknowledgeButton alarm={alarm} acknowledge={acknowledge} />}
+      {!alarm.acknowledged && (
+        <AcknowledgeButton
+          className="ui-alarm-button"
+          label={acknowledge.label(alarm.text)}
+          blocked={alarm.blocked}
+          onPress={() => acknowledge.onPress(alarm.id)}
+        >
+          {acknowledge.text}
+        </AcknowledgeButton>
+      )}
     </div>
   );
 }
 
-function AcknowledgeButton({ alarm, acknowledge }: Pick<LineProps, "alarm" | "acknowledge">) {
+interface ButtonProps {
+  className: string;
+  /** Accessible name. */
+  label: string;
+  blocked: string | undefined;
+  onPress: () => void;
+  children?: ReactNode;
+}
+
+function AcknowledgeButton({ className, label, blocked, onPress, children }: ButtonProps) {
   const noteId = useId();
-  const { blocked } = alarm;
   return (
     <>
       <Tooltip text={blocked ?? ""}>
         <button
           type="button"
-          className="ui-alarm-button"
-          aria-label={acknowledge.label(alarm.text)}
+          className={className}
+          aria-label={label}
           aria-disabled={blocked !== undefined || undefined}
           aria-describedby={blocked === undefined ? undefined : noteId}
           onClick={() => {
-            if (blocked === undefined) acknowledge.onPress(alarm.id);
+            if (blocked === undefined) onPress();
           }}
         >
           <Check size={14} aria-hidden="true" />
-          {acknowledge.text}
+          {children}
         </button>
       </Tooltip>
       {/* Hidden from the live region around it: it must not be read out with the alarm. */}

@@ -10,13 +10,15 @@ interface Props {
   confirmLabel: string;
   cancelLabel: string;
   danger?: boolean | undefined;
+  /** A second confirming choice beside the first. */
+  other?: { readonly label: string; readonly onPress: () => void } | undefined;
   onConfirm: () => void;
   onCancel: () => void;
 }
 
 /** A question before something that cannot be undone. The safe answer has the focus. */
 export function ConfirmDialog(props: Props) {
-  const { title, text, confirmLabel, cancelLabel, danger = false, onConfirm, onCancel } = props;
+  const { title, text, confirmLabel, cancelLabel, danger = false, other, onConfirm, onCancel } = props;
   const foot = useRef<HTMLElement>(null);
   return (
     <AlertDialog.Root open onOpenChange={(open) => open || onCancel()}>
@@ -32,6 +34,7 @@ export function ConfirmDialog(props: Props) {
           <AlertDialog.Description className="ui-dialog-body">{text}</AlertDialog.Description>
           <footer ref={foot} className="ui-dialog-actions">
             <Button onPress={onCancel}>{cancelLabel}</Button>
+            {other !== undefined && <Button onPress={other.onPress}>{other.label}</Button>}
             <Button variant={danger ? "danger" : "primary"} onPress={onConfirm}>
               {confirmLabel}
             </Button>

@@ -70,7 +70,7 @@ test("out of range is refused with the range and neither cut nor sent", async ()
   await userEvent.type(input, "100{Enter}");
   expect(onCommit).not.toHaveBeenCalled();
   expect(input.getAttribute("aria-invalid")).toBe("true");
-  expect(screen.getByRole("status").textContent).toBe("w-outside 0 to 99.99");
+  expect(screen.getByRole("status").textContent).toBe("w-outside 0 to 99.99 w-still 2");
   expect(input.value).toBe("100");
 });
 
@@ -78,7 +78,39 @@ test("what is no number is refused in words", async () => {
   const { onCommit, input } = draw();
   await userEvent.type(input, "x{Enter}");
   expect(onCommit).not.toHaveBeenCalled();
-  expect(screen.getByRole("status").textContent).toBe("w-not-a-number");
+  expect(screen.getByRole("status").textContent).toBe("w-not-a-number w-still 2");
+});
+
+test("a refused edit gives way to the value when the field is left, and the complaint says what it was", async () => {
+  const { onCommit, input, again } = draw();
+  await userEvent.clear(input);
+  await userEvent.type(input, "x{Enter}");
+  expect(input.value).toBe("x");
+  await userEvent.tab();
+  again({ value: 3 });
+  expect(input.value).toBe("3");
+  expect(input.getAttribute("aria-invalid")).toBeNull();
+  expect(screen.getByRole("status").textContent).toBe("w-refused x: w-not-a-number");
+  await userEvent.clear(input);
+  await userEvent.type(input, "4{Enter}");
+  expect(screen.getByRole("status").textContent).toBe("");
+  expect(onCommit.mock.calls).toEqual([[4]]);
+});
+
+test("what became of an earlier number does not mark an edit, nor one that was refused", async () => {
+  const { input } = draw({ state: "confirmed" });
+  const mark = () => document.querySelector(".ui-mark");
+  expect(mark()?.getAttribute("data-state")).toBe("confirmed");
+  await userEvent.clear(input);
+  await userEvent.type(input, "100");
+  expect(mark()).toBeNull();
+  await userEvent.keyboard("{Enter}");
+  expect(mark()).toBeNull();
+  await userEvent.tab();
+  expect(mark()).toBeNull();
+  await userEvent.clear(input);
+  await userEvent.keyboard("{Escape}");
+  expect(mark()?.getAttribute("data-state")).toBe("confirmed");
 });
 
 test("buttons and arrow keys step from the value, and from a draft", async () => {
@@ -129,7 +161,7 @@ test("a number in its range that will not do is refused in words", async () => {
   const { onCommit, input } = draw({ refuse: (value) => (Number.isInteger(value) ? null : "w-whole") });
   await userEvent.clear(input);
   await userEvent.type(input, "7.5{Enter}");
-  expect(screen.getByRole("status").textContent).toBe("w-whole");
+  expect(screen.getByRole("status").textContent).toBe("w-whole w-still 2");
   expect(onCommit).not.toHaveBeenCalled();
   await userEvent.clear(input);
   await userEvent.type(input, "7{Enter}");

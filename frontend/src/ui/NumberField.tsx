@@ -1,107 +1,52 @@
 import { Minus, Plus } from "lucide-react";
-import { type KeyboardEvent, useId, useState } from "react";
-import { parseNumber, stepped } from "./number";
+import { useId } from "react";
 import { StateMark } from "./StateMark";
-import type { CommandState } from "./states";
 import { Tooltip } from "./Tooltip";
+import { type NumberEditing, useNumberEdit } from "./useNumberEdit";
 import { commandWord, useWords } from "./words";
 import "./Field.css";
 
 /** Shown for an unknown number: cannot be taken for one. */
 const DASHES = "\u2013\u2009\u2013\u2009\u2013";
 
-interface Props {
+interface Props extends NumberEditing {
   label: string;
-  /** The board's value; `null` is unknown. */
-  value: number | null;
-  /** Called once per finished edit, not per keystroke, and only with a number in the range. */
-  onCommit: (value: number) => void;
-  minimum: number;
-  maximum: number;
-  step: number;
-  /** Numbers in the reader's notation. */
-  format?: ((value: number) => string) | undefined;
   unit?: string | undefined;
-  /** A further check besides the range: returns the complaint about a number, or null. */
-  refuse?: ((value: number) => string | null) | undefined;
-  state?: CommandState | undefined;
   stateText?: string | undefined;
-  disabledReason?: string | undefined;
 }
 
 /**
  * A number field that sends a command. An edit is sent on Enter, on blur or by a step button; Escape cancels it, and
- * the wheel does nothing. A number out of range is refused with the range, not silently limited.
+ * the wheel does nothing. A number out of range is refused with the range, not silently limited. A refused edit is
+ * shown while the field has the focus; on blur the value is shown again.
  */
 export function NumberField(props: Props) {
-  const { label, value, onCommit, minimum, maximum, step, format = String, unit } = props;
-  const { state = "idle", stateText, disabledReason, refuse } = props;
+  const { label, value, unit, state = "idle", stateText, disabledReason } = props;
   const words = useWords();
   const inputId = useId();
   const noteId = useId();
-  const [draft, setDraft] = useState<string | null>(null);
-  const [asked, setAsked] = useState<number | null>(null);
-  const [complaint, setComplaint] = useState("");
+  const edit = useNumberEdit(props);
+  const { complaint, isInvalid, canStep } = edit;
 
   const disabled = disabledReason !== undefined;
-  // Until the board answers, show the requested value, marked as pending.
-  const held = state === "pending" && asked !== null ? asked : value;
-  const shown = draft ?? (held === null ? "" : format(held));
-  const note = disabledReason ?? (complaint === "" ? (stateText ?? commandWord(words, state)) : complaint);
-
-  function forget(): void {
-    setDraft(null);
-    setComplaint("");
-  }
-
-  function send(next: number): void {
-    forget();
-    if (next !== held) {
-      setAsked(next);
-      onCommit(next);
-    }
-  }
-
-  function finish(): void {
-    if (draft === null) return;
-    const typed = parseNumber(draft);
-    if (draft.trim() === "") {
-      forget();
-    } else if (typed === null) {
-      setComplaint(words.notANumber);
-    } else if (typed < minimum || typed > maximum) {
-      setComplaint(words.outOfRange(format(minimum), format(maximum)));
-    } else {
-      const refusal = refuse?.(typed) ?? null;
-      if (refusal === null) send(typed);
-      else setComplaint(refusal);
-    }
-  }
-
-  // A step needs a known number: from an unknown one it would jump to the end of the range.
-  const from = (draft === null ? null : parseNumber(draft)) ?? held;
-  const canStep = !disabled && from !== null;
-
-  function move(direction: 1 | -1): void {
-    if (canStep) send(stepped(from, step, direction, minimum, maximum));
-  }
-
-  function onKeyDown(event: KeyboardEvent): void {
-    if (event.key === "Enter") finish();
-    else if (event.key === "Escape") forget();
-    else if (event.key === "ArrowUp") move(1);
-    else if (event.key === "ArrowDown") move(-1);
-    else return;
-    event.preventDefault();
-  }
+  // The outcome of an earlier number does not apply to the one that is typed, or was refused.
+  const isOther = state !== "pending" && (edit.isEdited || complaint !== "");
+  const mark = isOther ? "idle" : state;
+  const outcome = isOther ? "" : (stateText ?? commandWord(words, state));
+  const note = disabledReason ?? (complaint || outcome);
 
   return (
-    <div className="ui-field" data-state={state} data-edited={draft !== null}>
+    <div className="ui-field" data-state={mark} data-edited={edit.isEdited}>
       <label htmlFor={inputId} className="ui-field-label">
         {label}
       </label>
-      <span className="ui-field-frame" data-invalid={complaint !== ""} data-disabled={disabled}>
-        <StepButton label={`${words.decrease} ${label}`} down disabled={!canStep} onPress={() => move(-1)} />
+      <span className="ui-field-frame" data-invalid={isInvalid} data-disabled={disabled}>
+        <StepButton
+          label={`${words.decrease} ${label}`}
+          down
+          disabled={!canStep}
+          onPress={() => edit.move(-1)}
+        />
         <Tooltip text={note}>
           <input
             id={inputId}
@@ -110,23 +55,20 @@ export function NumberField(props: Props) {
             inputMode="decimal"
             autoComplete="off"
             spellCheck={false}
-            value={shown}
+            value={edit.shown}
             placeholder={value === null ? DASHES : undefined}
             readOnly={disabled}
             aria-disabled={disabled || undefined}
-            aria-invalid={complaint !== "" || undefined}
+            aria-invalid={isInvalid || undefined}
             aria-describedby={noteId}
-            onChange={(event) => {
-              setDraft(event.currentTarget.value);
-              setComplaint("");
-            }}
-            onBlur={finish}
-            onKeyDown={onKeyDown}
+            onChange={(event) => edit.type(event.currentTarget.value)}
+            onBlur={edit.leave}
+            onKeyDown={edit.onKeyDown}
           />
         </Tooltip>
         {unit !== undefined && <span className="ui-field-unit">{unit}</span>}
-        <StateMark state={state} />
-        <StepButton label={`${words.increase} ${label}`} disabled={!canStep} onPress={() => move(1)} />
+        <StateMark state={mark} />
+        <StepButton label={`${words.increase} ${label}`} disabled={!canStep} onPress={() => edit.move(1)} />
       </span>
       <span id={noteId} className={complaint === "" ? "visually-hidden" : "ui-field-complaint"} role="status">
         {note}

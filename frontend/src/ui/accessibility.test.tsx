@@ -1,4 +1,5 @@
 import axe from "axe-core";
+import type { ComponentProps } from "react";
 import { expect, test } from "vitest";
 import { AlarmStrip } from "./AlarmStrip";
 import { Button } from "./Button";
@@ -24,6 +25,12 @@ const PATHS = [
   { value: "assisted", label: "Assisted" },
 ] as const;
 
+const ENDED: ComponentProps<typeof AlarmStrip>["ended"] = {
+  label: "ended",
+  items: [{ id: "c", level: "warning", text: "open", detail: "12:03:04" }],
+  acknowledge: { label: (text) => `seen ${text}`, onPress: nothing },
+};
+
 /** Every control in every state that changes its roles or attributes. */
 function Everything() {
   return (
@@ -35,6 +42,13 @@ function Everything() {
           { id: "a", level: "critical", text: "lost", detail: "4 s", acknowledged: false },
           { id: "b", level: "warning", text: "low", acknowledged: true },
         ]}
+        ended={ENDED}
+        acknowledge={{ label: (text) => `know ${text}`, text: "know", onPress: nothing }}
+      />
+      <AlarmStrip
+        label="Ended"
+        alarms={[]}
+        ended={ENDED}
         acknowledge={{ label: (text) => `know ${text}`, text: "know", onPress: nothing }}
       />
       <Toolbar label="Bar">

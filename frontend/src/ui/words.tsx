@@ -24,6 +24,10 @@ export interface Words {
   notANumber: string;
   /** A number field's complaint about a number outside its range, which is given as text. */
   outOfRange: (minimum: string, maximum: string) => string;
+  /** The value of a number field while another text is in it. */
+  stillIs: (value: string) => string;
+  /** A refused edit that is no longer shown. */
+  refusedEdit: (text: string, why: string) => string;
 }
 
 const WordsContext = createContext<Words | null>(null);

@@ -168,7 +168,9 @@ describe("each entry asks for what it says", () => {
       "Joystick",
       "Fly-by-wire",
     ];
-    expect(await chooseAll(flying(), "XPlane", names)).toEqual([
+    const station = flying();
+    station.send({ heartbeat: { ...flags, autopilot_hil: false } });
+    expect(await chooseAll(station, "XPlane", names)).toEqual([
       command("hil_load_gando"),
       command("hil_load_ruta_isla"),
       command("hil_load_alternativa"),
@@ -182,6 +184,17 @@ describe("each entry asks for what it says", () => {
 });
 
 describe("what does not come back by itself", () => {
+  test("is asked first: X-Plane by hand in automatic flight", async () => {
+    const station = flying();
+    const user = userEvent.setup(QUICK);
+    await open(user, station, "XPlane");
+    await user.click(entry("Joystick"));
+    expect(asked(station)).toEqual([]);
+    const question = screen.getByRole("alertdialog", { name: "¿Llevar X-Plane a mano?" });
+    await user.click(within(question).getByRole("button", { name: "Llevar a mano" }));
+    expect(asked(station)).toEqual(['PUT hil {"path":"manual"}']);
+  });
+
   test("is asked first: the board's Reset", async () => {
     const station = flying();
     const user = userEvent.setup(QUICK);

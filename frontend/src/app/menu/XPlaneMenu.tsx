@@ -1,8 +1,8 @@
 import { useTranslation } from "react-i18next";
-import { ACTIONS } from "../../requests/actions";
 import { useGatewayBlocked } from "../../requests/useBlocked";
-import { useConnection, usePart, useTelemetry } from "../../store/hooks";
+import { useConnection, useTelemetry } from "../../store/hooks";
 import { Menu, MenuAction, MenuRule } from "../../ui/MenuBar";
+import { useChoosePath } from "../useChoosePath";
 import { CommandItem, useOutcome } from "./items";
 
 /** The routes built into the board, by the board's number. */
@@ -33,7 +33,7 @@ function Routes() {
 }
 
 function PathItem({ path, label }: { path: "manual" | "assisted"; label: string }) {
-  const actions = usePart(ACTIONS);
+  const choosePath = useChoosePath();
   const current = useConnection(({ status, phase }) =>
     phase === "open" ? (status?.hil.path ?? null) : null,
   );
@@ -42,7 +42,7 @@ function PathItem({ path, label }: { path: "manual" | "assisted"; label: string 
       label={label}
       isCurrent={current === path}
       disabledReason={useGatewayBlocked()}
-      onChoose={() => void actions.setHil({ path }, { control: "path", asked: path })}
+      onChoose={() => choosePath(path)}
       {...useOutcome("path", path)}
     />
   );

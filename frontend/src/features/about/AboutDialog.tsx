@@ -1,10 +1,10 @@
 import { useEffect, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useSentence } from "../../i18n/useSentence";
+import type { About } from "../../protocol/guards.gen";
 import { usePart } from "../../store/hooks";
 import type { Message } from "../../store/messages";
 import { Notice } from "../../ui/Notice";
-import type { About } from "./about";
 import { ABOUT } from "./aboutRequests";
 import "./about.css";
 

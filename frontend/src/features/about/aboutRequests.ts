@@ -1,7 +1,7 @@
+import { type About, isAbout } from "../../protocol/guards.gen";
 import type { AskingParts } from "../../requests/asking";
 import { failureMessage, type Message } from "../../store/messages";
 import { partName } from "../../store/parts";
-import { type About, isAbout } from "./about";
 
 export interface AboutRequests {
   /** Versions and licences, or the message of the failure. */

@@ -1,5 +1,5 @@
 import { FieldSamples } from "../../lib/fieldSamples";
-import { isCommandResult } from "../../protocol/answers";
+import { isCommandOutcome } from "../../protocol/guards.gen";
 import { resultMessage } from "../../requests/actions";
 import type { Asker } from "../../requests/asking";
 import { type AskingParts, createAsking } from "../../requests/asking";
@@ -10,7 +10,7 @@ const PATH = "/api/v1/ahrs-test";
 export function createAhrs3d(parts: AskingParts): Ahrs3d {
   const { run } = createAsking(parts);
   const ask = (method: "POST" | "DELETE", name: string) => (asker: Asker) =>
-    run(asker, parts.rest.ask(method, PATH, isCommandResult), (result) => ({
+    run(asker, parts.rest.ask(method, PATH, isCommandOutcome), (result) => ({
       state: result.state,
       message: resultMessage(`@command.${name}`, result),
     }));

@@ -10,7 +10,7 @@ import { Panel } from "../../ui/Panel";
 import { ALARM_LOG } from "./alarmLog";
 import { LevelMark } from "./LevelMark";
 import { GATEWAY_LOST } from "./raisedAlarms";
-import { type ShownAlarm, useActiveAlarms } from "./useAlarms";
+import { blockedAmong, type ShownAlarm, type ShownEnded, useActiveAlarms, useEndedAlarms } from "./useAlarms";
 
 /** The active alarms, each with its advice. */
 export function ActiveAlarms() {
@@ -18,28 +18,35 @@ export function ActiveAlarms() {
   const alarmLog = usePart(ALARM_LOG);
   const alarms = useActiveAlarms();
   const open = alarms.filter(({ acknowledged }) => !acknowledged);
+  const ended = useEndedAlarms();
   return (
     <Panel
       title={t("alarmLog.active")}
       actions={
         <Button
           onPress={() => void alarmLog.acknowledgeAll()}
-          disabledReason={open.length === 0 ? t("alarmLog.nothingOpen") : open[0]?.blocked}
+          disabledReason={
+            open.length + ended.length === 0 ? t("alarmLog.nothingOpen") : blockedAmong([...open, ...ended])
+          }
           icon={<CheckCheck size={14} aria-hidden="true" />}
         >
           {t("alarmLog.acknowledgeAll")}
         </Button>
       }
     >
-      {alarms.length === 0 ? (
+      {alarms.length === 0 && (
         <p className="alarms-none">
           <CircleCheck size={16} aria-hidden="true" />
           {t("alarmLog.none")}
         </p>
-      ) : (
+      )}
+      {alarms.length + ended.length > 0 && (
         <ul className="alarms-active">
           {alarms.map((alarm) => (
             <Active key={alarm.id} alarm={alarm} />
+          ))}
+          {ended.map((alarm) => (
+            <EndedUnseen key={`ended ${alarm.id}`} alarm={alarm} />
           ))}
         </ul>
       )}
@@ -83,6 +90,32 @@ function Active({ alarm }: { alarm: ShownAlarm }) {
           {t("alarmLog.acknowledge")}
         </Button>
       )}
+    </li>
+  );
+}
+
+/** Ended without being acknowledged: shown until somebody acknowledges it. */
+function EndedUnseen({ alarm: { id, level, name, until_s, blocked } }: { alarm: ShownEnded }) {
+  const { t } = useTranslation();
+  const alarmLog = usePart(ALARM_LOG);
+  const control = `acknowledge.${id}`;
+  const { state, stateText } = useAsked(control);
+  return (
+    <li className="alarms-item" data-level={level} data-acknowledged={true}>
+      <LevelMark level={level} />
+      <div className="alarms-item-text">
+        <p className="alarms-item-title">{name}</p>
+        <p className="alarms-item-since">{t("alarmLog.endedAt", { clock: formatClock(until_s) })}</p>
+      </div>
+      <Button
+        onPress={() => void alarmLog.acknowledge(id, { control })}
+        state={state}
+        stateText={stateText}
+        disabledReason={blocked}
+        label={t("alarmLog.acknowledgeEnded", { text: name })}
+      >
+        {t("alarmLog.acknowledge")}
+      </Button>
     </li>
   );
 }

@@ -3,10 +3,10 @@ import { useTranslation } from "react-i18next";
 import { formatClock } from "../../lib/moment";
 import { usePage, usePart } from "../../store/hooks";
 import { choose } from "../../store/settings";
-import { AlarmStrip, LINES } from "../../ui/AlarmStrip";
+import { AlarmStrip, endedWithoutPlace, LINES } from "../../ui/AlarmStrip";
 import { Button } from "../../ui/Button";
 import { ALARM_LOG } from "./alarmLog";
-import { useActiveAlarms, useMutedFor_s } from "./useAlarms";
+import { blockedAmong, useActiveAlarms, useEndedAlarms, useMutedFor_s } from "./useAlarms";
 
 /** What is wrong now, on every tab, with what can be done about it. */
 export function AlarmBar() {
@@ -16,6 +16,9 @@ export function AlarmBar() {
   const alarms = useActiveAlarms();
   const open = alarms.filter(({ acknowledged }) => !acknowledged);
   const hidden = alarms.length - LINES;
+  const ended = useEndedAlarms();
+  const hiddenEnded = endedWithoutPlace(alarms.length, ended.length);
+  const showList = (): void => choose(settings, "tab", "alarms");
   return (
     <AlarmStrip
       label={t("alarms.label")}
@@ -27,6 +30,20 @@ export function AlarmBar() {
         detail: formatClock(since_s),
         blocked,
       }))}
+      ended={{
+        label: t("alarmLog.ended"),
+        items: ended.map(({ id, level, name, until_s, blocked }) => ({
+          id,
+          level,
+          text: name,
+          detail: formatClock(until_s),
+          blocked,
+        })),
+        acknowledge: {
+          label: (text) => t("alarmLog.acknowledgeEnded", { text }),
+          onPress: (id) => void alarmLog.acknowledge(id, { control: `acknowledge.${id}` }),
+        },
+      }}
       acknowledge={{
         text: t("alarmLog.acknowledge"),
         label: (text) => t("alarmLog.acknowledgeOne", { text }),
@@ -34,17 +51,19 @@ export function AlarmBar() {
       }}
     >
       {hidden > 0 && (
-        <Button
-          onPress={() => choose(settings, "tab", "alarms")}
-          label={t("alarmLog.more", { count: hidden })}
-        >
+        <Button onPress={showList} label={t("alarmLog.more", { count: hidden })}>
           {t("alarmLog.moreShort", { count: hidden })}
         </Button>
       )}
-      {open.length > 1 && (
+      {hiddenEnded > 0 && (
+        <Button onPress={showList} label={t("alarmLog.moreEnded", { count: hiddenEnded })}>
+          {t("alarmLog.moreEndedShort", { count: hiddenEnded })}
+        </Button>
+      )}
+      {open.length + ended.length > 1 && (
         <Button
           onPress={() => void alarmLog.acknowledgeAll()}
-          disabledReason={open[0]?.blocked}
+          disabledReason={blockedAmong([...open, ...ended])}
           icon={<CheckCheck size={14} aria-hidden="true" />}
         >
           {t("alarmLog.acknowledgeAll")}

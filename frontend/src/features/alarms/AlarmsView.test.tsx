@@ -10,6 +10,7 @@ const LOST = {
   id: "heartbeat_lost",
   level: "critical",
   since_s: 1_699_999_990,
+  until_s: null,
   text: "Lost.",
   params: { target: "pty" },
   acknowledged: false,
@@ -67,6 +68,19 @@ describe("what is wrong", () => {
       within(panel("Activas")).getByRole("button", { name: "Reconocer todas" }).getAttribute("aria-disabled"),
     ).toBe("true");
   });
+});
+
+test("what recovered is listed until it is acknowledged: one by one, or with all", async () => {
+  raise({ ...LOST, until_s: 1_700_000_000 }, { ...LOW, until_s: 1_700_000_000 });
+  expect(panel("Activas").textContent).toContain("Ninguna alarma");
+  expect(panel("Activas").textContent).toContain("nadie la reconoció");
+  const seen = { name: "Reconocer que terminó: batería baja" };
+  await user.click(within(panel("Activas")).getByRole("button", seen));
+  expect(asked("POST", "/api/v1/alarms/battery_low/acknowledge")).toHaveLength(1);
+  raise({ ...LOST, until_s: 1_700_000_000 });
+  expect(within(panel("Activas")).queryByRole("button", seen)).toBeNull();
+  await user.click(within(panel("Activas")).getByRole("button", { name: "Reconocer todas" }));
+  expect(asked("POST", "/api/v1/alarms/heartbeat_lost/acknowledge")).toHaveLength(1);
 });
 
 test("a viewer cannot acknowledge, nor move a threshold, and is told why", async () => {
@@ -167,9 +181,10 @@ describe("what is heard", () => {
     expect(station.speaker.said).toEqual(["es: Alarma: latido perdido."]);
     station.status(aStatus({ board: { ...aStatus().board, state: "closed" } }));
     expect(station.speaker.said.at(-1)).toBe("hush");
-    raise({ ...LOST, since_s: 1_699_999_999 });
+    const again = { ...LOST, since_s: 1_699_999_999 };
+    raise(again);
     station.send({ heartbeat: { ahrs: true } });
-    raise();
+    raise({ ...again, until_s: 1_700_000_001 });
     expect(station.speaker.said.at(-1)).toBe("es: Recuperado. Era: latido perdido.");
   });
 

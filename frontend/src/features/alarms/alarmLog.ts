@@ -1,14 +1,16 @@
 import { createStore, type StoreApi } from "zustand/vanilla";
-import type { AlarmBookAnswer, ThresholdAnswer } from "../../protocol/alarms";
+import { BOARD_RESTARTED, isBoardRestart } from "../../protocol/boardRestart";
 import type { StreamEvent } from "../../protocol/envelope";
+import type { AlarmBook, ThresholdList } from "../../protocol/guards.gen";
 import type { Asker } from "../../requests/asking";
 import type { Message } from "../../store/messages";
 import { partName } from "../../store/parts";
 import type { Language } from "../../store/settings";
-import type { AlarmLevel, OwnAlarm } from "./raisedAlarms";
+import type { EndedAlarm } from "./endedAlarms";
+import type { AlarmLevel, BoardRestart, OwnAlarm } from "./raisedAlarms";
 
-export type PastAlarm = AlarmBookAnswer["past"][number];
-export type Threshold = ThresholdAnswer["thresholds"][number];
+export type PastAlarm = AlarmBook["past"][number];
+export type Threshold = ThresholdList["thresholds"][number];
 
 /** `waits`: the browser needs a user gesture first. `none`: it cannot play sound. */
 export type SounderState = "ready" | "waits" | "none";
@@ -42,6 +44,10 @@ const OWN_PAST_MOST = 50;
 export interface AlarmLogState {
   /** The page's own alarm, that it does not hear the gateway; null while it does. */
   readonly own: OwnAlarm | null;
+  /** The board restarted and nobody has acknowledged it yet; the newest restart. */
+  readonly restart: BoardRestart | null;
+  /** The page's own alarm that ended unacknowledged; null if there is none. */
+  readonly ownEnded: EndedAlarm | null;
   /** The page's own past alarms, newest first. */
   readonly ownPast: readonly PastAlarm[];
   /** The gateway's past alarms, newest first; null until read. */
@@ -63,6 +69,8 @@ export type AlarmLogStore = StoreApi<AlarmLogState>;
 export function createAlarmLogStore(): AlarmLogStore {
   return createStore<AlarmLogState>(() => ({
     own: null,
+    restart: null,
+    ownEnded: null,
     ownPast: [],
     past: null,
     thresholds: null,
@@ -74,16 +82,30 @@ export function createAlarmLogStore(): AlarmLogStore {
   }));
 }
 
-/** Count a report of the gateway that an alarm was raised or ended. */
-export function takeAlarmEvent(store: AlarmLogStore, { event }: StreamEvent): void {
+/** Most gains that the alarm names. */
+const NAMED = 4;
+
+/** Handle the stream's events about alarms: one was raised or ended, or the board restarted. */
+export function takeAlarmEvent(store: AlarmLogStore, { event, data, t_s }: StreamEvent): void {
   if (event === "alarm") {
     store.setState(({ reported }) => ({ reported: reported + 1 }));
+  } else if (event === BOARD_RESTARTED && isBoardRestart(data)) {
+    const { parameters, plans } = data;
+    const more = parameters.length > NAMED ? "…" : "";
+    const gains = `${parameters.slice(0, NAMED).join(", ")}${more}`;
+    const lost = `@lostPlans.${plans.length > 1 ? "both" : (plans[0] ?? "both")}`;
+    store.setState({
+      restart: {
+        since_s: t_s,
+        params: { ...(gains === "" ? {} : { gains }), ...(plans.length === 0 ? {} : { plans: lost }) },
+      },
+    });
   }
 }
 
 /** The page's own alarm was raised (Unix seconds). */
 export function raiseOwn(store: AlarmLogStore, since_s: number): void {
-  store.setState(({ own }) => ({ own: own ?? { since_s, acknowledged: false } }));
+  store.setState(({ own }) => ({ own: own ?? { since_s, acknowledged: false }, ownEnded: null }));
 }
 
 /** The page's own alarm ended (Unix seconds) and joins the past ones. */
@@ -93,8 +115,44 @@ export function endOwn(store: AlarmLogStore, until_s: number, alarm: Pick<PastAl
       ? {}
       : {
           own: null,
+          ownEnded: own.acknowledged ? null : { ...alarm, level: "critical" as const, until_s },
           ownPast: [
             { ...alarm, ...own, level: "critical" as const, params: {}, until_s },
+            ...ownPast.slice(0, OWN_PAST_MOST - 1),
+          ],
+        },
+  );
+}
+
+/** Acknowledge the page's own alarm, active or ended. */
+export function acknowledgeOwn(store: AlarmLogStore): void {
+  store.setState(({ own, ownEnded, ownPast }) => ({
+    own: own && { ...own, acknowledged: true },
+    ownEnded: null,
+    ownPast: ownPast.map((alarm) =>
+      alarm.id === ownEnded?.id && alarm.until_s === ownEnded.until_s
+        ? { ...alarm, acknowledged: true }
+        : alarm,
+    ),
+  }));
+}
+
+/** The board's restart was acknowledged (Unix seconds): it joins the past alarms. */
+export function endRestart(store: AlarmLogStore, until_s: number): void {
+  store.setState(({ restart, ownPast }) =>
+    restart === null
+      ? {}
+      : {
+          restart: null,
+          ownPast: [
+            {
+              ...restart,
+              id: BOARD_RESTARTED,
+              text: "The board restarted.",
+              level: "critical" as const,
+              acknowledged: true,
+              until_s,
+            },
             ...ownPast.slice(0, OWN_PAST_MOST - 1),
           ],
         },
@@ -112,8 +170,9 @@ export function pastAlarms({ past, ownPast }: Pick<AlarmLogState, "past" | "ownP
  */
 export interface AlarmLog {
   readonly store: AlarmLogStore;
+  /** An active alarm, or an ended one that is not acknowledged yet. */
   readonly acknowledge: (id: string, asker: Asker) => Promise<void>;
-  /** Acknowledge every alarm that is not yet; does nothing if there is none. */
+  /** Acknowledge every alarm that is not yet, ended ones included; does nothing if there is none. */
   readonly acknowledgeAll: () => Promise<void>;
   /** No sound and no speech for two minutes, or until `unmute`. */
   readonly mute: () => void;
@@ -122,9 +181,9 @@ export interface AlarmLog {
   readonly readPast: () => Promise<void>;
   readonly readThresholds: () => Promise<void>;
   readonly setThreshold: (name: string, value: number, asker: Asker) => Promise<void>;
-  /** Sound and speak as an alarm of this level would, whatever is switched on. */
   /** Unix seconds, this browser's clock. */
   readonly wall_s: () => number;
+  /** Sound and speak as an alarm of this level would, whatever is switched on. */
   readonly test: (channel: "sound" | "speech", level: AlarmLevel) => void;
 }
 

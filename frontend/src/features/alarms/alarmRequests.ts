@@ -1,5 +1,6 @@
 import type { Timers } from "../../lib/timers";
-import { isAlarmBook, isThresholds } from "../../protocol/alarms";
+import { BOARD_RESTARTED } from "../../protocol/boardRestart";
+import { isAlarmBook, isThresholdList } from "../../protocol/guards.gen";
 import { type AskingParts, createAsking, info } from "../../requests/asking";
 import type { Connection, ConnectionStore } from "../../store/connection";
 import { failureMessage } from "../../store/messages";
@@ -8,8 +9,10 @@ import type { TelemetryStore } from "../../store/telemetry";
 import {
   type AlarmLog,
   type AlarmLogStore,
+  acknowledgeOwn,
   createAlarmLogStore,
   endOwn,
+  endRestart,
   MUTE_MS,
   raiseOwn,
   type Sounder,
@@ -18,6 +21,7 @@ import {
 import { spokenPhrase, testPhrase } from "./alarmPhrases";
 import { alarmSettings } from "./alarmSettings";
 import { Annunciator } from "./annunciator";
+import { endedAlarms } from "./endedAlarms";
 import { activeAlarms, GATEWAY_LOST, isRecovered } from "./raisedAlarms";
 
 export interface AlarmParts extends AskingParts {
@@ -40,16 +44,23 @@ export function createAlarmLog(parts: AlarmParts): AlarmLog {
   connection.subscribe(ring);
   parts.settings.subscribe(ring);
   store.subscribe((now, before) => {
-    if (now.own !== before.own || now.mutedUntil_ms !== before.mutedUntil_ms) {
+    if (
+      now.own !== before.own ||
+      now.restart !== before.restart ||
+      now.mutedUntil_ms !== before.mutedUntil_ms
+    ) {
       ring();
     }
   });
   watchBrowser(parts, store, ring);
 
   async function acknowledge(id: string, control: string): Promise<void> {
-    const { own } = store.getState();
-    if (id === GATEWAY_LOST && own !== null) {
-      store.setState({ own: { ...own, acknowledged: true } });
+    if (id === GATEWAY_LOST) {
+      acknowledgeOwn(store);
+      return;
+    }
+    if (id === BOARD_RESTARTED) {
+      endRestart(store, wall_ms() / 1000);
       return;
     }
     await simply(
@@ -63,10 +74,11 @@ export function createAlarmLog(parts: AlarmParts): AlarmLog {
     store,
     acknowledge: (id, asker) => acknowledge(id, asker.control),
     acknowledgeAll: async () => {
-      const open = activeAlarms(connection.getState(), store.getState().own).filter(
-        ({ acknowledged }) => !acknowledged,
-      );
-      await Promise.all(open.map(({ id }) => acknowledge(id, `acknowledge.${id}`)));
+      const { own, ownEnded, restart } = store.getState();
+      const now = connection.getState();
+      const open = activeAlarms(now, own, restart).filter(({ acknowledged }) => !acknowledged);
+      const ids = [...open, ...endedAlarms(now, ownEnded)].map(({ id }) => id);
+      await Promise.all(ids.map((id) => acknowledge(id, `acknowledge.${id}`)));
     },
     mute: () => {
       parts.sounder.hush();
@@ -82,7 +94,7 @@ export function createAlarmLog(parts: AlarmParts): AlarmLog {
       );
     },
     readThresholds: async () => {
-      const answer = await rest.ask("GET", "/api/v1/alarms/thresholds", isThresholds);
+      const answer = await rest.ask("GET", "/api/v1/alarms/thresholds", isThresholdList);
       store.setState(
         answer.ok
           ? { thresholds: answer.value.thresholds, failure: null }
@@ -92,7 +104,7 @@ export function createAlarmLog(parts: AlarmParts): AlarmLog {
     setThreshold: (name, value, asker) =>
       run(
         asker,
-        rest.ask("PUT", "/api/v1/alarms/thresholds", isThresholds, { [name]: value }),
+        rest.ask("PUT", "/api/v1/alarms/thresholds", isThresholdList, { [name]: value }),
         ({ thresholds }) => {
           store.setState({ thresholds });
           return {
@@ -150,7 +162,7 @@ function createBell(parts: AlarmParts, store: AlarmLogStore): () => void {
     isCalled = false;
     cancelAgain();
     const now_ms = timers.now_ms();
-    const { own, mutedUntil_ms } = store.getState();
+    const { own, restart, mutedUntil_ms } = store.getState();
     const isMuted = mutedUntil_ms !== null && now_ms < mutedUntil_ms;
     if (mutedUntil_ms !== null && !isMuted) {
       store.setState({ mutedUntil_ms: null });
@@ -159,7 +171,7 @@ function createBell(parts: AlarmParts, store: AlarmLogStore): () => void {
     const chosen = settings.getState();
     const heard = alarmSettings(chosen);
     const { sound, speech, again_ms } = annunciator.look({
-      alarms: activeAlarms(facts, own),
+      alarms: activeAlarms(facts, own, restart),
       isRecovered: (id) => isRecovered(id, facts, telemetry, now_ms),
       settings: heard,
       isMuted,

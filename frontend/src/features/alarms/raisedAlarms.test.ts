@@ -2,7 +2,7 @@ import { beforeEach, describe, expect, test } from "vitest";
 import type { Status } from "../../protocol/status";
 import { type Connection, createConnection } from "../../store/connection";
 import { TelemetryStore } from "../../store/telemetry";
-import { aStatus } from "../../test/aStatus";
+import { aStatus, aTopic } from "../../test/aStatus";
 import { activeAlarms, isRecovered } from "./raisedAlarms";
 
 type Raised = Status["alarms"][number];
@@ -12,6 +12,7 @@ function raised(id: string, parts: Partial<Raised> = {}): Raised {
     id,
     level: "warning",
     since_s: 10,
+    until_s: null,
     text: "said by the gateway",
     params: {},
     acknowledged: false,
@@ -34,6 +35,11 @@ describe("what is wrong now", () => {
       ],
     });
     expect(activeAlarms(open(status), null).map(({ id }) => id)).toEqual(["d", "c", "b", "a"]);
+  });
+
+  test("has nothing of what recovered and only waits to be acknowledged", () => {
+    const status = aStatus({ alarms: [raised("a", { until_s: 12 }), raised("b")] });
+    expect(activeAlarms(open(status), null).map(({ id }) => id)).toEqual(["b"]);
   });
 
   test("is the page's own alarm alone while the gateway is not heard", () => {
@@ -65,10 +71,7 @@ describe("recovered", () => {
   let telemetry: TelemetryStore;
   const status = aStatus({
     topics: Object.fromEntries(
-      ["heartbeat", "analog", "gps", "hil_surfaces"].map((topic) => [
-        topic,
-        { count: 1, stale_after_s: 0.6 },
-      ]),
+      ["heartbeat", "analog", "gps", "hil_surfaces"].map((topic) => [topic, aTopic({ stale_after_s: 0.6 })]),
     ),
   });
 
@@ -85,6 +88,12 @@ describe("recovered", () => {
     expect(isRecovered("heartbeat_lost", open(status), telemetry, 0)).toBe(false);
     hear("heartbeat");
     expect(isRecovered("heartbeat_lost", open(status), telemetry, 0)).toBe(true);
+  });
+
+  test("is said of an alarm that the gateway lists until somebody acknowledges it", () => {
+    hear("heartbeat");
+    const listed = aStatus({ ...status, alarms: [raised("heartbeat_lost", { until_s: START_S })] });
+    expect(isRecovered("heartbeat_lost", open(listed), telemetry, 0)).toBe(true);
   });
 
   test("is not said when somebody closed the line", () => {

@@ -1,13 +1,28 @@
+import { BOARD_RESTARTED } from "../../protocol/boardRestart";
 import type { Alarm } from "../../protocol/status";
 import type { TopicName } from "../../protocol/topics";
 import type { Connection } from "../../store/connection";
-import { type Message, wordsOf } from "../../store/messages";
+import { type Message, type MessageParams, wordsOf } from "../../store/messages";
 import type { TelemetryStore } from "../../store/telemetry";
 
 export type AlarmLevel = Alarm["level"];
 
 /** The one alarm that the page raises itself: it does not hear the gateway. */
 export const GATEWAY_LOST = "gateway_lost";
+
+/**
+ * An unexpected restart of the board. It does not end by itself, only by being acknowledged. Unix seconds of the
+ * gateway; `params` name what is lost.
+ */
+export interface BoardRestart {
+  readonly since_s: number;
+  readonly params: MessageParams;
+}
+
+/** Whether the page raised an alarm itself: it is acknowledged here, without a request. */
+export function isOwn(id: string): boolean {
+  return id === GATEWAY_LOST || id === BOARD_RESTARTED;
+}
 
 /** The page's own alarm. Unix seconds, this browser's clock. */
 export interface OwnAlarm {
@@ -48,6 +63,8 @@ export function alarmMessage(
     key = hilKey(simulator);
   } else if (id === "gps_lost" && params["reason"] === "silent") {
     key = "gps_lost_silent";
+  } else if (id === BOARD_RESTARTED) {
+    key = `board_restarted${"gains" in params ? "_gains" : ""}${"plans" in params ? "_plans" : ""}`;
   }
   const rows = simulator?.missing_rows.join(", ") ?? "";
   return {
@@ -59,28 +76,45 @@ export function alarmMessage(
 }
 
 /**
- * The active alarms, the most urgent first. Without the gateway its alarms are unknown, and its loss is the only one.
+ * The active alarms, the most urgent first. Without the gateway its alarms are unknown: only its loss is active, and
+ * the board's restart, which stays true.
  */
 export function activeAlarms(
   { phase, status }: Pick<Connection, "phase" | "status">,
   own: OwnAlarm | null,
+  restart: BoardRestart | null = null,
 ): readonly ActiveAlarm[] {
+  const restarted = restart === null ? [] : [restartAlarm(restart)];
   if (own !== null) {
     const key = phase === "silent" ? "alarm.gateway_silent" : "alarm.gateway_lost";
-    return [{ id: GATEWAY_LOST, level: "critical", ...own, message: { level: "error", key, params: {} } }];
+    const message: Message = { level: "error", key, params: {} };
+    return [{ id: GATEWAY_LOST, level: "critical", ...own, message }, ...restarted];
   }
   if (phase !== "open" || status === null) {
-    return [];
+    return restarted;
   }
-  return status.alarms
-    .map((alarm) => ({
+  const told = status.alarms.filter(isLasting).map(
+    (alarm): ActiveAlarm => ({
       id: alarm.id,
       level: alarm.level,
       since_s: alarm.since_s,
       acknowledged: alarm.acknowledged,
       message: alarmMessage(alarm, status.simulator),
-    }))
-    .sort((first, second) => urgency(first) - urgency(second) || second.since_s - first.since_s);
+    }),
+  );
+  return [...told, ...restarted].sort(
+    (first, second) => urgency(first) - urgency(second) || second.since_s - first.since_s,
+  );
+}
+
+/** The gateway also lists recovered alarms, until somebody acknowledges them. */
+function isLasting({ until_s }: Alarm): boolean {
+  return until_s === null;
+}
+
+function restartAlarm({ since_s, params }: BoardRestart): ActiveAlarm {
+  const message = alarmMessage({ id: BOARD_RESTARTED, text: "", params }, null);
+  return { id: BOARD_RESTARTED, level: "critical", since_s, acknowledged: false, message };
 }
 
 /** 0 is the most urgent: unacknowledged before acknowledged, then critical before warning. */
@@ -101,6 +135,7 @@ interface Facts {
  */
 const PROOFS: Readonly<Record<string, (facts: Facts) => boolean>> = {
   [GATEWAY_LOST]: () => true,
+  flight_lost: () => true,
   heartbeat_lost: (facts) => facts.status.board.state === "open" && isFresh("heartbeat", facts),
   no_heartbeat: (facts) => facts.status.board.state === "open" && isFresh("heartbeat", facts),
   hil_lost: (facts) => facts.status.simulator.state === "open" && isFresh("hil_surfaces", facts),
@@ -131,7 +166,7 @@ export function isRecovered(
   return (
     phase === "open" &&
     status !== null &&
-    !status.alarms.some((alarm) => alarm.id === id) &&
+    !status.alarms.some((alarm) => alarm.id === id && isLasting(alarm)) &&
     PROOFS[id]?.({ status, damagedLastSecond, telemetry, now_ms }) === true
   );
 }

@@ -5,12 +5,16 @@ import { useGatewayBlocked } from "../../requests/useBlocked";
 import { useConnection, usePart, useTelemetry } from "../../store/hooks";
 import type { AlarmLogState } from "./alarmLog";
 import { ALARM_LOG } from "./alarmLog";
-import { type ActiveAlarm, activeAlarms, GATEWAY_LOST } from "./raisedAlarms";
+import { type EndedAlarm, endedAlarms } from "./endedAlarms";
+import { type ActiveAlarm, activeAlarms, isOwn } from "./raisedAlarms";
 
-export interface ShownAlarm extends ActiveAlarm {
-  readonly text: string;
+interface Acknowledgeable {
   /** Why this page may not acknowledge it; undefined where it may. */
   readonly blocked: string | undefined;
+}
+
+export interface ShownAlarm extends ActiveAlarm, Acknowledgeable {
+  readonly text: string;
 }
 
 /** One value of the alarm log; the component renders again when it changes. */
@@ -24,18 +28,47 @@ export function useActiveAlarms(): readonly ShownAlarm[] {
   const phase = useConnection((connection) => connection.phase);
   const status = useConnection((connection) => connection.status);
   const own = useAlarmLogState((state) => state.own);
+  const restart = useAlarmLogState((state) => state.restart);
   const blocked = useGatewayBlocked();
   return useMemo(
     () =>
-      activeAlarms({ phase, status }, own).map((alarm) => ({
+      activeAlarms({ phase, status }, own, restart).map((alarm) => ({
         ...alarm,
         text: sentence(alarm.message),
-        // The page's own alarm needs no request; the gateway's are acknowledged for everybody, by the client in
+        // The page's own alarms need no request; the gateway's are acknowledged for everybody, by the client in
         // control.
-        blocked: alarm.id === GATEWAY_LOST ? undefined : blocked,
+        blocked: isOwn(alarm.id) ? undefined : blocked,
+      })),
+    [phase, status, own, restart, sentence, blocked],
+  );
+}
+
+export interface ShownEnded extends EndedAlarm, Acknowledgeable {
+  /** Its name in the page's language. */
+  readonly name: string;
+}
+
+/** Alarms that ended before anybody acknowledged them, newest first. */
+export function useEndedAlarms(): readonly ShownEnded[] {
+  const sentence = useSentence();
+  const phase = useConnection((connection) => connection.phase);
+  const status = useConnection((connection) => connection.status);
+  const own = useAlarmLogState((state) => state.ownEnded);
+  const blocked = useGatewayBlocked();
+  return useMemo(
+    () =>
+      endedAlarms({ phase, status }, own).map((alarm) => ({
+        ...alarm,
+        name: sentence({ level: "info", key: `alarmName.${alarm.id}`, params: {}, fallback: alarm.text }),
+        blocked: isOwn(alarm.id) ? undefined : blocked,
       })),
     [phase, status, own, sentence, blocked],
   );
+}
+
+/** Why these alarms cannot all be acknowledged at once; undefined if they can. */
+export function blockedAmong(alarms: readonly Acknowledgeable[]): string | undefined {
+  return alarms.find(({ blocked }) => blocked !== undefined)?.blocked;
 }
 
 /** Whole seconds for which the alarms stay mute; null while they are not. */

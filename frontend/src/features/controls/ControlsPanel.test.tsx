@@ -15,7 +15,7 @@ test("controls and signal's way name a gamepad that is the stick, and while it i
     </WordsProvider>,
   );
   const { hil } = aStatus();
-  const stick = { source: "gamepad", client: "c2", name: "Torre", gamepad: "Test Pad" } as const;
+  const stick = { source: "gamepad", client: "c2", name: "Torre", gamepad: "Test Pad", samples: {} } as const;
   station.greet(aStatus({ hil: { ...hil, stick: { ...stick, state: "live" } } }));
   station.send({
     heartbeat: { source_joystick: true },

@@ -13,7 +13,14 @@ let station: Station;
 const user = userEvent.setup();
 
 type Stick = NonNullable<Status["hil"]["stick"]>;
-const SIMULATOR: Stick = { source: "simulator", state: null, client: null, name: null, gamepad: null };
+const SIMULATOR: Stick = {
+  source: "simulator",
+  state: null,
+  client: null,
+  name: null,
+  gamepad: null,
+  samples: {},
+};
 
 /** A status with this stick. */
 function withStick(stick: Partial<Stick>, others: Partial<Status> = {}): Status {

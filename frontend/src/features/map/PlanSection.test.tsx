@@ -123,6 +123,19 @@ describe("an edited plan", () => {
     expect(document.querySelector(".map-plan-state")?.textContent).toContain("igual que en la placa");
   });
 
+  test("that the board flies is sent only after a question, and the board goes on where it was", async () => {
+    await downloaded();
+    station.send({ fms_plan: { waypoint: 2 } });
+    await chooseWaypoint(0);
+    button("Al este").focus();
+    await user.keyboard("{ArrowRight}");
+    await user.click(button("Enviar"));
+    expect(station.asked.filter(({ method }) => method !== "GET")).toEqual([]);
+    await user.click(button("Enviar y seguir al 3"));
+    await newest("PUT", /missions\/flight$/).answer({ plan: "flight", waypoints: draft() });
+    expect(newest("POST", /go_to_waypoint$/).body).toEqual({ value: { plan: 0, index: 2 } });
+  });
+
   test("with an error is not sent, and says which", async () => {
     open();
     act(() =>

@@ -7,6 +7,7 @@ import { createTrackLog } from "./trackRequests";
 /** A gateway with a growing track under the test's control. */
 class Gateway {
   readonly asked: string[] = [];
+  readonly reported: unknown[] = [];
   readonly timers = new ManualTimers();
   epoch = 5;
   points = 0;
@@ -16,7 +17,11 @@ class Gateway {
 
   constructor() {
     const rest = gatewayOf(async (path) => this.#reply(path));
-    const { trackLog, takeTrackEvent } = createTrackLog({ rest, timers: this.timers });
+    const { trackLog, takeTrackEvent } = createTrackLog({
+      rest,
+      timers: this.timers,
+      report: (error) => this.reported.push(error),
+    });
     this.log = trackLog;
     this.takeTrackEvent = takeTrackEvent;
   }
@@ -41,7 +46,7 @@ class Gateway {
       return this.answer(path);
     }
     if (path === "/api/v1/track") {
-      return Response.json({ real_points: this.points, hil_points: 0, can_restore: false });
+      return Response.json({ flight_points: this.points, hil_points: 0, can_restore: false });
     }
     const query = new URL(path, "http://station").searchParams;
     if (query.get("source") === "hil") {
@@ -59,8 +64,9 @@ class Gateway {
     );
   }
 
-  get flight(): string[] {
-    return this.asked.filter((path) => path.includes("source=real"));
+  /** The requests for the track of the aircraft in flight. */
+  get askedOfFlight(): string[] {
+    return this.asked.filter((path) => path.includes("source=flight"));
   }
 }
 
@@ -76,9 +82,9 @@ test("nothing is asked while nobody watches; then once a second, and only for wh
   expect(gateway.log.store.getState().summary.flight).toMatchObject({ count: 150, total: 150 });
   end();
   await gateway.pass(5000);
-  expect(gateway.flight).toEqual([
-    "/api/v1/track/points?source=real",
-    "/api/v1/track/points?source=real&epoch=5&after=100",
+  expect(gateway.askedOfFlight).toEqual([
+    "/api/v1/track/points?source=flight",
+    "/api/v1/track/points?source=flight&epoch=5&after=100",
   ]);
 });
 
@@ -89,7 +95,7 @@ test("two hours come in one piece, in slices between which the page works", asyn
   gateway.log.store.subscribe(({ summary }) => counts.add(summary.flight.count));
   gateway.log.watch();
   await gateway.settle();
-  expect(gateway.flight).toHaveLength(1);
+  expect(gateway.askedOfFlight).toHaveLength(1);
   expect([...counts]).toEqual([10_000, 20_000, 30_000, 40_000, 45_000]);
   expect(gateway.log.points.flight.count).toBe(45_000);
 });
@@ -139,12 +145,36 @@ test("a gateway that does not answer is asked again, and says why nothing comes"
   expect(gateway.log.store.getState()).toMatchObject({ failure: null, summary: { flight: { count: 10 } } });
 });
 
+test("an exception while a track is taken is told once, and the track goes on growing", async () => {
+  const gateway = new Gateway();
+  const broken = new Error("broken listener");
+  gateway.points = 50;
+  const recover = gateway.log.store.subscribe(({ summary }) => {
+    if (summary.flight.count > 0) {
+      throw broken;
+    }
+  });
+  gateway.log.watch();
+  await gateway.settle();
+  expect(gateway.asked.some((path) => path.includes("source=hil"))).toBe(true);
+  gateway.points = 60;
+  await gateway.pass(1000);
+  gateway.points = 70;
+  await gateway.pass(1000);
+  expect(gateway.reported).toEqual([broken]);
+  expect(gateway.log.points.flight.count).toBe(70);
+  recover();
+  gateway.points = 80;
+  await gateway.pass(1000);
+  expect(gateway.log.store.getState()).toMatchObject({ failure: null, summary: { flight: { count: 80 } } });
+});
+
 test("points that lie nowhere on earth are counted and left out", async () => {
   const gateway = new Gateway();
   gateway.answer = (path) =>
     new Response(
       trackBytes(
-        path.includes("real")
+        path.includes("flight")
           ? packedFlight(0, 3).map((point, at) =>
               at === 1 ? { ...point, latitude_e7: 2_000_000_000 } : point,
             )
@@ -162,7 +192,7 @@ test("whether a cleared track can be brought back is asked once and then told by
   await gateway.pass(3000);
   expect(gateway.asked.filter((path) => path === "/api/v1/track")).toHaveLength(1);
   expect(gateway.log.store.getState().canRestore).toBe(false);
-  const data = { real_points: 0, hil_points: 0, can_restore: true };
+  const data = { flight_points: 0, hil_points: 0, can_restore: true };
   gateway.takeTrackEvent({ type: "event", event: "track", t_s: 1, data });
   expect(gateway.log.store.getState().canRestore).toBe(true);
 });

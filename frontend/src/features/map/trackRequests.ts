@@ -2,7 +2,8 @@ import { AIRCRAFT, type Aircraft } from "../../lib/aircraft";
 import type { Timers } from "../../lib/timers";
 import { tellTiming } from "../../lib/timing";
 import type { StreamEvent } from "../../protocol/envelope";
-import { isTrackState, readTrackPiece, TRACK_SOURCE } from "../../protocol/track";
+import { isTrackState } from "../../protocol/guards.gen";
+import { readTrackPiece } from "../../protocol/track";
 import type { Gateway } from "../../requests/asking";
 import { failureMessage } from "../../store/messages";
 import {
@@ -26,10 +27,12 @@ const UNREADABLE = {
 export interface TrackParts {
   readonly rest: Gateway;
   readonly timers: Timers;
+  /** Receives an exception in the page's own code. */
+  readonly report: (error: unknown) => void;
 }
 
 /** Loads the tracks while somebody watches them, and handles the stream's events about them. */
-export function createTrackLog({ rest, timers }: TrackParts): {
+export function createTrackLog({ rest, timers, report }: TrackParts): {
   readonly trackLog: TrackLog;
   readonly takeTrackEvent: (event: StreamEvent) => void;
 } {
@@ -38,6 +41,8 @@ export function createTrackLog({ rest, timers }: TrackParts): {
   let watchers = 0;
   let cancel: (() => void) | null = null;
   let isAsking = false;
+  /** The last round of questions ended with an exception, which was reported. */
+  let isFailing = false;
 
   async function askAll(): Promise<void> {
     cancel = null;
@@ -45,23 +50,37 @@ export function createTrackLog({ rest, timers }: TrackParts): {
       return;
     }
     isAsking = true;
-    for (const name of AIRCRAFT) {
-      await ask(name, tracks[name]);
+    const questions = [...AIRCRAFT.map((name) => () => ask(name, tracks[name])), askState];
+    let hasFailed = false;
+    for (const question of questions) {
+      try {
+        await question();
+      } catch (error) {
+        // The other track, and the next round of requests, do not depend on it.
+        if (!(isFailing || hasFailed)) {
+          report(error);
+        }
+        hasFailed = true;
+      }
     }
-    if (store.getState().canRestore === null) {
-      const answer = await rest.ask("GET", "/api/v1/track", isTrackState);
-      store.setState({ canRestore: answer.ok ? answer.value.can_restore : null });
-    }
+    isFailing = hasFailed;
     isAsking = false;
     if (watchers > 0) {
       cancel ??= timers.after(PERIOD_MS, () => void askAll());
     }
   }
 
+  async function askState(): Promise<void> {
+    if (store.getState().canRestore === null) {
+      const answer = await rest.ask("GET", "/api/v1/track", isTrackState);
+      store.setState({ canRestore: answer.ok ? answer.value.can_restore : null });
+    }
+  }
+
   async function ask(name: Aircraft, track: GrowingTrack): Promise<void> {
     const { epoch, next } = track.known;
     const known = epoch === null ? "" : `&epoch=${epoch}&after=${next}`;
-    const answer = await rest.bytes(`/api/v1/track/points?source=${TRACK_SOURCE[name]}${known}`, PATIENCE_MS);
+    const answer = await rest.bytes(`/api/v1/track/points?source=${name}${known}`, PATIENCE_MS);
     if (!answer.ok) {
       store.setState({ failure: failureMessage(answer.problem) });
       return;

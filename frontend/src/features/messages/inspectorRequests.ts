@@ -1,4 +1,5 @@
-import { type Inspection, isInspection } from "../../protocol/inspector";
+import { isInspector } from "../../protocol/guards.gen";
+import type { Inspection } from "../../protocol/inspector";
 import type { Gateway } from "../../requests/asking";
 import { failureMessage, type Message } from "../../store/messages";
 import { partName } from "../../store/parts";
@@ -14,7 +15,7 @@ export const INSPECTOR = partName<Inspector>("inspector");
 export function createInspector(rest: Gateway): Inspector {
   return {
     read: async () => {
-      const answer = await rest.ask("GET", "/api/v1/inspector", isInspection);
+      const answer = await rest.ask("GET", "/api/v1/inspector", isInspector);
       return answer.ok ? answer.value : failureMessage(answer.problem);
     },
   };

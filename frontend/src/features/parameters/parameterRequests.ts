@@ -1,16 +1,14 @@
 import { isNumber, isText, nullable, oneOf, shape } from "../../lib/check";
-import { isCommandResult } from "../../protocol/answers";
 import type { StreamEvent } from "../../protocol/envelope";
-import type { ParameterName } from "../../protocol/messages.gen";
 import {
-  type HeldParameter,
-  isJournal,
-  isJournalEvent,
-  isKnownParameter,
-  isParameterEvent,
+  isCommandOutcome,
+  isParameterJournal,
   isParameterList,
-  type ListedParameters,
-} from "../../protocol/parameters";
+  type ParameterList,
+} from "../../protocol/guards.gen";
+import type { ParameterName } from "../../protocol/messages.gen";
+import { isParameterName } from "../../protocol/parameterName";
+import { type HeldParameter, isJournalEvent, isParameterEvent } from "../../protocol/parameters";
 import { resultMessage } from "../../requests/actions";
 import type { Asker } from "../../requests/asking";
 import { type AskingParts, createAsking, type Ended, info } from "../../requests/asking";
@@ -34,7 +32,7 @@ export function createParameterActions(values: ParameterStore, parts: AskingPart
   /** Edits under way, each with the newest request that waits for its end. */
   const underWay = new Map<ParameterName, number | null>();
 
-  function takeList({ parameters }: ListedParameters): void {
+  function takeList({ parameters }: ParameterList): void {
     take(values, Object.fromEntries(parameters.map(({ name, ...held }) => [name, held])));
   }
 
@@ -42,7 +40,7 @@ export function createParameterActions(values: ParameterStore, parts: AskingPart
   async function ask(
     question: readonly ["POST" | "PATCH", string, object?],
     asker: Asker,
-    end: (listed: ListedParameters) => Ended,
+    end: (listed: ParameterList) => Ended,
   ): Promise<Message | null> {
     const [method, path, body] = question;
     const asked = rest.ask(method, path, isParameterList, body);
@@ -71,7 +69,7 @@ export function createParameterActions(values: ParameterStore, parts: AskingPart
     refresh: async () => {
       const [listed, journal] = await Promise.all([
         rest.ask("GET", PATH, isParameterList),
-        rest.ask("GET", `${PATH}/journal`, isJournal),
+        rest.ask("GET", `${PATH}/journal`, isParameterJournal),
       ]);
       if (listed.ok) takeList(listed.value);
       if (journal.ok) takeJournal(values, journal.value);
@@ -100,7 +98,7 @@ export function createParameterActions(values: ParameterStore, parts: AskingPart
     redo: (asker) => move("redo", asker),
 
     store: (asker) =>
-      run(asker, rest.ask("POST", `${PATH}/store`, isCommandResult), (result) => {
+      run(asker, rest.ask("POST", `${PATH}/store`, isCommandOutcome), (result) => {
         if (result.state !== "confirmed") {
           return { state: result.state, message: resultMessage("@command.store_parameters", result) };
         }
@@ -111,7 +109,7 @@ export function createParameterActions(values: ParameterStore, parts: AskingPart
 }
 
 /** The outcome of a step, from the gains that were read back. */
-function writtenEnd(changes: Changes, { parameters }: ListedParameters): Ended {
+function writtenEnd(changes: Changes, { parameters }: ParameterList): Ended {
   const written = parameters.filter(({ name }) => changes[name] !== undefined);
   const refused = written.filter(({ state }) => state !== "confirmed");
   const [first] = refused;
@@ -149,7 +147,7 @@ export function takeParameterEvent(
   if (event === "parameter" && isParameterEvent(data)) {
     const news: Partial<Record<ParameterName, HeldParameter>> = {};
     for (const [name, held] of Object.entries(data.parameters)) {
-      if (isKnownParameter(name)) {
+      if (isParameterName(name)) {
         news[name] = held;
       }
     }

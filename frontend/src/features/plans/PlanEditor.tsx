@@ -99,6 +99,7 @@ function TransferOutcome({ plan }: { plan: PlanName }) {
   const failures = [
     useAsked(`plan.download.${plan}`),
     useAsked(`plan.upload.${plan}`),
+    useAsked(`plan.goTo.${plan}`),
     useAsked(`plan.import.${plan}`),
     useAsked(`plan.export.${plan}`),
   ].filter(({ state }) => state === "rejected" || state === "timed_out");

@@ -1,9 +1,11 @@
-import { ChevronLeft, ChevronRight, Download, FileDown, FolderOpen, Upload } from "lucide-react";
+import { ChevronLeft, ChevronRight, Download, FileDown, FolderOpen } from "lucide-react";
 import { useState } from "react";
 import { useTranslation } from "react-i18next";
 import { MISSIONS } from "../../missions/planDrafts";
 import { PLAN } from "../../missions/planFacts";
+import { SendPlan } from "../../missions/SendPlan";
 import type { ShownPlan } from "../../missions/usePlan";
+import { usePlans } from "../../missions/usePlans";
 import { PLAN_FORMATS, type PlanFormat, type PlanName } from "../../protocol/missions";
 import { ACTIONS } from "../../requests/actions";
 import { CommandButton } from "../../requests/CommandButton";
@@ -29,7 +31,7 @@ export function PlanTools({ plan, shown, selected, onReplace }: Props) {
   const missions = usePart(MISSIONS);
   const { canTransfer, issues, waypoints } = shown;
   const download = useAsked(`plan.download.${plan}`);
-  const upload = useAsked(`plan.upload.${plan}`);
+  const onBoard = usePlans((plans) => plans[plan].board);
   const blocked = useBoardBlocked();
   const unsupported = canTransfer ? undefined : t("plans.unsupportedShort");
   const errors = issues.filter(({ level }) => level === "error").length;
@@ -44,11 +46,9 @@ export function PlanTools({ plan, shown, selected, onReplace }: Props) {
       >
         {t("plans.download")}
       </Button>
-      <Button
-        variant="primary"
-        onPress={() => void missions.upload(plan, { control: `plan.upload.${plan}` })}
-        state={upload.state}
-        stateText={upload.stateText}
+      <SendPlan
+        plan={plan}
+        onBoard={onBoard}
         disabledReason={
           blocked ??
           unsupported ??
@@ -58,10 +58,9 @@ export function PlanTools({ plan, shown, selected, onReplace }: Props) {
               ? t("plans.fixFirst", { count: errors })
               : undefined)
         }
-        icon={<Upload aria-hidden="true" size={14} />}
       >
         {t("plans.upload")}
-      </Button>
+      </SendPlan>
       <span className="plans-gap" />
       <CommandButton command={PLAN[plan].previous} icon={<ChevronLeft aria-hidden="true" size={14} />}>
         {t("fms.previous")}

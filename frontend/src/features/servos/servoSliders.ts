@@ -1,7 +1,7 @@
 import { isNumber, isText, list, nullable, oneOf, shape } from "../../lib/check";
 import type { Timers } from "../../lib/timers";
-import { isCommandResult } from "../../protocol/answers";
 import type { StreamEvent } from "../../protocol/envelope";
+import { isCommandOutcome } from "../../protocol/guards.gen";
 import type { Status } from "../../protocol/status";
 import { resultMessage } from "../../requests/actions";
 import type { Gateway } from "../../requests/asking";
@@ -72,7 +72,7 @@ export function createServoSliders({ rest, timers, client, tell }: Parts): Servo
 
   async function send(servo: number, position: number): Promise<void> {
     const value = { servo, position };
-    const answer = await rest.ask("POST", "/api/v1/commands/servo_out", isCommandResult, { value });
+    const answer = await rest.ask("POST", "/api/v1/commands/servo_out", isCommandOutcome, { value });
     underWay.delete(servo);
     if (!wanted.has(servo)) {
       const state = answer.ok ? answer.value.state : "rejected";

@@ -31,7 +31,8 @@ beforeEach(async () => {
   station = new Station();
   station.greet(closed);
   await user.click(screen.getByRole("tab", { name: "Setup" }));
-  await newest("GET").answer({ ports: [{ path: "/dev/ttyUSB0", description: "FT232R" }] });
+  const port = { path: "/dev/ttyUSB0", url: "serial:///dev/ttyUSB0", description: "FT232R", identity: null };
+  await newest("GET").answer({ ports: [port] });
 });
 
 describe("the board's line", () => {

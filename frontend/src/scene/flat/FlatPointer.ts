@@ -119,6 +119,8 @@ export class FlatPointer {
     if (event.key === "Escape" && this.#drag !== null) {
       event.stopImmediatePropagation();
       this.#letGo((drag) => drag.cancel());
+      // The button is still held down: until it is released, the pointer must not push the map instead.
+      this.#down.clear();
     }
   }
 

@@ -23,6 +23,8 @@ export const WORDS: Words = {
   critical: "w-critical",
   notANumber: "w-not-a-number",
   outOfRange: (minimum, maximum) => `w-outside ${minimum} to ${maximum}`,
+  stillIs: (value) => `w-still ${value}`,
+  refusedEdit: (text, why) => `w-refused ${text}: ${why}`,
 };
 
 /** Render a control with words around it; `rerender` keeps them. */

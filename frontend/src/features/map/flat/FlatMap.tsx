@@ -1,8 +1,8 @@
 import { Crosshair, House, Maximize, ZoomIn, ZoomOut } from "lucide-react";
 import { type ReactNode, useCallback, useEffect, useRef, useState } from "react";
 import { useTranslation } from "react-i18next";
+import type { Aircraft } from "../../../lib/aircraft";
 import type { Position } from "../../../lib/geodesy";
-import type { Whose } from "../../../lib/mapThing";
 import { roundLength } from "../../../lib/scaleBar";
 import { coordinate } from "../../../readouts/formats";
 import { useUnit } from "../../../readouts/useUnit";
@@ -24,7 +24,7 @@ import "./flat.css";
 
 const FOLLOW = "map.flat.follow";
 /** Drawing order: the last is on top. */
-const WHOSE: readonly Whose[] = ["hil", "flight"];
+const DRAWN: readonly Aircraft[] = ["hil", "flight"];
 /** Greatest length of the scale bar, pixels. */
 const LONGEST_PX = 130;
 
@@ -106,7 +106,7 @@ function FlatButtons({ scene, isFollowing, onFollow }: ButtonsProps) {
     scene?.lookAt(places);
   }
   function everything(): readonly Position[] {
-    const aircraft = WHOSE.map((whose) => aircraftPlace(telemetry, whose)).filter((place) => place !== null);
+    const aircraft = DRAWN.map((plan) => aircraftPlace(telemetry, plan)).filter((place) => place !== null);
     return [...flight.waypoints, ...hil.waypoints, ...aircraft, home];
   }
   const button = (label: string, icon: ReactNode, onPress: () => void, pressed?: boolean) => (
@@ -134,8 +134,8 @@ function useAircraft(scene: FlatScene | null, isFollowing: boolean): void {
   const hil = t("map.view.hil");
   const paint = useCallback(
     (telemetry: TelemetryStore, now_ms: number) => {
-      const names: Readonly<Record<Whose, string>> = { flight, hil };
-      const seen = WHOSE.map((whose) => flatAircraft(telemetry, whose, names[whose], now_ms)).filter(
+      const names: Readonly<Record<Aircraft, string>> = { flight, hil };
+      const seen = DRAWN.map((plan) => flatAircraft(telemetry, plan, names[plan], now_ms)).filter(
         (aircraft) => aircraft !== null,
       );
       const middle = isFollowing ? seen.find(({ plan }) => plan === followed)?.place : undefined;

@@ -1,5 +1,5 @@
+import type { Aircraft } from "../../../lib/aircraft";
 import { formatAge } from "../../../lib/format";
-import type { Whose } from "../../../lib/mapThing";
 import type { FlatAircraft } from "../../../scene/flat/flatThings";
 import type { TelemetryStore } from "../../../store/telemetry";
 import { showing } from "../aircraftFeed";
@@ -11,7 +11,7 @@ const ATTITUDE_TOPIC = { flight: "ahrs", hil: "simulator" } as const;
 /** An aircraft seen from above: live, or hollow with its age; null if it is not drawn. */
 export function flatAircraft(
   telemetry: TelemetryStore,
-  plan: Whose,
+  plan: Aircraft,
   name: string,
   now_ms: number,
 ): FlatAircraft | null {

@@ -1,12 +1,7 @@
 import type { Timers } from "../../../lib/timers";
 import type { StreamEvent } from "../../../protocol/envelope";
-import {
-  isConverting,
-  isMapImport,
-  isMapLayers,
-  isMapOnline,
-  type MapLayer,
-} from "../../../protocol/mapLayers";
+import { isMapImport, isMapLayers, isOnlineState } from "../../../protocol/guards.gen";
+import { isConverting, type MapLayer } from "../../../protocol/mapLayers";
 import { type AskingParts, createAsking, info } from "../../../requests/asking";
 import { failureMessage } from "../../../store/messages";
 import {
@@ -39,7 +34,7 @@ export function createMapLayerActions(parts: AskingParts & { readonly timers: Ti
 
   async function read(): Promise<void> {
     cancelNext();
-    const asked = rest.ask("GET", ONLINE, isMapOnline);
+    const asked = rest.ask("GET", ONLINE, isOnlineState);
     const answer = await rest.ask("GET", LAYERS, isMapLayers);
     const online = await asked;
     if (online.ok) {
@@ -94,7 +89,7 @@ export function createMapLayerActions(parts: AskingParts & { readonly timers: Ti
       }),
 
     chooseOnline: (choice, asker) =>
-      run(asker, rest.ask("PUT", ONLINE, isMapOnline, choice), (online) => {
+      run(asker, rest.ask("PUT", ONLINE, isOnlineState, choice), (online) => {
         store.setState({ online });
         // Its sources are in the list of layers.
         void read();
@@ -103,7 +98,7 @@ export function createMapLayerActions(parts: AskingParts & { readonly timers: Ti
       }),
 
     clearOnline: (asker) =>
-      run(asker, rest.ask("DELETE", `${ONLINE}/cache`, isMapOnline), (online) => {
+      run(asker, rest.ask("DELETE", `${ONLINE}/cache`, isOnlineState), (online) => {
         store.setState({ online });
         return { state: "confirmed", message: info("map.online.saidCleared") };
       }),

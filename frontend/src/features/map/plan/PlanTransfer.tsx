@@ -1,9 +1,10 @@
-import { Download, Plus, Redo2, Trash2, Undo2, Upload } from "lucide-react";
+import { Download, Plus, Redo2, Trash2, Undo2 } from "lucide-react";
 import { useState } from "react";
 import { useTranslation } from "react-i18next";
 import type { Aircraft } from "../../../lib/aircraft";
 import { inserted, removed } from "../../../lib/plan";
 import { editPlan, MISSIONS, redoPlan, undoPlan } from "../../../missions/planDrafts";
+import { SendPlan } from "../../../missions/SendPlan";
 import { usePlans } from "../../../missions/usePlans";
 import { PLAN_LIMITS } from "../../../protocol/missions";
 import { useAsked } from "../../../requests/useAsked";
@@ -37,6 +38,7 @@ function Transfer({ aircraft, plan }: Omit<Props, "row">) {
   const missions = usePart(MISSIONS);
   const download = useAsked(`plan.download.${aircraft}`);
   const upload = useAsked(`plan.upload.${aircraft}`);
+  const goTo = useAsked(`plan.goTo.${aircraft}`);
   const isDraft = usePlans((plans) => plans[aircraft].draft.present.length > 0);
   const [isAsking, setAsking] = useState(false);
   const blocked = useBoardBlocked();
@@ -60,19 +62,12 @@ function Transfer({ aircraft, plan }: Omit<Props, "row">) {
         >
           {t("map.plan.read")}
         </Button>
-        <Button
-          variant="primary"
-          onPress={() => void missions.upload(aircraft, { control: `plan.upload.${aircraft}` })}
-          state={upload.state}
-          stateText={upload.stateText}
-          disabledReason={blocked ?? unsupported ?? nothing}
-          icon={<Upload aria-hidden="true" size={14} />}
-        >
+        <SendPlan plan={aircraft} onBoard={plan.onBoard} disabledReason={blocked ?? unsupported ?? nothing}>
           {t("map.plan.send")}
-        </Button>
+        </SendPlan>
       </div>
       {!plan.canTransfer && <Notice level="info">{t("plans.unsupported")}</Notice>}
-      {[download, upload]
+      {[download, upload, goTo]
         .filter(({ state }) => state === "rejected" || state === "timed_out")
         .map(({ stateText }) => (
           <Notice key={stateText} level="error">

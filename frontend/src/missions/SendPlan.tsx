@@ -1,0 +1,92 @@
+import { Upload } from "lucide-react";
+import { type ReactNode, useState } from "react";
+import { useTranslation } from "react-i18next";
+import { sameRow, type Waypoint } from "../lib/plan";
+import type { PlanName } from "../protocol/missions";
+import { useAsked } from "../requests/useAsked";
+import { usePart, useTelemetry } from "../store/hooks";
+import { Button } from "../ui/Button";
+import { ConfirmDialog } from "../ui/ConfirmDialog";
+import { MISSIONS } from "./planDrafts";
+import { PLAN } from "./planFacts";
+import { usePlans } from "./usePlans";
+
+interface Props {
+  plan: PlanName;
+  /** The board's plan, as far as it is known. */
+  onBoard: readonly Waypoint[] | null;
+  disabledReason: string | undefined;
+  children: ReactNode;
+}
+
+/**
+ * Sends the edited plan. The board starts a received plan at waypoint 1: if it flies a plan now, ask first whether it
+ * should go on to its present waypoint.
+ */
+export function SendPlan({ plan, onBoard, disabledReason, children }: Props) {
+  const { t } = useTranslation();
+  const missions = usePart(MISSIONS);
+  const control = `plan.upload.${plan}`;
+  const { state, stateText } = useAsked(control);
+  const flown = useFlown(plan, onBoard);
+  const [isAsking, setAsking] = useState(false);
+
+  function send(goOnTo: number | null): void {
+    setAsking(false);
+    void missions.upload(plan, { control }, goOnTo);
+  }
+
+  const again = { label: t("plans.startAgain"), onPress: () => send(null) };
+  const goOn =
+    flown.row === null
+      ? again
+      : { label: t("plans.goOn", { number: flown.row + 1 }), onPress: () => send(flown.row) };
+  return (
+    <>
+      <Button
+        variant="primary"
+        onPress={() => (flown.isFlown ? setAsking(true) : send(null))}
+        state={state}
+        stateText={stateText}
+        disabledReason={disabledReason}
+        icon={<Upload aria-hidden="true" size={14} />}
+      >
+        {children}
+      </Button>
+      {isAsking && (
+        <ConfirmDialog
+          title={t("plans.sendTitle")}
+          text={flown.to === null ? t("plans.sendUnknown") : t("plans.sendText", { number: flown.to + 1 })}
+          confirmLabel={goOn.label}
+          other={goOn === again ? undefined : again}
+          cancelLabel={t("dialog.cancel")}
+          danger={goOn === again}
+          onConfirm={goOn.onPress}
+          onCancel={() => setAsking(false)}
+        />
+      )}
+    </>
+  );
+}
+
+interface Flown {
+  /** A start at waypoint 1 would change where the board flies to, or may do so. */
+  readonly isFlown: boolean;
+  /** Row of the board's plan that it flies to; null without live data. */
+  readonly to: number | null;
+  /** The same waypoint's row in the edited plan. */
+  readonly row: number | null;
+}
+
+function useFlown(plan: PlanName, onBoard: readonly Waypoint[] | null): Flown {
+  const { topic, autopilot } = PLAN[plan];
+  const draft = usePlans((plans) => plans[plan].draft.present);
+  const to = useTelemetry((telemetry, now_ms) => telemetry.liveNumber(topic, "waypoint", now_ms));
+  // A live plan without a waypoint is no plan; without the stream an autopilot that is on may fly any.
+  const mayFly = useTelemetry(
+    (telemetry, now_ms) =>
+      telemetry.state(topic, now_ms) !== "live" && telemetry.newestFlag("heartbeat", autopilot) === true,
+  );
+  const row = to === null ? null : sameRow(draft, onBoard, to);
+  return { isFlown: to === null ? mayFly : to > 0 || row !== 0, to, row };
+}
