@@ -16,7 +16,7 @@ if (root === null) {
   throw new Error("index.html has no element #root");
 }
 const { page, start } = createPage(browserWorld(window));
-// Before the first paint, so that the page does not flash in another look.
+// Before the first paint, so that the page does not flash in another theme.
 applyTheme(document.documentElement, page.settings.getState().theme);
 createRoot(root).render(
   <StrictMode>
@@ -28,7 +28,8 @@ createRoot(root).render(
   </StrictMode>,
 );
 start();
-// Once the page stands. Who has opened the globe here before will open it again: its engine comes when nothing else does.
+// After the page is shown. Preload the globe's engine, when nothing else is loading, for users who have opened it
+// before.
 setTimeout(() => {
   void loadParts().then(() => {
     const { choices } = page.settings.getState();

@@ -32,7 +32,7 @@ function left(): HTMLElement {
   return screen.getByRole("complementary");
 }
 
-/** The reading of this name in a part of the page: its number, and its state. */
+/** A readout by its name in a part of the page: its number and its state. */
 function reading(part: HTMLElement, name: string): { text: string; state: string | undefined } {
   const label = within(part).getByText(name);
   const row = label.parentElement;
@@ -97,7 +97,7 @@ describe("the gateway's silence", () => {
     const station = flying();
     station.breakOff();
     expect(screen.getByRole("alert").textContent).toContain("No hay conexión con la estación");
-    // At once: the samples themselves are still young.
+    // Immediately, although the samples are still recent.
     expect(reading(left(), "Pitch").state).toBe("stale");
     expect(screen.getByRole("img", { name: "Indicador de actitud" }).dataset["state"]).toBe("none");
     station.pass(300);

@@ -21,7 +21,7 @@ import { MovedContext } from "./toolbars/MovableToolbar";
 import { useLeaveWarning } from "./useLeaveWarning";
 import { useTitle } from "./useTitle";
 
-/** The window's frame: header, toolbars, alarms, left panel and main tabs, status bar. */
+/** The whole window: header, toolbars, alarms, left panel and main tabs, status bar. */
 export function App() {
   const { t, i18n } = useTranslation();
   const language = useSettings((settings) => settings.language);

@@ -9,7 +9,7 @@ import { SegmentedSwitch } from "../ui/SegmentedSwitch";
 import { Select } from "../ui/Select";
 import { Menus } from "./menu/Menus";
 
-/** Top row: what this is, the menus, who has control, language and look. */
+/** Top row: title, menus, who has control, language and theme. */
 export function Header() {
   const { t } = useTranslation();
   return (

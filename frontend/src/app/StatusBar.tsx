@@ -10,7 +10,7 @@ import { MessageLine } from "../ui/MessageLine";
 import { Meter, type MeterHandle } from "../ui/Meter";
 import { SteadyText, type SteadyTextHandle } from "../ui/SteadyText";
 
-/** Bottom row: the last message, the health of the lines, the recording. */
+/** Bottom row: last message, health of the links, recording. */
 export function StatusBar() {
   const { t } = useTranslation();
   return (
@@ -57,7 +57,7 @@ function Damage() {
   );
 }
 
-/** Use of a channel in percent: known only while its link is open and the gateway is heard. */
+/** Load of a channel in percent; shown only while its link is open and the gateway is heard. */
 function Use({ label, read }: { label: string; read: "rx" | "tx" | "xplane" }) {
   const meter = useRef<MeterHandle>(null);
   const { t } = useTranslation();
@@ -74,7 +74,10 @@ function Use({ label, read }: { label: string; read: "rx" | "tx" | "xplane" }) {
   return <Meter ref={meter} label={label} />;
 }
 
-/** State of the board's link and the age of its last heartbeat, whether live or not: an age is always true. */
+/**
+ * State of the board's link and the age of its last heartbeat. The age is shown even when the link is stale: it stays
+ * true.
+ */
 function Link() {
   const { t } = useTranslation();
   const age = useRef<SteadyTextHandle>(null);

@@ -21,7 +21,7 @@ export function AutomaticControls() {
   );
 }
 
-/** Which way the control signal takes, and where it comes from. */
+/** Who commands the aircraft: the path of the control signal and its source. */
 export function SignalControls() {
   return (
     <>

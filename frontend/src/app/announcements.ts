@@ -14,7 +14,7 @@ const isCommandEvent = shape({
 });
 const isErrorEvent = shape({ code: isText, detail: isText, params: isObject });
 
-/** Says that a link came or went; while it is being opened nothing is said. */
+/** Announce link changes, except while a link is opening. */
 export function linkMessages(before: Status | null, status: Status): readonly Message[] {
   return (["board", "simulator"] as const).flatMap((end): readonly Message[] => {
     const { state } = status[end];
@@ -26,7 +26,7 @@ export function linkMessages(before: Status | null, status: Status): readonly Me
   });
 }
 
-/** What to say of an event: the gateway's errors, and what became of another browser's command. */
+/** The message for an event: an error of the gateway, or the outcome of another browser's command. */
 export function eventMessage({ event, data }: StreamEvent, client: string | null): Message | null {
   if (event === "error" && isErrorEvent(data)) {
     return failureMessage(data, "warning");
@@ -36,7 +36,7 @@ export function eventMessage({ event, data }: StreamEvent, client: string | null
     isCommandEvent(data) &&
     data.client !== client &&
     data.state !== "pending" &&
-    // A servo's slider moves twenty times a second: only what failed is said.
+    // A servo's slider sends twenty commands a second: announce only failures.
     !(data.name === "servo_out" && data.state !== "rejected" && data.state !== "timed_out")
   ) {
     const { name, state, by, ms, reason } = data;

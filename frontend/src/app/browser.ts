@@ -6,7 +6,7 @@ import type { World } from "./page";
 /** How often the page is painted at most, in hertz. */
 const RATE_HZ = 60;
 
-/** The world of a real browser. */
+/** What the page needs, taken from the browser's window. */
 export function browserWorld(window: Window & typeof globalThis): World {
   return {
     timers: {
@@ -43,7 +43,7 @@ export function browserWorld(window: Window & typeof globalThis): World {
       link.href = address;
       link.download = name;
       link.click();
-      // Only once the browser has begun to read it.
+      // Not before the browser has begun to read it.
       window.setTimeout(() => URL.revokeObjectURL(address), 10_000);
     },
     report: (error) => window.reportError(error),
@@ -55,7 +55,7 @@ export function browserWorld(window: Window & typeof globalThis): World {
   };
 }
 
-/** Time from inside a frame until the page is free again: a message to oneself comes after layout and paint. */
+/** Measures the cost of an animation frame: a message posted to oneself arrives after layout and paint. */
 function frameMeter(window: Window & typeof globalThis): (spent: (cost_ms: number) => void) => void {
   const { port1, port2 } = new window.MessageChannel();
   let begun_ms = 0;
@@ -71,7 +71,7 @@ function frameMeter(window: Window & typeof globalThis): (spent: (cost_ms: numbe
   };
 }
 
-/** A browser that forbids its storage throws at the very mention of it. */
+/** A browser that forbids storage throws when the property is read. */
 function storageOf(storage: () => Storage): BrowserStorage | null {
   try {
     return storage();

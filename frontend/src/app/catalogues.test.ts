@@ -18,7 +18,7 @@ function texts(node: unknown, prefix = ""): Map<string, string> {
   );
 }
 
-/** The names in braces, in order of the alphabet. */
+/** The names in braces, in alphabetical order. */
 function values(text: string): string[] {
   return [...text.matchAll(/\{\{(\w+)\}\}/g)].map((match) => match[1] ?? "").sort();
 }
@@ -96,10 +96,10 @@ describe("the source", () => {
       .map((file) => readFileSync(join(root, file), "utf8"))
       .join("\n");
     const unused = [...spanish.keys()].filter((key) => {
-      // A key that is put together ends in a value: its family is what the source names.
+      // A composed key ends in a value: the source names its beginning.
       const family = key.slice(0, key.indexOf(".") + 1);
       return !(
-        // A plural is named without its number.
+        // A plural is used without its suffix.
         everything.includes(`"${key.replace(/_(one|other)$/, "")}"`) ||
         everything.includes(`\`${family}\${`) ||
         everything.includes(`@${family}`)

@@ -37,7 +37,7 @@ import missionsEs from "../missions/missions.es.json";
 import appEn from "./app.en.json";
 import appEs from "./app.es.json";
 
-/** All words of the page, put together from the shared ones and those of each room. */
+/** All words of the page: the shared ones and those of each feature. */
 export const CATALOGUES = {
   es: {
     ...appEs,

@@ -1,7 +1,7 @@
 import { DIALOGS } from "./dialogs/dialogs";
 import { loadViews } from "./views";
 
-/** Load what is not loaded yet: a station whose line is cut must still be able to open every tab and every window. */
+/** Load every part in advance: tabs and dialogs must still open after the network is lost. */
 export async function loadParts(): Promise<void> {
   await loadViews();
   for (const { load } of Object.values(DIALOGS)) {

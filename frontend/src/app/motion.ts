@@ -1,6 +1,6 @@
 import type { Settings } from "../store/settings";
 
-/** As the system asks for, or little in any case. */
+/** `system`: as the operating system asks. `less`: always reduced motion. */
 export const MOTION = ["system", "less"] as const;
 export type Motion = (typeof MOTION)[number];
 

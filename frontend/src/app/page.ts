@@ -47,7 +47,7 @@ import { Rest } from "../transport/rest";
 import { StreamSocket, type Wire, type WireListener } from "../transport/socket";
 import { eventMessage, linkMessages } from "./announcements";
 
-/** What the page needs of the world around it: a browser's window, or a test. */
+/** What the page needs from outside: given by a browser's window, or by a test. */
 export interface World {
   readonly timers: Timers;
   readonly wall_ms: () => number;
@@ -56,21 +56,21 @@ export interface World {
   readonly requestFrame: (callback: (now_ms: number) => void) => number;
   readonly cancelFrame: (handle: number) => void;
   readonly measureFrame?: FrameSource["measure"];
-  /** Remembered for ever, and for as long as this browser tab lives. */
+  /** `storage` outlives the browser; `tabStorage` lasts until this browser tab is closed. */
   readonly storage: BrowserStorage | null;
   readonly tabStorage: BrowserStorage | null;
   readonly sounder: Sounder;
   readonly speaker: Speaker;
   readonly gamepads: GamepadReader;
-  /** Gives the person a file to keep. */
+  /** Saves a file on the user's computer. */
   readonly saveFile: (name: string, content: Blob) => void;
-  /** Tells whoever looks for the cause of an exception in the page's own code: a browser's console. */
+  /** Reports an exception in the page's own code: to the browser's console. */
   readonly report: (error: unknown) => void;
 }
 
 const CLIENT_KEY = "epf-gcs.client";
 
-/** Puts stores, transport and actions together: here alone each message goes from the one to the others. */
+/** Makes the page's parts and connects them. Only here is a message handed from the transport to the stores. */
 export function createPage(world: World): {
   readonly page: Page;
   readonly start: () => void;
@@ -138,7 +138,7 @@ export function createPage(world: World): {
     gamepads.takeEvent(message);
     takeAlarmEvent(alarmLog.store, message);
     if (message.event === BOARD_RESTARTED) {
-      // Its restart is told by itself, with all that it switched off.
+      // Its restart is reported on its own, with all that it switched off.
       sourceReturn.setState(NOTHING_LEFT_OFF);
     }
     const said = eventMessage(message, client());
@@ -259,11 +259,14 @@ function remembered(storage: BrowserStorage | null): string | null {
   }
 }
 
-/** The name of this tab's connection, so that a reload is the same client and keeps control. */
+/**
+ * Keep the name of this tab's connection, so that the gateway knows the same client after a reload, which then keeps
+ * control.
+ */
 function remember(storage: BrowserStorage | null, client: string): void {
   try {
     storage?.setItem(CLIENT_KEY, client);
   } catch {
-    // Without a memory a reload is a new client.
+    // Storage is forbidden: after a reload the gateway sees a new client.
   }
 }

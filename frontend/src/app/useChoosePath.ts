@@ -4,8 +4,8 @@ import { usePage, usePart } from "../store/hooks";
 import { useDialogs } from "./dialogs/dialogs";
 
 /**
- * Chooses which way the control signal takes to X-Plane. Away from an autopilot that flies it asks first: the aircraft
- * would follow the stick at once, wherever that stands.
+ * Chooses the path of the control signal to X-Plane. If the autopilot flies, it asks first: the aircraft would follow
+ * the stick at once, in whatever position it is.
  */
 export function useChoosePath(): (path: "manual" | "assisted") => void {
   const { t } = useTranslation();

@@ -1,7 +1,7 @@
 import { useEffect } from "react";
 import { useConnection } from "../store/hooks";
 
-/** Who commands an open board is asked before the window closes: the browser asks in its own words. */
+/** Asks before the browser tab closes while this page has control of an open board. The browser words the question. */
 export function useLeaveWarning(): void {
   const isCommanding = useConnection(
     ({ status, phase, client }) =>

@@ -3,7 +3,7 @@ import { useTranslation } from "react-i18next";
 import type { Status } from "../protocol/status";
 import { useConnection } from "../store/hooks";
 
-/** The window's title tells the state of the board's link, also to who looks at another window. */
+/** Shows the state of the board's link in the window's title, where it is seen from other windows too. */
 export function useTitle(): void {
   const { t } = useTranslation();
   const state = useConnection(({ status, phase }) =>
@@ -16,7 +16,7 @@ export function useTitle(): void {
   }, [alarms, title]);
 }
 
-/** How many alarms last; the gateway also lists what recovered. */
+/** Number of active alarms; the gateway also lists the recovered ones. */
 function lasting(status: Status | null): number {
   return status?.alarms.filter(({ until_s }) => until_s === null).length ?? 0;
 }

@@ -1,6 +1,6 @@
 import { type LazyPart, lazyPart } from "../ui/lazyPart";
 
-/** The main tabs in the order in which they stand. */
+/** The main tabs, in their order. */
 export const TABS = [
   "flight",
   "six",
@@ -16,13 +16,13 @@ export const TABS = [
 ] as const;
 export type TabName = (typeof TABS)[number];
 
-/** Each tab is a file of its own, so that the first look at the page does not wait for all of them. */
+/** Each tab is loaded by itself, so that the first display does not wait for all of them. */
 export const VIEWS: Readonly<Record<TabName, LazyPart>> = {
   flight: lazyPart(async () => (await import("./tabs/FlightTab")).FlightTab),
-  six: lazyPart(async () => (await import("../features/six/BoardSixView")).BoardSixView),
+  six: lazyPart(async () => (await import("../features/six/SixView")).BoardSixView),
   params: lazyPart(async () => (await import("../features/parameters/ParamsView")).ParamsView),
   hil: lazyPart(async () => (await import("../features/hil/HilView")).HilView),
-  hilSix: lazyPart(async () => (await import("../features/six/HilSixView")).HilSixView),
+  hilSix: lazyPart(async () => (await import("../features/six/SixView")).HilSixView),
   plans: lazyPart(async () => (await import("../features/plans/PlansView")).PlansView),
   map: lazyPart(async () => (await import("../features/map/MapView")).MapView),
   ahrs3d: lazyPart(async () => (await import("../features/ahrs/Ahrs3dView")).Ahrs3dView),

@@ -7,8 +7,8 @@ import type { Message } from "../store/messages";
 type LooseT = (key: string, params: Readonly<Record<string, unknown>>) => string;
 
 /**
- * Message -> sentence in the page's language. A problem code that is not in the catalogue gives the gateway's own
- * sentence: English, but better than a code.
+ * Message -> sentence in the page's language. For a problem code without a translation, the gateway's own English
+ * text.
  */
 export function useSentence(): (message: Message) => string {
   const { t, i18n } = useTranslation();

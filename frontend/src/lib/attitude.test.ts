@@ -16,7 +16,7 @@ const RADIAN = 180 / Math.PI;
 const sin = (angle_deg: number): number => Math.sin(angle_deg / RADIAN);
 const cos = (angle_deg: number): number => Math.cos(angle_deg / RADIAN);
 
-/** Thirty of them: the plain ones that anybody can picture, and others all round. */
+/** Thirty attitudes: simple ones that can be imagined, and others in all directions. */
 const ATTITUDES: FullAttitude[] = [
   [0, 0, 0],
   [90, 0, 0],
@@ -35,7 +35,7 @@ const ATTITUDES: FullAttitude[] = [
   ]),
 ].map(([yaw_deg = 0, pitch_deg = 0, roll_deg = 0]) => ({ yaw_deg, pitch_deg, roll_deg }));
 
-/** Where nose, right wing and belly point, by the geometry of a sphere and without any turn of axes. */
+/** Directions of nose, right wing and belly by spherical geometry, without rotations of axes. */
 function byTrigonometry({ yaw_deg, pitch_deg, roll_deg }: FullAttitude): { nose: Vector; right: Vector } {
   const nose: Vector = [cos(pitch_deg) * cos(yaw_deg), cos(pitch_deg) * sin(yaw_deg), -sin(pitch_deg)];
   // Wings level: the right wing lies in the horizon, a right angle clockwise of the nose.

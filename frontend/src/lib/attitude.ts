@@ -11,10 +11,10 @@ export interface FullAttitude {
   readonly roll_deg: number;
 }
 
-/** Of the airframe: ahead, right, down. Of the ground: north, east, down. Which one stands with each function. */
+/** In the airframe's axes: ahead, right, down. In the ground's axes: north, east, down. Each function says which. */
 export type Vector = readonly [number, number, number];
 
-/** A turn: x, y, z, w, of length one. Takes a vector of the airframe to the ground's axes. */
+/** A unit quaternion x, y, z, w: rotates a vector from the airframe's axes to the ground's. */
 export type Quaternion = readonly [number, number, number, number];
 
 export function quaternionOf({ yaw_deg, pitch_deg, roll_deg }: FullAttitude): Quaternion {
@@ -29,13 +29,16 @@ export function quaternionOf({ yaw_deg, pitch_deg, roll_deg }: FullAttitude): Qu
   ];
 }
 
-/** The angles of a turn: yaw 0..360, pitch -90..90, roll -180..180. Straight up or down all the turn is yaw's. */
+/**
+ * The angles of a rotation: yaw 0..360, pitch -90..90, roll -180..180. Straight up or down, all rotation counts as
+ * yaw.
+ */
 export function attitudeOf(turn: Quaternion): FullAttitude {
   const [northAhead, eastAhead, downAhead] = rotated(turn, [1, 0, 0]);
   const [northRight, eastRight, downRight] = rotated(turn, [0, 1, 0]);
   const downBelly = rotated(turn, [0, 0, 1])[2];
   const pitch_deg = Math.asin(Math.max(-1, Math.min(1, -downAhead))) * DEGREES_PER_RADIAN;
-  // Within a hundredth of a degree of the vertical the nose has no heading; the right wing still has.
+  // Within a hundredth of a degree of the vertical the nose has no heading; use the right wing's.
   if (Math.hypot(northAhead, eastAhead) < 1.7e-4) {
     return { yaw_deg: degrees360(Math.atan2(-northRight, eastRight)), pitch_deg, roll_deg: 0 };
   }
@@ -54,15 +57,15 @@ export function rotated([x, y, z, w]: Quaternion, [a, b, c]: Vector): Vector {
   return [a + w * tx + y * tz - z * ty, b + w * ty + z * tx - x * tz, c + w * tz + x * ty - y * tx];
 }
 
-/** The smaller angle between two turns, degrees. */
+/** The smaller angle between two rotations, degrees. */
 export function angleBetween_deg(from: Quaternion, to: Quaternion): number {
-  // Of the difference of the two, not of their product: small angles stay exact.
+  // From their difference, not from their product: exact for small angles.
   const sign = dot(from, to) < 0 ? -1 : 1;
   const difference = Math.hypot(...from.map((part, index) => part - sign * (to[index] ?? 0)));
   return 4 * Math.asin(Math.min(1, difference / 2)) * DEGREES_PER_RADIAN;
 }
 
-/** The turn at `share` (0..1) of the way, with an even speed along the shorter one. */
+/** The rotation at `share` (0..1) of the way, at constant speed along the shorter path. */
 export function between(from: Quaternion, to: Quaternion, share: number): Quaternion {
   const cosine = dot(from, to);
   const sign = cosine < 0 ? -1 : 1;
@@ -77,8 +80,8 @@ export function between(from: Quaternion, to: Quaternion, share: number): Quater
 }
 
 /**
- * North-east-down, or ahead-right-down, in the axes of the picture: x east (right), y up, z south (aft). Both are
- * right-handed, so a turn's axis goes the same way.
+ * From north-east-down, or ahead-right-down, to the picture's axes: x east (right), y up, z south (aft). Both are
+ * right-handed, so rotations keep their sense.
  */
 export function inPicture([north, east, down]: Vector): Vector {
   return [east, -down, -north];
@@ -88,7 +91,7 @@ export function turnInPicture([x, y, z, w]: Quaternion): Quaternion {
   return [...inPicture([x, y, z]), w];
 }
 
-/** The turn of the airframe out of a turn in the picture's axes. */
+/** The airframe's rotation from one in the picture's axes. */
 export function turnFromPicture([x, y, z, w]: Quaternion): Quaternion {
   return [-z, x, -y, w];
 }

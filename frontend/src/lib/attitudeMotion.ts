@@ -1,14 +1,14 @@
 import { angleBetween_deg, between, type Quaternion } from "./attitude";
 
-/** How old the ghost is. */
+/** The age of the attitude that the ghost shows. */
 export const GHOST_MS = 1000;
 
-/** Less than this is no movement: under a pixel at the wing tip of a large picture. */
+/** Smaller movements are ignored: under a pixel at the wing tip of a large picture. */
 const STILL_DEG = 0.02;
-/** A sample is reached in the time that samples take to come, within these. */
+/** Limits of the time in which a sample is reached, which is else the usual time between two samples. */
 const SHORTEST_MS = 15;
 const LONGEST_MS = 250;
-/** After so long without a sample the way between is not known: the next one is shown at once. */
+/** After such a gap there is no interpolation: the next sample is shown at once. */
 const LAPSE_MS = 500;
 const WEIGHT = 0.2;
 
@@ -18,8 +18,8 @@ interface Moment {
 }
 
 /**
- * The attitude between samples, and a second ago. Each sample is reached within the time in which the next one is
- * expected: smooth at any rate, and behind by one period.
+ * Interpolates the attitude between samples, and knows that of a second ago. Each sample is reached when the next one
+ * is expected: smooth at any rate, and behind by one period.
  */
 export class AttitudeMotion {
   #from: Quaternion | null = null;
@@ -28,7 +28,7 @@ export class AttitudeMotion {
   #period_ms = LONGEST_MS / 2;
   #past: Moment[] = [];
 
-  /** A sample that was heard now. */
+  /** Add a sample received now. */
   push(turn: Quaternion, now_ms: number): void {
     const since_ms = now_ms - this.#start_ms;
     if (this.#to === null || since_ms > LAPSE_MS) {
@@ -47,7 +47,7 @@ export class AttitudeMotion {
     }
   }
 
-  /** Another source: nothing lies between its samples and those before. */
+  /** Another source: do not interpolate between its samples and the old ones. */
   clear(): void {
     this.#from = this.#to = null;
     this.#past = [];
@@ -62,7 +62,7 @@ export class AttitudeMotion {
     return between(this.#from, this.#to, share);
   }
 
-  /** The attitude of a second ago; null until there was one. */
+  /** The attitude of a second ago; null if there was none. */
   ghost(now_ms: number): Quaternion | null {
     const then_ms = now_ms - GHOST_MS;
     const after = this.#past.findIndex(({ at_ms }) => at_ms > then_ms);
@@ -76,7 +76,7 @@ export class AttitudeMotion {
       : between(before.turn, next.turn, (then_ms - before.at_ms) / (next.at_ms - before.at_ms));
   }
 
-  /** Whether the picture will change by itself, without another sample. */
+  /** Whether the picture changes without another sample. */
   isMoving(now_ms: number, withGhost: boolean): boolean {
     const { shown, to } = { shown: this.shown(now_ms), to: this.#to };
     if (shown === null || to === null) {

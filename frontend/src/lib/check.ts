@@ -1,11 +1,11 @@
 /**
- * Checks of what came from outside, put together from small ones. Each says whether an unknown value has the type;
- * unknown extra properties are left alone, so that a newer gateway does not blind an older page. The functions that
- * make checks are marked as free of side effects: the build leaves out every check that nothing uses.
+ * Checks of data from outside, composed of small ones. Each is a type guard. Unknown properties are allowed, so that
+ * an older page works with a newer gateway. The functions that make checks are marked as free of side effects: the
+ * build leaves out every check that nothing uses.
  */
 export interface Check<T> {
   (value: unknown): value is T;
-  /** What `faultIn` answers; missing where a check has no parts. */
+  /** The result of `faultIn`; missing if a check has no parts. */
   readonly fault?: (value: unknown) => string | null;
 }
 export type Checked<C> = C extends Check<infer T> ? T : never;
@@ -26,7 +26,7 @@ export function isFlag(value: unknown): value is boolean {
   return typeof value === "boolean";
 }
 
-/** A finite number: JSON cannot carry another, but a hand-made message can carry 1e999. */
+/** A finite number: JSON has no others, but a forged message can hold 1e999. */
 export function isNumber(value: unknown): value is number {
   return typeof value === "number" && Number.isFinite(value);
 }
@@ -45,7 +45,7 @@ export function nullable<T>(check: Check<T>): Check<T | null> {
   return checkBy((value) => (value === null ? null : faultIn(check, value)));
 }
 
-/** What an older gateway does not tell may be missing. */
+/** May be missing, for an older gateway does not send it. */
 /* @__NO_SIDE_EFFECTS__ */
 export function optional<T>(check: Check<T>): Check<T | undefined> {
   return checkBy((value) => (value === undefined ? null : faultIn(check, value)));

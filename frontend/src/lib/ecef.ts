@@ -6,8 +6,8 @@ const ECCENTRICITY_SQUARED = 1 - POLE_RATIO;
 const RADIANS = Math.PI / 180;
 
 /**
- * Writes a place as earth-centred metres to `into[at..at+2]`: x through the Gulf of Guinea, z through the north pole.
- * The height is over the ellipsoid.
+ * Writes a position as earth-centred metres to `into[at..at+2]`: x through the Gulf of Guinea, z through the north
+ * pole. The height is above the ellipsoid.
  */
 export function writeEcef(
   into: Float64Array,

@@ -4,7 +4,7 @@ import { corrected, type FieldFit, type FitAnswer, fitField } from "./ellipsoid"
 import { eigen3, leastSquares, type Matrix3, spectral3, times3 } from "./linear";
 import { DIRECTIONS, missingSide } from "./sphereCover";
 
-/** The same numbers in each run, evenly in 0..1. */
+/** Reproducible pseudo-random numbers, evenly in 0..1. */
 function numbers(seed: number): () => number {
   let state = seed;
   return () => {
@@ -23,7 +23,7 @@ const SPHERE: Matrix3 = [
   [0, 1, 0],
   [0, 0, 1],
 ];
-/** Scales of 0.8, 1.1 and 1.25 along axes that are no axes of the board. */
+/** Scales of 0.8, 1.1 and 1.25 along axes that are not the board's. */
 const BENT = spectral3(
   [
     [1.0, 0.15, -0.1],
@@ -80,7 +80,7 @@ describe("readings from all round", () => {
     const fit = fitted(fitField(readings()));
     expect(fit.kind).toBe("ellipsoid");
     expect(farthest(fit.offset, OFFSET)).toBeLessThan(0.002);
-    // What the sensor bends, the matrix straightens: together they only scale.
+    // The matrix undoes the sensor's distortion: together they only scale.
     const straight = [0, 1, 2].map((axis) =>
       times3(fit.matrix, [BENT[0][axis] ?? 0, BENT[1][axis] ?? 0, BENT[2][axis] ?? 0]),
     );

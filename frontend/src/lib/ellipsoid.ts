@@ -3,8 +3,8 @@ import { eigen3, leastSquares, type Matrix3, spectral3, times3 } from "./linear"
 import { cover } from "./sphereCover";
 
 /**
- * What turns raw readings into the field: `matrix` times (reading - `offset`) has the length `radius` for all of them.
- * The matrix is symmetric with a determinant of one; for a sphere it is the identity.
+ * Corrects raw readings: `matrix` times (reading - `offset`) has the length `radius` for every reading. The matrix is
+ * symmetric with determinant one; for a sphere it is the identity.
  */
 export interface FieldFit {
   readonly kind: "ellipsoid" | "sphere";
@@ -15,30 +15,30 @@ export interface FieldFit {
   readonly residual: number;
   readonly used: number;
   readonly rejected: number;
-  /** Directions seen, of all, 0..1. */
+  /** Share of all directions that have readings, 0..1. */
   readonly coverage: number;
 }
 
-/** Why there is no fit: too few readings, seen from too few sides, or they lie on no closed surface. */
+/** Why there is no fit: too few readings, from too few directions, or not on a closed surface. */
 export type FitRefusal = "tooFew" | "notCovered" | "notClosed";
 
 export type FitAnswer =
   | FieldFit
   | { readonly kind: "refused"; readonly why: FitRefusal; readonly coverage: number };
 
-/** Below this no fit is worth anything; from the second on an ellipsoid is; between them a sphere. */
+/** Below the first coverage there is no fit; from the second on an ellipsoid is fitted; between them a sphere. */
 export const SPHERE_COVERAGE = 0.3;
 export const ELLIPSOID_COVERAGE = 0.65;
 const LEAST_POINTS = 40;
-/** A reading farther off than so many times the usual error is none of the field. */
+/** A reading whose error is this many times the usual one is rejected as an outlier. */
 const OUTLIER_SIGMAS = 4;
-/** The usual error of normal noise, by its median. */
+/** Standard deviation of normal noise, per median of the absolute errors. */
 const SIGMA_PER_MEDIAN = 1.4826;
-/** No sensor is better than this; without it a perfect sphere would reject its own rounding. */
+/** Smallest assumed error: without it a perfect sphere would reject its own rounding errors. */
 const LEAST_SIGMA = 1e-3;
 const PASSES = 4;
 const STEPS = 8;
-/** Axes of a real magnetometer differ by tens of per cent, not by times. */
+/** The scales of a real magnetometer's axes differ by tens of per cent; a larger ratio is no fit. */
 const MOST_STRETCH = 4;
 
 const IDENTITY: Matrix3 = [
@@ -59,7 +59,7 @@ export function fitField(readings: readonly Vector[]): FitAnswer {
   }
   const rough = coverageOf(points, sphere.offset);
   const ellipsoid = rough >= SPHERE_COVERAGE ? robust(points, fitEllipsoid) : null;
-  // Seen from the better centre: a far offset makes a sphere's own centre a poor one.
+  // Measured from the better centre: a large offset makes the sphere's centre inaccurate.
   const coverage = ellipsoid === null ? rough : coverageOf(points, ellipsoid.offset);
   if (coverage < SPHERE_COVERAGE) {
     return { kind: "refused", why: "notCovered", coverage };
@@ -72,7 +72,7 @@ export function fitField(readings: readonly Vector[]): FitAnswer {
     : { kind: "sphere", ...sphere, coverage: rough };
 }
 
-/** A reading as the field, in the readings' own unit. */
+/** A corrected reading, in the readings' own unit. */
 export function corrected({ offset, matrix }: FieldFit, [x, y, z]: Vector): Vector {
   return times3(matrix, [x - offset[0], y - offset[1], z - offset[2]]);
 }
@@ -91,7 +91,7 @@ interface Shape {
 type Fit = (points: readonly Vector[]) => Shape | null;
 type Robust = Shape & Pick<FieldFit, "residual" | "used" | "rejected">;
 
-/** Fit, leave out what lies far off, and again until nothing changes. */
+/** Fit, reject outliers, and repeat until nothing changes. */
 function robust(points: readonly Vector[], find: Fit): Robust | null {
   let kept = points;
   let shape: Shape | null = null;
@@ -124,7 +124,7 @@ function errorsOf({ offset, matrix, radius }: Shape, points: readonly Vector[]):
   );
 }
 
-/** Points moved to their mean and scaled to a mean distance of one: the unknowns become of one size. */
+/** Points moved to their mean and scaled to a mean distance of one, so that the unknowns have similar sizes. */
 function normalised(points: readonly Vector[]): { mean: Vector; scale: number; unit: Vector[] } | null {
   const mean = [0, 1, 2].map(
     (axis) => points.reduce((sum, point) => sum + (point[axis] ?? 0), 0) / points.length,
@@ -142,7 +142,7 @@ function normalised(points: readonly Vector[]): { mean: Vector; scale: number; u
   };
 }
 
-/** x·x - 2 c·x = r² - c·c is linear in the centre and in what stands on the right. */
+/** x·x - 2 c·x = r² - c·c is linear in the centre and in the right-hand side. */
 function fitSphere(points: readonly Vector[]): Shape | null {
   const moved = normalised(points);
   if (moved === null) {
@@ -167,7 +167,7 @@ function fitSphere(points: readonly Vector[]): Shape | null {
   };
 }
 
-/** A general quadric as a start, then steps on the lengths themselves, which noise does not pull inwards. */
+/** Start from a general quadric, then refine the lengths' errors, which noise does not bias inwards. */
 function fitEllipsoid(points: readonly Vector[]): Shape | null {
   const moved = normalised(points);
   const start = moved === null ? null : quadric(moved.unit);
@@ -232,7 +232,7 @@ function quadric(points: readonly Vector[]): UnitShape | null {
   return level > 0 ? { centre, matrix: spectral3(form, (value) => Math.sqrt(value / level)) } : null;
 }
 
-/** Gauss and Newton on the nine unknowns of |M (x - c)| = 1. */
+/** Gauss-Newton steps on the nine unknowns of |M (x - c)| = 1. */
 function refined(points: readonly Vector[], start: UnitShape): UnitShape | null {
   let { centre, matrix } = start;
   for (let step = 0; step < STEPS; step += 1) {

@@ -1,12 +1,12 @@
 import type { Vector } from "./attitude";
 import { corrected, type FieldFit } from "./ellipsoid";
 
-/** Readings nearer than this to a kept one say nothing new; of a field of about one some 800 are kept then. */
+/** A reading nearer than this to a kept one is dropped; of a field of about one some 800 are kept. */
 const SPACING = 0.12;
-/** As many as are ever kept, whatever a broken sensor sends. */
+/** Greatest number of kept readings, whatever a broken sensor sends. */
 export const MOST_SAMPLES = 1000;
 
-/** Readings of the magnetometer, spread evenly over what was shown to it however long it rests anywhere. */
+/** Magnetometer readings, evenly spread over the directions, however long the board rests in one. */
 export class FieldSamples {
   #points: Vector[] = [];
   #cleared: Vector[] | null = null;
@@ -16,7 +16,7 @@ export class FieldSamples {
     return this.#points;
   }
 
-  /** Differs after each change. */
+  /** Changes with each change of the readings. */
   get revision(): number {
     return this.#revision;
   }
@@ -25,7 +25,7 @@ export class FieldSamples {
     return this.#cleared !== null;
   }
 
-  /** True when it was kept. */
+  /** Returns whether it was kept. */
   add(reading: Vector): boolean {
     if (this.#points.length >= MOST_SAMPLES || !reading.every(Number.isFinite)) {
       return false;
@@ -48,7 +48,7 @@ export class FieldSamples {
     this.#revision += 1;
   }
 
-  /** Take the last clearing back, as long as nothing was collected since. */
+  /** Undo the last clearing, if nothing was collected since. */
   restore(): void {
     if (this.#cleared !== null) {
       this.#points = this.#cleared;
@@ -58,7 +58,7 @@ export class FieldSamples {
   }
 }
 
-/** Figures that say more than any of these sensors knows. */
+/** Significant digits, more than any of these sensors resolves. */
 const FIGURES = 5;
 
 function figures(values: readonly number[]): string {
@@ -77,7 +77,7 @@ export function fitText({ offset, matrix, radius, residual }: FieldFit): string 
   ].join("\n");
 }
 
-/** Readings, and where there is a fit what it makes of them. */
+/** The readings and, if there is a fit, the corrected ones. */
 export function samplesCsv(points: readonly Vector[], fit: FieldFit | null): string {
   const rows = points.map((point) => {
     const made = fit === null ? ["", "", ""] : corrected(fit, point).map((value) => value.toFixed(FIGURES));

@@ -1,8 +1,8 @@
 import { wrap360 } from "./angles";
 
 /**
- * Numbers as text: rounded, whole, with a decimal point in every language (the station's users know it so, and a
- * coordinate can be copied as it stands). What is not a finite number has no text: the caller shows "no data".
+ * A number as rounded text, with a decimal point in every language: the station's users know it so, and a coordinate
+ * can be copied. A value that is no finite number has no text: the caller shows "no data".
  */
 export function formatFixed(value: number | null | undefined, digits: number): string | null {
   if (value === null || value === undefined || !Number.isFinite(value)) {
@@ -13,10 +13,10 @@ export function formatFixed(value: number | null | undefined, digits: number): s
   return Number(text) === 0 ? (0).toFixed(digits) : text;
 }
 
-/** A float of the wire has seven figures. */
+/** A float of the wire has seven significant digits. */
 export const WIRE_FIGURES = 7;
 
-/** Any measured number to so many figures; a large one keeps all its digits before the point. */
+/** A measured number to so many significant digits; a large one keeps all digits before the point. */
 export function formatMeasured(value: number | null | undefined, figures = 5): string | null {
   if (value === null || value === undefined || !Number.isFinite(value)) {
     return null;
@@ -25,7 +25,7 @@ export function formatMeasured(value: number | null | undefined, figures = 5): s
   return formatFixed(value, Math.max(0, figures - before));
 }
 
-/** A heading, bearing or track: 0..360 and never "360.0", because the rounding comes before the wrap. */
+/** A heading, bearing or track: 0..360, never "360.0", because it is rounded before it is wrapped. */
 export function formatHeading(angle_deg: number | null | undefined, digits: number): string | null {
   if (angle_deg === null || angle_deg === undefined || !Number.isFinite(angle_deg)) {
     return null;
@@ -49,7 +49,7 @@ export function formatAge(age_s: number): string {
 
 const SIZES = ["B", "kB", "MB", "GB", "TB"] as const;
 
-/** Bytes in steps of 1000, three figures. */
+/** Bytes with decimal prefixes, three significant digits. */
 export function formatBytes(bytes: number): string {
   let value = bytes;
   let step = 0;

@@ -1,7 +1,7 @@
 import { wrap180, wrap360 } from "./angles";
 import { DEGREES_PER_RADIAN } from "./units";
 
-/** A place: north and east are positive, degrees. */
+/** A position: north and east are positive, degrees. */
 export interface Position {
   readonly latitude_deg: number;
   readonly longitude_deg: number;
@@ -21,7 +21,7 @@ export function distance_m(from: Position, to: Position): number {
   return 2 * EARTH_RADIUS_M * Math.asin(Math.sqrt(Math.min(1, haversine)));
 }
 
-/** Bearing in which the great circle leaves `from`, 0..360 clockwise from north; null where both are one place. */
+/** Initial bearing of the great circle from `from`, 0..360 clockwise from north; null if both positions coincide. */
 export function bearing_deg(from: Position, to: Position): number | null {
   const latitude = radians(to.latitude_deg - from.latitude_deg);
   const longitude = radians(to.longitude_deg - from.longitude_deg);
@@ -33,7 +33,7 @@ export function bearing_deg(from: Position, to: Position): number | null {
   return east === 0 && north === 0 ? null : wrap360(Math.atan2(east, north) * DEGREES_PER_RADIAN);
 }
 
-/** The place `distance` metres from `from` along the great circle that leaves in this bearing. */
+/** The position `distance` metres from `from` along the great circle with this initial bearing. */
 export function destination(from: Position, bearing: number, distance: number): Position {
   const angle = distance / EARTH_RADIUS_M;
   const latitude = radians(from.latitude_deg);

@@ -1,16 +1,16 @@
-/** Small dense systems, rows of numbers; for fits with a handful of unknowns. */
+/** Small dense linear systems as rows of numbers, for fits with a handful of unknowns. */
 
 export type Row = readonly number[];
 /** Three rows of three. */
 export type Matrix3 = readonly [Row3, Row3, Row3];
 type Row3 = readonly [number, number, number];
 
-/** A pivot that is smaller than this share of the largest says nothing but noise. */
+/** A pivot below this share of the largest is only rounding error. */
 const RANK = 1e-10;
 
 /**
- * Least squares of `rows` x = `values` by Householder reflections: exact to the condition of the rows themselves, where
- * normal equations would square it. Null where the rows do not decide all unknowns.
+ * Least squares of `rows` x = `values` by Householder reflections, whose accuracy depends on the condition of the
+ * rows; normal equations would square it. Null if the rows do not determine all unknowns.
  */
 export function leastSquares(rows: readonly Row[], values: readonly number[]): number[] | null {
   const width = rows[0]?.length ?? 0;
@@ -18,7 +18,7 @@ export function leastSquares(rows: readonly Row[], values: readonly number[]): n
   if (width === 0 || height < width) {
     return null;
   }
-  // Column by column, the values as one more.
+  // By columns, with the values as the last one.
   const columns = Array.from({ length: width + 1 }, (_, column) =>
     Float64Array.from({ length: height }, (__, row) =>
       column < width ? (rows[row]?.[column] ?? 0) : (values[row] ?? 0),
@@ -35,7 +35,7 @@ export function leastSquares(rows: readonly Row[], values: readonly number[]): n
   return backwards(columns, diagonal);
 }
 
-/** One reflection: below `step` its column becomes zero. Returns the pivot; the mirror is left in the column. */
+/** One reflection: makes the column zero below `step`. Returns the pivot; the reflection vector stays in the column. */
 function reflect(columns: readonly Float64Array[], step: number): number {
   const column = columns[step] ?? new Float64Array();
   const length = Math.sqrt(product(column, column, step));
@@ -56,7 +56,7 @@ function reflect(columns: readonly Float64Array[], step: number): number {
   return pivot;
 }
 
-/** Of two columns from a row on. */
+/** Scalar product of two columns from a row on. */
 function product(one: Float64Array, other: Float64Array, from: number): number {
   let sum = 0;
   for (let row = from; row < one.length; row += 1) {
@@ -133,7 +133,7 @@ function turn(
   (rows[row2] ?? [])[column2] = s * first + c * second;
 }
 
-/** The symmetric matrix with the same eigenvectors, whose eigenvalues are `change` of these. */
+/** The symmetric matrix with the same eigenvectors and `change` applied to its eigenvalues. */
 export function spectral3(matrix: Matrix3, change: (value: number) => number): Matrix3 {
   const { values, vectors } = eigen3(matrix);
   const entry = (row: number, column: number): number =>

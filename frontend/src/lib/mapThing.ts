@@ -1,8 +1,7 @@
-/** Whose: the real aircraft's, or that of the simulator. */
-export type Whose = "flight" | "hil";
+import type { Aircraft } from "./aircraft";
 
-/** What can be pointed at on the map. */
+/** What can be selected on the map. */
 export type MapThing =
-  | { readonly kind: "waypoint"; readonly plan: Whose; readonly row: number }
-  | { readonly kind: "aircraft"; readonly plan: Whose }
+  | { readonly kind: "waypoint"; readonly plan: Aircraft; readonly row: number }
+  | { readonly kind: "aircraft"; readonly plan: Aircraft }
   | { readonly kind: "home" };

@@ -1,10 +1,10 @@
-/** A moment as a clock on the wall shows it here, 24 hours: Unix seconds -> "14:05:09". */
+/** Local time with 24 hours: Unix seconds -> "14:05:09". */
 export function formatClock(at_s: number): string {
   const at = new Date(at_s * 1000);
   return [at.getHours(), at.getMinutes(), at.getSeconds()].map(twoDigits).join(":");
 }
 
-/** With the day before it where that is not the day of `now_s`: "2026-11-20 14:05:09". */
+/** With the date in front if it is not the day of `now_s`: "2026-11-20 14:05:09". */
 export function formatMoment(at_s: number, now_s: number): string {
   const [at, now] = [new Date(at_s * 1000), new Date(now_s * 1000)];
   if (at.toDateString() === now.toDateString()) {

@@ -1,12 +1,12 @@
-/** Numbers in words change this often: faster than that nobody can read them. */
+/** Numbers as text change at most this often: faster ones cannot be read. */
 export const NUMBER_PERIOD_MS = 100;
 
-/** Descriptions for screen readers change this often. */
+/** Descriptions for screen readers change at most this often. */
 export const DESCRIPTION_PERIOD_MS = 500;
 
 /**
- * Lets something slow follow something fast: true at most once in a period. Periods are counted from the page's start,
- * so all that is due is due in the same frame, and the browser builds its picture of the texts once for all of them.
+ * Limits a rate: true at most once per period. Periods are counted from the page's start, so that everything due is
+ * due in the same animation frame and the browser lays out all texts once.
  */
 export class Pace {
   readonly #period_ms: number;
@@ -25,7 +25,7 @@ export class Pace {
     return true;
   }
 
-  /** The next question is answered with yes: after a pause the first value must show at once. */
+  /** Make the next call return true: after a pause the first value is shown at once. */
   reset(): void {
     this.#last = Number.NaN;
   }

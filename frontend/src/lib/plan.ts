@@ -10,14 +10,14 @@ export interface Waypoint extends Position {
 export const WAYPOINT_FIELDS = ["latitude_deg", "longitude_deg", "altitude_ft", "speed_kt"] as const;
 export type WaypointField = (typeof WAYPOINT_FIELDS)[number];
 
-/** The way from a waypoint to the next. */
+/** The leg from a waypoint to the next. */
 export interface Leg {
   readonly distance_m: number;
-  /** Null where both are one place. */
+  /** Null if both positions coincide. */
   readonly bearing_deg: number | null;
   /** Up is positive. */
   readonly climb_ft: number;
-  /** Angle of the straight line, up is positive; ±90 where both are one place. */
+  /** Climb angle of the straight line, up is positive; ±90 if both positions coincide. */
   readonly climb_deg: number;
 }
 
@@ -44,8 +44,8 @@ const CAPTURE_MINIMUM_TO_KT = 55;
 const STEEPEST_BANK_DEG = 30;
 
 /**
- * Metres within which the board counts a waypoint as reached: 200 up to 55 kt, above that one and a half radii of its
- * steepest turn.
+ * Distance, metres, at which the board counts a waypoint as reached: 200 up to 55 kt, above that one and a half radii
+ * of its steepest turn.
  */
 export function captureRadius_m(speed_kt: number): number {
   if (!(speed_kt > CAPTURE_MINIMUM_TO_KT)) {
@@ -56,12 +56,12 @@ export function captureRadius_m(speed_kt: number): number {
   return Math.max(CAPTURE_MINIMUM_M, 1.5 * turn_m);
 }
 
-/** Both plans are the same for the board, which keeps positions in double and the rest in single precision. */
+/** Whether both plans are the same for the board, which stores positions in double and the rest in single precision. */
 export function samePlan(one: readonly Waypoint[], other: readonly Waypoint[]): boolean {
   return one.length === other.length && one.every((waypoint, index) => sameWaypoint(waypoint, other[index]));
 }
 
-/** For each waypoint whether the board does not have it in its place as it is here; of an unknown plan it has none. */
+/** For each waypoint, whether it differs from the board's in the same place; if the board's plan is unknown, all do. */
 export function unsentOf(
   waypoints: readonly Waypoint[],
   board: readonly Waypoint[] | null,
@@ -95,12 +95,12 @@ function sameWaypoint(waypoint: Waypoint, twin: Waypoint | undefined): boolean {
   );
 }
 
-/** Altitude of the start, speed of the usual aircraft: for a plan that has no point to take them from. */
+/** A first waypoint: the start's position and altitude, the usual aircraft's speed. */
 const FIRST: Waypoint = { latitude_deg: 27.9319, longitude_deg: -15.3866, altitude_ft: 1000, speed_kt: 55 };
-/** How far a new last point lies ahead of the one before, metres. */
+/** Distance of a new last waypoint from the one before, metres. */
 const AHEAD_M = 1000;
 
-/** The plan with one more point behind `index` (-1: before the first): half way to the next, or straight on. */
+/** The plan with a new waypoint after `index` (-1: before the first): half way to the next, or straight ahead. */
 export function inserted(waypoints: readonly Waypoint[], index: number): readonly Waypoint[] {
   const before = waypoints[index];
   const after = waypoints[index + 1];
@@ -126,7 +126,7 @@ export function removed(waypoints: readonly Waypoint[], index: number): readonly
   return waypoints.filter((_, other) => other !== index);
 }
 
-/** The plan with one point a place earlier or later; the same plan where there is no such place. */
+/** The plan with one waypoint a place earlier or later; unchanged at the end. */
 export function moved(waypoints: readonly Waypoint[], index: number, by: -1 | 1): readonly Waypoint[] {
   const one = waypoints[index];
   const other = waypoints[index + by];
@@ -147,14 +147,14 @@ export function changed(
     : waypoints.with(index, { ...waypoint, [field]: value });
 }
 
-/** How far a waypoint is pushed, and in which direction: metres to the north and east, feet upwards. */
+/** A displacement of a waypoint: metres to the north and east, feet upwards. */
 export interface Push {
   readonly north_m?: number;
   readonly east_m?: number;
   readonly up_ft?: number;
 }
 
-/** The plan with one point pushed along the ground and upwards; the same plan where there is no such point. */
+/** The plan with one waypoint displaced; unchanged if there is no such waypoint. */
 export function pushed(
   waypoints: readonly Waypoint[],
   index: number,
@@ -175,7 +175,7 @@ export function pushed(
   });
 }
 
-/** The plan with one point somewhere else; what moved is put down to the figures that people write. */
+/** The plan with one waypoint put to another position, rounded to the usual precision. */
 export function placed(
   waypoints: readonly Waypoint[],
   index: number,
@@ -192,7 +192,7 @@ export function placed(
   return waypoints.with(index, { ...waypoint, latitude_deg, longitude_deg, altitude_ft });
 }
 
-/** To the figures that people write: 0.1 m, whole feet. */
+/** Rounded to the usual precision: 0.1 m, whole feet. */
 function rounded({ latitude_deg, longitude_deg, altitude_ft, speed_kt }: Waypoint): Waypoint {
   return {
     latitude_deg: Number(latitude_deg.toFixed(6)),

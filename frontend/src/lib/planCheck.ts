@@ -7,7 +7,7 @@ import {
   type WaypointField,
 } from "./plan";
 
-/** What the board takes. */
+/** The board's limits. */
 export interface PlanLimits {
   readonly count: { readonly minimum: number; readonly maximum: number };
   readonly fields: Readonly<Record<WaypointField, { readonly minimum: number; readonly maximum: number }>>;
@@ -23,20 +23,20 @@ export type PlanFault =
   | "far"
   | "slow";
 
-/** Something wrong with a plan. An `error` prevents its upload, a `warning` does not. */
+/** A fault of a plan. An `error` prevents its upload, a `warning` does not. */
 export interface PlanIssue {
   readonly level: "error" | "warning";
   readonly code: PlanFault;
   /** Index of the waypoint, or of the one at which the leg ends; null for the plan as a whole. */
   readonly row: number | null;
   readonly field: WaypointField | null;
-  /** The values that go into the sentence, in the units of their names. */
+  /** The values in the sentence, in the units of their names. */
   readonly params: Readonly<Record<string, number>>;
 }
 
-/** Nearer than this two points are one place, metres: the board's own positions are no finer. */
+/** Waypoints nearer than this, metres, coincide: the board's positions are no finer. */
 const SAME_PLACE_M = 1;
-/** The autopilot never asks for more pitch than this, degrees: what is steeper cannot be flown at all. */
+/** The autopilot never commands more pitch than this, degrees: a steeper leg cannot be flown. */
 const STEEPEST_CLIMB_DEG = 15;
 const STEEPEST_DESCENT_DEG = 20;
 /** The usual aircraft gained 300 ft in the closed loop at about this angle, degrees. */
@@ -46,7 +46,7 @@ const FAR_M = 50_000;
 /** Below this the autopilot holds its integrals, knots. */
 const SLOW_KT = 20;
 
-/** Everything wrong with a plan, in the order of its waypoints. */
+/** All faults of a plan, in the order of its waypoints. */
 export function checkPlan(waypoints: readonly Waypoint[], limits: PlanLimits): readonly PlanIssue[] {
   const { minimum, maximum } = limits.count;
   const count =
@@ -60,7 +60,7 @@ export function checkPlan(waypoints: readonly Waypoint[], limits: PlanLimits): r
       const leg = legs[row - 1];
       const before = waypoints[row - 1];
       const own = checkWaypoint(waypoint, row, limits);
-      // A leg to or from what is no place says nothing.
+      // Skip a leg with an invalid position.
       const isPlace = before !== undefined && isOnEarth(waypoint, limits) && isOnEarth(before, limits);
       return leg !== undefined && isPlace ? [...own, ...checkLeg(leg, waypoint, row)] : own;
     }),
@@ -102,7 +102,7 @@ function checkLeg(leg: Leg, to: Waypoint, row: number): PlanIssue[] {
 
 function inRange(waypoint: Waypoint, field: WaypointField, { fields }: PlanLimits): boolean {
   const { minimum, maximum } = fields[field];
-  // Written so that a NaN is outside.
+  // Written so that NaN counts as outside.
   return waypoint[field] >= minimum && waypoint[field] <= maximum;
 }
 

@@ -1,6 +1,6 @@
 /**
- * What some signals were over the last seconds, row by row, in memory that is taken once. A row holds a value of each
- * signal at one time; NaN stands for "no data" inside, null outside.
+ * The values of some signals over the last seconds, in rows in preallocated memory. A row holds one value per signal
+ * at one time; "no data" is NaN inside, null outside.
  */
 export class SignalHistory {
   readonly #capacity: number;
@@ -9,14 +9,14 @@ export class SignalHistory {
   #next = 0;
   #count = 0;
 
-  /** Room for `capacity` rows; the oldest gives way to the newest. */
+  /** Holds `capacity` rows; new ones overwrite the oldest. */
   constructor(keys: readonly string[], capacity: number) {
     this.#capacity = capacity;
     this.#times_s = new Float64Array(capacity);
     this.#columns = new Map(keys.map((key) => [key, new Float64Array(capacity)]));
   }
 
-  /** The newest of the same rows for other signals: those that stay keep what they were, a new one begins with no data. */
+  /** The newest rows for other signals: kept signals keep their values, new ones have no data. */
   withKeys(keys: readonly string[], capacity: number): SignalHistory {
     const other = new SignalHistory(keys, capacity);
     for (let index = 0; index < this.#count; index += 1) {
@@ -26,7 +26,7 @@ export class SignalHistory {
     return other;
   }
 
-  /** Add a row; `read` gives the value of a signal, null where it has none. Times must not run backwards. */
+  /** Add a row; `read` returns a signal's value, or null. Times must not decrease. */
   append(time_s: number, read: (key: string) => number | null): void {
     this.#times_s[this.#next] = time_s;
     for (const [key, column] of this.#columns) {
@@ -76,7 +76,7 @@ export interface HistoryWindow {
   readonly values: ReadonlyMap<string, ReadonlyArray<number | null>>;
 }
 
-/** Least and greatest of the values that are there; null when none is. */
+/** The least and greatest value; null if there is none. */
 export function extent(values: ReadonlyArray<number | null>): { min: number; max: number } | null {
   let min = Number.POSITIVE_INFINITY;
   let max = Number.NEGATIVE_INFINITY;

@@ -1,6 +1,6 @@
 import type { Vector } from "./attitude";
 
-/** Directions all round, each standing for the same part of the sphere: a spiral with the golden angle. */
+/** Evenly spread directions: a spiral with the golden angle. */
 export const DIRECTIONS: readonly Vector[] = spiral(80);
 
 function spiral(count: number): Vector[] {
@@ -12,7 +12,7 @@ function spiral(count: number): Vector[] {
   });
 }
 
-/** Which of the directions is nearest to this vector; null for one without a direction. */
+/** Index of the nearest direction; null for a zero vector. */
 export function nearestDirection([x, y, z]: Vector): number | null {
   if (!(x * x + y * y + z * z > 0)) {
     return null;
@@ -28,7 +28,7 @@ export function nearestDirection([x, y, z]: Vector): number | null {
   return best;
 }
 
-/** How many points lie towards each direction from the centre. */
+/** Number of points in each direction from the centre. */
 export function cover(points: readonly Vector[], centre: Vector): number[] {
   const seen = new Array<number>(DIRECTIONS.length).fill(0);
   for (const [x, y, z] of points) {
@@ -53,7 +53,7 @@ const SIDE_VECTORS: Readonly<Record<Side, Vector>> = {
   top: [0, 0, -1],
 };
 
-/** The side round which most directions were not seen yet; null when all were. */
+/** The side with the most missing directions; null if none is missing. */
 export function missingSide(seen: readonly number[]): Side | null {
   let worst: Side | null = null;
   let most = 0;
@@ -61,7 +61,7 @@ export function missingSide(seen: readonly number[]): Side | null {
     const [x, y, z] = SIDE_VECTORS[side];
     let missing = 0;
     for (const [index, [a, b, c]] of DIRECTIONS.entries()) {
-      // What lies nearer to the side counts for more, and what lies behind it not at all.
+      // Directions nearer to the side count more, those behind it not at all.
       missing += (seen[index] ?? 0) === 0 ? Math.max(0, a * x + b * y + c * z) ** 2 : 0;
     }
     if (missing > most + 1e-9) {

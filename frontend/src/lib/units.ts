@@ -1,4 +1,4 @@
-/** Unit conversions of the page; nothing converts inline. */
+/** The page's unit conversions; nothing is converted elsewhere. */
 
 export const DEGREES_PER_RADIAN = 180 / Math.PI;
 /** International foot, nautical mile and knot, exact. */
@@ -13,13 +13,13 @@ export function feetFromMetres(metres: number): number {
   return metres / METRES_PER_FOOT;
 }
 
-/** One of a unit in metres, metres a second or kelvin; the zero of a temperature scale lies at `zero`. */
+/** The size of one unit in metres, metres a second or kelvin; `zero` is the zero of a temperature scale. */
 interface Size {
   readonly size: number;
   readonly zero?: number;
 }
 
-/** The units between which the page converts, by the names which they have in the catalogue. */
+/** The page's units, by their names in the catalogue. */
 const SIZES = {
   m: { size: 1 },
   ft: { size: METRES_PER_FOOT },
@@ -35,7 +35,7 @@ const SIZES = {
 
 export type UnitName = keyof typeof SIZES;
 
-/** `value` from one unit into another of the same quantity; a value already in its unit comes back untouched. */
+/** Convert `value` between two units of the same quantity; unchanged if they are the same. */
 export function convertUnit(value: number, from: UnitName, to: UnitName): number {
   if (from === to) {
     return value;

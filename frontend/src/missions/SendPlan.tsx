@@ -13,15 +13,15 @@ import { usePlans } from "./usePlans";
 
 interface Props {
   plan: PlanName;
-  /** As the board has it, as far as that is known. */
+  /** The board's plan, as far as it is known. */
   onBoard: readonly Waypoint[] | null;
   disabledReason: string | undefined;
   children: ReactNode;
 }
 
 /**
- * Sends the edited plan. A board starts a plan that it receives at waypoint 1: while it flies one it is asked first
- * whether it shall go on to the waypoint that it flies to.
+ * Sends the edited plan. The board starts a received plan at waypoint 1: if it flies a plan now, ask first whether it
+ * should go on to its present waypoint.
  */
 export function SendPlan({ plan, onBoard, disabledReason, children }: Props) {
   const { t } = useTranslation();
@@ -72,7 +72,7 @@ export function SendPlan({ plan, onBoard, disabledReason, children }: Props) {
 interface Flown {
   /** A start at waypoint 1 would change where the board flies to, or may do so. */
   readonly isFlown: boolean;
-  /** Row of the board's plan that it flies to; null while nothing live tells. */
+  /** Row of the board's plan that it flies to; null without live data. */
   readonly to: number | null;
   /** The same waypoint's row in the edited plan. */
   readonly row: number | null;

@@ -19,10 +19,10 @@ import {
 import { PLAN } from "./planFacts";
 
 const PATH = "/api/v1/missions";
-/** A hundred waypoints, each acknowledged, over a slow radio, and all of them read back. */
+/** Time to send a hundred waypoints over a slow radio, each acknowledged, and to read them all back. */
 const TRANSFER_MS = 120_000;
 
-/** What a person can ask about the flight plans, as questions to the gateway with their outcome in the stores. */
+/** The requests about flight plans, with their outcome in the stores. */
 export function createPlanActions(
   plans: PlanStore,
   saveFile: (name: string, content: Blob) => void,
@@ -41,7 +41,7 @@ export function createPlanActions(
     });
   }
 
-  /** Without the board's proof it is said that the plan may have been started again. */
+  /** Without the board's confirmation the message says that the plan may have been started again. */
   function goOn(plan: PlanName, index: number): Promise<void> {
     const body = { value: { plan: PLAN[plan].number, index } };
     const asked = rest.ask("POST", "/api/v1/commands/go_to_waypoint", isCommandOutcome, body);
@@ -120,14 +120,14 @@ const isRouteEvent = shape({
   client: nullable(isText),
 });
 
-/** What the stream tells of the board's plans: one that somebody else changes is not known here any more. */
+/** Handle the stream's events about the board's plans: a plan that another client changes is no longer known here. */
 export function takePlanEvent(plans: PlanStore, { event, data }: StreamEvent, client: string | null): void {
   if (event === "mission" && isMissionEvent(data) && data.client !== client) {
     forgetBoardPlan(plans, data.plan);
   } else if (
     event === "command" &&
     isRouteEvent(data) &&
-    // Of one's own it is told as it begins: by its end the plan may already have been read again.
+    // For this page's own transfer only its beginning counts: by its end the plan may have been read again.
     (data.client !== client || data.state === "pending")
   ) {
     forgetBoardPlan(plans, "hil");
@@ -137,7 +137,7 @@ export function takePlanEvent(plans: PlanStore, { event, data }: StreamEvent, cl
   }
 }
 
-/** A board that is not there, or another one, has plans that nobody here knows. */
+/** When the board is lost or is another one, its plans are unknown. */
 export function takePlanStatus(
   plans: PlanStore,
   before: Status["board"] | null,

@@ -9,32 +9,32 @@ import type { Message } from "../store/messages";
 import { partName } from "../store/parts";
 import type { BrowserStorage } from "../store/settings";
 
-/** A flight plan as it is edited here, and as the board has it. */
+/** A flight plan: the draft, and the board's. */
 export interface Plan {
   readonly draft: History<readonly Waypoint[]>;
-  /** As the board has it, proven; null where that is not known. */
+  /** The board's plan, as read back; null if unknown. */
   readonly board: readonly Waypoint[] | null;
-  /** What was supposed when the draft was read from a file. */
+  /** The assumptions made when the draft was read from a file. */
   readonly notes: readonly Message[];
 }
 
 export type Plans = Readonly<Record<PlanName, Plan>>;
 export type PlanStore = StoreApi<Plans>;
 
-/** What a person can ask about the flight plans; nothing here throws. */
+/** The user's requests about flight plans; nothing here throws. */
 export interface PlanActions {
   readonly plans: PlanStore;
   /** Read it from the board; it becomes the draft. */
   readonly download: (plan: PlanName, asker: Asker) => Promise<void>;
   /**
-   * Send the draft, whole or not at all, and read it back. The board starts it at its first waypoint, or goes on to the
-   * row `goOnTo`: that is commanded once the board has the plan, under the control of "go to".
+   * Send the draft completely or not at all, and read it back. The board starts it at its first waypoint, or goes on to
+   * the row `goOnTo`: that is commanded once the board has the plan, under the control of "go to".
    */
   readonly upload: (plan: PlanName, asker: Asker, goOnTo: number | null) => Promise<void>;
-  /** Let the board take a route that it has built in, and read that. `canRead`: the board can tell its plan. */
+  /** Make the board load one of its built-in routes, and read it. `canRead`: the board can send its plan. */
   readonly loadRoute: (route: RouteCommand, canRead: boolean, asker: Asker) => Promise<void>;
   readonly importFile: (plan: PlanName, file: File, asker: Asker) => Promise<void>;
-  /** The draft as a file of another program, for the person to keep. */
+  /** Save the draft as a file of another program. */
   readonly exportFile: (plan: PlanName, format: PlanFormat, name: string, asker: Asker) => Promise<void>;
 }
 

@@ -3,7 +3,7 @@ import type { CommandName } from "../protocol/messages.gen";
 import type { PlanName } from "../protocol/missions";
 
 interface PlanFacts {
-  /** Where the board tells to which waypoint it flies. */
+  /** The topic in which the board reports the active waypoint. */
   readonly topic: "fms_plan" | "fms_hil_plan";
   /** Its number on the wire. */
   readonly number: 0 | 1;
@@ -11,7 +11,7 @@ interface PlanFacts {
   readonly autopilot: "autopilot" | "autopilot_hil";
   readonly previous: CommandName;
   readonly next: CommandName;
-  /** What its files are called. */
+  /** Base name of its files. */
   readonly file: string;
 }
 
@@ -34,7 +34,7 @@ export const PLAN: Readonly<Record<PlanName, PlanFacts>> = {
   },
 };
 
-/** The columns that are edited, by the catalogue's names of them. */
+/** The editable columns, with their keys in the catalogue. */
 export const COLUMN = {
   latitude_deg: "latitude",
   longitude_deg: "longitude",

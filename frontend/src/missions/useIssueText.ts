@@ -5,7 +5,7 @@ import type { PlanIssue } from "../lib/planCheck";
 import { useUnit } from "../readouts/useUnit";
 import { COLUMN } from "./planFacts";
 
-/** What is wrong with a plan as a sentence, with its numbers in the reader's units. */
+/** A plan's fault as a sentence, with numbers in the user's units. */
 export function useIssueText(): (issue: PlanIssue) => string {
   const { t } = useTranslation();
   const altitude = useUnit("altitude");

@@ -11,15 +11,15 @@ export interface ShownPlan {
   readonly waypoints: readonly Waypoint[];
   readonly issues: readonly PlanIssue[];
   readonly state: PlanState;
-  /** Index of the waypoint that the board says it flies to; null while that is not live. */
+  /** Index of the waypoint that the board reports to fly to; null if not live. */
   readonly flownTo: number | null;
-  /** The same, where the board's plan is the one shown: only then does the index belong to a row of it. */
+  /** The same if the shown plan is the board's, else null: only then it is an index into the shown rows. */
   readonly active: number | null;
-  /** The board can send and take plans. */
+  /** Whether the board can send and receive plans. */
   readonly canTransfer: boolean;
 }
 
-/** A plan as it is edited, what is wrong with it, and what the board makes of it. */
+/** A plan's draft, its faults, and the board's progress in it. */
 export function usePlan(plan: PlanName): ShownPlan {
   const waypoints = usePlans((plans) => plans[plan].draft.present);
   const state = usePlans((plans) => planState(plans[plan]));

@@ -73,7 +73,7 @@ export function parseMessage(text: string): StreamMessage | null {
   return null;
 }
 
-/** The number of a batch of which nothing else has to be as agreed; null for what is no batch. */
+/** The number of a batch, whose other parts may be malformed; null if it is no batch. */
 export function batchNumber(text: string): number | null {
   try {
     const value: unknown = JSON.parse(text);

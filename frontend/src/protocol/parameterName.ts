@@ -1,5 +1,5 @@
 import { oneOf } from "../lib/check";
 import { PARAMETERS } from "./messages.gen";
 
-/** A gain that this page's definition of the wire has. */
+/** A gain that the page's message definition contains. */
 export const isParameterName = oneOf(...PARAMETERS.map(({ name }) => name));

@@ -1,9 +1,5 @@
 import type { TrackPoint } from "../lib/track/trackPoints";
 
-/** The flown tracks: of the aircraft by its GPS, and of the simulator's. */
-export const TRACKS = ["real", "hil"] as const;
-export type TrackName = (typeof TRACKS)[number];
-
 /** Points of a track from one index on. */
 export interface TrackPiece {
   /** Another number: points which were known are no longer as they were. */

@@ -1,7 +1,8 @@
 import { expect, test } from "vitest";
+import { AIRCRAFT } from "../lib/aircraft";
 import { PARAMETERS } from "./messages.gen";
 import { FIELD_KINDS } from "./topics";
-import { AIRCRAFT, LOOPS, loopOf, loopParameters, loopSignals } from "./tuning";
+import { LOOPS, loopOf, loopParameters, loopSignals } from "./tuning";
 
 test("every parameter belongs to one loop", () => {
   const all = LOOPS.flatMap(loopParameters);
@@ -27,7 +28,7 @@ test.each([
 
 test("the real aircraft's signals are the board's own", () => {
   for (const loop of LOOPS) {
-    for (const [, { topic }] of loopSignals(loop, "real")) {
+    for (const [, { topic }] of loopSignals(loop, "flight")) {
       expect(["simulator", "hil_surfaces", "fms_hil_plan"]).not.toContain(topic);
     }
   }
@@ -43,7 +44,7 @@ test("no loop asks for more than four units, which is what a plot has axes for",
 });
 
 test("a signal in feet or degrees a second comes out of metres and radians", () => {
-  const [, altitude] = loopSignals("altitude", "real");
+  const [, altitude] = loopSignals("altitude", "flight");
   expect(altitude?.[1].scale?.(304.8)).toBeCloseTo(1000, 9);
   const rate = loopSignals("roll", "hil")[1];
   expect(rate?.[1].scale?.(Math.PI)).toBeCloseTo(180, 9);

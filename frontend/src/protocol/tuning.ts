@@ -1,10 +1,7 @@
+import type { Aircraft } from "../lib/aircraft";
 import { degreesFromRadians, feetFromMetres } from "../lib/units";
 import type { ParameterName } from "./messages.gen";
 import type { NumberField, TopicName } from "./topics";
-
-/** Whose signals: those of the simulator and the HIL plan, or those of the board's own sensors. */
-export const AIRCRAFT = ["hil", "real"] as const;
-export type Aircraft = (typeof AIRCRAFT)[number];
 
 export type SignalName =
   | "altitude"
@@ -33,74 +30,75 @@ export type TuningSignal = {
   readonly scale?: (value: number) => number;
 };
 
+/** `hil`: of the simulator and the HIL plan. `flight`: of the board's own sensors. */
 const SIGNALS: Readonly<Record<SignalName, Readonly<Record<Aircraft, TuningSignal>>>> = {
   altitude: {
     hil: { topic: "simulator", field: "altitude_indicated_ft", unit: "ft" },
-    real: { topic: "analog", field: "altitude_m", unit: "ft", scale: feetFromMetres },
+    flight: { topic: "analog", field: "altitude_m", unit: "ft", scale: feetFromMetres },
   },
   altitudeAsked: {
     hil: { topic: "fms_hil_plan", field: "altitude_ft", unit: "ft" },
-    real: { topic: "fms_plan", field: "altitude_ft", unit: "ft" },
+    flight: { topic: "fms_plan", field: "altitude_ft", unit: "ft" },
   },
   vvi: {
     hil: { topic: "simulator", field: "vvi_ft_min", unit: "ftPerMin" },
-    real: { topic: "analog", field: "vvi_ft_min", unit: "ftPerMin" },
+    flight: { topic: "analog", field: "vvi_ft_min", unit: "ftPerMin" },
   },
   pitch: {
     hil: { topic: "simulator", field: "pitch_deg", unit: "deg" },
-    real: { topic: "ahrs", field: "pitch_deg", unit: "deg" },
+    flight: { topic: "ahrs", field: "pitch_deg", unit: "deg" },
   },
   q: {
     hil: { topic: "simulator", field: "q_rad_s", unit: "degPerS", scale: degreesFromRadians },
-    real: { topic: "inertial", field: "gy_rad_s", unit: "degPerS", scale: degreesFromRadians },
+    flight: { topic: "inertial", field: "gy_rad_s", unit: "degPerS", scale: degreesFromRadians },
   },
   elevator: {
     hil: { topic: "hil_surfaces", field: "elevator", unit: null },
-    real: { topic: "fly_by_wire", field: "elevator", unit: null },
+    flight: { topic: "fly_by_wire", field: "elevator", unit: null },
   },
   bearingAsked: {
     hil: { topic: "fms_hil_plan", field: "bearing_deg", unit: "deg" },
-    real: { topic: "fms_plan", field: "bearing_deg", unit: "deg" },
+    flight: { topic: "fms_plan", field: "bearing_deg", unit: "deg" },
   },
   track: {
     hil: { topic: "simulator", field: "horizontal_path_deg", unit: "deg" },
-    real: { topic: "gps", field: "heading_deg", unit: "deg" },
+    flight: { topic: "gps", field: "heading_deg", unit: "deg" },
   },
   roll: {
     hil: { topic: "simulator", field: "roll_deg", unit: "deg" },
-    real: { topic: "ahrs", field: "roll_deg", unit: "deg" },
+    flight: { topic: "ahrs", field: "roll_deg", unit: "deg" },
   },
   p: {
     hil: { topic: "simulator", field: "p_rad_s", unit: "degPerS", scale: degreesFromRadians },
-    real: { topic: "inertial", field: "gx_rad_s", unit: "degPerS", scale: degreesFromRadians },
+    flight: { topic: "inertial", field: "gx_rad_s", unit: "degPerS", scale: degreesFromRadians },
   },
   aileron: {
     hil: { topic: "hil_surfaces", field: "aileron", unit: null },
-    real: { topic: "fly_by_wire", field: "aileron", unit: null },
+    flight: { topic: "fly_by_wire", field: "aileron", unit: null },
   },
   r: {
     hil: { topic: "simulator", field: "r_rad_s", unit: "degPerS", scale: degreesFromRadians },
-    real: { topic: "inertial", field: "gz_rad_s", unit: "degPerS", scale: degreesFromRadians },
+    flight: { topic: "inertial", field: "gz_rad_s", unit: "degPerS", scale: degreesFromRadians },
   },
   slip: {
     hil: { topic: "simulator", field: "beta_deg", unit: "deg" },
-    real: { topic: "analog", field: "beta_deg", unit: "deg" },
+    flight: { topic: "analog", field: "beta_deg", unit: "deg" },
   },
   rudder: {
     hil: { topic: "hil_surfaces", field: "rudder", unit: null },
-    real: { topic: "fly_by_wire", field: "rudder", unit: null },
+    flight: { topic: "fly_by_wire", field: "rudder", unit: null },
   },
   speed: {
     hil: { topic: "simulator", field: "indicated_airspeed_kt", unit: "kt" },
-    real: { topic: "analog", field: "calibrated_airspeed_kt", unit: "kt" },
+    flight: { topic: "analog", field: "calibrated_airspeed_kt", unit: "kt" },
   },
   speedAsked: {
     hil: { topic: "fms_hil_plan", field: "speed_kt", unit: "kt" },
-    real: { topic: "fms_plan", field: "speed_kt", unit: "kt" },
+    flight: { topic: "fms_plan", field: "speed_kt", unit: "kt" },
   },
   throttle: {
     hil: { topic: "hil_surfaces", field: "throttle", unit: null },
-    real: { topic: "fly_by_wire", field: "throttle", unit: null },
+    flight: { topic: "fly_by_wire", field: "throttle", unit: null },
   },
 };
 

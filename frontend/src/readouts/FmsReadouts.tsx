@@ -2,10 +2,11 @@ import "./readouts.css";
 import { ChevronLeft, ChevronRight } from "lucide-react";
 import { useTranslation } from "react-i18next";
 import type { CommandName } from "../protocol/messages.gen";
+import type { NumberField } from "../protocol/topics";
 import { CommandButton } from "../requests/CommandButton";
-import { ReadoutGrid } from "../ui/Readout";
-import { heading, whole } from "./formats";
-import { LiveReadout } from "./LiveReadout";
+import type { ReadoutRow } from "./LiveReadout";
+import { COUNT, HEADING } from "./notations";
+import { ReadoutTable } from "./ReadoutTable";
 
 interface Plan {
   readonly previous: CommandName;
@@ -17,55 +18,21 @@ const PLANS: Readonly<Record<"fms_plan" | "fms_hil_plan", Plan>> = {
   fms_hil_plan: { previous: "hil_fms_previous_waypoint", next: "hil_fms_next_waypoint" },
 };
 
-/** What a flight plan asks for, and the two buttons that step through its waypoints. */
+const ROWS: readonly ReadoutRow<NumberField<"fms_plan">>[] = [
+  { field: "bearing_deg", label: "fms.bearing", as: HEADING },
+  { field: "altitude_ft", label: "fms.altitude", as: "altitude" },
+  { field: "speed_kt", label: "fms.speed", as: "speed" },
+  { field: "distance_m", label: "fms.distance", as: "distance" },
+  { field: "waypoint", label: "fms.waypoint", as: COUNT },
+];
+
+/** The targets of a flight plan, and two buttons that step through its waypoints. */
 export function FmsReadouts({ topic, columns }: { topic: keyof typeof PLANS; columns: number }) {
   const { t } = useTranslation();
   const plan = PLANS[topic];
   return (
     <div className="live-fms">
-      <ReadoutGrid columns={columns}>
-        <LiveReadout
-          size="large"
-          chars={6}
-          topic={topic}
-          field="bearing_deg"
-          format={heading}
-          label={t("fms.bearing")}
-          unit={t("unit.deg")}
-        />
-        <LiveReadout
-          size="large"
-          chars={6}
-          topic={topic}
-          field="altitude_ft"
-          quantity="altitude"
-          label={t("fms.altitude")}
-        />
-        <LiveReadout
-          size="large"
-          chars={6}
-          topic={topic}
-          field="speed_kt"
-          quantity="speed"
-          label={t("fms.speed")}
-        />
-        <LiveReadout
-          size="large"
-          chars={6}
-          topic={topic}
-          field="distance_m"
-          quantity="distance"
-          label={t("fms.distance")}
-        />
-        <LiveReadout
-          size="large"
-          chars={6}
-          topic={topic}
-          field="waypoint"
-          format={whole}
-          label={t("fms.waypoint")}
-        />
-      </ReadoutGrid>
+      <ReadoutTable topic={topic} rows={ROWS} columns={columns} size="large" chars={6} />
       <div className="live-fms-steps">
         <CommandButton command={plan.previous} icon={<ChevronLeft aria-hidden="true" />}>
           {t("fms.previous")}

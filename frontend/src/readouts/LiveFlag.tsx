@@ -3,7 +3,7 @@ import { useTelemetry } from "../store/hooks";
 import type { TelemetryStore } from "../store/telemetry";
 import { StatusFlag } from "../ui/StatusFlag";
 
-/** A flag out of a topic: null is not known. */
+/** A flag of a topic; null if unknown. */
 export type ReadFlag = (telemetry: TelemetryStore) => boolean | null;
 
 interface Props {
@@ -13,7 +13,7 @@ interface Props {
   texts?: { on: string; off: string };
 }
 
-/** A lamp with its word for one flag of a topic; when the topic is not live it says so. */
+/** A lamp and a word for one flag of a topic; marked when the topic is not live. */
 export function LiveFlag({ topic, read, label, texts }: Props) {
   const isOn = useTelemetry(read);
   const state = useTelemetry((telemetry, now_ms) => telemetry.state(topic, now_ms));

@@ -4,18 +4,18 @@ import { type HeadingHandle, HeadingIndicator } from "../instruments/heading/Hea
 import type { TelemetryStore } from "../store/telemetry";
 import { usePaint } from "../store/usePaint";
 
-/** A number for an instrument, null while there is none that is live. A function of the module. */
+/** A number for an instrument, null if not live. Defined at module level, so that painters are stable. */
 export type ReadLive = (telemetry: TelemetryStore, now_ms: number) => number | null;
 
 export const boardHeading_deg: ReadLive = (telemetry, now_ms) =>
   telemetry.liveNumber("ahrs", "yaw_deg", now_ms);
 
-/** The plan that is being flown: with a simulator in the loop it is the HIL one. */
+/** The plan that is flown: with a simulator in the loop, the HIL plan. */
 export function flownPlan(telemetry: TelemetryStore, now_ms: number): "fms_plan" | "fms_hil_plan" {
   return telemetry.state("xplane_info", now_ms) === "live" ? "fms_hil_plan" : "fms_plan";
 }
 
-/** The bearing which the board's bug shows: of the plan that is being flown. */
+/** The bearing of the plan that is flown, for the heading bug. */
 export const boardBearing_deg: ReadLive = (telemetry, now_ms) =>
   telemetry.liveNumber(flownPlan(telemetry, now_ms), "bearing_deg", now_ms);
 

@@ -34,7 +34,7 @@ function picture(): HTMLElement {
   return screen.getByRole("figure", { name: "Alabeo" });
 }
 
-/** What the plot says in words, which change once a second. */
+/** The plot's description, which changes once a second. */
 function words(): string {
   return picture().querySelector("p")?.textContent ?? "";
 }

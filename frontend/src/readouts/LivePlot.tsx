@@ -15,25 +15,25 @@ import { useLazyPlot } from "./useLazyPlot";
 
 interface Props {
   signals: readonly Signal[];
-  /** How far back the picture reaches. */
+  /** Time span of the plot. */
   window_s?: number;
-  /** A CSS length; without it the plot fills what it stands in. */
+  /** A CSS length; by default the plot fills its container. */
   height?: string;
   /** Accessible name. */
   label: string;
 }
 
-/** Rows closer than this are not kept: a little under a frame of 60 Hz. */
+/** Shortest time between rows: a little under the period of 60 Hz. */
 const ROW_MS = 15;
-/** A value that does not change is written down this often, so that the line before a step is flat. */
+/** An unchanged value is recorded this often, so that the line before a step is flat. */
 const HELD_MS = 95;
-/** After a longer pause of the page nobody knows what was between: a gap. */
+/** A longer pause of the page is drawn as a gap. */
 const LAPSE_MS = 1000;
 const SUMMARY_MS = 1000;
 
 /**
- * Signals over the last seconds, with gaps where they were not live: kept at every displayed frame, drawn ten times a
- * second, all without a render. Pausing stops the picture, not the keeping. What it shows is also told in words.
+ * Signals over the last seconds, with gaps where they were not live: recorded in each animation frame, drawn ten
+ * times a second, all without a render. A pause stops the drawing, not the recording. A sentence describes the plot.
  */
 export function LivePlot({ signals, window_s = 30, height, label }: Props) {
   const { t } = useTranslation();
@@ -74,7 +74,7 @@ export function LivePlot({ signals, window_s = 30, height, label }: Props) {
     (_: TelemetryStore, now_ms: number) => {
       const window = (isPaused ? frozen.current : null) ?? recording(now_ms);
       frozen.current = window;
-      // A picture that is held is drawn again only when it shows other signals.
+      // A paused plot is redrawn only when its signals change.
       if (plot.current !== null && !(isPaused && drawn.current === shown)) {
         plot.current.draw(dataOf(window, shown));
         drawn.current = shown;
@@ -122,7 +122,7 @@ export function LivePlot({ signals, window_s = 30, height, label }: Props) {
   );
 }
 
-/** The same array for as long as the signals are the same, whatever array they come in. */
+/** The same array as long as the signals are equal. */
 function useStable(signals: readonly Signal[]): readonly Signal[] {
   const [kept, setKept] = useState(signals);
   if (kept !== signals && identity(kept) !== identity(signals)) {
@@ -136,10 +136,13 @@ function identity(signals: readonly Signal[]): string {
   return signals.map((signal) => `${signalKey(signal)} ${signal.label}`).join("\n");
 }
 
-/** What the signals were over the window that ends now. */
+/** The signals' values in the window that ends now. */
 type Recording = (now_ms: number) => HistoryWindow;
 
-/** Keeps the signals' values at each displayed frame. Signals that stay keep their past when others come or go. */
+/**
+ * Records the signals' values in each animation frame. Signals that stay keep their past when others are added or
+ * removed.
+ */
 function useRecording(signals: readonly Signal[], window_s: number): Recording {
   const history = useRef<SignalHistory | null>(null);
   const keys = useMemo(() => signals.map(signalKey), [signals]);
@@ -178,7 +181,7 @@ function dataOf({ before_s, values }: HistoryWindow, signals: readonly Signal[])
   return [before_s, ...signals.map((signal) => values.get(signalKey(signal)) ?? before_s.map(() => null))];
 }
 
-/** The value under the pointer; without one, the newest. */
+/** The value under the pointer; without a pointer, the newest. */
 function valueAt({ values }: HistoryWindow, signal: Signal, index: number | null): number | null {
   return values.get(signalKey(signal))?.at(index ?? -1) ?? null;
 }

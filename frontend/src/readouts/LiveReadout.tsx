@@ -1,60 +1,84 @@
+import type { ParseKeys } from "i18next";
 import { useCallback, useRef } from "react";
+import { useTranslation } from "react-i18next";
 import type { NumberField, TopicName } from "../protocol/topics";
 import { type Quantity, unitOfField } from "../store/chosenUnits";
 import type { TelemetryStore } from "../store/telemetry";
 import { usePaint } from "../store/usePaint";
 import { Readout, type ReadoutHandle } from "../ui/Readout";
 import type { Format } from "./formats";
+import type { Notation } from "./notations";
 import { useUnit } from "./useUnit";
 
-interface Place<T extends TopicName> {
-  field: NumberField<T>;
-  label: string;
-  chars?: number;
-  size?: "normal" | "large";
+/** Layout of a readout; a table can set it for all its rows. */
+export interface ReadoutLayout {
+  readonly chars?: number | undefined;
+  readonly size?: "normal" | "large" | undefined;
 }
 
-interface Plain {
-  format: Format;
-  unit?: string;
-  quantity?: never;
+/** One readout of a topic, as data. */
+export interface ReadoutRow<Field extends string = string> extends ReadoutLayout {
+  readonly field: Field;
+  readonly label: ParseKeys;
+  /** Shown before the label where readouts of several groups are together: "Analog · Speed". */
+  readonly group?: ParseKeys;
+  /** A quantity is shown in the user's unit; its wire unit is the end of the field's name. */
+  readonly as: Notation | Quantity;
+  /** A more specific name of a quantity's wire unit: kias for knots. */
+  readonly unit?: ParseKeys;
 }
 
-interface Measured {
-  /** The person chooses its unit; the unit of the wire stands at the end of the field's name. */
-  quantity: Quantity;
-  /** A finer word for the wire's own unit: kias for knots. */
-  unit?: string;
-  format?: never;
+/** Readouts of one topic. A field that the topic does not have, or that is not a number, does not compile. */
+export type ReadoutRows = {
+  [T in TopicName]: { readonly topic: T; readonly rows: ReadonlyArray<ReadoutRow<NumberField<T>>> };
+}[TopicName];
+
+interface Props extends ReadoutRow {
+  readonly topic: TopicName;
 }
 
-/** What a readout of a field is told, beside its topic. */
-export type FieldProps<T extends TopicName> = Place<T> & (Plain | Measured);
-
-interface Topic<T extends TopicName> {
-  topic: T;
+/** One number of a topic, with its state: painted ten times a second, without a render. */
+export function LiveReadout({ as, ...rest }: Props) {
+  return typeof as === "string" ? (
+    <QuantityReadout {...rest} quantity={as} />
+  ) : (
+    <PaintedReadout {...rest} {...as} />
+  );
 }
 
-/** One number of a topic, with its state: ten times a second, without a render. */
-export function LiveReadout<T extends TopicName>(props: Topic<T> & FieldProps<T>) {
-  return props.quantity === undefined ? <PlainReadout {...props} /> : <MeasuredReadout {...props} />;
-}
-
-function MeasuredReadout<T extends TopicName>({ quantity, unit, ...rest }: Topic<T> & Place<T> & Measured) {
+function QuantityReadout({ quantity, unit, ...rest }: Omit<Props, "as"> & { quantity: Quantity }) {
+  const { t } = useTranslation();
   const sent = unitOfField(rest.field);
   const { name, label, format } = useUnit(quantity, sent);
-  const word = name === sent && unit !== undefined ? unit : label;
-  return <PlainReadout {...rest} format={format} unit={word} />;
+  return (
+    <PaintedReadout {...rest} format={format} word={name === sent && unit !== undefined ? t(unit) : label} />
+  );
 }
 
-function PlainReadout<T extends TopicName>({ topic, field, format, ...rest }: Topic<T> & Place<T> & Plain) {
+interface Painted extends Omit<Props, "as"> {
+  readonly format: Format;
+  /** The unit's name if it does not come from `unit`. */
+  readonly word?: string;
+}
+
+function PaintedReadout({ topic, field, format, label, group, unit, word, chars, size }: Painted) {
+  const { t } = useTranslation();
   const readout = useRef<ReadoutHandle>(null);
   const paint = useCallback(
     (telemetry: TelemetryStore, now_ms: number) => {
-      readout.current?.paint(format(telemetry.newestNumber(topic, field)), telemetry.state(topic, now_ms));
+      readout.current?.paint(format(telemetry.newestNumberOf(topic, field)), telemetry.state(topic, now_ms));
     },
     [topic, field, format],
   );
   usePaint("text", paint);
-  return <Readout ref={readout} {...rest} />;
+  const name = group === undefined ? t(label) : t("words.grouped", { group: t(group), name: t(label) });
+  return (
+    <Readout
+      ref={readout}
+      label={name}
+      unit={word ?? (unit === undefined ? undefined : t(unit))}
+      chars={chars}
+      size={size}
+    />
+  );
 }

@@ -16,7 +16,7 @@ interface Props<T extends TopicName> {
 
 const position = (value: number): string => hundredths(value) ?? "";
 
-/** One control's position as a bar that moves with every frame. */
+/** One control's position as a bar that is painted in each animation frame. */
 export function LiveServoBar<T extends TopicName>({ topic, field, ...rest }: Props<T>) {
   const { t } = useTranslation();
   const bar = useRef<ServoBarHandle>(null);
@@ -27,4 +27,27 @@ export function LiveServoBar<T extends TopicName>({ topic, field, ...rest }: Pro
   );
   usePaint("frame", paint);
   return <ServoBar ref={bar} noDataText={t("words.dash")} format={position} {...rest} />;
+}
+
+type Control = "elevator" | "aileron" | "rudder" | "throttle";
+
+/** The positions of the aircraft's controls, one bar under the other. */
+export function LiveControlBars({
+  topic,
+  controls,
+}: {
+  topic: "fly_by_wire" | "hil_surfaces";
+  controls: readonly Control[];
+}) {
+  const { t } = useTranslation();
+  return controls.map((control) => (
+    <LiveServoBar
+      key={control}
+      topic={topic}
+      field={control}
+      label={t(`control.${control}`)}
+      kind={control === "throttle" ? "throttle" : "surface"}
+      orientation="horizontal"
+    />
+  ));
 }

@@ -9,7 +9,7 @@ export interface PlotKeyHandle {
   paint(values: ReadonlyArray<number | null>): void;
 }
 
-/** Which line is which, with a piece of it, and the value under the pointer or else the newest. */
+/** The plot's legend: each line's sample, name, and value under the pointer, or else the newest. */
 export function PlotKey({ ref, signals }: { ref: Ref<PlotKeyHandle>; signals: readonly Signal[] }) {
   const { t } = useTranslation();
   const dash = t("words.dash");

@@ -17,14 +17,14 @@ interface Props {
   title: string;
   level?: 2 | 3;
   className?: string;
-  /** Leave the rate out of the head, where the panel is narrow. */
+  /** Without the rate, for a narrow panel. */
   narrow?: boolean;
-  /** No landmark: another panel bears the same title. */
+  /** No landmark: another panel has the same title. */
   plain?: boolean;
   children: ReactNode;
 }
 
-/** A panel over one stream: how fresh it is, and where it is off, the switch that turns it on. */
+/** A panel for one stream: its freshness, and a switch if it is off. */
 export function StreamPanel({ topic, title, level, className, narrow = false, plain, children }: Props) {
   const isOff = useStreamIsOff(topic);
   return (
@@ -41,7 +41,7 @@ export function StreamPanel({ topic, title, level, className, narrow = false, pl
   );
 }
 
-/** The same for a row of sub tabs, beside which it stands: the state of the open tab's topic, or its switch. */
+/** The same head for a row of sub tabs: the state of the open tab's topic, or its switch. */
 export function StreamHead({ topic, narrow = false }: { topic: TopicName; narrow?: boolean }) {
   const isOff = useStreamIsOff(topic);
   return (
@@ -51,7 +51,7 @@ export function StreamHead({ topic, narrow = false }: { topic: TopicName; narrow
   );
 }
 
-/** The state of a topic in a panel's head: its rate while it is live, its age when it is not. */
+/** The state of a topic in a panel's head: its rate while it is live, else its age. */
 export function LiveBadge({ topic, narrow = false }: { topic: TopicName; narrow?: boolean }) {
   const badge = useRef<StreamBadgeHandle>(null);
   const rate_hz = useConnection(({ rates_hz }) => rates_hz[topic] ?? null);
@@ -73,7 +73,7 @@ export function LiveBadge({ topic, narrow = false }: { topic: TopicName; narrow?
   );
 }
 
-/** Says that a stream is off, with the button that switches it on: a command like any other, with its proof. */
+/** Shows that a stream is off, with a button that switches it on: a command like any other, with its proof. */
 export function StreamOff({ topic, narrow }: { topic: TopicName; narrow: boolean }) {
   const { t } = useTranslation();
   const stream = STREAMS[topic];
@@ -94,8 +94,8 @@ export function StreamOff({ topic, narrow }: { topic: TopicName; narrow: boolean
 }
 
 /**
- * Whether the board says that it does not send this. Its flag in a live heartbeat says so; for a stream without a flag
- * silence does.
+ * Whether the board reports that it does not send this: by its flag in a live heartbeat; for a stream without a flag,
+ * by its silence.
  */
 export function useStreamIsOff(topic: TopicName): boolean {
   const stream = STREAMS[topic];

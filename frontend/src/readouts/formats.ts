@@ -1,7 +1,7 @@
 import { formatFixed, formatHeading } from "../lib/format";
 import { degreesFromRadians } from "../lib/units";
 
-/** How a number of a topic is written. Functions of the module, so that painters which use them are stable. */
+/** How a number of a topic is written. Defined at module level, so that painters which use them are stable. */
 export type Format = (value: number | null) => string | null;
 
 export const whole: Format = (value) => formatFixed(value, 0);

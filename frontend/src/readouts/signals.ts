@@ -2,15 +2,15 @@ import type { NumberField, TopicName } from "../protocol/topics";
 import type { TelemetryStore } from "../store/telemetry";
 
 interface Shown {
-  /** What the reader calls it. */
+  /** Its name for the user. */
   readonly label: string;
-  /** Unit of what is drawn; signals of one unit share an axis. */
+  /** Unit in the plot; signals of one unit share an axis. */
   readonly unit?: string;
-  /** From the topic's unit into the drawn one; a function of the module. */
+  /** Conversion from the topic's unit to the plot's; defined at module level. */
   readonly scale?: (value: number) => number;
 }
 
-/** A number of a topic that is drawn over time. */
+/** A number of a topic to be plotted. */
 export type TopicSignal = {
   [T in TopicName]: { readonly topic: T; readonly field: NumberField<T> };
 }[TopicName] &
@@ -24,13 +24,13 @@ export interface RowSignal extends Shown {
 
 export type Signal = TopicSignal | RowSignal;
 
-/** Two signals of one key are one: the same value, drawn in the same unit. */
+/** Signals with the same key are the same: same value, same unit. */
 export function signalKey(signal: Signal): string {
   const source = "row" in signal ? `row.${signal.row}.${signal.index}` : `${signal.topic}.${signal.field}`;
   return `${source} ${signal.unit ?? ""}`;
 }
 
-/** The signal's value in the unit in which it is drawn; null while it is not live. */
+/** The signal's value in the plot's unit; null if not live. */
 export function liveSignal(telemetry: TelemetryStore, signal: Signal, now_ms: number): number | null {
   const value =
     "row" in signal

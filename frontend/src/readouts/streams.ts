@@ -7,7 +7,7 @@ export interface Stream {
   readonly on: CommandName;
 }
 
-/** The board's streams that can be switched, by the topic which they fill. */
+/** The board's streams that can be switched, by their topic. */
 export const STREAMS: Partial<Readonly<Record<TopicName, Stream>>> = {
   ahrs: { flag: "ahrs", on: "ahrs_on" },
   inertial: { flag: "inertial", on: "inertial_on" },

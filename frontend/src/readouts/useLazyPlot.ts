@@ -3,11 +3,11 @@ import type { Plot } from "../ui/Plot";
 
 interface LazyPlot {
   readonly Plot: typeof Plot | null;
-  /** The drawing could not be fetched; the browser asks again when the page is loaded again. */
+  /** The drawing code could not be loaded; the browser tries again only after a reload. */
   readonly failed: boolean;
 }
 
-/** The drawing library, fetched when the first plot is shown; a page without plots never pays for it. */
+/** The plot library, loaded when the first plot is shown. */
 export function useLazyPlot(): LazyPlot {
   const [state, setState] = useState<LazyPlot>({ Plot: null, failed: false });
   useEffect(() => {

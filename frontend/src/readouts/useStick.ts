@@ -1,10 +1,10 @@
 import type { Connection } from "../store/connection";
 import { useConnection } from "../store/hooks";
 
-/** Where the stick comes from; `lost`: it is a gamepad whose samples do not come. */
+/** Source of the stick; `lost`: a gamepad whose samples do not arrive. */
 export type StickKind = "simulator" | "gamepad" | "lost";
 
-/** As the gateway says now; null while nobody knows. */
+/** As the gateway reports; null if unknown. */
 export function stickKind({ phase, status }: Connection): StickKind | null {
   const stick = phase === "open" ? status?.hil.stick : undefined;
   if (stick === undefined) {
@@ -17,7 +17,7 @@ export function useStickKind(): StickKind | null {
   return useConnection(stickKind);
 }
 
-/** The stick is a gamepad at this page. */
+/** Whether the stick is a gamepad at this page. */
 export function useStickIsMine(): boolean {
   return useConnection(
     ({ phase, status, client }) =>

@@ -6,20 +6,20 @@ import { AS_SENT, type Quantity, unitChoice, unitDigits, usualUnit } from "../st
 import { useSettings } from "../store/hooks";
 import type { Format } from "./formats";
 
-/** How one number of a quantity is shown: stable until another unit or language is chosen. */
+/** How to show a number of a quantity; stable until the unit or the language changes. */
 export interface Unit {
   readonly name: UnitName;
-  /** What stands behind the number. */
+  /** The symbol after the number. */
   readonly label: string;
   readonly digits: number;
-  /** From the sender's unit into the shown one, and back for what a person has typed. */
+  /** From the sender's unit to the shown one, and back for typed numbers. */
   readonly convert: (sent: number) => number;
   readonly revert: (shown: number) => number;
   /** A number in the sender's unit as text in the shown one. */
   readonly format: Format;
 }
 
-/** The unit which the person chose for a quantity; `sent` is the one in which the numbers come. */
+/** The user's unit for a quantity; `sent` is the unit of the received numbers. */
 export function useUnit(quantity: Quantity, sent: UnitName = usualUnit(quantity)): Unit {
   const { t } = useTranslation();
   const choice = useSettings((settings) => unitChoice(settings, quantity));

@@ -10,11 +10,11 @@ interface Props {
   command: CommandName;
   children?: ReactNode;
   icon?: ReactNode;
-  /** Accessible name, for a button with an icon alone. */
+  /** Accessible name, for a button with only an icon. */
   label?: string;
 }
 
-/** A button that sends one command and shows what becomes of it. */
+/** A button that sends one command and shows its outcome. */
 export function CommandButton({ command, children, icon, label }: Props) {
   const actions = usePart(ACTIONS);
   const { state, stateText } = useAsked(command);

@@ -5,7 +5,7 @@ import { failureMessage, type Message } from "../store/messages";
 import { partName } from "../store/parts";
 import type { Asker } from "./asking";
 import { type AskingParts, createAsking, info } from "./asking";
-/** A way in to the board, as the gateway found it. */
+/** A serial port of the gateway's computer. */
 export interface Port {
   readonly device: string;
   readonly description: string;
@@ -22,8 +22,8 @@ export interface SimulatorLink {
 export type CommandValue = number | Readonly<Record<string, number>>;
 
 /**
- * What a person can ask of the gateway. Each writes its progress into the command store under the asker's name and
- * its outcome into the messages; none throws, and the promise only says that it is over.
+ * The user's requests to the gateway. Each writes its progress to the command store under the asker's name, and its
+ * outcome to the messages. None throws; the promise only says that it is over.
  */
 export interface Actions {
   readonly command: (name: CommandName, asker: Asker, value?: CommandValue) => Promise<void>;
@@ -31,7 +31,7 @@ export interface Actions {
     change: { readonly source: "joystick" | "rc" } | { readonly path: "manual" | "assisted" },
     asker: Asker,
   ) => Promise<void>;
-  /** Where the pilot's stick comes from: the simulator, or this page's gamepad by its name. */
+  /** Choose the pilot's stick: the simulator's, or this page's gamepad by its name. */
   readonly setStick: (
     change: { readonly stick: "simulator" } | { readonly stick: "gamepad"; readonly gamepad: string },
     asker: Asker,
@@ -42,7 +42,7 @@ export interface Actions {
   readonly closeSimulator: (asker: Asker) => Promise<void>;
   readonly takeControl: (asker: Asker) => Promise<void>;
   readonly releaseControl: (asker: Asker) => Promise<void>;
-  /** The ports, or the sentence that says why there is no list. */
+  /** The ports, or the message of the failure. */
   readonly listPorts: () => Promise<readonly Port[] | Message>;
 }
 
@@ -52,7 +52,7 @@ export interface ActionParts extends AskingParts {
   readonly client: () => string | null;
 }
 
-/** What a person can ask, as questions to the gateway with their progress in the stores. */
+/** Makes the user's requests, with their progress in the stores. */
 export function createActions(parts: ActionParts): Actions {
   const { rest } = parts;
   const { run, simply } = createAsking(parts);
@@ -123,7 +123,7 @@ interface Result {
   readonly reason: string | null;
 }
 
-/** The sentence for what became of a command; also for what another browser's command became. */
+/** The message for a command's outcome, also for another browser's command. */
 export function resultMessage(what: string, { state, by, ms, reason }: Result): Message {
   switch (state) {
     case "confirmed":

@@ -3,9 +3,9 @@ import { type Answer, isDone } from "../protocol/answers";
 import { begin, type CommandStore, finish, type Outcome } from "../store/commands";
 import { failureMessage, type Message, type MessageStore, say } from "../store/messages";
 
-/** The gateway as it is asked; never throws: an answer is what was asked for, or a problem. */
+/** The gateway's REST interface; never throws: the answer is a value or a problem. */
 export interface Gateway {
-  /** A question and its checked answer. */
+  /** Send a request and check its answer. */
   readonly ask: <T>(
     method: "GET" | "POST" | "PUT" | "PATCH" | "DELETE",
     path: string,
@@ -17,7 +17,7 @@ export interface Gateway {
   readonly bytes: (path: string, patience_ms?: number) => Promise<Answer<ArrayBuffer>>;
 }
 
-/** Which control asked, so that it can show what becomes of it; `asked` is the position that it shall take. */
+/** The control that made the request, so that it can show the outcome; `asked` is the requested position. */
 export interface Asker {
   readonly control: string;
   readonly asked?: string;
@@ -27,7 +27,7 @@ export interface AskingParts {
   readonly rest: Gateway;
   readonly commands: CommandStore;
   readonly messages: MessageStore;
-  /** Milliseconds of the page's clock, and of the calendar. */
+  /** Milliseconds of the page's clock, and Unix milliseconds. */
   readonly now_ms: () => number;
   readonly wall_ms: () => number;
 }
@@ -39,11 +39,11 @@ export interface Ended {
 
 export type Question = readonly ["PUT" | "DELETE" | "POST", string, object?];
 
-/** Questions to the gateway whose progress stands in the command store and whose outcome is said. */
+/** Requests whose progress is in the command store and whose outcome is announced. */
 export interface Asking {
-  /** The outcome is worked out from the answer's value. */
+  /** For a request whose outcome depends on the answer's value. */
   readonly run: <T>(asker: Asker, ask: Promise<Answer<T>>, end: (value: T) => Ended) => Promise<void>;
-  /** The answer has nothing to say beyond that it was done. */
+  /** For a request whose answer only means that it was done. */
   readonly simply: (
     asker: Asker,
     question: Question,

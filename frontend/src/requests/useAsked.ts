@@ -4,13 +4,13 @@ import { useCommandEntry } from "../store/hooks";
 
 export interface Asked {
   readonly state: CommandState;
-  /** The sentence of an outcome that needs one: why it was refused. */
+  /** A sentence for an outcome that needs one: why it was refused. */
   readonly stateText: string | undefined;
-  /** The position that was asked for, while it is not proven. */
+  /** The requested position until it is proven. */
   readonly wanted: string | null;
 }
 
-/** What a control shows of its newest command. */
+/** The state of a control's newest command. */
 export function useAsked(control: string): Asked {
   const sentence = useSentence();
   const entry = useCommandEntry(control);

@@ -1,7 +1,7 @@
 import { useTranslation } from "react-i18next";
 import { useConnection } from "../store/hooks";
 
-/** Why nothing can be asked of the gateway now, in a sentence; undefined when it can. */
+/** Why no request can be sent to the gateway now; undefined if it can. */
 export function useGatewayBlocked(): string | undefined {
   const { t } = useTranslation();
   const isOpen = useConnection(({ phase }) => phase === "open");
@@ -15,7 +15,7 @@ export function useGatewayBlocked(): string | undefined {
   return holder === null ? undefined : t("blocked.viewer", { name: holder });
 }
 
-/** Why no command can go to the board now; undefined when one can. */
+/** Why no command can be sent to the board now; undefined if it can. */
 export function useBoardBlocked(): string | undefined {
   const { t } = useTranslation();
   const gateway = useGatewayBlocked();

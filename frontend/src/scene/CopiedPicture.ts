@@ -1,7 +1,6 @@
 /**
- * Where the processor draws alone, the browser reads a shown WebGL picture back before it goes on, and the page and its
- * instruments would stand still until it is drawn. There the picture itself is not seen, and each finished one is copied
- * onto this.
+ * Without a graphics processor the browser reads back a visible WebGL canvas before it goes on, and the whole page
+ * freezes until it is drawn. So the WebGL canvas is hidden, and each finished picture is copied to this one.
  */
 export class CopiedPicture {
   readonly canvas = document.createElement("canvas");
@@ -10,7 +9,7 @@ export class CopiedPicture {
 
   constructor(source: HTMLCanvasElement) {
     this.#source = source;
-    // In the processor's own memory, from where the page is put together.
+    // In main memory, from which the page is composed.
     this.#context = this.canvas.getContext("2d", { alpha: false, willReadFrequently: true });
   }
 

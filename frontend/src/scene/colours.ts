@@ -1,14 +1,14 @@
-import type { Whose } from "../lib/mapThing";
+import type { Aircraft } from "../lib/aircraft";
 
-// On a map the ground is the same in every theme, so these colours are too. They are plain words, for the globe and for
-// the 2D map, which must not load the globe's engine.
+// The ground is the same in every theme, so these colours are too. They are strings, for the globe and for the 2D
+// map, which must not load the globe's engine.
 
-/** Round everything that is drawn over the ground: seen on any picture. */
+/** The outline of everything drawn over the ground: visible on any image. */
 export const EDGE = "#0a0d0f";
 /** What is active or selected. */
 export const STRONG = "#ffffff";
-export const AIRCRAFT: Readonly<Record<Whose, string>> = { flight: "#ffd91a", hil: "#7ddcf0" };
-export const PLAN: Readonly<Record<Whose, string>> = { flight: "#f58be8", hil: "#7ddcf0" };
+export const AIRCRAFT_COLOURS: Readonly<Record<Aircraft, string>> = { flight: "#ffd91a", hil: "#7ddcf0" };
+export const PLAN: Readonly<Record<Aircraft, string>> = { flight: "#f58be8", hil: "#7ddcf0" };
 /** What the board does not have yet. */
 export const UNSENT = "#ffb62e";
 export const HOME = "#8df0b8";

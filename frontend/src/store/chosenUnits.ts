@@ -1,11 +1,11 @@
 import type { UnitName } from "../lib/units";
 import { choose, type Settings, type SettingsStore } from "./settings";
 
-/** The quantities whose unit a person chooses, each by itself. */
+/** The quantities whose units the user can choose, each separately. */
 export const QUANTITIES = ["altitude", "speed", "verticalSpeed", "distance", "temperature"] as const;
 export type Quantity = (typeof QUANTITIES)[number];
 
-/** The units of each quantity with the decimals that they are shown with; the first is the usual one. */
+/** The units of each quantity with their decimals; the first is the usual one. */
 const UNITS: Readonly<Record<Quantity, ReadonlyArray<readonly [UnitName, number]>>> = {
   altitude: [
     ["ft", 0],
@@ -31,7 +31,7 @@ const UNITS: Readonly<Record<Quantity, ReadonlyArray<readonly [UnitName, number]
   ],
 };
 
-/** Nothing chosen: each number stays in the unit in which it was sent. */
+/** No choice: each number keeps the unit in which it was sent. */
 export const AS_SENT = "sent";
 export type UnitChoice = UnitName | typeof AS_SENT;
 
@@ -39,12 +39,12 @@ export function unitsOf(quantity: Quantity): readonly UnitName[] {
   return UNITS[quantity].map(([unit]) => unit);
 }
 
-/** The unit in which most numbers of the quantity come: what `useUnit` takes when it is not told another. */
+/** The usual unit of a quantity: the default of `useUnit`. */
 export function usualUnit(quantity: Quantity): UnitName {
   return UNITS[quantity][0]?.[0] ?? fail(quantity);
 }
 
-/** Decimals that tell more than the sensors know are left out. */
+/** Decimals of a unit, no more than the sensors resolve. */
 export function unitDigits(quantity: Quantity, unit: UnitName): number {
   return UNITS[quantity].find(([name]) => name === unit)?.[1] ?? 0;
 }
@@ -57,7 +57,7 @@ export function chooseUnit(store: SettingsStore, quantity: Quantity, unit: UnitC
   choose(store, `unit.${quantity}`, unit);
 }
 
-/** How names of the wire end in their units; the longer ending comes first. */
+/** Unit suffixes of the wire's names; longer ones first. */
 const ENDINGS: ReadonlyArray<readonly [string, UnitName]> = [
   ["_ft_min", "ftPerMin"],
   ["_ft", "ft"],
@@ -66,7 +66,7 @@ const ENDINGS: ReadonlyArray<readonly [string, UnitName]> = [
   ["_degc", "degC"],
 ];
 
-/** The unit in which a field comes, as its name says. A name that says none is a mistake of ours and fails at once. */
+/** The unit of a field, from its name's suffix. Throws for a name without one: a mistake in the page. */
 export function unitOfField(field: string): UnitName {
   return ENDINGS.find(([ending]) => field.endsWith(ending))?.[1] ?? fail(field);
 }

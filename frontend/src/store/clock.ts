@@ -1,16 +1,16 @@
-/** How fast an old estimate gives way, so that drift between the two clocks is followed: 0.5 ms each second. */
-const GIVE_WAY = 0.0005;
+/** How fast an old estimate decays, to follow the drift between the two clocks: 0.5 ms each second. */
+const DECAY = 0.0005;
 
 /**
- * The gateway's clock as seen from here. Every batch carries the time it was made; the one that travelled fastest tells
- * the offset best, because a delay can only make the gateway's clock look late. So a batch that was held up on the way
- * does not move the offset, and the samples in it are as old as they are.
+ * Estimates the gateway's clock. Every batch carries the time it was made. The fastest one gives the best offset,
+ * because a delay can only make the gateway's clock look late. So a batch that was held up does not change the
+ * offset, and its samples count as old as they are.
  */
 export class ServerClock {
   #offset_s: number | null = null;
   #observed_s = 0;
 
-  /** Forget everything: another gateway, or the same one started again. */
+  /** Forget everything: another gateway, or the same one after a restart. */
   reset(): void {
     this.#offset_s = null;
   }
@@ -21,7 +21,7 @@ export class ServerClock {
     const given_way_s =
       this.#offset_s === null
         ? candidate_s
-        : this.#offset_s - GIVE_WAY * Math.max(0, local_s - this.#observed_s);
+        : this.#offset_s - DECAY * Math.max(0, local_s - this.#observed_s);
     this.#offset_s = Math.max(candidate_s, given_way_s);
     this.#observed_s = local_s;
   }

@@ -1,20 +1,20 @@
 import { createStore, type StoreApi } from "zustand/vanilla";
 import type { Message } from "./messages";
 
-/** What became of a command. `sent`: it went out, and this board gives no proof of it. */
+/** Outcome of a command. `sent`: it was sent, and this board gives no proof. */
 export type Outcome = "confirmed" | "rejected" | "timed_out" | "sent";
 export type CommandState = "idle" | "pending" | Outcome;
 
-/** One command under way or just over. `asked` is what it shall bring about, in the words of its control. */
+/** A command under way or just finished. `asked` is the requested position, in its control's terms. */
 export interface CommandEntry {
   readonly state: Exclude<CommandState, "idle">;
   readonly asked: string | null;
-  /** Milliseconds of the page's clock until which the outcome is shown; a pending one stays. */
+  /** When the outcome is no longer shown, milliseconds of the page's clock; a pending one stays. */
   readonly until_ms: number;
   readonly message: Message | null;
 }
 
-/** Entries by control: two buttons of one switch share a key, so that the newest press is what is shown. */
+/** Entries by control: two buttons of one switch share a key, so that the newest click is shown. */
 export interface Commands {
   readonly entries: Readonly<Record<string, CommandEntry>>;
 }
@@ -22,7 +22,7 @@ export interface Commands {
 export type CommandStore = StoreApi<Commands>;
 
 const SHOW_GOOD_MS = 3000;
-/** A failure stays longer: somebody has to read why. */
+/** A failure is shown longer, so that the reason can be read. */
 const SHOW_BAD_MS = 10_000;
 
 export function createCommands(): CommandStore {
@@ -35,7 +35,7 @@ export function begin(store: CommandStore, key: string, asked: string | null): C
   return entry;
 }
 
-/** Finish what `begin` gave; a newer press of the same control keeps its own state. */
+/** Finish the command that `begin` returned; a newer one of the same control keeps its state. */
 export function finish(
   store: CommandStore,
   key: string,
@@ -53,7 +53,7 @@ export function finish(
   }
 }
 
-/** The entry as it is to be shown at this time, or null when there is nothing to show. */
+/** The entry to show at this time, or null. */
 export function shown(commands: Commands, key: string, now_ms: number): CommandEntry | null {
   const entry = commands.entries[key];
   return entry !== undefined && now_ms < entry.until_ms ? entry : null;

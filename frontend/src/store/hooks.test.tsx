@@ -13,7 +13,7 @@ import { usePaint } from "./usePaint";
 
 const frames = new ManualFrames();
 const telemetry = new TelemetryStore();
-// What these hooks touch of a page.
+// The parts of a page that these hooks use.
 const page = {
   telemetry,
   pump: new Pump(
@@ -29,7 +29,7 @@ const page = {
 } as Partial<Page> as Page;
 let now_ms = 0;
 
-/** A sample of ahrs arrives, and a tenth of a second later a frame is displayed. */
+/** A sample of ahrs arrives, and an animation frame follows a tenth of a second later. */
 function hear(roll_deg: number): void {
   act(() => {
     telemetry.apply(now_ms / 1000, [{ topic: "ahrs", t_s: now_ms / 1000, values: { roll_deg } }], now_ms);

@@ -8,7 +8,7 @@ import type { Pump } from "./pump";
 import type { Settings, SettingsStore } from "./settings";
 import type { TelemetryStore } from "./telemetry";
 
-/** Everything that a component may read or ask for, put together by app. */
+/** All that components may read or request, assembled by app. */
 export interface Page {
   readonly telemetry: TelemetryStore;
   readonly pump: Pump;
@@ -16,9 +16,9 @@ export interface Page {
   readonly commands: CommandStore;
   readonly messages: MessageStore;
   readonly settings: SettingsStore;
-  /** What each feature brings, which only that feature and app read. */
+  /** Each feature's own part, read only by that feature and app. */
   readonly parts: Parts;
-  /** Gives the person a file to keep. */
+  /** Saves a file on the user's computer. */
   readonly saveFile: (name: string, content: Blob) => void;
 }
 
@@ -32,12 +32,12 @@ export function usePage(): Page {
   return page;
 }
 
-/** The part of the page that has this name. */
+/** The part of the page with this name. */
 export function usePart<T>(name: PartName<T>): T {
   return usePage().parts.get(name);
 }
 
-/** One thing of a slow store; the component renders again when it changes. */
+/** One value of a slow store; the component renders again when it changes. */
 function useSelected<S, T>(store: StoreApi<S>, select: (state: S) => T): T {
   return useStore(store, select);
 }
@@ -51,8 +51,8 @@ export function useSettings<T>(select: (settings: Settings) => T): T {
 }
 
 /**
- * One plain value out of the telemetry, looked at ten times a second: for flags and words that React shows. What
- * changes faster is painted with usePaint.
+ * One primitive value of the telemetry, read ten times a second: for flags and words that React renders. Faster
+ * values are painted with usePaint.
  */
 export function useTelemetry<T extends string | number | boolean | null>(
   select: (telemetry: TelemetryStore, now_ms: number) => T,
@@ -61,7 +61,7 @@ export function useTelemetry<T extends string | number | boolean | null>(
   return useSyncExternalStore(pump.onTick, () => select(telemetry, pump.now_ms));
 }
 
-/** What a control's newest command is up to, or null when there is nothing to show. */
+/** The state of a control's newest command, or null if there is nothing to show. */
 export function useCommandEntry(control: string): CommandEntry | null {
   const { commands, pump } = usePage();
   const entries = useSelected(commands, (state) => state);

@@ -5,8 +5,8 @@ export type MessageLevel = "info" | "warning" | "error";
 export type MessageParams = Readonly<Record<string, string | number>>;
 
 /**
- * A sentence for the person: a key of the catalogue with what goes into it, translated where it is shown, so that it
- * changes its language with the page. `fallback` is the gateway's own sentence, for a key that this page does not know.
+ * A message to the user: a key of the catalogue and its parameters, translated where it is shown, so that it follows
+ * the page's language. `fallback` is the gateway's own text, for a key that this page does not know.
  */
 export interface Message {
   readonly level: MessageLevel;
@@ -31,19 +31,19 @@ export function say(store: MessageStore, message: Message, said_ms: number): voi
   store.setState(({ last }) => ({ last: { ...message, number: (last?.number ?? 0) + 1, said_ms } }));
 }
 
-/** What the gateway says when something failed: a stable code, its sentence in English, the values in it. */
+/** A failure reported by the gateway: a stable code, an English sentence, its values. */
 export interface Failure {
   readonly code: string;
   readonly detail: string;
   readonly params: Readonly<Record<string, unknown>>;
 }
 
-/** A failure as a message: translated by its code where the catalogue has that, else as the gateway says it. */
+/** A failure as a message: translated by its code if the catalogue has it, else the gateway's text. */
 export function failureMessage({ code, detail, params }: Failure, level: MessageLevel = "error"): Message {
   return { level, key: `problem.${code}`, params: wordsOf(params), fallback: detail };
 }
 
-/** The values that can stand in a sentence. */
+/** The values that can be inserted into a sentence. */
 export function wordsOf(params: Readonly<Record<string, unknown>>): MessageParams {
   return Object.fromEntries(
     Object.entries(params).filter(

@@ -10,7 +10,7 @@ function after(budget: RedrawBudget, frames: number, cost_ms: number): RedrawBud
   return budget;
 }
 
-/** In which of 60 frames a second instruments move: in each, in every second, in every third. */
+/** How often instruments move at 60 animation frames a second: in every first, second or third. */
 function everyFrames(budget: RedrawBudget): number {
   return Math.max(1, Math.ceil(budget.period_ms / FRAME_MS));
 }

@@ -1,29 +1,29 @@
 const FRAME_MS = 1000 / 60;
-/** Of the page's main thread, for frames in which something moves. */
+/** Share of the main thread's time for animation frames in which something moves. */
 const SHARE = 0.16;
-/** It moves more often again when that would take this much less than its share. */
+/** Hysteresis: speed up only below 75 % of the budget. */
 const SPARE = 0.75;
-/** In every third frame at the least: twenty times a second still reads as movement. */
+/** Slowest: every third animation frame. Twenty a second still looks like movement. */
 const FRAMES_MOST = 3;
-/** A frame may come early by this much. */
+/** Tolerance for an early animation frame. */
 const EARLY_MS = 4;
-/** Weight of the newest frame: half a second of frames decides, not one slow one. */
+/** Weight of the newest measurement: the average spans half a second, so that one slow frame does not decide. */
 const WEIGHT = 0.05;
 
 /**
- * How often the instruments may move. With a graphics processor a frame costs the page a millisecond or two and they
- * move in each; drawn by the processor alone it costs several, and the aircraft's other programs want that time.
+ * Limits how often the instruments move. With a graphics processor an animation frame costs the page a millisecond or
+ * two and they move in each; without one it costs several, and that time is needed by the simulator and the gateway.
  */
 export class RedrawBudget {
   #cost_ms = 0;
   #frames = 1;
 
-  /** Least time between two movements, in milliseconds; 0: every frame. */
+  /** Shortest time between two movements, milliseconds; 0: every animation frame. */
   get period_ms(): number {
     return this.#frames === 1 ? 0 : this.#frames * FRAME_MS - EARLY_MS;
   }
 
-  /** A frame in which instruments moved took so long, from its start until the page was free again. */
+  /** Note the cost of an animation frame in which instruments moved, from its start until the page was idle. */
   observe(cost_ms: number): void {
     this.#cost_ms += WEIGHT * (cost_ms - this.#cost_ms);
     if (this.#frames < FRAMES_MOST && this.#cost_ms > this.#frames * FRAME_MS * SHARE) {

@@ -1,7 +1,7 @@
-/** Names a part of the page that is not everybody's: only who can import the name can read the part. */
+/** Name of a private part of the page: only code that can import the name can read the part. */
 export interface PartName<T> {
   readonly name: string;
-  /** Ties the name to the part's type; never set. */
+  /** Carries the part's type; never set. */
   readonly part?: T;
 }
 
@@ -9,7 +9,7 @@ export function partName<T>(name: string): PartName<T> {
   return { name };
 }
 
-/** The parts that features bring to the page, each under its name. */
+/** The features' parts, by name. */
 export class Parts {
   readonly #parts = new Map<PartName<unknown>, unknown>();
 

@@ -1,4 +1,4 @@
-/** Long enough to see through bursts, short enough to follow a changed rate while one looks. */
+/** Long enough to average bursts, short enough to follow a change. */
 const WINDOW_S = 2;
 
 interface Counts {
@@ -6,7 +6,7 @@ interface Counts {
   readonly counts: Readonly<Record<string, number>>;
 }
 
-/** Samples a second of each topic, out of the gateway's counts, which come with each status. */
+/** Sample rate of each topic, from the gateway's counts in each status. */
 export class StreamRates {
   #seen: Counts[] = [];
 
@@ -14,7 +14,7 @@ export class StreamRates {
   observe(at_s: number, counts: Readonly<Record<string, number>>): Readonly<Record<string, number>> {
     const last = this.#seen.at(-1);
     if (last !== undefined && at_s < last.at_s) {
-      this.#seen = []; // another gateway
+      this.#seen = []; // another gateway: start again
     }
     this.#seen.push({ at_s, counts });
     while ((this.#seen[1]?.at_s ?? at_s) <= at_s - WINDOW_S) {

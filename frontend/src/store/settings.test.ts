@@ -32,6 +32,16 @@ test("what was chosen is there after a reload", () => {
   });
 });
 
+test("what an earlier version kept of the aircraft in flight is still chosen", () => {
+  const storage = new MemoryStorage();
+  const choices = { "map.track.real": "off", "tuning.aircraft": "real" };
+  storage.setItem("epf-gcs.settings", JSON.stringify({ choices }));
+  expect(createSettings(storage).getState().choices).toEqual({
+    "map.track.flight": "off",
+    "tuning.aircraft": "flight",
+  });
+});
+
 test.each(["not JSON", "[]", "null", '{"language":"fr","theme":7,"choices":{"tab":1}}'])(
   "a spoilt memory (%s) is a first visit",
   (text) => {

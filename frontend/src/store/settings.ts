@@ -5,7 +5,7 @@ import { isThemeName, type ThemeName } from "../theme/theme";
 export const LANGUAGES = ["es", "en"] as const;
 export type Language = (typeof LANGUAGES)[number];
 
-/** What this browser remembers. `choices` are small things by name: the tab last open, a field last filled in. */
+/** The settings stored in this browser. `choices` are small values by name: the last open tab, a field's last text. */
 export interface Settings {
   readonly language: Language;
   readonly theme: ThemeName;
@@ -22,14 +22,14 @@ export interface BrowserStorage {
 
 const KEY = "epf-gcs.settings";
 
-/** The chosen settings, kept on the storage at each change; without a usable storage they last as long as the page. */
+/** The settings, written to the storage at each change; without a usable storage they last as long as the page. */
 export function createSettings(storage: BrowserStorage | null): SettingsStore {
   const store = createStore<Settings>(() => read(storage));
   store.subscribe((settings) => {
     try {
       storage?.setItem(KEY, JSON.stringify(settings));
     } catch {
-      // Full or forbidden: the page works without a memory.
+      // Full or forbidden: the page works without storage.
     }
   });
   return store;
@@ -47,10 +47,20 @@ function read(storage: BrowserStorage | null): Settings {
     theme: isThemeName(theme) ? theme : "dark",
     choices: isObject(choices)
       ? Object.fromEntries(
-          Object.entries(choices).filter((entry): entry is [string, string] => isText(entry[1])),
+          Object.entries(choices)
+            .filter((entry): entry is [string, string] => isText(entry[1]))
+            .map(renamed),
         )
       : {},
   };
+}
+
+/** A stored choice of an earlier version, which called the aircraft in flight "real". */
+function renamed([name, value]: [string, string]): [string, string] {
+  if (name === "map.track.real") {
+    return ["map.track.flight", value];
+  }
+  return [name, name === "tuning.aircraft" && value === "real" ? "flight" : value];
 }
 
 function parse(storage: BrowserStorage | null): Readonly<Record<string, unknown>> {

@@ -4,7 +4,7 @@ import { SILENCE_MS, TelemetryStore } from "./telemetry";
 const START_S = 1_700_000_000;
 let telemetry: TelemetryStore;
 
-/** A sample of ahrs that the gateway had `age_s` before it made the batch; the page's clock shows `now_ms`. */
+/** A sample of ahrs that reached the gateway `age_s` before the batch was made; the page's clock shows `now_ms`. */
 function batch(now_ms: number, age_s = 0, values = { roll_deg: 30 }): void {
   const made_s = START_S + now_ms / 1000;
   telemetry.apply(made_s, [{ topic: "ahrs", t_s: made_s - age_s, values }], now_ms);

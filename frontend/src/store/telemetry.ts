@@ -1,29 +1,29 @@
 import type { Sample, SimulatorRows } from "../protocol/envelope";
-import type { FieldName, FlagField, NumberField, TopicName } from "../protocol/topics";
+import type { FlagField, NumberField, TopicName } from "../protocol/topics";
 import { ServerClock } from "./clock";
 
-/** `live`: shown as it is. `stale`: was heard, too long ago. `none`: never heard. */
+/** `live`: recent. `stale`: received too long ago. `none`: never received. */
 export type DataState = "live" | "stale" | "none";
 
-/** A gateway that says nothing for so long is not there: it sends its status twice a second. */
+/** A gateway that is silent for this long counts as lost: it sends its status twice a second. */
 export const SILENCE_MS = 1000;
-/** Until the gateway has said how old a topic may be. */
+/** Default, until the gateway has sent each topic's limit. */
 const DEFAULT_STALE_AFTER_S = 1;
 /**
- * What a sample may be older on the screen than at the gateway: one batch, the way here, one displayed frame. The
- * gateway's three periods can be as short as 60 ms.
+ * Extra age allowed for transport and display: one batch, the network, one animation frame. Three periods of the
+ * fastest stream are only 60 ms.
  */
-const WAY_S = 0.15;
-/** The gateway tells a row of the simulator five times a second, for as long as it is not older than a second. */
+const TRANSPORT_S = 0.15;
+/** The gateway sends a row of the simulator five times a second, until it is a second old. */
 const ROW_STALE_AFTER_S = 1;
 
-/** A row of the simulator: its eight values, null where it has none, and when the gateway told it last. */
+/** A row of the simulator: its eight values, null where it has none, and when the gateway last sent it. */
 export interface HeardRow {
   readonly t_s: number;
   readonly values: ReadonlyArray<number | null>;
 }
 
-/** The newest sample of every topic, changed in place: the pump's painters read it, nothing is told of a change. */
+/** The newest sample of every topic, changed in place. It notifies nobody: the pump's painters read it. */
 export class TelemetryStore {
   readonly #newest = new Map<string, Sample>();
   readonly #staleAfter_s = new Map<string, number>();
@@ -32,25 +32,25 @@ export class TelemetryStore {
   #heard_ms = Number.NEGATIVE_INFINITY;
   #revision = 0;
 
-  /** Differs from what it was whenever something new arrived. */
+  /** Changes whenever something new arrives. */
   get revision(): number {
     return this.#revision;
   }
 
-  /** A connection was opened, and the gateway's clock showed `server_s`. What an earlier gateway sent is history. */
+  /** A connection was opened when the gateway's clock showed `server_s`. Start a new estimate of its clock. */
   greet(server_s: number, now_ms: number): void {
     this.#clock.reset();
     this.#clock.observe(server_s, now_ms / 1000);
     this.heard(now_ms);
   }
 
-  /** Any message arrived: the gateway lives. */
+  /** A message arrived: the gateway is alive. */
   heard(now_ms: number): void {
     this.#heard_ms = now_ms;
     this.#revision += 1;
   }
 
-  /** The connection is gone: nothing is live from this moment. */
+  /** The connection is lost: nothing is live from now on. */
   silence(): void {
     this.#heard_ms = Number.NEGATIVE_INFINITY;
     this.#revision += 1;
@@ -65,40 +65,38 @@ export class TelemetryStore {
     }
   }
 
-  /** The simulator's rows as the gateway has them; one that is missing has not been heard for a second. */
+  /** The simulator's rows as the gateway has them; it leaves out those that are more than a second old. */
   applyRows({ t_s, rows }: SimulatorRows): void {
     for (const [row, values] of rows) {
       this.#rows.set(row, { t_s, values });
     }
   }
 
-  /** How old each topic's newest sample may be: three periods of its stream; null while the gateway does not know. */
+  /** Greatest age of each live topic: three periods of its stream; null while the gateway does not know them. */
   setStaleAfter(limits: Iterable<readonly [string, number | null]>): void {
     for (const [topic, limit_s] of limits) {
       this.#staleAfter_s.set(topic, limit_s ?? DEFAULT_STALE_AFTER_S);
     }
   }
 
-  /** Whether the gateway was heard within the last second. */
+  /** Whether a message arrived within the last second. */
   isConnected(now_ms: number): boolean {
     return now_ms - this.#heard_ms <= SILENCE_MS;
   }
 
-  /** When the gateway had the topic's newest sample, seconds of its clock: differs for each; null where there is none. */
+  /**
+   * When the gateway received the topic's newest sample, seconds of its clock: different for each sample; null if
+   * there is none.
+   */
   newestAt_s(topic: TopicName): number | null {
     return this.#newest.get(topic)?.t_s ?? null;
   }
 
-  /** Seconds since the gateway had the topic's newest sample; null where there is none. */
+  /** Age of the topic's newest sample since it reached the gateway, seconds; null if there is none. */
   age_s(topic: TopicName, now_ms: number): number | null {
     const sample = this.#newest.get(topic);
     const server_s = this.#clock.now_s(now_ms / 1000);
     return sample === undefined || server_s === null ? null : Math.max(0, server_s - sample.t_s);
-  }
-
-  /** When the gateway had the topic's newest sample, seconds of its clock; null where there is none. */
-  sampled_s(topic: TopicName): number | null {
-    return this.#newest.get(topic)?.t_s ?? null;
   }
 
   state(topic: TopicName, now_ms: number): DataState {
@@ -106,14 +104,13 @@ export class TelemetryStore {
     if (age_s === null) {
       return "none";
     }
-    const limit_s = (this.#staleAfter_s.get(topic) ?? DEFAULT_STALE_AFTER_S) + WAY_S;
+    const limit_s = (this.#staleAfter_s.get(topic) ?? DEFAULT_STALE_AFTER_S) + TRANSPORT_S;
     return this.isConnected(now_ms) && age_s <= limit_s ? "live" : "stale";
   }
 
-  /** A number of a topic's newest sample, however old: ask `state` before showing it. */
+  /** A number of a topic's newest sample, however old: check `state` before showing it. */
   newestNumber<T extends TopicName>(topic: T, field: NumberField<T>): number | null {
-    const value = this.#value(topic, field);
-    return typeof value === "number" ? value : null;
+    return this.newestNumberOf(topic, field);
   }
 
   /** A number of a topic if it is live, else null: nothing old can be drawn by mistake. */
@@ -121,18 +118,23 @@ export class TelemetryStore {
     return this.state(topic, now_ms) === "live" ? this.newestNumber(topic, field) : null;
   }
 
-  /** The same for a field whose name is only known at run time; of a field that is not there, null. */
-  liveNumberOf(topic: TopicName, field: string, now_ms: number): number | null {
-    const value = this.state(topic, now_ms) === "live" ? this.#newest.get(topic)?.values[field] : null;
+  /** `newestNumber` of a field whose name is only known at run time; null if the topic has no such field. */
+  newestNumberOf(topic: TopicName, field: string): number | null {
+    const value = this.#newest.get(topic)?.values[field];
     return typeof value === "number" ? value : null;
   }
 
-  /** Every row of the simulator that was ever heard, by number: ask `rowState` before showing it. */
+  /** `liveNumber` of a field whose name is only known at run time; null if the topic has no such field. */
+  liveNumberOf(topic: TopicName, field: string, now_ms: number): number | null {
+    return this.state(topic, now_ms) === "live" ? this.newestNumberOf(topic, field) : null;
+  }
+
+  /** Every row of the simulator received so far, by number: check `rowState` before showing it. */
   get rows(): ReadonlyMap<number, HeardRow> {
     return this.#rows;
   }
 
-  /** Seconds since the gateway last told this row; null where it never did. */
+  /** Seconds since the gateway last sent this row; null if it never did. */
   rowAge_s(row: number, now_ms: number): number | null {
     const heard = this.#rows.get(row);
     const server_s = this.#clock.now_s(now_ms / 1000);
@@ -144,7 +146,7 @@ export class TelemetryStore {
     if (age_s === null) {
       return "none";
     }
-    return this.isConnected(now_ms) && age_s <= ROW_STALE_AFTER_S + WAY_S ? "live" : "stale";
+    return this.isConnected(now_ms) && age_s <= ROW_STALE_AFTER_S + TRANSPORT_S ? "live" : "stale";
   }
 
   /** One of a row's eight values if the row is live and has it, else null. */
@@ -154,16 +156,12 @@ export class TelemetryStore {
 
   /** A flag of a topic's newest sample, however old. */
   newestFlag<T extends TopicName>(topic: T, field: FlagField<T>): boolean | null {
-    const value = this.#value(topic, field);
+    const value = this.#newest.get(topic)?.values[field];
     return typeof value === "boolean" ? value : null;
   }
 
   /** A flag of a topic if it is live, else null. */
   liveFlag<T extends TopicName>(topic: T, field: FlagField<T>, now_ms: number): boolean | null {
     return this.state(topic, now_ms) === "live" ? this.newestFlag(topic, field) : null;
-  }
-
-  #value<T extends TopicName>(topic: T, field: FieldName<T>): number | boolean | null | undefined {
-    return this.#newest.get(topic)?.values[field];
   }
 }

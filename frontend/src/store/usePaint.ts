@@ -4,8 +4,9 @@ import type { Paint, PaintRate } from "./pump";
 import type { TelemetryStore } from "./telemetry";
 
 /**
- * Paint from the telemetry without React, straight onto what the component's refs hold: `frame` before each displayed
- * frame with news, `text` ten times a second. `paint` must be stable (useCallback), or it is taken off and on again.
+ * Paint from the telemetry without React, directly onto the elements of the component's refs: `frame` in each
+ * animation frame with news, `text` ten times a second. `paint` must be stable (useCallback), or it is registered
+ * again at each render.
  */
 export function usePaint(rate: PaintRate, paint: (telemetry: TelemetryStore, now_ms: number) => void): void {
   const { telemetry, pump } = usePage();

@@ -1,6 +1,6 @@
 import { vi } from "vitest";
 
-/** What jsdom lacks of a browser that draws: enough for uPlot to run whole, with nobody to see the picture. */
+/** The canvas functions that jsdom lacks and uPlot needs; nothing is drawn. */
 class SilentPath {
   moveTo(): void {}
   lineTo(): void {}
@@ -42,7 +42,7 @@ export function installCanvas(): void {
   vi.stubGlobal("ResizeObserver", SilentObserver);
   vi.stubGlobal("matchMedia", () => ({ matches: false, addEventListener() {}, removeEventListener() {} }));
   HTMLCanvasElement.prototype.getContext = function getContext(this: HTMLCanvasElement, kind: string) {
-    // No WebGL: the page shows what it shows where there is none.
+    // No WebGL: the page shows its fallback.
     return kind === "2d" ? silentContext(this) : null;
   } as unknown as typeof HTMLCanvasElement.prototype.getContext;
 }

@@ -1,6 +1,6 @@
 import type { FrameSource } from "../store/pump";
 
-/** Displayed frames at the test's command. */
+/** Animation frames under the test's control. */
 export class ManualFrames implements FrameSource {
   #pending = new Map<number, (now_ms: number) => void>();
   #next = 1;
@@ -19,7 +19,7 @@ export class ManualFrames implements FrameSource {
     return this.#pending.size;
   }
 
-  /** Show one frame at this time. */
+  /** Run one animation frame at this time. */
   show(now_ms: number): void {
     const callbacks = [...this.#pending.values()];
     this.#pending.clear();

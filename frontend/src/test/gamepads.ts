@@ -1,7 +1,7 @@
 import type { GamepadReader } from "../features/gamepad/gamepadInput";
 import type { Pad } from "../features/gamepad/stickMapping";
 
-/** The gamepads of a browser at the test's command. */
+/** A browser's gamepads under the test's control. */
 export class ManualGamepads implements GamepadReader {
   pads: readonly Pad[] = [];
   visible = true;
@@ -18,14 +18,14 @@ export class ManualGamepads implements GamepadReader {
     };
   };
 
-  /** Plug in what a person has, and pull out what is not in the list. */
+  /** Connect exactly these gamepads. */
   plug(...pads: readonly Pad[]): void {
     this.pads = pads;
     this.#changed();
   }
 }
 
-/** A standard gamepad that is let go, but for what is said. */
+/** A standard gamepad at rest, except for the given values. */
 export function aPad(others: Partial<Pad> = {}): Pad {
   return {
     id: "Test Pad",

@@ -1,7 +1,7 @@
 import type { Gateway } from "../requests/asking";
 import { Rest } from "../transport/rest";
 
-/** The way to the gateway as the page has it, over answers at the test's command. */
+/** The page's interface to the gateway, with the test's answers. */
 export function gatewayOf(fetch: (path: string, init: RequestInit) => Promise<Response>): Gateway {
   return new Rest({ client: () => "c1", fetch });
 }

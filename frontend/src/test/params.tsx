@@ -14,7 +14,7 @@ export let station: Station;
 
 export type Known = Partial<Record<ParameterName, Partial<HeldParameter>>>;
 
-/** What the gateway lists when the board has its defaults but for these. */
+/** The gateway's list when the board has its defaults except for these. */
 export function listed(known: Known = {}): ParameterList {
   return {
     parameters: PARAMETERS.map(({ setId, isInteger, ...info }) => ({

@@ -2,7 +2,7 @@ import type { Sounder, SounderState, Speaker, SpeakerState } from "../features/a
 import type { AlarmLevel } from "../features/alarms/raisedAlarms";
 import type { Language } from "../store/settings";
 
-/** Tones that are written down. */
+/** Records tones. */
 export class ManualSounder implements Sounder {
   readonly played: Array<AlarmLevel | "hush"> = [];
   #state: SounderState = "ready";
@@ -27,7 +27,7 @@ export class ManualSounder implements Sounder {
   }
 }
 
-/** Sentences that are written down. */
+/** Records sentences. */
 export class ManualSpeaker implements Speaker {
   readonly said: string[] = [];
   #state: SpeakerState = "ready";

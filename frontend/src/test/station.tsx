@@ -18,7 +18,7 @@ import { ManualGamepads } from "./gamepads";
 import { ManualSounder, ManualSpeaker } from "./sound";
 import { ManualTimers, ManualWire } from "./wire";
 
-/** What the page asked over REST, and what it is told. */
+/** A request of the page over REST, and its answer. */
 export interface Asked {
   readonly method: string;
   readonly path: string;
@@ -26,7 +26,7 @@ export interface Asked {
   readonly answer: (value: unknown, status?: number) => Promise<void>;
 }
 
-// Tests look at what is shown, not at how it was fetched.
+// Tests examine what is shown, not how it was loaded.
 await loadParts();
 
 const START_S = 1_700_000_000;
@@ -39,7 +39,7 @@ class MemoryStorage implements BrowserStorage {
   };
 }
 
-/** The whole page in a document, with a gateway, a clock and displayed frames at the test's command. */
+/** The whole page in a document, with gateway, clock and animation frames under the test's control. */
 export class Station {
   readonly timers = new ManualTimers();
   readonly frames = new ManualFrames();
@@ -49,7 +49,7 @@ export class Station {
   readonly wires: ManualWire[] = [];
   readonly asked: Asked[] = [];
   readonly clients: Array<string | null> = [];
-  /** The files that the page gave the person to keep. */
+  /** The files that the page saved for the user. */
   readonly saved: Array<{ readonly name: string; readonly content: Blob }> = [];
   /** Exceptions in the page's own code. */
   readonly reported: unknown[] = [];
@@ -89,7 +89,7 @@ export class Station {
     act(start);
   }
 
-  /** The gateway accepts the page and tells how everything stands. */
+  /** The gateway accepts the page and sends the present state. */
   greet(status: Status = aStatus()): void {
     this.deliver({
       type: "hello",
@@ -106,7 +106,7 @@ export class Station {
     this.deliver({ type: "status", data: status });
   }
 
-  /** Newest values of some topics, measured now; fields that are not named are no data. */
+  /** Newest values of some topics, measured now; fields not given are no data. */
   send(values: Readonly<Record<string, Readonly<Record<string, number | boolean | null>>>>): void {
     const samples: Sample[] = Object.entries(values).map(([topic, known]) => ({
       topic,
@@ -119,7 +119,7 @@ export class Station {
     this.deliver({ type: "batch", seq: this.#seq, t_s: this.#now_s(), samples });
   }
 
-  /** Rows of the simulator as they came, eight values each. */
+  /** Rows of the simulator as received, eight values each. */
   rows(rows: Readonly<Record<number, ReadonlyArray<number | null>>>): void {
     this.#seq += 1;
     const samples = [{ topic: "xplane_rows", t_s: this.#now_s(), values: { rows } }];
@@ -136,13 +136,13 @@ export class Station {
     this.show();
   }
 
-  /** Let time pass, with a displayed frame at its end. */
+  /** Let time pass, with an animation frame at its end. */
   pass(duration_ms: number): void {
     act(() => this.timers.pass(duration_ms));
     this.show();
   }
 
-  /** Two frames, far enough apart for text to be due. */
+  /** Two animation frames, far enough apart for texts to be painted. */
   show(): void {
     act(() => {
       this.frames.show(this.timers.now_ms());

@@ -13,7 +13,7 @@ interface Header {
   readonly t0_s?: number;
 }
 
-/** What the gateway answers when it is asked for points of a track. */
+/** The gateway's answer to a request for points of a track. */
 export function trackBytes(points: readonly PackedPoint[], header: Header = {}): ArrayBuffer {
   const { epoch = 1, first = 0, total = first + points.length, t0_s = 1_700_000_000 } = header;
   const bytes = new ArrayBuffer(32 + 16 * points.length);

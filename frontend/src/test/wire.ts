@@ -1,7 +1,7 @@
 import type { Timers } from "../lib/timers";
 import type { Wire, WireListener } from "../transport/socket";
 
-/** A stream's line at the test's command. */
+/** A stream's connection under the test's control. */
 export class ManualWire implements Wire {
   readonly sent: string[] = [];
   closed = false;
@@ -28,18 +28,18 @@ export class ManualWire implements Wire {
     this.#listener.onMessage(typeof message === "string" ? message : JSON.stringify(message));
   }
 
-  /** Something that is no text comes. */
+  /** Something other than text arrives. */
   deliverBytes(bytes: ArrayBuffer): void {
     this.#listener.onMessage(bytes);
   }
 
-  /** The line breaks. */
+  /** The connection breaks. */
   breakOff(): void {
     this.#listener.onClose();
   }
 }
 
-/** A clock and timers at the test's command. */
+/** A clock and timers under the test's control. */
 export class ManualTimers implements Timers {
   #now_ms = 0;
   #waiting: Array<{ readonly due_ms: number; readonly run: () => void }> = [];

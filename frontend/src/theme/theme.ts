@@ -1,4 +1,4 @@
-/** The three looks of tokens.css: a dark panel, daylight, and outdoors in the sun. */
+/** The three themes of tokens.css: dark, light, and for sunlight outdoors. */
 export const THEMES = ["dark", "light", "sunlight"] as const;
 
 export type ThemeName = (typeof THEMES)[number];
@@ -8,7 +8,7 @@ export function isThemeName(value: unknown): value is ThemeName {
   return THEMES.some((name) => name === value);
 }
 
-/** Dress `root` (the document's element, or any part of it) in a theme. */
+/** Apply a theme to `root` (the document's element, or a part of it). */
 export function applyTheme(root: HTMLElement, name: ThemeName): void {
   root.dataset["theme"] = name;
 }

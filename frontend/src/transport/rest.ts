@@ -3,16 +3,16 @@ import type { Answer, Problem, Refused } from "../protocol/answers";
 
 export interface RestOptions {
   readonly fetch: (path: string, init: RequestInit) => Promise<Response>;
-  /** Name of this page's stream connection, which its requests carry. */
+  /** Id of this page's stream connection, sent with its requests. */
   readonly client: () => string | null;
 }
 
-/** Longer than any command takes with its repetition on the slowest line. */
+/** Longer than any command with its repetition takes on the slowest link. */
 const PATIENCE_MS = 15_000;
 
 type Method = "GET" | "POST" | "PUT" | "PATCH" | "DELETE";
 
-/** Asks the gateway and never throws: an answer is what was asked for, or a problem. */
+/** Sends requests to the gateway and never throws: the answer is a value or a problem. */
 export class Rest {
   readonly #options: RestOptions;
 
@@ -20,7 +20,7 @@ export class Rest {
     this.#options = options;
   }
 
-  /** A question and its checked answer. A `Blob` goes as it is; any other body as JSON. */
+  /** Send a request and check its answer. A `Blob` is sent unchanged; any other body as JSON. */
   async ask<T>(
     method: Method,
     path: string,
@@ -39,7 +39,7 @@ export class Rest {
     return check(value) ? { ok: true, value } : misfit(faultIn(check, value) ?? "");
   }
 
-  /** A question whose answer is a file. */
+  /** A request whose answer is a file. */
   async file(path: string, body: object): Promise<Answer<Blob>> {
     const answer = await this.#send("POST", path, "*/*", body, PATIENCE_MS);
     if (!answer.ok) {
@@ -101,10 +101,10 @@ export class Rest {
   }
 }
 
-/** What stands for the text of an answer that broke off. */
+/** Marks an answer that broke off. */
 const UNREACHABLE = Symbol("unreachable");
 
-/** The JSON of an answer: null where it is empty, undefined where it is none. */
+/** The JSON of an answer: null if it is empty, undefined if it is not JSON. */
 async function jsonOf(response: Response): Promise<unknown> {
   let text: string;
   try {

@@ -151,8 +151,8 @@ export class StreamSocket {
 }
 
 /**
- * Each batch is acknowledged, also one that could not be read or taken: the gateway sends only a few without it, and
- * would send nothing more.
+ * Every batch is acknowledged, also one that could not be read or handled: after a few batches without an
+ * acknowledgement the gateway sends no more.
  */
 function acknowledge(wire: Wire, seq: number | null): void {
   if (seq !== null) {

@@ -16,7 +16,7 @@ export interface AlarmItem {
   blocked?: string | undefined;
 }
 
-/** An alarm that is over and that nobody acknowledged. */
+/** An alarm that ended unacknowledged. */
 export interface EndedItem {
   id: string;
   level: AlarmItem["level"];
@@ -47,10 +47,10 @@ interface Props {
 
 /** So many alarms have a line; the others are heard by screen readers and are counted. */
 export const LINES = 2;
-/** So many ended ones share the line that the alarms leave. */
+/** Most ended alarms that are shown beside the active ones. */
 const CHIPS = 3;
 
-/** How many of the ended alarms have no place in the strip. */
+/** Number of ended alarms that do not fit in the strip. */
 export function endedWithoutPlace(alarms: number, ended: number): number {
   return alarms < LINES ? Math.max(0, ended - CHIPS) : ended;
 }
@@ -84,7 +84,7 @@ export function AlarmStrip({ label, alarms, ended, acknowledge, children }: Prop
   );
 }
 
-/** Outside the live regions: that an alarm ended is no news that interrupts anybody. */
+/** Outside the live regions: the end of an alarm must not interrupt a screen reader. */
 function Traces({ label, items, acknowledge }: Ended) {
   return (
     <div className="ui-alarms-ended">

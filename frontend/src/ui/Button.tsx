@@ -9,21 +9,21 @@ interface Props {
   children: ReactNode;
   onPress: () => void;
   variant?: "plain" | "primary" | "danger" | undefined;
-  /** What became of the last press. */
+  /** The outcome of the last click. */
   state?: CommandState | undefined;
-  /** More than the state's own word: the sentence of a refusal. */
+  /** More than the state's word: the reason of a refusal. */
   stateText?: string | undefined;
-  /** Why it cannot be pressed now. The button stays in the tab order, so that everybody can learn the reason. */
+  /** Why it is disabled. It stays in the tab order, so that everybody can learn the reason. */
   disabledReason?: string | undefined;
   icon?: ReactNode;
   /** For a button that is on or off. */
   pressed?: boolean | undefined;
-  /** Accessible name, for a button with an icon alone. */
+  /** Accessible name, for a button with only an icon. */
   label?: string | undefined;
   type?: "button" | "submit" | undefined;
 }
 
-/** A button that says what became of its press, and why it cannot be pressed. */
+/** A button that shows the outcome of its click, and why it is disabled. */
 export function Button(props: Props) {
   const { children, onPress, variant = "plain", state = "idle", stateText, disabledReason } = props;
   const { icon, pressed, label, type = "button" } = props;

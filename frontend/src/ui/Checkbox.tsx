@@ -9,7 +9,7 @@ interface Props {
   disabledReason?: string | undefined;
 }
 
-/** Yes or no, at once. The browser's own box: it is the one that every keyboard and screen reader knows. */
+/** A native checkbox: every keyboard and screen reader knows it. It takes effect at once. */
 export function Checkbox({ label, checked, onChange, disabledReason }: Props) {
   const noteId = useId();
   const disabled = disabledReason !== undefined;

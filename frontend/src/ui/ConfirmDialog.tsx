@@ -5,18 +5,18 @@ import "./Dialog.css";
 
 interface Props {
   title: string;
-  /** What happens, and what does not come back. */
+  /** What happens, and what cannot be undone. */
   text: string;
   confirmLabel: string;
   cancelLabel: string;
   danger?: boolean | undefined;
-  /** A second way to say yes, beside the first. */
+  /** A second confirming choice beside the first. */
   other?: { readonly label: string; readonly onPress: () => void } | undefined;
   onConfirm: () => void;
   onCancel: () => void;
 }
 
-/** A question before something that is not undone by itself. The safe answer has the focus. */
+/** A question before something that cannot be undone. The safe answer has the focus. */
 export function ConfirmDialog(props: Props) {
   const { title, text, confirmLabel, cancelLabel, danger = false, other, onConfirm, onCancel } = props;
   const foot = useRef<HTMLElement>(null);

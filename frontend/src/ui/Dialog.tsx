@@ -6,25 +6,22 @@ import { useWords } from "./words";
 import "./Dialog.css";
 
 interface Props {
-  /** Without it the window is open for as long as it is drawn. */
+  /** Without it the dialog is open while it is rendered. */
   open?: boolean | undefined;
   title: string;
-  /** Escape, the cross, or a press beside it. */
+  /** Escape, the close button, or a click beside it. */
   onClose: () => void;
-  /** What the cross is called, where "close" would not say it. */
+  /** Name of the close button, if not "close". */
   closeLabel?: string | undefined;
-  /** Said after the title: what it is about. */
+  /** Read after the title. */
   description?: string | undefined;
   children?: ReactNode;
-  /** The buttons that end it. */
+  /** The buttons that close it. */
   actions?: ReactNode;
   size?: "normal" | "wide" | undefined;
 }
 
-/**
- * A window over the page which waits for an answer. The focus stays in it, and goes back to where it was when it
- * closes.
- */
+/** A modal dialog. The focus stays in it, and returns to where it was when it closes. */
 export function Dialog(props: Props) {
   const { open = true, title, onClose, closeLabel, description, children, actions, size = "normal" } = props;
   const words = useWords();
@@ -60,13 +57,13 @@ interface ConfirmProps {
   text: string;
   confirmLabel: string;
   cancelLabel: string;
-  /** What it does cannot be taken back, or moves the aircraft. */
+  /** The action cannot be undone, or moves the aircraft. */
   danger?: boolean | undefined;
   onConfirm: () => void;
   onCancel: () => void;
 }
 
-/** A question with yes and no; whatever closes it otherwise means no. */
+/** A question with yes and no; closing it otherwise means no. */
 export function ConfirmDialog(props: ConfirmProps) {
   const { title, text, confirmLabel, cancelLabel, danger = false, onConfirm, onCancel } = props;
   return (

@@ -3,15 +3,15 @@ import { Button } from "./Button";
 
 interface Props {
   children: ReactNode;
-  /** Called with the chosen file; the same one can be chosen again. */
+  /** Called with the chosen file; the same file can be chosen again. */
   onFile: (file: File) => void;
-  /** The kinds of files that are offered first: ".json", ".kml,.gpx". */
+  /** Suggested file types: ".json", ".kml,.gpx". */
   accept: string;
   icon?: ReactNode;
   disabledReason?: string | undefined;
 }
 
-/** A button that lets the person choose one file of this computer. */
+/** A button that lets the user choose one file of this computer. */
 export function FileButton({ children, onFile, accept, icon, disabledReason }: Props) {
   const input = useRef<HTMLInputElement>(null);
   return (

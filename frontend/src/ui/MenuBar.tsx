@@ -7,10 +7,10 @@ import type { CommandState } from "./states";
 import { commandWord, useWords } from "./words";
 import "./MenuBar.css";
 
-/** Where open menus stand in the document: beside their bar, in its landmark, and not at the end of the page. */
+/** The element that holds open menus: beside their bar, in its landmark, and not at the end of the page. */
 const HomeContext = createContext<HTMLElement | null>(null);
 
-/** The row of menus on top of the window. The page behind an open menu goes on. */
+/** The menu bar at the top of the window. The page behind an open menu keeps running. */
 export function MenuBar({ label, children }: { label: string; children: ReactNode }) {
   const [home, setHome] = useState<HTMLElement | null>(null);
   return (
@@ -25,7 +25,7 @@ export function MenuBar({ label, children }: { label: string; children: ReactNod
 
 interface MenuProps {
   label: string;
-  /** Drawn, and its stores read, only while the menu is open. */
+  /** Rendered, and its stores read, only while the menu is open. */
   children: ReactNode;
 }
 
@@ -39,15 +39,15 @@ export function Menu({ label, children }: MenuProps) {
 }
 
 interface AnchoredProps {
-  /** What the menu hangs on, and what has the focus again when it closes. */
+  /** The element that the menu is attached to, and that gets the focus back when it closes. */
   anchor: RefObject<HTMLElement | null>;
-  /** Where it stands in the document. */
+  /** Its place in the document. */
   home: RefObject<HTMLElement | null>;
   onClose: () => void;
   children: ReactNode;
 }
 
-/** A menu that something else than a menu title has opened. */
+/** A menu not opened from the menu bar. */
 export function AnchoredMenu({ anchor, home, onClose, children }: AnchoredProps) {
   return (
     <Base.Root open modal={false} onOpenChange={(open) => open || onClose()}>
@@ -77,7 +77,7 @@ function Popup({ anchor, home, children }: Partial<AnchoredProps>) {
   );
 }
 
-/** Entries under a name of their own. */
+/** Menu entries under a heading. */
 export function MenuGroup({ label, children }: MenuProps) {
   return (
     <Base.Group className="ui-menu-group">
@@ -91,20 +91,20 @@ export function MenuRule() {
   return <Base.Separator className="ui-menu-rule" />;
 }
 
-/** What every entry can say of itself. */
+/** Props of every entry. */
 interface EntryProps {
   label: string;
-  /** Why it cannot be chosen now: stands in the entry, which stays in reach of the keyboard. */
+  /** Why it is disabled: shown in the entry, which stays reachable by keyboard. */
   disabledReason?: string | undefined;
   state?: CommandState | undefined;
   stateText?: string | undefined;
-  /** The key that does the same. */
+  /** The keyboard shortcut. */
   aside?: string | undefined;
 }
 
 /**
- * Name and note of an entry by their ids. Why it cannot be chosen is read with its name; what became of the last press
- * is a description, so that the name stays what it is while the answer comes.
+ * Ids of an entry's name and note. The reason why it is disabled is part of its name; the outcome of the last click
+ * is a description, so that the name does not change when the answer comes.
  */
 function useEntry({ disabledReason, state = "idle", stateText }: Omit<EntryProps, "label">) {
   const words = useWords();
@@ -155,7 +155,7 @@ function Body({ label, aside, state = "idle", note, labelId, noteId }: BodyProps
 
 interface ActionProps extends EntryProps {
   onChoose: () => void;
-  /** This is how it stands now. */
+  /** Whether this is the present state. */
   isCurrent?: boolean | undefined;
   danger?: boolean | undefined;
 }
@@ -177,7 +177,7 @@ export function MenuAction({ onChoose, isCurrent = false, danger = false, ...ent
 }
 
 interface SwitchProps extends EntryProps {
-  /** As reported; the menu stays open, so that the report can be seen to follow. */
+  /** The reported state; the menu stays open, so that the change can be watched. */
   checked: boolean;
   onChange: (checked: boolean) => void;
 }
@@ -196,12 +196,12 @@ export function MenuSwitch({ checked, onChange, ...entry }: SwitchProps) {
 
 interface ChoiceProps<V extends string> extends EntryProps {
   options: readonly { readonly value: V; readonly label: string; readonly aside?: string }[];
-  /** `null` while nothing tells. */
+  /** `null` while unknown. */
   value: V | null;
   onChange: (value: V) => void;
 }
 
-/** One of a few, under a name: the mark stands where the report says. */
+/** A choice of a few under a heading: the reported one is marked. */
 export function MenuChoice<V extends string>({ options, value, onChange, ...group }: ChoiceProps<V>) {
   const { shared, note, noteId } = useEntry(group);
   return (
@@ -240,7 +240,7 @@ export function MenuChoice<V extends string>({ options, value, onChange, ...grou
 interface LinkProps {
   label: string;
   href: string;
-  /** Name under which the browser keeps the file; without it the address is opened beside this page. */
+  /** File name for a download; without it the address is opened in another browser tab. */
   download?: string | undefined;
   aside?: string | undefined;
 }

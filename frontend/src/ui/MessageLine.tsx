@@ -1,15 +1,15 @@
 import "./MessageLine.css";
 
 interface Props {
-  /** What it is: read out before the text. */
+  /** Read out before the text. */
   label: string;
   text: string;
   level?: "info" | "warning" | "error" | undefined;
-  /** When it came, already written. */
+  /** Its time, as text. */
   time?: string | undefined;
 }
 
-/** The newest message, in one line of the status bar; the whole text is there for the pointer too. */
+/** The newest message in one line of the status bar; the whole text is in the tooltip. */
 export function MessageLine({ label, text, level = "info", time }: Props) {
   return (
     <div className="ui-message" data-level={level} role="status" aria-label={label} title={text}>

@@ -3,7 +3,10 @@ import "./Meter.css";
 import { SteadyText, type SteadyTextHandle } from "./SteadyText";
 
 export interface MeterHandle {
-  /** Show a use in percent and its text; `null` is not known. Over 100 the bar is full and marked, the text is whole. */
+  /**
+   * Show a load in percent and its text; `null` is unknown. Over 100 the bar is full and marked, and the text shows
+   * the number.
+   */
   paint(percent: number | null, text: string): void;
 }
 
@@ -12,14 +15,14 @@ interface Props {
   label: string;
 }
 
-/** A channel loses frames when it is over; near that it deserves a look. */
+/** Over its capacity a channel loses frames; near it, warn. */
 function level(percent: number | null): "unknown" | "normal" | "high" | "over" {
   if (percent === null) return "unknown";
   if (percent > 100) return "over";
   return percent > 85 ? "high" : "normal";
 }
 
-/** How much of a channel is in use: a small bar and its number. */
+/** The load of a channel: a small bar and its number. */
 export function Meter({ ref, label }: Props) {
   const root = useRef<HTMLSpanElement>(null);
   const fill = useRef<HTMLSpanElement>(null);

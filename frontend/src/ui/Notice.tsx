@@ -11,7 +11,7 @@ interface Props {
 
 const ICONS = { info: Info, warning: TriangleAlert, error: CircleAlert } as const;
 
-/** A sentence beside the thing it is about: why something failed, and what to do. */
+/** A sentence beside what it is about: why something failed, and what to do. */
 export function Notice({ level, children, onDismiss }: Props) {
   const words = useWords();
   const Icon = ICONS[level];

@@ -6,7 +6,7 @@ import { type NumberEditing, useNumberEdit } from "./useNumberEdit";
 import { commandWord, useWords } from "./words";
 import "./Field.css";
 
-/** Stands where no number is known: nobody can take it for one. */
+/** Shown for an unknown number: cannot be taken for one. */
 const DASHES = "\u2013\u2009\u2013\u2009\u2013";
 
 interface Props extends NumberEditing {
@@ -16,9 +16,9 @@ interface Props extends NumberEditing {
 }
 
 /**
- * A number that becomes a command. An edit goes out on Enter, on leaving the field or by a step button; Escape
- * takes it back, and the wheel does nothing. Out of range is refused with the range, not silently cut. A refused edit
- * stands while the field has the focus; once that is left the value is seen again.
+ * A number field that sends a command. An edit is sent on Enter, on blur or by a step button; Escape cancels it, and
+ * the wheel does nothing. A number out of range is refused with the range, not silently limited. A refused edit is
+ * shown while the field has the focus; on blur the value is shown again.
  */
 export function NumberField(props: Props) {
   const { label, value, unit, state = "idle", stateText, disabledReason } = props;
@@ -29,7 +29,7 @@ export function NumberField(props: Props) {
   const { complaint, isInvalid, canStep } = edit;
 
   const disabled = disabledReason !== undefined;
-  // What became of an earlier number says nothing of the one that is typed, or was refused.
+  // The outcome of an earlier number does not apply to the one that is typed, or was refused.
   const isOther = state !== "pending" && (edit.isEdited || complaint !== "");
   const mark = isOther ? "idle" : state;
   const outcome = isOther ? "" : (stateText ?? commandWord(words, state));
@@ -84,7 +84,7 @@ interface StepButtonProps {
   down?: boolean;
 }
 
-/** For the pointer only: on the keyboard the arrow keys in the field do the same. */
+/** Only for the pointer: the arrow keys in the field do the same. */
 function StepButton({ label, disabled, onPress, down = false }: StepButtonProps) {
   return (
     <button
@@ -93,7 +93,7 @@ function StepButton({ label, disabled, onPress, down = false }: StepButtonProps)
       tabIndex={-1}
       aria-label={label}
       aria-disabled={disabled || undefined}
-      // The press must not take the focus first: leaving the field would send the draft as well as the step.
+      // The press must not take the focus first: the blur would send the draft as well as the step.
       onMouseDown={(event) => event.preventDefault()}
       onClick={onPress}
     >

@@ -9,18 +9,18 @@ interface Props {
   /** Buttons of the whole panel. */
   actions?: ReactNode;
   className?: string | undefined;
-  /** A group and no landmark, for a panel that bears the same title as another. */
+  /** A group instead of a landmark, for a panel with the same title as another. */
   plain?: boolean | undefined;
   children: ReactNode;
 }
 
-/** A titled group of readings or controls, engraved like a placard of an instrument panel. */
+/** A titled group of readings or controls, like a placard of an instrument panel. */
 export function Panel({ title, level = 2, badge, actions, className, plain = false, children }: Props) {
   const heading = useId();
   const Heading = level === 2 ? "h2" : "h3";
-  const Frame = plain ? "div" : "section";
+  const Root = plain ? "div" : "section";
   return (
-    <Frame
+    <Root
       role={plain ? "group" : undefined}
       className={className === undefined ? "ui-panel" : `ui-panel ${className}`}
       aria-labelledby={heading}
@@ -34,6 +34,6 @@ export function Panel({ title, level = 2, badge, actions, className, plain = fal
         {actions !== undefined && <div className="ui-panel-actions">{actions}</div>}
       </header>
       <div className="ui-panel-body">{children}</div>
-    </Frame>
+    </Root>
   );
 }

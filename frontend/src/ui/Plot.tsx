@@ -4,11 +4,11 @@ import "uplot/dist/uPlot.min.css";
 import "./Plot.css";
 import { PLOT_DASHES, plotColour } from "./plotColours";
 
-/** Seconds before now (zero or less), and for each series its values; null is a gap. */
+/** Times in seconds relative to now (zero or less), and each series' values; null is a gap. */
 export type PlotData = readonly [readonly number[], ...ReadonlyArray<ReadonlyArray<number | null>>];
 
 export interface PlotHandle {
-  /** Draw these; the picture always reaches from `window_s` before now to now. */
+  /** Draw these; the plot always spans from `window_s` before now to now. */
   draw(data: PlotData): void;
 }
 
@@ -22,20 +22,20 @@ interface Props {
   ref?: Ref<PlotHandle> | undefined;
   series: readonly PlotSeries[];
   window_s: number;
-  /** Written at the axis of time. */
+  /** Unit at the time axis. */
   secondsUnit: string;
-  /** Told which row lies under the pointer; null when it has left. */
+  /** Called with the index of the row under the pointer; null when it leaves. */
   onPoint?: ((index: number | null) => void) | undefined;
 }
 
-/** Advance of a figure of the number font. */
+/** Width of a digit in the number font. */
 const EM_PER_FIGURE = 0.65;
-/** As many units have an axis of their own; the picture has no room for more. */
+/** Greatest number of units with their own axis; there is no room for more. */
 const MOST_AXES = 4;
 
 /**
- * A drawing of series over the last seconds, by uPlot; painted by its handle, without a render. The canvas says nothing
- * to a screen reader: whoever shows it says in words what it shows.
+ * A plot of series over the last seconds, by uPlot; painted by its handle, without a render. A canvas is silent for
+ * screen readers: the user of this component describes it in words.
  */
 export function Plot({ ref, series, window_s, secondsUnit, onPoint }: Props) {
   const box = useRef<HTMLDivElement>(null);
@@ -99,14 +99,14 @@ function sizeOf(element: HTMLElement): { width: number; height: number } {
   return { width: Math.max(1, element.clientWidth), height: Math.max(1, element.clientHeight) };
 }
 
-/** What was drawn last, as long as it has as many series as are drawn now. */
+/** The last drawn data, if it has the same number of series. */
 function fitting(data: PlotData | null, count: number): PlotData {
   return data !== null && data.length === count + 1
     ? data
     : [[], ...Array.from({ length: count }, (): number[] => [])];
 }
 
-/** uPlot's own type asks for arrays that it may change; it changes none. */
+/** uPlot's type demands mutable arrays, but it does not change them. */
 function aligned(data: PlotData): uPlot.AlignedData {
   return data as unknown as uPlot.AlignedData;
 }
@@ -117,7 +117,7 @@ interface Look {
   readonly fontFamily: string;
 }
 
-/** What the theme says, asked once and not for each drawing: every question makes the browser work out styles. */
+/** The theme's colours, read once and not per drawing: each query makes the browser compute styles. */
 function lookOf(element: HTMLElement): Look {
   const style = getComputedStyle(element);
   const known = new Map<string, string>();
@@ -196,7 +196,7 @@ function scaleOf(unit: string): string {
   return `y ${unit}`;
 }
 
-/** Room above and below; a signal that stands still is a line in the middle, and not at an end. */
+/** Margins above and below; a constant signal is drawn in the middle. */
 function roomy(_: uPlot, min: number | null, max: number | null): uPlot.Range.MinMax {
   if (min === null || max === null) {
     return [-1, 1];
@@ -206,7 +206,7 @@ function roomy(_: uPlot, min: number | null, max: number | null): uPlot.Range.Mi
   return [min - pad, max + pad];
 }
 
-/** The numbers stand whole, however long they are; at least room for five, so that the picture does not jump about. */
+/** Wide enough for the longest number, and for at least five digits, so that the plot does not jump. */
 function axisWidth(values: readonly string[] | null, fontSize_px: number): number {
   const longest = Math.max(5, ...(values ?? []).map((text) => text.length));
   return Math.ceil(longest * EM_PER_FIGURE * fontSize_px) + 10;

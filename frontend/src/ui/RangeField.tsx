@@ -8,12 +8,14 @@ interface Props {
   minimum: number;
   maximum: number;
   step: number;
-  /** The value in words, shown beside the slider and read out in place of the bare number. */
+  /** The value as text, shown beside the slider and read instead of the bare number. */
   text: string;
   onChange: (value: number) => void;
 }
 
-/** A number on a horizontal slider, taken over while it moves. For what may change often: a volume, not a command. */
+/**
+ * A number on a horizontal slider, applied while it moves. For values that may change often: a volume, not a command.
+ */
 export function RangeField({ label, value, minimum, maximum, step, text, onChange }: Props) {
   const id = useId();
   return (

@@ -5,7 +5,7 @@ import "./Readout.css";
 import { useWords } from "./words";
 
 export interface ReadoutHandle {
-  /** Show a number, already written in the reader's notation; `null` is no data, whatever the state. */
+  /** Show a number as text; `null` is no data, whatever the state. */
   paint(text: string | null, state: DataState): void;
 }
 
@@ -33,15 +33,15 @@ interface Props {
   ref?: Ref<ReadoutHandle>;
   label: string;
   unit?: string | undefined;
-  /** Room kept for the number, in characters. A longer one takes more room and is never cut. */
+  /** Room for the number, in characters. A longer number takes more room and is not cut. */
   chars?: number | undefined;
   size?: "normal" | "large" | undefined;
 }
 
-/** Shown where there is no number: as wide as one, and nobody can take it for a zero. */
+/** Shown without a number: as wide as one, and cannot be taken for a zero. */
 const DASHES = "\u2013\u2009\u2013\u2009\u2013";
 
-/** One reading: name, number, unit, and whether it is live. Painted by its handle, without a render. */
+/** One reading: name, number, unit, and whether it is live. Painted through its handle, without a render. */
 export function Readout({ ref, label, unit, chars = 7, size = "normal" }: Props) {
   const words = useWords();
   const root = useRef<HTMLDivElement>(null);
@@ -57,7 +57,7 @@ export function Readout({ ref, label, unit, chars = 7, size = "normal" }: Props)
       word.current.textContent = { live: "", stale: words.stale, none: words.noData }[state];
     }
 
-    // Again in another language: the words change at once, the state does not.
+    // Written again in a new language: the words change, the state does not.
     tell(told.current);
     return {
       paint(text, state) {

@@ -35,7 +35,7 @@ test("with the position not known no option is chosen, and either can be asked f
 });
 
 test("the arrow keys ask for the other position", async () => {
-  // The simulated keyboard looks the group's radios up with it, and jsdom has none.
+  // The simulated keyboard needs this to find the group's radio buttons, and jsdom lacks it.
   vi.stubGlobal("CSS", { escape: (text: string) => text });
   const onChange = vi.fn();
   renderWithWords(<SegmentedSwitch label="Source" options={OPTIONS} value="joystick" onChange={onChange} />);

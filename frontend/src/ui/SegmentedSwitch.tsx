@@ -14,21 +14,21 @@ export interface Segment<V extends string> {
 interface Props<V extends string> {
   label: string;
   options: readonly Segment<V>[];
-  /** Where the switch really stands, as reported; `null` while nothing live tells. */
+  /** The reported position; `null` without live data. */
   value: V | null;
-  /** Asked for and not yet proven. */
+  /** Requested and not yet proven. */
   wanted?: V | null | undefined;
   onChange: (value: V) => void;
   state?: CommandState | undefined;
   stateText?: string | undefined;
   disabledReason?: string | undefined;
-  /** Leave the name to screen readers. */
+  /** Show the name only to screen readers. */
   hideLabel?: boolean | undefined;
 }
 
 /**
- * A switch with two (or a few) positions. It stands where the board says, not where it was pushed: until the
- * proof comes, the wanted position only pulses.
+ * A switch with two or a few positions. It shows the board's position, not the clicked one: until the proof comes,
+ * the wanted position only pulses.
  */
 export function SegmentedSwitch<V extends string>(props: Props<V>) {
   const {

@@ -19,7 +19,7 @@ interface Props<V extends string> {
   hideLabel?: boolean | undefined;
 }
 
-/** One of a list. The browser's own list: it is the one that works with every keyboard, screen reader and touch screen. */
+/** A native select: it works with every keyboard, screen reader and touch screen. */
 export function Select<V extends string>(props: Props<V>) {
   const { label, options, value, onChange, placeholder, disabledReason, hideLabel } = props;
   const selectId = useId();

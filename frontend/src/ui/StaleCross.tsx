@@ -2,11 +2,11 @@ import "./StaleCross.css";
 
 interface Props {
   text: string;
-  /** Nothing is drawn while what lies beneath is live. */
+  /** Hidden while the data beneath is live. */
   shown?: boolean | undefined;
 }
 
-/** A red cross with words over a box that has nothing live to show. The box must be `position: relative`. */
+/** A red cross with text over a box without live data. The box must be `position: relative`. */
 export function StaleCross({ text, shown = true }: Props) {
   if (!shown) {
     return null;

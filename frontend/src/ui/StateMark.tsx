@@ -10,7 +10,7 @@ const ICONS = {
   sent: Send,
 } as const;
 
-/** The sign of a command's state; the words that go with it stand elsewhere. */
+/** The mark of a command's state; its words are shown elsewhere. */
 export function StateMark({ state }: { state: CommandState }) {
   if (state === "idle") {
     return null;

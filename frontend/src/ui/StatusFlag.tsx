@@ -3,11 +3,11 @@ import { useWords } from "./words";
 
 interface Props {
   label: string;
-  /** `null`: the board has not said. */
+  /** `null`: the board has not reported it. */
   value: boolean | null;
-  /** The last word is old. */
+  /** The last report is old. */
   stale?: boolean | undefined;
-  /** Other words than on and off, for a flag that means something else. */
+  /** Words other than on and off, for a flag with another meaning. */
   texts?: { on: string; off: string } | undefined;
 }
 

@@ -7,17 +7,17 @@ export interface SteadyTextHandle {
 
 interface Props {
   ref?: Ref<SteadyTextHandle>;
-  /** Room kept, in figures of the number font. A longer text is given more and is never cut. */
+  /** Room for this many digits of the number font. A longer text takes more room and is not cut. */
   chars: number;
-  /** What stands there before anything was written. */
+  /** The text before the first write. */
   initial?: string;
   className?: string;
 }
 
-/** Advance of a figure of the number font; `ch` would measure another of the fonts that make it up. */
+/** Width of a digit in the number font; `ch` would measure another of its fonts. */
 const EM_PER_FIGURE = 0.65;
 
-/** A text that is written without a render, as often as its value changes, and moves nothing round it. */
+/** A text that is written without a render, as often as its value changes, and whose changes lay out nothing else. */
 export function SteadyText({ ref, chars, initial = "", className }: Props) {
   const room = useRef<HTMLSpanElement>(null);
   const text = useRef<HTMLSpanElement>(null);
@@ -37,7 +37,7 @@ export function SteadyText({ ref, chars, initial = "", className }: Props) {
         if (node === null) {
           text.current.textContent = next;
         } else {
-          // The same text node: a new one would be styled and laid out from nothing.
+          // Keeps the text node: a new one would be styled and laid out again.
           node.nodeValue = next;
         }
       },

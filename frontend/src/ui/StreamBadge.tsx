@@ -4,17 +4,17 @@ import "./StreamBadge.css";
 import { dataWord, useWords } from "./words";
 
 export interface StreamBadgeHandle {
-  /** Show the stream's state and its age, already written ("0,3 s"); an empty age shows the state alone. */
+  /** Show the stream's state and its age as text ("0,3 s"); an empty age shows only the state. */
   paint(state: DataState, ageText: string): void;
 }
 
 interface Props {
   ref?: Ref<StreamBadgeHandle>;
-  /** What is that old: read out before the age. */
+  /** What the age is of: read out before it. */
   label?: string | undefined;
 }
 
-/** Small sign in a panel's head: is this group live, and how old is its newest value. */
+/** A small mark in a panel's head: whether this group is live, and the age of its newest value. */
 export function StreamBadge({ ref, label }: Props) {
   const words = useWords();
   const root = useRef<HTMLSpanElement>(null);
@@ -30,7 +30,7 @@ export function StreamBadge({ ref, label }: Props) {
       word.current.textContent = dataWord(words, state);
     }
 
-    // Again in another language: the word changes at once, the state does not.
+    // Written again in a new language: the word changes, the state does not.
     tell(told.current);
     return {
       paint(state, ageText) {

@@ -12,14 +12,14 @@ interface Props<V extends string> {
   /** Accessible name of the row of tabs. */
   label: string;
   tabs: readonly Tab<V>[];
-  /** The open tab; without it the tabs keep it themselves. */
+  /** The open tab; without it the tabs keep their own state. */
   value?: V | undefined;
   defaultValue?: V | undefined;
   onValueChange?: ((value: V) => void) | undefined;
-  /** Keep closed tabs in the document, for contents that are dear to build. */
+  /** Keep closed tabs mounted, if their content is expensive to build. */
   keepMounted?: boolean | undefined;
   size?: "main" | "sub" | undefined;
-  /** Stands at the right end of the row. */
+  /** Shown at the right end of the row. */
   trailing?: ReactNode;
   className?: string | undefined;
 }

@@ -5,24 +5,24 @@ import "./Field.css";
 interface Props {
   label: string;
   value: string;
-  /** Called with the text on Enter and on leaving the field, when it differs; never for a keystroke. */
+  /** Called on Enter and on blur with a changed text; not per keystroke. */
   onCommit: (text: string) => void;
-  /** Called for each keystroke, for a page that needs the text before it is finished. */
+  /** Called for each keystroke, if the unfinished text is needed. */
   onEdit?: ((text: string) => void) | undefined;
-  /** Called on Enter after the commit, even without an edit: send the line. */
+  /** Called on Enter after the commit, even without an edit: to send a line. */
   onEnter?: ((text: string) => void) | undefined;
   placeholder?: string | undefined;
-  /** What belongs in here. */
+  /** What to enter. */
   hint?: string | undefined;
-  /** What is wrong with what is in here. */
+  /** What is wrong with the text. */
   error?: string | undefined;
   disabledReason?: string | undefined;
-  /** For addresses, lines of the board's shell and other exact text. */
+  /** For addresses, shell lines and other exact text. */
   monospace?: boolean | undefined;
   hideLabel?: boolean | undefined;
 }
 
-/** A line of text. Enter and leaving the field finish an edit, Escape takes it back. */
+/** A line of text. Enter and blur finish an edit, Escape cancels it. */
 export function TextField(props: Props) {
   const { label, value, onCommit, onEdit, onEnter, placeholder, hint, error, disabledReason } = props;
   const inputId = useId();

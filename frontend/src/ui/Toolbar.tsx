@@ -7,8 +7,8 @@ interface Props {
 }
 
 /**
- * A bar of controls. It is a named group and not an ARIA toolbar: the switches in it own the arrow keys, and a
- * toolbar would take them away.
+ * A bar of controls. It is a named group, not an ARIA toolbar: its switches use the arrow keys, which a toolbar would
+ * take.
  */
 export function Toolbar({ label, children }: Props) {
   return (

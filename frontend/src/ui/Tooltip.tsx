@@ -3,15 +3,15 @@ import type { ReactElement } from "react";
 import "./Tooltip.css";
 
 interface Props {
-  /** Empty: nothing to say, nothing opens. */
+  /** Empty: no tooltip. */
   text: string;
-  /** The one element that the text is about. It must be focusable, so that the keyboard finds the text too. */
+  /** The element that the text describes. It must be focusable, so that keyboard users see the text too. */
   children: ReactElement<Record<string, unknown>>;
 }
 
 /**
- * A sentence beside an element while the pointer or the focus is on it. For eyes only: whoever uses it also
- * gives the sentence to screen readers as the element's description.
+ * A text beside an element while it is hovered or focused. Only visual: the caller also gives the text to screen
+ * readers as the element's description.
  */
 export function Tooltip({ text, children }: Props) {
   return (

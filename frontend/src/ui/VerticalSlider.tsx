@@ -5,35 +5,35 @@ import "./VerticalSlider.css";
 import { commandWord, useWords } from "./words";
 
 interface Props {
-  /** Shown over the slider; short, for many stand in a row. */
+  /** Shown above the slider; short, because many are side by side. */
   label: string;
   /** Accessible name. */
   name: string;
-  /** Where it was moved last; null while nobody has moved it, and then its thumb tells no position. */
+  /** Its last position; null if it was never moved: then the thumb means no position. */
   value: number | null;
   minimum: number;
   maximum: number;
   step: number;
-  /** Where the thumb rests while there is no value. */
+  /** The thumb's place without a value. */
   rest: number;
   /** Numbers in the reader's notation. */
   format: (value: number) => string;
-  /** Said and shown in the number's place while there is none. */
+  /** Read and shown instead of the number if there is none. */
   noValueText: string;
   onMove: (value: number) => void;
-  /** What became of the newest move, with its sentence where there is one. */
+  /** The outcome of the newest move, with its message if any. */
   state: CommandState;
   stateText?: string | undefined;
   disabled?: boolean | undefined;
-  /** Id of the sentence that says why it is disabled. */
+  /** Id of the text that says why it is disabled. */
   describedBy?: string | undefined;
-  /** Stands under the number: a button that belongs to this slider. */
+  /** Shown below the number: a button that belongs to this slider. */
   children?: ReactNode;
 }
 
 const DASHES = "\u2013\u2009\u2013";
 
-/** A slider that stands upright: up is more. Every move is told at once; whoever hears it keeps the pace. */
+/** A vertical slider: up is more. Every move is reported at once; the receiver limits the rate. */
 export function VerticalSlider(props: Props) {
   const { label, name, value, minimum, maximum, step, rest, format, noValueText, onMove } = props;
   const { state, stateText, disabled = false, describedBy, children } = props;

@@ -118,7 +118,7 @@ function Everything() {
 test("no control breaks a rule of accessibility", async () => {
   const { container } = renderWithWords(<Everything />);
   const { violations, passes } = await axe.run(container, {
-    // Colours have their own test: jsdom lays nothing out.
+    // Colours have their own test: jsdom has no layout.
     rules: { "color-contrast": { enabled: false } },
   });
   expect(violations.map(({ id, nodes }) => [id, nodes.map(({ html }) => html)])).toEqual([]);

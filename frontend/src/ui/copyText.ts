@@ -1,6 +1,6 @@
 /**
- * Put a text on the clipboard; false when the browser lets nobody do that. A page that came over plain HTTP from another
- * machine has no clipboard of its own, and copies a selection instead.
+ * Copy a text to the clipboard; false if the browser forbids it. A page from another machine over plain HTTP has no
+ * clipboard interface, and copies a selection instead.
  */
 export async function copyText(text: string): Promise<boolean> {
   if (navigator.clipboard !== undefined) {
@@ -8,7 +8,7 @@ export async function copyText(text: string): Promise<boolean> {
       await navigator.clipboard.writeText(text);
       return true;
     } catch {
-      // Forbidden here: a selection may still be copied.
+      // Forbidden: copying a selection may still work.
     }
   }
   const area = document.createElement("textarea");

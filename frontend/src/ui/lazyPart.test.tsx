@@ -42,7 +42,7 @@ test("what is being loaded says so, and is loaded once however often it is shown
 });
 
 test("what could not be loaded can be asked for again", async () => {
-  // React tells every failure in the console, also one that is caught.
+  // React logs every failure to the console, even a caught one.
   vi.spyOn(console, "error").mockImplementation(() => undefined);
   let isThere = false;
   const { Part } = lazyPart(async () => {

@@ -1,13 +1,13 @@
 import { Component, type ComponentType, type ReactNode, Suspense, use } from "react";
 
-/** A part of the page that is loaded when it is first needed, or before. */
+/** A part of the page that is loaded on first use, or in advance. */
 export interface LazyPart {
   readonly Part: ComponentType<{ waiting: ReactNode; failed: (retry: () => void) => ReactNode }>;
-  /** Load it now; a failure is left to the part itself, which asks again when it is shown. */
+  /** Load it now; a failure is handled by the part, which tries again when it is shown. */
   readonly load: () => Promise<void>;
 }
 
-/** Once loaded it is drawn at once and never waits again. */
+/** Once loaded it is rendered at once, without suspending. */
 export function lazyPart(load: () => Promise<ComponentType>): LazyPart {
   let loading: Promise<ComponentType> | null = null;
 
@@ -15,7 +15,7 @@ export function lazyPart(load: () => Promise<ComponentType>): LazyPart {
     if (loading === null) {
       const started = load();
       loading = started;
-      // React reads these two, and does not wait for a promise that has them.
+      // React reads these two properties, and does not suspend on a promise that has them.
       started.then(
         (value) => Object.assign(started, { status: "fulfilled", value }),
         () => undefined,
@@ -58,7 +58,7 @@ interface BoundaryProps {
   children: ReactNode;
 }
 
-/** Stands in for a part that could not be loaded, or that broke: the rest of the page goes on. */
+/** Replaces a part that could not be loaded or that threw: the rest of the page goes on. */
 class Boundary extends Component<BoundaryProps, { hasFailed: boolean }> {
   override state = { hasFailed: false };
 

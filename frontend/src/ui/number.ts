@@ -1,16 +1,16 @@
-/** What people type into number fields, and the steps of their buttons. */
+/** Parsing of number fields, and the steps of their buttons. */
 
 /**
- * A number as typed: digits with at most one comma or point, either of them the decimal mark. Marks between
- * thousands are not understood on purpose: "1.234" must not be a thousand for one reader and one for the other
- * when it ends up as a gain in a control loop.
+ * A number as typed: digits with at most one comma or point, either of them the decimal mark. Thousands separators
+ * are rejected on purpose: "1.234" must not be a thousand for one reader and one for another, in a gain of a control
+ * loop.
  */
 export function parseNumber(text: string): number | null {
   const plain = text.trim().replace("\u2212", "-").replace(",", ".");
   return /^[+-]?(\d+\.?\d*|\.\d+)$/.test(plain) ? Number(plain) : null;
 }
 
-/** One step up or down from `value`, on the step's own decimals (0.1 + 0.2 is 0.3) and within the range. */
+/** One step up or down from `value`, rounded to the step's decimals (0.1 + 0.2 is 0.3) and within the range. */
 export function stepped(
   value: number,
   step: number,

@@ -1,4 +1,6 @@
-/** As many lines tell themselves apart by colour; each also has its own dashes, for who does not see colours. */
+/**
+ * Number of lines that can be told apart by colour; each also has its own dashes, for people who do not see colours.
+ */
 export const PLOT_COLOURS = 6;
 
 export const PLOT_DASHES: ReadonlyArray<readonly number[]> = [
@@ -10,7 +12,7 @@ export const PLOT_DASHES: ReadonlyArray<readonly number[]> = [
   [1, 5],
 ];
 
-/** Name of the custom property with the colour of a line. */
+/** Custom property with the colour of a line. */
 export function plotColour(index: number): `--plot-${number}` {
   return `--plot-${(index % PLOT_COLOURS) + 1}`;
 }

@@ -1,5 +1,5 @@
-/** How fresh a shown value is: heard within three periods of its stream, older than that, or never heard. */
+/** Freshness of a value: received within three periods of its stream, older, or never received. */
 export type DataState = "live" | "stale" | "none";
 
-/** What became of something asked of the board. `sent`: it went out, and nothing will ever prove its arrival. */
+/** State of a request to the board. `sent`: it was sent, and nothing will ever prove its arrival. */
 export type CommandState = "idle" | "pending" | "confirmed" | "rejected" | "timed_out" | "sent";

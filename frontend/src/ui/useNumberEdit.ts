@@ -3,30 +3,30 @@ import { parseNumber, stepped } from "./number";
 import type { CommandState } from "./states";
 import { useWords, type Words } from "./words";
 
-/** What decides about an edit of a number. */
+/** The value, its limits and what happens with an edit. */
 export interface NumberEditing {
-  /** The value as the board has it; `null` is not known. */
+  /** The board's value; `null` is unknown. */
   value: number | null;
-  /** Called once for each finished edit, never for a keystroke, and only with a number in the range. */
+  /** Called once per finished edit, not per keystroke, and only with a number in the range. */
   onCommit: (value: number) => void;
   minimum: number;
   maximum: number;
   step: number;
   /** Numbers in the reader's notation. */
   format?: ((value: number) => string) | undefined;
-  /** More that a number must satisfy than its range: the complaint about one that does not. */
+  /** A further check besides the range: returns the complaint about a number, or null. */
   refuse?: ((value: number) => string | null) | undefined;
   state?: CommandState | undefined;
   disabledReason?: string | undefined;
 }
 
 interface NumberEdit {
-  /** What stands in the field. */
+  /** The text in the field. */
   readonly shown: string;
   readonly isEdited: boolean;
-  /** Why the newest edit was refused; empty when it was not. */
+  /** Why the newest edit was refused; empty if it was not. */
   readonly complaint: string;
-  /** The refused edit still stands in the field. */
+  /** The refused edit is still in the field. */
   readonly isInvalid: boolean;
   readonly canStep: boolean;
   readonly type: (text: string) => void;
@@ -35,7 +35,7 @@ interface NumberEdit {
   readonly onKeyDown: (event: KeyboardEvent) => void;
 }
 
-/** An edit of a number from the first key until it goes out, is taken back or is refused. */
+/** An edit of a number from the first key until it is sent, cancelled or refused. */
 export function useNumberEdit(props: NumberEditing): NumberEdit {
   const { value, onCommit, minimum, maximum, step, format = String, state, disabledReason } = props;
   const words = useWords();
@@ -43,9 +43,9 @@ export function useNumberEdit(props: NumberEditing): NumberEdit {
   const [asked, setAsked] = useState<number | null>(null);
   const [complaint, setComplaint] = useState("");
 
-  // While the board has not answered, what was asked for stands here, marked as pending.
+  // Until the board answers, show the requested value, marked as pending.
   const held = state === "pending" && asked !== null ? asked : value;
-  // A step needs a number to go from: from one that nobody knows it would be a jump to the end of the range.
+  // A step needs a known number: from an unknown one it would jump to the end of the range.
   const from = (draft === null ? null : parseNumber(draft)) ?? held;
   const canStep = disabledReason === undefined && from !== null;
 
@@ -77,7 +77,7 @@ export function useNumberEdit(props: NumberEditing): NumberEdit {
 
   function complain(text: string, why: string, leaves: boolean): void {
     if (leaves) {
-      // The value must not stay hidden behind an edit that goes nowhere.
+      // The value must not stay hidden behind an edit that is not sent.
       setDraft(null);
       setComplaint(words.refusedEdit(text, why));
     } else {
@@ -114,7 +114,7 @@ export function useNumberEdit(props: NumberEditing): NumberEdit {
   };
 }
 
-/** Why a number cannot be sent; null when it can. */
+/** Why a number cannot be sent; null if it can. */
 function refusalOf(
   typed: number,
   { minimum, maximum, format = String, refuse }: NumberEditing,

@@ -1,7 +1,7 @@
 import { createContext, type ReactNode, useContext } from "react";
 import type { CommandState, DataState } from "./states";
 
-/** The few words that the controls themselves say, in the reader's language. */
+/** The few words of the controls themselves, in the page's language. */
 export interface Words {
   live: string;
   stale: string;
@@ -20,13 +20,13 @@ export interface Words {
   close: string;
   warning: string;
   critical: string;
-  /** A number field's complaint about text that is no number. */
+  /** A number field's complaint about text that is not a number. */
   notANumber: string;
-  /** A number field's complaint about a number outside its range, given already written. */
+  /** A number field's complaint about a number outside its range, which is given as text. */
   outOfRange: (minimum: string, maximum: string) => string;
-  /** Which value a number field has while something else is typed in it. */
+  /** The value of a number field while another text is in it. */
   stillIs: (value: string) => string;
-  /** An edit that was refused and is no longer seen. */
+  /** A refused edit that is no longer shown. */
   refusedEdit: (text: string, why: string) => string;
 }
 
@@ -36,7 +36,7 @@ export function WordsProvider({ words, children }: { words: Words; children: Rea
   return <WordsContext value={words}>{children}</WordsContext>;
 }
 
-/** The words around a control. A page that forgot the provider is a mistake of ours and fails at once. */
+/** The words for a control. A missing provider is a mistake in the page and throws. */
 export function useWords(): Words {
   const words = useContext(WordsContext);
   if (words === null) {
@@ -49,7 +49,7 @@ export function dataWord(words: Words, state: DataState): string {
   return { live: words.live, stale: words.stale, none: words.noData }[state];
 }
 
-/** The word for a command's state; a resting control says nothing. */
+/** The word for a command's state; none when idle. */
 export function commandWord(words: Words, state: CommandState): string {
   return {
     idle: "",

@@ -9,7 +9,7 @@ import { MOTION, motionOf } from "../motion";
 import { areKeysOn, chooseKeys } from "../shortcuts/choice";
 import "./dialogs.css";
 
-/** What this browser remembers for its user, section by section. Every change holds at once. */
+/** The settings that this browser remembers, by section. Every change applies at once. */
 export function SettingsContent() {
   const { t } = useTranslation();
   return (

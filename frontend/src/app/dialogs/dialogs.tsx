@@ -6,7 +6,7 @@ import { Dialog } from "../../ui/Dialog";
 import { type LazyPart, lazyPart } from "../../ui/lazyPart";
 import { Notice } from "../../ui/Notice";
 
-/** The windows that a menu or a key opens; each is loaded when it is first wanted. */
+/** The dialogs that a menu or a key opens; each is loaded on first use. */
 export const DIALOGS = {
   about: lazyPart(async () => (await import("../../features/about/AboutDialog")).AboutContent),
   guide: lazyPart(async () => (await import("../../features/guide/GuideContent")).GuideContent),
@@ -26,7 +26,7 @@ export interface Question {
 
 interface Dialogs {
   readonly open: (name: DialogName) => void;
-  /** Ask before something that does not come back by itself. */
+  /** Ask before an action that cannot be undone. */
   readonly ask: (question: Question) => void;
 }
 
@@ -40,7 +40,7 @@ export function useDialogs(): Dialogs {
   return dialogs;
 }
 
-/** Keeps the one window that may be open over the page. */
+/** Holds the one dialog that may be open. */
 export function DialogsProvider({ children }: { children: ReactNode }) {
   const [name, setName] = useState<DialogName | null>(null);
   const [question, setQuestion] = useState<Question | null>(null);
@@ -68,7 +68,7 @@ function NotLoaded(retry: () => void): ReactNode {
   return <LoadFailure onRetry={retry} />;
 }
 
-/** Stands where a part of the page should be that could not be fetched. */
+/** Shown in place of a part of the page that could not be fetched. */
 export function LoadFailure({ onRetry }: { onRetry: () => void }) {
   const { t } = useTranslation();
   return (

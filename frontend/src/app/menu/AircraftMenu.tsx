@@ -74,7 +74,7 @@ function StickItems() {
   );
 }
 
-/** What drives the servo outputs; only an extended board tells which of the two it is. */
+/** What drives the servo outputs; only a board with the extensions reports it. */
 function ServosMode() {
   const { t } = useTranslation();
   const mode = useTelemetry((telemetry, now_ms) =>

@@ -90,7 +90,7 @@ interface SourceProps {
   label: string;
   command: "select_airspeed_source" | "select_altitude_source";
   field: NumberField<"board_status">;
-  /** Names of the sources by the number that the wire gives them. */
+  /** Words for the sources, by their number on the wire. */
   words: readonly [string, string];
 }
 

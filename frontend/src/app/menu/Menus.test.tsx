@@ -17,7 +17,7 @@ const flags = {
   source_joystick: true,
 };
 
-/** Without a look through all styles above an element before each press, which takes seconds. */
+/** Without the check of all styles above an element before each click, which takes seconds. */
 const QUICK = { pointerEventsCheck: 0, delay: null } as const;
 
 function flying(status = aStatus()): Station {
@@ -31,7 +31,7 @@ function flying(status = aStatus()): Station {
   return station;
 }
 
-/** Open a menu with the keyboard. Looked up by words, for a search by roles through the whole page takes seconds. */
+/** Open a menu with the keyboard. Found by its text, because a search by role through the whole page takes seconds. */
 async function open(user: UserEvent, station: Station, menu: string): Promise<HTMLElement> {
   within(screen.getByLabelText("Menús")).getByText(menu).focus();
   await user.keyboard("{Enter}");
@@ -56,7 +56,7 @@ function entry(name: string): HTMLElement {
   return found;
 }
 
-/** What the page asked of the gateway, without what it only read. */
+/** The page's requests, without those that only read. */
 function asked(station: Station): string[] {
   return station.asked
     .filter(({ method }) => method !== "GET")

@@ -58,7 +58,7 @@ interface PlanProps {
   off: CommandName;
 }
 
-/** The heartbeat has no flag for the two plans: what comes, or does not, is what is known of them. */
+/** The heartbeat has no flag for the two plans: whether they are sent is known only by whether they arrive. */
 function PlanItems({ topic, on, off }: PlanProps) {
   const isOn = useTelemetry((telemetry, now_ms) =>
     telemetry.state("heartbeat", now_ms) === "live" ? telemetry.state(topic, now_ms) === "live" : null,

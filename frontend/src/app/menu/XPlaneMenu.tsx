@@ -5,7 +5,7 @@ import { Menu, MenuAction, MenuRule } from "../../ui/MenuBar";
 import { useChoosePath } from "../useChoosePath";
 import { CommandItem, useOutcome } from "./items";
 
-/** The routes which the board carries, by the number that it gives them. */
+/** The routes built into the board, by the board's number. */
 const ROUTES = ["hil_load_gando", "hil_load_ruta_isla", "hil_load_alternativa", "hil_load_vuelo"] as const;
 
 export function XPlaneMenu() {

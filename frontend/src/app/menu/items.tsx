@@ -17,7 +17,7 @@ interface Outcome {
 
 const IDLE: Outcome = { state: "idle", stateText: undefined };
 
-/** What became of a control's newest question, if it asked for this: two entries can share a control. */
+/** The outcome of a control's newest request, if that request was this entry's: two entries can share a control. */
 export function useOutcome(control: string, asked?: string): Outcome {
   const sentence = useSentence();
   const entry = useCommandEntry(control);
@@ -31,17 +31,17 @@ interface CommandProps {
   command: CommandName;
   label?: string;
   value?: CommandValue;
-  /** Entries of one switch share a control; each names the position that it asks for. */
+  /** Entries of one switch share a control; each names the position that it requests. */
   control?: string;
   asked?: string;
   isCurrent?: boolean;
   disabledReason?: string | undefined;
   danger?: boolean;
-  /** Ask the person first; `send` goes on. */
+  /** Ask the user first; `send` goes on. */
   confirm?: (send: () => void) => void;
 }
 
-/** An entry that sends one command and shows what becomes of it. */
+/** A menu entry that sends one command and shows its outcome. */
 export function CommandItem(props: CommandProps): ReactNode {
   const {
     command,
@@ -80,7 +80,7 @@ interface SwitchProps {
   read: (telemetry: TelemetryStore) => boolean | null;
 }
 
-/** A switch that stands where the heartbeat's flag says. Without a live heartbeat nobody knows where it stands. */
+/** A switch in the position that the heartbeat's flag reports; without a live heartbeat in none. */
 export function FlagSwitch({ label, control, on, off, read }: SwitchProps): ReactNode {
   const { t } = useTranslation();
   const actions = usePart(ACTIONS);

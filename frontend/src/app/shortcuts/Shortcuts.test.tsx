@@ -98,7 +98,7 @@ test("the help sheet, opened by a question mark, names every key", () => {
   expect(shown).toHaveLength(SHORTCUTS.length);
   expect(shown).toContain("Mayús A Intro");
   expect(shown).toContain("?");
-  // The sheet keeps the keys to itself.
+  // The sheet keeps the keys from the page.
   press("1", sheet);
   expect(sheet.isConnected).toBe(true);
 });

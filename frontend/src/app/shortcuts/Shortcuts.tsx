@@ -8,10 +8,10 @@ import { nextStep } from "./keys";
 import type { Shortcut } from "./table";
 import "./shortcuts.css";
 
-/** An armed key that is not confirmed within this time is forgotten. */
+/** An armed key that is not confirmed within this time is disarmed. */
 const ARMED_MS = 5000;
 
-/** Listens to the page's keys, and asks for the second one where a slip must not switch anything. */
+/** Runs the page's shortcuts, and asks for a second key where a slip must not switch anything. */
 export function Shortcuts() {
   const { t } = useTranslation();
   const page = usePage();
@@ -30,7 +30,7 @@ export function Shortcuts() {
       if (step !== null) {
         setArmed(step.armed);
         step.run?.run({ page, open });
-        // Enter must not press the button that happens to have the focus as well.
+        // Enter must not also press the button that has the focus.
         event.preventDefault();
         event.stopPropagation();
       }

@@ -1,7 +1,7 @@
 import type { Settings, SettingsStore } from "../../store/settings";
 import { choose } from "../../store/settings";
 
-/** Single keys can be switched off, for who speaks to the page or rests a hand on the keyboard. */
+/** Single-key shortcuts can be switched off, for people who use speech input or rest a hand on the keyboard. */
 export function areKeysOn({ choices }: Settings): boolean {
   return choices["keys"] !== "off";
 }

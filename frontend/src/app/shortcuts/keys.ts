@@ -1,13 +1,13 @@
 import { SHORTCUTS, type Shortcut } from "./table";
 
-/** Where keys have a meaning of their own: menus look for entries by letters, open windows keep theirs. */
+/** Elements that use keys themselves: menus find entries by letter, dialogs have their own keys. */
 const TAKEN =
   '[role="menubar"], [role="menu"], [role="dialog"], [role="alertdialog"], [contenteditable="true"], select, textarea';
 
-/** Inputs in which nothing is typed. */
+/** Input types without text entry. */
 const NOT_TYPED: ReadonlySet<string> = new Set(["radio", "checkbox", "range", "button"]);
 
-/** Whether a key pressed here belongs to the element that has the focus, and not to the page. */
+/** Whether the focused element uses the key itself, so that it is no shortcut. */
 export function isTyping(target: EventTarget | null): boolean {
   if (!(target instanceof Element)) {
     return false;
@@ -17,7 +17,7 @@ export function isTyping(target: EventTarget | null): boolean {
   );
 }
 
-/** What a key brings about: the shortcut that waits for its second key from now on, and the one that runs now. */
+/** The result of a key: the shortcut that now waits for its second key, and the one to run. */
 export interface Step {
   readonly armed: Shortcut | null;
   readonly run: Shortcut | null;
@@ -25,7 +25,7 @@ export interface Step {
 
 type Pressed = Pick<KeyboardEvent, "key" | "ctrlKey" | "altKey" | "metaKey" | "repeat" | "target">;
 
-/** The step that a key makes; null when it is none of the page's. A held key is pressed once. */
+/** The result of a key, or null when it is no shortcut. The repeats of a held key are ignored. */
 export function nextStep(pressed: Pressed, armed: Shortcut | null): Step | null {
   const { key, ctrlKey, altKey, metaKey, repeat, target } = pressed;
   if (ctrlKey || altKey || metaKey || repeat || isTyping(target)) {

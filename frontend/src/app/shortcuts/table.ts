@@ -8,7 +8,7 @@ import { choose } from "../../store/settings";
 import type { DialogName } from "../dialogs/dialogs";
 import { TABS } from "../views";
 
-/** What a shortcut may act upon. */
+/** What a shortcut can use. */
 export interface Reach {
   readonly page: Page;
   readonly open: (dialog: DialogName) => void;
@@ -18,12 +18,12 @@ export const GROUPS = ["tabs", "flight", "window"] as const;
 
 /** One key. What it does is named by a key of the catalogue. */
 export interface Shortcut {
-  /** As the browser names it in a keyboard event: capital letters are pressed with Shift. */
+  /** The browser's name of the key; a capital letter needs Shift. */
   readonly key: string;
   readonly group: (typeof GROUPS)[number];
   readonly words: string;
   readonly params?: MessageParams;
-  /** Takes a second key, Enter, so that a slip of the hand switches nothing in flight. */
+  /** Needs Enter as a second key, so that a slip switches nothing in flight. */
   readonly isArmed: boolean;
   readonly run: (reach: Reach) => void;
 }
@@ -39,10 +39,10 @@ function command(key: string, name: CommandName, control: string, asked?: string
   };
 }
 
-/** The row of digits, from its left end to the key behind the naught. */
+/** The keys of the digit row, from left to right. */
 const TAB_KEYS = "1234567890-";
 
-/** The one list of the page's keys: it binds them, and the help sheet is written from it. */
+/** The one list of shortcuts: the keys are bound and the help sheet is written from it. */
 export const SHORTCUTS: readonly Shortcut[] = [
   ...TABS.map(
     (tab, index): Shortcut => ({

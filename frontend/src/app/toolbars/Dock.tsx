@@ -4,7 +4,7 @@ import { AutomaticControls, SignalControls } from "../Toolbars";
 import { MovableToolbar, usePlace } from "./MovableToolbar";
 import type { Edge } from "./places";
 
-/** The two toolbars, in the order in which they stand side by side. */
+/** The two toolbars, in their order. */
 export const BARS = ["automatic", "signal"] as const;
 type BarName = (typeof BARS)[number];
 
@@ -13,7 +13,7 @@ const CONTROLS: Readonly<Record<BarName, () => ReactNode>> = {
   signal: () => <SignalControls />,
 };
 
-/** The toolbars that are at an edge of the window, or those that float over it. Without one it takes no room. */
+/** The toolbars at one edge of the window, or the floating ones. Takes no room when there is none. */
 export function Dock({ edge }: { edge: Edge | "floating" }) {
   const { t } = useTranslation();
   const places = { automatic: usePlace("automatic"), signal: usePlace("signal") };

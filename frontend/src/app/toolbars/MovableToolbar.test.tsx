@@ -58,7 +58,7 @@ test("a floating toolbar stands at its share of the room, and arrow keys push it
   expect(remembered()).toBe("0.5200 0.2500");
 });
 
-/** jsdom knows no pointers: a mouse event of the same name stands in. */
+/** jsdom has no pointer events: a mouse event of the same name replaces them. */
 function point(type: string, x: number, y: number): void {
   fireEvent(
     handle(),

@@ -29,18 +29,17 @@ export function placeKey(name: string): string {
 }
 
 /**
- * The toolbar that was moved last: at another edge it is another element, whose handle has to have the focus that the
- * old one had.
+ * The toolbar moved last. At another edge it is a new element, whose handle must take over the focus of the old one.
  */
 export const MovedContext = createContext<RefObject<string | null>>({ current: null });
 
-/** A press that moves less than this, in pixels, is a press and no drag. */
+/** Movement up to this many pixels is a click, not a drag. */
 const SLIP_PX = 5;
 
 interface Drag {
   readonly startX: number;
   readonly startY: number;
-  /** From the toolbar's corner to the pointer. */
+  /** Offset of the pointer from the toolbar's corner. */
   readonly grabX: number;
   readonly grabY: number;
   isMoving: boolean;
@@ -52,7 +51,7 @@ interface Props {
   children: ReactNode;
 }
 
-/** A toolbar with a handle: dragged, or moved by arrow keys or by the handle's menu, to an edge or anywhere. */
+/** A toolbar with a handle that moves it to an edge or anywhere: by dragging, arrow keys or the handle's menu. */
 export function MovableToolbar({ name, label, children }: Props) {
   const { t } = useTranslation();
   const { settings } = usePage();
@@ -125,7 +124,7 @@ export function MovableToolbar({ name, label, children }: Props) {
     put(edge === null ? floatingAt(corner, bar.current.getBoundingClientRect(), windowSize()) : { edge });
   }
 
-  /** End the drag and take back what it painted. */
+  /** End the drag and remove its inline styles. */
   function letGo(): Drag | null {
     const held = drag.current;
     drag.current = null;
@@ -158,7 +157,7 @@ export function MovableToolbar({ name, label, children }: Props) {
         onPointerMove={onPointerMove}
         onPointerUp={onPointerUp}
         onPointerCancel={letGo}
-        // The press that ends a drag is none.
+        // Ignore the click that ends a drag.
         onClick={() => wasDragged.current || setMenuOpen((open) => !open)}
       >
         <GripVertical size={14} aria-hidden="true" />

@@ -2,8 +2,8 @@ export const EDGES = ["top", "bottom", "left", "right"] as const;
 export type Edge = (typeof EDGES)[number];
 
 /**
- * Where a toolbar is: along an edge of the window, or floating. A floating one keeps its place as shares (0..1) of the
- * room that the window leaves it, so that it is wholly in sight whatever the window's size is or becomes.
+ * Where a toolbar is: docked at an edge of the window, or floating. A floating place is stored as shares (0..1) of
+ * the free room, so that the toolbar stays inside the window at any size.
  */
 export type Place = { readonly edge: Edge } | { readonly x: number; readonly y: number };
 
@@ -17,12 +17,12 @@ export interface Point {
   readonly y: number;
 }
 
-/** The place as it is remembered: the edge's name, or the two shares. */
+/** The place as stored text: the edge's name, or the two shares. */
 export function placeText(place: Place): string {
   return "edge" in place ? place.edge : `${place.x.toFixed(4)} ${place.y.toFixed(4)}`;
 }
 
-/** The remembered place; what is none is the top edge. */
+/** The stored place; invalid values fall back to the top edge. */
 export function readPlace(text: string | undefined): Place {
   const edge = EDGES.find((name) => name === text);
   if (edge !== undefined) {
@@ -34,10 +34,10 @@ export function readPlace(text: string | undefined): Place {
     : { x: within(Number(shares["x"])), y: within(Number(shares["y"])) };
 }
 
-/** As near to an edge as this, in pixels, a dragged toolbar is docked there. */
+/** A toolbar dropped within this many pixels of an edge docks there. */
 export const DOCK_PX = 48;
 
-/** The edge on which a toolbar would be docked that is let go at this point of the window; null in the middle. */
+/** The edge where a toolbar dropped at this point docks; null for none. */
 export function edgeAt(pointer: Point, window: Size): Edge | null {
   const distances: ReadonlyArray<readonly [Edge, number]> = [
     ["top", pointer.y],
@@ -60,7 +60,9 @@ export function floatingAt(corner: Point, bar: Size, window: Size): Place {
 /** How far an arrow key moves a floating toolbar, as a share of its room. */
 const STEP = 0.02;
 
-/** Where an arrow key takes a toolbar: a docked one to that edge, a floating one a step that way. Null: another key. */
+/**
+ * The place after an arrow key: a docked toolbar goes to that edge, a floating one moves a step. Null for other keys.
+ */
 export function movedBy(key: string, place: Place): Place | null {
   const way = { ArrowUp: [0, -1], ArrowDown: [0, 1], ArrowLeft: [-1, 0], ArrowRight: [1, 0] }[key];
   if (way === undefined) {

@@ -14,7 +14,7 @@ interface Package {
   readonly licence: string | null;
 }
 
-/** Put in when the page is built, from its lock file. */
+/** Set by the build, from the lock file. */
 declare const PAGE_PACKAGES: readonly Package[];
 
 /** Versions of what is running here, and the licences of what it is made of. */

@@ -4,7 +4,7 @@ import { failureMessage, type Message } from "../../store/messages";
 import { partName } from "../../store/parts";
 
 export interface AboutRequests {
-  /** What the gateway is made of, or the sentence that says why it does not tell. */
+  /** Versions and licences, or the message of the failure. */
   readonly read: () => Promise<About | Message>;
 }
 

@@ -8,7 +8,7 @@ import { WORDS } from "../../ui/test/testWords";
 import { WordsProvider } from "../../ui/words";
 import { Ahrs3dView } from "./Ahrs3dView";
 
-// The view asks for it when it opens; here it shall be there at once.
+// The view loads this when it opens; load it now, so that it is there at once.
 await import("../../scene/attitude/keptStage");
 
 let station: Station;
@@ -21,7 +21,7 @@ function status(ahrs_test: "off" | "running" = "off") {
   return aStatus({ hil: { ...before.hil, ...manual }, board: { ...before.board, ahrs_test } });
 }
 
-/** The tab alone: nothing of the window round it is needed. */
+/** Only the tab, without the window around it. */
 function open(): void {
   station = new Station(
     <WordsProvider words={WORDS}>
@@ -41,7 +41,7 @@ function button(name: string): HTMLElement {
   return screen.getByRole("button", { name });
 }
 
-/** The newest thing that was said, as a key with its values. */
+/** The newest message: its key and parameters. */
 function said(): unknown {
   return station.page.messages.getState();
 }

@@ -6,7 +6,7 @@ import { Button } from "../../ui/Button";
 import { AHRS } from "./alignment";
 import { useAhrsTestStage } from "./useAhrsTest";
 
-/** Stands over every tab during the AHRS test: that all else is silent is meant so, and ends here. */
+/** Shown over every tab during the AHRS test: says that all other streams are silent on purpose, and ends the test. */
 export function AhrsTestBanner() {
   const { t } = useTranslation();
   const ahrs3d = usePart(AHRS);

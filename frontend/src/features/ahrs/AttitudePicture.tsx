@@ -30,7 +30,7 @@ interface Props {
   settings: PictureSettings;
   camera: CameraChoice;
   onCamera: (view: CameraView) => void;
-  /** A person turned the camera away from its named place. */
+  /** The user turned the camera away from a named view. */
   onFree: () => void;
 }
 
@@ -100,7 +100,7 @@ export function AttitudePicture({ source, settings, camera, onCamera, onFree }: 
   );
 }
 
-/** Over what is not live: the cross with its age. */
+/** The cross and the age, drawn over data that is not live. */
 function Age({ source }: { source: AttitudeSource }) {
   const { t } = useTranslation();
   const text = useTelemetry((telemetry, now_ms) => {
@@ -118,7 +118,7 @@ function Age({ source }: { source: AttitudeSource }) {
   );
 }
 
-/** What the telemetry says goes into the picture, and what the picture shows onto its element. */
+/** Feeds the scene from the telemetry, and writes what it shows to its element's data attributes. */
 function useFeed(
   host: RefObject<HTMLElement | null>,
   picture: Picture,

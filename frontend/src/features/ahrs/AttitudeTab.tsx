@@ -7,7 +7,7 @@ import { type CameraChoice, ShowPanel } from "./ShowPanel";
 import { SourcePanel } from "./SourcePanel";
 import { useAttitudeSource } from "./source";
 
-/** What of the picture is drawn, by the name under which the choice is remembered; all of it until it is put away. */
+/** The parts of the picture that can be hidden, by their names in the settings; all are shown at first. */
 export const SHOWN = ["ghost", "bodyAxes", "worldAxes", "vectors"] as const;
 
 /** The picture of the attitude, and beside it its source, its numbers and what it shows. */

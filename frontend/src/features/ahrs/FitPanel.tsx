@@ -19,7 +19,7 @@ const REFUSALS = {
 
 const percent = (share: number): string => formatFixed(100 * share, 0) ?? "";
 
-/** The fitted field in numbers, or the sentence that says why there is none; copied and saved from here. */
+/** The fitted field in numbers, or why there is no fit; with buttons to copy and save it. */
 export function FitPanel({ calibration }: { calibration: Calibration }) {
   const { t } = useTranslation();
   const { answer, fit, count } = calibration;

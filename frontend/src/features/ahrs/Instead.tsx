@@ -23,7 +23,7 @@ const PROBLEMS = {
 } as const satisfies Readonly<Record<PictureProblem, string>>;
 const noBug: ReadLive = () => null;
 
-/** Where there is no picture: why, and the same attitude on the two instruments that need no WebGL. */
+/** Shown without WebGL: the reason, and the same attitude on two instruments that need none. */
 export function Instead({ source, problem, onRetry }: Props) {
   const { t } = useTranslation();
   return (

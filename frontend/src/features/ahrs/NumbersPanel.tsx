@@ -2,8 +2,8 @@ import { useCallback, useRef } from "react";
 import { useTranslation } from "react-i18next";
 import { wrap180 } from "../../lib/angles";
 import { formatFixed, formatHeading } from "../../lib/format";
-import { degreesPerSecond, heading, tenths } from "../../readouts/formats";
-import { LiveReadout } from "../../readouts/LiveReadout";
+import { Readouts } from "../../readouts/ReadoutTable";
+import { PITCH_ROLL, TURN_RATES, YAW } from "../../readouts/rows";
 import { usePage, usePart, useTelemetry } from "../../store/hooks";
 import type { TelemetryStore } from "../../store/telemetry";
 import { usePaint } from "../../store/usePaint";
@@ -15,77 +15,27 @@ import { useAlignment } from "./useAlignment";
 
 interface Props {
   source: AttitudeSource;
-  /** The present yaw became zero, or is none any more. */
+  /** The user aligned the present yaw to zero, or removed the alignment. */
   onAligned: () => void;
 }
 
 /** Angles and rates as numbers, and the alignment. */
 export function NumbersPanel({ source, onAligned }: Props) {
   const { t } = useTranslation();
-  const deg = t("unit.deg");
-  const rate = t("unit.degPerS");
   return (
     <Panel title={t("ahrs3d.numbers")}>
       <ReadoutGrid>
-        <LiveReadout
-          key={`${source} yaw`}
-          topic={source}
-          field="yaw_deg"
-          format={heading}
-          label={t("attitude.heading")}
-          unit={deg}
-          chars={5}
-        />
+        <Readouts topic={source} rows={[YAW]} chars={5} />
         <AlignedYaw source={source} />
-        <LiveReadout
-          key={`${source} pitch`}
-          topic={source}
-          field="pitch_deg"
-          format={tenths}
-          label={t("attitude.pitch")}
-          unit={deg}
-          chars={5}
-        />
-        <LiveReadout
-          key={`${source} roll`}
-          topic={source}
-          field="roll_deg"
-          format={tenths}
-          label={t("attitude.roll")}
-          unit={deg}
-          chars={5}
-        />
-        <LiveReadout
-          topic="inertial"
-          field="gx_rad_s"
-          format={degreesPerSecond}
-          label={t("axis.p")}
-          unit={rate}
-          chars={5}
-        />
-        <LiveReadout
-          topic="inertial"
-          field="gy_rad_s"
-          format={degreesPerSecond}
-          label={t("axis.q")}
-          unit={rate}
-          chars={5}
-        />
-        <LiveReadout
-          topic="inertial"
-          field="gz_rad_s"
-          format={degreesPerSecond}
-          label={t("axis.r")}
-          unit={rate}
-          chars={5}
-        />
+        <Readouts topic={source} rows={PITCH_ROLL} chars={5} />
+        <Readouts {...TURN_RATES} chars={5} />
       </ReadoutGrid>
       <AlignTools source={source} onAligned={onAligned} />
     </Panel>
   );
 }
 
-/** Yaw from the heading that was made zero: -180..180, to the right positive. */
+/** Yaw relative to the aligned heading: -180..180, positive to the right. */
 function AlignedYaw({ source }: { source: AttitudeSource }) {
   const { t } = useTranslation();
   const zero_deg = useAlignment((alignment) => alignment[source]);

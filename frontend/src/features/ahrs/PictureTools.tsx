@@ -12,13 +12,13 @@ const VIEWS = [
 ] as const satisfies ReadonlyArray<readonly [CameraView, string]>;
 
 interface Props {
-  /** Null when a person turned it. */
+  /** Null when the user turned it. */
   camera: CameraView | null;
   onCamera: (view: CameraView) => void;
   hasVectors: boolean;
 }
 
-/** On the picture: where the camera stands, and what the arrows say. */
+/** Controls over the picture: the camera's views, and the legend of the arrows. */
 export function PictureTools({ camera, onCamera, hasVectors }: Props) {
   const { t } = useTranslation();
   return (
@@ -35,7 +35,7 @@ export function PictureTools({ camera, onCamera, hasVectors }: Props) {
   );
 }
 
-/** What the two arrows say, in figures: their lengths in the picture are these. */
+/** The values of the two arrows: their lengths in the picture are these. */
 function Legend() {
   const { t } = useTranslation();
   const lengths = useTelemetry((telemetry, now_ms) => {

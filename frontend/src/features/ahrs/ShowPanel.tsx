@@ -4,7 +4,10 @@ import { Checkbox } from "../../ui/Checkbox";
 import { Panel } from "../../ui/Panel";
 import type { PictureSettings } from "./AttitudePicture";
 
-/** The named place of the camera, null when a person turned it; `pressed` counts how often one was asked for. */
+/**
+ * The camera's named view, null when the user turned it; `pressed` counts the requests, so that the same view can be
+ * chosen twice.
+ */
 export interface CameraChoice {
   readonly view: CameraView | null;
   readonly pressed: number;
@@ -24,7 +27,7 @@ interface Props {
   onFollow: (isOn: boolean) => void;
 }
 
-/** The parts of the picture. */
+/** Switches for the parts of the picture. */
 export function ShowPanel({ settings, onToggle, onFollow }: Props) {
   const { t } = useTranslation();
   return (

@@ -18,7 +18,7 @@ interface Props {
 type Kept = typeof import("../../scene/attitude/keptStage");
 const choose = (kept: Kept): SphereScene => kept.keptSphere();
 
-/** The readings in 3D. Without WebGL they are collected and fitted all the same. */
+/** The readings in 3D. Without WebGL they are still collected and fitted. */
 export function SpherePicture({ calibration, onReading }: Props) {
   const { t } = useTranslation();
   const { samples } = usePart(AHRS);

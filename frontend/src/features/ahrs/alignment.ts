@@ -3,7 +3,7 @@ import type { FieldSamples } from "../../lib/fieldSamples";
 import type { Asker } from "../../requests/asking";
 import { partName } from "../../store/parts";
 
-/** The heading that "AHRS 3D" shows as zero, degrees; null: headings as they are. Each source has its own zero. */
+/** The heading that "AHRS 3D" shows as zero, degrees; null: not aligned. Each source has its own. */
 export interface Alignment {
   readonly ahrs: number | null;
   readonly ahrs_test: number | null;
@@ -11,12 +11,12 @@ export interface Alignment {
 
 export type AttitudeSource = keyof Alignment;
 
-/** What "AHRS 3D" keeps while the page lives, and what it can ask; nothing here throws. */
+/** The state of "AHRS 3D" that outlives its tab, and its requests; nothing here throws. */
 export interface Ahrs3d {
   readonly alignment: StoreApi<Alignment>;
-  /** Readings for the calibration of the magnetometer: another tab does not lose them. */
+  /** Readings for the magnetometer's calibration, kept while another tab is open. */
   readonly samples: FieldSamples;
-  /** Put the board into its AHRS test: until it ends nothing else is sent, and no command is heard. */
+  /** Start the board's AHRS test: until it ends the board sends nothing else and obeys no other command. */
   readonly startTest: (asker: Asker) => Promise<void>;
   readonly stopTest: (asker: Asker) => Promise<void>;
 }

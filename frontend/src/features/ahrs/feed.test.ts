@@ -28,7 +28,7 @@ function hear(topic: string, [yaw_deg, pitch_deg, roll_deg]: Angles, now_ms: num
   telemetry.apply(now_ms / 1000, [sample], now_ms);
 }
 
-/** The page at this moment: fed, drawn half a second later when all ways are gone, and told. */
+/** Feed now, draw half a second later when all motion has ended, and return what was written to the dataset. */
 function look(source: "ahrs" | "ahrs_test", now_ms: number): DOMStringMap {
   feed.feed(telemetry, source, null, now_ms);
   scene.advance(now_ms + 500);

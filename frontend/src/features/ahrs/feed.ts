@@ -13,8 +13,8 @@ const ATTRIBUTES: Readonly<Record<Angle, string>> = {
   roll_deg: "rollDeg",
 };
 
-/** The part of the scene that is told of the telemetry. */
-export type Fed = Pick<
+/** What the feed needs of the scene. */
+export type FeedScene = Pick<
   AttitudeScene,
   "sample" | "clear" | "setLive" | "setVectors" | "look" | "shownAttitude"
 >;
@@ -33,9 +33,9 @@ export function isWhole(telemetry: TelemetryStore, source: AttitudeSource, now_m
   return liveAttitude(telemetry, source, now_ms) !== null;
 }
 
-/** Hands the telemetry to the scene, each sample once, and asks for a frame only when something differs. */
+/** Hands each sample to the scene once, and requests a new picture only when something differs. */
 export class AttitudeFeed {
-  readonly #scene: Fed;
+  readonly #scene: FeedScene;
   readonly #changed: () => void;
   #source: AttitudeSource | null = null;
   #at_s: number | null = null;
@@ -43,12 +43,12 @@ export class AttitudeFeed {
   #vectors = "";
   #told = "";
 
-  constructor(scene: Fed, changed: () => void) {
+  constructor(scene: FeedScene, changed: () => void) {
     this.#scene = scene;
     this.#changed = changed;
   }
 
-  /** `view`: where the camera shall stand with regard to the first sample; null leaves it. */
+  /** `view`: where to put the camera relative to the first sample; null leaves it. */
   feed(telemetry: TelemetryStore, source: AttitudeSource, view: CameraView | null, now_ms: number): void {
     if (source !== this.#source) {
       this.#source = source;
@@ -71,7 +71,10 @@ export class AttitudeFeed {
     this.#feedVectors(telemetry, attitude !== null, now_ms);
   }
 
-  /** What is shown after `drawn` frames, for whoever reads the document: as the model is turned, not as it was told. */
+  /**
+   * Writes what the model shows after `drawn` pictures to the dataset, for tests and screen readers. It is the drawn
+   * attitude, not the received one.
+   */
   tell(dataset: DOMStringMap, drawn: number): void {
     const told = `${drawn} ${this.#isLive}`;
     if (told === this.#told) {

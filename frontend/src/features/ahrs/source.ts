@@ -3,12 +3,12 @@ import { useConnection } from "../../store/hooks";
 import type { TelemetryStore } from "../../store/telemetry";
 import type { AttitudeSource } from "./alignment";
 
-/** Where the attitude comes from: the board's frames, or its AHRS test, in which it sends nothing else. */
+/** The source of the attitude: the board's AHRS stream, or its AHRS test, during which it sends nothing else. */
 export function useAttitudeSource(): AttitudeSource {
   return useConnection(({ status }) => ((status?.board.ahrs_test ?? "off") === "off" ? "ahrs" : "ahrs_test"));
 }
 
-/** The accelerometer's and the magnetometer's newest, ahead-right-down; null while they are not live or not whole. */
+/** The newest accelerometer and magnetometer readings, ahead-right-down; null while not live or incomplete. */
 export function liveVectors(
   telemetry: TelemetryStore,
   now_ms: number,

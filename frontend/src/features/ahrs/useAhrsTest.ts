@@ -8,7 +8,7 @@ export function useAhrsTestStage(): AhrsTestStage {
   return useConnection(({ status }) => status?.board.ahrs_test ?? "off");
 }
 
-/** Why the AHRS test cannot be started now; the gateway looks again when it is asked. */
+/** Why the AHRS test cannot start now; the gateway checks again on the request. */
 export function useAhrsTestBlocked(): string | undefined {
   const { t } = useTranslation();
   const blocked = useBoardBlocked();

@@ -8,21 +8,21 @@ import { usePaint } from "../../store/usePaint";
 import { AHRS } from "./alignment";
 import { liveVectors } from "./source";
 
-/** A fit takes some milliseconds: nobody reads one faster than this. */
+/** A fit takes some milliseconds, and faster updates could not be read. */
 const FIT_EVERY_MS = 500;
 
 export interface Calibration {
   readonly count: number;
   readonly answer: FitAnswer;
   readonly fit: FieldFit | null;
-  /** Where the readings lie round, and how far: the fit's, or a rough one. */
+  /** Centre and radius of the readings: the fit's, or a rough estimate. */
   readonly centre: Vector;
   readonly radius: number;
   readonly seen: readonly number[];
   readonly missing: Side | null;
 }
 
-/** All that follows from the readings. */
+/** Everything computed from the readings. */
 export function calibrate(points: readonly Vector[]): Calibration {
   const answer = fitField(points);
   const fit = answer.kind === "refused" ? null : answer;
@@ -40,7 +40,7 @@ export function calibrate(points: readonly Vector[]): Calibration {
   };
 }
 
-/** Middle and half of the range; of less than a handful, where a board without faults would have them. */
+/** Middle and half of the readings' range; with too few readings, the values of an ideal sensor. */
 function rough(points: readonly Vector[]): { centre: Vector; radius: number } {
   const ends = [0, 1, 2].map((axis) => {
     const values = points.map((point) => point[axis] ?? 0);
@@ -56,11 +56,11 @@ function rough(points: readonly Vector[]): { centre: Vector; radius: number } {
 
 interface Collecting {
   readonly calibration: Calibration;
-  /** Told of each reading of the moment; null while there is none. */
+  /** Called with each present reading; null while there is none. */
   readonly onReading: (listener: ((reading: Vector | null) => void) | null) => void;
 }
 
-/** Collects while `isOn`, and works out what follows some times a second. */
+/** Collects readings while `isOn`, and fits them a few times a second. */
 export function useCalibration(isOn: boolean): Collecting {
   const { samples } = usePart(AHRS);
   const [calibration, setCalibration] = useState(() => calibrate(samples.points));

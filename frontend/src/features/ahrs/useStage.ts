@@ -4,21 +4,21 @@ import type { Palette } from "../../scene/attitude/palette";
 import type { Act, Stage } from "../../scene/attitude/Stage";
 import { paletteOf } from "./themePalette";
 
-/** Something to show, with a camera that a person turns. */
+/** A scene with a camera that the user can turn. */
 export interface TurnedAct extends Act {
   readonly rig: OrbitRig;
 }
 
 type Kept = typeof import("../../scene/attitude/keptStage");
 
-/** Why there is no picture: the browser has no WebGL, took it away, or the code of it did not come. */
+/** Why there is no picture: no WebGL, its context was lost, or its code could not be loaded. */
 export type PictureProblem = "noWebgl" | "lost" | "notLoaded";
 
 export interface Shown<A> {
-  /** Null until it is loaded, and where it cannot be drawn. */
+  /** Null until it is loaded, or if it cannot be drawn. */
   readonly picture: { readonly act: A; readonly stage: Stage } | null;
   readonly problem: PictureProblem | null;
-  /** Try again with another picture. */
+  /** Try again with a new stage. */
   readonly retry: () => void;
 }
 

@@ -12,7 +12,7 @@ import { LevelMark } from "./LevelMark";
 import { GATEWAY_LOST } from "./raisedAlarms";
 import { blockedAmong, type ShownAlarm, type ShownEnded, useActiveAlarms, useEndedAlarms } from "./useAlarms";
 
-/** All that is wrong now, each with what to do about it. */
+/** The active alarms, each with its advice. */
 export function ActiveAlarms() {
   const { t } = useTranslation();
   const alarmLog = usePart(ALARM_LOG);
@@ -94,7 +94,7 @@ function Active({ alarm }: { alarm: ShownAlarm }) {
   );
 }
 
-/** Over, and nobody has acknowledged it: it stands here until somebody has. */
+/** Ended without being acknowledged: shown until somebody acknowledges it. */
 function EndedUnseen({ alarm: { id, level, name, until_s, blocked } }: { alarm: ShownEnded }) {
   const { t } = useTranslation();
   const alarmLog = usePart(ALARM_LOG);
@@ -120,7 +120,7 @@ function EndedUnseen({ alarm: { id, level, name, until_s, blocked } }: { alarm: 
   );
 }
 
-/** How long it has lasted, by the clock of whoever raised it. */
+/** How long it has lasted, by the clock of the side that raised it. */
 function Lasting({ alarm: { id, since_s } }: { alarm: ShownAlarm }) {
   const { connection } = usePage();
   const alarmLog = usePart(ALARM_LOG);

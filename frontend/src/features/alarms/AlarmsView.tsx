@@ -1,10 +1,10 @@
 import { ActiveAlarms } from "./ActiveAlarms";
 import "./alarms.css";
-import { Heard } from "./Heard";
 import { PastAlarms } from "./PastAlarms";
+import { SoundSettings } from "./SoundSettings";
 import { Thresholds } from "./Thresholds";
 
-/** "Alarmas": what is wrong, what was, from when on something is, and what is heard of it. */
+/** "Alarmas": active and past alarms, their thresholds, sound and speech. */
 export function AlarmsView() {
   return (
     <div className="alarms">
@@ -13,7 +13,7 @@ export function AlarmsView() {
         <PastAlarms />
       </div>
       <div className="alarms-settings">
-        <Heard />
+        <SoundSettings />
         <Thresholds />
       </div>
     </div>

@@ -2,7 +2,7 @@ import { OctagonAlert, TriangleAlert } from "lucide-react";
 import { useWords } from "../../ui/words";
 import type { AlarmLevel } from "./raisedAlarms";
 
-/** How bad it is, in shape, colour and word; where there is no room the word is left to screen readers. */
+/** An alarm's level by shape, colour and word; in narrow places the word is only for screen readers. */
 export function LevelMark({ level, isBrief = false }: { level: AlarmLevel; isBrief?: boolean }) {
   const words = useWords();
   const Icon = level === "critical" ? OctagonAlert : TriangleAlert;

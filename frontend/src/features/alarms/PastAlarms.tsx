@@ -11,7 +11,7 @@ import { LevelMark } from "./LevelMark";
 import { alarmMessage } from "./raisedAlarms";
 import { useAlarmLogState } from "./useAlarms";
 
-/** What was wrong and is over. Read when the tab opens, and again whenever the gateway reports an alarm. */
+/** Past alarms. Read when the tab opens, and again whenever the gateway reports an alarm. */
 export function PastAlarms() {
   const { t } = useTranslation();
   const sentence = useSentence();

@@ -12,7 +12,7 @@ import type { Threshold } from "./alarmLog";
 import { ALARM_LOG } from "./alarmLog";
 import { useAlarmLogState } from "./useAlarms";
 
-/** From when on something is an alarm. The limits belong to the station: they hold for every page. */
+/** The thresholds of the alarms. They belong to the station and hold for every page. */
 export function Thresholds() {
   const { t } = useTranslation();
   const alarmLog = usePart(ALARM_LOG);
@@ -38,7 +38,7 @@ export function Thresholds() {
   );
 }
 
-/** A tenth where a tenth matters, else one. */
+/** Step of 0.1 for small ranges, else 1. */
 function stepOf({ maximum, default: usual }: Threshold): number {
   return maximum >= 100 && usual >= 10 ? 1 : 0.1;
 }

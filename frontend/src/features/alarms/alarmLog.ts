@@ -12,25 +12,25 @@ import type { AlarmLevel, BoardRestart, OwnAlarm } from "./raisedAlarms";
 export type PastAlarm = AlarmBook["past"][number];
 export type Threshold = ThresholdList["thresholds"][number];
 
-/** `waits`: the browser wants a press of anything first. `none`: it has none. */
+/** `waits`: the browser needs a user gesture first. `none`: it cannot play sound. */
 export type SounderState = "ready" | "waits" | "none";
 
 /** Makes the alarms' tones. */
 export interface Sounder {
   readonly state: () => SounderState;
-  /** Volume 0..1. What still sounds is ended first. */
+  /** Volume 0..1. Stops a signal that is still playing. */
   readonly play: (level: AlarmLevel, volume: number) => void;
   readonly hush: () => void;
   readonly onState: (changed: () => void) => void;
 }
 
-/** `foreign`: there are voices, none of this language. */
+/** `foreign`: there are voices, but none for this language. */
 export type SpeakerState = SounderState | "foreign";
 
-/** Says sentences. */
+/** Speaks sentences. */
 export interface Speaker {
   readonly state: (language: Language) => SpeakerState;
-  /** What it was saying is cut off: there is never a queue. Volume 0..1. */
+  /** Replaces what is being spoken: there is never a queue. Volume 0..1. */
   readonly say: (text: string, language: Language, volume: number) => void;
   readonly hush: () => void;
   readonly onState: (changed: () => void) => void;
@@ -42,22 +42,22 @@ export const MUTE_MS = 120_000;
 const OWN_PAST_MOST = 50;
 
 export interface AlarmLogState {
-  /** The page does not hear the gateway; null while it does. */
+  /** The page's own alarm, that it does not hear the gateway; null while it does. */
   readonly own: OwnAlarm | null;
-  /** The board started anew and nobody has acknowledged it; the newest time. */
+  /** The board restarted and nobody has acknowledged it yet; the newest restart. */
   readonly restart: BoardRestart | null;
-  /** The page's own alarm, over before anybody acknowledged it; null where there is none. */
+  /** The page's own alarm that ended unacknowledged; null if there is none. */
   readonly ownEnded: EndedAlarm | null;
-  /** The page's own alarms that are over, newest first. */
+  /** The page's own past alarms, newest first. */
   readonly ownPast: readonly PastAlarm[];
-  /** The gateway's list, newest first; null until it was asked. */
+  /** The gateway's past alarms, newest first; null until read. */
   readonly past: readonly PastAlarm[] | null;
   readonly thresholds: readonly Threshold[] | null;
   /** Why the list or the thresholds could not be read. */
   readonly failure: Message | null;
-  /** Counts the gateway's reports of alarms that came or went: the list is out of date when it moves. */
+  /** Counts the gateway's reports that an alarm was raised or ended: when it changes, the list is out of date. */
   readonly reported: number;
-  /** Milliseconds of the page's clock; null while nothing is muted. */
+  /** End of the mute, milliseconds of the page's clock; null while not muted. */
   readonly mutedUntil_ms: number | null;
   readonly sounder: SounderState;
   /** By language. */
@@ -82,10 +82,10 @@ export function createAlarmLogStore(): AlarmLogStore {
   }));
 }
 
-/** So many gains are named. */
+/** Most gains that the alarm names. */
 const NAMED = 4;
 
-/** What the stream tells of alarms: one came or went, or the board started anew. */
+/** Handle the stream's events about alarms: one was raised or ended, or the board restarted. */
 export function takeAlarmEvent(store: AlarmLogStore, { event, data, t_s }: StreamEvent): void {
   if (event === "alarm") {
     store.setState(({ reported }) => ({ reported: reported + 1 }));
@@ -103,12 +103,12 @@ export function takeAlarmEvent(store: AlarmLogStore, { event, data, t_s }: Strea
   }
 }
 
-/** The page's own alarm came (Unix seconds). */
+/** The page's own alarm was raised (Unix seconds). */
 export function raiseOwn(store: AlarmLogStore, since_s: number): void {
   store.setState(({ own }) => ({ own: own ?? { since_s, acknowledged: false }, ownEnded: null }));
 }
 
-/** The page's own alarm is over (Unix seconds) and goes to the list. */
+/** The page's own alarm ended (Unix seconds) and joins the past ones. */
 export function endOwn(store: AlarmLogStore, until_s: number, alarm: Pick<PastAlarm, "id" | "text">): void {
   store.setState(({ own, ownPast }) =>
     own === null
@@ -124,7 +124,7 @@ export function endOwn(store: AlarmLogStore, until_s: number, alarm: Pick<PastAl
   );
 }
 
-/** Somebody knows of the page's own alarm, while it lasts or after its end. */
+/** Acknowledge the page's own alarm, active or ended. */
 export function acknowledgeOwn(store: AlarmLogStore): void {
   store.setState(({ own, ownEnded, ownPast }) => ({
     own: own && { ...own, acknowledged: true },
@@ -137,7 +137,7 @@ export function acknowledgeOwn(store: AlarmLogStore): void {
   }));
 }
 
-/** Somebody has seen (Unix seconds) that the board started anew. */
+/** The board's restart was acknowledged (Unix seconds): it joins the past alarms. */
 export function endRestart(store: AlarmLogStore, until_s: number): void {
   store.setState(({ restart, ownPast }) =>
     restart === null
@@ -159,20 +159,20 @@ export function endRestart(store: AlarmLogStore, until_s: number): void {
   );
 }
 
-/** All alarms that are over, the gateway's and the page's own, newest first. */
+/** All past alarms, the gateway's and the page's own, newest first. */
 export function pastAlarms({ past, ownPast }: Pick<AlarmLogState, "past" | "ownPast">): readonly PastAlarm[] {
   return [...(past ?? []), ...ownPast].sort((first, second) => second.until_s - first.until_s);
 }
 
 /**
- * What a person can do about alarms. None throws; outcomes go to the command store under the asker's name and to the
+ * What a user can do about alarms. None throws; outcomes go to the command store under the asker's name and to the
  * messages.
  */
 export interface AlarmLog {
   readonly store: AlarmLogStore;
-  /** An alarm that lasts, or one that is over and not acknowledged yet. */
+  /** An active alarm, or an ended one that is not acknowledged yet. */
   readonly acknowledge: (id: string, asker: Asker) => Promise<void>;
-  /** Everything that is not acknowledged yet, what has ended included; does nothing where all is. */
+  /** Acknowledge every alarm that is not yet, ended ones included; does nothing if there is none. */
   readonly acknowledgeAll: () => Promise<void>;
   /** No sound and no speech for two minutes, or until `unmute`. */
   readonly mute: () => void;

@@ -9,7 +9,7 @@ type LooseT = (key: string, params: Readonly<Record<string, unknown>>) => string
 
 const VOICE = createI18n({ es, en }, LANGUAGES[0]);
 
-/** What a voice says of an alarm: short, because it has to be understood at once. */
+/** The spoken phrase of an alarm: short, to be understood at once. */
 export function spokenPhrase({ kind, id, level, others }: Speech, language: Language): string {
   const t = VOICE.getFixedT(language) as unknown as LooseT;
   const name = VOICE.exists(`alarmName.${id}`, { lng: language })
@@ -22,7 +22,7 @@ export function spokenPhrase({ kind, id, level, others }: Speech, language: Lang
   return others === 0 ? what : `${what} ${t("alarmVoice.others", { count: others })}`;
 }
 
-/** Says of itself that it is a test: nobody shall take it for an alarm. */
+/** Says that it is a test, so that nobody takes it for an alarm. */
 export function testPhrase(level: AlarmLevel, language: Language): string {
   const t = VOICE.getFixedT(language) as unknown as LooseT;
   return t(level === "critical" ? "alarmVoice.testCritical" : "alarmVoice.testWarning", {});

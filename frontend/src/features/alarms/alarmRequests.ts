@@ -39,7 +39,7 @@ export function createAlarmLog(parts: AlarmParts): AlarmLog {
   const { run, simply } = createAsking(parts);
   const store = createAlarmLogStore();
   const ring = createBell(parts, store);
-  // What the page says about its own line has to be known before anybody looks.
+  // Subscribed before anything else reads the state, so that the page's own alarm is there from the start.
   connection.subscribe((now) => followLine(now, store, wall_ms() / 1000));
   connection.subscribe(ring);
   parts.settings.subscribe(ring);
@@ -125,7 +125,7 @@ export function createAlarmLog(parts: AlarmParts): AlarmLog {
   };
 }
 
-/** The page's own alarm follows its line: raised when the line falls silent or breaks, over when it is open. */
+/** Raise the page's own alarm when its connection falls silent or breaks, and end it when it is open again. */
 function followLine({ phase, status }: Connection, store: AlarmLogStore, now_s: number): void {
   if (phase === "open") {
     endOwn(store, now_s, { id: GATEWAY_LOST, text: "The gateway was not heard." });
@@ -134,7 +134,7 @@ function followLine({ phase, status }: Connection, store: AlarmLogStore, now_s: 
   }
 }
 
-/** What the browser can do with sound and voices changes: with the first press, and as voices are found. */
+/** Sound and speech become available with the first user gesture, and as voices are found. */
 function watchBrowser({ sounder, speaker }: AlarmParts, store: AlarmLogStore, ring: () => void): void {
   const look = (): void => {
     store.setState({
@@ -149,8 +149,8 @@ function watchBrowser({ sounder, speaker }: AlarmParts, store: AlarmLogStore, ri
 }
 
 /**
- * Calls for a look at the alarms and acts on what the annunciator decides. The look comes when the present message has
- * been taken in whole: in its midst a line may be open again and the status still be the old one.
+ * Lets the annunciator examine the alarms and does what it decides. It runs after the present message has been
+ * handled completely: half-way, a link may already be open while the status is still the old one.
  */
 function createBell(parts: AlarmParts, store: AlarmLogStore): () => void {
   const { connection, telemetry, settings, timers, sounder, speaker } = parts;

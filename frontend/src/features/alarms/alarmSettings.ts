@@ -13,7 +13,7 @@ export interface AlarmSettings {
 
 const DEFAULT_VOLUME = 0.5;
 
-/** Sound is on until somebody turns it off; speech is off until somebody wants it. */
+/** Sound is on by default, speech is off. */
 export function alarmSettings({ choices }: Settings): AlarmSettings {
   const heard = (channel: AlarmChannel, level: AlarmLevel, otherwise: boolean): boolean => {
     const chosen = choices[`alarms.${channel}.${level}`];

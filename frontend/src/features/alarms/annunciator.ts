@@ -4,10 +4,10 @@ import type { ActiveAlarm, AlarmLevel } from "./raisedAlarms";
 /** A critical alarm that nobody has acknowledged sounds again after this time. */
 export const REPEAT_MS = 4000;
 
-/** More than any flight has; a bound, so that a page that stays open for weeks does not grow. */
+/** A bound that no flight reaches, so that a page that stays open for weeks does not grow. */
 const MET_MOST = 1000;
 
-/** What is to be said: of the newest state alone, with how many other alarms there are. */
+/** The phrase to speak: the most urgent alarm, and how many others there are. */
 export interface Speech {
   readonly kind: "raised" | "recovered";
   readonly id: string;
@@ -15,35 +15,38 @@ export interface Speech {
   readonly others: number;
 }
 
-/** What to do now. `speech`: null leaves what is being said alone, "hush" ends it because it holds no more. */
+/** What to do now. `speech`: null leaves what is being spoken, "hush" stops it because it is no longer true. */
 export interface Announcement {
   readonly sound: AlarmLevel | null;
   readonly speech: Speech | "hush" | null;
-  /** When to look again although nothing changes; null for never. */
+  /** When to examine again if nothing changes; null for never. */
   readonly again_ms: number | null;
 }
 
 export interface Look {
   readonly alarms: readonly ActiveAlarm[];
-  /** Whether an alarm that has gone is seen to be well again. */
+  /** Whether an ended alarm is proven to have recovered. */
   readonly isRecovered: (id: string) => boolean;
   readonly settings: AlarmSettings;
-  /** Somebody wants silence for a while. */
+  /** The user muted the alarms. */
   readonly isMuted: boolean;
-  /** Whether the browser lets the page sound and speak yet; until then what has to be heard is kept. */
+  /** Whether the browser allows sound yet; until then unheard alarms are kept. */
   readonly canSound: boolean;
   readonly canSpeak: boolean;
   readonly now_ms: number;
 }
 
 /**
- * Decides what is heard of the alarms. Each occurrence sounds once, an unacknowledged critical one again and again.
- * Nothing is kept in a queue: whatever is said is true at that moment and replaces what was being said.
+ * Decides which alarms sound and are spoken. Each occurrence sounds once; an unacknowledged critical one repeats.
+ * Nothing is queued: every phrase is true when it is spoken and replaces the one before.
  */
 export class Annunciator {
-  /** Alarms in force at the last look, by occurrence. */
+  /** Active alarms at the last examination, by occurrence. */
   #known = new Map<string, ActiveAlarm>();
-  /** Occurrences that came once: while the gateway is not heard its alarms are not seen, and they are no news after it. */
+  /**
+   * Occurrences already announced. While the gateway is not heard its alarms are unknown; afterwards they must not
+   * sound as new.
+   */
   readonly #met = new Set<string>();
   /** Occurrences that have not been heard yet. */
   #unsounded = new Set<string>();
@@ -113,7 +116,7 @@ export class Annunciator {
     return "critical";
   }
 
-  /** The most urgent alarm that nobody has heard of in words. */
+  /** The most urgent alarm that was not spoken yet. */
   #speech(
     open: readonly ActiveAlarm[],
     came: readonly string[],
@@ -136,7 +139,7 @@ export class Annunciator {
   }
 }
 
-/** What is said of alarms that went: well again where that is seen, else nothing more about them. */
+/** The phrase for ended alarms: recovered, where that is proven, else nothing. */
 function recovery(
   gone: readonly ActiveAlarm[],
   alarms: readonly ActiveAlarm[],
@@ -159,7 +162,7 @@ function isCritical({ level }: ActiveAlarm): boolean {
   return level === "critical";
 }
 
-/** An alarm that comes again, or becomes worse, is another one. */
+/** An alarm that is raised again, or becomes worse, is a new occurrence. */
 function occurrence({ id, since_s, level }: ActiveAlarm): string {
   return `${id}@${since_s}@${level}`;
 }

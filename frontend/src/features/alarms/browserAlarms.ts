@@ -4,12 +4,12 @@ import { SIGNALS } from "./tones";
 
 type BrowserWindow = Window & typeof globalThis;
 
-/** Any of these may be the press that a browser wants before a page may be heard. */
+/** Events that may be the user gesture which a browser requires before sound. */
 const PRESSES = ["pointerdown", "pointerup", "keydown"] as const;
-/** A tone that begins and ends at once clicks; this long it swells and fades. */
+/** Tones fade in and out over this time: abrupt ends click. */
 const RAMP_S = 0.012;
 
-/** Calls `pressed` at each press that the browser counts as one. */
+/** Calls `pressed` at each user gesture that the browser accepts. */
 function onPress(window: BrowserWindow, pressed: () => void): void {
   for (const press of PRESSES) {
     window.addEventListener(
@@ -24,12 +24,12 @@ function onPress(window: BrowserWindow, pressed: () => void): void {
   }
 }
 
-/** A browser that does not tell is taken at its press. */
+/** If the browser does not report gestures, believe the event. */
 function hasBeenPressed({ navigator }: BrowserWindow): boolean {
   return (navigator.userActivation as UserActivation | undefined)?.hasBeenActive ?? true;
 }
 
-/** Tones by Web Audio. Its context is made with the first press: made before, the browser refuses it and complains. */
+/** Tones by Web Audio. The context is made at the first gesture: earlier, the browser refuses it and logs a warning. */
 export function browserSounder(window: BrowserWindow): Sounder {
   const changed = new Set<() => void>();
   const tell = (): void => {
@@ -90,7 +90,7 @@ export function browserSounder(window: BrowserWindow): Sounder {
   };
 }
 
-/** The voices of this machine. A voice that lives on somebody's server would send the words out: it is not used. */
+/** The local voices. A remote voice is not used: it would send the words to somebody's server. */
 export function browserSpeaker(window: BrowserWindow): Speaker {
   const synthesis = (window.speechSynthesis as SpeechSynthesis | undefined) ?? null;
   const changed = new Set<() => void>();

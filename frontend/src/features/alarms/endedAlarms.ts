@@ -1,7 +1,7 @@
 import type { Connection } from "../../store/connection";
 import type { AlarmLevel } from "./raisedAlarms";
 
-/** An alarm that is over and that nobody has acknowledged. Unix seconds; `text` as whoever raised it says it. */
+/** An alarm that ended unacknowledged. Unix seconds; `text` in the words of the side that raised it. */
 export interface EndedAlarm {
   readonly id: string;
   readonly level: AlarmLevel;
@@ -10,8 +10,8 @@ export interface EndedAlarm {
 }
 
 /**
- * What is over and not acknowledged, newest first: the gateway's, which lists it until somebody acknowledges it, and
- * the page's own. Without the gateway the page's own alone.
+ * The ended alarms that are not acknowledged, newest first: the gateway's, which lists them until they are, and the
+ * page's own. Without the gateway only the page's own.
  */
 export function endedAlarms(
   { phase, status }: Pick<Connection, "phase" | "status">,

@@ -11,14 +11,15 @@ export type AlarmLevel = Alarm["level"];
 export const GATEWAY_LOST = "gateway_lost";
 
 /**
- * A start of the board in the midst of its work: no state that ends by itself, it stands until somebody has seen it. Unix seconds of the gateway; `params` say what is lost.
+ * An unexpected restart of the board. It does not end by itself, only by being acknowledged. Unix seconds of the
+ * gateway; `params` name what is lost.
  */
 export interface BoardRestart {
   readonly since_s: number;
   readonly params: MessageParams;
 }
 
-/** Whether the page raised an alarm itself: it is acknowledged here, and nobody else has to be asked. */
+/** Whether the page raised an alarm itself: it is acknowledged here, without a request. */
 export function isOwn(id: string): boolean {
   return id === GATEWAY_LOST || id === BOARD_RESTARTED;
 }
@@ -29,7 +30,7 @@ export interface OwnAlarm {
   readonly acknowledged: boolean;
 }
 
-/** One thing that is wrong now. `since_s` is Unix time of whoever raised it. */
+/** One active alarm. `since_s` is Unix time of the side that raised it. */
 export interface ActiveAlarm {
   readonly id: string;
   readonly level: AlarmLevel;
@@ -40,7 +41,7 @@ export interface ActiveAlarm {
 
 type HilStatus = NonNullable<Connection["status"]>["simulator"];
 
-/** The gateway has one alarm for the loop; where it is open can be seen from the state of its two ends. */
+/** The gateway has one alarm for the HIL loop; which end is open follows from the states of the two ends. */
 function hilKey({ state, missing_rows }: HilStatus): string {
   if (state !== "open") {
     return "hil_lost_simulator";
@@ -75,8 +76,8 @@ export function alarmMessage(
 }
 
 /**
- * What is wrong now, the most urgent first. Without the gateway nothing that it said of now counts; that the board
- * started anew stays true.
+ * The active alarms, the most urgent first. Without the gateway its alarms are unknown: only its loss is active, and
+ * the board's restart, which stays true.
  */
 export function activeAlarms(
   { phase, status }: Pick<Connection, "phase" | "status">,
@@ -106,7 +107,7 @@ export function activeAlarms(
   );
 }
 
-/** The gateway also lists what recovered, until somebody acknowledges it. */
+/** The gateway also lists recovered alarms, until somebody acknowledges them. */
 function isLasting({ until_s }: Alarm): boolean {
   return until_s === null;
 }
@@ -116,7 +117,7 @@ function restartAlarm({ since_s, params }: BoardRestart): ActiveAlarm {
   return { id: BOARD_RESTARTED, level: "critical", since_s, acknowledged: false, message };
 }
 
-/** 0 is the most urgent: what nobody has acknowledged comes first, critical before warning. */
+/** 0 is the most urgent: unacknowledged before acknowledged, then critical before warning. */
 function urgency({ acknowledged, level }: ActiveAlarm): number {
   return (acknowledged ? 2 : 0) + (level === "critical" ? 0 : 1);
 }
@@ -129,8 +130,8 @@ interface Facts {
 }
 
 /**
- * What has to be seen before an alarm that went may be called recovered. An alarm also goes because a line was closed or
- * a stream ended: then nothing is known to be well again. An id that is not here is never called so.
+ * The proof that an ended alarm has recovered. An alarm also ends because a link was closed or a stream stopped: that
+ * proves nothing. An id without a proof never counts as recovered.
  */
 const PROOFS: Readonly<Record<string, (facts: Facts) => boolean>> = {
   [GATEWAY_LOST]: () => true,
@@ -146,8 +147,8 @@ const PROOFS: Readonly<Record<string, (facts: Facts) => boolean>> = {
 };
 
 /**
- * A sample of the last one and a half periods. "Live" would not do: the alarm of a stream that has just ended goes while
- * its last sample still counts as live here.
+ * Whether the newest sample is at most one and a half periods old. "Live" is not enough: when a stream stops, its
+ * alarm ends while its last sample still counts as live.
  */
 function isFresh(topic: TopicName, { status, telemetry, now_ms }: Facts): boolean {
   const age_s = telemetry.age_s(topic, now_ms);
@@ -155,7 +156,7 @@ function isFresh(topic: TopicName, { status, telemetry, now_ms }: Facts): boolea
   return limit_s != null && age_s !== null && age_s < limit_s / 2;
 }
 
-/** Whether what was wrong is now seen to be well: that an alarm has gone is no proof of it. */
+/** Whether an ended alarm is proven to have recovered: its end alone is no proof. */
 export function isRecovered(
   id: string,
   { phase, status, damagedLastSecond }: Connection,

@@ -17,12 +17,12 @@ export interface ShownAlarm extends ActiveAlarm, Acknowledgeable {
   readonly text: string;
 }
 
-/** One thing of the alarm log; the component renders again when it changes. */
+/** One value of the alarm log; the component renders again when it changes. */
 export function useAlarmLogState<T>(select: (state: AlarmLogState) => T): T {
   return useStore(usePart(ALARM_LOG).store, select);
 }
 
-/** What is wrong now, in the page's language, the most urgent first. */
+/** The active alarms in the page's language, the most urgent first. */
 export function useActiveAlarms(): readonly ShownAlarm[] {
   const sentence = useSentence();
   const phase = useConnection((connection) => connection.phase);
@@ -35,7 +35,8 @@ export function useActiveAlarms(): readonly ShownAlarm[] {
       activeAlarms({ phase, status }, own, restart).map((alarm) => ({
         ...alarm,
         text: sentence(alarm.message),
-        // The page's own alarms ask nobody; the gateway's are acknowledged for everybody, by whoever has control.
+        // The page's own alarms need no request; the gateway's are acknowledged for everybody, by the client in
+        // control.
         blocked: isOwn(alarm.id) ? undefined : blocked,
       })),
     [phase, status, own, restart, sentence, blocked],
@@ -43,7 +44,7 @@ export function useActiveAlarms(): readonly ShownAlarm[] {
 }
 
 export interface ShownEnded extends EndedAlarm, Acknowledgeable {
-  /** What it is called, in the page's language. */
+  /** Its name in the page's language. */
   readonly name: string;
 }
 
@@ -65,7 +66,7 @@ export function useEndedAlarms(): readonly ShownEnded[] {
   );
 }
 
-/** Why not all of these can be acknowledged at once; undefined where they can. */
+/** Why these alarms cannot all be acknowledged at once; undefined if they can. */
 export function blockedAmong(alarms: readonly Acknowledgeable[]): string | undefined {
   return alarms.find(({ blocked }) => blocked !== undefined)?.blocked;
 }

@@ -27,7 +27,7 @@ test("controls and signal's way name a gamepad that is the stick, and while it i
   expect(controls.textContent).toContain("0.40");
   expect(within(way).getByText("Mando")).toBeTruthy();
 
-  // What the board is told now is a stick that is let go: it looks like nobody's position.
+  // The board now gets a centred stick, which must be shown as nobody's position.
   station.status(aStatus({ hil: { ...hil, stick: { ...stick, state: "lost" } } }));
   expect(controls.textContent).toContain("Sin mando");
   expect(controls.textContent).not.toContain("0.40");

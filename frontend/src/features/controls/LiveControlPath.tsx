@@ -6,13 +6,13 @@ import { useConnection, useTelemetry } from "../../store/hooks";
 import { readAutopilot } from "./axes";
 import { useSource } from "./useSource";
 
-/** The way that the control signal takes now, as board and gateway report it. */
+/** The present path of the control signal, as reported by the board and the gateway. */
 export function LiveControlPath() {
   const { t } = useTranslation();
   const source = useSource();
   const stick = useStickKind();
   const gamepad = stick === "gamepad" || stick === "lost" ? stick : null;
-  // Where no heartbeat tells the source, no signal is known to take any way.
+  // Without a live heartbeat the source is unknown, and so is the path.
   const chosenPath = useConnection(({ status, phase }) =>
     phase === "open" ? (status?.hil.path ?? null) : null,
   );

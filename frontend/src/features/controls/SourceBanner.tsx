@@ -7,7 +7,7 @@ import { usePart } from "../../store/hooks";
 import { Button } from "../../ui/Button";
 import { type Automatic, SOURCE_RETURN } from "./sourceReturn";
 
-/** Says over every tab what a stay with RC left off, until it is on again or somebody wants it off. */
+/** Shows above every tab what a period with RC left off, until it is on again or somebody wants it off. */
 export function SourceBanner() {
   const { t } = useTranslation();
   const sourceReturn = usePart(SOURCE_RETURN);
@@ -33,7 +33,7 @@ export function SourceBanner() {
   );
 }
 
-/** The switch's own command: its progress is seen on the switch as well. */
+/** The switch's own command: the switch shows its progress as well. */
 function SwitchOn({ name }: { name: Automatic }) {
   const { t } = useTranslation();
   const actions = usePart(ACTIONS);

@@ -13,19 +13,19 @@ const RC_CHANNELS: Readonly<Record<Axis, NumberField<"servos_in">>> = {
   rudder: "channel_3",
 };
 
-/** Whether the joystick is the source of control; what the board said last, for its age is shown beside it. */
+/** Whether the joystick was the last reported source, however old: the age is shown beside it. */
 function isJoystick(telemetry: TelemetryStore): boolean {
   return telemetry.newestFlag("heartbeat", "source_joystick") === true;
 }
 
 /**
- * State of the chosen source's controls: the stick is heard in the simulator's information, the RC in its channels.
- * A gamepad that was chosen and says nothing has no position.
- * Without a live heartbeat nobody knows which of the two is the source, so neither counts as live.
+ * State of the chosen source's controls: the stick comes in the simulator's information, the RC in its channels. A
+ * gamepad that was chosen but sends nothing has no position. Without a live heartbeat the source is unknown, so
+ * neither counts as live.
  */
 export function axisState(telemetry: TelemetryStore, now_ms: number, stick: StickKind | null): DataState {
   if (stick === "lost" && isJoystick(telemetry)) {
-    // What the board is told then is a stick that is let go, and no position of anybody's.
+    // Then the board is sent a centred stick, which is nobody's position.
     return "none";
   }
   const state = telemetry.state(isJoystick(telemetry) ? "xplane_info" : "servos_in", now_ms);

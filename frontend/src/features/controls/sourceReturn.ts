@@ -5,7 +5,7 @@ import { partName } from "../../store/parts";
 export const AUTOMATICS = ["autopilot", "autotrim"] as const;
 export type Automatic = (typeof AUTOMATICS)[number];
 
-/** What a heartbeat says: the control source, and autopilot and autotrim of the HIL aircraft. */
+/** Part of a heartbeat: the control source, and autopilot and autotrim of the HIL aircraft. */
 export interface Automatics extends Readonly<Record<Automatic, boolean>> {
   readonly source: "joystick" | "rc";
 }
@@ -16,7 +16,7 @@ export interface Automatics extends Readonly<Record<Automatic, boolean>> {
  */
 export interface SourceReturn {
   readonly leftOff: readonly Automatic[];
-  /** What the joystick had on when it was heard last; null before it was heard. */
+  /** What was on when the joystick was last the source; null before that. */
   readonly wasOn: readonly Automatic[] | null;
   /** RC is the source, or was by the last heartbeat. */
   readonly isAway: boolean;
@@ -24,7 +24,7 @@ export interface SourceReturn {
 
 export const NOTHING_LEFT_OFF: SourceReturn = { leftOff: [], wasOn: null, isAway: false };
 
-/** The state after one more heartbeat; the same one where that says nothing new. */
+/** The state after one more heartbeat; the same object if nothing changed. */
 export function followSource(state: SourceReturn, heard: Automatics): SourceReturn {
   if (heard.source === "rc") {
     // What was left off before counts as wanted: RC did not ask for it to be off.

@@ -18,7 +18,7 @@ export function useEmulation(): Emulation {
   return { isOn, before_url };
 }
 
-/** Stands over every tab while the values are examples: nobody shall take them for an aircraft. */
+/** Shown over every tab during emulation, so that nobody takes the values for an aircraft's. */
 export function EmulationBanner() {
   const { t } = useTranslation();
   const emulation = usePart(EMULATION);

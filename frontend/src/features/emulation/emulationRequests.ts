@@ -8,7 +8,7 @@ const EMULATION_URL = "emulation:";
 /** Starts and ends the emulation; none throws. */
 export interface EmulationRequests {
   readonly start: (asker: Asker) => Promise<void>;
-  /** Back to the line that was open before; without one the line is closed. */
+  /** Reopen the link that was open before; if there was none, close the link. */
   readonly end: (before_url: string | null, asker: Asker) => Promise<void>;
 }
 

@@ -3,12 +3,13 @@ import { useTranslation } from "react-i18next";
 import type { NumberField, TopicName } from "../../protocol/topics";
 import { FmsReadouts } from "../../readouts/FmsReadouts";
 import { LiveFlag } from "../../readouts/LiveFlag";
-import { LiveServoBar } from "../../readouts/LiveServoBar";
+import { LiveControlBars, LiveServoBar } from "../../readouts/LiveServoBar";
+import { ReadoutTable } from "../../readouts/ReadoutTable";
 import { StreamHead } from "../../readouts/StreamPanel";
 import { usePage, useSettings } from "../../store/hooks";
 import { choose } from "../../store/settings";
 import { Tabs } from "../../ui/Tabs";
-import { GpsReadouts, GpsState } from "./GpsTabs";
+import { GPS_READOUTS, GpsState } from "./GpsTabs";
 import { Refresh } from "./Refresh";
 
 /** The sub tabs with the stream that each shows; two of them show none. */
@@ -78,7 +79,7 @@ function Fms() {
 function Gps() {
   return (
     <>
-      <GpsReadouts columns={3} />
+      <ReadoutTable {...GPS_READOUTS} columns={3} />
       <GpsState />
     </>
   );
@@ -116,29 +117,9 @@ function ServosIn() {
 }
 
 function FlyByWire() {
-  const { t } = useTranslation();
   return (
     <div className="flight-surfaces">
-      <LiveServoBar
-        topic="fly_by_wire"
-        field="aileron"
-        label={t("control.aileron")}
-        orientation="horizontal"
-      />
-      <LiveServoBar
-        topic="fly_by_wire"
-        field="elevator"
-        label={t("control.elevator")}
-        orientation="horizontal"
-      />
-      <LiveServoBar topic="fly_by_wire" field="rudder" label={t("control.rudder")} orientation="horizontal" />
-      <LiveServoBar
-        topic="fly_by_wire"
-        field="throttle"
-        label={t("control.throttle")}
-        kind="throttle"
-        orientation="horizontal"
-      />
+      <LiveControlBars topic="fly_by_wire" controls={["aileron", "elevator", "rudder", "throttle"]} />
     </div>
   );
 }

@@ -1,14 +1,14 @@
 import { useTranslation } from "react-i18next";
-import { coordinate, heading, whole } from "../../readouts/formats";
 import { LiveFlag, type ReadFlag } from "../../readouts/LiveFlag";
-import { LiveReadout } from "../../readouts/LiveReadout";
+import type { ReadoutRows } from "../../readouts/LiveReadout";
+import { COORDINATE, COUNT, HEADING, PERCENT } from "../../readouts/notations";
+import { ReadoutTable } from "../../readouts/ReadoutTable";
 import { StreamHead } from "../../readouts/StreamPanel";
 import { usePage, useSettings } from "../../store/hooks";
 import { choose } from "../../store/settings";
-import { ReadoutGrid } from "../../ui/Readout";
 import { Tabs } from "../../ui/Tabs";
 
-/** A fix is there when the receiver gives its kind and does not call it void. */
+/** There is a fix when the receiver reports its kind and does not mark it invalid. */
 export const hasFix: ReadFlag = (telemetry) => {
   const fix = telemetry.newestNumber("gps", "fix");
   return fix === null ? null : fix > 0 && telemetry.newestFlag("gps", "valid") !== false;
@@ -30,47 +30,38 @@ export function GpsTabs() {
       value={tab}
       onValueChange={(value) => choose(settings, "flight.gps", value)}
       tabs={[
-        { value: "fast", label: t("flight.fastGps"), content: <GpsReadouts /> },
+        { value: "fast", label: t("flight.fastGps"), content: <ReadoutTable {...GPS_READOUTS} /> },
         { value: "status", label: t("flight.gpsStatus"), content: <GpsState /> },
-        { value: "cpu", label: t("flight.cpu"), content: <Cpu /> },
+        { value: "cpu", label: t("flight.cpu"), content: <ReadoutTable {...PROCESSORS} /> },
       ]}
     />
   );
 }
 
 /** Position, height, speed and track of the receiver. */
-export function GpsReadouts({ columns = 1 }: { columns?: number }) {
-  const { t } = useTranslation();
-  return (
-    <ReadoutGrid columns={columns}>
-      <LiveReadout
-        topic="gps"
-        field="latitude_deg"
-        format={coordinate}
-        label={t("gps.latitude")}
-        unit={t("unit.deg")}
-        chars={11}
-      />
-      <LiveReadout
-        topic="gps"
-        field="longitude_deg"
-        format={coordinate}
-        label={t("gps.longitude")}
-        unit={t("unit.deg")}
-        chars={11}
-      />
-      <LiveReadout topic="gps" field="altitude_m" quantity="altitude" label={t("gps.altitude")} />
-      <LiveReadout topic="gps" field="speed_kt" quantity="speed" label={t("gps.speed")} />
-      <LiveReadout
-        topic="gps"
-        field="heading_deg"
-        format={heading}
-        label={t("gps.heading")}
-        unit={t("unit.deg")}
-      />
-    </ReadoutGrid>
-  );
-}
+export const GPS_READOUTS: ReadoutRows = {
+  topic: "gps",
+  rows: [
+    { field: "latitude_deg", label: "gps.latitude", as: COORDINATE, chars: 11 },
+    { field: "longitude_deg", label: "gps.longitude", as: COORDINATE, chars: 11 },
+    { field: "altitude_m", label: "gps.altitude", as: "altitude" },
+    { field: "speed_kt", label: "gps.speed", as: "speed" },
+    { field: "heading_deg", label: "gps.heading", as: HEADING },
+  ],
+};
+
+const SATELLITES: ReadoutRows = {
+  topic: "gps",
+  rows: [{ field: "satellites", label: "gps.satellites", as: COUNT, chars: 3 }],
+};
+
+const PROCESSORS: ReadoutRows = {
+  topic: "statistics",
+  rows: [
+    { field: "sensor_dsc_percent", label: "cpu.sensor", as: PERCENT, chars: 4 },
+    { field: "control_dsc_percent", label: "cpu.control", as: PERCENT, chars: 4 },
+  ],
+};
 
 export function GpsState() {
   const { t } = useTranslation();
@@ -82,34 +73,7 @@ export function GpsState() {
         label={t("gps.fix")}
         texts={{ on: t("gps.fixed"), off: t("gps.noFix") }}
       />
-      <ReadoutGrid>
-        <LiveReadout topic="gps" field="satellites" format={whole} label={t("gps.satellites")} chars={3} />
-      </ReadoutGrid>
+      <ReadoutTable {...SATELLITES} />
     </div>
-  );
-}
-
-function Cpu() {
-  const { t } = useTranslation();
-  const percent = t("unit.percent");
-  return (
-    <ReadoutGrid>
-      <LiveReadout
-        topic="statistics"
-        field="sensor_dsc_percent"
-        format={whole}
-        label={t("cpu.sensor")}
-        unit={percent}
-        chars={4}
-      />
-      <LiveReadout
-        topic="statistics"
-        field="control_dsc_percent"
-        format={whole}
-        label={t("cpu.control")}
-        unit={percent}
-        chars={4}
-      />
-    </ReadoutGrid>
   );
 }

@@ -28,8 +28,8 @@ export function Refresh() {
 }
 
 /**
- * One task's period. The board does not report it: what stands here is what this station asked for, or else the board's
- * default, and which of the two is said.
+ * One task's period. The board does not report it: shown is what this station requested, or else the board's default;
+ * a text says which.
  */
 function Period({ task }: { task: Task }) {
   const { t } = useTranslation();

@@ -22,7 +22,7 @@ const SIMULATOR: Stick = {
   samples: {},
 };
 
-/** The gateway's word on the stick. */
+/** A status with this stick. */
 function withStick(stick: Partial<Stick>, others: Partial<Status> = {}): Status {
   return aStatus({ hil: { ...aStatus().hil, stick: { ...SIMULATOR, ...stick } }, ...others });
 }
@@ -42,13 +42,13 @@ function bar(axis: string): string | null {
   return inner?.getAttribute("data-value") ?? null;
 }
 
-/** The samples that left since the last look. */
+/** The samples sent since the last call. */
 function samples(): Array<Record<string, unknown>> {
   const sent = station.wires.at(-1)?.sent.splice(0) ?? [];
   return sent.map((text) => JSON.parse(text)).filter(({ type }) => type === "stick");
 }
 
-/** The panel alone: nothing of the window round it is needed. */
+/** Only the panel, without the window around it. */
 beforeEach(() => {
   station = new Station(
     <WordsProvider words={WORDS}>

@@ -87,7 +87,7 @@ function PadChoice() {
   );
 }
 
-/** How it stands, in one sentence. */
+/** The gamepad's state in one sentence. */
 function StickNotice() {
   const { t } = useTranslation();
   const sentence = useSentence();

@@ -1,13 +1,13 @@
 import type { GamepadReader } from "./gamepadInput";
 import type { Pad } from "./stickMapping";
 
-/** The gamepads of a real browser. It tells none before one of its buttons was pressed with the page in sight. */
+/** The browser's gamepads. It hides each until one of its buttons was pressed while the page was visible. */
 export function browserGamepads(window: Window & typeof globalThis): GamepadReader {
   const { navigator, document } = window;
   return {
     read: () => {
       try {
-        // Not there at all on an address that the browser does not trust; forbidden in a frame it throws.
+        // Undefined on an insecure address; throws in an iframe that may not use it.
         return (navigator.getGamepads?.() ?? []).filter((pad) => pad?.connected === true).map(padOf);
       } catch {
         return [];

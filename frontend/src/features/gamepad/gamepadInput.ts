@@ -22,9 +22,9 @@ import {
 /** The browser's gamepads, or a test's. */
 export interface GamepadReader {
   readonly read: () => readonly Pad[];
-  /** A browser neither reads gamepads nor keeps time for a page that is out of sight: what it says then is old. */
+  /** A browser stops gamepads and timers of a hidden page: what it reports then is old. */
   readonly isInSight: () => boolean;
-  /** Run when one came or went; the answer ends it. */
+  /** Calls `run` when a gamepad is connected or disconnected; the result unsubscribes. */
   readonly onChange: (run: () => void) => () => void;
 }
 
@@ -38,7 +38,7 @@ interface Parts {
   readonly tell: (message: Message) => void;
 }
 
-/** While somebody looks or flies: 50 Hz. Else only whether there is one. */
+/** 50 Hz while somebody watches or flies, else only a check for gamepads. */
 const SAMPLE_EVERY_MS = 20;
 const SEARCH_EVERY_MS = 500;
 const DECIMALS = 1e4;
@@ -68,7 +68,7 @@ export function createGamepadInput(parts: Parts): {
   let before: Pad | null = null;
   let asking = 0;
 
-  /** The gateway takes this page's gamepad for the stick. */
+  /** Whether the gateway uses this page's gamepad as the stick. */
   function flies(): boolean {
     const { phase, status, client } = connection.getState();
     return phase === "open" && client !== null && status?.hil.stick?.client === client;
@@ -78,7 +78,7 @@ export function createGamepadInput(parts: Parts): {
     return rememberedMapping(settings, pad.id) ?? defaultMapping(pad);
   }
 
-  /** The selected one where it is there; another takes its place only while none flies. */
+  /** The selected gamepad if it is connected. Another one replaces it only while none flies. */
   function choosePad(pads: readonly Pad[]): Pad | null {
     const { selected } = store.getState();
     const flown = flies() ? connection.getState().status?.hil.stick?.gamepad : null;
@@ -96,7 +96,7 @@ export function createGamepadInput(parts: Parts): {
       store.setState({ pads: pads.map(({ id, index }) => ({ id, index })) });
     }
     if (pad === null) {
-      // What flew keeps its name: only the same gamepad may fly on when it comes back.
+      // The gamepad that flew stays selected: only the same one may fly on when it is connected again.
       if (store.getState().mapping !== null) {
         store.setState({ mapping: null, assigning: null, ...(flies() ? {} : { selected: null }) });
       }
@@ -212,7 +212,7 @@ export function createGamepadInput(parts: Parts): {
       asking += 1;
       now();
       await parts.setStick({ stick: "gamepad", gamepad: selected.id }, asker);
-      // Until the status says so itself, a moment later.
+      // Until the next status confirms it.
       timers.after(1000, () => {
         asking -= 1;
       });
@@ -239,7 +239,10 @@ export function createGamepadInput(parts: Parts): {
   };
 }
 
-/** The sentence of an event; null where this page says it as the outcome of its own question, or where it is none. */
+/**
+ * The message for an event; null if this page reports it as the outcome of its own request, or if there is nothing to
+ * say.
+ */
 function messageOf(data: unknown, ownClient: string | null): Message | null {
   if (!isStickEvent(data)) {
     return null;

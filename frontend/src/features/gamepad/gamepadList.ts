@@ -3,37 +3,37 @@ import type { Asker } from "../../requests/asking";
 import { partName } from "../../store/parts";
 import type { StickAxis, StickMapping } from "./stickMapping";
 
-/** A gamepad in the list: two of one make differ in their index. */
+/** A gamepad in the list. Two of the same model differ in their index. */
 export interface PadName {
   readonly id: string;
   readonly index: number;
 }
 
 export interface Gamepads {
-  /** What the browser tells now. */
+  /** The connected gamepads. */
   readonly pads: readonly PadName[];
-  /** The one whose axes are mapped; null where none is there, or the one that flies is gone. */
+  /** The gamepad whose axes are mapped; null if there is none, or if the one that flies was disconnected. */
   readonly selected: PadName | null;
   readonly mapping: StickMapping | null;
-  /** The axis that waits to be moved. */
+  /** The axis that is being assigned. */
   readonly assigning: StickAxis | null;
 }
 
 export type GamepadStore = StoreApi<Gamepads>;
 
-/** Position of each axis now; null where it has none, or no gamepad is there. */
+/** Position of each axis; null where it is not mapped, or without a gamepad. */
 export type AxisPositions = Readonly<Record<StickAxis, number | null>>;
 
-/** The gamepads of this browser, and the way of one of them to the aircraft. */
+/** The gamepads of this browser, and how one of them flies the aircraft. */
 export interface GamepadInput {
   readonly store: GamepadStore;
-  /** Hear the axes' positions fifty times a second until the answer is called. */
+  /** Calls `paint` with the positions fifty times a second; the result unsubscribes. */
   readonly watch: (paint: (positions: AxisPositions) => void) => () => void;
   readonly select: (pad: PadName) => void;
   readonly change: (axis: StickAxis, change: Partial<StickMapping[StickAxis]>) => void;
-  /** Wait for an axis to be moved, and make it this one; null: do not wait any longer. */
+  /** Assign the next axis that is moved; null cancels. */
   readonly assign: (axis: StickAxis | null) => void;
-  /** Where the stick stands now, it is let go. */
+  /** Take the stick's present position as its rest. */
   readonly centre: () => void;
   readonly reset: () => void;
   /** Fly with the selected gamepad, or with the simulator's joystick. */

@@ -10,7 +10,7 @@ import {
 
 const nameOf = (id: string): string => `gamepad.${id}`;
 
-/** What was chosen for gamepads of this name in this browser; null where nothing was, or where it is not readable. */
+/** The stored mapping for gamepads of this name; null if there is none or it is unreadable. */
 export function rememberedMapping(settings: SettingsStore, id: string): StickMapping | null {
   const kept = settings.getState().choices[nameOf(id)];
   if (kept === undefined) {

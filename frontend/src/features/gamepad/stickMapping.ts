@@ -1,4 +1,4 @@
-/** What a stick moves, in the order in which it is shown. */
+/** What a stick moves, in display order. */
 export const STICK_AXES = ["elevator", "aileron", "rudder", "throttle"] as const;
 export type StickAxis = (typeof STICK_AXES)[number];
 
@@ -9,7 +9,7 @@ export type StickPosition = Readonly<Record<StickAxis, number>>;
 export interface Pad {
   readonly id: string;
   readonly index: number;
-  /** The browser knows it, and its axes are those of every gamepad: 0 and 1 the left stick, 2 and 3 the right one. */
+  /** The browser knows the model and uses the standard layout: axes 0 and 1 the left stick, 2 and 3 the right one. */
   readonly isStandard: boolean;
   readonly axes: readonly number[];
   readonly buttons: readonly number[];
@@ -21,20 +21,20 @@ export type PadInput = `a${number}` | `b${number}`;
 export interface AxisMapping {
   readonly input: PadInput | null;
   readonly isInverted: boolean;
-  /** Share of the way around the rest in which nothing moves; of a throttle, at its closed end. */
+  /** Share of the travel around the rest position that counts as zero; for a throttle, at its closed end. */
   readonly deadZone: number;
-  /** Where the axis stands when it is let go. */
+  /** The axis's value when it is released. */
   readonly rest: number;
-  /** A throttle on a stick that springs back: let go is closed, and only the way out of the middle counts. */
+  /** A throttle on a self-centring stick: released is closed, and only travel beyond the middle counts. */
   readonly springs: boolean;
 }
 
 export type StickMapping = Readonly<Record<StickAxis, AxisMapping>>;
 
 export const MAX_DEAD_ZONE = 0.5;
-/** Further out than this no axis rests: somebody holds it. */
+/** No axis rests further out than this: it is being held. */
 const FARTHEST_REST = 0.2;
-/** So far an axis must be moved to be meant: more than a hand trembles, less than a worn stick can do. */
+/** An axis moved this far is meant: more than a trembling hand, less than the travel of a worn stick. */
 const MEANT = 0.5;
 
 function raw(pad: Pad, input: PadInput): number | null {
@@ -43,14 +43,14 @@ function raw(pad: Pad, input: PadInput): number | null {
   return value === undefined || !Number.isFinite(value) ? null : value;
 }
 
-/** Way out of the rest, -1..+1, with nothing inside the dead zone and no jump at its edge. */
+/** Travel from the rest, -1..+1: zero inside the dead zone, without a jump at its edge. */
 function fromRest(value: number, rest: number, deadZone: number): number {
   const way = value >= rest ? (value - rest) / (1 - rest) : (value - rest) / (1 + rest);
   const size = (Math.abs(way) - deadZone) / (1 - deadZone);
   return size <= 0 ? 0 : Math.sign(way) * Math.min(1, size);
 }
 
-/** Position of one axis; null where the gamepad has none for it. */
+/** Position of one axis; null if the gamepad does not have it. */
 export function axisPosition(pad: Pad, axis: StickAxis, mapping: AxisMapping): number | null {
   const { input, isInverted, deadZone, rest, springs } = mapping;
   const value = input === null ? null : raw(pad, input);
@@ -66,7 +66,7 @@ export function axisPosition(pad: Pad, axis: StickAxis, mapping: AxisMapping): n
   return Math.min(1, Math.max(0, (open - deadZone) / (1 - deadZone)));
 }
 
-/** Where the stick stands; null while one of the axes that fly is not there. Who has no pedals keeps the rudder still. */
+/** The stick's position; null if an axis that flies is missing. Without pedals the rudder stays at zero. */
 export function stickPosition(pad: Pad, mapping: StickMapping): StickPosition | null {
   const elevator = axisPosition(pad, "elevator", mapping.elevator);
   const aileron = axisPosition(pad, "aileron", mapping.aileron);
@@ -82,8 +82,8 @@ function mapped(input: PadInput | null, deadZone: number, others: Partial<AxisMa
 }
 
 /**
- * What most people would choose. A gamepad as a transmitter of mode 2: the right stick is elevator and aileron, the left
- * one rudder and, pushed out of the middle, throttle. A joystick: stick, twist, lever.
+ * The usual mapping. A gamepad as a transmitter of mode 2: right stick elevator and aileron, left stick rudder and,
+ * beyond the middle, throttle. A joystick: stick, twist, lever.
  */
 export function defaultMapping(pad: Pad): StickMapping {
   if (pad.isStandard) {
@@ -109,7 +109,7 @@ export function defaultMapping(pad: Pad): StickMapping {
   );
 }
 
-/** Where a stick that is let go stands now is its rest; an axis that somebody holds keeps the rest it had. */
+/** Take the present positions as rest; an axis that is being held keeps its old rest. */
 export function atRest(mapping: StickMapping, pad: Pad): StickMapping {
   const entries = STICK_AXES.map((axis) => {
     const one = mapping[axis];
@@ -120,13 +120,13 @@ export function atRest(mapping: StickMapping, pad: Pad): StickMapping {
   return Object.fromEntries(entries) as unknown as StickMapping;
 }
 
-/** What was moved between two looks, the farthest of all; null while nothing was moved as if it were meant. */
+/** The input that moved farthest between two readings; null if none moved far enough. */
 export function movedInput(before: Pad, now: Pad, axis: StickAxis): PadInput | null {
   const ways: Array<readonly [PadInput, number]> = now.axes.map((value, place) => [
     `a${place}`,
     Math.abs(value - (before.axes[place] ?? value)),
   ]);
-  // A button has no middle: it can be a throttle, and nothing else.
+  // A button has no middle position: it can only be a throttle.
   if (axis === "throttle") {
     ways.push(
       ...now.buttons.map((value, place): readonly [PadInput, number] => [
@@ -140,8 +140,9 @@ export function movedInput(before: Pad, now: Pad, axis: StickAxis): PadInput | n
 }
 
 /**
- * The mapping with what was moved as this axis. It was moved nose up, right wing down, nose right or full throttle, so
- * its direction tells the sign; where it stood before tells its rest, and whether a throttle springs back to the middle.
+ * The mapping with the moved input assigned to this axis. The user moved it nose up, right wing down, nose right or
+ * to full throttle, so its direction gives the sign; its position before gives the rest, and whether a throttle is
+ * self-centring.
  */
 export function assigned(
   mapping: StickMapping,
@@ -159,7 +160,7 @@ export function assigned(
     rest: rests ? from : 0,
     springs: axis === "throttle" && rests,
   };
-  // One input moves one thing: what had it before has none now.
+  // One input moves one axis: take it away from the axis that had it.
   const freed = STICK_AXES.map((other) => [
     other,
     mapping[other].input === input ? { ...mapping[other], input: null } : mapping[other],

@@ -4,7 +4,7 @@ import { useConnection } from "../../store/hooks";
 import { STICK_AXES } from "./stickMapping";
 import { useGamepads } from "./useGamepads";
 
-/** Why nobody can fly with this page's gamepad now, in a sentence; undefined when one can. */
+/** Why this page's gamepad cannot fly now; undefined if it can. */
 export function useGamepadBlocked(): string | undefined {
   const { t } = useTranslation();
   const gateway = useGatewayBlocked();

@@ -1,4 +1,4 @@
-/** The little of Markdown in which the guide is written, as blocks to draw. */
+/** The subset of Markdown that the guide uses, as blocks to draw. */
 export type Inline = { readonly kind: "text" | "strong" | "code"; readonly text: string };
 
 export type Block =

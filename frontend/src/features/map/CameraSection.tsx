@@ -1,8 +1,8 @@
 import { useCallback, useEffect, useRef } from "react";
 import { useTranslation } from "react-i18next";
+import { AIRCRAFT, type Aircraft } from "../../lib/aircraft";
 import { formatFixed, formatHeading } from "../../lib/format";
 import { CAMERA_CHOICE, CAMERAS } from "../../lib/mapCamera";
-import type { Whose } from "../../lib/mapThing";
 import type { FlightScene } from "../../scene/aircraft/FlightScene";
 import { usePage, useTelemetry } from "../../store/hooks";
 import { choose } from "../../store/settings";
@@ -18,8 +18,6 @@ import { FOLLOWED_CHOICE, useCameraMode, useFlightScene, useFollowed } from "./u
 import { useGlobe } from "./useGlobe";
 import { GRATICULE_CHOICE, useGraticule } from "./useGraticule";
 
-const WHOSE: readonly Whose[] = ["flight", "hil"];
-
 /** Which map is seen and where from, and which aircraft are on it or why not. */
 export function CameraSection() {
   const { t } = useTranslation();
@@ -33,7 +31,7 @@ export function CameraSection() {
   const graticule = useGraticule();
   const kinds = { "3d": t("map.flat.kind3d"), "2d": t("map.flat.kind2d") };
   const cameras = { follow: t("map.view.follow"), free: t("map.view.free"), cockpit: t("map.view.cockpit") };
-  const names = { flight: t("map.view.real"), hil: t("map.view.hil") };
+  const names = { flight: t("map.view.flight"), hil: t("map.view.hil") };
   useEffect(() => globe?.ground.setGraticule(graticule), [globe, graticule]);
   useKeys(scene);
   return (
@@ -56,13 +54,13 @@ export function CameraSection() {
       )}
       <SegmentedSwitch
         label={t("map.view.followed")}
-        options={WHOSE.map((value) => ({ value, label: names[value] }))}
+        options={AIRCRAFT.map((value) => ({ value, label: names[value] }))}
         value={followed}
         onChange={(value) => choose(settings, FOLLOWED_CHOICE, value)}
         disabledReason={mode === "free" && !flat.isShown ? t("map.view.followedFree") : undefined}
       />
-      {WHOSE.map((whose) => (
-        <HowShown key={whose} whose={whose} name={names[whose]} />
+      {AIRCRAFT.map((aircraft) => (
+        <HowShown key={aircraft} aircraft={aircraft} name={names[aircraft]} />
       ))}
       {!flat.isShown && <Eye scene={scene} />}
       {!flat.isShown && globe?.isSoftware === true && <p className="map-how">{t("map.view.software")}</p>}
@@ -76,7 +74,7 @@ export function CameraSection() {
   );
 }
 
-/** How the camera lies, and how often the globe is drawn. */
+/** The camera's direction and height, and how often the globe is drawn. */
 function Eye({ scene }: { scene: FlightScene | null }) {
   const { t } = useTranslation();
   const globe = useGlobe();
@@ -111,16 +109,16 @@ function Eye({ scene }: { scene: FlightScene | null }) {
   );
 }
 
-/** One line on an aircraft: live, a ghost, or why it is not drawn. */
-function HowShown({ whose, name }: { whose: Whose; name: string }) {
+/** One line per aircraft: live, a ghost, or why it is not drawn. */
+function HowShown({ aircraft, name }: { aircraft: Aircraft; name: string }) {
   const { t } = useTranslation();
-  const how: Showing = useTelemetry((telemetry, now_ms) => showing(telemetry, whose, now_ms));
+  const how: Showing = useTelemetry((telemetry, now_ms) => showing(telemetry, aircraft, now_ms));
   const reason = {
     live: t("words.live"),
     stale: t("map.view.ghost"),
     noAttitude: t("map.view.noAttitude"),
     noPosition: t("map.view.noPosition"),
-    notHeard: whose === "flight" ? t("map.view.notHeard") : t("map.view.notHeardHil"),
+    notHeard: aircraft === "flight" ? t("map.view.notHeard") : t("map.view.notHeardHil"),
   }[how];
   return (
     <p className="map-how" data-how={how}>

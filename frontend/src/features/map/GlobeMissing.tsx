@@ -3,7 +3,7 @@ import { Button } from "../../ui/Button";
 import { Notice } from "../../ui/Notice";
 import type { GlobeProblem } from "./useKeptGlobe";
 
-/** Says over the flat map why it stands in the globe's place. */
+/** Says over the flat map why it replaces the globe. */
 export function GlobeMissing({ problem, onRetry }: { problem: GlobeProblem; onRetry: () => void }) {
   const { t } = useTranslation();
   const reason = {

@@ -18,7 +18,7 @@ import { useGround } from "./layers/useGround";
 import { useMapLayers } from "./layers/useMapLayers";
 import "./layers/layers.css";
 
-/** What lies on the ground: the operator's maps in their order, and the terrain. */
+/** The map layers in the user's order, and the terrain. */
 export function LayersSection() {
   const { t } = useTranslation();
   const mapLayers = usePart(MAP_LAYERS);
@@ -26,7 +26,7 @@ export function LayersSection() {
   const folder = useMapLayers((layers) => layers.folder);
   const blocked = useGatewayBlocked();
   const isConnected = blocked === undefined;
-  // Again when the station is back: its folder may be another one.
+  // Read again after a reconnection: the folder's content may have changed.
   useEffect(() => {
     if (isConnected) void mapLayers.read();
   }, [mapLayers, isConnected]);

@@ -16,10 +16,10 @@ import { useMapPlan } from "./plan/useMapPlan";
 import { useMapTools } from "./tools/useMapTools";
 import "./tools/tools.css";
 
-/** No longer than this on the screen, pixels. */
+/** Greatest length of the scale bar, pixels. */
 const LONGEST_PX = 130;
 
-/** What belongs to any map: scale, place under the pointer, north, and the ways back. */
+/** Common to both maps: scale, position under the pointer, north, and buttons to go back. */
 export function MapCorner() {
   return (
     <>
@@ -90,7 +90,7 @@ function ViewButtons() {
   );
 }
 
-/** How long a stretch of ground in the middle of the picture is, and where north is. */
+/** The scale bar for the middle of the picture, and the north arrow. */
 function ScaleBar() {
   const { t } = useTranslation();
   const tools = useMapTools();
@@ -121,7 +121,7 @@ function ScaleBar() {
   );
 }
 
-/** The longest bar of a round length in the person's unit; none where the scale is not known. */
+/** The longest bar of a round length in the user's unit; null if the scale is unknown. */
 function barOf(metresPerPixel: number | null, unit: Unit): { width_px: number; length: number | null } {
   if (metresPerPixel === null || !(metresPerPixel > 0)) {
     return { width_px: 0, length: null };

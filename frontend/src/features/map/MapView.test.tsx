@@ -22,7 +22,7 @@ function open(): void {
 
 type Control = HTMLButtonElement | HTMLInputElement | HTMLSelectElement;
 
-/** By tag and name at once: a search by role weighs every element of this long panel, for seconds. */
+/** By tag and name: a search by role through this long panel takes seconds. */
 function control(tag: string, name: string): Control | undefined {
   return [...document.querySelectorAll<Control>(tag)].find(({ ariaLabel, labels, textContent }) =>
     (ariaLabel ?? labels?.[0]?.textContent ?? textContent).startsWith(name),

@@ -19,7 +19,7 @@ import { GlobeContext } from "./useGlobe";
 import { useKeptGlobe } from "./useKeptGlobe";
 import "./map.css";
 
-/** "Mapa 3D": the globe with the flight, or the flat map in its place, and beside it what belongs to both. */
+/** "Mapa 3D": the globe with the flight, or the flat map instead, and the panel for both. */
 export function MapView() {
   const { t } = useTranslation();
   const host = useRef<HTMLDivElement>(null);

@@ -24,7 +24,7 @@ const CONTROL = "map.online";
 
 type Source = OnlineChoice["sources"][number];
 
-/** Maps of the internet: off until a person has read what that means and switched them on. */
+/** Online maps: off until the user has read what that means and switched them on. */
 export function OnlineSection() {
   const { t } = useTranslation();
   const online = useMapLayers((known) => known.online);

@@ -44,7 +44,7 @@ function newest(method: string, path: RegExp): Asked {
   return asked;
 }
 
-/** By its name alone: a search by role weighs every element of the panel, for seconds. */
+/** Only by its name: a search by role through this panel takes seconds. */
 function button(name: string | RegExp): HTMLElement {
   const found = [...document.querySelectorAll("button")].filter(({ ariaLabel, textContent }) => {
     const known = ariaLabel ?? textContent;

@@ -1,6 +1,6 @@
 import { useCallback, useState } from "react";
 import { useTranslation } from "react-i18next";
-import type { Whose } from "../../lib/mapThing";
+import { AIRCRAFT, type Aircraft } from "../../lib/aircraft";
 import { legsOf } from "../../lib/plan";
 import { useIssueText } from "../../missions/useIssueText";
 import { useUnit } from "../../readouts/useUnit";
@@ -18,8 +18,6 @@ import { WaypointEditor } from "./plan/WaypointEditor";
 import { useMapThing } from "./useMapThing";
 import "./plan/map-plan.css";
 
-const WHOSE = ["flight", "hil"] as const;
-
 /** The flight plans on the globe: what the board has, what is edited here, and the waypoint that is chosen. */
 export function PlanSection() {
   const { t } = useTranslation();
@@ -30,13 +28,15 @@ export function PlanSection() {
     flight: useSettings(({ choices }) => choices["map.plan.flight"] !== "off"),
     hil: useSettings(({ choices }) => choices["map.plan.hil"] !== "off"),
   };
-  const chosen = useSettings(({ choices }) => WHOSE.find((whose) => whose === choices["map.plan.open"]));
+  const chosen = useSettings(({ choices }) =>
+    AIRCRAFT.find((aircraft) => aircraft === choices["map.plan.open"]),
+  );
   const thing = useMapThing();
   const [held, setHeld] = useState<HeldWaypoint | null>(null);
   const onHold = useCallback((now: HeldWaypoint | null) => setHeld(now), []);
   usePlanScene(plans, isShown, onHold);
 
-  // What is pressed on the globe is what the panel is about; without a choice, the plan that is there.
+  // The panel follows what is clicked on the map; without a choice it shows the plan that exists.
   const open =
     thing?.kind === "waypoint"
       ? thing.plan
@@ -50,9 +50,9 @@ export function PlanSection() {
       <SegmentedSwitch
         label={t("map.plan.which")}
         hideLabel
-        options={WHOSE.map((value) => ({
+        options={AIRCRAFT.map((value) => ({
           value,
-          label: value === "flight" ? t("map.plan.real") : t("map.plan.hil"),
+          label: t(`map.plan.${value}`),
         }))}
         value={open}
         onChange={(next) => {
@@ -66,11 +66,11 @@ export function PlanSection() {
         onChange={(isOn) => choose(settings, `map.plan.${open}`, isOn ? "on" : "off")}
       />
       <PlanState plan={plan} />
-      <PlanTransfer whose={open} plan={plan} row={row} />
-      <WaypointChoice whose={open} plan={plan} row={row} />
+      <PlanTransfer aircraft={open} plan={plan} row={row} />
+      <WaypointChoice aircraft={open} plan={plan} row={row} />
       {row !== null && (
         <WaypointEditor
-          whose={open}
+          aircraft={open}
           waypoints={plan.waypoints}
           row={row}
           held={held?.plan === open && held.row === row ? held.to : null}
@@ -84,7 +84,7 @@ export function PlanSection() {
   );
 }
 
-/** Whether the board has what is shown, where it flies to, and what it does at the end. */
+/** Whether the board has the shown plan, where it flies to, and what it does at the end. */
 function PlanState({ plan }: { plan: MapPlan }) {
   const { t } = useTranslation();
   const distance = useUnit("distance");
@@ -109,7 +109,7 @@ function PlanState({ plan }: { plan: MapPlan }) {
   );
 }
 
-function WaypointChoice({ whose, plan, row }: { whose: Whose; plan: MapPlan; row: number | null }) {
+function WaypointChoice({ aircraft, plan, row }: { aircraft: Aircraft; plan: MapPlan; row: number | null }) {
   const { t } = useTranslation();
   const mapSelection = usePart(MAP_SELECTION);
   const altitude = useUnit("altitude");
@@ -118,7 +118,9 @@ function WaypointChoice({ whose, plan, row }: { whose: Whose; plan: MapPlan; row
       label={t("map.plan.waypoint")}
       placeholder={t("map.plan.waypointNone")}
       value={row === null ? null : String(row)}
-      onChange={(value) => selectThing(mapSelection, { kind: "waypoint", plan: whose, row: Number(value) })}
+      onChange={(value) =>
+        selectThing(mapSelection, { kind: "waypoint", plan: aircraft, row: Number(value) })
+      }
       options={plan.waypoints.map(({ altitude_ft }, index) => ({
         value: String(index),
         label: `${index + 1} · ${altitude.format(altitude_ft) ?? t("words.dash")} ${altitude.label}`,

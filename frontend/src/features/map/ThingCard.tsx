@@ -1,14 +1,18 @@
+import type { ParseKeys } from "i18next";
 import { X } from "lucide-react";
 import { type ReactNode, useCallback, useEffect, useId, useRef } from "react";
 import { useTranslation } from "react-i18next";
+import type { Aircraft } from "../../lib/aircraft";
 import { formatHeading } from "../../lib/format";
 import { bearing_deg, distance_m, type Position } from "../../lib/geodesy";
-import type { MapThing, Whose } from "../../lib/mapThing";
+import type { MapThing } from "../../lib/mapThing";
 import { captureRadius_m, unsentOf } from "../../lib/plan";
-import { coordinate, heading, tenths, whole } from "../../readouts/formats";
-import { LiveReadout } from "../../readouts/LiveReadout";
+import { coordinate, heading } from "../../readouts/formats";
+import type { ReadoutRow, ReadoutRows } from "../../readouts/LiveReadout";
+import { ANGLE, COORDINATE, COUNT, HEADING } from "../../readouts/notations";
+import { ReadoutTable } from "../../readouts/ReadoutTable";
 import { LiveBadge } from "../../readouts/StreamPanel";
-import { useUnit } from "../../readouts/useUnit";
+import { type Unit, useUnit } from "../../readouts/useUnit";
 import { usePart } from "../../store/hooks";
 import type { TelemetryStore } from "../../store/telemetry";
 import { usePaint } from "../../store/usePaint";
@@ -21,7 +25,7 @@ import { useMapPlan } from "./plan/useMapPlan";
 import { useMapThing } from "./useMapThing";
 import "./plan/card.css";
 
-/** The values of what is chosen on the map, over its corner. Escape closes it. */
+/** A card with the values of what is selected on the map. Escape closes it. */
 export function ThingCard() {
   const thing = useMapThing();
   return thing === null ? null : <Card thing={thing} />;
@@ -34,7 +38,7 @@ function Card({ thing }: { thing: MapThing }) {
   const close = useCallback(() => selectThing(mapSelection, null), [mapSelection]);
   useEffect(() => {
     const press = (event: KeyboardEvent): void => {
-      // One that something else has taken, an edit or a window, is not for the card.
+      // Not for the card: an edit or a dialog has handled the key.
       if (
         event.key === "Escape" &&
         !event.defaultPrevented &&
@@ -78,150 +82,64 @@ function Values({ thing }: { thing: MapThing }): ReactNode {
     case "home":
       return <HomeValues />;
     case "aircraft":
-      return thing.plan === "flight" ? <FlightValues /> : <HilValues />;
+      return <AircraftValues aircraft={thing.plan} />;
     case "waypoint":
       return <WaypointValues plan={thing.plan} row={thing.row} />;
   }
 }
 
-function FlightValues() {
-  const { t } = useTranslation();
-  return (
+const PITCH_ROLL: ReadonlyArray<ReadoutRow<"pitch_deg" | "roll_deg">> = [
+  { field: "pitch_deg", label: "map.plan.pitch", as: ANGLE },
+  { field: "roll_deg", label: "map.plan.roll", as: ANGLE },
+];
+
+const FLIGHT_PLACE: ReadoutRows = {
+  topic: "gps",
+  rows: [
+    { field: "latitude_deg", label: "plans.latitude", as: COORDINATE, chars: 10 },
+    { field: "longitude_deg", label: "plans.longitude", as: COORDINATE, chars: 10 },
+    { field: "altitude_m", label: "plans.altitude", as: "altitude" },
+    { field: "speed_kt", label: "plans.speed", as: "speed" },
+    { field: "heading_deg", label: "map.plan.course", as: HEADING },
+    { field: "satellites", label: "map.plan.satellites", as: COUNT },
+  ],
+};
+
+const FLIGHT_ATTITUDE: ReadoutRows = {
+  topic: "ahrs",
+  rows: [{ field: "yaw_deg", label: "map.plan.heading", as: HEADING }, ...PITCH_ROLL],
+};
+
+const HIL_PLACE: ReadoutRows = {
+  topic: "simulator",
+  rows: [
+    { field: "latitude_deg", label: "plans.latitude", as: COORDINATE, chars: 10 },
+    { field: "longitude_deg", label: "plans.longitude", as: COORDINATE, chars: 10 },
+    { field: "altitude_msl_ft", label: "plans.altitude", as: "altitude" },
+    { field: "indicated_airspeed_kt", label: "plans.speed", as: "speed" },
+    { field: "horizontal_path_deg", label: "map.plan.course", as: HEADING },
+    { field: "vvi_ft_min", label: "map.plan.climb", as: "verticalSpeed" },
+  ],
+};
+
+const HIL_ATTITUDE: ReadoutRows = {
+  topic: "simulator",
+  rows: [{ field: "true_heading_deg", label: "map.plan.heading", as: HEADING }, ...PITCH_ROLL],
+};
+
+function AircraftValues({ aircraft }: { aircraft: Aircraft }) {
+  return aircraft === "flight" ? (
     <>
       <LiveBadge topic="gps" />
-      <ReadoutGrid columns={1}>
-        <LiveReadout
-          topic="gps"
-          field="latitude_deg"
-          format={coordinate}
-          label={t("plans.latitude")}
-          unit={t("unit.deg")}
-          chars={10}
-        />
-        <LiveReadout
-          topic="gps"
-          field="longitude_deg"
-          format={coordinate}
-          label={t("plans.longitude")}
-          unit={t("unit.deg")}
-          chars={10}
-        />
-        <LiveReadout topic="gps" field="altitude_m" quantity="altitude" label={t("plans.altitude")} />
-        <LiveReadout topic="gps" field="speed_kt" quantity="speed" label={t("plans.speed")} />
-        <LiveReadout
-          topic="gps"
-          field="heading_deg"
-          format={heading}
-          label={t("map.plan.course")}
-          unit={t("unit.deg")}
-        />
-        <LiveReadout topic="gps" field="satellites" format={whole} label={t("map.plan.satellites")} />
-      </ReadoutGrid>
+      <ReadoutTable {...FLIGHT_PLACE} />
       <LiveBadge topic="ahrs" />
-      <ReadoutGrid columns={1}>
-        <LiveReadout
-          topic="ahrs"
-          field="yaw_deg"
-          format={heading}
-          label={t("map.plan.heading")}
-          unit={t("unit.deg")}
-          chars={5}
-        />
-        <LiveReadout
-          topic="ahrs"
-          field="pitch_deg"
-          format={tenths}
-          label={t("map.plan.pitch")}
-          unit={t("unit.deg")}
-          chars={5}
-        />
-        <LiveReadout
-          topic="ahrs"
-          field="roll_deg"
-          format={tenths}
-          label={t("map.plan.roll")}
-          unit={t("unit.deg")}
-          chars={5}
-        />
-      </ReadoutGrid>
+      <ReadoutTable {...FLIGHT_ATTITUDE} chars={5} />
     </>
-  );
-}
-
-function HilValues() {
-  const { t } = useTranslation();
-  return (
+  ) : (
     <>
       <LiveBadge topic="simulator" />
-      <ReadoutGrid columns={1}>
-        <LiveReadout
-          topic="simulator"
-          field="latitude_deg"
-          format={coordinate}
-          label={t("plans.latitude")}
-          unit={t("unit.deg")}
-          chars={10}
-        />
-        <LiveReadout
-          topic="simulator"
-          field="longitude_deg"
-          format={coordinate}
-          label={t("plans.longitude")}
-          unit={t("unit.deg")}
-          chars={10}
-        />
-        <LiveReadout
-          topic="simulator"
-          field="altitude_msl_ft"
-          quantity="altitude"
-          label={t("plans.altitude")}
-        />
-        <LiveReadout
-          topic="simulator"
-          field="indicated_airspeed_kt"
-          quantity="speed"
-          label={t("plans.speed")}
-        />
-        <LiveReadout
-          topic="simulator"
-          field="horizontal_path_deg"
-          format={heading}
-          label={t("map.plan.course")}
-          unit={t("unit.deg")}
-        />
-        <LiveReadout
-          topic="simulator"
-          field="vvi_ft_min"
-          quantity="verticalSpeed"
-          label={t("map.plan.climb")}
-        />
-      </ReadoutGrid>
-      <ReadoutGrid columns={1}>
-        <LiveReadout
-          topic="simulator"
-          field="true_heading_deg"
-          format={heading}
-          label={t("map.plan.heading")}
-          unit={t("unit.deg")}
-          chars={5}
-        />
-        <LiveReadout
-          topic="simulator"
-          field="pitch_deg"
-          format={tenths}
-          label={t("map.plan.pitch")}
-          unit={t("unit.deg")}
-          chars={5}
-        />
-        <LiveReadout
-          topic="simulator"
-          field="roll_deg"
-          format={tenths}
-          label={t("map.plan.roll")}
-          unit={t("unit.deg")}
-          chars={5}
-        />
-      </ReadoutGrid>
+      <ReadoutTable {...HIL_PLACE} />
+      <ReadoutTable {...HIL_ATTITUDE} chars={5} />
     </>
   );
 }
@@ -237,17 +155,14 @@ function HomeValues() {
   return (
     <>
       <p className="map-card-note">{source}</p>
-      <dl className="map-card-facts">
-        <Fact label={t("plans.latitude")} text={`${coordinate(home.latitude_deg)}${t("unit.deg")}`} />
-        <Fact label={t("plans.longitude")} text={`${coordinate(home.longitude_deg)}${t("unit.deg")}`} />
-      </dl>
-      <FromAircraft whose="flight" to={home} />
-      <FromAircraft whose="hil" to={home} />
+      <Facts place={home} />
+      <FromAircraft aircraft="flight" to={home} />
+      <FromAircraft aircraft="hil" to={home} />
     </>
   );
 }
 
-function WaypointValues({ plan, row }: { plan: Whose; row: number }) {
+function WaypointValues({ plan, row }: { plan: Aircraft; row: number }) {
   const { t } = useTranslation();
   const altitude = useUnit("altitude");
   const speed = useUnit("speed");
@@ -257,8 +172,21 @@ function WaypointValues({ plan, row }: { plan: Whose; row: number }) {
   if (waypoint === undefined) {
     return <p className="map-card-note">{t("map.plan.gone")}</p>;
   }
+  const written = (value: number, unit: Unit): string => `${unit.format(value)} ${unit.label}`;
   const isUnsent = unsentOf(waypoints, onBoard)[row] === true;
   const next = waypoints[row + 1];
+  const facts: Fact[] = [
+    ["plans.altitude", written(waypoint.altitude_ft, altitude)],
+    ["plans.speed", written(waypoint.speed_kt, speed)],
+    ["map.plan.capture", written(captureRadius_m(waypoint.speed_kt), distance)],
+  ];
+  if (next !== undefined) {
+    const bearing = formatHeading(bearing_deg(waypoint, next), 0) ?? t("words.dash");
+    facts.push([
+      "plans.toNext",
+      `${written(distance_m(waypoint, next), distance)} · ${bearing}${t("unit.deg")}`,
+    ]);
+  }
   return (
     <>
       <p className="map-card-note" data-unsent={isUnsent}>
@@ -270,32 +198,36 @@ function WaypointValues({ plan, row }: { plan: Whose; row: number }) {
             ? t("map.plan.flown")
             : t("map.plan.sent")}
       </p>
-      <dl className="map-card-facts">
-        <Fact label={t("plans.latitude")} text={`${coordinate(waypoint.latitude_deg)}${t("unit.deg")}`} />
-        <Fact label={t("plans.longitude")} text={`${coordinate(waypoint.longitude_deg)}${t("unit.deg")}`} />
-        <Fact
-          label={t("plans.altitude")}
-          text={`${altitude.format(waypoint.altitude_ft)} ${altitude.label}`}
-        />
-        <Fact label={t("plans.speed")} text={`${speed.format(waypoint.speed_kt)} ${speed.label}`} />
-        <Fact
-          label={t("map.plan.capture")}
-          text={`${distance.format(captureRadius_m(waypoint.speed_kt))} ${distance.label}`}
-        />
-        {next !== undefined && (
-          <Fact
-            label={t("plans.toNext")}
-            text={`${distance.format(distance_m(waypoint, next))} ${distance.label} · ${formatHeading(bearing_deg(waypoint, next), 0) ?? t("words.dash")}${t("unit.deg")}`}
-          />
-        )}
-      </dl>
-      <FromAircraft whose={plan} to={waypoint} />
+      <Facts place={waypoint} more={facts} />
+      <FromAircraft aircraft={plan} to={waypoint} />
     </>
   );
 }
 
-/** How far, and in which direction, the place is from an aircraft: as live as the aircraft's own place. */
-function FromAircraft({ whose, to }: { whose: Whose; to: Position }) {
+type Fact = readonly [label: ParseKeys, text: string];
+
+/** Position and other facts that come from no stream. */
+function Facts({ place, more = [] }: { place: Position; more?: readonly Fact[] }) {
+  const { t } = useTranslation();
+  const facts: readonly Fact[] = [
+    ["plans.latitude", `${coordinate(place.latitude_deg)}${t("unit.deg")}`],
+    ["plans.longitude", `${coordinate(place.longitude_deg)}${t("unit.deg")}`],
+    ...more,
+  ];
+  return (
+    <dl className="map-card-facts">
+      {facts.map(([label, text]) => (
+        <div key={label}>
+          <dt>{t(label)}</dt>
+          <dd>{text}</dd>
+        </div>
+      ))}
+    </dl>
+  );
+}
+
+/** Distance and bearing of the place from an aircraft; stale when the aircraft's position is. */
+function FromAircraft({ aircraft, to }: { aircraft: Aircraft; to: Position }) {
   const { t } = useTranslation();
   const unit = useUnit("distance");
   const away = useRef<ReadoutHandle>(null);
@@ -303,29 +235,20 @@ function FromAircraft({ whose, to }: { whose: Whose; to: Position }) {
   const { latitude_deg, longitude_deg } = to;
   const paint = useCallback(
     (telemetry: TelemetryStore, now_ms: number) => {
-      const from = aircraftPlace(telemetry, whose);
+      const from = aircraftPlace(telemetry, aircraft);
       const place = { latitude_deg, longitude_deg };
-      const state = telemetry.state(PLACE_TOPIC[whose], now_ms);
+      const state = telemetry.state(PLACE_TOPIC[aircraft], now_ms);
       away.current?.paint(from === null ? null : unit.format(distance_m(from, place)), state);
       bearing.current?.paint(from === null ? null : heading(bearing_deg(from, place)), state);
     },
-    [whose, latitude_deg, longitude_deg, unit],
+    [aircraft, latitude_deg, longitude_deg, unit],
   );
   usePaint("text", paint);
-  const name = whose === "flight" ? t("map.plan.fromFlight") : t("map.plan.fromHil");
+  const name = aircraft === "flight" ? t("map.plan.fromFlight") : t("map.plan.fromHil");
   return (
     <ReadoutGrid columns={1}>
       <Readout ref={away} label={name} unit={unit.label} />
       <Readout ref={bearing} label={t("plans.bearing")} unit={t("unit.deg")} />
     </ReadoutGrid>
-  );
-}
-
-function Fact({ label, text }: { label: string; text: string }) {
-  return (
-    <div>
-      <dt>{label}</dt>
-      <dd>{text}</dd>
-    </div>
   );
 }

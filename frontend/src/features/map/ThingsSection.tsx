@@ -8,7 +8,7 @@ import { MAP_SELECTION, selectThing } from "./mapSelection";
 import { PLACE_TOPIC } from "./plan/aircraftPlace";
 import { useMapThing } from "./useMapThing";
 
-/** What can be pressed on the globe, for those who do not press there. Waypoints are chosen with their plan. */
+/** Buttons for what can be clicked on the map, for keyboard users. Waypoints are selected with their plan. */
 export function ThingsSection() {
   const { t } = useTranslation();
   const mapSelection = usePart(MAP_SELECTION);

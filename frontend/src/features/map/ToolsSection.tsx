@@ -17,7 +17,7 @@ interface Leg {
   readonly total_m: number;
 }
 
-/** The ways from each place to the next, with the sum so far. */
+/** The legs from each point to the next, with the sum so far. */
 export function measuredLegs(places: readonly GroundPlace[]): readonly Leg[] {
   let total_m = 0;
   return places.slice(1).map((to, index) => {
@@ -28,7 +28,7 @@ export function measuredLegs(places: readonly GroundPlace[]): readonly Leg[] {
   });
 }
 
-/** The distance tool: places that are pressed on the map, or taken from its middle, and the ways between them. */
+/** The distance tool: points clicked on the map or taken from its middle, and the distances between them. */
 export function ToolsSection() {
   const { t } = useTranslation();
   const onGlobe = useMapTools();

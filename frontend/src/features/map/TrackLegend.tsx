@@ -5,7 +5,7 @@ import type { TrackChoices } from "./useTrackLook";
 
 type Valued = Exclude<Colouring, "none">;
 
-/** What the colours of the tracks stand for. */
+/** The legend of the tracks' colours. */
 export function TrackLegend({ colouring, shown, unit }: TrackChoices) {
   const { t } = useTranslation();
   if (colouring === "none") {

@@ -1,10 +1,10 @@
 import { useEffect } from "react";
 import { useTranslation } from "react-i18next";
 import { useSentence } from "../../i18n/useSentence";
+import { AIRCRAFT, type Aircraft } from "../../lib/aircraft";
 import { formatAge } from "../../lib/format";
 import { formatClock } from "../../lib/moment";
 import { COLOURINGS, type Colouring } from "../../lib/track/trackColours";
-import { TRACKS, type TrackName } from "../../protocol/track";
 import { usePage, usePart } from "../../store/hooks";
 import { choose } from "../../store/settings";
 import { Checkbox } from "../../ui/Checkbox";
@@ -21,7 +21,7 @@ import { useTrackLook } from "./useTrackLook";
 import { useTracks } from "./useTracks";
 import "./track.css";
 
-/** What was flown: how it is drawn, how much there is of it, and what can be done with it. */
+/** The tracks: how they are drawn, how many points they have, and their commands. */
 export function TrackSection() {
   const { t } = useTranslation();
   const sentence = useSentence();
@@ -42,7 +42,7 @@ export function TrackSection() {
   return (
     <Panel title={t("map.track.title")}>
       <div className="map-track-rows">
-        {TRACKS.map((name) => (
+        {AIRCRAFT.map((name) => (
           <TrackRow key={name} name={name} isShown={look.isShown[name]} />
         ))}
       </div>
@@ -68,7 +68,7 @@ export function TrackSection() {
 }
 
 /** One track: whether it is drawn, its points, and from when to when they were flown. */
-function TrackRow({ name, isShown }: { name: TrackName; isShown: boolean }) {
+function TrackRow({ name, isShown }: { name: Aircraft; isShown: boolean }) {
   const { t } = useTranslation();
   const { settings } = usePage();
   const { count, total, first_s, last_s } = useTracks((tracks) => tracks.summary[name]);
@@ -85,7 +85,7 @@ function TrackRow({ name, isShown }: { name: TrackName; isShown: boolean }) {
   return (
     <div className="map-track-row">
       <Checkbox
-        label={name === "real" ? t("map.track.real") : t("map.track.hil")}
+        label={t(`map.track.${name}`)}
         checked={isShown}
         onChange={(isOn) => choose(settings, `map.track.${name}`, isOn ? "on" : "off")}
       />

@@ -10,16 +10,16 @@ import { useTracks } from "./useTracks";
 
 const RESET = "map.track.reset";
 const RESTORE = "map.track.restore";
-/** The formats in which the gateway gives the tracks; their names are the same in every language. */
+/** Export formats of the tracks; their names are the same in every language. */
 const FILES = ["kml", "kmz", "gpx", "czml"] as const;
 
-/** Clears the drawn tracks and brings them back, and hands them over to other programs. */
+/** Buttons to clear, restore and export the tracks. */
 export function TrackTools() {
   const { t, i18n } = useTranslation();
   const trackEdits = usePart(TRACK_EDITS);
   const [isAsking, setAsking] = useState(false);
   const canRestore = useTracks((tracks) => tracks.canRestore);
-  const points = useTracks(({ summary }) => summary.real.count + summary.hil.count);
+  const points = useTracks(({ summary }) => summary.flight.count + summary.hil.count);
   const blocked = useGatewayBlocked();
   const reset = useAsked(RESET);
   const restore = useAsked(RESTORE);

@@ -1,6 +1,6 @@
+import type { Aircraft } from "../../lib/aircraft";
 import { attitudeOf, between, type FullAttitude, type Quaternion, quaternionOf } from "../../lib/attitude";
 import { formatAge } from "../../lib/format";
-import type { Whose } from "../../lib/mapThing";
 import type { NumberField, TopicName } from "../../protocol/topics";
 import type { AircraftSeen, AllSeen } from "../../scene/aircraft/AircraftLayer";
 import type { Place } from "../../scene/aircraft/pose";
@@ -8,40 +8,40 @@ import type { TelemetryStore } from "../../store/telemetry";
 import { aircraftPlace, PLACE_TOPIC } from "./plan/aircraftPlace";
 import { Playout } from "./playout";
 
-/** The topic that tells how an aircraft lies, and its field of the heading. */
+/** The topic with an aircraft's attitude, and its heading field. */
 const ATTITUDE = {
   flight: { topic: "ahrs", yaw: "yaw_deg" },
   hil: { topic: "simulator", yaw: "true_heading_deg" },
 } as const;
 
-/** Why an aircraft is not drawn, or how it is. */
+/** Whether an aircraft is drawn live or stale, or why it is not drawn. */
 export type Showing = "live" | "stale" | "noPosition" | "notHeard" | "noAttitude";
 
-export function showing(telemetry: TelemetryStore, whose: Whose, now_ms: number): Showing {
-  const position = telemetry.state(PLACE_TOPIC[whose], now_ms);
+export function showing(telemetry: TelemetryStore, aircraft: Aircraft, now_ms: number): Showing {
+  const position = telemetry.state(PLACE_TOPIC[aircraft], now_ms);
   if (position === "none") {
     return "notHeard";
   }
-  if (placeOf(telemetry, whose) === null) {
+  if (placeOf(telemetry, aircraft) === null) {
     return "noPosition";
   }
-  if (attitudeNow(telemetry, whose) === null) {
+  if (attitudeNow(telemetry, aircraft) === null) {
     return "noAttitude";
   }
-  const isLive = position === "live" && telemetry.state(ATTITUDE[whose].topic, now_ms) === "live";
+  const isLive = position === "live" && telemetry.state(ATTITUDE[aircraft].topic, now_ms) === "live";
   return isLive ? "live" : "stale";
 }
 
-/** Where an aircraft was heard last; null where its receiver says that it does not know. */
-function placeOf(telemetry: TelemetryStore, whose: Whose): Place | null {
-  return whose === "flight" && telemetry.newestFlag("gps", "valid") === false
+/** An aircraft's last known position; null if its receiver marks it invalid. */
+function placeOf(telemetry: TelemetryStore, aircraft: Aircraft): Place | null {
+  return aircraft === "flight" && telemetry.newestFlag("gps", "valid") === false
     ? null
-    : aircraftPlace(telemetry, whose);
+    : aircraftPlace(telemetry, aircraft);
 }
 
-function attitudeNow(telemetry: TelemetryStore, whose: Whose): FullAttitude | null {
+function attitudeNow(telemetry: TelemetryStore, aircraft: Aircraft): FullAttitude | null {
   const [yaw_deg, pitch_deg, roll_deg] =
-    whose === "flight"
+    aircraft === "flight"
       ? numbers(telemetry, "ahrs", ["yaw_deg", "pitch_deg", "roll_deg"])
       : numbers(telemetry, "simulator", ["true_heading_deg", "pitch_deg", "roll_deg"]);
   return yaw_deg == null || pitch_deg == null || roll_deg == null ? null : { yaw_deg, pitch_deg, roll_deg };
@@ -55,42 +55,42 @@ function numbers<T extends TopicName>(
   return fields.map((field) => telemetry.newestNumber(topic, field));
 }
 
-/** Both aircraft as they are shown: between the samples of their streams, behind by one of them. */
+/** Both aircraft as they are drawn: interpolated between samples, one sample behind. */
 export class AircraftMotion {
-  readonly #places: Readonly<Record<Whose, Playout<Place>>> = {
+  readonly #places: Readonly<Record<Aircraft, Playout<Place>>> = {
     flight: new Playout(placeBetween),
     hil: new Playout(placeBetween),
   };
-  readonly #turns: Readonly<Record<Whose, Playout<Quaternion>>> = {
+  readonly #turns: Readonly<Record<Aircraft, Playout<Quaternion>>> = {
     flight: new Playout(between),
     hil: new Playout(between),
   };
 
-  /** Take what is new: often enough to miss no sample. */
+  /** Take new samples: called often enough to miss none. */
   take(telemetry: TelemetryStore, now_ms: number): void {
-    for (const whose of ["flight", "hil"] as const) {
-      push(this.#places[whose], telemetry, PLACE_TOPIC[whose], placeOf(telemetry, whose), now_ms);
-      const attitude = attitudeNow(telemetry, whose);
+    for (const aircraft of ["flight", "hil"] as const) {
+      push(this.#places[aircraft], telemetry, PLACE_TOPIC[aircraft], placeOf(telemetry, aircraft), now_ms);
+      const attitude = attitudeNow(telemetry, aircraft);
       const turn = attitude === null ? null : quaternionOf(attitude);
-      push(this.#turns[whose], telemetry, ATTITUDE[whose].topic, turn, now_ms);
+      push(this.#turns[aircraft], telemetry, ATTITUDE[aircraft].topic, turn, now_ms);
     }
   }
 
-  seen(telemetry: TelemetryStore, names: Readonly<Record<Whose, string>>, now_ms: number): AllSeen {
+  seen(telemetry: TelemetryStore, names: Readonly<Record<Aircraft, string>>, now_ms: number): AllSeen {
     return {
       flight: this.#seen(telemetry, "flight", names.flight, now_ms),
       hil: this.#seen(telemetry, "hil", names.hil, now_ms),
     };
   }
 
-  #seen(telemetry: TelemetryStore, whose: Whose, name: string, now_ms: number): AircraftSeen | null {
-    const how = showing(telemetry, whose, now_ms);
-    const place = at(this.#places[whose], telemetry, PLACE_TOPIC[whose], now_ms);
+  #seen(telemetry: TelemetryStore, aircraft: Aircraft, name: string, now_ms: number): AircraftSeen | null {
+    const how = showing(telemetry, aircraft, now_ms);
+    const place = at(this.#places[aircraft], telemetry, PLACE_TOPIC[aircraft], now_ms);
     if (place === null || how === "notHeard" || how === "noPosition") {
       return null;
     }
-    const turn = at(this.#turns[whose], telemetry, ATTITUDE[whose].topic, now_ms);
-    const ages = [PLACE_TOPIC[whose], ATTITUDE[whose].topic].map(
+    const turn = at(this.#turns[aircraft], telemetry, ATTITUDE[aircraft].topic, now_ms);
+    const ages = [PLACE_TOPIC[aircraft], ATTITUDE[aircraft].topic].map(
       (topic) => telemetry.age_s(topic, now_ms) ?? 0,
     );
     return {
@@ -110,7 +110,7 @@ function push<T>(
   value: T | null,
   now_ms: number,
 ): void {
-  const sampled_s = telemetry.sampled_s(topic);
+  const sampled_s = telemetry.newestAt_s(topic);
   const age_s = telemetry.age_s(topic, now_ms);
   if (value === null) {
     playout.clear();
@@ -120,7 +120,7 @@ function push<T>(
 }
 
 function at<T>(playout: Playout<T>, telemetry: TelemetryStore, topic: TopicName, now_ms: number) {
-  const sampled_s = telemetry.sampled_s(topic);
+  const sampled_s = telemetry.newestAt_s(topic);
   const age_s = telemetry.age_s(topic, now_ms);
   return sampled_s === null || age_s === null ? null : playout.at(sampled_s + age_s);
 }

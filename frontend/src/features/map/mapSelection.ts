@@ -2,7 +2,7 @@ import { createStore, type StoreApi } from "zustand/vanilla";
 import type { MapThing } from "../../lib/mapThing";
 import { partName } from "../../store/parts";
 
-/** What is chosen on the map: its values are shown in a card. */
+/** The selection on the map: its values are shown in a card. */
 export type MapSelectionStore = StoreApi<{ readonly thing: MapThing | null }>;
 
 export const MAP_SELECTION = partName<MapSelectionStore>("map selection");

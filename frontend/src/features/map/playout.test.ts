@@ -5,7 +5,7 @@ function linear(): Playout<number> {
   return new Playout<number>((from, to, share) => from + share * (to - from));
 }
 
-/** What is shown at 60 Hz of a value that grows by one a second, sampled at a rate and heard 40 ms later. */
+/** The values shown at 60 Hz for a value that grows by one a second, sampled at a rate and received 40 ms later. */
 function shownAt(
   rate_hz: number,
   jitter: (index: number) => number = () => 0,

@@ -1,9 +1,9 @@
-/** After so long without a sample the way between is not known: the next one is shown at once. */
+/** After such a gap there is no interpolation: the next sample is shown at once. */
 const LAPSE_S = 2.5;
-/** Behind by no more than this, however rarely samples come. */
+/** Greatest delay, however rarely samples come. */
 const LONGEST_PERIOD_S = 1.5;
 const WEIGHT = 0.15;
-/** As many as may come in one batch while the page is busy. */
+/** Room for the samples that come in one batch while the page is busy. */
 const KEPT = 32;
 
 interface Timed<T> {
@@ -12,8 +12,8 @@ interface Timed<T> {
 }
 
 /**
- * Values between the samples of a stream. What is shown is as old as a sample is when it arrives and the time between
- * two of them, so that the next one is there before it is needed: smooth at any rate, and behind by one sample.
+ * Interpolates between the samples of a stream. The picture is behind by one sample period and the usual delay of
+ * arrival, so that the next sample is there before it is needed: smooth at any rate.
  */
 export class Playout<T> {
   readonly #between: (from: T, to: T, share: number) => T;
@@ -21,19 +21,19 @@ export class Playout<T> {
   #period_s: number | null = null;
   #way_s: number | null = null;
 
-  /** `between`: the value at a share (0..1) of the way. */
+  /** `between`: the interpolated value at a share (0..1). */
   constructor(between: (from: T, to: T, share: number) => T) {
     this.#between = between;
   }
 
-  /** A sample measured at `t_s`, known here since `now_s` of the same clock. One that was there already is ignored. */
+  /** A sample measured at `t_s`, received at `now_s` of the same clock. A repeated one is ignored. */
   push(t_s: number, value: T, now_s: number): void {
     const newest = this.#samples.at(-1);
     if (newest !== undefined && t_s <= newest.t_s) {
       if (t_s > newest.t_s - LAPSE_S) {
         return;
       }
-      // The clock was set back: another stream.
+      // The clock went back: this is another stream.
       this.clear();
     }
     const since_s = newest === undefined ? null : t_s - newest.t_s;
@@ -57,7 +57,7 @@ export class Playout<T> {
     this.#way_s = null;
   }
 
-  /** What is shown at `now_s`, and when it was so; null before the first sample. */
+  /** The value to show at `now_s` and its time; null before the first sample. */
   at(now_s: number): Timed<T> | null {
     const newest = this.#samples.at(-1);
     if (newest === undefined) {

@@ -1,7 +1,7 @@
 import { type Asker, type AskingParts, createAsking, info } from "../../requests/asking";
 import { partName } from "../../store/parts";
 
-/** Clears the flown tracks and brings them back, for every browser; none throws. */
+/** Clears and restores the tracks, for every browser; none throws. */
 export interface TrackEdits {
   readonly reset: (asker: Asker) => Promise<void>;
   readonly restore: (asker: Asker) => Promise<void>;

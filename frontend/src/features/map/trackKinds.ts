@@ -1,5 +1,5 @@
-import type { TrackName } from "../../protocol/track";
-import { AIRCRAFT } from "../../scene/colours";
+import type { Aircraft } from "../../lib/aircraft";
+import { AIRCRAFT_COLOURS } from "../../scene/colours";
 
 interface Kind {
   readonly plain: string;
@@ -8,10 +8,10 @@ interface Kind {
 }
 
 /**
- * A track has its aircraft's colour. The edges tell the two apart when values colour them; where they lie over each
- * other, the real one is seen.
+ * A track has its aircraft's colour. When values colour the tracks, their edges tell them apart. Where they overlap,
+ * the real one is on top.
  */
-export const TRACK_KINDS: Readonly<Record<TrackName, Kind>> = {
-  real: { plain: AIRCRAFT.flight, casing: "#12100a", rank: 1 },
-  hil: { plain: AIRCRAFT.hil, casing: "#ffffff", rank: 0 },
+export const TRACK_KINDS: Readonly<Record<Aircraft, Kind>> = {
+  flight: { plain: AIRCRAFT_COLOURS.flight, casing: "#12100a", rank: 1 },
+  hil: { plain: AIRCRAFT_COLOURS.hil, casing: "#ffffff", rank: 0 },
 };

@@ -1,36 +1,37 @@
 import { createStore, type StoreApi } from "zustand/vanilla";
+import { AIRCRAFT, type Aircraft } from "../../lib/aircraft";
 import { TrackPoints } from "../../lib/track/trackPoints";
-import { TRACKS, type TrackName, type TrackPiece } from "../../protocol/track";
+import type { TrackPiece } from "../../protocol/track";
 import type { Message } from "../../store/messages";
 import { partName } from "../../store/parts";
 
-/** What is told of one track; its points are in `TrackLog.points`. */
+/** A summary of one track; its points are in `TrackLog.points`. */
 export interface TrackSummary {
   readonly count: number;
   /** Unix seconds of the first and the newest point. */
   readonly first_s: number | null;
   readonly last_s: number | null;
-  /** As many points the gateway has; more than `count` while they come. */
+  /** Points at the gateway; more than `count` while they are being loaded. */
   readonly total: number;
 }
 
 export interface Tracks {
-  readonly summary: Readonly<Record<TrackName, TrackSummary>>;
-  /** A track that was cleared can be brought back; null while nobody has told. */
+  readonly summary: Readonly<Record<Aircraft, TrackSummary>>;
+  /** Whether a cleared track can be restored; null until known. */
   readonly canRestore: boolean | null;
-  /** Why the newest question found no answer. */
+  /** Why the newest request failed; null if it did not. */
   readonly failure: Message | null;
-  /** Answers that were not as agreed, and points that lie nowhere on earth. */
+  /** Number of malformed answers, and of points that lie nowhere on earth. */
   readonly malformed: number;
 }
 
 export type TrackStore = StoreApi<Tracks>;
 
-/** The flown tracks as far as this page knows them. */
+/** The flown tracks as far as this page has loaded them. */
 export interface TrackLog {
   readonly store: TrackStore;
-  readonly points: Readonly<Record<TrackName, TrackPoints>>;
-  /** Asks for what is missing once a second until the returned function is called; any number may watch. */
+  readonly points: Readonly<Record<Aircraft, TrackPoints>>;
+  /** Loads missing points once a second until the returned function is called; any number may watch. */
   readonly watch: () => () => void;
 }
 
@@ -40,17 +41,17 @@ const NONE: TrackSummary = { count: 0, first_s: null, last_s: null, total: 0 };
 
 export function createTracks(): TrackStore {
   return createStore<Tracks>(() => ({
-    summary: { real: NONE, hil: NONE },
+    summary: { flight: NONE, hil: NONE },
     canRestore: null,
     failure: null,
     malformed: 0,
   }));
 }
 
-/** A page that stood still for a while takes this many points at once, a millisecond or two of work. */
+/** Points added without a pause: a millisecond or two of work, so that a page which has to catch up does not freeze. */
 const SLICE = 10_000;
 
-/** One track, which is put together from the gateway's pieces. */
+/** One track, assembled from the gateway's pieces. */
 export class GrowingTrack {
   readonly points = new TrackPoints();
   #epoch: number | null = null;
@@ -58,7 +59,7 @@ export class GrowingTrack {
   #total = 0;
   #malformed = 0;
 
-  /** Which track is known, and how much of it; what the next question says. */
+  /** The version of the known track and the next index: what the next request sends. */
   get known(): { readonly epoch: number | null; readonly next: number } {
     return { epoch: this.#epoch, next: this.#next };
   }
@@ -73,8 +74,9 @@ export class GrowingTrack {
   }
 
   /**
-   * Takes a piece in slices: each step of the returned sequence is one, and others come between. Of a track that has
-   * begun anew nothing stays; a piece that does not follow what is known is left out, and the next is from the start.
+   * Adds a piece in slices: each step of the sequence is one slice, and other work runs between them. A new version
+   * of the track replaces all points; a piece that does not follow the known points is dropped and the track loaded
+   * from the start.
    */
   *take(piece: TrackPiece): Generator<void, void, void> {
     if (piece.epoch !== this.#epoch || piece.first < this.#next || piece.total < this.#next) {
@@ -101,22 +103,22 @@ export class GrowingTrack {
     }
   }
 
-  /** Ask from the start; what is drawn stays until the answer is here. */
+  /** Load again from the start; the drawn points stay until the answer comes. */
   forget(): void {
     this.#epoch = null;
     this.#next = 0;
   }
 }
 
-export function growingTracks(): Readonly<Record<TrackName, GrowingTrack>> {
-  return { real: new GrowingTrack(), hil: new GrowingTrack() };
+export function growingTracks(): Readonly<Record<Aircraft, GrowingTrack>> {
+  return { flight: new GrowingTrack(), hil: new GrowingTrack() };
 }
 
-/** What the tracks are now; a state that says the same is no new one. */
-export function summarise(store: TrackStore, tracks: Readonly<Record<TrackName, GrowingTrack>>): void {
+/** Publish the tracks' summaries, unless nothing has changed. */
+export function summarise(store: TrackStore, tracks: Readonly<Record<Aircraft, GrowingTrack>>): void {
   const before = store.getState().summary;
-  const now = { real: tracks.real.summary, hil: tracks.hil.summary };
-  const isSame = TRACKS.every(
+  const now = { flight: tracks.flight.summary, hil: tracks.hil.summary };
+  const isSame = AIRCRAFT.every(
     (name) =>
       before[name].count === now[name].count &&
       before[name].total === now[name].total &&

@@ -4,7 +4,7 @@ import { packedFlight, trackBytes } from "../../test/trackBytes";
 import { ManualTimers } from "../../test/wire";
 import { createTrackLog } from "./trackRequests";
 
-/** A gateway with a growing track, at the test's command. */
+/** A gateway with a growing track under the test's control. */
 class Gateway {
   readonly asked: string[] = [];
   readonly reported: unknown[] = [];
@@ -26,7 +26,7 @@ class Gateway {
     this.takeTrackEvent = takeTrackEvent;
   }
 
-  /** Let everything happen that needs no time, and then this time pass. */
+  /** Run everything that is due now, then let this time pass. */
   async pass(duration_ms: number): Promise<void> {
     await this.settle();
     this.timers.pass(duration_ms);
@@ -64,7 +64,7 @@ class Gateway {
     );
   }
 
-  /** What was asked of the track of the aircraft in flight. */
+  /** The requests for the track of the aircraft in flight. */
   get askedOfFlight(): string[] {
     return this.asked.filter((path) => path.includes("source=flight"));
   }
@@ -79,7 +79,7 @@ test("nothing is asked while nobody watches; then once a second, and only for wh
   await gateway.settle();
   gateway.points = 150;
   await gateway.pass(1000);
-  expect(gateway.log.store.getState().summary.real).toMatchObject({ count: 150, total: 150 });
+  expect(gateway.log.store.getState().summary.flight).toMatchObject({ count: 150, total: 150 });
   end();
   await gateway.pass(5000);
   expect(gateway.askedOfFlight).toEqual([
@@ -92,12 +92,12 @@ test("two hours come in one piece, in slices between which the page works", asyn
   const gateway = new Gateway();
   gateway.points = 45_000;
   const counts = new Set<number>();
-  gateway.log.store.subscribe(({ summary }) => counts.add(summary.real.count));
+  gateway.log.store.subscribe(({ summary }) => counts.add(summary.flight.count));
   gateway.log.watch();
   await gateway.settle();
   expect(gateway.askedOfFlight).toHaveLength(1);
   expect([...counts]).toEqual([10_000, 20_000, 30_000, 40_000, 45_000]);
-  expect(gateway.log.points.real.count).toBe(45_000);
+  expect(gateway.log.points.flight.count).toBe(45_000);
 });
 
 test("another epoch starts the track over", async () => {
@@ -108,8 +108,8 @@ test("another epoch starts the track over", async () => {
   gateway.epoch = 6;
   gateway.points = 20;
   await gateway.pass(1000);
-  expect(gateway.log.points.real.count).toBe(20);
-  expect(gateway.log.store.getState().summary.real.count).toBe(20);
+  expect(gateway.log.points.flight.count).toBe(20);
+  expect(gateway.log.store.getState().summary.flight.count).toBe(20);
 });
 
 test("an answer that is not as agreed is told and counted, leaves the track, and the next one mends it", async () => {
@@ -123,12 +123,12 @@ test("an answer that is not as agreed is told and counted, leaves the track, and
     malformed: 2,
     failure: { key: "problem.answer_unreadable" },
   });
-  expect(gateway.log.points.real.count).toBe(50);
+  expect(gateway.log.points.flight.count).toBe(50);
   gateway.answer = null;
   gateway.points = 60;
   await gateway.pass(1000);
   expect(gateway.log.store.getState().failure).toBeNull();
-  expect(gateway.log.points.real.count).toBe(60);
+  expect(gateway.log.points.flight.count).toBe(60);
 });
 
 test("a gateway that does not answer is asked again, and says why nothing comes", async () => {
@@ -142,7 +142,7 @@ test("a gateway that does not answer is asked again, and says why nothing comes"
   gateway.answer = null;
   gateway.points = 10;
   await gateway.pass(1000);
-  expect(gateway.log.store.getState()).toMatchObject({ failure: null, summary: { real: { count: 10 } } });
+  expect(gateway.log.store.getState()).toMatchObject({ failure: null, summary: { flight: { count: 10 } } });
 });
 
 test("an exception while a track is taken is told once, and the track goes on growing", async () => {
@@ -150,7 +150,7 @@ test("an exception while a track is taken is told once, and the track goes on gr
   const broken = new Error("broken listener");
   gateway.points = 50;
   const recover = gateway.log.store.subscribe(({ summary }) => {
-    if (summary.real.count > 0) {
+    if (summary.flight.count > 0) {
       throw broken;
     }
   });
@@ -162,11 +162,11 @@ test("an exception while a track is taken is told once, and the track goes on gr
   gateway.points = 70;
   await gateway.pass(1000);
   expect(gateway.reported).toEqual([broken]);
-  expect(gateway.log.points.real.count).toBe(70);
+  expect(gateway.log.points.flight.count).toBe(70);
   recover();
   gateway.points = 80;
   await gateway.pass(1000);
-  expect(gateway.log.store.getState()).toMatchObject({ failure: null, summary: { real: { count: 80 } } });
+  expect(gateway.log.store.getState()).toMatchObject({ failure: null, summary: { flight: { count: 80 } } });
 });
 
 test("points that lie nowhere on earth are counted and left out", async () => {
@@ -183,7 +183,7 @@ test("points that lie nowhere on earth are counted and left out", async () => {
     );
   gateway.log.watch();
   await gateway.settle();
-  expect(gateway.log.store.getState()).toMatchObject({ malformed: 1, summary: { real: { count: 2 } } });
+  expect(gateway.log.store.getState()).toMatchObject({ malformed: 1, summary: { flight: { count: 2 } } });
 });
 
 test("whether a cleared track can be brought back is asked once and then told by the stream", async () => {

@@ -1,8 +1,9 @@
+import { AIRCRAFT, type Aircraft } from "../../lib/aircraft";
 import type { Timers } from "../../lib/timers";
 import { tellTiming } from "../../lib/timing";
 import type { StreamEvent } from "../../protocol/envelope";
 import { isTrackState } from "../../protocol/guards.gen";
-import { readTrackPiece, TRACKS, type TrackName } from "../../protocol/track";
+import { readTrackPiece } from "../../protocol/track";
 import type { Gateway } from "../../requests/asking";
 import { failureMessage } from "../../store/messages";
 import {
@@ -15,9 +16,7 @@ import {
 } from "./trackLog";
 
 const PERIOD_MS = 1000;
-/** The tracks by the words of the gateway. */
-const SOURCE: Readonly<Record<TrackName, string>> = { real: "flight", hil: "hil" };
-/** Two tracks of four hours, also over a slow network. */
+/** Time for two tracks of four hours over a slow network. */
 const PATIENCE_MS = 60_000;
 const UNREADABLE = {
   code: "answer_unreadable",
@@ -28,11 +27,11 @@ const UNREADABLE = {
 export interface TrackParts {
   readonly rest: Gateway;
   readonly timers: Timers;
-  /** Hears of an exception in the page's own code. */
+  /** Receives an exception in the page's own code. */
   readonly report: (error: unknown) => void;
 }
 
-/** The tracks, kept up with the gateway while somebody watches them, and what the stream tells of them. */
+/** Loads the tracks while somebody watches them, and handles the stream's events about them. */
 export function createTrackLog({ rest, timers, report }: TrackParts): {
   readonly trackLog: TrackLog;
   readonly takeTrackEvent: (event: StreamEvent) => void;
@@ -51,13 +50,13 @@ export function createTrackLog({ rest, timers, report }: TrackParts): {
       return;
     }
     isAsking = true;
-    const questions = [...TRACKS.map((name) => () => ask(name, tracks[name])), askState];
+    const questions = [...AIRCRAFT.map((name) => () => ask(name, tracks[name])), askState];
     let hasFailed = false;
     for (const question of questions) {
       try {
         await question();
       } catch (error) {
-        // Whatever went wrong: the other track and the next second are asked for all the same.
+        // The other track, and the next round of requests, do not depend on it.
         if (!(isFailing || hasFailed)) {
           report(error);
         }
@@ -78,10 +77,10 @@ export function createTrackLog({ rest, timers, report }: TrackParts): {
     }
   }
 
-  async function ask(name: TrackName, track: GrowingTrack): Promise<void> {
+  async function ask(name: Aircraft, track: GrowingTrack): Promise<void> {
     const { epoch, next } = track.known;
     const known = epoch === null ? "" : `&epoch=${epoch}&after=${next}`;
-    const answer = await rest.bytes(`/api/v1/track/points?source=${SOURCE[name]}${known}`, PATIENCE_MS);
+    const answer = await rest.bytes(`/api/v1/track/points?source=${name}${known}`, PATIENCE_MS);
     if (!answer.ok) {
       store.setState({ failure: failureMessage(answer.problem) });
       return;
@@ -109,7 +108,7 @@ export function createTrackLog({ rest, timers, report }: TrackParts): {
   return {
     trackLog: {
       store,
-      points: { real: tracks.real.points, hil: tracks.hil.points },
+      points: { flight: tracks.flight.points, hil: tracks.hil.points },
       watch: () => {
         watchers += 1;
         if (watchers === 1 && !isAsking) {

@@ -1,7 +1,7 @@
 import { useCallback, useEffect, useMemo } from "react";
 import { useTranslation } from "react-i18next";
+import { AIRCRAFT, type Aircraft } from "../../lib/aircraft";
 import { CAMERA_CHOICE, type CameraMode, cameraOf } from "../../lib/mapCamera";
-import type { Whose } from "../../lib/mapThing";
 import type { FlightScene } from "../../scene/aircraft/FlightScene";
 import { usePage, usePart, useSettings, useTelemetry } from "../../store/hooks";
 import type { TelemetryStore } from "../../store/telemetry";
@@ -12,13 +12,13 @@ import { useGlobe, useGlobeLayer } from "./useGlobe";
 
 export const FOLLOWED_CHOICE = "map.followed";
 
-/** How the globe is looked at: as chosen last. */
+/** The chosen camera mode. */
 export function useCameraMode(): CameraMode {
   return useSettings(({ choices }) => cameraOf(choices[CAMERA_CHOICE]));
 }
 
-/** Which aircraft the camera is with: the chosen one; without a choice the simulator's for as long as it flies. */
-export function useFollowed(): Whose {
+/** The aircraft that the camera follows: the chosen one; by default the simulator's while it is heard. */
+export function useFollowed(): Aircraft {
   const chosen = useSettings(({ choices }) => choices[FOLLOWED_CHOICE]);
   const hil = useTelemetry((telemetry, now_ms) => showing(telemetry, "hil", now_ms));
   if (chosen === "flight" || chosen === "hil") {
@@ -27,7 +27,7 @@ export function useFollowed(): Whose {
   return hil === "live" || hil === "stale" ? "hil" : "flight";
 }
 
-/** Shows both aircraft on the globe and moves the camera as chosen, and hands the tracks the place of their tips. */
+/** Shows both aircraft on the globe, moves the camera as chosen, and draws the tracks up to the aircraft. */
 export function useFlightScene(): FlightScene | null {
   const { t } = useTranslation();
   const { telemetry } = usePage();
@@ -43,24 +43,24 @@ export function useFlightScene(): FlightScene | null {
   const motion = useMemo(() => new AircraftMotion(), []);
   const take = useCallback((from: TelemetryStore, now_ms: number) => motion.take(from, now_ms), [motion]);
   usePaint("frame", take);
-  const real = t("map.view.real");
+  const flight = t("map.view.flight");
   const hil = t("map.view.hil");
   useEffect(() => {
-    scene?.aircraft.setFeed((now_ms) => motion.seen(telemetry, { flight: real, hil }, now_ms));
+    scene?.aircraft.setFeed((now_ms) => motion.seen(telemetry, { flight, hil }, now_ms));
     return () => scene?.aircraft.setFeed(null);
-  }, [scene, motion, telemetry, real, hil]);
+  }, [scene, motion, telemetry, flight, hil]);
   useEffect(() => scene?.camera.set(mode, followed), [scene, mode, followed]);
   useEffect(() => {
     if (globe === null || scene === null || track === null) {
       return undefined;
     }
     return globe.onBeforeFrame(() => {
-      for (const [whose, name] of [
-        ["flight", "real"],
-        ["hil", "hil"],
-      ] as const) {
-        const seen = scene.aircraft.seen(whose);
-        track.setTip(trackLog.points[name], seen?.isLive === true ? { ...seen.place, t_s: seen.t_s } : null);
+      for (const aircraft of AIRCRAFT) {
+        const seen = scene.aircraft.seen(aircraft);
+        track.setTip(
+          trackLog.points[aircraft],
+          seen?.isLive === true ? { ...seen.place, t_s: seen.t_s } : null,
+        );
       }
     });
   }, [globe, scene, track, trackLog]);

@@ -3,12 +3,12 @@ import type { Globe } from "../../scene/globe/Globe";
 
 export const GlobeContext = createContext<Globe | null>(null);
 
-/** The globe while it is there: null until its code is loaded, and where the browser cannot draw it. */
+/** The globe; null until its code is loaded, or if the browser cannot draw it. */
 export function useGlobe(): Globe | null {
   return useContext(GlobeContext);
 }
 
-/** What draws on the globe. */
+/** Something that draws on the globe. */
 interface Layer {
   dispose(): void;
 }
@@ -16,9 +16,9 @@ interface Layer {
 const layers = new WeakMap<Globe, Map<string, Promise<Layer>>>();
 
 /**
- * A layer of the globe by its name: loaded and made when it is first asked for, and kept for as long as the globe is,
- * also while the tab is closed. `load` fetches its class with `import()`, so that the page without a map loads none of
- * it. Null until it is made.
+ * A layer of the globe by its name: loaded and made on first use, and kept as long as the globe, even while the tab
+ * is closed. `load` imports its class on demand, so that the page without a map does not load it. Null until it is
+ * made.
  */
 export function useGlobeLayer<L extends Layer>(
   name: string,
@@ -38,7 +38,7 @@ export function useGlobeLayer<L extends Layer>(
     let isWanted = true;
     promised.then(
       (loaded) => isWanted && setLayer(loaded as L),
-      // Asked for again with the next opening of the tab.
+      // Tried again when the tab is opened next.
       () => made.delete(name),
     );
     return () => {
@@ -49,7 +49,7 @@ export function useGlobeLayer<L extends Layer>(
   return layer;
 }
 
-/** A layer goes with its globe. */
+/** A layer is disposed of with its globe. */
 function owned(globe: Globe, layer: Layer): Layer {
   globe.onDispose(() => layer.dispose());
   return layer;

@@ -5,7 +5,7 @@ import { useSettings } from "../../store/hooks";
 
 export const GRATICULE_CHOICE = "map.graticule";
 
-/** The letters of the graticule in the person's language; null where it is not wanted. */
+/** The graticule's compass letters in the page's language; null if it is switched off. */
 export function useGraticule(): CompassLetters | null {
   const { t } = useTranslation();
   const isWanted = useSettings(({ choices }) => choices[GRATICULE_CHOICE] !== "off");

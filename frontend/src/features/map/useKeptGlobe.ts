@@ -4,10 +4,10 @@ import { hasWebgl } from "../../scene/graphics";
 import { usePage } from "../../store/hooks";
 import { choose } from "../../store/settings";
 
-/** Remembered, so that its engine is fetched ahead the next time. */
+/** Stored, so that the engine is preloaded the next time. */
 export const MAP_OPENED_CHOICE = "map.opened";
 
-/** Why there is no globe: its code could not be fetched, the browser cannot draw it, or has stopped drawing it. */
+/** Why there is no globe: its code was not loaded, there is no WebGL, or the graphics context was lost. */
 export type GlobeProblem = "notLoaded" | "noWebgl" | "lost";
 
 interface KeptGlobe {
@@ -16,12 +16,12 @@ interface KeptGlobe {
   readonly retry: () => void;
 }
 
-/** Graphics that are lost again within this time are not asked for by themselves another time. */
+/** If the graphics context is lost again within this time, do not recover by ourselves. */
 const AGAIN_MS = 60_000;
-/** The browser gives them back after a moment. */
+/** The browser restores a lost context after a moment. */
 const RECOVER_MS = 1500;
 
-/** The page's globe in this host for as long as the host is shown; nothing while `isWanted` is false. */
+/** Puts the page's one globe into this host while it is shown; does nothing while `isWanted` is false. */
 export function useKeptGlobe(host: RefObject<HTMLElement | null>, isWanted: boolean): KeptGlobe {
   const { settings } = usePage();
   const [globe, setGlobe] = useState<Globe | null>(null);

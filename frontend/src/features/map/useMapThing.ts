@@ -3,7 +3,7 @@ import type { MapThing } from "../../lib/mapThing";
 import { usePart } from "../../store/hooks";
 import { MAP_SELECTION } from "./mapSelection";
 
-/** What is chosen on the map. */
+/** The selection on the map. */
 export function useMapThing(): MapThing | null {
   return useStore(usePart(MAP_SELECTION), ({ thing }) => thing);
 }

@@ -1,17 +1,17 @@
 import { useEffect } from "react";
-import { TRACKS } from "../../protocol/track";
+import { AIRCRAFT } from "../../lib/aircraft";
 import { usePart } from "../../store/hooks";
 import { TRACK_KINDS } from "./trackKinds";
 import { TRACK_LOG } from "./trackLog";
 import { useGlobeLayer } from "./useGlobe";
 import type { TrackChoices } from "./useTrackLook";
 
-/** Draws the tracks on the globe as they are chosen to look. */
+/** Draws the tracks on the globe in the chosen style. */
 export function useTrackLayer({ colouring, range, hasCurtain, isShown }: TrackChoices): void {
   const trackLog = usePart(TRACK_LOG);
   const layer = useGlobeLayer("track", async () => (await import("../../scene/track/TrackLayer")).TrackLayer);
   useEffect(() => {
-    for (const name of TRACKS) {
+    for (const name of AIRCRAFT) {
       layer?.add(trackLog.points[name], TRACK_KINDS[name]);
       layer?.setVisible(trackLog.points[name], isShown[name]);
     }

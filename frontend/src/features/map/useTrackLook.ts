@@ -1,17 +1,17 @@
 import { useMemo } from "react";
+import { AIRCRAFT, type Aircraft } from "../../lib/aircraft";
 import { COLOURINGS, type Colouring, type Range, rangeOf } from "../../lib/track/trackColours";
-import { TRACKS, type TrackName } from "../../protocol/track";
 import { useUnit } from "../../readouts/useUnit";
 import { usePart, useSettings } from "../../store/hooks";
 import { TRACK_LOG } from "./trackLog";
 import { useTracks } from "./useTracks";
 
-/** What is chosen for the tracks, and what their colours stand for. */
+/** The chosen style of the tracks, and the values that their colours stand for. */
 export interface TrackChoices {
   readonly colouring: Colouring;
   readonly hasCurtain: boolean;
-  readonly isShown: Readonly<Record<TrackName, boolean>>;
-  /** In the shown unit, round numbers; null while nothing is known. */
+  readonly isShown: Readonly<Record<Aircraft, boolean>>;
+  /** Round numbers in the shown unit; null while unknown. */
   readonly shown: Range | null;
   /** The same in metres or metres a second. */
   readonly range: Range | null;
@@ -24,7 +24,7 @@ export function useTrackLook(): TrackChoices {
     ({ choices }) => COLOURINGS.find((name) => name === choices["map.track.colour"]) ?? "none",
   );
   const hasCurtain = useSettings(({ choices }) => choices["map.track.curtain"] !== "off");
-  const real = useSettings(({ choices }) => choices["map.track.real"] !== "off");
+  const flight = useSettings(({ choices }) => choices["map.track.flight"] !== "off");
   const hil = useSettings(({ choices }) => choices["map.track.hil"] !== "off");
   const summary = useTracks((tracks) => tracks.summary);
   const units = {
@@ -35,10 +35,10 @@ export function useTrackLook(): TrackChoices {
   const unit = units[colouring === "none" ? "height" : colouring];
   // biome-ignore lint/correctness/useExhaustiveDependencies: the spread of the points changes with their summary
   return useMemo(() => {
-    const isShown = { real, hil };
-    const tracks = TRACKS.filter((name) => isShown[name]).map((name) => trackLog.points[name]);
+    const isShown = { flight, hil };
+    const tracks = AIRCRAFT.filter((name) => isShown[name]).map((name) => trackLog.points[name]);
     const shown = colouring === "none" ? null : rangeOf(colouring, tracks, unit.convert);
     const range = shown && { least: unit.revert(shown.least), most: unit.revert(shown.most) };
     return { colouring, hasCurtain, isShown, shown, range, unit: unit.label };
-  }, [trackLog, colouring, hasCurtain, real, hil, unit, summary]);
+  }, [trackLog, colouring, hasCurtain, flight, hil, unit, summary]);
 }

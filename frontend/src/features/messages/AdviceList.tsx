@@ -4,10 +4,10 @@ import type { Advice } from "../../protocol/inspector";
 import { type Message, wordsOf } from "../../store/messages";
 import { Notice } from "../../ui/Notice";
 
-/** More of one kind are told in one sentence: ten slow streams have one cause. */
+/** From this many of one kind on, one sentence for all: ten slow streams have one cause. */
 const TOGETHER = 3;
 
-/** What to do about what does not go well, in words; and that all goes well, when it does. */
+/** Advice on every problem, or a sentence that all is well. */
 export function AdviceList({ advice }: { advice: readonly Advice[] }) {
   const { t } = useTranslation();
   const sentence = useSentence();
@@ -31,7 +31,7 @@ export function AdviceList({ advice }: { advice: readonly Advice[] }) {
   );
 }
 
-/** In the page's language by its code; a code that the catalogue does not have, as the gateway says it. */
+/** The advice in the page's language by its code; for an unknown code, the gateway's own text. */
 function adviceMessage({ code, level, text, params }: Advice): Message {
   const words = wordsOf(params);
   return {

@@ -6,7 +6,7 @@ import { Meter, type MeterHandle } from "../../ui/Meter";
 
 type Link = Inspection["link"];
 
-/** What the lines carry against what they can, and how long the HIL loop takes. */
+/** The load of both links against their capacity, and the delay of the HIL loop. */
 export function LinkPage({ link }: { link: Link }) {
   const { t } = useTranslation();
   const { newest, p50, p99 } = link.round_trip_ms;

@@ -14,11 +14,11 @@ interface Plotting {
 interface Props extends Plotting {
   label: string;
   lines: readonly Line[];
-  /** Frames of the board can come damaged; rows of the simulator cannot. */
+  /** The board's frames can be damaged; the simulator's rows cannot. */
   hasDamage?: boolean;
 }
 
-/** Message types with how they come; the last values of one unfold under it. */
+/** The message types with their rates; each row opens to show its last values. */
 export function MessageTable({ label, lines, hasDamage = false, plotted, onToggle }: Props) {
   const { t } = useTranslation();
   const [open, setOpen] = useState<string | null>(null);

@@ -19,7 +19,7 @@ import { useInspection } from "./useInspection";
 const TABS = ["board", "simulator", "link"] as const;
 type TabName = (typeof TABS)[number];
 
-/** "Mensajes": every message of both lines as it comes, what the lines carry, and what to do about it. */
+/** "Mensajes": every message type of both links, their load, and advice. */
 export function MessagesView() {
   const found = useInspection();
   const { plotted, toggle } = usePlotted();
@@ -62,7 +62,7 @@ interface Plotted {
   readonly toggle: (key: PlotKeyText) => void;
 }
 
-/** Which numbers are drawn: remembered, so that a look at another tab costs nothing. */
+/** The plotted values: stored, so that they survive a change of tabs. */
 function usePlotted(): Plotted {
   const { settings } = usePage();
   const text = useSettings(({ choices }) => choices["messages.plotted"]);

@@ -4,9 +4,9 @@ import type { Gateway } from "../../requests/asking";
 import { failureMessage, type Message } from "../../store/messages";
 import { partName } from "../../store/parts";
 
-/** What went over the lines, asked for by whoever looks at it. */
+/** Statistics of the links, read by whoever shows them. */
 export interface Inspector {
-  /** All of it now, or why there is none. */
+  /** The present statistics, or the message of the failure. */
   readonly read: () => Promise<Inspection | Message>;
 }
 

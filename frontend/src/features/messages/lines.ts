@@ -7,10 +7,10 @@ import { fieldKey, fieldUnit, type PlotKeyText, rowKey, rowValue } from "./plott
 /** One of a message's last values. */
 export interface LineValue {
   readonly name: string;
-  /** A number already written; a flag, for which the page has words; null is no data. */
+  /** A number as text, or a flag; null is no data. */
   readonly value: string | boolean | null;
   readonly unit: string;
-  /** Under which it is drawn; null where it cannot be. */
+  /** Its key in the plot; null if it cannot be plotted. */
   readonly plotKey: PlotKeyText | null;
 }
 
@@ -18,7 +18,7 @@ export interface LineValue {
 export interface Line {
   readonly key: string;
   readonly id: string;
-  /** Its name on the wire, which is that of its topic and of the recordings. */
+  /** Its name on the wire, the same as its topic and its name in recordings. */
   readonly name: string;
   readonly count: number;
   readonly rate_hz: number;
@@ -26,14 +26,14 @@ export interface Line {
   readonly damaged: number;
   readonly age_s: number | null;
   readonly state: DataState;
-  /** The HIL loop needs it. */
+  /** Whether the HIL loop needs it. */
   readonly isNeeded: boolean;
   readonly values: readonly LineValue[];
 }
 
-/** A row of the simulator that is older is not shown as live; the gateway forgets it then too. */
+/** An older row is not live; the gateway forgets it then too. */
 const ROW_STALE_AFTER_S = 1;
-/** X-Plane's "this value is not here". */
+/** X-Plane's mark for "no value". */
 const ABSENT = -999;
 
 function stateOf(age_s: number | null, stale_after_s: number | null): DataState {
@@ -79,7 +79,7 @@ export function rowLine(row: InspectedRow, profile: XplaneProfile): Line {
   };
 }
 
-/** A count stays whole; anything else has the figures of the wire. */
+/** An integer has no decimals; any other number has the precision of the wire. */
 function written(value: number): string | null {
   return Number.isInteger(value) ? String(value) : formatMeasured(value, WIRE_FIGURES);
 }

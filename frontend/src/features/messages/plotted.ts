@@ -4,30 +4,30 @@ import type { Signal, TopicSignal } from "../../readouts/signals";
 import { PLOT_COLOURS } from "../../ui/plotColours";
 import { unitSymbol } from "./unitSymbols";
 
-/** As many lines as tell themselves apart. */
+/** As many lines as can be told apart. */
 export const MOST_PLOTTED = PLOT_COLOURS;
 
-/** What stands for a signal where it is remembered: "ahrs.roll_deg", "row.17.0". */
+/** The stored key of a signal: "ahrs.roll_deg", "row.17.0". */
 export type PlotKeyText = string;
 
 export function rowKey(row: number, index: number): PlotKeyText {
   return `row.${row}.${index}`;
 }
 
-/** The key of a board message's field, or null where no number of it is on the page's stream. */
+/** The key of a field of a board message, or null if it is no number of the page's stream. */
 export function fieldKey(topic: string, field: string): PlotKeyText | null {
   const isNumber =
     FIELD_KINDS.get(topic)?.some(([name, kind]) => name === field && kind === "number") === true;
   return isNumber ? `${topic}.${field}` : null;
 }
 
-/** Unit of a board message's field as people write it; nothing where it has none or nobody knows it. */
+/** The unit symbol of a board message's field; empty if it has none or it is unknown. */
 export function fieldUnit(topic: string, field: string): string {
   const fields: Readonly<Record<string, Readonly<Record<string, { readonly unit: string }>>>> = FIELDS;
   return unitSymbol(fields[topic]?.[field]?.unit ?? "");
 }
 
-/** What one of a row's eight values is, by the simulator's profile; null where the definition says nothing of it. */
+/** The meaning of one of a row's eight values, by the simulator's profile; null if the definition has none. */
 export function rowValue(
   profile: XplaneProfile,
   row: number,
@@ -39,7 +39,7 @@ export function rowValue(
   return value === undefined ? null : { name: value.name, unit: unitSymbol(value.unit) };
 }
 
-/** The signal that a key stands for, or null where it stands for none (any more). */
+/** The signal of a key, or null if there is no such signal (any more). */
 export function signalOf(key: PlotKeyText, profile: XplaneProfile): Signal | null {
   const row = /^row\.(\d{1,4})\.([0-7])$/.exec(key);
   if (row !== null) {
@@ -53,13 +53,13 @@ export function signalOf(key: PlotKeyText, profile: XplaneProfile): Signal | nul
     : ({ topic, field, label: key, unit: fieldUnit(topic, field) } as unknown as TopicSignal);
 }
 
-/** The remembered keys that still stand for something, each once, no more than can be told apart. */
+/** The stored keys that are still valid, without duplicates, at most `MOST_PLOTTED`. */
 export function parsePlotted(text: string | undefined, profile: XplaneProfile): readonly PlotKeyText[] {
   const keys = new Set((text ?? "").split(" ").filter((key) => signalOf(key, profile) !== null));
   return [...keys].slice(0, MOST_PLOTTED);
 }
 
-/** The key taken in, or out again. */
+/** The keys with this one added, or removed if it was there. */
 export function toggled(keys: readonly PlotKeyText[], key: PlotKeyText): readonly PlotKeyText[] {
   return keys.includes(key) ? keys.filter((other) => other !== key) : [...keys, key];
 }

@@ -1,4 +1,4 @@
-/** Units of the definition that are written otherwise where people read them. */
+/** Symbols of the definition's units, where they differ from their names. */
 const SYMBOLS: Readonly<Record<string, string>> = {
   "1": "",
   deg: "°",
@@ -7,7 +7,7 @@ const SYMBOLS: Readonly<Record<string, string>> = {
   degC: "°C",
 };
 
-/** "deg" of the definition -> "°"; nothing for a number that has no unit. */
+/** "deg" -> "°"; empty for a number without a unit. */
 export function unitSymbol(unit: string): string {
   return SYMBOLS[unit] ?? unit;
 }

@@ -4,12 +4,12 @@ import { usePage, usePart } from "../../store/hooks";
 import type { Message } from "../../store/messages";
 import { INSPECTOR } from "./inspectorRequests";
 
-/** Twice a second, and a little less than five rounds of texts so that none is missed. */
+/** Twice a second; slightly less than five rounds of text, so that no round is missed. */
 const PERIOD_MS = 480;
 
 /**
- * What goes over the lines, asked for twice a second while the tab is open: with the rounds of texts, which rest while
- * the page is hidden. Null until the first answer; a message when the gateway has none.
+ * The links' statistics, read twice a second while the tab is open and the page visible. Null until the first answer;
+ * a message when reading failed.
  */
 export function useInspection(): Inspection | Message | null {
   const { pump } = usePage();

@@ -11,7 +11,7 @@ export interface BoardFirmware {
 
 export type ParameterFault = "no_name" | "unknown" | "not_a_number" | "out_of_range" | "not_whole" | "twice";
 
-/** One line of a parameter file. Where nothing is wrong with it, `parameter` says whose value it is. */
+/** One line of a parameter file; a valid one has its `parameter`. */
 export type FileLine =
   | { readonly name: string; readonly text: string; readonly fault: ParameterFault; readonly parameter: null }
   | {
@@ -23,15 +23,15 @@ export type FileLine =
     };
 
 export interface ParameterFile {
-  /** When it was saved, as it says itself. */
+  /** When it was saved, as stated in the file. */
   readonly saved: string | null;
   readonly board: BoardFirmware | null;
   readonly lines: readonly FileLine[];
-  /** The parameters of which it says nothing. */
+  /** The parameters that it lacks. */
   readonly missing: readonly ParameterName[];
 }
 
-/** Why a file as a whole cannot be read. */
+/** Why the whole file cannot be read. */
 export type FileRefusal = "not_json" | "not_parameters" | "newer";
 
 /** The text of a file with these values: a line each, in the order of the definition. */
@@ -50,7 +50,7 @@ export function writeParameterFile(
   return `${JSON.stringify(file, null, 2)}\n`;
 }
 
-/** What a file holds, line by line with what is wrong with it; or why it is no parameter file. */
+/** The lines of a file, each with its fault if any; or why it is not a parameter file. */
 export function readParameterFile(text: string): ParameterFile | FileRefusal {
   const file = parse(text);
   if (file === undefined) {
@@ -91,7 +91,7 @@ function readLine(entry: unknown, seen: Set<string>): FileLine {
   return { name: parameter.name, text, fault, parameter, value };
 }
 
-/** Why the board would not take this value; null where it would. */
+/** Why the board would reject this value; null if it would not. */
 export function valueFault(
   { minimum, maximum, isInteger }: ParameterInfo,
   value: unknown,
@@ -105,7 +105,7 @@ export function valueFault(
   return isInteger && !Number.isInteger(value) ? "not_whole" : null;
 }
 
-/** Some programs write NaN and Infinity, which JSON does not know: taken as text, so that their lines can be told. */
+/** Some programs write NaN and Infinity, which JSON lacks: read as text, so that their lines can be reported. */
 const NO_JSON = /"(?:[^"\\]|\\.)*"|-?\b(?:NaN|Infinity)\b/g;
 
 function parse(text: string): unknown {

@@ -25,18 +25,18 @@ import {
 
 const PATH = "/api/v1/parameters";
 
-/** What a person can ask about the gains, as questions to the gateway with their outcome in the stores. */
+/** The requests about the gains, with their outcome in the stores. */
 export function createParameterActions(values: ParameterStore, parts: AskingParts): ParameterActions {
   const { rest, wall_ms } = parts;
   const { run } = createAsking(parts);
-  /** Edits under way, each with the newest wish that waits behind it. */
+  /** Edits under way, each with the newest request that waits for its end. */
   const underWay = new Map<ParameterName, number | null>();
 
   function takeList({ parameters }: ParameterList): void {
     take(values, Object.fromEntries(parameters.map(({ name, ...held }) => [name, held])));
   }
 
-  /** A question that answers with all the gains; the failure's sentence, or null. */
+  /** A request whose answer has all the gains; returns the message of a failure, or null. */
   async function ask(
     question: readonly ["POST" | "PATCH", string, object?],
     asker: Asker,
@@ -108,7 +108,7 @@ export function createParameterActions(values: ParameterStore, parts: AskingPart
   };
 }
 
-/** What became of a step: the gains say it, after they were read back. */
+/** The outcome of a step, from the gains that were read back. */
 function writtenEnd(changes: Changes, { parameters }: ParameterList): Ended {
   const written = parameters.filter(({ name }) => changes[name] !== undefined);
   const refused = written.filter(({ state }) => state !== "confirmed");
@@ -138,7 +138,7 @@ const isStoreEvent = shape({
   ms: nullable(isNumber),
 });
 
-/** What the stream tells of the gains, whoever asked for it. */
+/** Handle the stream's events about the gains, whoever caused them. */
 export function takeParameterEvent(
   values: ParameterStore,
   { event, data }: StreamEvent,

@@ -5,29 +5,32 @@ import type { Asker } from "../../requests/asking";
 import type { Message } from "../../store/messages";
 import { partName } from "../../store/parts";
 
-/** A gain's change in a question: what it shall be, by name. */
+/** Requested values by parameter name. */
 export type Changes = Readonly<Partial<Record<ParameterName, number>>>;
 
 /** The 17 gains as the gateway knows them, and the journal of what was written to them. */
 export interface ParameterValues {
   readonly held: Readonly<Record<ParameterName, HeldParameter>>;
-  /** Null until the gateway has told it. */
+  /** Null until read from the gateway. */
   readonly journal: Journal | null;
-  /** When the board said that these very values are on its card, milliseconds of the calendar; null: not known. */
+  /** When the board confirmed that these values are on its card, Unix milliseconds; null: unknown. */
   readonly stored_ms: number | null;
 }
 
 export type ParameterStore = StoreApi<ParameterValues>;
 
-/** What a person can ask about the gains; nothing here throws. */
+/** The user's requests about the gains; nothing here throws. */
 export interface ParameterActions {
   readonly values: ParameterStore;
-  /** Ask the gateway what it knows; nothing is asked of the board. */
+  /** Read what the gateway knows; nothing is asked of the board. */
   readonly refresh: () => Promise<void>;
   readonly load: (asker: Asker) => Promise<void>;
-  /** Write one; while its last write is under way only the newest wish waits. */
+  /** Write one; while its last write is under way, only the newest request waits. */
   readonly edit: (name: ParameterName, value: number) => Promise<void>;
-  /** Write some in one step, and read them back. The sentence of what failed, or null: then `held` says of each. */
+  /**
+   * Write several in one step, and read them back. Returns the message of a failure, or null: then `held` has each
+   * outcome.
+   */
   readonly write: (changes: Changes, asker: Asker) => Promise<Message | null>;
   readonly undo: (asker: Asker) => Promise<void>;
   readonly redo: (asker: Asker) => Promise<void>;
@@ -47,12 +50,12 @@ export function createParameters(): ParameterStore {
   return createStore<ParameterValues>(() => NOTHING);
 }
 
-/** Nothing is known any more: the gateway is away. */
+/** Forget everything: the gateway is lost. */
 export function forget(store: ParameterStore): void {
   store.setState(NOTHING);
 }
 
-/** The gateway says this of some gains. What stands on the card is not what the board has, once a value moves. */
+/** Take the gateway's report of some gains. When a value changes, the card no longer has what the board has. */
 export function take(
   store: ParameterStore,
   news: Readonly<Partial<Record<ParameterName, HeldParameter>>>,
@@ -68,10 +71,10 @@ export function takeJournal(store: ParameterStore, journal: Journal): void {
   store.setState({ journal });
 }
 
-/** How many entries the page keeps: as many as the gateway does. */
+/** The page keeps as many entries as the gateway. */
 const KEPT = 1000;
 
-/** One step more, and what can be undone after it. Before the whole journal is there nothing is kept. */
+/** Add an entry, and what can be undone after it. Nothing is kept before the whole journal was read. */
 export function takeEntry(
   store: ParameterStore,
   news: {

@@ -8,7 +8,9 @@ export const INFO = Object.fromEntries(PARAMETERS.map((info) => [info.name, info
   Record<ParameterName, ParameterInfo>
 >;
 
-/** Keeps the page's copy of the gains and of their journal while this is shown; nothing is asked of the board. */
+/**
+ * Keeps the page's copy of the gains and their journal up to date while this is shown; nothing is asked of the board.
+ */
 export function useFreshParameters(): void {
   const parameters = usePart(PARAMETER_REQUESTS);
   const isOpen = useConnection(({ phase }) => phase === "open");

@@ -17,9 +17,11 @@ interface Props {
   onSelect: (index: number) => void;
 }
 
-/** Farther away than this from every waypoint the aircraft is not drawn: the plan would shrink to a dot. */
+/** The aircraft is not drawn if it is farther than this from every waypoint: the plan would shrink to a dot. */
 const NEAR_M = 60_000;
-/** The picture makes room for the aircraft in steps of a hundredth of a degree: it must not breathe with every metre. */
+/**
+ * The picture's extent grows in steps of a hundredth of a degree, so that it does not change with every metre flown.
+ */
 const STEPS = 100;
 
 /** The sketch of a plan with the aircraft that flies it, while its position is live. */
@@ -58,7 +60,7 @@ export function LiveSketch({ plan, waypoints, active, selected, onSelect }: Prop
   );
 }
 
-/** Where the aircraft of a plan is: the simulator's for the HIL plan, the GPS's for the other. */
+/** The position of a plan's aircraft: the simulator's for the HIL plan, the GPS's for the other. */
 function placeOf(telemetry: TelemetryStore, plan: PlanName, now_ms: number): Position | null {
   const [latitude_deg, longitude_deg] =
     plan === "hil"
@@ -94,7 +96,7 @@ function placeFrom(coarse: string): Position {
   return { latitude_deg: latitude / STEPS, longitude_deg: longitude / STEPS };
 }
 
-/** Three figures at most: the scale's lengths are round in metres, and not in miles. */
+/** At most three digits: the lengths are round in metres, but not in miles. */
 function shortLength(length: number): string {
   return String(Number(length.toPrecision(3)));
 }

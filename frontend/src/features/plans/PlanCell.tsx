@@ -4,22 +4,22 @@ import { parseNumber } from "../../ui/number";
 
 interface Props {
   label: string;
-  /** The number as it is shown, in the reader's unit. */
+  /** The number as text, in the user's unit. */
   text: string;
   row: number;
   field: string;
-  /** Why this number will not do. */
+  /** Why this number is invalid; null if it is valid. */
   fault: string | null;
-  /** A finished edit, in the reader's unit; not called for one that changes nothing. */
+  /** A finished edit, in the user's unit; not called if the number is unchanged. */
   onCommit: (shown: number) => void;
-  /** The next or previous cell of the column is wanted. */
+  /** Move to the next or previous cell of the column. */
   onMove: (by: -1 | 1) => void;
   onFocus: () => void;
 }
 
 const MOVES: Readonly<Record<string, -1 | 1>> = { ArrowUp: -1, ArrowDown: 1, Enter: 1 };
 
-/** A number in the plan's table. Enter and leaving it finish an edit, Escape takes it back. */
+/** A number in the plan's table. Enter and blur finish an edit, Escape cancels it. */
 export function PlanCell({ label, text, row, field, fault, onCommit, onMove, onFocus }: Props) {
   const { t } = useTranslation();
   const [draft, setDraft] = useState<string | null>(null);
@@ -36,7 +36,7 @@ export function PlanCell({ label, text, row, field, fault, onCommit, onMove, onF
   function onKeyDown(event: KeyboardEvent): void {
     const by = MOVES[event.key];
     if (event.altKey || event.ctrlKey || event.metaKey) {
-      // The table's own keys: what was typed belongs to the row before it moves.
+      // The table's own keys: finish the edit of this row before it moves.
       if (event.altKey && !isNoNumber) finish();
     } else if (event.key === "Escape") {
       setDraft(null);

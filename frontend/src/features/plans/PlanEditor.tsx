@@ -41,7 +41,7 @@ export function PlanEditor({ plan }: { plan: PlanName }) {
       />
       <PlanHead shown={shown} />
       {!shown.canTransfer && <Notice level="info">{t("plans.unsupported")}</Notice>}
-      <Said plan={plan} />
+      <TransferOutcome plan={plan} />
       <div className="plans-body">
         <div className="plans-main">
           <RowTools plan={plan} selected={selected} count={waypoints.length} edit={edit} />
@@ -91,8 +91,8 @@ export function PlanEditor({ plan }: { plan: PlanName }) {
   );
 }
 
-/** What the last transfer or file had to say, and what was supposed in a file. */
-function Said({ plan }: { plan: PlanName }) {
+/** The outcome of the last transfer or file, and the assumptions made in reading a file. */
+function TransferOutcome({ plan }: { plan: PlanName }) {
   const sentence = useSentence();
   const missions = usePart(MISSIONS);
   const notes = usePlans((plans) => plans[plan].notes);

@@ -3,7 +3,7 @@ import { legsOf } from "../../lib/plan";
 import type { ShownPlan } from "../../missions/usePlan";
 import { useUnit } from "../../readouts/useUnit";
 
-/** One line on the plan: whether the board has it, where the board flies, how long it is. */
+/** One line about the plan: whether the board has it, where the board flies to, its length. */
 export function PlanHead({ shown }: { shown: ShownPlan }) {
   const { t } = useTranslation();
   const distance = useUnit("distance");

@@ -8,7 +8,7 @@ interface Props {
   onGo: (row: number, field: WaypointField) => void;
 }
 
-/** What is wrong with the plan: errors, which prevent its upload, before warnings, which do not. */
+/** The plan's issues: errors, which prevent its upload, before warnings, which do not. */
 export function PlanIssues({ issues, onGo }: Props) {
   const { t } = useTranslation();
   const text = useIssueText();

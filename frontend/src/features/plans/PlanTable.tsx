@@ -15,11 +15,11 @@ interface Props {
   selected: number | null;
   onSelect: (row: number, field: WaypointField) => void;
   onEdit: (row: number, field: WaypointField, value: number) => void;
-  /** Another cell is wanted under the cursor. */
+  /** Move the cursor to another cell. */
   onGo: (row: number, field: WaypointField) => void;
 }
 
-/** The waypoints of a plan as a table in which one types, with the way from each to the next. */
+/** The waypoints of a plan as an editable table, with the leg from each to the next. */
 export function PlanTable({ waypoints, issues, active, selected, onSelect, onEdit, onGo }: Props) {
   const { t } = useTranslation();
   const altitude = useUnit("altitude");
@@ -93,7 +93,7 @@ function Head({ title, unit, hint }: { title: string; unit: string; hint?: strin
 interface Row {
   readonly index: number;
   readonly waypoint: Waypoint;
-  /** The way to the next; null at the last. */
+  /** The leg to the next; null at the last. */
   readonly leg: Leg | null;
   readonly found: readonly PlanIssue[];
 }

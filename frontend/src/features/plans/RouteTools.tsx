@@ -21,7 +21,7 @@ interface Props {
   onReplace: (replace: () => void) => void;
 }
 
-/** The four routes that every board has built in: into the board, or into the table alone. */
+/** The four routes built into every board: load one into the board, or only into the table. */
 export function RouteTools({ canTransfer, onReplace }: Props) {
   const { t } = useTranslation();
   const missions = usePart(MISSIONS);

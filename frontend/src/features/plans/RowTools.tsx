@@ -14,7 +14,7 @@ interface Props {
   edit: Editing;
 }
 
-/** The buttons that do to rows what the keys do. */
+/** Buttons for the same row edits as the keys. */
 export function RowTools({ plan, selected, count, edit }: Props) {
   const { t } = useTranslation();
   const missions = usePart(MISSIONS);

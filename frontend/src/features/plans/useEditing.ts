@@ -7,7 +7,7 @@ import { usePart } from "../../store/hooks";
 export interface Editing {
   readonly frame: RefObject<HTMLDivElement | null>;
   readonly change: (row: number, field: WaypointField, value: number) => void;
-  /** Put the cursor into a cell, as soon as it is there. */
+  /** Put the cursor into a cell, once it is rendered. */
   readonly go: (row: number, field: WaypointField) => void;
   readonly insert: () => void;
   readonly remove: () => void;
@@ -15,7 +15,7 @@ export interface Editing {
   readonly onKeyDown: (event: KeyboardEvent) => void;
 }
 
-/** The edits of a plan's rows, and where the cursor stands after each. */
+/** The edits of a plan's rows, and the cursor's place after each. */
 export function useEditing(
   plan: PlanName,
   selected: number | null,
@@ -78,7 +78,7 @@ export function useEditing(
       "ctrl shift z": () => redoPlan(plans, plan),
     };
     const act = keys[nameOf(event)];
-    // Within a cell that is being typed in, undo is the text's own.
+    // While a cell is being edited, undo belongs to its text.
     if (act !== undefined && !(isTypedIn(event) && !event.altKey)) {
       event.preventDefault();
       act();
@@ -107,7 +107,7 @@ function isTypedIn({ target }: KeyboardEvent): boolean {
   return target instanceof HTMLElement && target.dataset["edited"] === "true";
 }
 
-/** A key with what is held beside it: "alt ArrowUp", "ctrl shift z". */
+/** A key with its modifiers: "alt ArrowUp", "ctrl shift z". */
 function nameOf({ altKey, ctrlKey, metaKey, shiftKey, key }: KeyboardEvent): string {
   const held = [altKey ? "alt" : "", ctrlKey || metaKey ? "ctrl" : "", shiftKey ? "shift" : ""];
   return [...held.filter((name) => name !== ""), key.length === 1 ? key.toLowerCase() : key].join(" ");

@@ -18,12 +18,15 @@ const [, POSITION] = COMMANDS.servo_out.arguments;
 const MINIMUM = POSITION?.minimum ?? -1;
 const MAXIMUM = POSITION?.maximum ?? 1;
 const CENTRE = 0;
-/** As fine as a hand moves it; the arrow keys go by this. */
+/** Step of the slider and of the arrow keys. */
 const STEP = 0.01;
 const INDICES = Array.from({ length: SERVO_COUNT }, (_, index) => index);
 const MODES = ["fly_by_wire", "hil"] as const;
 
-/** "ServosOut": a slider for each servo output. The board never says where they are, so a slider only knows its own moves. */
+/**
+ * "ServosOut": a slider for each servo output. The board never reports their positions, so a slider only knows its
+ * own moves.
+ */
 export function ServosOut() {
   const { t } = useTranslation();
   const servos = usePart(SERVO_SLIDERS);
@@ -96,7 +99,10 @@ const ServoSlider = memo(function ServoSlider({ index, blocked, reasonId }: Slid
   );
 });
 
-/** What drives the servos that nobody moved, as the board says; choosing it takes the first four back from the sliders. */
+/**
+ * What drives the servos that no slider has taken, as the board reports it; choosing a mode releases the first four
+ * from the sliders.
+ */
 function ControlMode() {
   const { t } = useTranslation();
   const mode = useTelemetry((telemetry, now_ms) =>
@@ -114,7 +120,7 @@ function ControlMode() {
   );
 }
 
-/** A refusal in words, for as long as a slider shows one. */
+/** The reason of a refusal, while a slider shows it. */
 function Failure() {
   const sentence = useSentence();
   const message = useServoFailure();

@@ -5,13 +5,13 @@ import { partName } from "../../store/parts";
 
 /** Servo outputs of the board. */
 export const SERVO_COUNT = 20;
-/** The first four follow the autopilot's law until they are moved, and again when the control mode is chosen. */
+/** The first four follow the autopilot until they are moved, and again when the control mode is chosen. */
 export const DRIVEN_SERVOS = 4;
 
 export interface Servo {
-  /** Where somebody moved it last, -1..+1; null while nobody has: the board does not say where its servos are. */
+  /** The last requested position, -1..+1; null if there is none: the board does not report its servos. */
   readonly position: number | null;
-  /** What became of the newest move. */
+  /** The outcome of the newest move. */
   readonly state: CommandState;
   readonly message: Message | null;
 }
@@ -27,7 +27,7 @@ export type ServoStore = StoreApi<Servos>;
 /** The sliders of the servo outputs. */
 export interface ServoSliders {
   readonly store: ServoStore;
-  /** Ask for this position; of moves that come faster than they go out, each servo's newest wins. */
+  /** Request this position. Of moves that come faster than they can be sent, each servo's newest wins. */
   readonly move: (servo: number, position: number) => void;
 }
 
@@ -43,7 +43,7 @@ export function setServo(store: ServoStore, index: number, change: Partial<Servo
   }));
 }
 
-/** From now on nobody knows where the first `count` servos are. */
+/** The positions of the first `count` servos are unknown from now on. */
 export function forgetServos(store: ServoStore, count: number = SERVO_COUNT): void {
   store.setState(({ servos }) => ({
     servos: servos.map((servo, index) => (index < count ? UNMOVED : servo)),

@@ -16,7 +16,7 @@ import {
   setServo,
 } from "./servoPositions";
 
-/** Moves go out no faster than this: twenty a second are a quarter of what the slowest usual line carries. */
+/** Shortest time between moves: twenty a second take a quarter of the capacity of the slowest usual link. */
 const PERIOD_MS = 50;
 
 interface Parts {
@@ -28,7 +28,7 @@ interface Parts {
 
 export interface ServoSlidersEnds {
   readonly sliders: ServoSliders;
-  /** Another browser's moves, and commands after which nobody knows where the servos are. */
+  /** Handles another browser's moves, and commands that make the servos' positions unknown. */
   readonly takeEvent: (event: StreamEvent) => void;
   readonly takeStatus: (status: Status) => void;
 }
@@ -46,7 +46,7 @@ const isModeEvent = shape({
 });
 const isResetEvent = shape({ name: oneOf("reset"), state: isDone });
 
-/** Sends what the sliders ask for: one move of a servo under way at a time, its newest position next. */
+/** Sends the sliders' positions: one move per servo at a time, then its newest position. */
 export function createServoSliders({ rest, timers, client, tell }: Parts): ServoSlidersEnds {
   const store = createServos();
   const wanted = new Map<number, number>();
@@ -89,7 +89,7 @@ export function createServoSliders({ rest, timers, client, tell }: Parts): Servo
       setServo(store, servo, { position, state, message: null });
       return;
     }
-    // Refused or lost: where the servo is now, nobody knows.
+    // Refused or lost: the servo's position is unknown.
     setServo(store, servo, { position: null, state, message });
     tell(message);
   }

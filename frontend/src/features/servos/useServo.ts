@@ -9,7 +9,7 @@ export function useServo(index: number): Servo {
   return useStore(usePart(SERVO_SLIDERS).store, ({ servos }) => servos[index] ?? UNMOVED);
 }
 
-/** Why a servo output was not moved, while a slider shows it. */
+/** Why a servo output did not move, while a slider shows it. */
 export function useServoFailure(): Message | null {
   return useStore(
     usePart(SERVO_SLIDERS).store,

@@ -35,7 +35,7 @@ function BoardForm() {
   const sentence = useSentence();
   const list = usePorts();
   const choice = useBoardChoice(list.ports);
-  // While an address is being typed it already decides whether there is something to open.
+  // The text being typed already decides whether the link can be opened.
   const [typed, setTyped] = useState<string | null>(null);
   return (
     <div className="setup-form">
@@ -86,7 +86,7 @@ interface Choice extends BoardChoice {
   readonly options: ReadonlyArray<{ readonly value: string; readonly label: string }>;
 }
 
-/** What was chosen here before, and what there is to choose from. */
+/** The last choice, and the ports to choose from. */
 function useBoardChoice(ports: readonly Port[]): Choice {
   const { t } = useTranslation();
   const open = choiceOf(useConnection(({ status }) => status?.board.url ?? null));
@@ -97,7 +97,7 @@ function useBoardChoice(ports: readonly Port[]): Choice {
     value: device,
     label: description === "" ? device : `${device} · ${description}`,
   }));
-  // A port that is not there is still shown while it is the chosen one: its name says what is missing.
+  // A chosen port that is unplugged stays in the list: its name says what is missing.
   const isMissing = chosen !== null && chosen !== OTHER && !ports.some(({ device }) => device === chosen);
   const missing = isMissing ? [{ value: chosen, label: t("setup.portMissing", { port: chosen }) }] : [];
   return {
@@ -116,7 +116,7 @@ function BoardButtons({ url }: { url: string | null }) {
   const { state, wanted } = useAsked("board");
   const refusal = useCommandEntry("board")?.message ?? null;
   const failure = useConnection(({ status }) => status?.board.failure ?? null);
-  // Why the line is not open is said for as long as it is not; a refused press, for as long as it is shown.
+  // The link's failure is shown while it lasts; the refusal of a click, until the next one.
   const notice = failure === null ? refusal : failureMessage(failure);
   const blocked = useGatewayBlocked();
   return (
@@ -148,7 +148,7 @@ function BoardButtons({ url }: { url: string | null }) {
   );
 }
 
-/** What the gateway says of the line. */
+/** What the gateway reports about the link. */
 function BoardFacts() {
   const { t } = useTranslation();
   const board = useConnection(({ status, phase }) => (phase === "open" ? (status?.board ?? null) : null));

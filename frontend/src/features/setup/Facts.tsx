@@ -1,4 +1,4 @@
-/** Names and values of what changes seldom, in two columns. */
+/** Names and values of slow facts, in two columns. */
 export function Facts({ facts }: { facts: ReadonlyArray<readonly [name: string, value: string]> }) {
   return (
     <dl className="setup-facts">

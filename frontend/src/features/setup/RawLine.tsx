@@ -15,7 +15,7 @@ import type { ConsoleEntry } from "./consoleLog";
 import { BOARD_CONSOLE } from "./consoleLog";
 import { useConsole } from "./useConsole";
 
-/** What the gateway sends to a board's shell: one line of printable ASCII. */
+/** A line that the gateway accepts for the board's shell: printable ASCII. */
 const LINE = /^[\x20-\x7e]{1,200}$/;
 
 /** "Envío y recepción de mensajes por el puerto serie": a line of text to the board, and what came back. */
@@ -29,7 +29,7 @@ export function RawLine() {
   );
 }
 
-/** Text goes over any line that stands, also while the board does not talk in frames yet. */
+/** Text can be sent over any open link, even before the board sends frames. */
 function useLineBlocked(): string | undefined {
   const { t } = useTranslation();
   const gateway = useGatewayBlocked();
@@ -128,7 +128,7 @@ function lineOf({ at_ms, direction, text }: ConsoleEntry): string {
   return `${formatClock(at_ms / 1000)} ${ARROWS[direction]} ${text}`;
 }
 
-/** The newest line is in sight, unless somebody has scrolled up to read. */
+/** Scrolls to the newest line, unless the user has scrolled up. */
 function Log() {
   const { t } = useTranslation();
   const { entries, dropped } = useConsole();

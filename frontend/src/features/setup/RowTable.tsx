@@ -13,7 +13,7 @@ const VALUES = [0, 1, 2, 3, 4, 5, 6, 7] as const;
 /** Every row that X-Plane sent, live: its number and its eight values. */
 export function RowTable() {
   const { t } = useTranslation();
-  // As text, so that React renders only when a row joins or one falls silent.
+  // Joined as text, so that React renders only when a row appears or falls silent.
   const heard = useTelemetry((telemetry) => [...telemetry.rows.keys()].sort((a, b) => a - b).join());
   const live = useTelemetry(
     (telemetry, now_ms) =>
@@ -58,7 +58,7 @@ export function RowTable() {
   );
 }
 
-/** One row, painted without a render; what is old or absent is no data. */
+/** One row, painted without a render; a stale or missing value is shown as no data. */
 function Row({ row }: { row: number }) {
   const { t } = useTranslation();
   const name = useRowName(row);

@@ -5,7 +5,7 @@ import { RowTable } from "./RowTable";
 import "./setup.css";
 import { SimulatorLink } from "./SimulatorLink";
 
-/** "Setup": the two lines of the station, to the board and to the simulator, and what goes over them as it is. */
+/** "Setup": the links to the board and to the simulator, and the raw data on them. */
 export function SetupView({ stick }: { stick: ReactNode }) {
   return (
     <div className="setup">

@@ -38,7 +38,7 @@ function port(text: string | undefined, fallback: number): number {
   return Number.isInteger(number) && number >= 1 && number <= 65535 ? number : fallback;
 }
 
-/** The fields as they were last filled in here; else as the link is open; else the usual ones. */
+/** The fields as last entered here; else those of the open link; else the defaults. */
 function useLink(): Link {
   const choices = useSettings((settings) => settings.choices);
   const open = useConnection(({ status }) => status?.simulator);
@@ -128,7 +128,7 @@ function SimulatorForm() {
   );
 }
 
-/** What is missing although the port is open. */
+/** What is not received although the port is open. */
 function Advice() {
   const { t } = useTranslation();
   const state = useConnection(({ status, phase }) =>

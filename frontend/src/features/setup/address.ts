@@ -1,9 +1,9 @@
-/** Speeds that the board's serial port knows, in bits per second. */
+/** Baud rates of the board's serial port. */
 export const BAUDS = ["9600", "57600", "115200", "230400", "460800", "921600"] as const;
 export type Baud = (typeof BAUDS)[number];
 export const DEFAULT_BAUD: Baud = "115200";
 
-/** Choice in the port list which stands for an address that a person writes: another computer, a pseudo-terminal. */
+/** The entry of the port list for a typed address: another computer, a pseudo-terminal. */
 export const OTHER = "other";
 
 export function isBaud(text: string | undefined): text is Baud {
@@ -11,8 +11,8 @@ export function isBaud(text: string | undefined): text is Baud {
 }
 
 /**
- * What to open: a listed port with its speed, or the written address. A path without a scheme is a serial device,
- * because that is what people paste; null where there is nothing to open yet.
+ * The address to open: a listed port with its baud rate, or the typed address. A path without a scheme is taken as a
+ * serial device, because that is what people paste; null if nothing is chosen yet.
  */
 export function boardUrl(choice: { port: string | null; baud: Baud; address: string }): string | null {
   const { port, baud } = choice;
@@ -26,7 +26,7 @@ export function boardUrl(choice: { port: string | null; baud: Baud; address: str
   return /^[a-z]+:\/\//i.test(address) ? address : serialUrl(address, baud);
 }
 
-/** Three slashes before the device: a path brings its own, a name like COM3 does not. */
+/** Three slashes before the device: a path has its own leading one, a name like COM3 has not. */
 function serialUrl(device: string, baud: Baud): string {
   return `serial://${/^[./]/.test(device) ? "" : "/"}${device}?baud=${baud}`;
 }
@@ -37,7 +37,7 @@ export interface BoardChoice {
   readonly address: string;
 }
 
-/** The choice that gives this address: what is open now is what the form shows to who has not chosen yet. */
+/** The form's choice for this address: it shows the open link until the user chooses. */
 export function choiceOf(url: string | null): BoardChoice {
   if (url === null) {
     return { port: null, baud: DEFAULT_BAUD, address: "" };

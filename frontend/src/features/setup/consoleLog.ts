@@ -13,7 +13,7 @@ export interface ConsoleEntry {
 export interface ConsoleLog {
   /** Oldest first. */
   readonly entries: readonly ConsoleEntry[];
-  /** Lines that gave way to newer ones since the list was cleared. */
+  /** Number of old lines dropped since the list was cleared. */
   readonly dropped: number;
 }
 
@@ -22,14 +22,14 @@ export type ConsoleStore = StoreApi<ConsoleLog>;
 /** The raw line to the board and what came back. */
 export interface BoardConsole {
   readonly store: ConsoleStore;
-  /** Send a line; null when it went out, else why it did not. */
+  /** Send a line; null if it was sent, else why not. */
   readonly send: (text: string) => Promise<Message | null>;
   readonly clear: () => void;
 }
 
 export const BOARD_CONSOLE = partName<BoardConsole>("board console");
 
-/** A board that talks without end must not fill the page. */
+/** Bounded: a board may send text without end. */
 export const CONSOLE_LINES = 200;
 
 export function createConsole(): ConsoleStore {

@@ -12,7 +12,7 @@ interface Parts {
 
 const isConsoleEvent = shape({ direction: oneOf("sent", "received"), text: isText });
 
-/** The raw line: what goes out and what comes back is told by the stream, so that every browser sees the same. */
+/** The raw line: both directions are reported by the stream, so that every browser shows the same. */
 export function createBoardConsole({ rest, wall_ms }: Parts): {
   readonly boardConsole: BoardConsole;
   readonly takeEvent: (event: StreamEvent) => void;

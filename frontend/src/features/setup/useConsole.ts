@@ -3,7 +3,7 @@ import { usePage, usePart } from "../../store/hooks";
 import type { ConsoleLog } from "./consoleLog";
 import { BOARD_CONSOLE } from "./consoleLog";
 
-/** The raw line's log, looked at ten times a second: a board that talks fast must not render for each line. */
+/** The raw line's log, read ten times a second: a fast board must not render for each line. */
 export function useConsole(): ConsoleLog {
   const { pump } = usePage();
   const boardConsole = usePart(BOARD_CONSOLE);

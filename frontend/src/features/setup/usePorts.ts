@@ -11,7 +11,7 @@ interface Ports {
   readonly refresh: () => void;
 }
 
-/** The serial ports of the gateway's machine: read when the tab opens and when asked for. */
+/** The serial ports of the gateway's computer: read when the tab opens and on request. */
 export function usePorts(): Ports {
   const actions = usePart(ACTIONS);
   const [ports, setPorts] = useState<readonly Port[]>([]);
@@ -25,7 +25,7 @@ export function usePorts(): Ports {
     setLoading(true);
     void actions.listPorts().then((answer) => {
       if (newest.current !== mine) {
-        return; // a later question was asked, or the tab is gone
+        return; // a later request was made, or the tab is closed
       }
       setLoading(false);
       if ("key" in answer) {

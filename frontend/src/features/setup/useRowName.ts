@@ -1,7 +1,7 @@
 import { useTranslation } from "react-i18next";
 import { XPLANE_ROWS } from "../../protocol/messages.gen";
 
-/** What a row of X-Plane is called, by its number; a row that the definition does not know has none. */
+/** Names of X-Plane's rows by number; an unknown row has none. */
 const NAMES = new Map(XPLANE_ROWS.xp10.map(({ id, name }) => [id, name]));
 
 export function useRowName(row: number): string {

@@ -12,7 +12,7 @@ import { type Unit, useUnit } from "../../readouts/useUnit";
 import type { TelemetryStore } from "../../store/telemetry";
 import { usePaint } from "../../store/usePaint";
 
-/** Each instrument is engraved in the unit that the person chose; as long as none is, in that of a cockpit. */
+/** Each dial is in the unit that the user chose; by default in the usual one of a cockpit, the first. */
 const AIRSPEED: readonly AirspeedUnit[] = ["kt", "kmPerH", "mPerS"];
 const ALTITUDE: readonly AltitudeUnit[] = ["ft", "m"];
 const VERTICAL_SPEED: readonly VerticalSpeedUnit[] = ["ftPerMin", "mPerS"];
@@ -48,7 +48,7 @@ export function LiveVerticalSpeed(props: Props) {
   );
 }
 
-/** What a pointer instrument is told, with its handle painted at every displayed frame. */
+/** The props of a pointer instrument, with its handle painted in each animation frame. */
 function useDial({ read, label, caption }: Props, unit: Unit): PointerDialProps {
   const { t } = useTranslation();
   const ref = useRef<DialHandle>(null);

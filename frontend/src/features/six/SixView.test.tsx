@@ -16,7 +16,7 @@ beforeEach(() => {
   station.greet();
 });
 
-/** The instrument of this name in the tab; two of the six also stand in the left panel. */
+/** The instrument of this name in the tab; two of the six are in the left panel too. */
 function dial(name: string): HTMLElement {
   const found = screen.getAllByRole("img", { name }).find((each) => each.closest("main") !== null);
   if (found === undefined) {

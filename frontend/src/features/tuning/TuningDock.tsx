@@ -1,15 +1,9 @@
 import { Maximize2, Minimize2, X } from "lucide-react";
 import { Fragment, type ReactNode, useMemo } from "react";
 import { useTranslation } from "react-i18next";
+import { AIRCRAFT, type Aircraft } from "../../lib/aircraft";
 import type { ParameterName } from "../../protocol/messages.gen";
-import {
-  AIRCRAFT,
-  type Aircraft,
-  LOOPS,
-  type LoopName,
-  loopParameters,
-  loopSignals,
-} from "../../protocol/tuning";
+import { LOOPS, type LoopName, loopParameters, loopSignals } from "../../protocol/tuning";
 import { LivePlot } from "../../readouts/LivePlot";
 import type { Signal } from "../../readouts/signals";
 import { usePage, useSettings } from "../../store/hooks";
@@ -25,8 +19,8 @@ export function useTuningLoop(): LoopName | null {
 }
 
 /**
- * The gains of one control loop beside a live plot of what they move. It stands under whichever tab is open, so that
- * one sees the aircraft answer while one changes a gain, and its plot keeps its past from tab to tab.
+ * The gains of one control loop beside a live plot of its signals. It is docked under every tab, so that the
+ * aircraft's answer can be watched while a gain is changed; its plot keeps its past when the tab changes.
  */
 export function TuningDock({ field }: { field: (name: ParameterName) => ReactNode }) {
   const { t } = useTranslation();
@@ -59,7 +53,7 @@ export function TuningDock({ field }: { field: (name: ParameterName) => ReactNod
           onChange={(next) => choose(settings, "tuning.aircraft", next)}
           options={[
             { value: "hil", label: t("tuning.hil") },
-            { value: "real", label: t("tuning.real") },
+            { value: "flight", label: t("tuning.flight") },
           ]}
         />
         <span className="tuning-gap" />

@@ -5,12 +5,12 @@ import { polar, reach, type Scale, scaleAngle_deg, series, tickPath } from "../d
 /** Units in which an airspeed indicator is engraved. */
 export type AirspeedUnit = "kt" | "kmPerH" | "mPerS";
 
-/** A tube at rest reports a little under zero: noise, and no speed beyond the scale. */
+/** A pitot tube at rest reports a little under zero: noise, not a speed off the scale. */
 const REST_NOISE_KT = 2;
 
 /**
- * A face from 0 at the top to its end just short of it again; both demo aircraft stay well inside. Whatever the face
- * is engraved in, it is painted in knots.
+ * A face from 0 at the top to its end just before the top again; both demo aircraft stay well inside. It is painted
+ * in knots, whatever unit is on its face.
  */
 function face(
   unit: AirspeedUnit,

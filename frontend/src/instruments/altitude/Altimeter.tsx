@@ -2,8 +2,8 @@ import { PointerDial, type PointerDialProps } from "../dial/PointerDial";
 import { ALTITUDE_GEOMETRY, type AltitudeUnit } from "./geometry";
 
 /**
- * Altitude above mean sea level, painted in feet as `altitude_ft` whatever its face is engraved in; barometer or GPS,
- * the caption says.
+ * Altitude above mean sea level, painted in feet as `altitude_ft` whatever unit is on its face; the caption says
+ * barometer or GPS.
  */
 export function Altimeter({ face = "ft", ...props }: PointerDialProps & { face?: AltitudeUnit }) {
   return (

@@ -5,15 +5,15 @@ import { clamp, polar, reach, series, tickPath } from "../dial/scale";
 /** Units in which an altimeter is engraved. */
 export type AltitudeUnit = "ft" | "m";
 
-/** What the number's window can hold; beyond it the pointer stops and the instrument says so. */
+/** Range of the number; beyond it the pointer stops and the instrument says so. */
 export const ALTITUDE_MINIMUM_FT = -2000;
 export const ALTITUDE_MAXIMUM_FT = 99_999;
 
 const PER_TURN = 1000;
 
 /**
- * One turn of the pointer for a thousand feet, or metres; the thousands stand in the window. The angle grows without a
- * wrap, so that it is the value, and never the drawing, which decides where the pointer is.
+ * One turn of the pointer for a thousand feet, or metres; the number shows the thousands. The angle is not wrapped,
+ * so the pointer's way follows from the value alone.
  */
 function face(unit: AltitudeUnit): PointerGeometry {
   const engraved_deg = (altitude: number): number => (altitude / PER_TURN) * 360;

@@ -19,7 +19,7 @@ import {
 } from "./geometry";
 
 export interface AttitudeHandle {
-  /** Show an attitude, or with `null` (and with any value missing) the cross. */
+  /** Show an attitude; `null`, or any missing value, shows the cross. */
   paint(attitude: Attitude | null, now_ms?: number): void;
 }
 

@@ -18,36 +18,33 @@ export const UNITS_PER_DEGREE = 2.3;
 export const BALL_RADIUS = 91.5;
 export const LADDER_RADIUS = 64;
 
-/** The edge between sky and ground never leaves the ball: a sliver always tells which way is up. */
+/** The horizon line never leaves the ball: a sliver always shows which way is up. */
 const EDGE_LIMIT = 74;
 
 const ROLL_SCALE_INNER = 79;
 const ROLL_SCALE_OUTER = 88;
 
-/** Whether there is an attitude to draw; half of one is none. */
+/** Whether there is an attitude to draw: both values are needed. */
 export function isAttitude(attitude: Attitude | null): attitude is { pitch_deg: number; roll_deg: number } {
   return attitude !== null && isDrawable(attitude.pitch_deg) && isDrawable(attitude.roll_deg);
 }
 
-/** Pitch ends at straight up and straight down. */
+/** Pitch is limited to straight up and straight down. */
 export function shownPitch_deg(pitch_deg: number): number {
   return clamp(pitch_deg, -90, 90);
 }
 
-/**
- * Turn of everything that stays with the outside world. The page turns clockwise, so a right bank turns the horizon
- * to the left.
- */
+/** Turn of the outside world. SVG turns clockwise, so a right bank turns the horizon to the left. */
 export function rollTurn_deg(roll_deg: number): number {
   return wrap360(round(wrap360(-roll_deg)));
 }
 
-/** How far the pitch ladder is down, along its own turned axis: the page's y points down, a raised nose pushes it down. */
+/** Downward shift of the pitch ladder along its own turned axis: y points down, so a raised nose pushes it down. */
 export function ladderShift(pitch_deg: number): number {
   return round(shownPitch_deg(pitch_deg) * UNITS_PER_DEGREE);
 }
 
-/** How far the edge between sky and ground is down: as the ladder, but kept within the ball. */
+/** Downward shift of the horizon line: as the ladder, but kept within the ball. */
 export function horizonShift(pitch_deg: number): number {
   return round(clamp(shownPitch_deg(pitch_deg) * UNITS_PER_DEGREE, -EDGE_LIMIT, EDGE_LIMIT));
 }
@@ -59,7 +56,10 @@ export interface Rung {
   readonly halfWidth: number;
 }
 
-/** Half widths tell the rungs apart: ten degrees wide, five middling, two and a half short (near level only). */
+/**
+ * Widths tell the rungs apart: those of ten degrees are wide, of five middling, of two and a half short (near level
+ * only).
+ */
 function rung(pitch_deg: number): Rung | null {
   const y = -pitch_deg * UNITS_PER_DEGREE;
   if (pitch_deg === 0) return null;
@@ -81,10 +81,7 @@ function rungPath({ pitch_deg, y, halfWidth }: Rung): string {
   return line + digitsPath(tens, -x, y, NUMERAL_HEIGHT) + digitsPath(tens, x, y, NUMERAL_HEIGHT);
 }
 
-/**
- * The ladder as one path for each ten degrees: few elements, and those outside the window cost nothing, for the
- * browser skips a path whose box it need not draw.
- */
+/** The ladder as one path per ten degrees: few elements, and the browser skips those outside the visible part. */
 export const LADDER_BANDS: readonly { readonly from_deg: number; readonly path: string }[] = series(
   -90,
   90,

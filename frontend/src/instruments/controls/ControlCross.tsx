@@ -1,6 +1,6 @@
 import { type Ref, useImperativeHandle, useRef } from "react";
 import { DESCRIPTION_PERIOD_MS, Pace } from "../../lib/pace";
-import { InstrumentFrame } from "../dial/Dial";
+import { InstrumentHousing } from "../dial/Dial";
 import { Layer } from "../dial/Layer";
 import { layerTransform, setTransform } from "../dial/layer";
 import { attributeNumber, removeAttribute, setAttribute, setText } from "../dial/paint";
@@ -15,7 +15,7 @@ import {
 } from "./geometry";
 
 export interface ControlCrossHandle {
-  /** Show the four controls; `null` (and any of them missing) shows the cross. */
+  /** Show the four controls; `null`, or any missing value, shows the cross. */
   paint(controls: Controls | null, now_ms?: number): void;
 }
 
@@ -71,7 +71,7 @@ export function ControlCross({ ref, label, noDataText, describe }: Props) {
   }, [describe, noDataText]);
 
   return (
-    <InstrumentFrame ref={root} descriptionRef={description} label={label}>
+    <InstrumentHousing ref={root} descriptionRef={description} label={label}>
       <svg className="inst-picture" viewBox={VIEW_BOX} aria-hidden="true">
         <g transform="translate(-16 -16)">
           <rect x="-66" y="-66" width="132" height="132" rx="3" className="inst-controls-well" />
@@ -111,6 +111,6 @@ export function ControlCross({ ref, label, noDataText, describe }: Props) {
       <Layer ref={throttle} box={THROTTLE_BOX} halfSide={halfSide} className="inst-controls-mark inst-moving">
         <path d="M61.5 36H74.5V44H61.5Z" />
       </Layer>
-    </InstrumentFrame>
+    </InstrumentHousing>
   );
 }

@@ -17,11 +17,11 @@ export const PICTURE_HALF_SIDE = 84;
 /** Half the side of the square in which the stick moves, in units of the picture. */
 export const STICK_TRAVEL = 56;
 
-/** Half the way of the pedals' mark, and the whole way of the throttle's. */
+/** Half the travel of the pedals' mark, and the whole travel of the throttle's. */
 export const PEDAL_TRAVEL = 56;
 export const THROTTLE_TRAVEL = 112;
 
-/** Whether all four are there; three controls without the fourth would show a lie for it. */
+/** Whether all four values are there: drawing three would invent the fourth. */
 export function areControls(controls: Controls | null): controls is { [axis in keyof Controls]: number } {
   return (
     controls !== null &&

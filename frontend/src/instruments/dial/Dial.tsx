@@ -1,7 +1,7 @@
 import { type ReactNode, type Ref, useId } from "react";
 import "./dial.css";
 
-/** What every round instrument needs to be told. */
+/** Props of every round instrument. */
 export interface DialProps {
   /** Accessible name. */
   label: string;
@@ -9,7 +9,7 @@ export interface DialProps {
   noDataText: string;
 }
 
-interface FrameProps {
+interface HousingProps {
   ref: Ref<HTMLDivElement>;
   descriptionRef: Ref<HTMLSpanElement>;
   label: string;
@@ -17,18 +17,16 @@ interface FrameProps {
 }
 
 /**
- * Frame of an instrument: name, sentence for screen readers and the square in which its pictures and layers lie on
- * each other.
- *
- * `data-state` starts as `none` and is flipped by the painter alone: React renders it once and never again,
- * so no render can undo what was painted.
+ * The housing of an instrument: name, sentence for screen readers, and the square in which its pictures and layers
+ * overlap. `data-state` starts as `none` and is changed only by the painter: React renders it once, so no render can
+ * undo what was painted.
  */
-export function InstrumentFrame({ ref, descriptionRef, label, children }: FrameProps) {
+export function InstrumentHousing({ ref, descriptionRef, label, children }: HousingProps) {
   const description = useId();
   return (
     <div
       ref={ref}
-      className="inst-frame"
+      className="inst-housing"
       role="img"
       aria-label={label}
       aria-describedby={description}
@@ -43,18 +41,18 @@ export function InstrumentFrame({ ref, descriptionRef, label, children }: FrameP
 interface RoundProps extends DialProps {
   ref: Ref<HTMLDivElement>;
   descriptionRef: Ref<HTMLSpanElement>;
-  /** What stands still under the layers, and over them. */
+  /** The parts that do not move, under and over the layers. */
   face?: ReactNode;
   over?: ReactNode;
-  /** What moves: layers. */
+  /** The moving parts: layers. */
   children: ReactNode;
 }
 
-/** Frame, face and red cross of a round instrument. The cross needs no colour to be seen. */
+/** Housing, face and red cross of a round instrument. The cross is recognised without colour. */
 export function Dial({ ref, descriptionRef, label, noDataText, face, over, children }: RoundProps) {
   const bezel = useId();
   return (
-    <InstrumentFrame ref={ref} descriptionRef={descriptionRef} label={label}>
+    <InstrumentHousing ref={ref} descriptionRef={descriptionRef} label={label}>
       <svg className="inst-picture" viewBox="-100 -100 200 200" aria-hidden="true">
         <defs>
           <linearGradient id={bezel} x1="0.2" y1="0" x2="0.8" y2="1">
@@ -78,6 +76,6 @@ export function Dial({ ref, descriptionRef, label, noDataText, face, over, child
           <text y="4.6">{noDataText}</text>
         </g>
       </svg>
-    </InstrumentFrame>
+    </InstrumentHousing>
   );
 }

@@ -3,7 +3,7 @@ import { HALF_SIDE } from "./layer";
 
 interface Props {
   ref?: Ref<HTMLDivElement>;
-  /** What of the picture it covers, in its units, the picture's middle being 0, 0; it turns round that middle. */
+  /** The part of the picture that it covers, in its units from the middle; it turns about that middle. */
   box: { readonly x: number; readonly y: number; readonly width: number; readonly height: number };
   /** Half the side of the picture, in its units. */
   halfSide?: number;
@@ -12,8 +12,8 @@ interface Props {
 }
 
 /**
- * What moves on an instrument, as a layer of its own: the browser keeps its drawing and only shifts and turns it,
- * where a moving part of a picture would have the picture laid out, painted and rastered anew in each frame.
+ * A moving part of an instrument as its own layer: the browser keeps its pixels and only shifts and turns them. As
+ * part of one picture it would be laid out and rastered again in each animation frame.
  */
 export function Layer({ ref, box, halfSide = HALF_SIDE, className, children }: Props) {
   const percent = (units: number): string => `${(units * 50) / halfSide}%`;

@@ -7,11 +7,11 @@ import { attributeNumber, removeAttribute, setAttribute, setText } from "./paint
 import { isDrawable, type Reach, round } from "./scale";
 
 export interface DialHandle {
-  /** Show a value in the dial's own unit; `null` (or a value that is no number) shows the cross. */
+  /** Show a value in the dial's own unit; `null` or NaN shows the cross. */
   paint(value: number | null, now_ms?: number): void;
 }
 
-/** What a one-pointer instrument is made of: all of it numbers and paths, none of it React. */
+/** The geometry of a one-pointer instrument: numbers and paths. */
 export interface PointerGeometry {
   readonly ticksMinor: string;
   readonly ticksMiddle: string;
@@ -20,21 +20,21 @@ export interface PointerGeometry {
   /** Height of the number's window and of the caption, and width of the window. */
   readonly window: { readonly y: number; readonly width: number };
   readonly captionY: number;
-  /** Filled signs on the face, where the scale needs them. */
+  /** Filled symbols on the face, if the scale has any. */
   readonly signs?: string;
   readonly pointerAngle_deg: (value: number) => number;
   readonly reach: (value: number) => Reach;
 }
 
-/** What the three pointer instruments are told by whoever puts them on a page. */
+/** Props of the three pointer instruments. */
 export interface PointerDialProps extends DialProps {
   ref?: Ref<DialHandle>;
   /** Engraved on the face. */
   caption: string;
   unit: string;
-  /** Plate that appears while the value lies beyond the scale. */
+  /** Text of the plate that is shown while the value is off the scale. */
   offScaleText: string;
-  /** The number in the window, in the reader's own notation. */
+  /** Formats the number in the window. */
   format: (value: number) => string;
   /** One sentence for screen readers. */
   describe?: ((value: number) => string) | undefined;
@@ -50,7 +50,7 @@ interface Props extends PointerDialProps {
 const WINDOW_HEIGHT = 20;
 const POINTER_BOX = { x: -5, y: -85, width: 10, height: 107 };
 
-/** A round instrument with one pointer and the whole number in a window. */
+/** A round instrument with one pointer, and the number in a window. */
 export function PointerDial(props: Props) {
   const {
     ref,

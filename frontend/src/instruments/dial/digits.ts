@@ -1,10 +1,9 @@
 import { round } from "./scale";
 
 /**
- * Digits drawn with strokes. Text in a group that turns each frame is laid out again each frame, which was
- * measured to cost a third of the whole attitude indicator; a path is only drawn.
- *
- * Cells of 4 by 6, y down, in M, L and Q commands with one "x y" pair for each point.
+ * Digits drawn as strokes. Text in a group that turns is laid out again in each animation frame, which cost a third
+ * of the attitude indicator's time; a path is only drawn. Cells of 4 by 6, y down, in M, L and Q commands with one "x
+ * y" pair per point.
  */
 const STROKES: Readonly<Record<string, string>> = {
   "0": "M2 0Q4 0 4 3Q4 6 2 6Q0 6 0 3Q0 0 2 0",

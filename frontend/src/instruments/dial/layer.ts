@@ -2,9 +2,9 @@
 export const HALF_SIDE = 100;
 
 /**
- * Where a layer stands: turned clockwise round the picture's middle, then shifted along its own turned axes (x to the
- * right, y down) in units of the picture. The frame of each instrument is a container whose smaller side is the
- * picture's, so that `cqmin` measures the picture.
+ * CSS transform of a layer: turned clockwise about the picture's middle, then shifted along its own turned axes (x
+ * right, y down) in units of the picture. The housing is a container whose smaller side is the picture's, so `cqmin`
+ * measures the picture.
  */
 export function layerTransform(
   turn_deg: number,

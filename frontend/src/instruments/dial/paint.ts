@@ -1,4 +1,4 @@
-/** Small tools for painting straight onto the document, once for each displayed frame. */
+/** Helpers that write to the document once per animation frame. */
 
 /** Write an attribute only when it changes: even an equal write would make the browser draw again. */
 export function setAttribute(element: Element | null, name: string, value: string): void {
@@ -13,7 +13,7 @@ export function removeAttribute(element: Element | null, name: string): void {
   }
 }
 
-/** The same text node is kept: a new one would be styled and laid out from nothing. */
+/** Keeps the text node: a new one would be styled and laid out again. */
 export function setText(element: Element | null, text: string): void {
   const node = element?.firstChild;
   if (node === null) {

@@ -1,6 +1,6 @@
 /**
- * Round scales. Angles run clockwise in degrees from 12 o'clock; the picture's units have their zero in the
- * middle of the dial, x to the right and y down, and the dial's frame has radius 100.
+ * Round scales. Angles run clockwise in degrees from 12 o'clock. The picture's units have their zero in the middle of
+ * the dial, x right and y down; the housing has radius 100.
  */
 
 /** An even scale bent round a dial. `sweep_deg` may be negative for one that runs anticlockwise. */
@@ -11,10 +11,10 @@ export interface Scale {
   readonly sweep_deg: number;
 }
 
-/** Where a value lies against the ends of its scale. */
+/** Whether a value is on its scale. */
 export type Reach = "below" | "within" | "above";
 
-/** A value that can be drawn: NaN and the infinities are no data, just as `null` is. */
+/** Whether a value can be drawn: NaN and the infinities are no data, as `null` is. */
 export function isDrawable(value: number | null | undefined): value is number {
   return value !== null && value !== undefined && Number.isFinite(value);
 }

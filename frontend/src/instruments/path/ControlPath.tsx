@@ -10,9 +10,9 @@ export interface ControlPathLabels {
   computer: string;
   autopilot: string;
   surfaces: string;
-  /** Between stick and transmitter in automatic flight. */
+  /** Shown between stick and transmitter in automatic flight. */
   ignored: string;
-  /** Over the switches, where a position is not known. */
+  /** Shown over a switch whose position is unknown. */
   unknown: string;
 }
 
@@ -32,7 +32,7 @@ const SURFACES = { left: 262, width: 56 };
 const SOURCE_POSITIONS = { joystick: "upper", rc: "lower" } as const;
 const PATH_POSITIONS = { manual: "upper", assisted: "lower" } as const;
 
-/** The way that the control signal takes: source switch, path switch, on-board computer, surfaces. */
+/** The path of the control signal: source switch, path switch, on-board computer, surfaces. */
 export function ControlPath({ label, description, labels, source, path, autopilot }: Props) {
   const way = signalWay({ source, path, autopilot });
   const computerMiddle = (COMPUTER.left + COMPUTER.right) / 2;

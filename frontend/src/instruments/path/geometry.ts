@@ -1,4 +1,4 @@
-/** The positions of the two switches and the autopilot; `null` where nothing live tells. */
+/** The positions of the two switches and the autopilot; `null` if unknown. */
 export interface Switches {
   readonly source: "joystick" | "rc" | null;
   /** Manual: straight to the simulator's surfaces. Assisted: through the on-board computer. */
@@ -22,11 +22,11 @@ export interface SignalWay {
   readonly automatic: boolean;
 }
 
-/** Follow the signal back from the surfaces, as far as is known. */
+/** Follows the signal back from the surfaces, as far as it is known. */
 export function signalWay({ source, path, autopilot }: Switches): SignalWay {
   const manual = path === "manual";
   const computer = path === "assisted";
-  // With the autopilot's state unknown nobody can say whether the pilot's signal counts.
+  // If the autopilot's state is unknown, so is whether the pilot's signal counts.
   const assisted = computer && autopilot === false;
   const piloted = manual || assisted;
   return {
@@ -60,7 +60,7 @@ export const PATH_SWITCH: SwitchPlace = { pole: { x: 134, y: POLE_Y }, contactX:
 
 export type BladePosition = "upper" | "lower" | null;
 
-/** End of the blade: on a contact, or between the two, touching neither, where the position is not known. */
+/** End of the blade: on a contact, or between the two if the position is unknown. */
 export function bladeEnd({ pole, contactX }: SwitchPlace, position: BladePosition): Point {
   if (position === null) {
     return { x: pole.x + (contactX - pole.x) * 0.75, y: pole.y };

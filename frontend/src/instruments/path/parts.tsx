@@ -12,7 +12,7 @@ interface WireProps {
   from: Point;
   to: Point;
   live: boolean;
-  /** Draw a head where the wire ends. */
+  /** Draw an arrowhead at its end. */
   arrow?: boolean;
 }
 
@@ -42,7 +42,7 @@ interface BoxProps {
   text: string;
 }
 
-/** A named station of the signal; `at` is its upper left corner. */
+/** A named box on the signal's path; `at` is its upper left corner. */
 export function Box({ at, width, height, live, ignored = false, text }: BoxProps) {
   return (
     <g

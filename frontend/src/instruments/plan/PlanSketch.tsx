@@ -1,11 +1,11 @@
 import { type Ref, useImperativeHandle, useMemo, useRef } from "react";
 import type { Position } from "../../lib/geodesy";
 import { captureRadius_m, type Waypoint } from "../../lib/plan";
-import { frameAround, project, scaleBar } from "./geometry";
+import { project, projectionAround, scaleBar } from "./geometry";
 import "./plan.css";
 
 export interface PlanSketchHandle {
-  /** Draw the aircraft here; `heading_deg` clockwise from north, null where it is not known; null: not live. */
+  /** Draw the aircraft here; null: it is not live. `heading_deg` is clockwise from north, null if unknown. */
   paintAircraft(place: Position | null, heading_deg: number | null): void;
 }
 
@@ -14,25 +14,25 @@ interface Props {
   /** Accessible name: what it shows, in words. */
   label: string;
   waypoints: readonly Waypoint[];
-  /** Index of the waypoint which is flown to; null where that is not known. */
+  /** Index of the waypoint that is flown to; null if unknown. */
   active: number | null;
   selected: number | null;
   onSelect: (index: number) => void;
-  /** Where the aircraft was when the picture was last fitted: it belongs into it. */
+  /** The aircraft's position when the picture was last fitted; the picture includes it. */
   aircraft: Position | null;
   north: string;
   /** A length in the reader's unit. */
   formatLength: (length_m: number) => string;
 }
 
-const FRAME = { width: 400, height: 400, rim: 34 };
+const PICTURE = { width: 400, height: 400, rim: 34 };
 
 /** A small picture of a plan: points, legs, capture circles, the aircraft; north up, with a scale. */
 export function PlanSketch(props: Props) {
   const { ref, label, waypoints, active, selected, onSelect, aircraft, north, formatLength } = props;
   const mark = useRef<SVGGElement>(null);
   const projection = useMemo(
-    () => frameAround(aircraft === null ? waypoints : [...waypoints, aircraft], FRAME),
+    () => projectionAround(aircraft === null ? waypoints : [...waypoints, aircraft], PICTURE),
     [waypoints, aircraft],
   );
 
@@ -60,7 +60,12 @@ export function PlanSketch(props: Props) {
   }));
   const bar = scaleBar(projection);
   return (
-    <svg className="plan-sketch" viewBox={`0 0 ${FRAME.width} ${FRAME.height}`} role="img" aria-label={label}>
+    <svg
+      className="plan-sketch"
+      viewBox={`0 0 ${PICTURE.width} ${PICTURE.height}`}
+      role="img"
+      aria-label={label}
+    >
       {points.map(({ index, x, y, radius }) => (
         <circle key={index} className="plan-sketch-capture" cx={x} cy={y} r={radius} />
       ))}
@@ -94,13 +99,13 @@ export function PlanSketch(props: Props) {
       <g ref={mark} className="plan-sketch-aircraft" data-state="none">
         <path d="M0 -11 L8 9 L0 4 L-8 9 Z" />
       </g>
-      <g className="plan-sketch-scale" transform={`translate(14 ${FRAME.height - 14})`}>
+      <g className="plan-sketch-scale" transform={`translate(14 ${PICTURE.height - 14})`}>
         <path d={`M0 -5 V0 H${bar.units} V-5`} />
         <text x={bar.units / 2} y={-7} textAnchor="middle">
           {formatLength(bar.length_m)}
         </text>
       </g>
-      <g className="plan-sketch-north" transform={`translate(${FRAME.width - 20} 24)`}>
+      <g className="plan-sketch-north" transform={`translate(${PICTURE.width - 20} 24)`}>
         <path d="M0 -14 L5 2 L0 -2 L-5 2 Z" />
         <text y={15} textAnchor="middle">
           {north}

@@ -1,12 +1,12 @@
 import { describe, expect, test } from "vitest";
 import { destination, distance_m, type Position } from "../../lib/geodesy";
-import { frameAround, type Projection, project, scaleBar } from "./geometry";
+import { type Projection, project, projectionAround, scaleBar } from "./geometry";
 
-const frame = { width: 400, height: 300, rim: 20 };
+const picture = { width: 400, height: 300, rim: 20 };
 const gando: Position = { latitude_deg: 27.9319, longitude_deg: -15.3866 };
 
 function fitted(places: readonly Position[]): Projection {
-  const projection = frameAround(places, frame);
+  const projection = projectionAround(places, picture);
   if (projection === null) {
     throw new Error("nothing to fit");
   }
@@ -14,7 +14,7 @@ function fitted(places: readonly Position[]): Projection {
 }
 
 test("without places there is no picture", () => {
-  expect(frameAround([], frame)).toBeNull();
+  expect(projectionAround([], picture)).toBeNull();
 });
 
 describe("places", () => {
@@ -24,10 +24,10 @@ describe("places", () => {
     const projection = fitted(places);
     const [origin, north, east] = places.map((place) => project(projection, place));
     for (const point of [origin, north, east]) {
-      expect(point?.x).toBeGreaterThanOrEqual(frame.rim - 0.5);
-      expect(point?.x).toBeLessThanOrEqual(frame.width - frame.rim + 0.5);
-      expect(point?.y).toBeGreaterThanOrEqual(frame.rim - 0.5);
-      expect(point?.y).toBeLessThanOrEqual(frame.height - frame.rim + 0.5);
+      expect(point?.x).toBeGreaterThanOrEqual(picture.rim - 0.5);
+      expect(point?.x).toBeLessThanOrEqual(picture.width - picture.rim + 0.5);
+      expect(point?.y).toBeGreaterThanOrEqual(picture.rim - 0.5);
+      expect(point?.y).toBeLessThanOrEqual(picture.height - picture.rim + 0.5);
     }
     expect(north?.y).toBeLessThan(origin?.y ?? 0);
     expect(north?.x).toBeCloseTo(origin?.x ?? 0, 0);
@@ -46,8 +46,8 @@ describe("places", () => {
     const west = { latitude_deg: 0, longitude_deg: 179.99 };
     const east = { latitude_deg: 0, longitude_deg: -179.99 };
     const projection = fitted([west, east]);
-    expect(project(projection, west).x).toBeCloseTo(frame.rim, 0);
-    expect(project(projection, east).x).toBeCloseTo(frame.width - frame.rim, 0);
+    expect(project(projection, west).x).toBeCloseTo(picture.rim, 0);
+    expect(project(projection, east).x).toBeCloseTo(picture.width - picture.rim, 0);
   });
 });
 
@@ -59,7 +59,7 @@ test.each([1000, 7000, 40_000, 3_000_000])("the scale bar over %d m is a round l
   const projection = fitted([gando, destination(gando, 90, span)]);
   const { length_m, units } = scaleBar(projection);
   expect(String(length_m)).toMatch(/^[125]0*$/);
-  expect(units).toBeLessThanOrEqual(frame.width * 0.3);
-  expect(units).toBeGreaterThan(frame.width * 0.1);
+  expect(units).toBeLessThanOrEqual(picture.width * 0.3);
+  expect(units).toBeGreaterThan(picture.width * 0.1);
   expect(units / projection.units_per_m).toBeCloseTo(length_m, 6);
 });

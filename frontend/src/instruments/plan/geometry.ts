@@ -1,34 +1,34 @@
 import { EARTH_RADIUS_M, type Position } from "../../lib/geodesy";
 import { roundLength } from "../../lib/scaleBar";
 
-/** A picture of so many units, with a rim in which nothing lies. */
-export interface Frame {
+/** Size of a picture, with an empty margin. */
+export interface Picture {
   readonly width: number;
   readonly height: number;
   readonly rim: number;
 }
 
-/** Puts places onto the picture: north up, east right. */
+/** Projects positions onto the picture: north up, east right. */
 export interface Projection {
   readonly centre: Position;
   readonly units_per_m: number;
-  readonly frame: Frame;
+  readonly picture: Picture;
 }
 
-/** Less than this is not drawn larger, metres: a single point has a neighbourhood too. */
+/** Smallest extent of a picture, metres: a single point is not magnified without end. */
 const LEAST_SPAN_M = 600;
 
 /**
- * The projection in which all these places lie within the frame; null where there are none. Metres are counted along
- * the meridian and the parallel of the middle, which is true to scale for as far as a plan of these aircraft reaches.
+ * The projection in which all positions lie within the margins; null without positions. Metres are measured along the
+ * meridian and the parallel of the middle, accurate for plans of this size.
  */
-export function frameAround(places: readonly Position[], frame: Frame): Projection | null {
+export function projectionAround(places: readonly Position[], picture: Picture): Projection | null {
   const [first] = places;
   if (first === undefined) {
     return null;
   }
   const latitudes = places.map(({ latitude_deg }) => latitude_deg);
-  // Counted from the first, so that a plan across the date line lies together.
+  // Relative to the first, so that a plan across the date line stays together.
   const longitudes = places.map((place) => eastOf(first, place));
   const [south, north] = [Math.min(...latitudes), Math.max(...latitudes)];
   const [west, east] = [Math.min(...longitudes), Math.max(...longitudes)];
@@ -39,25 +39,25 @@ export function frameAround(places: readonly Position[], frame: Frame): Projecti
   const tall_m = Math.max(LEAST_SPAN_M, metres(north - south));
   const wide_m = Math.max(LEAST_SPAN_M, metres(east - west) * cosine(centre.latitude_deg));
   const units_per_m = Math.min(
-    (frame.width - 2 * frame.rim) / wide_m,
-    (frame.height - 2 * frame.rim) / tall_m,
+    (picture.width - 2 * picture.rim) / wide_m,
+    (picture.height - 2 * picture.rim) / tall_m,
   );
-  return { centre, units_per_m, frame };
+  return { centre, units_per_m, picture };
 }
 
-/** Where a place lies on the picture: x to the right, y downwards. */
+/** A position on the picture: x right, y down. */
 export function project(
-  { centre, units_per_m, frame }: Projection,
+  { centre, units_per_m, picture }: Projection,
   place: Position,
 ): { x: number; y: number } {
   const east_m = metres(eastOf(centre, place)) * cosine(centre.latitude_deg);
   const north_m = metres(place.latitude_deg - centre.latitude_deg);
-  return { x: frame.width / 2 + east_m * units_per_m, y: frame.height / 2 - north_m * units_per_m };
+  return { x: picture.width / 2 + east_m * units_per_m, y: picture.height / 2 - north_m * units_per_m };
 }
 
-/** The longest of 1, 2, 5, 10... metres whose bar is no longer than this part of the picture. */
-export function scaleBar({ units_per_m, frame }: Projection): { length_m: number; units: number } {
-  const most_m = (frame.width * 0.3) / units_per_m;
+/** The longest bar of 1, 2, 5, 10... metres within this share of the picture. */
+export function scaleBar({ units_per_m, picture }: Projection): { length_m: number; units: number } {
+  const most_m = (picture.width * 0.3) / units_per_m;
   const length_m = roundLength(most_m);
   return { length_m, units: length_m * units_per_m };
 }

@@ -6,14 +6,14 @@ import { fillTransform, markerTransform, type Orientation, type ServoKind, servo
 import "./servo.css";
 
 export interface ServoBarHandle {
-  /** Show a position; `null` (or a value that is no number) empties the track and says so. */
+  /** Show a position; `null` or NaN empties the bar and says so. */
   paint(value: number | null, now_ms?: number): void;
 }
 
 interface Props {
   ref?: Ref<ServoBarHandle>;
   label: string;
-  /** Read out in the number's place while there is nothing live; the eye sees dashes and a crossed-out track. */
+  /** For screen readers, instead of the number without live data; sighted users see dashes and a crossed-out bar. */
   noDataText: string;
   /** The number under the bar, in the reader's own notation. */
   format: (value: number) => string;

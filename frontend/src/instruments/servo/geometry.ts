@@ -6,11 +6,11 @@ export type ServoKind = "surface" | "throttle";
 /** Up (or right) is positive. */
 export type Orientation = "vertical" | "horizontal";
 
-/** Where the bar stands: its place as a share of the track from the negative end, and whether it was cut there. */
+/** The bar's position as a share of the track from the negative end, and whether it was limited. */
 export interface ServoBarState {
   /** 0 at the negative end, 1 at the positive end. */
   readonly place: number;
-  /** The value lies beyond the track's end. */
+  /** The value is beyond the track's end. */
   readonly limited: boolean;
 }
 

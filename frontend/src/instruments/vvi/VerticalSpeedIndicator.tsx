@@ -2,8 +2,7 @@ import { PointerDial, type PointerDialProps } from "../dial/PointerDial";
 import { VERTICAL_SPEED_GEOMETRY, type VerticalSpeedUnit } from "./geometry";
 
 /**
- * Vertical speed, climb positive, painted in feet per minute as `vertical_speed_ft_min` whatever its face is engraved
- * in.
+ * Vertical speed, climb positive, painted in feet per minute as `vertical_speed_ft_min` whatever unit is on its face.
  */
 export function VerticalSpeedIndicator({
   face = "ftPerMin",

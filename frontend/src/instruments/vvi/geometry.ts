@@ -5,7 +5,7 @@ import { polar, reach, type Scale, scaleAngle_deg, series, tickPath } from "../d
 /** Units in which a vertical speed indicator is engraved. */
 export type VerticalSpeedUnit = "ftPerMin" | "mPerS";
 
-/** What is engraved: its end either way, the steps of its marks, and what a numeral counts. */
+/** The scale: its end in both directions, the steps of its marks, and the unit of a numeral. */
 interface Engraving {
   readonly end: number;
   readonly major: number;
@@ -15,8 +15,8 @@ interface Engraving {
 }
 
 /**
- * Zero at nine o'clock, climb over the top, descent under it; the ends keep a gap between them. Whatever the face is
- * engraved in, it is painted in feet per minute.
+ * Zero at nine o'clock, climb over the top, descent below; a gap remains between the ends. It is painted in feet per
+ * minute, whatever unit is on its face.
  */
 function face(unit: VerticalSpeedUnit, { end, major, middle, minor, numeral }: Engraving): PointerGeometry {
   const scale: Scale = { minimum: -end, maximum: end, start_deg: -255, sweep_deg: 330 };
@@ -31,7 +31,7 @@ function face(unit: VerticalSpeedUnit, { end, major, middle, minor, numeral }: E
       text: String(Math.abs(engraved) / numeral),
       ...polar(63, angle_deg(engraved)),
     })),
-    // Arrows above and under the zero: which half of the dial is climb, and which descent.
+    // Arrows above and below the zero: which half is climb and which descent.
     signs: "M-60 -24L-55.5 -16H-64.5ZM-60 24L-55.5 16H-64.5Z",
     window: { y: 28, width: 68 },
     captionY: -28,

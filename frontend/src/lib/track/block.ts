@@ -1,4 +1,4 @@
-/** Points of one block: twenty seconds at 50 Hz. What is complete is thinned block by block. */
+/** Points of one block: twenty seconds at 50 Hz. Complete blocks are thinned one by one. */
 export const BLOCK_BITS = 10;
 export const BLOCK_POINTS = 1 << BLOCK_BITS;
 
@@ -15,10 +15,10 @@ export class TrackBlock {
   readonly longitude_e7 = new Int32Array(BLOCK_POINTS);
   /** Over mean sea level. */
   readonly altitude_mm = new Int32Array(BLOCK_POINTS);
-  /** Over ground, and upwards; NaN where the flight before is too short to tell. */
+  /** Over ground, and upwards; NaN if the track before is too short to compute it. */
   readonly speed_mps = new Float32Array(BLOCK_POINTS);
   readonly climb_mps = new Float32Array(BLOCK_POINTS);
-  /** Offsets at which a new piece begins: nobody knows what was flown between it and the point before. */
+  /** Offsets at which a new piece begins: the flight between it and the point before is unknown. */
   readonly starts: number[] = [];
   count = 0;
 
@@ -27,7 +27,10 @@ export class TrackBlock {
   }
 }
 
-/** Every second point of two consecutive blocks as one block: the first's first is kept, and each piece's beginning. */
+/**
+ * Two consecutive blocks merged into one by taking every second point; keeps the very first point and the beginning
+ * of each piece.
+ */
 export function merged(first: TrackBlock, second: TrackBlock): TrackBlock {
   const into = new TrackBlock();
   for (const from of [first, second]) {
@@ -38,7 +41,7 @@ export function merged(first: TrackBlock, second: TrackBlock): TrackBlock {
     }
     for (const start of from.starts) {
       const at = before + Math.ceil(start / 2);
-      // A piece of one point at an odd place is gone; its neighbour begins where it would have.
+      // A piece of a single point at an odd index is dropped; the next piece begins in its place.
       if (at < BLOCK_POINTS && into.starts.at(-1) !== at) {
         into.starts.push(at);
       }

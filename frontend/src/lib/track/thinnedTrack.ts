@@ -3,8 +3,8 @@ import { type Thinned, thin } from "./thinning";
 import type { TrackPoints } from "./trackPoints";
 
 /**
- * The complete blocks of a track with their levels of detail. They are made a few at a time: two hours that come in
- * one piece must not hold the page up.
+ * The complete blocks of a track with their levels of detail. They are computed a few at a time: two hours that
+ * arrive at once must not freeze the page.
  */
 export class ThinnedTrack {
   readonly #points: TrackPoints;
@@ -17,7 +17,7 @@ export class ThinnedTrack {
     this.#points = points;
   }
 
-  /** In the order of time and without a gap: the newest of all that are complete. */
+  /** In order of time without a gap: the newest of the complete blocks. */
   get blocks(): readonly Thinned[] {
     return this.#blocks;
   }
@@ -26,7 +26,7 @@ export class ThinnedTrack {
     return this.#points;
   }
 
-  /** Makes what is missing, the newest first, until `isEnough` says so. True: the list has changed. */
+  /** Computes missing ones, the newest first, until `isEnough`. Returns whether the list has changed. */
   refresh(isEnough: () => boolean): boolean {
     if (this.#revision === this.#points.revision && this.#isComplete) {
       return false;
@@ -57,7 +57,7 @@ export class ThinnedTrack {
     return made;
   }
 
-  /** Nothing waits to be made. */
+  /** Whether none is missing. */
   get isComplete(): boolean {
     return this.#isComplete && this.#revision === this.#points.revision;
   }

@@ -37,7 +37,7 @@ function place(block: TrackBlock, offset: number): Float64Array {
   return at;
 }
 
-/** Distance of a point from a straight line between two others, worked out in another way than the code's. */
+/** Distance of a point from a straight line between two others, computed independently of the code. */
 function strays_m(a: Float64Array, b: Float64Array, p: Float64Array): number {
   let nearest = Number.POSITIVE_INFINITY;
   for (let step = 0; step <= 200; step += 1) {

@@ -1,7 +1,7 @@
 import { writeEcef } from "../ecef";
 import { BLOCK_POINTS, DEGREES_PER_UNIT, METRES_PER_UNIT, type TrackBlock } from "./block";
 
-/** A metre a second of wrong colour counts as so many metres of wrong place, from half a metre a second on. */
+/** An error of 1 m/s in the colour counts as this many metres of position error, from 0.5 m/s on. */
 const METRES_PER_MPS = 20;
 const UNSEEN_MPS = 0.5;
 
@@ -9,20 +9,20 @@ const UNSEEN_MPS = 0.5;
 export interface Thinned {
   readonly block: TrackBlock;
   /**
-   * `keep_m[i]`: point i is needed where the line may stray less than this from what was flown. The points with
-   * `keep_m > e` are a line that strays at most `e` metres (Douglas and Peucker); both ends and the ends of pieces are
-   * in every line, so that neighbours meet at any mix of levels.
+   * `keep_m[i]`: point i is needed if the line may deviate less than this from the flown one. The points with `keep_m
+   * > e` form a line that deviates at most `e` metres (Douglas and Peucker). Both ends and the ends of pieces are in
+   * every line, so that neighbours meet at any mix of levels.
    */
   readonly keep_m: Float32Array;
-  /** Earth-centred metres of a ball that holds all points. */
+  /** A sphere, earth-centred metres, that holds all points. */
   readonly centre: readonly [number, number, number];
   readonly radius_m: number;
-  /** The same of each `PIECE_POINTS` of its points: x, y, z and radius, one after another, a metre fine. */
+  /** A sphere for each `PIECE_POINTS` points: x, y, z and radius in a row, accurate to a metre. */
   readonly pieces_m: Float32Array;
 }
 
 export const PIECE_POINTS = 64;
-/** What a float32 leaves out of a place, and more. */
+/** More than the rounding of a position to float32. */
 const COARSE_M = 1;
 const places = new Float64Array(3 * BLOCK_POINTS);
 
@@ -50,7 +50,7 @@ function pieces(count: number): Float32Array {
   return found;
 }
 
-/** Offsets of the points that a line within `tolerance_m` of the flown one needs. */
+/** Offsets of the points of a line within `tolerance_m` of the flown one. */
 export function kept({ keep_m }: Thinned, tolerance_m: number): number[] {
   const offsets: number[] = [];
   for (let offset = 0; offset < keep_m.length; offset += 1) {
@@ -61,7 +61,7 @@ export function kept({ keep_m }: Thinned, tolerance_m: number): number[] {
   return offsets;
 }
 
-/** Splits at the farthest point, again and again; no point outweighs the one that had to be split before it. */
+/** Splits recursively at the farthest point; no point weighs more than the one whose split made its part. */
 function weigh(block: TrackBlock, keep_m: Float32Array, begin: number, end: number): void {
   const waiting = [begin, end, Number.POSITIVE_INFINITY];
   while (waiting.length > 0) {
@@ -85,7 +85,7 @@ function weigh(block: TrackBlock, keep_m: Float32Array, begin: number, end: numb
   }
 }
 
-/** How far a point lies from the straight line between two others, in place or in what colours it. */
+/** Deviation of a point from the straight line between two others, in position or in the coloured values. */
 function stray_m(block: TrackBlock, first: number, last: number, offset: number): number {
   const [from, to, at] = [3 * first, 3 * last, 3 * offset];
   const x = places[from] ?? 0;
@@ -115,7 +115,7 @@ function colour_m(values: Float32Array, first: number, last: number, offset: num
   return wrong > UNSEEN_MPS ? METRES_PER_MPS * (wrong - UNSEEN_MPS) : 0;
 }
 
-/** What is not known counts as still: the line's colour changes where it becomes known. */
+/** Unknown counts as zero: the line's colour changes where the value becomes known. */
 function known(value: number | undefined): number {
   return value === undefined || Number.isNaN(value) ? 0 : value;
 }
@@ -132,7 +132,7 @@ function writePlaces({ count, latitude_e7, longitude_e7, altitude_mm }: TrackBlo
   }
 }
 
-/** Holds the points from the first of these up to the second. */
+/** A sphere that holds the points from the first index up to the second. */
 function ball(first: number, end: number): Pick<Thinned, "centre" | "radius_m"> {
   const least = [Number.POSITIVE_INFINITY, Number.POSITIVE_INFINITY, Number.POSITIVE_INFINITY];
   const most = [Number.NEGATIVE_INFINITY, Number.NEGATIVE_INFINITY, Number.NEGATIVE_INFINITY];

@@ -1,18 +1,18 @@
 import type { Spread, TrackPoints } from "./trackPoints";
 
-/** By what a track is coloured. */
+/** The value that colours a track. */
 export const COLOURINGS = ["none", "height", "speed", "climb"] as const;
 export type Colouring = (typeof COLOURINGS)[number];
 
 export type Rgb = readonly [red: number, green: number, blue: number];
 
-/** What has no value. */
+/** The colour of an unknown value. */
 export const UNKNOWN_COLOUR = "#9a9a9a";
 
 /**
- * From the least to the most, in equal steps. Both are told apart by people with any kind of colour blindness, for
- * their lightness tells the value alone: cividis (Nuñez, Anderton and Renslow 2018), without its darkest end, for what
- * has a least, and blue over white to orange for what sinks and rises.
+ * From least to most, in equal steps. Both scales can be read with any kind of colour blindness, because lightness
+ * alone gives the value: cividis (Nuñez, Anderton and Renslow 2018) without its darkest end for values with a
+ * minimum, and blue through white to orange for values around zero.
  */
 export const SCALES: Readonly<Record<Exclude<Colouring, "none">, readonly string[]>> = {
   height: ["#1f3c6e", "#4b546c", "#6c6d72", "#8c8676", "#aea371", "#d3c164", "#fee838"],
@@ -20,7 +20,7 @@ export const SCALES: Readonly<Record<Exclude<Colouring, "none">, readonly string
   climb: ["#0571b0", "#5aa5d0", "#b5d5e8", "#f7f7f7", "#fbcf9d", "#ef9a4c", "#c95a00"],
 };
 
-/** What a scale stands for, from its least colour to its most. */
+/** The values at the scale's ends. */
 export interface Range {
   readonly least: number;
   readonly most: number;
@@ -32,7 +32,7 @@ export function rgb(colour: string): Rgb {
   return [part(1), part(3), part(5)];
 }
 
-/** The colour of a value; null is not known. What lies outside of the range has the colour of its end. */
+/** The colour of a value; null is unknown. A value outside the range has the colour of its end. */
 export function colourOf(scale: readonly string[], { least, most }: Range, value: number | null): string {
   if (value === null || Number.isNaN(value)) {
     return UNKNOWN_COLOUR;
@@ -49,8 +49,8 @@ export function colourOf(scale: readonly string[], { least, most }: Range, value
 }
 
 /**
- * What the scale of some tracks stands for, in the shown unit: round numbers that hold all values. Height and speed
- * begin at 0 or below, climb has its 0 in the middle. Null while nothing is known.
+ * The range of the scale for some tracks, in the shown unit: round numbers that include all values. Height and speed
+ * begin at 0 or below, climb has 0 in the middle. Null while unknown.
  */
 export function rangeOf(
   colouring: Exclude<Colouring, "none">,
@@ -74,7 +74,7 @@ function spreadOf(colouring: Exclude<Colouring, "none">, points: TrackPoints): S
   return { height: points.altitude_m, speed: points.speed_mps, climb: points.climb_mps }[colouring];
 }
 
-/** The next of 1, 2, 3, 4, 5, 6, 8 and their tens, hundreds, ...; 1 for nothing. */
+/** The next greater of 1, 2, 3, 4, 5, 6, 8 and their decades; 1 for zero. */
 function roundUp(value: number): number {
   if (value <= 1) {
     return 1;

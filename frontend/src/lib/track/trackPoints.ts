@@ -1,26 +1,32 @@
 import { METRES_PER_DEGREE } from "../geodesy";
 import { BLOCK_BITS, BLOCK_POINTS, DEGREES_PER_UNIT, METRES_PER_UNIT, merged, TrackBlock } from "./block";
 
-/** 786,432 points: 4 h 22 min at 50 Hz, 22 MB. Beyond it older points go, every second one, block by block. */
+/**
+ * 786,432 points: 4 h 22 min at 50 Hz, 22 MB. Beyond it every second one of the older points is dropped, block by
+ * block.
+ */
 export const MAX_BLOCKS = 768;
 
-// As the gateway has it: further apart than this and nobody knows what was between.
+// As at the gateway: after a longer gap, the flight between the points is unknown.
 const LONGEST_GAP_S = 10;
 const FASTEST_MPS = 350;
 const LEAST_JUMP_M = 100;
 
-/** Speed and climb are over this time: a step of 1e-7 degrees (1 cm) between two points of 50 Hz alone is 0.6 m/s. */
+/**
+ * Speed and climb are averaged over this time: one step of 1e-7 degrees (1 cm) between two points at 50 Hz would be
+ * 0.6 m/s.
+ */
 const WINDOW_S = 1.5;
-/** Less than this says nothing. */
+/** A shorter time is too inaccurate. */
 const LEAST_WINDOW_S = 0.5;
 
-/** The least and the greatest of a track's values; null before there is one. */
+/** The least and greatest of a track's values; null if there is none. */
 export interface Spread {
   readonly least: number;
   readonly most: number;
 }
 
-/** One point as it came. */
+/** One point as received. */
 export interface TrackPoint {
   readonly t_s: number;
   readonly latitude_e7: number;
@@ -28,15 +34,15 @@ export interface TrackPoint {
   readonly altitude_mm: number;
 }
 
-/** One track in the order of time, in bounded memory. Adding a point costs the same whatever its length. */
+/** One track in order of time, in bounded memory. Adding a point costs the same at any length. */
 export class TrackPoints {
   #blocks: TrackBlock[] = [];
   #count = 0;
   #revision = 0;
-  /** The block that is thinned next, when there is no room. */
+  /** The block to thin next when memory is full. */
   #thinning = 0;
   readonly #maxBlocks: number;
-  /** Index of the point with which the window of the newest point's speed begins. */
+  /** Index of the first point in the window of the newest point's speed. */
   #window = 0;
   #altitude: Spread | null = null;
   #speed: Spread | null = null;
@@ -46,7 +52,7 @@ export class TrackPoints {
     this.#maxBlocks = maxBlocks;
   }
 
-  /** All are full but the newest. */
+  /** All but the newest are full. */
   get blocks(): readonly TrackBlock[] {
     return this.#blocks;
   }
@@ -55,7 +61,7 @@ export class TrackPoints {
     return this.#count;
   }
 
-  /** Another number whenever anything has changed. */
+  /** Changes with every change. */
   get revision(): number {
     return this.#revision;
   }
@@ -121,7 +127,7 @@ export class TrackPoints {
     return block;
   }
 
-  /** Two old blocks become one: a thousandth of the work of thinning all of the older half at once. */
+  /** Merges two old blocks: a thousandth of the work of thinning the whole older half at once. */
   #thin(): void {
     const at = this.#thinning;
     const [first, second] = [this.#blocks[at], this.#blocks[at + 1]];
@@ -137,7 +143,7 @@ export class TrackPoints {
     this.#window -= beyond >= 2 * BLOCK_POINTS ? BLOCK_POINTS : Math.max(0, Math.ceil(beyond / 2));
   }
 
-  /** Speed and climb over the time before this point, as far as its piece reaches. */
+  /** Speed and climb over the time before this point, within its piece. */
   #rate(block: TrackBlock, offset: number): void {
     const t_s = block.t_s[offset] ?? 0;
     while (this.#window + 2 < this.#count && t_s - this.#time(this.#window + 1) >= WINDOW_S) {
@@ -174,11 +180,11 @@ function widened(spread: Spread | null, value: number): Spread {
     : spread;
 }
 
-/** Nobody knows what was flown between a block's last point and this one. */
+/** Whether the flight between a block's last point and this one is unknown. */
 export function isInterrupted(block: TrackBlock, last: number, point: TrackPoint): boolean {
   const elapsed_s = point.t_s - (block.t_s[last] ?? 0);
   return (
-    // A clock that was set back does not tell how long ago the point before was.
+    // If the clock was set back, the elapsed time is unknown.
     elapsed_s < 0 ||
     elapsed_s > LONGEST_GAP_S ||
     flat_m(
@@ -199,7 +205,7 @@ function moved_m(from: TrackBlock, start: number, to: TrackBlock, end: number): 
   );
 }
 
-/** Distance of two near places, the short way round where the date changes. */
+/** Distance of two near positions, also across the date line. */
 function flat_m(latitude_e7: number, longitude_e7: number, toLatitude_e7: number, toLongitude_e7: number) {
   const north_deg = (toLatitude_e7 - latitude_e7) * DEGREES_PER_UNIT;
   const turn_e7 = toLongitude_e7 - longitude_e7;

@@ -10,53 +10,53 @@ import {
   Model,
   VerticalOrigin,
 } from "@cesium/engine";
+import type { Aircraft } from "../../lib/aircraft";
 import type { FullAttitude } from "../../lib/attitude";
-import type { Whose } from "../../lib/mapThing";
-import { AIRCRAFT } from "../colours";
+import { AIRCRAFT_COLOURS } from "../colours";
 import type { Globe } from "../globe/Globe";
 import { LETTERING } from "../lettering";
 import { airframeFaces } from "./airframe";
 import { gltfAddress } from "./gltf";
 import { modelMatrix, type Place, type Pose, poseOf } from "./pose";
 
-/** An aircraft as it is shown in a frame. */
+/** An aircraft as it is drawn in one picture. */
 export interface AircraftSeen {
   readonly place: Place;
-  /** When it was there, seconds of the gateway's clock. */
+  /** The time of its position, seconds of the gateway's clock. */
   readonly t_s: number;
-  /** Null where nothing tells how it lies: then a mark stands for the airframe. */
+  /** Null if unknown: then a mark replaces the airframe. */
   readonly attitude: FullAttitude | null;
-  /** Otherwise it is a ghost. */
+  /** If not, it is drawn as a ghost. */
   readonly isLive: boolean;
-  /** Its name, with its age where it is not live. */
+  /** Its name, with its age if not live. */
   readonly label: string;
 }
 
-export type AllSeen = Readonly<Record<Whose, AircraftSeen | null>>;
-/** What is to be shown in a frame; null: not drawn. */
+export type AllSeen = Readonly<Record<Aircraft, AircraftSeen | null>>;
+/** What to draw in a picture; null: not drawn. */
 export type AircraftFeed = (now_ms: number) => AllSeen;
 
 const GHOST = 0.32;
-/** From afar it is drawn larger than it is, or it would not be seen. */
+/** From afar it is drawn larger, to stay visible. */
 const LEAST_PX = 112;
-/** Over and under it, in pixels: both aircraft are often in one place. */
-const NAME_PLACE: Readonly<Record<Whose, Cartesian2>> = {
+/** Labels above and below, in pixels: both aircraft are often in one place. */
+const NAME_PLACE: Readonly<Record<Aircraft, Cartesian2>> = {
   flight: new Cartesian2(22, -18),
   hil: new Cartesian2(22, 34),
 };
-/** Less than this is no movement: metres, and as the sine of an angle. */
+/** Smaller movements are ignored: metres, and the sine of an angle. */
 const STILL_M = 0.004;
 const STILL_TURN = 2e-4;
 
-/** The two aircraft on the globe, each where its feed says it is in this frame. */
+/** The two aircraft on the globe, each where its feed puts it in this picture. */
 export class AircraftLayer {
   readonly #globe: Globe;
-  readonly #drawn: Readonly<Record<Whose, DrawnAircraft>>;
+  readonly #drawn: Readonly<Record<Aircraft, DrawnAircraft>>;
   readonly #labels = new LabelCollection();
   readonly #endFrames: () => void;
   #feed: AircraftFeed | null = null;
   #seen: AllSeen = { flight: null, hil: null };
-  #within: Whose | null = null;
+  #within: Aircraft | null = null;
 
   constructor(globe: Globe) {
     this.#globe = globe;
@@ -68,20 +68,20 @@ export class AircraftLayer {
     this.#endFrames = globe.onBeforeFrame((now_ms) => this.#beforeFrame(now_ms));
   }
 
-  /** Ask this for what is shown from now on; null: nothing. */
+  /** Set the feed that is asked for each picture; null: nothing is drawn. */
   setFeed(feed: AircraftFeed | null): void {
     this.#feed = feed;
     this.#globe.requestRender();
   }
 
-  /** The eye sits in this aircraft: its airframe is not drawn. */
-  setWithin(whose: Whose | null): void {
-    this.#within = whose;
+  /** The camera is in this aircraft: its airframe is not drawn. */
+  setWithin(aircraft: Aircraft | null): void {
+    this.#within = aircraft;
   }
 
-  /** As in the frame that is shown. */
-  seen(whose: Whose): AircraftSeen | null {
-    return this.#seen[whose];
+  /** The aircraft as it is drawn now. */
+  seen(aircraft: Aircraft): AircraftSeen | null {
+    return this.#seen[aircraft];
   }
 
   dispose(): void {
@@ -111,23 +111,23 @@ class DrawnAircraft {
   #matrix: readonly number[] = [];
   #shown = "";
 
-  constructor(globe: Globe, labels: LabelCollection, whose: Whose) {
+  constructor(globe: Globe, labels: LabelCollection, aircraft: Aircraft) {
     this.#globe = globe;
     this.#labels = labels;
-    this.#colour = Color.fromCssColorString(AIRCRAFT[whose]);
+    this.#colour = Color.fromCssColorString(AIRCRAFT_COLOURS[aircraft]);
     this.#label = labels.add({
       ...LETTERING,
       position: Cartesian3.ZERO,
       show: false,
       horizontalOrigin: HorizontalOrigin.LEFT,
       verticalOrigin: VerticalOrigin.BOTTOM,
-      pixelOffset: NAME_PLACE[whose],
+      pixelOffset: NAME_PLACE[aircraft],
       disableDepthTestDistance: Number.POSITIVE_INFINITY,
     });
     void this.#load();
   }
 
-  /** Whether anything is seen to have changed. */
+  /** Returns whether anything visible has changed. */
   show(seen: AircraftSeen | null, isWithin: boolean): boolean {
     const shown = seen === null ? "" : `${seen.label}|${seen.isLive}|${seen.attitude === null}|${isWithin}`;
     const isOther = shown !== this.#shown;
@@ -143,7 +143,7 @@ class DrawnAircraft {
     if (isOther) {
       this.#dress(seen);
     }
-    // Not the other way round: it must be moved in either case.
+    // Called first: it must be moved in any case.
     return this.#place(pose) || isOther;
   }
 
@@ -186,7 +186,8 @@ class DrawnAircraft {
       color: this.#colour,
       colorBlendMode: ColorBlendMode.HIGHLIGHT,
       allowPicking: false,
-      // Light from all around for a shine that it does not have: hundreds of milliseconds of a processor with each kilometre.
+      // Environment lighting for a gloss that it does not have: it costs hundreds of milliseconds of processor time
+      // per kilometre.
       environmentMapOptions: { enabled: false },
     });
     if (this.#isDisposed || this.#globe.scene.isDestroyed()) {
@@ -196,7 +197,7 @@ class DrawnAircraft {
     this.#model = this.#globe.scene.primitives.add(model) as Model;
     this.#matrix = [];
     this.#shown = "?";
-    // Its drawing resources come with some more frames.
+    // Its resources are ready some pictures later.
     model.readyEvent.addEventListener(() => this.#globe.requestRender());
     this.#globe.requestRender();
   }

@@ -7,34 +7,34 @@ import {
   PerspectiveFrustum,
   Transforms,
 } from "@cesium/engine";
+import type { Aircraft } from "../../lib/aircraft";
 import { wrap180 } from "../../lib/angles";
 import type { CameraMode } from "../../lib/mapCamera";
-import type { Whose } from "../../lib/mapThing";
 import type { Globe } from "../globe/Globe";
 import type { AircraftLayer, AircraftSeen } from "./AircraftLayer";
 import { poseOf } from "./pose";
 
-/** Behind and above, until a person has turned it: so far away, and so steep. */
+/** Distance and slope of the view from behind and above, until the user turns it. */
 const BEHIND_M = 45;
 const ABOVE_DEG = -14;
-/** The camera turns after the aircraft within about this time, so that a gust does not shake the whole world. */
+/** Time constant with which the camera follows the aircraft's turns, so that a gust does not shake the view. */
 const TURN_S = 0.8;
 const FOLLOW_FOV_DEG = 60;
 const COCKPIT_FOV_DEG = 70;
-/** Of one press of a key. */
+/** Turn per key press. */
 const KEY_TURN_DEG = 5;
 const KEY_ZOOM = 1.2;
 
-/** Moves the globe's camera with an aircraft, or leaves it to the person. */
+/** Moves the globe's camera with an aircraft, or leaves it to the user. */
 export class CameraRig {
   readonly #globe: Globe;
   readonly #aircraft: AircraftLayer;
   readonly #endFrames: () => void;
   #mode: CameraMode = "free";
-  #whose: Whose = "flight";
+  #followed: Aircraft = "flight";
   #heading_deg: number | null = null;
   #moved_ms = 0;
-  /** Where the eye was, as seen from the aircraft, when following was left. */
+  /** The camera's place relative to the aircraft when following ended. */
   #kept: Cartesian3 | null = null;
   #isHeld = false;
 
@@ -44,15 +44,15 @@ export class CameraRig {
     this.#endFrames = globe.onBeforeFrame((now_ms) => this.#beforeFrame(now_ms));
   }
 
-  set(mode: CameraMode, whose: Whose): void {
-    if (this.#isHeld && (mode !== "follow" || whose !== this.#whose)) {
+  set(mode: CameraMode, aircraft: Aircraft): void {
+    if (this.#isHeld && (mode !== "follow" || aircraft !== this.#followed)) {
       this.#release();
     }
-    if (whose !== this.#whose) {
+    if (aircraft !== this.#followed) {
       this.#heading_deg = null;
     }
     this.#mode = mode;
-    this.#whose = whose;
+    this.#followed = aircraft;
     const { camera, screenSpaceCameraController } = this.#globe.scene;
     screenSpaceCameraController.enableInputs = mode !== "cockpit";
     if (camera.frustum instanceof PerspectiveFrustum) {
@@ -64,7 +64,7 @@ export class CameraRig {
     this.#globe.requestRender();
   }
 
-  /** A key of the map: arrows turn, plus and minus come nearer and go away. False where it is none of these. */
+  /** A key of the map: arrows turn, plus and minus zoom. Returns false for other keys. */
   key(key: string): boolean {
     const { camera } = this.#globe.scene;
     const turn = CesiumMath.toRadians(KEY_TURN_DEG);
@@ -85,7 +85,7 @@ export class CameraRig {
     return act !== undefined;
   }
 
-  /** Heading, pitch and roll of the eye, degrees. */
+  /** Heading, pitch and roll of the camera, degrees. */
   get attitude_deg(): readonly [number, number, number] {
     const { heading, pitch, roll } = this.#globe.scene.camera;
     return [CesiumMath.toDegrees(heading), CesiumMath.toDegrees(pitch), CesiumMath.toDegrees(roll)];
@@ -96,7 +96,7 @@ export class CameraRig {
     this.#release();
   }
 
-  /** Held to nothing, arrows look round; held to an aircraft they go round it. */
+  /** Free, the arrows look around; following, they move around the aircraft. */
   #freeTurns(): Readonly<Record<string, () => void>> {
     const { camera } = this.#globe.scene;
     const turn = CesiumMath.toRadians(KEY_TURN_DEG);
@@ -111,8 +111,8 @@ export class CameraRig {
   }
 
   #beforeFrame(now_ms: number): void {
-    const seen = this.#aircraft.seen(this.#whose);
-    this.#aircraft.setWithin(this.#mode === "cockpit" && seen?.attitude != null ? this.#whose : null);
+    const seen = this.#aircraft.seen(this.#followed);
+    this.#aircraft.setWithin(this.#mode === "cockpit" && seen?.attitude != null ? this.#followed : null);
     if (seen === null || this.#mode === "free") {
       this.#release();
     } else if (this.#mode === "follow") {
@@ -136,7 +136,7 @@ export class CameraRig {
       frame,
     );
     if (this.#isHeld) {
-      // What the person has turned since the last frame is kept.
+      // Keeps what the user has turned since the last picture.
       camera.lookAtTransform(turned, Cartesian3.clone(camera.position));
     } else {
       camera.lookAtTransform(
@@ -178,7 +178,7 @@ export class CameraRig {
     }
   }
 
-  /** Out of a banked cockpit the world is level again. */
+  /** Makes the horizon level again after a banked cockpit. */
   #level(): void {
     const { camera } = this.#globe.scene;
     camera.setView({ orientation: { heading: camera.heading, pitch: camera.pitch, roll: 0 } });

@@ -2,7 +2,7 @@ import type { Globe } from "../globe/Globe";
 import { AircraftLayer } from "./AircraftLayer";
 import { CameraRig } from "./CameraRig";
 
-/** The aircraft, and the camera that goes with them: in each frame first where they are, then where they are seen from. */
+/** The aircraft and the camera that follows them: for each picture, first the aircraft are moved, then the camera. */
 export class FlightScene {
   readonly aircraft: AircraftLayer;
   readonly camera: CameraRig;

@@ -5,7 +5,7 @@ type Colour = readonly [red: number, green: number, blue: number];
 /** A flat face of three or four corners, seen from both sides. */
 export interface Face {
   readonly corners: readonly Point[];
-  /** Roughly away from the piece that it belongs to. */
+  /** Roughly the outward direction of the part that it belongs to. */
   readonly outwards: Point;
   readonly colour: Colour;
 }
@@ -16,7 +16,7 @@ const NOSE: Colour = [0.3, 0.3, 0.32];
 /** The lights of aircraft: red on the left, green on the right. */
 const LEFT_TIP: Colour = [1, 0.22, 0.18];
 const RIGHT_TIP: Colour = [0.15, 0.95, 0.35];
-/** Stations of the fuselage: place along it, half width, half height, its middle's height. */
+/** Stations of the fuselage: position along it, half width, half height, height of the middle. */
 const STATIONS = [
   [1.02, 0.03, 0.03, 0.0],
   [0.9, 0.1, 0.1, 0.0],
@@ -26,7 +26,10 @@ const STATIONS = [
   [-1.05, 0.035, 0.05, 0.07],
 ] as const;
 const SIDES = 8;
-/** From the upper left: fixed to the airframe, so that its shape is seen from everywhere without a light of the scene's. */
+/**
+ * Light from the upper left, fixed to the airframe, so that its shape shows from all sides without lights in the
+ * scene.
+ */
 const LIGHT: Point = [0.3, -0.35, 0.89];
 const DARKEST = 0.42;
 
@@ -102,7 +105,7 @@ function fuselage(): readonly Face[] {
   });
 }
 
-/** A flat piece with two faces and an edge round it, so thick to both sides. */
+/** A plate with two faces and an edge, this thick to both sides. */
 function plate(outline: readonly Point[], thick: Point, colour: Colour): readonly Face[] {
   const side = (sign: 1 | -1): Point[] => outline.map((corner) => plus(corner, scaled(thick, sign)));
   const [top, bottom] = [side(1), side(-1)];
@@ -122,7 +125,7 @@ function plate(outline: readonly Point[], thick: Point, colour: Colour): readonl
   ];
 }
 
-/** How light a face is seen, 0..1. */
+/** Brightness of a face, 0..1. */
 export function shadeOf({ corners, outwards }: Face): number {
   const [first = [0, 0, 0], second = first, third = first] = corners;
   const one = plus(second, scaled(first, -1));

@@ -5,14 +5,14 @@ const TRIANGLES = 4;
 const VERTICES = 34_962;
 
 /**
- * Faces as a glTF 2.0 of one file, as an address that needs no request: metres, nose to +z, up +y, so the right wing is
- * at -x. Colours are of the corners, with the light in them: the material takes none of the scene's.
+ * Faces as a one-file glTF 2.0 in a data address: metres, nose to +z, up +y, so the right wing is at -x. The corners'
+ * colours include the light: the material ignores the scene's lights.
  */
 export function gltfAddress(faces: readonly Face[]): string {
   const corners = faces.flatMap((face) => {
     const shade = shadeOf(face);
     const colour = face.colour.map((part) => part * shade);
-    // A fan from the first corner.
+    // A triangle fan from the first corner.
     return face.corners.slice(2).flatMap((third, index) =>
       [face.corners[0] ?? third, face.corners[index + 1] ?? third, third].map(([ahead, right, up]) => ({
         position: [-right, up, ahead],

@@ -1,14 +1,16 @@
 import { type FullAttitude, quaternionOf, rotated, type Vector } from "../../lib/attitude";
 import { writeEcef } from "../../lib/ecef";
 
-/** A place: degrees, and metres over the sea, which the globe takes as over the ellipsoid. */
+/** A position: degrees, and metres above the sea, which the globe takes as above the ellipsoid. */
 export interface Place {
   readonly latitude_deg: number;
   readonly longitude_deg: number;
   readonly altitude_m: number;
 }
 
-/** Where an airframe is and how it lies, in the Earth's axes: x through the Gulf of Guinea, z through the north pole. */
+/**
+ * An airframe's position and attitude in earth-centred axes: x through the Gulf of Guinea, z through the north pole.
+ */
 export interface Pose {
   /** Metres from the Earth's centre. */
   readonly position: Vector;
@@ -32,8 +34,8 @@ export function poseOf(place: Place, attitude: FullAttitude): Pose {
 }
 
 /**
- * The matrix of a model with its nose to +x, left wing to +y and up +z, column by column. That is how the engine turns a
- * glTF whose nose is +z and whose up is +y.
+ * The matrix, by columns, of a model with its nose to +x, left wing to +y and up +z: so the engine turns a glTF with
+ * nose +z and up +y.
  */
 export function modelMatrix({ position, ahead, right, up }: Pose): number[] {
   const [rightX, rightY, rightZ] = right;

@@ -15,7 +15,7 @@ const COLOURS: Readonly<Record<Part, keyof Palette>> = {
 };
 const GHOST_OPACITY = 0.22;
 
-/** The aircraft and, of the same shape, its ghost. */
+/** The aircraft and its ghost, which has the same shape. */
 export class Aircraft {
   readonly model = new Group();
   readonly ghost: Group;
@@ -47,7 +47,7 @@ export class Aircraft {
     }
   }
 
-  /** Grey all over while what it shows is not live. */
+  /** All grey while the data is not live. */
   dress(palette: Palette, isLive: boolean): void {
     for (const [part, material] of this.#materials) {
       material.color.set(isLive ? palette[COLOURS[part]] : palette.grey);

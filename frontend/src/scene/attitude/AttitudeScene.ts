@@ -24,11 +24,11 @@ export interface SceneWords extends CompassWords {
   readonly axisZ: string;
   readonly acceleration: string;
   readonly field: string;
-  /** At the heading that was made zero. */
+  /** Label of the aligned zero heading. */
   readonly zero: string;
 }
 
-/** What of it is drawn. */
+/** The visible parts. */
 export interface Shown {
   readonly ghost: boolean;
   readonly bodyAxes: boolean;
@@ -45,7 +45,7 @@ const BODY_AXES: readonly Vector[] = [
   [0, 2, 0],
   [0, 0, 1],
 ];
-/** So short that their words do not come over those of the rose, nor over those of the airframe. */
+/** So short that their labels do not cover those of the rose or the airframe. */
 const WORLD_AXES: readonly Vector[] = [
   [1.35, 0, 0],
   [0, 1.35, 0],
@@ -54,8 +54,8 @@ const WORLD_AXES: readonly Vector[] = [
 const ZERO_PLACE = 2.75;
 
 /**
- * The aircraft over a compass rose. Turns are north-east-down; with an alignment the whole world is turned so that the
- * chosen heading lies straight ahead.
+ * The aircraft over a compass rose. Rotations are north-east-down; with an alignment the whole world is turned so
+ * that the aligned heading is straight ahead.
  */
 export class AttitudeScene implements Act {
   readonly scene = new Scene();
@@ -112,7 +112,7 @@ export class AttitudeScene implements Act {
     this.#turn ??= turn;
   }
 
-  /** Another source, or none. */
+  /** The source has changed or is gone. */
   clear(): void {
     this.#motion.clear();
     this.#turn = null;
@@ -125,7 +125,7 @@ export class AttitudeScene implements Act {
     }
   }
 
-  /** The heading that lies straight ahead, degrees; null: north. */
+  /** The heading shown straight ahead, degrees; null: north. */
   setZero(zero_deg: number | null): void {
     this.#zero_deg = zero_deg;
     this.#world.rotation.y = ((zero_deg ?? 0) * Math.PI) / 180;
@@ -135,12 +135,12 @@ export class AttitudeScene implements Act {
     this.#shown = shown;
   }
 
-  /** In the axes of the airframe; null where there is nothing live. */
+  /** In the airframe's axes; null if not live. */
   setVectors(acceleration_m_s2: Vector | null, field: Vector | null): void {
     this.#vectors = { acceleration_m_s2, field };
   }
 
-  /** Place the camera with regard to the heading in which the aircraft is now. */
+  /** Put the camera relative to the aircraft's present heading. */
   look(view: CameraView): void {
     this.rig.place(view, this.#shownYaw_deg());
   }
@@ -199,7 +199,7 @@ export class AttitudeScene implements Act {
     return this.#isLive && this.#motion.isMoving(now_ms, this.#shown.ghost);
   }
 
-  /** What the picture shows, read from the model itself: yaw from straight ahead, that is from the zero. */
+  /** The attitude that is drawn, read from the model itself; yaw is relative to straight ahead. */
   get shownAttitude(): FullAttitude | null {
     if (this.#turn === null) {
       return null;

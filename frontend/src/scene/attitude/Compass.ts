@@ -26,7 +26,7 @@ export interface CompassWords {
   readonly west: string;
 }
 
-/** A compass rose on the floor, and on it the line under the nose. */
+/** A compass rose on the floor, with a line under the nose. */
 export class Compass {
   readonly group = new Group();
   readonly #line = new LineBasicMaterial();
@@ -70,7 +70,7 @@ export class Compass {
     });
   }
 
-  /** Heading under which the nose is, degrees; null while there is none. */
+  /** Heading of the nose, degrees; null if unknown. */
   pointNose(heading_deg: number | null): void {
     this.#nose.visible = heading_deg !== null;
     this.#nose.rotation.y = (-(heading_deg ?? 0) * Math.PI) / 180;
@@ -99,7 +99,7 @@ export class Compass {
   }
 }
 
-/** A place on the floor by its course from the middle. */
+/** A point of the floor by its course from the middle. */
 function spot(course_deg: number, radius: number): [number, number, number] {
   const course = (course_deg * Math.PI) / 180;
   return [Math.sin(course) * radius, 0, -Math.cos(course) * radius];

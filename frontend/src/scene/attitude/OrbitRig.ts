@@ -3,7 +3,7 @@ import { PerspectiveCamera, Vector3 } from "three";
 export const CAMERA_VIEWS = ["behind", "front", "top", "side"] as const;
 export type CameraView = (typeof CAMERA_VIEWS)[number];
 
-/** Where each stands: degrees clockwise from behind the aircraft, and above its horizon. */
+/** Each view's place: degrees clockwise from behind the aircraft, and above its horizon. */
 const PLACES: Readonly<Record<CameraView, readonly [round_deg: number, up_deg: number]>> = {
   behind: [0, 16],
   front: [180, 12],
@@ -12,7 +12,7 @@ const PLACES: Readonly<Record<CameraView, readonly [round_deg: number, up_deg: n
 };
 
 const FIELD_DEG = 34;
-/** From behind, the rose's nearest letter is just within the picture. */
+/** So near that from behind the rose's nearest letter is just visible. */
 const DISTANCE = 8;
 const NEAREST = 3;
 const FARTHEST = 18;
@@ -22,8 +22,9 @@ const ZOOM_PER_KEY = 1.12;
 const HIGHEST_DEG = 89.5;
 
 /**
- * A camera on a sphere round the middle of the scene. Placed by name behind, before, over or beside a heading, turned by
- * dragging, wheel and keys. `onChange` is told of every movement by a person; `onFree` when it left the named place.
+ * A camera on a sphere around the middle of the scene. It is put to a named view relative to a heading, and turned by
+ * dragging, wheel and keys. `onChange` is called for every movement by the user, `onFree` when the user leaves the
+ * named view.
  */
 export class OrbitRig {
   readonly camera = new PerspectiveCamera(FIELD_DEG, 1, 0.1, 60);
@@ -33,7 +34,7 @@ export class OrbitRig {
   #round_deg: number;
   #up_deg: number;
   #distance = DISTANCE;
-  /** Heading which the camera looks along when it stands behind. */
+  /** The heading that the view from behind looks along. */
   #ahead_deg = 0;
 
   constructor(target: readonly [number, number, number] = [0, -0.25, 0]) {
@@ -41,7 +42,7 @@ export class OrbitRig {
     [this.#round_deg, this.#up_deg] = PLACES.behind;
   }
 
-  /** Go to a named place, in which `ahead_deg` is straight away from a camera behind. */
+  /** Go to a named view; from behind it looks along `ahead_deg`. */
   place(view: CameraView, ahead_deg: number): void {
     [this.#round_deg, this.#up_deg] = PLACES[view];
     this.#distance = DISTANCE;
@@ -53,7 +54,7 @@ export class OrbitRig {
     this.#ahead_deg = ahead_deg;
   }
 
-  /** Put the camera where it shall be; in a narrow picture it steps back. */
+  /** Apply the camera's position; in a narrow picture it is farther away. */
   settle(): void {
     const course = ((this.#ahead_deg + 180 + this.#round_deg) * Math.PI) / 180;
     const up = (this.#up_deg * Math.PI) / 180;
@@ -68,7 +69,7 @@ export class OrbitRig {
     this.camera.updateMatrixWorld();
   }
 
-  /** Let a person turn it on this element; returns what ends that. */
+  /** Let the user turn it on this element; returns a function that ends that. */
   listen(element: HTMLElement): () => void {
     const events = new AbortController();
     const { signal } = events;

@@ -32,7 +32,7 @@ export interface SphereWords {
 
 /** Radius of the field in the scene. */
 const RADIUS = 1.7;
-/** A little outside of the readings. */
+/** A little outside the readings. */
 const MARKS_RADIUS = 1.12;
 const NO_CHANGE: Matrix3 = [
   [1, 0, 0],
@@ -40,7 +40,7 @@ const NO_CHANGE: Matrix3 = [
   [0, 0, 1],
 ];
 
-/** Readings of a magnetometer round their centre, the surface fitted to them, and the directions still missing. */
+/** The magnetometer's readings around their centre, the fitted surface, and the directions still missing. */
 export class SphereScene implements Act {
   readonly scene = new Scene();
   readonly rig = new OrbitRig([0, 0, 0]);
@@ -68,7 +68,7 @@ export class SphereScene implements Act {
     this.#surface.matrixAutoUpdate = false;
     this.#seen = marks(0.09);
     this.#unseen = marks(0.12);
-    // The readings themselves go into this group in their own unit and axes.
+    // The readings are put into this group in their own unit and axes.
     this.#readings.matrixAutoUpdate = false;
     this.#readings.add(this.#points, this.#now, this.#surface);
     this.scene.add(this.#readings, this.#seen, this.#unseen);
@@ -88,7 +88,7 @@ export class SphereScene implements Act {
     return this.scene.background !== null;
   }
 
-  /** All readings, the fit of them, the radius and centre to draw them with, and how often each direction was seen. */
+  /** All readings, their fit, the radius and centre to draw them with, and the number of readings per direction. */
   show(
     points: readonly Vector[],
     fit: FieldFit | null,
@@ -113,7 +113,7 @@ export class SphereScene implements Act {
     place(this.#unseen, (index) => (seen[index] ?? 0) === 0);
   }
 
-  /** The reading of this moment; null while there is none. */
+  /** The present reading; null if there is none. */
   point(reading: Vector | null): void {
     this.#now.visible = reading !== null;
     if (reading !== null) {
@@ -166,7 +166,7 @@ function marks(size: number): Points<BufferGeometry, PointsMaterial> {
   return made;
 }
 
-/** Only the directions for which this holds. */
+/** Show only the directions for which this holds. */
 function place(points: Points, holds: (index: number) => boolean): void {
   const positions = points.geometry.getAttribute("position") as BufferAttribute;
   let count = 0;
@@ -182,9 +182,9 @@ function place(points: Points, holds: (index: number) => boolean): void {
   points.geometry.setDrawRange(0, count);
 }
 
-/** A matrix of the airframe's axes, with a shift, as one of the picture's. */
+/** A matrix in the airframe's axes, with a shift, converted to the picture's axes. */
 function matrixInPicture(matrix: Matrix3, shift: Vector): Matrix4 {
-  // Columns: where the picture's axes (right, up, aft) go, each of them an axis of the airframe.
+  // Columns: the images of the picture's axes (right, up, aft), each an axis of the airframe.
   const column = (airframe: Vector): Vector =>
     inPicture(
       matrix.map((row) =>

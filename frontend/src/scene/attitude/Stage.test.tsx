@@ -9,13 +9,13 @@ class CountingDrawer implements Drawer {
   readonly canvas = document.createElement("canvas");
   readonly picture = this.canvas;
   isSoftware = false;
-  /** What a frame takes, and the time. */
+  /** Duration of a picture, and the time. */
   takes_ms = 0;
   now_ms = 0;
   #free_ms = Number.NEGATIVE_INFINITY;
   #started_ms: number | null = null;
   rendered = 0;
-  /** Of the frames drawn, those that need not be fine. */
+  /** Number of pictures that were allowed to be coarse. */
   coarse = 0;
   prepared: Scene[] = [];
   disposed = false;
@@ -53,7 +53,7 @@ class StillAct implements Act {
   readonly scene = new Scene();
   readonly camera = new PerspectiveCamera();
   isDressed = true;
-  /** How many frames it still goes on changing by itself. */
+  /** Number of pictures during which it continues to change by itself. */
   moves = 0;
   advance = (): boolean => {
     this.moves -= 1;
@@ -76,7 +76,7 @@ beforeEach(() => {
   document.body.append(host);
 });
 
-/** Displayed frames of 60 Hz from `from_ms` on. */
+/** Animation frames at 60 Hz from `from_ms` on. */
 function display(count: number, from_ms: number): void {
   for (let index = 0; index < count; index += 1) {
     drawer.now_ms = from_ms + (index * 1000) / 60;
@@ -141,7 +141,7 @@ describe("drawn by the processor", () => {
     stage.show(act, host);
   });
 
-  /** Pictures drawn in so many displayed frames from then on. */
+  /** Number of pictures drawn in this many animation frames from then on. */
   function drawnIn(displayed: number, from_ms: number): number {
     const before = drawer.rendered;
     display(displayed, from_ms);

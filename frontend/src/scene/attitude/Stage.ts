@@ -1,63 +1,63 @@
 import type { PerspectiveCamera, Scene } from "three";
-import { FrameBudget } from "../frameBudget";
+import { PictureBudget } from "../pictureBudget";
 import { stageLimits } from "./stageBudget";
 
-/** What really draws: WebGL, or a test's counter. */
+/** What draws: WebGL, or a test's counter. */
 export interface Drawer {
   /** What is shown. */
   readonly canvas: HTMLCanvasElement;
-  /** What is drawn on, and told when the browser takes it away. */
+  /** The canvas that is drawn on; it gets the events when the browser takes the context away. */
   readonly picture: EventTarget;
-  /** The processor draws, without a graphics processor. */
+  /** It draws without a graphics processor. */
   readonly isSoftware: boolean;
-  /** The last frame is not finished: another one now would only queue. */
+  /** The last picture is not finished: another would only queue. */
   readonly isWaiting: boolean;
-  /** Have all made that drawing needs: on its way like a frame, while the page goes on. */
+  /** Compile all that drawing needs, asynchronously like a picture. */
   prepare(scene: Scene, camera: PerspectiveCamera): void;
-  /** What the frame on its way has cost, milliseconds, once it is done and shown; null while it is not. */
+  /** The cost of the pending picture, milliseconds, once it is finished and shown; null before. */
   settle(): number | null;
-  /** `isMoving`: it need not be as fine as one that stays. */
+  /** `isMoving`: it may be coarser than a resting one. */
   render(scene: Scene, camera: PerspectiveCamera, isMoving: boolean): void;
   /** In CSS pixels. */
   setSize(width: number, height: number): void;
   dispose(): void;
 }
 
-/** Where displayed frames come from: the browser's, or a test's. */
+/** The source of animation frames: the browser, or a test. */
 export interface FrameClock {
   request(callback: (now_ms: number) => void): number;
   cancel(handle: number): void;
 }
 
-/** What is shown: a scene with its camera. */
+/** A scene with its camera. */
 export interface Act {
   readonly scene: Scene;
   readonly camera: PerspectiveCamera;
-  /** It has its colours and words: before that there is nothing to show. */
+  /** Whether it has its colours and labels: before that it is not shown. */
   readonly isDressed: boolean;
-  /** Bring everything to this moment; true as long as it goes on changing by itself. */
+  /** Advance to this moment; returns whether it continues to change by itself. */
   advance(now_ms: number): boolean;
 }
 
-/** After so long without a change a picture drawn coarsely is drawn once more, finely. */
+/** After this time without a change, a coarse picture is drawn once more finely. */
 const REST_MS = 250;
-/** After a person has turned it, it is in a hand for so long. */
+/** For this long after the user's last movement, it counts as being turned. */
 const HELD_MS = 400;
 
 /**
- * One canvas and one WebGL context for as long as the page lives, moved to where it is shown. Draws when something said
- * that it changed, and while that goes on changing by itself; else it asks for no frame at all.
+ * One canvas and one WebGL context for the page's whole life, moved to where they are shown. It draws when something
+ * has changed, and while that changes by itself; else it requests no animation frame.
  */
 export class Stage {
   readonly #drawer: Drawer;
   readonly #frames: FrameClock;
   readonly #watch: ResizeObserver | null;
   #act: Act | null = null;
-  /** Shown now, or until it was hidden. */
+  /** The act shown now or last. */
   #latest: Act | null = null;
   #host: HTMLElement | null = null;
   #handle: number | null = null;
-  readonly #budget: FrameBudget;
+  readonly #budget: PictureBudget;
   #prepared = new WeakSet<Act>();
   #isDirty = false;
   #isCoarse = false;
@@ -66,19 +66,19 @@ export class Stage {
   #drawn_ms = Number.NEGATIVE_INFINITY;
   #held_ms = Number.NEGATIVE_INFINITY;
 
-  /** Told when the browser takes the picture away (true) and gives it back. */
+  /** Called when the browser takes the context away (true) and gives it back. */
   onLost: ((isLost: boolean) => void) | null = null;
 
   constructor(drawer: Drawer, frames: FrameClock) {
     this.#drawer = drawer;
     this.#frames = frames;
     this.#watch = typeof ResizeObserver === "undefined" ? null : new ResizeObserver(() => this.#resize());
-    this.#budget = new FrameBudget(drawer.isSoftware, stageLimits(drawer.isSoftware));
+    this.#budget = new PictureBudget(drawer.isSoftware, stageLimits(drawer.isSoftware));
     drawer.picture.addEventListener("webglcontextlost", this.#lose);
     drawer.picture.addEventListener("webglcontextrestored", this.#restore);
   }
 
-  /** Frames drawn since it was made. */
+  /** Number of pictures drawn. */
   get drawn(): number {
     return this.#drawn;
   }
@@ -90,7 +90,7 @@ export class Stage {
   /** Show this act in this element. */
   show(act: Act, host: HTMLElement): void {
     if (act !== this.#latest) {
-      // Until this one is drawn, the canvas still holds the one before.
+      // Until this act is drawn, the canvas shows the one before.
       this.#drawer.canvas.style.visibility = "hidden";
       this.#latest = act;
     }
@@ -104,7 +104,7 @@ export class Stage {
     this.#resize();
   }
 
-  /** Nothing is shown: the canvas is kept, out of the document, and costs nothing. */
+  /** Show nothing: the canvas is kept outside the document and costs nothing. */
   hide(): void {
     this.#act = null;
     this.#host = null;
@@ -113,13 +113,13 @@ export class Stage {
     this.#rest();
   }
 
-  /** Something changed. */
+  /** Request a new picture. */
   invalidate(): void {
     this.#isDirty = true;
     this.#wake();
   }
 
-  /** A person turned it, at `now_ms` of the displayed frames: for a moment it may be drawn more often. */
+  /** The user turned it at `now_ms` of the animation frames: for a moment it may be drawn more often. */
   turn(now_ms: number): void {
     this.#held_ms = now_ms;
     this.invalidate();
@@ -157,7 +157,7 @@ export class Stage {
       this.#drawer.canvas.style.visibility = "";
     }
     if (!act.isDressed) {
-      // Whoever dresses it says so.
+      // It is requested again once it is dressed.
       return;
     }
     this.#draw(act, now_ms);
@@ -207,10 +207,10 @@ export class Stage {
   }
 
   readonly #lose = (event: Event): void => {
-    // Without this the browser would never give it back.
+    // Without this the browser never restores the context.
     event.preventDefault();
     this.#isLost = true;
-    // A frame on its way will never be done.
+    // The pending picture will never be finished.
     this.#drawer.settle();
     this.#rest();
     this.onLost?.(true);
@@ -218,7 +218,7 @@ export class Stage {
 
   readonly #restore = (): void => {
     this.#isLost = false;
-    // What was made for the picture before is not there any more.
+    // The resources of the old context are lost.
     this.#prepared = new WeakSet();
     this.onLost?.(false);
     this.invalidate();

@@ -9,8 +9,8 @@ import {
 import { mergeGeometries } from "three/examples/jsm/utils/BufferGeometryUtils.js";
 
 /**
- * A small high-wing aircraft in the axes of the picture: nose to -z, right wing to +x, up +y; 2.4 long, 3.2 wide.
- * Ours, made of a turned fuselage and plates with two profiles.
+ * A small high-wing aircraft in the picture's axes: nose to -z, right wing to +x, up +y; 2.4 long, 3.2 wide. Made for
+ * this project: a turned fuselage, and plates between two profiles.
  */
 export interface AircraftShape {
   readonly body: BufferGeometry;
@@ -21,7 +21,7 @@ export interface AircraftShape {
   readonly propeller: BufferGeometry;
 }
 
-/** Radius of the fuselage at places along it, from the nose (z = -1.15) to the tail (1.2). */
+/** Radius of the fuselage along it, from the nose (z = -1.15) to the tail (1.2). */
 const FUSELAGE: readonly (readonly [radius: number, z: number])[] = [
   [0.02, -1.15],
   [0.1, -1.1],
@@ -74,7 +74,7 @@ function plate(inner: readonly [Point, Point], outer: readonly [Point, Point], t
   return geometry;
 }
 
-/** The same on the other side; its faces keep looking outwards. */
+/** Mirrored to the other side, with its faces still outwards. */
 function mirrored(geometry: BufferGeometry): BufferGeometry {
   const other = geometry.clone().scale(-1, 1, 1);
   const positions = other.getAttribute("position");
@@ -151,7 +151,7 @@ export function aircraftShape(): AircraftShape {
   );
   return {
     body: merged([fuselage, wing, mirrored(wing), stabiliser, mirrored(stabiliser), fin]),
-    // Told apart from above at a glance: which way is up matters more than anything else here.
+    // A different colour below: which way is up matters most here.
     belly: new SphereGeometry(1, 16, 8, 0, 2 * Math.PI, Math.PI / 2, Math.PI / 2)
       .scale(0.17, 0.15, 0.62)
       .translate(0, -0.11, -0.3),

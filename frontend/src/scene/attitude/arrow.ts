@@ -4,7 +4,7 @@ import { Label } from "./label";
 
 const HEAD = 0.16;
 const ALONG = new Vector3(0, 1, 0);
-/** Shorter than its head an arrow has no direction that one could see. */
+/** A vector shorter than this is not drawn: its direction could not be seen. */
 const SHORTEST = 0.02;
 const DOWNWARD = -0.3;
 
@@ -13,7 +13,7 @@ interface Look {
   readonly labelHeight: number;
 }
 
-/** An arrow from the origin of its parent with a word at its tip, along a vector ahead-right-down or north-east-down. */
+/** An arrow from its parent's origin with a label at its tip, along a vector ahead-right-down or north-east-down. */
 export class Arrow {
   readonly group = new Group();
   readonly #shaft: Mesh;
@@ -45,7 +45,7 @@ export class Arrow {
     this.#head.quaternion.copy(this.#turn);
     this.#head.position.copy(this.#direction).multiplyScalar(shaft);
     this.#label.sprite.position.copy(this.#direction).multiplyScalar(length);
-    // Over the tip, or under the tip of one that points down: a long word beside it would lie upon a level arrow.
+    // Above the tip, or below the tip of one that points down: beside it, a long label would cover a level arrow.
     this.#label.sprite.center.set(0.5, this.#direction.y < DOWNWARD ? 1.1 : -0.1);
   }
 

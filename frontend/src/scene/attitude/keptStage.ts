@@ -7,7 +7,7 @@ let kept: Stage | null = null;
 let attitude: AttitudeScene | null = null;
 let sphere: SphereScene | null = null;
 
-/** The one stage of the page, made when it is first needed; null where the browser cannot draw in 3D. */
+/** The page's one stage, made on first use; null if the browser has no WebGL. */
 export function keptStage(): Stage | null {
   if (kept === null) {
     const drawer = webglDrawer();
@@ -21,7 +21,7 @@ export function keptStage(): Stage | null {
   return kept;
 }
 
-/** What the stage shows; kept with it, so that no shader is made twice. */
+/** The stage's act; kept with it, so that no shader is compiled twice. */
 export function keptAttitude(): AttitudeScene {
   attitude ??= new AttitudeScene();
   return attitude;
@@ -32,7 +32,7 @@ export function keptSphere(): SphereScene {
   return sphere;
 }
 
-/** Another one in its place, where the browser did not give the first one's picture back. */
+/** A new stage, if the browser did not restore the first one's context. */
 export function replacedStage(): Stage | null {
   kept?.dispose();
   kept = null;

@@ -3,7 +3,7 @@ import { CanvasTexture, LinearFilter, Sprite, SpriteMaterial } from "three";
 const FONT_PX = 44;
 const PAD_PX = 8;
 
-/** A word that always faces the camera, in the scene's units: a plate behind it keeps it legible over anything. */
+/** A label that always faces the camera, in the scene's units: a plate behind it keeps it legible over anything. */
 export class Label {
   readonly sprite: Sprite;
   readonly #material: SpriteMaterial;

@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import { FrameBudget } from "../frameBudget";
+import { PictureBudget } from "../pictureBudget";
 import { softwareRatio, stageLimits } from "./stageBudget";
 
 describe("how fine the processor draws", () => {
@@ -20,7 +20,7 @@ describe("how fine the processor draws", () => {
 });
 
 test("without a graphics processor frames stay dear, however short they seem", () => {
-  const budget = new FrameBudget(true, stageLimits(true));
+  const budget = new PictureBudget(true, stageLimits(true));
   for (let frame = 0; frame < 100; frame += 1) {
     budget.observe(3);
   }
@@ -28,7 +28,7 @@ test("without a graphics processor frames stay dear, however short they seem", (
 });
 
 test("on a graphics processor some slow frames pass", () => {
-  const budget = new FrameBudget(false, stageLimits(false));
+  const budget = new PictureBudget(false, stageLimits(false));
   for (let frame = 0; frame < 100; frame += 1) {
     budget.observe(90);
   }

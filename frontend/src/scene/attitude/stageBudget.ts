@@ -1,6 +1,6 @@
-import type { BudgetLimits } from "../frameBudget";
+import type { BudgetLimits } from "../pictureBudget";
 
-/** Where a frame is dear some ten are drawn in a second, with a quarter of the time between. */
+/** Slow graphics draw some ten pictures a second, with a quarter of the time between them. */
 const LIMITS: BudgetLimits = {
   dear_ms: 45,
   cheap_ms: 20,
@@ -12,22 +12,22 @@ const LIMITS: BudgetLimits = {
 };
 
 /**
- * What the browser says of its graphics is believed: without a graphics processor these frames are cheap for the clock,
- * which sees displayed frames alone, and dear for the processor. Where one is only slow, frames tell.
+ * If the browser reports no graphics processor, believe it: the measured time of such a picture is short, but it
+ * costs the processor. If there is a slow one, the measured times tell.
  */
 export function stageLimits(isSoftware: boolean): BudgetLimits {
   return isSoftware ? { ...LIMITS, cheap_ms: 0 } : LIMITS;
 }
 
-/** Points of the picture without a graphics processor: while it moves, and once it rests. */
+/** Pixels of a picture without a graphics processor: while it moves, and at rest. */
 const MOVING_POINTS = 200_000;
 const RESTING_POINTS = 4_000_000;
 const COARSEST = 0.6;
 const FINEST = 2;
 
 /**
- * Points to each side of a CSS pixel, of a picture of this size in CSS pixels. While it moves no finer than the page,
- * without smooth edges; at rest finer than the page, which smooths them.
+ * Device pixels per CSS pixel and side, for a picture of this size in CSS pixels. While it moves no finer than the
+ * page, without smooth edges; at rest finer, which smooths them.
  */
 export function softwareRatio(width: number, height: number, isMoving: boolean): number {
   const ratio = Math.sqrt((isMoving ? MOVING_POINTS : RESTING_POINTS) / (width * height));

@@ -1,22 +1,22 @@
 import { type PerspectiveCamera, type Scene, WebGLRenderer } from "three";
 import { CopiedPicture } from "../CopiedPicture";
-import { drawsInSoftware, FrameCost } from "../graphics";
+import { drawsInSoftware, PictureCost } from "../graphics";
 import type { Drawer } from "./Stage";
 import { softwareRatio } from "./stageBudget";
 
-/** Sharper than this nobody sees, and it costs by the square. */
+/** A higher resolution is not visible, and the cost grows with its square. */
 const MOST_PIXELS_PER_PIXEL = 2;
 
-/** WebGL on a canvas of its own; null where the browser has none. */
+/** WebGL on its own canvas; null if the browser has none. */
 export function webglDrawer(): Drawer | null {
   const isSoftware = drawsInSoftware();
   const picture = document.createElement("canvas");
-  // Asked for here and not by the renderer, which would write to the console where there is none.
+  // Requested here and not by the renderer, which would write to the console on failure.
   const context = picture.getContext("webgl2", {
     alpha: false,
     powerPreference: "low-power",
     antialias: !isSoftware,
-    // Until it is copied, which is long after it was drawn.
+    // Kept until it is copied, long after it was drawn.
     preserveDrawingBuffer: isSoftware,
   });
   return context === null
@@ -29,20 +29,20 @@ class WebglDrawer implements Drawer {
   readonly picture: HTMLCanvasElement;
   readonly isSoftware: boolean;
   readonly #copied: CopiedPicture | null;
-  readonly #cost: FrameCost;
+  readonly #cost: PictureCost;
   readonly #renderer: WebGLRenderer;
-  /** What is on its way is a frame, and not what frames need. */
+  /** Whether the pending work is a picture, not a preparation. */
   #isDrawn = false;
   #width = 1;
   #height = 1;
 
-  /** `copied`: shown in place of a picture that the processor draws. */
+  /** `copied`: shown instead of a picture drawn without a graphics processor. */
   constructor(picture: HTMLCanvasElement, context: WebGL2RenderingContext, copied: CopiedPicture | null) {
     this.picture = picture;
     this.canvas = copied?.canvas ?? picture;
     this.isSoftware = copied !== null;
     this.#copied = copied;
-    this.#cost = new FrameCost(context, "attitude.frame");
+    this.#cost = new PictureCost(context, "attitude.frame");
     this.#renderer = new WebGLRenderer({ canvas: picture, context });
     this.#renderer.debug.checkShaderErrors = false;
     this.#renderer.setPixelRatio(Math.min(MOST_PIXELS_PER_PIXEL, window.devicePixelRatio));
@@ -90,11 +90,11 @@ class WebglDrawer implements Drawer {
 
   dispose(): void {
     this.#renderer.dispose();
-    // A browser has some sixteen contexts, and takes the oldest away when they are used up.
+    // A browser has some sixteen contexts, and takes the oldest away when all are in use.
     this.#renderer.forceContextLoss();
   }
 
-  /** Both together, for each alone makes the picture anew. */
+  /** Both at once: each alone would allocate the buffers again. */
   #suit(ratio: number): void {
     const { width, height } = this.picture;
     if (width !== Math.floor(this.#width * ratio) || height !== Math.floor(this.#height * ratio)) {

@@ -1,5 +1,6 @@
+import type { Aircraft } from "../../lib/aircraft";
 import type { Position } from "../../lib/geodesy";
-import type { MapThing, Whose } from "../../lib/mapThing";
+import type { MapThing } from "../../lib/mapThing";
 import { placed } from "../../lib/plan";
 import { nearest, type Point } from "../plan/geometry";
 import type { PlanListener } from "../plan/PlanScene";
@@ -12,15 +13,15 @@ import type { Words } from "./Words";
 /** Within so many pixels of the pointer a thing is meant. */
 const REACH_PX = 14;
 /** What comes last lies above. */
-const ORDER: readonly Whose[] = ["hil", "flight"];
+const ORDER: readonly Aircraft[] = ["hil", "flight"];
 
 /** Both flight plans and home on the flat map, and what the pointer takes hold of there. */
 export class FlatPlans {
   readonly #onChange: () => void;
-  readonly #plans: Record<Whose, DrawnPlan | null> = { flight: null, hil: null };
+  readonly #plans: Record<Aircraft, DrawnPlan | null> = { flight: null, hil: null };
   #home: MarkedPlace | null = null;
   #listener: PlanListener | null = null;
-  #held: { readonly plan: Whose; readonly row: number; readonly to: Point } | null = null;
+  #held: { readonly plan: Aircraft; readonly row: number; readonly to: Point } | null = null;
 
   constructor(onChange: () => void) {
     this.#onChange = onChange;
@@ -30,7 +31,7 @@ export class FlatPlans {
     this.#listener = listener;
   }
 
-  show(plan: Whose, drawn: DrawnPlan | null): void {
+  show(plan: Aircraft, drawn: DrawnPlan | null): void {
     this.#plans[plan] = drawn;
     this.#onChange();
   }
@@ -72,7 +73,7 @@ export class FlatPlans {
   }
 
   /** While a waypoint is held, its plan is drawn with it where the pointer has it. */
-  #seen(plan: Whose): DrawnPlan | null {
+  #seen(plan: Aircraft): DrawnPlan | null {
     const drawn = this.#plans[plan];
     const held = this.#held;
     return drawn === null || held === null || held.plan !== plan
@@ -100,7 +101,7 @@ export class FlatPlans {
   }
 
   /** The map may move under the pointer meanwhile, after an aircraft. */
-  #dragOf(listener: PlanListener, view: () => FlatView, plan: Whose, row: number, from: ScreenPoint) {
+  #dragOf(listener: PlanListener, view: () => FlatView, plan: Aircraft, row: number, from: ScreenPoint) {
     const waypoint = this.#plans[plan]?.waypoints[row];
     if (waypoint === undefined) {
       return null;

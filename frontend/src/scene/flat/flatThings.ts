@@ -1,5 +1,5 @@
+import type { Aircraft } from "../../lib/aircraft";
 import type { Position } from "../../lib/geodesy";
-import type { Whose } from "../../lib/mapThing";
 import { EDGE, HOME, MEASURE, PLAN, STRONG, UNSENT } from "../colours";
 import { legPoints } from "../plan/geometry";
 import { type Dot, type DrawnPlan, dotsOf, type LineKind, linesOf } from "../plan/shape";
@@ -8,7 +8,7 @@ import { type FlatView, type ScreenPoint, toScreen } from "./projection";
 import type { Words } from "./Words";
 
 export interface FlatAircraft {
-  readonly plan: Whose;
+  readonly plan: Aircraft;
   readonly place: Position;
   /** Null: not known; a ring is drawn in place of an arrow. */
   readonly heading_deg: number | null;
@@ -24,10 +24,10 @@ export interface MarkedPlace extends Position {
 const FADED = "8c";
 
 /** The pen of each line that is seen from above: a stem is not. */
-function pensOf(whose: Whose): Readonly<Partial<Record<LineKind, Pen>>> {
-  const colour = PLAN[whose];
+function pensOf(aircraft: Aircraft): Readonly<Partial<Record<LineKind, Pen>>> {
+  const colour = PLAN[aircraft];
   // The simulator's plan is dashed: told apart without colours too.
-  const isDashed = whose === "hil";
+  const isDashed = aircraft === "hil";
   return {
     leg: { colour, width_px: 2, isDashed },
     unsentLeg: { colour: UNSENT, width_px: 2, isDashed },
@@ -42,11 +42,11 @@ function pensOf(whose: Whose): Readonly<Partial<Record<LineKind, Pen>>> {
 export function drawPlan(
   context: CanvasRenderingContext2D,
   view: FlatView,
-  whose: Whose,
+  aircraft: Aircraft,
   plan: DrawnPlan,
   words: Words,
 ): void {
-  const pens = pensOf(whose);
+  const pens = pensOf(aircraft);
   for (const { kind, places } of linesOf(plan)) {
     const pen = pens[kind];
     if (pen !== undefined) {
@@ -55,7 +55,7 @@ export function drawPlan(
     }
   }
   for (const dot of dotsOf(plan)) {
-    drawWaypoint(context, toScreen(view, dot.at), PLAN[whose], dot, words);
+    drawWaypoint(context, toScreen(view, dot.at), PLAN[aircraft], dot, words);
   }
 }
 

@@ -11,22 +11,27 @@ import {
 } from "@cesium/engine";
 import { tellTiming } from "../../lib/timing";
 import { CopiedPicture } from "../CopiedPicture";
-import { FrameBudget } from "../frameBudget";
-import { drawsInSoftware, FrameCost } from "../graphics";
+import { drawsInSoftware, PictureCost } from "../graphics";
+import { PictureBudget } from "../pictureBudget";
 import { globeLimits, softwareScale } from "./globeBudget";
 import { Ground } from "./ground";
 import { hastenTiles, setQuality, setScale } from "./quality";
 
-/** The one day that the globe shows: without day and night there is nothing to fetch for another. */
+/** The globe always shows this day: without day and night nothing else needs to be loaded. */
 const NOON = "2026-06-21T13:00:00Z";
 const SKY = "#8fb6d3";
-/** After the wheel was turned, the globe is in a hand for so long. */
+/** For this long after the wheel was turned, the user counts as moving the globe. */
 const WHEEL_MS = 400;
-/** Nothing has moved for so long: longer than between two ages in words, which come each second. */
+/**
+ * The globe is at rest when nothing has moved for this long: longer than the second between two updates of the ages.
+ */
 const REST_MS = 1500;
-/** A frame in which shaders were made takes seconds, and says nothing of the next ones. */
+/** A longer picture was one in which shaders were compiled: it says nothing about the next ones. */
 const MOST_MS = 500;
-/** Kept until it is copied, long after it was drawn; ground smoothed along the view would cost several times as much. */
+/**
+ * The buffer is kept until it is copied, long after it was drawn. Anisotropic filtering of the ground would cost
+ * several times as much.
+ */
 const softwareContext = () => ({
   allowTextureFilterAnisotropic: false,
   webgl: { antialias: false, preserveDrawingBuffer: true },
@@ -44,18 +49,18 @@ export class Globe {
   readonly widget: CesiumWidget;
   readonly scene: Scene;
   readonly ground: Ground;
-  /** It is drawn by the processor alone: coarser while something moves. */
+  /** Drawn without a graphics processor: coarser while something moves. */
   readonly isSoftware = drawsInSoftware();
   readonly #element = document.createElement("div");
   readonly #listeners = new Set<(now_ms: number) => void>();
   readonly #owned = new Set<() => void>();
-  readonly #budget: FrameBudget;
-  readonly #cost: FrameCost;
+  readonly #budget: PictureBudget;
+  readonly #cost: PictureCost;
   #handle: number | null = null;
   #ticked_ms = Number.NEGATIVE_INFINITY;
   readonly #copied: CopiedPicture | null;
   #isDear: boolean | null = null;
-  /** Something was asked to be drawn since the last frame. */
+  /** A new picture was requested since the last one. */
   #isAsked = false;
   /** The picture is coarser than at rest. */
   #isCoarse = true;
@@ -64,9 +69,13 @@ export class Globe {
   #wheeled_ms = Number.NEGATIVE_INFINITY;
   #drawn = 0;
 
-  /** `onLost`: the browser has taken the graphics away; this globe is of no use any more. Throws where there is no WebGL. */
+  /**
+   * `onLost`: the browser has taken the graphics context away and this globe cannot be used any more. Throws without
+   * WebGL.
+   */
   constructor(onLost: () => void = () => undefined) {
-    // Its default is a picture of its maker, fetched with the first frame. It is named in the page's own words instead.
+    // The default credit is a logo that would be fetched with the first picture; the maker is credited in the page's
+    // own text instead.
     CreditDisplay.cesiumCredit = new Credit("");
     this.#element.className = "globe";
     this.widget = new CesiumWidget(this.#element, {
@@ -80,7 +89,7 @@ export class Globe {
       requestRenderMode: true,
       maximumRenderTimeChange: Number.POSITIVE_INFINITY,
       msaaSamples: 1,
-      // What shines through is sorted by distance instead, which spares three more pictures a frame.
+      // Translucent parts are sorted by distance instead, which saves three more passes per picture.
       orderIndependentTranslucency: false,
       creditContainer: document.createElement("div"),
       blurActiveElementOnCanvasFocus: false,
@@ -91,8 +100,8 @@ export class Globe {
     this.scene.backgroundColor = Color.fromCssColorString(SKY);
     this.scene.canvas.classList.add("globe-picture");
     this.#copied = this.isSoftware ? this.#seenBy(this.scene.canvas) : null;
-    this.#cost = new FrameCost(this.scene.canvas.getContext("webgl2"), "globe.frame");
-    this.#budget = new FrameBudget(this.isSoftware, globeLimits(this.isSoftware));
+    this.#cost = new PictureCost(this.scene.canvas.getContext("webgl2"), "globe.frame");
+    this.#budget = new PictureBudget(this.isSoftware, globeLimits(this.isSoftware));
     this.ground = new Ground(this);
     this.scene.camera.setView({
       destination: Cartesian3.fromDegrees(-15.3, 27.75, 25_000),
@@ -102,17 +111,17 @@ export class Globe {
     this.#watchHands();
   }
 
-  /** Where it is shown; null while it is not. */
+  /** The element in which it is shown; null if it is not. */
   get host(): HTMLElement | null {
     return this.#element.parentElement;
   }
 
-  /** Frames drawn since it was made. */
+  /** Number of pictures drawn. */
   get drawn(): number {
     return this.#drawn;
   }
 
-  /** Something has just been moving in it: drawn by the processor alone, it is coarser than at rest. */
+  /** Something has moved recently: without a graphics processor it is coarser than at rest. */
   get isMoving(): boolean {
     return this.#isCoarse;
   }
@@ -120,7 +129,7 @@ export class Globe {
   /** Show it in `host`; it is drawn only while it is shown. */
   attach(host: HTMLElement): void {
     host.append(this.#element);
-    // It is turned by keys.
+    // Focusable, for the keys that turn it.
     host.tabIndex = 0;
     this.#ticked_ms = Number.NEGATIVE_INFINITY;
     this.requestRender();
@@ -135,19 +144,19 @@ export class Globe {
     }
   }
 
-  /** Something has changed: draw it when the budget allows. */
+  /** Request a new picture, drawn when the budget allows. */
   requestRender(): void {
     this.#isAsked = true;
     this.scene.requestRender();
   }
 
-  /** Called before each frame that may be drawn; who moves something there calls `requestRender`. */
+  /** Called before each picture; a listener that moves something calls `requestRender`. */
   onBeforeFrame(listener: (now_ms: number) => void): () => void {
     this.#listeners.add(listener);
     return () => this.#listeners.delete(listener);
   }
 
-  /** Called when it goes, before its scene does. */
+  /** Called when it is disposed of, before its scene is. */
   onDispose(listener: () => void): void {
     this.#owned.add(listener);
   }
@@ -165,7 +174,7 @@ export class Globe {
     this.#handle = requestAnimationFrame(this.#tick);
     this.#settle();
     const isHeld = this.#isHeld || now_ms - this.#wheeled_ms < WHEEL_MS;
-    // Never two frames on their way: the page would wait for the graphics, and its instruments with it.
+    // Never two pending pictures: the page would wait for the graphics, and its instruments with it.
     if (this.#cost.isWaiting || now_ms - this.#ticked_ms < this.#budget.period_ms(isHeld)) {
       return;
     }
@@ -199,7 +208,7 @@ export class Globe {
       this.#copied.copy();
       hastenTiles(this.scene, cost_ms);
     }
-    // A fine picture of all at rest says nothing of the next that moves.
+    // The cost of a fine picture at rest says nothing about the next moving one.
     if (this.#isCoarse || !this.isSoftware) {
       this.#budget.observe(Math.min(cost_ms, MOST_MS));
     }
@@ -213,7 +222,10 @@ export class Globe {
     }
   }
 
-  /** Coarse from the first movement on; fine again when nothing was drawn for a while. Pictures of the ground change nothing. */
+  /**
+   * Coarse from the first movement on, fine again when nothing has moved for a while. Newly loaded images of the
+   * ground do not count.
+   */
   #suitScale(isHeld: boolean, now_ms: number): void {
     if (this.#isAsked || isHeld) {
       this.#isCoarse = true;
@@ -226,11 +238,11 @@ export class Globe {
   }
 
   #frameNumber(): number {
-    // Not in its published types; nothing else tells whether a frame was drawn.
+    // Not in the published types; nothing else tells whether a picture was drawn.
     return (this.scene as unknown as { frameState: { frameNumber: number } }).frameState.frameNumber;
   }
 
-  /** The picture itself is not seen, but still takes the pointer's presses. */
+  /** The WebGL canvas is invisible, but still receives the pointer. */
   #seenBy(picture: HTMLCanvasElement): CopiedPicture {
     const copied = new CopiedPicture(picture);
     copied.canvas.className = "globe-picture";

@@ -1,10 +1,10 @@
 import { describe, expect, test } from "vitest";
-import { FrameBudget } from "../frameBudget";
+import { PictureBudget } from "../pictureBudget";
 import { globeLimits, softwareScale } from "./globeBudget";
 
 /** A budget after many frames of this cost. */
-function having(cost_ms: number, isSoftware = false): FrameBudget {
-  const budget = new FrameBudget(isSoftware, globeLimits(isSoftware));
+function having(cost_ms: number, isSoftware = false): PictureBudget {
+  const budget = new PictureBudget(isSoftware, globeLimits(isSoftware));
   for (let frame = 0; frame < 60; frame += 1) {
     budget.observe(cost_ms);
   }

@@ -1,8 +1,8 @@
-import type { BudgetLimits } from "../frameBudget";
+import type { BudgetLimits } from "../pictureBudget";
 
 /**
- * Where frames show that graphics are slow, two to five are drawn in a second, with a third of the time between; no
- * fewer but where a frame takes longer than that, and as much is left to all else.
+ * On slow graphics, two to five pictures a second with a third of the time between them; fewer only if a picture
+ * takes longer than that, and then half of the time is left to everything else.
  */
 const SLOW: BudgetLimits = {
   dear_ms: 45,
@@ -15,12 +15,12 @@ const SLOW: BudgetLimits = {
 };
 
 /**
- * Drawn by the processor alone, beside the page: four to eight in a second where a frame allows it. At least a third of
- * the time is without one, and a frame that takes half a second is still drawn each second.
+ * Without a graphics processor: four to eight pictures a second if their cost allows it. At least a third of the time
+ * is free, and a picture that takes half a second is still drawn once a second.
  */
 const SOFTWARE: BudgetLimits = {
   ...SLOW,
-  // What the browser says of its graphics is believed: the clock sees displayed frames alone.
+  // Believe the browser's report: the measured time of such a picture is short.
   cheap_ms: 0,
   shortest_ms: 125,
   longest_ms: 250,
@@ -30,14 +30,16 @@ export function globeLimits(isSoftware: boolean): BudgetLimits {
   return isSoftware ? SOFTWARE : SLOW;
 }
 
-/** Points of the picture without a graphics processor: while something moves, and once all is at rest. */
+/** Pixels of a picture without a graphics processor: while something moves, and at rest. */
 const MOVING_POINTS = 220_000;
 const RESTING_POINTS = 1_500_000;
-/** Coarser than the first its names cannot be read. */
+/** Below the first, names are unreadable. */
 const COARSEST = 0.7;
 const FINEST_MOVING = 0.75;
 
-/** Points to each side of a CSS pixel, of a picture of this size in CSS pixels that the processor draws alone. */
+/**
+ * Device pixels per CSS pixel and side, for a picture of this size in CSS pixels drawn without a graphics processor.
+ */
 export function softwareScale(width: number, height: number, isMoving: boolean): number {
   const scale = Math.sqrt((isMoving ? MOVING_POINTS : RESTING_POINTS) / Math.max(1, width * height));
   return Math.max(COARSEST, Math.min(isMoving ? FINEST_MOVING : 1, scale));

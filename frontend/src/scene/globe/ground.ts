@@ -15,33 +15,33 @@ import { drawAirfield } from "./chart/runways";
 import type { Globe } from "./Globe";
 import { coveredBy, type ImagerySource, lowestLevel } from "./imagery";
 
-/** The page's own coastline, and how deep it and the graticule are drawn: tiles of 300 and of 150 m. */
+/** The page's own coastline, and the deepest levels of it and of the graticule: tiles of 300 and of 150 m. */
 const COASTLINE = "/map/canary-coastline.json";
 const CHART_LEVELS = 16;
 const GRATICULE_LEVELS = 17;
 const WORLD = { west_deg: -180, south_deg: -90, east_deg: 180, north_deg: 90 };
 
-/** What covers the whole Earth below everything else. */
+/** The lowest layer, which covers the whole Earth. */
 export type BaseKind = "natural" | "none";
 
 export type { ImagerySource } from "./imagery";
 
-/** Heights over sea level by tiles: the folder that holds `layer.json`. */
+/** Tiles of heights above sea level: the folder of `layer.json`. */
 export interface TerrainSource {
   readonly url: string;
 }
 
-/** One layer of pictures on the globe. */
+/** One image layer on the globe. */
 export interface ImageryHandle {
   setVisible(isVisible: boolean): void;
-  /** 0: clear, 1: covers what is below. */
+  /** 0: transparent, 1: opaque. */
   setOpacity(opacity: number): void;
   remove(): void;
 }
 
 /**
- * What lies on the globe, from below: the Earth's picture, the chart of the Canary Islands, the layers of others in the
- * order in which they were added, the graticule.
+ * The globe's layers, from the lowest: the Earth's image, the chart of the Canary Islands, other layers in the order
+ * in which they were added, the graticule.
  */
 export class Ground {
   readonly #globe: Globe;
@@ -69,7 +69,7 @@ export class Ground {
     }
   }
 
-  /** Lines of latitude and longitude with their angles in the person's letters; null: none. */
+  /** The graticule with the page's compass letters; null: none. */
   setGraticule(letters: CompassLetters | null): void {
     const layers = this.#globe.scene.imageryLayers;
     if (this.#graticule !== null) {
@@ -115,7 +115,7 @@ export class Ground {
       minimumLevel: lowestLevel(source),
       maximumLevel: source.maximum_zoom,
     });
-    // A place without a picture is no fault: what lies below is seen there.
+    // A missing tile is no error: the layers below show there.
     provider.errorEvent.addEventListener(() => undefined);
     const layer = new ImageryLayer(provider);
     const layers = this.#globe.scene.imageryLayers;
@@ -137,7 +137,7 @@ export class Ground {
     };
   }
 
-  /** Null: the ground is the sea's level everywhere. Rejects where the terrain cannot be read; the old one stays. */
+  /** Null: the ground is at sea level everywhere. Rejects if the terrain cannot be read; the old one stays. */
   async setTerrain(source: TerrainSource | null): Promise<void> {
     this.#terrain += 1;
     const asked = this.#terrain;

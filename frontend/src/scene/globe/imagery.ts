@@ -1,4 +1,4 @@
-/** Pictures by tiles: `{z}`, `{x}` and `{y}` (from the north) in the address, Web Mercator. */
+/** Image tiles: `{z}`, `{x}` and `{y}` (from the north) in the address, Web Mercator. */
 export interface ImagerySource {
   readonly url: string;
   readonly west_deg: number;
@@ -11,12 +11,12 @@ export interface ImagerySource {
 
 /** The square of Web Mercator ends here. */
 const POLE_DEG = 85.0511;
-/** With more tiles than these in one piece of ground the engine would be busy for seconds, or for ever. */
+/** With more tiles than this at once the engine would be busy for seconds, or for ever. */
 const MOST_OF_LOWEST = 64;
 
 type Covered = Pick<ImagerySource, "west_deg" | "south_deg" | "east_deg" | "north_deg">;
 
-/** What the source covers of the map. One that says it lies beyond the map's edge says nothing that can be used. */
+/** The area that the source covers. An area beyond the map's edge is ignored. */
 export function coveredBy({ west_deg, south_deg, east_deg, north_deg }: Covered): Covered {
   const south = Math.max(-POLE_DEG, south_deg);
   const north = Math.min(POLE_DEG, north_deg);
@@ -26,13 +26,13 @@ export function coveredBy({ west_deg, south_deg, east_deg, north_deg }: Covered)
 }
 
 /**
- * From which level on the source is asked. Its own lowest is shown from afar too; where it says of itself that it covers
- * half of the Earth with small tiles, as many a file does, it is seen only from so near that they are due.
+ * The lowest level to load from the source. Its own lowest level is shown from afar too; but a source that claims
+ * half of the Earth with small tiles, as many files do, is shown only from near.
  */
 export function lowestLevel(source: ImagerySource): number {
   const { west_deg, south_deg, east_deg, north_deg } = coveredBy(source);
   const size_deg = 360 / 2 ** source.minimum_zoom;
-  // Rows are no higher than columns are wide.
+  // Rows are at most as high as columns are wide.
   const tiles = Math.ceil((east_deg - west_deg) / size_deg) * Math.ceil((north_deg - south_deg) / size_deg);
   return tiles > MOST_OF_LOWEST ? 0 : source.minimum_zoom;
 }

@@ -4,8 +4,8 @@ let kept: Globe | null = null;
 let tell: (() => void) | null = null;
 
 /**
- * The page's one globe, made when it is first asked for. Throws where the browser has no WebGL. `onLost`: the browser
- * has taken its graphics away, and asking again makes another.
+ * The page's one globe, made on first use. Throws without WebGL. `onLost`: the browser has taken the graphics context
+ * away; the next call makes a new globe.
  */
 export function keptGlobe(onLost: () => void): Globe {
   tell = onLost;

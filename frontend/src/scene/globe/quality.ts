@@ -1,23 +1,23 @@
 import { type CesiumWidget, type Scene, SkyAtmosphere } from "@cesium/engine";
 
-/** Of the page's points, to each side, where each of them is dear; half the work of all of them. */
+/** Resolution on slow graphics, relative to the page's, per side: half the work. */
 const DEAR_SCALE = 0.7;
-/** How coarse the ground's tiles may be, in pixels. */
+/** Allowed error of the ground's tiles on slow graphics, in pixels. */
 const DEAR_ERROR_PX = 3;
 const CHEAP_ERROR_PX = 1.6;
 const CHEAP_SAMPLES = 4;
 
-/** In each frame the engine makes tiles of the ground ready for five milliseconds: minutes, where frames are few. */
+/** The engine prepares tiles of the ground for five milliseconds per picture: with few pictures that takes minutes. */
 const TILES_SHARE = 0.06;
 const LEAST_TILES_MS = 10;
 const MOST_TILES_MS = 30;
 
 /**
- * Ground that the processor draws alone: the longer a frame takes, the longer its tiles are worked on in each. Throws
- * where another version of the engine has no such time.
+ * Without a graphics processor: the longer a picture takes, the longer tiles are prepared in each. Throws if another
+ * version of the engine lacks this setting.
  */
 export function hastenTiles({ globe }: Scene, frame_ms: number): void {
-  // Not in its published types, and nothing that is says as much.
+  // Not in the published types, which have no equivalent.
   const { _surface: surface } = globe as unknown as { _surface: { _loadQueueTimeSlice: number } };
   if (typeof surface._loadQueueTimeSlice !== "number") {
     throw new Error("the engine's ground has no time for its tiles");
@@ -25,13 +25,13 @@ export function hastenTiles({ globe }: Scene, frame_ms: number): void {
   surface._loadQueueTimeSlice = Math.max(LEAST_TILES_MS, Math.min(MOST_TILES_MS, TILES_SHARE * frame_ms));
 }
 
-/** A picture that the processor draws alone, in so many points to each side of a CSS pixel: the ground's tiles stay the same. */
+/** Set the device pixels per CSS pixel and side, without a graphics processor; the ground's tiles stay the same. */
 export function setScale(widget: CesiumWidget, scale: number): void {
   widget.resolutionScale = scale;
   widget.scene.globe.maximumScreenSpaceError = (DEAR_ERROR_PX / DEAR_SCALE) * scale;
 }
 
-/** Where a frame is dear nothing is drawn that is only beautiful: in this order sky, ground shading, haze cost most. */
+/** On slow graphics, no decoration: sky, ground shading and haze cost most, in this order. */
 export function setQuality(widget: CesiumWidget, isDear: boolean): void {
   const { scene } = widget;
   widget.resolutionScale = isDear ? DEAR_SCALE : 1;
@@ -45,7 +45,7 @@ export function setQuality(widget: CesiumWidget, isDear: boolean): void {
   if (!isDear) {
     scene.skyAtmosphere ??= new SkyAtmosphere();
   }
-  // Typed as always there.
+  // Its type says that it always exists.
   const sky = scene.skyAtmosphere as SkyAtmosphere | undefined;
   if (sky !== undefined) {
     sky.show = !isDear;

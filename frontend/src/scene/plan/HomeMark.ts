@@ -15,7 +15,7 @@ import { EDGE_COLOUR } from "./style";
 
 const HOME_COLOUR = Color.fromCssColorString(HOME);
 
-/** Home: where the aircraft set out from, on the ground. */
+/** Home: where the aircraft started, on the ground. */
 export class HomeMark {
   readonly #globe: Globe;
   readonly #dots = new PointPrimitiveCollection();

@@ -17,7 +17,7 @@ const plan: DrawnPlan = {
   label: (_, row) => String(row + 1),
 };
 
-// The engine asks of each colour of a line whether it is a picture.
+// The engine checks for each colour of a line whether it is an image.
 beforeAll(() => {
   for (const name of ["ImageBitmap", "OffscreenCanvas"]) {
     vi.stubGlobal(name, class {});

@@ -7,12 +7,13 @@ import {
   PointPrimitiveCollection,
   VerticalOrigin,
 } from "@cesium/engine";
+import type { Aircraft } from "../../lib/aircraft";
 import { METRES_PER_FOOT } from "../../lib/units";
 import type { Globe } from "../globe/Globe";
 import { LETTERING, STRONG_FONT, THROUGH_GROUND_M } from "../lettering";
 import { RibbonLines } from "../ribbon/RibbonLines";
 import { type Dot, type DrawnPlan, dotsOf, linesOf } from "./shape";
-import { ACTIVE_COLOUR, EDGE_COLOUR, looksOf, PLAN_COLOUR, type PlanKind, UNSENT_COLOUR } from "./style";
+import { ACTIVE_COLOUR, EDGE_COLOUR, looksOf, PLAN_COLOUR, UNSENT_COLOUR } from "./style";
 
 const LABEL = {
   ...LETTERING,
@@ -21,7 +22,7 @@ const LABEL = {
   pixelOffset: new Cartesian2(10, -10),
 };
 
-/** One flight plan on the globe. Drawn anew when it changes, and only then. */
+/** One flight plan on the globe. Rebuilt only when it changes. */
 export class PlanLayer {
   readonly #globe: Globe;
   readonly #colour: Color;
@@ -31,7 +32,7 @@ export class PlanLayer {
   readonly #labels = new LabelCollection();
   #plan: DrawnPlan | null = null;
 
-  constructor(globe: Globe, kind: PlanKind) {
+  constructor(globe: Globe, kind: Aircraft) {
     this.#globe = globe;
     this.#colour = PLAN_COLOUR[kind];
     this.#looks = looksOf(kind);
@@ -78,7 +79,7 @@ export class PlanLayer {
     const colour = isUnsent ? UNSENT_COLOUR : this.#colour;
     this.#dots.add({
       position,
-      // Hollow: not on the board.
+      // Hollow: the board does not have it.
       color: isActive ? ACTIVE_COLOUR : isUnsent ? EDGE_COLOUR : colour,
       pixelSize: isStrong ? 13 : 10,
       outlineColor: isSelected ? ACTIVE_COLOUR : isActive || isUnsent ? colour : EDGE_COLOUR,

@@ -1,4 +1,5 @@
 import { Cartesian3 } from "@cesium/engine";
+import type { Aircraft } from "../../lib/aircraft";
 import type { Position } from "../../lib/geodesy";
 import type { MapThing } from "../../lib/mapThing";
 import { placed } from "../../lib/plan";
@@ -10,38 +11,37 @@ import { awayFromLine, nearest, type Point, type Spot } from "./geometry";
 import { HomeMark } from "./HomeMark";
 import { PlanLayer } from "./PlanLayer";
 import type { DrawnPlan } from "./shape";
-import type { PlanKind } from "./style";
 import { type DragWay, WaypointDrag } from "./WaypointDrag";
 
 export interface PlanListener {
-  /** Pressed. */
+  /** Clicked. */
   readonly pick: (thing: MapThing) => void;
-  /** A waypoint is here for now; null: it was let go or went back. */
+  /** A waypoint is dragged to here; null: the drag ended or was cancelled. */
   readonly drag: (
-    place: { readonly plan: PlanKind; readonly row: number; readonly to: Point } | null,
+    place: { readonly plan: Aircraft; readonly row: number; readonly to: Point } | null,
   ) => void;
-  /** A waypoint was put down here. */
-  readonly drop: (plan: PlanKind, row: number, to: Point) => void;
+  /** A waypoint was dropped here. */
+  readonly drop: (plan: Aircraft, row: number, to: Point) => void;
 }
 
-/** Where an aircraft is seen, if it is. */
-type AircraftPlace = (plan: PlanKind) => (Position & { readonly altitude_m: number }) | null;
+/** Where an aircraft is drawn, if it is. */
+type AircraftPlace = (plan: Aircraft) => (Position & { readonly altitude_m: number }) | null;
 
-/** Within so many pixels of the pointer a thing is meant. */
+/** Greatest distance from the pointer to hit a thing, pixels. */
 const REACH_PX = 14;
 const STEM_REACH_PX = 6;
 
-/** Both flight plans, home, and what the pointer does with them. */
+/** Both flight plans, home, and the pointer's actions on them. */
 export class PlanScene {
   readonly #globe: Globe;
   readonly #pointer: MapPointer;
-  readonly #layers: Readonly<Record<PlanKind, PlanLayer>>;
+  readonly #layers: Readonly<Record<Aircraft, PlanLayer>>;
   readonly #home: HomeMark;
   readonly #forget: () => void;
-  readonly #plans: Record<PlanKind, DrawnPlan | null> = { flight: null, hil: null };
+  readonly #plans: Record<Aircraft, DrawnPlan | null> = { flight: null, hil: null };
   #listener: PlanListener | null = null;
   #aircraft: AircraftPlace = () => null;
-  #held: { readonly plan: PlanKind; readonly row: number; readonly to: Point } | null = null;
+  #held: { readonly plan: Aircraft; readonly row: number; readonly to: Point } | null = null;
 
   constructor(globe: Globe) {
     this.#globe = globe;
@@ -51,13 +51,13 @@ export class PlanScene {
     this.#forget = this.#pointer.addFinder((at) => this.#find(at));
   }
 
-  /** Who is told of presses; null: nobody, and nothing can be taken hold of. */
+  /** The listener for clicks and drags; null: nothing can be clicked or dragged. */
   listen(listener: PlanListener | null, aircraft: AircraftPlace = () => null): void {
     this.#listener = listener;
     this.#aircraft = aircraft;
   }
 
-  show(plan: PlanKind, drawn: DrawnPlan | null): void {
+  show(plan: Aircraft, drawn: DrawnPlan | null): void {
     this.#plans[plan] = drawn;
     this.#draw(plan);
   }
@@ -73,8 +73,8 @@ export class PlanScene {
     this.#home.dispose();
   }
 
-  /** While a waypoint is held, its plan is drawn with it where the pointer has it. */
-  #draw(plan: PlanKind): void {
+  /** While a waypoint is dragged, its plan is drawn with the waypoint at the pointer. */
+  #draw(plan: Aircraft): void {
     const drawn = this.#plans[plan];
     const held = this.#held;
     this.#layers[plan].show(
@@ -105,7 +105,10 @@ export class PlanScene {
     return this.#stemGrip(listener, at);
   }
 
-  /** The stem of the chosen waypoint alone: a plan's stems stand close, and are no traps for whoever turns the globe. */
+  /**
+   * Only the selected waypoint's stem can be grabbed: a plan's stems are dense and would catch drags that turn the
+   * globe.
+   */
   #stemGrip(listener: PlanListener, at: Spot): Grip | null {
     for (const plan of ["flight", "hil"] as const) {
       const row = this.#plans[plan]?.selected ?? null;
@@ -146,7 +149,7 @@ export class PlanScene {
     ];
   }
 
-  #waypointGrip(listener: PlanListener, plan: PlanKind, row: number, way: DragWay): Grip {
+  #waypointGrip(listener: PlanListener, plan: Aircraft, row: number, way: DragWay): Grip {
     return {
       cursor: way === "level" ? "grab" : "ns-resize",
       click: () => listener.pick({ kind: "waypoint", plan, row }),

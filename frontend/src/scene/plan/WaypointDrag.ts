@@ -12,10 +12,10 @@ import type { Waypoint } from "../../lib/plan";
 import { METRES_PER_FOOT } from "../../lib/units";
 import { type Enu, heightAlongVertical, type Point, type Sight, type Spot, throughLevel } from "./geometry";
 
-/** Along the ground at its height, or up and down where it stands. */
+/** Horizontally at its height, or vertically at its position. */
 export type DragWay = "level" | "upright";
 
-/** A waypoint on its way with the pointer: where it is for each place of the pointer on the canvas. */
+/** A waypoint that is being dragged: its position for each position of the pointer. */
 export class WaypointDrag {
   readonly #scene: Scene;
   #way: DragWay;
@@ -29,7 +29,7 @@ export class WaypointDrag {
     this.#anchor = new Anchor(scene, waypoint, from);
   }
 
-  /** Where the waypoint is now. A change of way begins where the pointer is. */
+  /** The waypoint's position now. A change of direction starts at the pointer's present position. */
   move(to: Spot, way: DragWay): Point {
     if (way !== this.#way) {
       this.#way = way;
@@ -40,13 +40,13 @@ export class WaypointDrag {
   }
 }
 
-/** The plane and the vertical of a waypoint at the moment when it was taken hold of. */
+/** The horizontal plane and the vertical of a waypoint when it was grabbed. */
 class Anchor {
   readonly #scene: Scene;
   readonly #point: Point;
   readonly #toFixed: Matrix4;
   readonly #toLocal: Matrix4;
-  /** What the pointer held was beside the waypoint by so much. */
+  /** Offset of the grabbed spot from the waypoint. */
   readonly #beside: Enu | null;
   readonly #held_m: number | null;
 

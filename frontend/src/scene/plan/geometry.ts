@@ -1,24 +1,29 @@
 import { bearing_deg, destination, distance_m, type Position } from "../../lib/geodesy";
 
-/** Metres east, north and up of some place on the ground. */
+/** Metres east, north and up from a point on the ground. */
 export interface Enu {
   readonly east_m: number;
   readonly north_m: number;
   readonly up_m: number;
 }
 
-/** The line of sight under the pointer; `direction` has any length but none. */
+/** The line of sight under the pointer; `direction` has any length but zero. */
 export interface Sight {
   readonly origin: Enu;
   readonly direction: Enu;
 }
 
-/** Farther along the line of sight than this nothing is put, metres: close under the horizon a pixel is a county. */
+/**
+ * Farther along the line of sight than this nothing is placed, metres: just below the horizon a pixel covers a
+ * county.
+ */
 const FARTHEST_M = 200_000;
-/** Flatter than this, as a part of its length, a line of sight runs along a level rather than through it. */
+/** A line of sight flatter than this share of its length is parallel to the plane rather than through it. */
 const FLATTEST = 0.002;
 
-/** Where the line of sight goes through the level `up_m`; null where it does not, or only near the horizon. */
+/**
+ * The point where the line of sight meets the plane at height `up_m`; null if it does not, or only near the horizon.
+ */
 export function throughLevel({ origin, direction }: Sight, up_m: number): Enu | null {
   const along = Math.hypot(direction.east_m, direction.north_m, direction.up_m);
   if (!(Math.abs(direction.up_m) > FLATTEST * along)) {
@@ -36,8 +41,8 @@ export function throughLevel({ origin, direction }: Sight, up_m: number): Enu | 
 }
 
 /**
- * Height, metres, at which the line of sight comes nearest to the vertical through the origin; null where it looks
- * straight down, from where no height can be told.
+ * Height, metres, at which the line of sight comes nearest to the vertical through the origin; null if it looks
+ * straight down, where no height can be determined.
  */
 export function heightAlongVertical({ origin, direction }: Sight): number | null {
   const level = direction.east_m ** 2 + direction.north_m ** 2;
@@ -49,7 +54,7 @@ export function heightAlongVertical({ origin, direction }: Sight): number | null
   return reach > 0 ? origin.up_m + reach * direction.up_m : null;
 }
 
-/** A circle on the ground, closed: the last place is the first. */
+/** A closed circle on the ground: the last point is the first. */
 export function ring(centre: Position, radius_m: number, corners: number): readonly Position[] {
   const places = Array.from({ length: corners }, (_, index) =>
     destination(centre, (index * 360) / corners, radius_m),
@@ -57,7 +62,7 @@ export function ring(centre: Position, radius_m: number, corners: number): reado
   return [...places, ...places.slice(0, 1)];
 }
 
-/** Metres between two points of a leg as it is drawn: over more a straight line would cut through the ground. */
+/** Greatest distance between two points of a drawn leg: a longer straight line would cut through the ground. */
 const LEG_STEP_M = 20_000;
 
 export type Point = Position & { readonly altitude_ft: number };
@@ -77,13 +82,13 @@ export function legPoints(from: Point, to: Point): readonly Point[] {
   return [from, ...inner, to];
 }
 
-/** A place on the screen, pixels from its upper left corner. */
+/** A point on the screen, pixels from the upper left corner. */
 export interface Spot {
   readonly x: number;
   readonly y: number;
 }
 
-/** Index of the nearest spot within `reach` pixels; null where there is none. What cannot be seen is null. */
+/** Index of the nearest spot within `reach` pixels; null if there is none. An invisible spot is null. */
 export function nearest(spots: readonly (Spot | null)[], at: Spot, reach: number): number | null {
   let found: number | null = null;
   let least = reach;

@@ -3,20 +3,20 @@ import { METRES_PER_FOOT } from "../../lib/units";
 import type { Place } from "../ribbon/vertices";
 import { legPoints, type Point, ring } from "./geometry";
 
-/** A plan as it is to be seen on the globe. */
+/** A plan to be drawn on the globe. */
 export interface DrawnPlan {
-  /** As it is edited here. */
+  /** The draft. */
   readonly waypoints: readonly Waypoint[];
-  /** As the board has it, where that is known and another one. */
+  /** The board's plan, if it is known and differs. */
   readonly board: readonly Waypoint[] | null;
-  /** Which waypoints the board does not have as they are here. */
+  /** For each waypoint, whether the board lacks it as it is here. */
   readonly unsent: readonly boolean[];
-  /** Index of the waypoint that is flown to, in the board's plan; null while that is not live. */
+  /** Index, in the board's plan, of the waypoint that is flown to; null if not live. */
   readonly active: number | null;
-  /** After the last waypoint comes the first. */
+  /** Whether the first waypoint follows the last. */
   readonly loops: boolean;
   readonly selected: number | null;
-  /** What stands beside a waypoint. */
+  /** The label beside a waypoint. */
   readonly label: (waypoint: Waypoint, row: number) => string;
 }
 
@@ -43,10 +43,13 @@ export interface Dot {
   readonly isUnsent: boolean;
 }
 
-/** Corners of a capture circle: a chord is nowhere more than half a metre in 200 inside of it. */
+/** Corners of a capture circle: a chord is at most half a metre in 200 inside the circle. */
 const CORNERS = 48;
 
-/** Every line of a plan. Where a plan is being edited, the board's is drawn too, and what is flown to belongs to it. */
+/**
+ * Every line of a plan. While a plan is being edited, the board's is drawn too, and the active leg belongs to the
+ * board's.
+ */
 export function linesOf(plan: DrawnPlan): readonly Line[] {
   const { waypoints, board, active, loops, unsent, selected } = plan;
   const flown = board === null ? active : null;
@@ -108,7 +111,7 @@ function circle(waypoint: Waypoint, kind: "ring" | "activeRing"): Line {
   return { kind, places: around.map((place) => inSpace({ ...place, altitude_ft })) };
 }
 
-/** Down to the sea: with terrain the ground itself hides what is below it. */
+/** Down to sea level: terrain hides what is below it. */
 function stem(waypoint: Waypoint, kind: "stem" | "selectedStem"): Line {
   return { kind, places: [inSpace({ ...waypoint, altitude_ft: 0 }), inSpace(waypoint)] };
 }

@@ -1,12 +1,10 @@
 import { Color } from "@cesium/engine";
-import type { Whose } from "../../lib/mapThing";
+import type { Aircraft } from "../../lib/aircraft";
 import { EDGE, PLAN, STRONG, UNSENT } from "../colours";
 import type { LineLook } from "../ribbon/RibbonLines";
 import type { LineKind } from "./shape";
 
-export type PlanKind = Whose;
-
-export const PLAN_COLOUR: Readonly<Record<PlanKind, Color>> = {
+export const PLAN_COLOUR: Readonly<Record<Aircraft, Color>> = {
   flight: Color.fromCssColorString(PLAN.flight),
   hil: Color.fromCssColorString(PLAN.hil),
 };
@@ -15,8 +13,8 @@ export const ACTIVE_COLOUR = Color.fromCssColorString(STRONG);
 export const EDGE_COLOUR = Color.fromCssColorString(EDGE);
 const DASH_PX = 9;
 
-/** How each kind of line looks: the real plan is drawn through, the simulator's is dashed, told apart without colours too. */
-export function looksOf(plan: PlanKind): Readonly<Record<LineKind, LineLook>> {
+/** The style of each kind of line. The real plan is solid, the simulator's dashed: told apart without colours too. */
+export function looksOf(plan: Aircraft): Readonly<Record<LineKind, LineLook>> {
   const colour = PLAN_COLOUR[plan];
   const dashes = plan === "hil" && { dash_px: DASH_PX };
   return {

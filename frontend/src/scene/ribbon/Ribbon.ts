@@ -30,16 +30,16 @@ import { POINT_BYTES, POINT_FLOATS } from "./vertices";
 
 type Uniforms = Readonly<Record<string, () => unknown>>;
 
-/** What a line looks like. */
+/** The style of a line. */
 export interface RibbonStyle {
   readonly line: Uniforms;
   readonly isDashed: boolean;
-  /** What is behind it shines through. */
+  /** Whether it is translucent. */
   readonly isTranslucent: boolean;
-  /** Null: it has none. */
+  /** Null: without a curtain. */
   readonly curtain: {
     readonly uniforms: Uniforms;
-    /** A bit of the picture's stencil, for this curtain alone. */
+    /** A bit of the stencil buffer, for this curtain alone. */
     readonly veil: number;
   } | null;
 }
@@ -50,9 +50,9 @@ const LOCATIONS = { fromCoarse: 0, fromFine: 1, fromRates: 2, toCoarse: 3, toFin
 const CORNER_BYTES = CORNERS * POINT_BYTES;
 
 /**
- * A line of points, with a curtain where it has one. The points lie in one buffer on the graphics processor, each once
- * for every corner of the rectangle from it to the next one, and all rectangles are drawn at once. (As copies of one
- * rectangle they took a quarter of the room, but where the processor draws alone each copy is a drawing of its own.)
+ * A line of points, optionally with a curtain. The points are in one buffer on the graphics processor, each once per
+ * corner of the rectangle to the next point, and all rectangles are drawn in one call. (As instances of one rectangle
+ * they took a quarter of the memory, but without a graphics processor each instance is drawn separately.)
  */
 export class Ribbon {
   readonly #style: RibbonStyle;
@@ -60,23 +60,25 @@ export class Ribbon {
   #parts: Parts | null = null;
   #count = 0;
   #vertices: Float32Array = new Float32Array(0);
-  /** From this point on they are not on the graphics processor yet. */
+  /** Index of the first point that is not yet on the graphics processor. */
   #waiting = Number.POSITIVE_INFINITY;
 
-  /** `sphere`: holds all that is drawn of it; may change. */
+  /** `sphere`: contains all that is drawn of it; may change. */
   constructor(style: RibbonStyle, sphere: BoundingSphere) {
     this.#style = style;
     this.#sphere = sphere;
   }
 
-  /** The first `count` points of `vertices` are the line from the next frame on; those before `first` are as they were. */
+  /**
+   * From the next picture on, the line is the first `count` points of `vertices`; those before `first` are unchanged.
+   */
   set(vertices: Float32Array, count: number, first = 0): void {
     this.#vertices = vertices;
     this.#waiting = Math.min(this.#waiting, first);
     this.#count = count;
   }
 
-  /** Only these stretches of it, counted by the points they begin with; all where nothing is said. */
+  /** Draw only these stretches, by the indices of their first points; by default all. */
   draw(frame: RendererFrame, part: RibbonPart, ranges?: readonly Range[]): void {
     if (this.#count < 2) {
       return;
@@ -115,11 +117,11 @@ export class Ribbon {
   }
 }
 
-/** Points are handed to the graphics processor so many at a time. */
+/** Points are uploaded in groups of this size. */
 const PIECE = 512;
 const piece = new Float32Array(PIECE * CORNERS * POINT_FLOATS);
 
-/** How one part is drawn, and the commands for it: one for each stretch of a frame, kept for the next. */
+/** How one part is drawn, with one command per stretch, reused in the next picture. */
 interface Drawing {
   readonly program: ShaderProgram;
   readonly uniformMap: Uniforms;
@@ -127,7 +129,7 @@ interface Drawing {
   readonly commands: DrawCommand[];
 }
 
-/** What lies on the graphics processor for a line of at most so many points. */
+/** The graphics processor's buffers for a line of at most this many points. */
 class Parts {
   readonly capacity: number;
   readonly points: Buffer;
@@ -179,7 +181,7 @@ class Parts {
     };
   }
 
-  /** That of the frame's `index`-th stretch; null where the line has no such part. */
+  /** The command of the picture's `index`-th stretch; null if the line has no such part. */
   command(part: RibbonPart, index: number): DrawCommand | null {
     const drawing = this.#drawings[part];
     if (drawing === null) {
@@ -193,7 +195,7 @@ class Parts {
       shaderProgram: drawing.program,
       uniformMap: drawing.uniformMap,
       renderState: drawing.renderState,
-      // Also the curtain: names are written over it, and what is drawn after it is seen through it unveiled.
+      // Also for the curtain: labels are drawn over it, and what is drawn later shows through it unchanged.
       pass: Pass.OPAQUE,
       boundingVolume: this.#sphere,
     });
@@ -201,7 +203,7 @@ class Parts {
   }
 
   destroy(): void {
-    // Takes its buffers along.
+    // Destroys its buffers too.
     this.#vertexArray.destroy();
     for (const drawing of Object.values(this.#drawings)) {
       drawing?.program.destroy();
@@ -209,7 +211,7 @@ class Parts {
   }
 }
 
-/** Each point of the picture once: the curtains of many rounds over each other stay one veil, and cost as one. */
+/** Each pixel is drawn once: the curtains of many rounds look like one, and cost as one. */
 function onceEach(bit: number): object {
   const operation = { zPass: StencilOperation.REPLACE };
   return {
@@ -226,7 +228,7 @@ function onceEach(bit: number): object {
   };
 }
 
-/** Each corner takes two neighbours out of the one buffer of points: its own, and the one that follows. */
+/** Each corner reads two neighbours from the one buffer of points: its own, and the next. */
 function vertexArrayOf(context: RendererContext, points: Buffer, capacity: number): VertexArray {
   const attribute = (index: number, componentsPerAttribute: number, offsetInBytes: number) => ({
     index,

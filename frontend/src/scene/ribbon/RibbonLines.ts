@@ -5,26 +5,26 @@ import { Ribbon, type RibbonStyle } from "./Ribbon";
 import { SCALE_COLOURS } from "./shaders";
 import { beginPiece, boundsOf, type Place, POINT_FLOATS, writePlace } from "./vertices";
 
-/** What a line looks like; lengths in pixels of the page. */
+/** Style of a line; lengths in CSS pixels. */
 export interface LineLook {
   readonly colour: Color;
   readonly width_px: number;
-  /** Round the line, within its width. */
+  /** The outline, within the line's width. */
   readonly edge?: { readonly colour: Color; readonly width_px: number };
-  /** Length of a dash and of the room between two; a line without it is drawn through. */
+  /** Length of dash and gap; by default the line is solid. */
   readonly dash_px?: number;
 }
 
 export interface RibbonLine {
-  /** One object for all lines that look alike: they are drawn together. */
+  /** The same object for all lines of this style: they are drawn together. */
   readonly look: LineLook;
   readonly places: readonly Place[];
 }
 
-/** Lines in the air that stay as they are for a while. */
+/** Lines in the air that change seldom. */
 export class RibbonLines {
   readonly #globe: Globe;
-  /** Kept while there are no lines of a look: its shaders need not be made again. */
+  /** Kept while no line has this style, so that its shaders are not compiled again. */
   readonly #drawn = new Map<LineLook, { readonly ribbon: Ribbon; readonly sphere: BoundingSphere }>();
   readonly #primitive = {
     update: (frame: RendererFrame): void => {
@@ -48,7 +48,7 @@ export class RibbonLines {
     globe.scene.primitives.add(this.#primitive);
   }
 
-  /** These lines and no others. */
+  /** Show exactly these lines. */
   show(lines: readonly RibbonLine[]): void {
     for (const { ribbon } of this.#drawn.values()) {
       ribbon.set(new Float32Array(0), 0);
@@ -80,7 +80,7 @@ export class RibbonLines {
   }
 }
 
-/** The colours by which a track's values are told say nothing here. */
+/** No colouring by values, as for tracks. */
 const byNothing = new Cartesian4();
 const noColours = Array.from({ length: SCALE_COLOURS }, () => Cartesian3.ZERO);
 const uncoloured = {
@@ -89,7 +89,7 @@ const uncoloured = {
   u_colours: () => noColours,
 };
 
-/** One line after another, each a piece of its own. */
+/** The lines in one buffer, each as a piece. */
 function verticesOf(lines: readonly RibbonLine[]): Float32Array {
   const vertices = new Float32Array(lines.reduce((sum, { places }) => sum + places.length, 0) * POINT_FLOATS);
   let at = 0;

@@ -1,10 +1,13 @@
 import { BoundingSphere, Cartesian3, type CullingVolume } from "@cesium/engine";
 import type { Bounds } from "./vertices";
 
-/** The ground under a place lies by so much of its height off the line to the earth's centre, which is not quite upright. */
+/**
+ * The local vertical is not exactly the line to the earth's centre: the ground point below is off by this share of
+ * the height.
+ */
 const ASLANT = 0.005;
 
-/** Round a ball of the air and what is below it, down to the sea; `into`, where given, becomes it. */
+/** A sphere around this sphere in the air and everything below it down to the sea; written to `into` if given. */
 export function downToTheSea(
   { centre: [x, y, z], radius_m, top_m }: Bounds,
   into = new BoundingSphere(),
@@ -17,8 +20,8 @@ export function downToTheSea(
 }
 
 /**
- * Whether any of a ball is within what a camera sees. The engine's own test makes a plane anew for each of them, and here
- * hundreds of balls are asked about in every frame.
+ * Whether a camera sees any part of a sphere. The engine's own test allocates a plane per call, and hundreds of
+ * spheres are tested for each picture.
  */
 export function isWithin(
   { center: { x, y, z }, radius }: BoundingSphere,

@@ -1,6 +1,6 @@
 /**
- * The part of Cesium's renderer that draws lines. The engine exports it and leaves it out of its own types, for it
- * may change with a version; ours is pinned, and the layer's test in a browser draws with it.
+ * Cesium's renderer for lines. The engine exports it without types, because it may change between versions; our
+ * version is pinned, and the layer's browser test draws with it.
  */
 declare module "@cesium/engine" {
   export interface RendererContext {

@@ -2,7 +2,7 @@ import { expect, test } from "vitest";
 import { CORNERS, cornerIndices, INDICES, spread } from "./quads";
 import { POINT_FLOATS } from "./vertices";
 
-/** Points that are told apart by every one of their numbers. */
+/** Points that differ in every number. */
 function line(count: number): Float32Array {
   return Float32Array.from({ length: count * POINT_FLOATS }, (_, at) => at + 1);
 }

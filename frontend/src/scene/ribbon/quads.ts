@@ -1,12 +1,12 @@
 import { POINT_FLOATS } from "./vertices";
 
-/** Of the rectangle between two points; the shaders count them: sides first, then ends. */
+/** Corners of the rectangle between two points; the shaders number them: sides first, then ends. */
 export const CORNERS = 4;
 /** Two triangles. */
 export const INDICES = 6;
 const TRIANGLES = [0, 1, 2, 2, 1, 3] as const;
 
-/** Each point once for every corner, one after another, in `into`; what is returned is the part of it that was written. */
+/** Writes each point once per corner to `into`; returns the written part. */
 export function spread(points: Float32Array, into: Float32Array): Float32Array {
   let at = 0;
   for (let begin = 0; begin < points.length; begin += POINT_FLOATS) {
@@ -20,7 +20,7 @@ export function spread(points: Float32Array, into: Float32Array): Float32Array {
   return into.subarray(0, at);
 }
 
-/** Which corners the triangles of so many rectangles have. */
+/** The corner indices of the triangles of this many rectangles. */
 export function cornerIndices(rectangles: number): Uint32Array {
   const indices = new Uint32Array(rectangles * INDICES);
   for (let at = 0; at < indices.length; at += 1) {

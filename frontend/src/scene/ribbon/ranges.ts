@@ -1,17 +1,17 @@
-/** Stretches of a line, each counted by the point it begins with: from `begin` up to, and not with, `end`. */
+/** Stretches of a line, by the indices of their first points: from `begin` up to, excluding, `end`. */
 export interface Range {
   readonly begin: number;
   readonly end: number;
 }
 
-/** So few stretches that nobody sees cost less than one more drawing. */
+/** Drawing up to this many invisible stretches costs less than another draw call. */
 const SMALL = 48;
-/** Drawings of one line in a frame. */
+/** Greatest number of draw calls of one line per picture. */
 const MOST = 12;
 
 /**
- * What of a line of several blocks is to be drawn: the stretches of those that are seen, and to each of them the one
- * that leads there and the one that leads on. `starts`: the first point of each block; `count`: points of the line.
+ * The ranges of a line of several blocks to draw: the stretches of the visible blocks, with the stretch before and
+ * the one after each. `starts`: the first point of each block; `count`: points of the line.
  */
 export function rangesOf(
   starts: readonly number[],
@@ -38,7 +38,7 @@ export function rangesOf(
   return found;
 }
 
-/** Draws what is between the two that lie closest. */
+/** Joins the two closest ranges, and draws the part between them too. */
 function joinNearest(ranges: { begin: number; end: number }[]): void {
   let at = 1;
   const room = (index: number): number => (ranges[index]?.begin ?? 0) - (ranges[index - 1]?.end ?? 0);

@@ -1,7 +1,7 @@
 /** Colours in a scale; the shaders' array has a fixed length. */
 export const SCALE_COLOURS = 7;
 
-/** What line and curtain share: where the two ends of one stretch lie, and which colour they have. */
+/** Shared by line and curtain: the positions and colours of a stretch's two ends. */
 const COMMON = `
 in vec4 fromCoarse;
 in vec4 fromFine;
@@ -15,7 +15,7 @@ uniform vec3 u_plain;
 uniform vec3 u_unknown;
 uniform vec3 u_colours[${SCALE_COLOURS}];
 
-// Of a rectangle between the two ends: 1 at the far one, -1 and 1 to its sides.
+// Corner of the rectangle between the two ends: x is 1 at the far end, y is -1 or 1 at its sides.
 vec2 cornerNow() { return vec2(float((gl_VertexID >> 1) & 1), float((gl_VertexID & 1) * 2 - 1)); }
 
 vec3 colourOf(float height, vec2 rates) {
@@ -27,21 +27,23 @@ vec3 colourOf(float height, vec2 rates) {
   return mix(u_colours[below], u_colours[below + 1], place - float(below));
 }
 
-// Nobody knows what was flown before the first point of a piece.
+// The flight before the first point of a piece is unknown.
 bool isGap() { return toFine.w > 0.5; }
 `;
 
-/** Points of the picture to a pixel of the page. A picture that is coarse for a while has thicker lines, and none with holes. */
+/**
+ * Device pixels per CSS pixel, at least one: a temporarily coarse picture has thicker lines rather than lines with
+ * holes.
+ */
 const POINTS = `
 float pointsOfPixel() { return max(czm_pixelRatio, 1.0); }
 `;
 
 /**
- * A ribbon of so many pixels between two points. Stretches overlap by a pixel, so that a bend has no gap; round ends would
- * have to be cut out of each pixel, which costs the processor as much as all the rest of a line.
- *
- * What lies far beside the picture is cut off first: of a stretch that goes past the eye one end is a hundred thousand
- * pixels away, and the graphics lose the line between two such ends, all of it or in parts.
+ * A ribbon of constant width in pixels between two points. Stretches overlap by a pixel, so that a bend has no gap;
+ * round ends would have to be computed per pixel, which costs the processor as much as the rest of the line.
+ * Stretches are clipped to the surroundings of the picture first: if a stretch passes beside the camera, one end is a
+ * hundred thousand pixels away, and graphics processors lose such a line completely or in parts.
  */
 export const LINE_VERTEX = `${COMMON}${POINTS}
 uniform float u_width; // pixels of the page
@@ -58,7 +60,7 @@ vec4 inside(vec4 clip) {
   return vec4(BESIDE * clip.w - clip.x, BESIDE * clip.w + clip.x, BESIDE * clip.w - clip.y, BESIDE * clip.w + clip.y);
 }
 
-// Which part of the way from one end to the other may be seen; the first greater than the second: none.
+// The visible part of the way from one end to the other; none if the first is greater than the second.
 vec2 seenPart(vec4 fromClip, vec4 toClip, float near) {
   vec4 a = inside(fromClip);
   vec4 b = inside(toClip);
@@ -110,8 +112,8 @@ void main() {
 `;
 
 /**
- * The line and its edge in one: where lines meet or cross, the edge is a little farther away than all of them, so that
- * it lies round them together and over none.
+ * The line and its edge in one pass: the edge is slightly farther away than all lines, so that where lines meet or
+ * cross it surrounds them together and covers none.
  */
 export const LINE_FRAGMENT = `${POINTS}uniform float u_core; // pixels of the page: what is beyond is the edge
 uniform vec3 u_edge;
@@ -137,9 +139,9 @@ void main() {
 `;
 
 /**
- * The wall between the line and the sea's level below it. Its depth is worked out at its corners and lies straight
- * between them: where many walls stand one behind another, only a shader that writes no depth of its own is spared for
- * all but the first. A wall that goes past the eye lies over everything, as what is so near does.
+ * The wall between the line and sea level below it. Its depth is computed at its corners and interpolated linearly:
+ * where many walls overlap, the graphics skip the hidden ones only if the shader writes no depth itself. A wall that
+ * passes the camera covers everything, as something so near does.
  */
 export const CURTAIN_VERTEX = `${COMMON}
 out vec3 v_colour;
@@ -187,7 +189,7 @@ void main() {
 }
 `;
 
-/** Of a line that is not drawn through. */
+/** For dashed lines. */
 export const DASHED_DEFINES = ["DASHED"];
-/** Tells the engine that a shader's depth is right as it is. */
+/** Tells the engine that the shader already writes the right depth. */
 export const CURTAIN_DEFINES = ["LOG_DEPTH_WRITE"];

@@ -1,19 +1,22 @@
 import { writeEcef } from "../../lib/ecef";
 
 /**
- * One point as the graphics processor has it, ten numbers: its earth-centred place in two parts, coarse (with the
- * height behind) and fine (with 1 behind where a piece begins), then speed and climb.
+ * One point on the graphics processor, ten numbers: its earth-centred position in two parts, coarse (followed by the
+ * height) and fine (followed by 1 where a piece begins), then speed and climb.
  */
 export const POINT_FLOATS = 10;
 export const POINT_BYTES = POINT_FLOATS * 4;
 const [HEIGHT, BEGINS, SPEED, CLIMB] = [3, 7, 8, 9];
-/** Stands for a speed or climb that is not known. */
+/** Marks an unknown speed or climb. */
 const UNKNOWN = -1e9;
 
-/** A float32 has seven figures: less than a centimetre of what is left of a place after steps of this many metres. */
+/**
+ * A float32 has seven digits: relative to multiples of this many metres, a position is exact to less than a
+ * centimetre.
+ */
 const COARSE_M = 65_536;
 
-/** A place in the air, heights over mean sea level. */
+/** A position in the air, height above mean sea level. */
 export interface Place {
   readonly latitude_deg: number;
   readonly longitude_deg: number;
@@ -22,7 +25,7 @@ export interface Place {
 
 const place = new Float64Array(3);
 
-/** A place that continues the line, with the speed and climb of the point before it. */
+/** A position that continues the line, with the speed and climb of the point before. */
 export function writePlace(
   into: Float32Array,
   at: number,
@@ -43,7 +46,7 @@ export function writePlace(
   }
 }
 
-/** Metres a second of a point that was written; undefined or NaN: not known. */
+/** Speed and climb, metres a second, of a written point; undefined or NaN: unknown. */
 export function writeRates(
   into: Float32Array,
   at: number,
@@ -54,26 +57,26 @@ export function writeRates(
   into[at * POINT_FLOATS + CLIMB] = known(climb_mps);
 }
 
-/** Nothing is drawn from the point before it to this one. */
+/** Begin a piece: nothing is drawn from the point before. */
 export function beginPiece(into: Float32Array, at: number): void {
   into[at * POINT_FLOATS + BEGINS] = 1;
 }
 
-/** Earth-centred metres of a point that was written. */
+/** Position of a written point, earth-centred metres. */
 export function placeOf(vertices: Float32Array, at: number): [number, number, number] {
   const part = (axis: number): number =>
     (vertices[at * POINT_FLOATS + axis] ?? 0) + (vertices[at * POINT_FLOATS + 4 + axis] ?? 0);
   return [part(0), part(1), part(2)];
 }
 
-/** A ball that holds points, earth-centred metres, and the greatest height among them. */
+/** A sphere around points, earth-centred metres, and their greatest height. */
 export interface Bounds {
   readonly centre: readonly [number, number, number];
   readonly radius_m: number;
   readonly top_m: number;
 }
 
-/** Of the first `count` points; looked at in each frame, so nothing is made for each of them. */
+/** Bounds of the first `count` points; computed for each picture, so nothing is allocated per point. */
 export function boundsOf(vertices: Float32Array, count: number): Bounds {
   least.fill(Number.POSITIVE_INFINITY);
   most.fill(Number.NEGATIVE_INFINITY);

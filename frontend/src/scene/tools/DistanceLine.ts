@@ -15,11 +15,11 @@ export interface MeasuredPlace extends GroundPlace {
 const COLOUR = Color.fromCssColorString(MEASURE);
 const LOOK: LineLook = { colour: COLOUR, width_px: 3 };
 const EDGE_COLOUR = Color.fromCssColorString(EDGE);
-/** So far over the ground the line is drawn, metres: in it, it would flicker. */
+/** Height of the line above the ground, metres: in the ground it would flicker. */
 const OVER_GROUND_M = 3;
 const OFFSET = new Cartesian2(10, -12);
 
-/** The line of the distance tool along the ground, with its length at each corner. */
+/** The distance tool's line along the ground, with the length at each corner. */
 export class DistanceLine {
   readonly #globe: Globe;
   readonly #lines: RibbonLines;

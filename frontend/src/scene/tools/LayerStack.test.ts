@@ -12,7 +12,7 @@ const WORLD = {
 };
 const layer = (id: string, opacity = 1): ShownLayer => ({ ...WORLD, id, url: `/${id}`, opacity });
 
-/** A ground that writes down what is done to it. */
+/** A ground that records what is done to it. */
 function stackOn(setTerrain: (source: { url: string } | null) => Promise<void> = async () => undefined) {
   const done: string[] = [];
   const ground = {

@@ -1,13 +1,13 @@
 import type { Globe } from "../globe/Globe";
 import type { ImageryHandle, ImagerySource } from "../globe/ground";
 
-/** A layer of pictures that is to be seen. */
+/** A visible image layer. */
 export interface ShownLayer extends ImagerySource {
   readonly id: string;
   readonly opacity: number;
 }
 
-/** The operator's layers on the ground. What does not change is not fetched again. */
+/** The user's layers on the ground. Unchanged layers are not loaded again. */
 export class LayerStack {
   readonly #globe: Globe;
   #shown: readonly { readonly layer: ShownLayer; readonly handle: ImageryHandle }[] = [];
@@ -17,10 +17,10 @@ export class LayerStack {
     this.#globe = globe;
   }
 
-  /** These, from the topmost down, and no others. */
+  /** Show exactly these, from the topmost down. */
   show(layers: readonly ShownLayer[]): void {
     const fromBelow = [...layers].reverse();
-    // The ground takes layers on top alone: all below the first that is another one can stay.
+    // Layers can only be added on top: all below the first changed one can stay.
     const same = fromBelow.findIndex((layer, index) => this.#shown[index]?.layer.id !== layer.id);
     const kept = same === -1 ? fromBelow.length : same;
     for (const { handle } of this.#shown.slice(kept)) {
@@ -35,7 +35,7 @@ export class LayerStack {
     });
   }
 
-  /** Heights from this address; null: none. Rejects where they cannot be read, and there are none then. */
+  /** Show the terrain of this address; null: none. Rejects if it cannot be read, and then there is none. */
   async showTerrain(url: string | null): Promise<void> {
     if (url === this.#terrain) {
       return;

@@ -3,36 +3,36 @@ import type { Position } from "../../lib/geodesy";
 import type { Globe } from "../globe/Globe";
 import type { Spot } from "../plan/geometry";
 
-/** Something that is being pulled with the pointer held down. */
+/** Something that is being dragged. */
 export interface Drag {
   move(at: Spot, isShift: boolean): void;
   drop(): void;
   cancel(): void;
 }
 
-/** Something under the pointer. */
+/** Something under the pointer that can be clicked or dragged. */
 export interface Grip {
   readonly cursor: string;
   readonly click: () => void;
-  /** Pulls it from where the pointer went down; null where it cannot be pulled. */
+  /** Starts a drag at the pointer; null if it cannot be dragged. */
   readonly drag: ((from: Spot, isShift: boolean) => Drag | null) | null;
 }
 
-/** A place on the ground; its height over the sea, metres, where the globe has terrain. */
+/** A point on the ground; with terrain, its height above the sea, metres. */
 export interface GroundPlace extends Position {
   readonly height_m: number | null;
 }
 
 type Finder = (at: Spot) => Grip | null;
 
-/** Nearer than this to where it went down, pixels, the pointer has been pressed and not pulled. */
+/** Movement up to this many pixels is a click, not a drag. */
 const CLICK_PX = 4;
-/** The place under the pointer is told at most so often. */
+/** Shortest time between reports of the point under the pointer. */
 const HOVER_MS = 100;
 
 const pointers = new WeakMap<Globe, MapPointer>();
 
-/** The one pointer of a globe: what draws on it asks it for presses. */
+/** The one pointer of a globe, shared by all that draw on it. */
 export function pointerOf(globe: Globe): MapPointer {
   const pointer = pointers.get(globe) ?? new MapPointer(globe);
   pointers.set(globe, pointer);
@@ -40,7 +40,7 @@ export function pointerOf(globe: Globe): MapPointer {
 }
 
 /**
- * What the pointer does on the globe beside turning it. A press on something with a grip does not reach the camera;
+ * The pointer's actions on the globe besides turning it. A press on something with a grip does not reach the camera;
  * every other press does. Lives as long as the globe.
  */
 export class MapPointer {
@@ -56,7 +56,7 @@ export class MapPointer {
   constructor(globe: Globe) {
     this.#globe = globe;
     this.#canvas = globe.scene.canvas;
-    // At the canvas itself captured presses come before the camera's own.
+    // Captured at the canvas itself, before the camera's listeners.
     const options = { capture: true };
     this.#canvas.addEventListener("pointerdown", this.#press, options);
     this.#canvas.addEventListener("pointermove", this.#move, options);
@@ -66,7 +66,7 @@ export class MapPointer {
     window.addEventListener("keydown", this.#key, options);
   }
 
-  /** Ask this one what is under the pointer; those that came later are asked first. */
+  /** Add a finder of things under the pointer; later ones are asked first. */
   addFinder(finder: Finder): () => void {
     this.#finders.unshift(finder);
     return () => {
@@ -77,19 +77,19 @@ export class MapPointer {
     };
   }
 
-  /** Tell the place under the pointer; null when it leaves the ground. */
+  /** Report the point under the pointer; null when it leaves the ground. */
   onHover(listener: (place: GroundPlace | null) => void): () => void {
     this.#hovers.add(listener);
     return () => this.#hovers.delete(listener);
   }
 
-  /** The place on the ground at a spot of the canvas; null in the sky. */
+  /** The point on the ground at a spot of the canvas; null in the sky. */
   placeAt(at: Spot): GroundPlace | null {
     const { scene } = this.#globe;
     const hasTerrain = !(scene.terrainProvider instanceof EllipsoidTerrainProvider);
     const spot = new Cartesian2(at.x, at.y);
     const ray = scene.camera.getPickRay(spot);
-    // The drawn tiles of a bare ellipsoid are coarse chords of it: without terrain the ellipsoid itself is exact.
+    // Without terrain, the drawn tiles only approximate the ellipsoid; the ellipsoid itself is exact.
     const point =
       hasTerrain && ray !== undefined ? scene.globe.pick(ray, scene) : scene.camera.pickEllipsoid(spot);
     const place = point === undefined ? undefined : Cartographic.fromCartesian(point);

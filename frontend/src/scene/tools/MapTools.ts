@@ -11,27 +11,27 @@ import type { Globe } from "../globe/Globe";
 import { DistanceLine, type MeasuredPlace } from "./DistanceLine";
 import { type GroundPlace, type MapPointer, pointerOf } from "./MapPointer";
 
-/** How the globe is seen now. */
+/** The present scale and direction of the view. */
 export interface MapScale {
-  /** Of the eye, clockwise from north. */
+  /** Heading of the camera, clockwise from north. */
   readonly heading_deg: number;
-  /** On the ground in the middle of the picture, across; null where there is no ground. */
+  /** Scale on the ground in the middle of the picture, horizontally; null without ground. */
   readonly metresPerPixel: number | null;
 }
 
 export type PlaceInSpace = Position & { readonly altitude_m: number };
 
-/** Over this many pixels the scale is measured. */
+/** Width over which the scale is measured, pixels. */
 const SPAN_PX = 60;
-/** The scale is told at most so often. */
+/** Shortest time between reports of the scale. */
 const SCALE_MS = 200;
-/** A view of everything looks down this steeply, and one place is seen from so near. */
+/** Slope of the view of several points, and distance of the view of one. */
 const PITCH_DEG = -50;
 const NEAREST_M = 600;
-/** The camera lets go of an aircraft in the frame after it was told to; only then it can be moved. */
+/** The camera leaves an aircraft only in the picture after the command; it can be moved then. */
 const FRAMES_TO_FREE = 2;
 
-/** Scale, place under the pointer, the distance line, and views of places. */
+/** Scale, point under the pointer, distance line, and views of points. */
 export class MapTools {
   readonly #globe: Globe;
   readonly #pointer: MapPointer;
@@ -66,7 +66,7 @@ export class MapTools {
     this.#onScale = listener;
   }
 
-  /** Who takes the places that are pressed; null: a press is for what lies under it. */
+  /** The listener for clicked points; null: a click selects what is under it. */
   measure(listener: ((place: GroundPlace) => void) | null): void {
     this.#onMeasure = listener;
   }
@@ -81,7 +81,7 @@ export class MapTools {
     return this.#pointer.placeAt({ x: clientWidth / 2, y: clientHeight / 2 });
   }
 
-  /** Look at all of these from above; the camera must have been set free. */
+  /** Look at all of these from above; the camera must be free. */
   lookAt(places: readonly PlaceInSpace[]): void {
     if (places.length > 0) {
       const points = places.map(({ longitude_deg, latitude_deg, altitude_m }) =>
@@ -92,7 +92,7 @@ export class MapTools {
     }
   }
 
-  /** Turn round the middle of the picture until north is up. */
+  /** Turn about the middle of the picture until north is up. */
   northUp(): void {
     const { camera } = this.#globe.scene;
     const place = this.centre();

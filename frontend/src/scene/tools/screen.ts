@@ -1,12 +1,15 @@
 import { Cartesian2, Cartesian3, type Scene, SceneTransforms } from "@cesium/engine";
 import type { Spot } from "../plan/geometry";
 
-/** As far below the horizon of a place, as a sine, the eye may be and still see what stands over it. */
+/**
+ * Greatest depression of the camera below a point's horizon, as a sine, from which things above the point are still
+ * visible.
+ */
 const BELOW_HORIZON = -0.05;
 
 const scratch = { up: new Cartesian3(), sight: new Cartesian3(), spot: new Cartesian2() };
 
-/** Where a place in space is on the canvas; null where it is behind the eye or the Earth. */
+/** A point in space on the canvas; null if it is behind the camera or the Earth. */
 export function spotOnScreen(scene: Scene, position: Cartesian3): Spot | null {
   const up = scene.globe.ellipsoid.geodeticSurfaceNormal(position, scratch.up);
   const sight = Cartesian3.subtract(scene.camera.positionWC, position, scratch.sight);

@@ -20,17 +20,17 @@ import { boundsOf } from "../ribbon/vertices";
 import { type Eye, TrackBody } from "./body";
 import { type Tip, TrackTail } from "./tail";
 
-/** A track on the globe: its own colour where values do not colour it, and that of its edge. */
+/** The style of a track on the globe: its own colour when values do not colour it, and its edge's. */
 export interface TrackKind {
   readonly plain: string;
   readonly casing: string;
-  /** Where two tracks lie over each other, the one with the greater rank is seen. */
+  /** Where two tracks overlap, the one with the greater rank is on top. */
   readonly rank: number;
 }
 
 export interface TrackLook {
   readonly colouring: Colouring;
-  /** What the scale stands for, metres or metres a second; null while nothing is known. */
+  /** The values at the ends of the scale, metres or metres a second; null while unknown. */
   readonly range: Scale | null;
   readonly hasCurtain: boolean;
 }
@@ -39,22 +39,24 @@ const CORE_PX = 3;
 const WIDTH_PX = 5;
 const CURTAIN_OPACITY = 0.3;
 /**
- * Where the processor draws alone, a picture that moves has a curtain under so many of the newest complete blocks: under
- * the rounds of hours, curtains stand ten deep in every point of it. At rest all of it is drawn.
+ * Without a graphics processor, a moving picture has curtains only under this many of the newest complete blocks:
+ * after hours of rounds, curtains overlap ten times in every pixel. At rest all are drawn.
  */
 const CURTAIN_BLOCKS = 8;
-/** So much of a pixel a line may stray from what was flown. */
+/** Greatest deviation of a drawn line from the flown one, pixels. */
 const STRAY_PX = 0.8;
 const SOFTWARE_STRAY_PX = 1.6;
-/** Share of its distance by which a rank brings a line nearer. */
+/** Share of its distance by which each rank brings a line nearer to the camera. */
 const RANK_STEP = 0.002;
-/** Levels of detail are made for so long between two frames of the instruments, and then they have their turn. */
+/** Time for computing levels of detail between two animation frames of the instruments. */
 const SLICE_MS = 4;
 const REST_MS = 12;
-/** Levels are chosen for so long in a frame; what is wrong by little has its turn in the next one. */
+/** Time for choosing levels per picture; small errors wait for the next one. */
 const CHOOSE_MS = 0.7;
 
-/** Tracks on the globe: each a line of frozen blocks and one of the newest points, with a curtain to the sea's level. */
+/**
+ * Tracks on the globe: each a line of complete blocks and one of the newest points, with a curtain down to sea level.
+ */
 export class TrackLayer {
   readonly #globe: Globe;
   readonly #drawn = new Map<TrackPoints, DrawnTrack>();
@@ -68,11 +70,11 @@ export class TrackLayer {
     globe.scene.primitives.add(this.#primitive);
   }
 
-  /** Draw this track too. */
+  /** Add a track. */
   add(points: TrackPoints, kind: TrackKind): void {
     if (!this.#drawn.has(points)) {
       this.#drawn.set(points, new DrawnTrack(points, kind, () => this.#look));
-      // What is drawn later lies above.
+      // Later ones are drawn on top.
       const inOrder = [...this.#drawn].sort(([, one], [, other]) => one.rank - other.rank);
       this.#drawn.clear();
       for (const [key, drawn] of inOrder) {
@@ -87,7 +89,7 @@ export class TrackLayer {
     this.#globe.requestRender();
   }
 
-  /** Where the aircraft of a track is shown in this frame; null: it is not live. */
+  /** Where a track's aircraft is drawn in this picture; null: it is not live. */
   setTip(points: TrackPoints, tip: Tip | null): void {
     const drawn = this.#drawn.get(points);
     if (drawn !== undefined) {
@@ -103,7 +105,7 @@ export class TrackLayer {
     }
   }
 
-  /** Points that are drawn now of all that are known. */
+  /** Number of points that are drawn. */
   get drawnPoints(): number {
     return [...this.#drawn.values()].reduce((sum, { count }) => sum + count, 0);
   }
@@ -123,7 +125,7 @@ export class TrackLayer {
     }
   }
 
-  /** In the frame itself, when camera and aircraft stand where they will be seen. */
+  /** While the picture is made: camera and aircraft are in their final places. */
   #update(frame: RendererFrame): void {
     const { camera, drawingBufferHeight } = this.#globe.scene;
     const { x, y, z } = camera.positionWC;
@@ -144,7 +146,7 @@ export class TrackLayer {
     }
   }
 
-  /** Under how many of the newest complete blocks there is a curtain. */
+  /** Number of newest complete blocks with a curtain. */
   #curtainBlocks(): number {
     if (!this.#look.hasCurtain) {
       return 0;
@@ -156,7 +158,7 @@ export class TrackLayer {
     return [...this.#drawn.values()].some(({ isVisible, isThinned }) => isVisible && !isThinned);
   }
 
-  /** Hours that come in one piece are thinned beside the frames, which are few where they are dear. */
+  /** Long tracks that arrive at once are thinned apart from the pictures, which are few on slow graphics. */
   readonly #thin = (): void => {
     const end_ms = performance.now() + SLICE_MS;
     for (const drawn of this.#drawn.values()) {
@@ -167,7 +169,7 @@ export class TrackLayer {
     this.#thinning = this.#isThinning() ? setTimeout(this.#thin, REST_MS) : null;
   };
 
-  /** What the engine asks for its commands in each frame. */
+  /** The primitive that the engine asks for draw commands for each picture. */
   readonly #primitive = {
     update: (frame: RendererFrame): void => {
       if (frame.passes.render) {
@@ -214,23 +216,23 @@ class DrawnTrack {
     return this.#body.count + this.#tail.count;
   }
 
-  /** Something has come that is not drawn yet. */
+  /** There are points that are not drawn yet. */
   get hasNews(): boolean {
     return this.isVisible && (this.#points.revision !== this.#revision || !this.#body.isComplete);
   }
 
-  /** Every complete block has its levels of detail. */
+  /** Whether every complete block has its levels of detail. */
   get isThinned(): boolean {
     return this.#thinned.isComplete;
   }
 
-  /** Makes levels of detail until then, at least one. True: more can be drawn now. */
+  /** Computes levels of detail until then, at least one. Returns whether more can be drawn now. */
   thin(end_ms: number): boolean {
     let made = 0;
     return this.#thinned.refresh(() => made++ > 0 && performance.now() > end_ms);
   }
 
-  /** For this eye, with the newest of what is complete: the line has no gap where its tail begins. */
+  /** Updates for this camera, up to the newest complete block: there is no gap before the tail. */
   update(eye: Eye): void {
     this.#revision = this.#points.revision;
     let made = 0;
@@ -247,7 +249,7 @@ class DrawnTrack {
     }
   }
 
-  /** `curtainBlocks`: under so many of its newest complete blocks there is a curtain; 0: under nothing of it. */
+  /** `curtainBlocks`: number of newest complete blocks with a curtain; 0: no curtain at all. */
   draw(frame: RendererFrame, curtainBlocks: number): void {
     const { body, tail } = this.#ribbons;
     const { blocks, starts, count } = this.#body;
@@ -257,7 +259,7 @@ class DrawnTrack {
     body.draw(frame, "line", rangesFrom(0));
     tail.draw(frame, "line");
     if (curtainBlocks > 0) {
-      // Of curtains over each other the one drawn first is seen: the newest.
+      // Of overlapping curtains the one drawn first is visible: the newest.
       tail.draw(frame, "curtain");
       body.draw(frame, "curtain", rangesFrom(blocks.length - curtainBlocks));
     }

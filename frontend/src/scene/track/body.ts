@@ -3,7 +3,10 @@ import { PIECE_POINTS, type Thinned } from "../../lib/track/thinning";
 import { POINT_FLOATS } from "../ribbon/vertices";
 import { writePoint } from "./writePoint";
 
-/** From where the track is seen: earth-centred metres, and the angle, radians, by which a line may stray from what was flown. */
+/**
+ * The camera's position, earth-centred metres, and the angle, radians, by which a line may deviate from the flown
+ * one.
+ */
 export interface Eye {
   readonly x: number;
   readonly y: number;
@@ -11,24 +14,24 @@ export interface Eye {
   readonly stray_rad: number;
 }
 
-/** What the finest level strays; each further one may stray twice as much. */
+/** Deviation of the finest level; each further level has twice as much. */
 const FINEST_M = 0.05;
 const COARSEST = 24;
-/** More points than this are not drawn of one track: levels grow coarser all over instead. */
+/** Greatest number of drawn points of one track: beyond it all levels become coarser. */
 export const MAX_BODY_POINTS = 60_000;
 
-/** Wrong by so many levels, a piece may wait for its turn: its error is twice what it should be. */
+/** A piece that is wrong by up to this many levels may wait: its error is twice the allowed one. */
 const LITTLE = 1;
 
 interface Chosen {
-  /** Of each piece of the block. */
+  /** The level of each piece of the block. */
   readonly levels: Int8Array;
   readonly vertices: Float32Array;
 }
 
 /**
- * The complete blocks of a track as one line, each piece of them in the level of detail that its distance from the eye
- * allows. The line is put together again when a piece needs another level; whoever draws it copies it then.
+ * The complete blocks of a track as one line, each piece in the level of detail that its distance from the camera
+ * allows. The line is rebuilt when a piece needs another level; its user copies it then.
  */
 export class TrackBody {
   readonly #track: ThinnedTrack;
@@ -39,14 +42,14 @@ export class TrackBody {
   #starts: readonly number[] = [];
   #eye: Eye | null = null;
   #isComplete = true;
-  /** Added to every level while the whole has too many points. */
+  /** Added to every level while there are too many points. */
   #coarser = 0;
 
   constructor(track: ThinnedTrack) {
     this.#track = track;
   }
 
-  /** `count` points; what is behind them is left from before. */
+  /** `count` points; the rest of the array is old. */
   get vertices(): Float32Array {
     return this.#vertices;
   }
@@ -55,24 +58,24 @@ export class TrackBody {
     return this.#count;
   }
 
-  /** Of each block its first point in the line. */
+  /** Index of each block's first point in the line. */
   get starts(): readonly number[] {
     return this.#starts;
   }
 
-  /** The blocks that are in the line, in its order. */
+  /** The blocks of the line, in order. */
   get blocks(): readonly Thinned[] {
     return this.#blocks;
   }
 
-  /** Every block has the levels for the eye that was asked about last. */
+  /** Whether every block has the right levels for the last camera. */
   get isComplete(): boolean {
     return this.#isComplete;
   }
 
   /**
-   * Chooses the levels for this eye. True: the line is another one now. Where blocks are wrong by little, `isEnough` may
-   * leave them as they are for now.
+   * Chooses the levels for this camera. Returns whether the line has changed. `isEnough` may leave small errors for
+   * later.
    */
   choose(eye: Eye, isEnough: () => boolean = () => false): boolean {
     const isOther = this.#track.blocks !== this.#blocks;
@@ -90,7 +93,7 @@ export class TrackBody {
       this.#coarser = 0;
       this.#take(this.#blocks, eye);
     } else {
-      // All others may stay as they are: a camera that flies along would choose half of them anew in each frame.
+      // The others stay: a moving camera would otherwise change half of them for each picture.
       this.#take(wrong, eye, isEnough);
     }
     while (this.#count > MAX_BODY_POINTS && this.#coarser < COARSEST) {
@@ -101,7 +104,10 @@ export class TrackBody {
     return true;
   }
 
-  /** Too coarse at once, too fine only by two levels: a camera that moves to and fro does not change it each time. */
+  /**
+   * Too coarse is corrected at once, too fine only from two levels on: a camera that moves back and forth must not
+   * change it each time.
+   */
   #isWrong(block: Thinned, eye: Eye, room: number): boolean {
     const levels = this.#chosen.get(block)?.levels;
     if (levels === undefined) {
@@ -121,7 +127,7 @@ export class TrackBody {
   #take(blocks: readonly Thinned[], eye: Eye, isEnough: () => boolean = () => false): void {
     let taken = 0;
     for (const block of blocks) {
-      // One at least in each frame, or it would never end.
+      // At least one per picture, or it would never end.
       if (taken > 0 && isEnough() && !this.#isWrong(block, eye, LITTLE)) {
         this.#isComplete = false;
         continue;
@@ -141,7 +147,7 @@ export class TrackBody {
 
   #join(): void {
     if (this.#vertices.length < this.#count * POINT_FLOATS) {
-      // Half as much again: a growing track must not need another array with each block.
+      // Half as much again, so that a growing track does not need a new array for each block.
       this.#vertices = new Float32Array(Math.ceil(this.#count * 1.5) * POINT_FLOATS);
     }
     const starts: number[] = [];
@@ -162,7 +168,7 @@ function isSame(one: Eye, other: Eye | null): boolean {
   return one.x === other?.x && one.y === other.y && one.z === other.z && one.stray_rad === other.stray_rad;
 }
 
-/** The coarsest level whose error is not seen, of a ball's nearest and of its farthest place from the eye. */
+/** The coarsest levels whose error is invisible, at the nearest and the farthest point of a sphere. */
 function levelsOf(
   [atX, atY, atZ]: readonly [number, number, number],
   radius_m: number,
@@ -181,7 +187,7 @@ function pieceLevel({ pieces_m }: Thinned, piece: number, eye: Eye): number {
   return levelsOf([part(0), part(1), part(2)], part(3), eye)[0];
 }
 
-/** Where the level changes the line goes through the point that was flown: what one side leaves out is not seen on the other. */
+/** Where the level changes, the line passes through a flown point of both levels, so that there is no gap. */
 function verticesOf({ block, keep_m }: Thinned, levels: Int8Array): Float32Array {
   const offsets: number[] = [];
   for (const [piece, level] of levels.entries()) {

@@ -3,23 +3,23 @@ import { isInterrupted, type TrackPoints } from "../../lib/track/trackPoints";
 import { type Place, POINT_FLOATS, writePlace } from "../ribbon/vertices";
 import { writePoint } from "./writePoint";
 
-/** Where the aircraft is shown now, and when it was there by the gateway's clock (Unix seconds). */
+/** Where the aircraft is drawn, and the time of that position by the gateway's clock (Unix seconds). */
 export interface Tip extends Place {
   readonly t_s: number;
 }
 
-/** Between two questions to the gateway the line follows where the aircraft was shown: two seconds of 60 Hz. */
+/** Between two requests to the gateway the line follows the drawn aircraft: two seconds at 60 Hz. */
 const SHOWN = 128;
-/** Closer together than this they say nothing new. */
+/** Positions closer in time are dropped. */
 const LEAST_STEP_S = 0.05;
 const LONGEST_TIP_S = 5;
-/** The last point of the block before, with which the line begins. */
+/** The last point of the block before, where the line begins. */
 const BEFORE = 1;
 const CAPACITY = BEFORE + BLOCK_POINTS + SHOWN + 1;
 
 /**
- * The newest part of a track, every point of it: the last one of the line before, the block that grows, where the
- * aircraft was shown since, and the aircraft itself.
+ * The newest part of a track with every point: the last point of the line before, the growing block, the positions
+ * where the aircraft was drawn since, and the aircraft itself.
  */
 export class TrackTail {
   readonly vertices = new Float32Array(CAPACITY * POINT_FLOATS);
@@ -40,12 +40,12 @@ export class TrackTail {
     return this.#count;
   }
 
-  /** Points before this one are as they were before the last `update`. */
+  /** Points before this one are unchanged since the last `update`. */
   get changed(): number {
     return this.#changed;
   }
 
-  /** Draws up to `tip`, or up to the newest point where there is no aircraft to show. True: the line is another one. */
+  /** Draws up to `tip`, or to the newest point without an aircraft. Returns whether the line has changed. */
   update(tip: Tip | null): boolean {
     const block = this.#points.blocks.at(-1);
     const [pointsRevision, tip_s] = [this.#points.revision, tip?.t_s ?? null];
@@ -84,7 +84,7 @@ export class TrackTail {
     }
   }
 
-  /** The points that the aircraft has reached where it is shown, its places since, and itself. Returns how many. */
+  /** The points that the drawn aircraft has passed, its positions since, and itself. Returns their number. */
   #follow(block: TrackBlock, tip: Tip): number {
     let reached = this.#written;
     while (reached > 0 && (block.t_s[reached - 1] ?? 0) > tip.t_s) {
@@ -97,7 +97,7 @@ export class TrackTail {
       at += 1;
     }
     writePlace(this.vertices, at, tip);
-    // What was written over is written again when the aircraft is past it.
+    // Points that were overwritten are written again when the aircraft has passed them.
     this.#written = reached;
     return at + 1;
   }
@@ -111,7 +111,7 @@ export class TrackTail {
   }
 }
 
-/** An aircraft that is far from its newest point, in time or in place, has not flown as a line would show it. */
+/** An aircraft far from its newest point, in time or place, did not fly the straight line between them. */
 function follows(block: TrackBlock, tip: Tip): boolean {
   const point = {
     t_s: Math.max(tip.t_s, block.t_s[block.count - 1] ?? 0),

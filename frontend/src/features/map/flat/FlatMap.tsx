@@ -1,8 +1,8 @@
 import { Crosshair, House, Maximize, ZoomIn, ZoomOut } from "lucide-react";
 import { type ReactNode, useCallback, useEffect, useRef, useState } from "react";
 import { useTranslation } from "react-i18next";
+import type { Aircraft } from "../../../lib/aircraft";
 import type { Position } from "../../../lib/geodesy";
-import type { Whose } from "../../../lib/mapThing";
 import { roundLength } from "../../../lib/scaleBar";
 import { coordinate } from "../../../readouts/formats";
 import { useUnit } from "../../../readouts/useUnit";
@@ -23,12 +23,15 @@ import "../tools/tools.css";
 import "./flat.css";
 
 const FOLLOW = "map.flat.follow";
-/** What comes last lies above. */
-const WHOSE: readonly Whose[] = ["hil", "flight"];
-/** No longer than this on the screen, pixels. */
+/** Drawing order: the last is on top. */
+const DRAWN: readonly Aircraft[] = ["hil", "flight"];
+/** Greatest length of the scale bar, pixels. */
 const LONGEST_PX = 130;
 
-/** The map without WebGL: the same flight seen from straight above. `onScene` is told of it while it is there. */
+/**
+ * The map without WebGL: the same flight from straight above. `onScene` is called with the scene, and with null when
+ * it is gone.
+ */
 export function FlatMap({ onScene }: { onScene: (scene: FlatScene | null) => void }) {
   const { t } = useTranslation();
   const { settings } = usePage();
@@ -103,7 +106,7 @@ function FlatButtons({ scene, isFollowing, onFollow }: ButtonsProps) {
     scene?.lookAt(places);
   }
   function everything(): readonly Position[] {
-    const aircraft = WHOSE.map((whose) => aircraftPlace(telemetry, whose)).filter((place) => place !== null);
+    const aircraft = DRAWN.map((plan) => aircraftPlace(telemetry, plan)).filter((place) => place !== null);
     return [...flight.waypoints, ...hil.waypoints, ...aircraft, home];
   }
   const button = (label: string, icon: ReactNode, onPress: () => void, pressed?: boolean) => (
@@ -127,23 +130,23 @@ function FlatButtons({ scene, isFollowing, onFollow }: ButtonsProps) {
 function useAircraft(scene: FlatScene | null, isFollowing: boolean): void {
   const { t } = useTranslation();
   const followed = useFollowed();
-  const real = t("map.view.real");
+  const flight = t("map.view.flight");
   const hil = t("map.view.hil");
   const paint = useCallback(
     (telemetry: TelemetryStore, now_ms: number) => {
-      const names: Readonly<Record<Whose, string>> = { flight: real, hil };
-      const seen = WHOSE.map((whose) => flatAircraft(telemetry, whose, names[whose], now_ms)).filter(
+      const names: Readonly<Record<Aircraft, string>> = { flight, hil };
+      const seen = DRAWN.map((plan) => flatAircraft(telemetry, plan, names[plan], now_ms)).filter(
         (aircraft) => aircraft !== null,
       );
       const middle = isFollowing ? seen.find(({ plan }) => plan === followed)?.place : undefined;
       scene?.setAircraft(seen, middle ?? null);
     },
-    [scene, isFollowing, followed, real, hil],
+    [scene, isFollowing, followed, flight, hil],
   );
   usePaint("text", paint);
 }
 
-/** The longest bar of a round length in the person's unit. */
+/** The longest bar of a round length in the user's unit. */
 function FlatScale({ pixel_m }: { pixel_m: number }) {
   const distance = useUnit("distance");
   if (pixel_m === 0) {

@@ -1,5 +1,5 @@
+import type { Aircraft } from "../../../lib/aircraft";
 import { formatAge } from "../../../lib/format";
-import type { Whose } from "../../../lib/mapThing";
 import type { FlatAircraft } from "../../../scene/flat/flatThings";
 import type { TelemetryStore } from "../../../store/telemetry";
 import { showing } from "../aircraftFeed";
@@ -8,10 +8,10 @@ import { TRACK_KINDS } from "../trackKinds";
 
 const ATTITUDE_TOPIC = { flight: "ahrs", hil: "simulator" } as const;
 
-/** An aircraft seen from straight above: live, hollow with its age, or null where it is not drawn. */
+/** An aircraft seen from above: live, or hollow with its age; null if it is not drawn. */
 export function flatAircraft(
   telemetry: TelemetryStore,
-  plan: Whose,
+  plan: Aircraft,
   name: string,
   now_ms: number,
 ): FlatAircraft | null {
@@ -31,7 +31,7 @@ export function flatAircraft(
     plan,
     place: { latitude_deg: place.latitude_deg, longitude_deg: place.longitude_deg },
     heading_deg,
-    colour: TRACK_KINDS[plan === "hil" ? "hil" : "real"].plain,
+    colour: TRACK_KINDS[plan].plain,
     label: isLive ? name : `${name} · ${formatAge(age_s)}`,
     isLive,
   };

@@ -1,5 +1,5 @@
 import { useMemo } from "react";
-import { TRACKS } from "../../../protocol/track";
+import { AIRCRAFT } from "../../../lib/aircraft";
 import type { FlatContents } from "../../../scene/flat/FlatScene";
 import { usePart, useSettings } from "../../../store/hooks";
 import { shownLayers, stackOfLayers } from "../layers/useGround";
@@ -22,8 +22,8 @@ export function useFlatContents(): FlatContents {
   );
   const tracks = useMemo(
     () =>
-      TRACKS.filter((name) => isShown[name])
-        // What comes last lies above.
+      AIRCRAFT.filter((name) => isShown[name])
+        // Drawing order: the last is on top.
         .sort((one, other) => TRACK_KINDS[one].rank - TRACK_KINDS[other].rank)
         .map((name) => ({
           points: trackLog.points[name],

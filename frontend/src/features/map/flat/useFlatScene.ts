@@ -12,7 +12,7 @@ interface Listener {
 
 const COASTLINE = "/map/canary-coastline.json";
 
-/** The flat map on this canvas; null before there is a canvas. */
+/** The flat map on this canvas; null without a canvas. */
 export function useFlatScene(
   canvas: RefObject<HTMLCanvasElement | null>,
   listener: Listener,
@@ -35,7 +35,7 @@ export function useFlatScene(
     const end = new AbortController();
     fetch(COASTLINE, { signal: end.signal })
       .then(async (answer) => made.setIslands(readIslands(await answer.text())))
-      // Without its coast the map shows the flight still.
+      // Without the coastline the map still shows the flight.
       .catch(() => undefined);
     return () => {
       end.abort();

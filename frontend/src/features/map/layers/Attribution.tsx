@@ -3,7 +3,7 @@ import { useFlat } from "../flat/useFlat";
 import { stackOfLayers } from "./useGround";
 import { useMapLayers } from "./useMapLayers";
 
-/** Whose work the visible layers are. */
+/** The attributions of the visible layers. */
 export function Attribution() {
   const layers = useMapLayers((known) => known.layers);
   const remembered = useSettings(({ choices }) => choices["map.layers.stack"]);

@@ -12,12 +12,12 @@ import { Notice } from "../../../ui/Notice";
 import { MAP_LAYERS } from "./layerList";
 import { useMapLayers } from "./useMapLayers";
 
-/** Files on their way into the station, and those that did not arrive. */
+/** Files being imported, and failed imports. */
 export function ImportList() {
   const imports = useMapLayers((layers) => layers.imports);
   const { state, stateText } = useAsked("map.import");
   const entries = Object.values(imports);
-  // One that the station did not even begin with has no entry of its own.
+  // An upload that the station refused at once has no entry of its own.
   const isRefused = state === "rejected" && !entries.some((entry) => entry.state === "failed");
   return (
     <>
@@ -43,7 +43,7 @@ function Underway({ entry }: { entry: MapImport }) {
     <div className="map-import">
       <label>
         <span>{text}</span>
-        {/* Without a value it runs to and fro: nobody knows how much is to come. */}
+        {/* Without a value the progress bar is indeterminate: the total is unknown. */}
         <progress max={100} value={entry.percent ?? undefined} />
       </label>
       <Button

@@ -23,7 +23,7 @@ interface Props {
   onMove: (by: -1 | 1) => void;
 }
 
-/** One layer of pictures: shown or not, how strongly, and its place among the others. */
+/** One image layer: whether it is shown, its opacity, and its place in the order. */
 export function LayerRow({ stacked, layer, isTop, isBottom, onChange, onMove }: Props) {
   const { t } = useTranslation();
   const sentence = useSentence();
@@ -82,7 +82,7 @@ export function LayerRow({ stacked, layer, isTop, isBottom, onChange, onMove }: 
   );
 }
 
-/** Takes a file out of the list. It is not asked about: it can be brought back. */
+/** Removes a file from the list, without a question: it can be restored. */
 export function RemoveLayer({ layer, reason }: { layer: MapLayer; reason: string | undefined }) {
   const { t } = useTranslation();
   const mapLayers = usePart(MAP_LAYERS);

@@ -5,7 +5,7 @@ import { usePart } from "../../../store/hooks";
 import { MAP_LAYERS } from "./layerList";
 import "./layers.css";
 
-/** Takes the files that are dropped onto the map, and says so while they are held over it. */
+/** Imports files that are dropped onto the map, with a hint while they are dragged over it. */
 export function MapDrop() {
   const { t } = useTranslation();
   const mapLayers = usePart(MAP_LAYERS);

@@ -7,7 +7,7 @@ import { Button } from "../../../ui/Button";
 import { MAP_LAYERS } from "./layerList";
 import { useMapLayers } from "./useMapLayers";
 
-/** What was taken out here, with the way back. */
+/** Layers removed here, with a button to restore each. */
 export function RemovedList() {
   const removed = useMapLayers((layers) => layers.removed);
   return removed.map((layer) => <Removed key={layer.id} layer={layer} />);

@@ -10,7 +10,7 @@ import { addressFault, sourceId } from "./mapStack";
 type Source = OnlineChoice["sources"][number];
 
 interface Props {
-  /** Ids that there are. */
+  /** Ids in use. */
   taken: readonly string[];
   blocked: string | undefined;
   onAdd: (source: Source) => void;
@@ -19,7 +19,7 @@ interface Props {
 const EMPTY = { name: "", url: "", attribution: "", maximum_zoom: 19 };
 const DEEPEST_ZOOM = 24;
 
-/** One more source of maps, checked before it is sent. */
+/** A form for another online source, checked before it is sent. */
 export function SourceForm({ taken, blocked, onAdd }: Props) {
   const { t } = useTranslation();
   const [draft, setDraft] = useState(EMPTY);

@@ -9,7 +9,7 @@ import { useFlat } from "../flat/useFlat";
 import { RemoveLayer } from "./LayerRow";
 import type { GroundChoice } from "./useGround";
 
-/** Which heights the ground has, and every file of heights that the station has with what it lacks. */
+/** The choice of the terrain, and every elevation file with what it lacks. */
 export function TerrainList({ terrains, terrain, terrainFailed, chooseTerrain }: GroundChoice) {
   const { t } = useTranslation();
   const flat = useFlat();

@@ -6,26 +6,26 @@ import { partName } from "../../../store/parts";
 
 /** The map layers as the gateway has them. */
 export interface MapLayers {
-  /** Where their files lie, on the station's computer; null until the gateway has told. */
+  /** The folder of the files on the station's computer; null until known. */
   readonly folder: string | null;
   readonly layers: readonly MapLayer[];
-  /** Why there is no list. */
+  /** Why the list could not be read. */
   readonly failure: Message | null;
-  /** Files on their way, or just over, by their number; a good one goes when its layer is in the list. */
+  /** Imports running or just finished, by number; a successful one is removed when its layer is listed. */
   readonly imports: Readonly<Record<string, MapImport>>;
-  /** Layers that were taken out here and can be brought back, the newest first. */
+  /** Layers removed here that can be restored, newest first. */
   readonly removed: readonly Pick<MapLayer, "id" | "name">[];
-  /** Null until the gateway has told. */
+  /** Null until read from the gateway. */
   readonly online: MapOnline | null;
 }
 
 export type MapLayerStore = StoreApi<MapLayers>;
 
-/** What a person can ask about map layers; nothing here throws. */
+/** The user's requests about map layers; nothing here throws. */
 export interface MapLayerActions {
   readonly store: MapLayerStore;
   readonly read: () => Promise<void>;
-  /** Send a file of this computer into the station's folder. */
+  /** Upload a file of this computer to the station's folder. */
   readonly importFile: (file: File, asker: Asker) => Promise<void>;
   readonly cancelImport: (id: string, asker: Asker) => Promise<void>;
   readonly forgetImport: (id: string) => void;
@@ -48,7 +48,9 @@ export function createMapLayers(): MapLayerStore {
   }));
 }
 
-/** How far an import is, as the gateway says; one that is done is in the list of layers, and goes from here. */
+/**
+ * Note an import's progress as reported by the gateway; a finished one is in the list of layers and is removed here.
+ */
 export function noteImport(store: MapLayerStore, entry: MapImport): void {
   const { [entry.id]: _, ...others } = store.getState().imports;
   store.setState({ imports: entry.state === "done" ? others : { ...others, [entry.id]: entry } });

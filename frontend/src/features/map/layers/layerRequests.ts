@@ -15,14 +15,14 @@ import {
 const LAYERS = "/api/v1/map/layers";
 const ONLINE = "/api/v1/map/online";
 const IMPORTS = "/api/v1/map/imports";
-/** Gigabytes over a field's radio link. */
+/** Time for gigabytes over a slow radio link. */
 const SEND_MS = 6 * 3600_000;
-/** How often it is asked how far the station is with a file that somebody put into its folder. */
+/** How often to ask for the progress of a file that somebody copied into the station's folder. */
 const CONVERTING_MS = 2000;
 
 type Named = Pick<MapLayer, "id" | "name">;
 
-/** What a person can ask about map layers, as questions to the gateway with their outcome in the stores. */
+/** The requests about map layers, with their outcome in the stores. */
 export function createMapLayerActions(parts: AskingParts & { readonly timers: Timers }): {
   readonly mapLayers: MapLayerActions;
   readonly takeMapEvent: (event: StreamEvent) => void;
@@ -91,7 +91,7 @@ export function createMapLayerActions(parts: AskingParts & { readonly timers: Ti
     chooseOnline: (choice, asker) =>
       run(asker, rest.ask("PUT", ONLINE, isOnlineState, choice), (online) => {
         store.setState({ online });
-        // Its sources are layers like others.
+        // Its sources are in the list of layers.
         void read();
         const key = online.enabled ? "map.online.saidOn" : "map.online.saidOff";
         return { state: "confirmed", message: info(key) };

@@ -1,18 +1,18 @@
-/** A layer of pictures in the person's order, and how it is shown. */
+/** An image layer in the user's order, and how it is shown. */
 export interface Stacked {
   readonly id: string;
   readonly isOn: boolean;
-  /** 0: clear, 1: covers what is below. */
+  /** 0: transparent, 1: opaque. */
   readonly opacity: number;
 }
 
-/** What lies in the stack by itself until a person has moved it: files are shown, what asks the internet is not. */
+/** The default place of a layer in the stack: files are shown, online sources are not. */
 export interface Stackable {
   readonly id: string;
   readonly isOnByItself: boolean;
 }
 
-/** The layers from the topmost down: in the remembered order; those that are new lie on top. */
+/** The layers from the topmost down, in the stored order; new ones are added on top. */
 export function stackOf(layers: readonly Stackable[], remembered: string | undefined): readonly Stacked[] {
   const known = parse(remembered);
   const there = new Set(layers.map(({ id }) => id));
@@ -23,14 +23,14 @@ export function stackOf(layers: readonly Stackable[], remembered: string | undef
   return [...added, ...known.filter(({ id }) => there.has(id))];
 }
 
-/** As it is remembered. A layer that is not there now keeps its place for when it comes back. */
+/** The order as stored text. A layer that is missing now keeps its place for its return. */
 export function rememberedStack(stack: readonly Stacked[], before: string | undefined): string {
   const present = new Set(stack.map(({ id }) => id));
   const away = parse(before).filter(({ id }) => !present.has(id));
   return JSON.stringify([...stack, ...away].map(({ id, isOn, opacity }) => [id, isOn, opacity]));
 }
 
-/** The stack with one layer changed; the same where it is not in it. */
+/** The stack with one layer changed; unchanged if the layer is not in it. */
 export function withLayer(
   stack: readonly Stacked[],
   id: string,
@@ -39,7 +39,7 @@ export function withLayer(
   return stack.map((one) => (one.id === id ? { ...one, ...change } : one));
 }
 
-/** The stack with one layer a place further up (-1) or down (1); the same where there is no such place. */
+/** The stack with one layer a place further up (-1) or down (1); unchanged at the end. */
 export function movedLayer(stack: readonly Stacked[], id: string, by: -1 | 1): readonly Stacked[] {
   const at = stack.findIndex((one) => one.id === id);
   const [one, other] = [stack[at], stack[at + by]];
@@ -72,7 +72,7 @@ function read(entry: unknown): readonly Stacked[] {
 
 export type AddressFault = "scheme" | "places" | "unreadable";
 
-/** What is wrong with the address of an online source: tiles need their three numbers, and a secured way. */
+/** What is wrong with an online source's address: it needs the three tile numbers and https. */
 export function addressFault(url: string): AddressFault | null {
   if (!/^https:\/\//i.test(url)) {
     return "scheme";
@@ -85,7 +85,7 @@ export function addressFault(url: string): AddressFault | null {
 
 const LONGEST_ID = 32;
 
-/** The id of a source by its name, in the letters that a gateway's id has; empty where the name has none of them. */
+/** A source's id made from its name, in the letters that the gateway allows; empty if none is left. */
 export function sourceId(name: string): string {
   return name
     .normalize("NFD")

@@ -12,19 +12,19 @@ const TERRAIN = "map.layers.terrain";
 const PATH = "/api/v1/map/layers";
 
 export interface GroundChoice {
-  /** The layers of pictures from the topmost down. */
+  /** The image layers from the topmost down. */
   readonly stack: readonly Stacked[];
   readonly layerOf: (id: string) => MapLayer | undefined;
   readonly change: (id: string, change: Partial<Omit<Stacked, "id">>) => void;
   readonly move: (id: string, by: -1 | 1) => void;
-  /** All of them, also those that cannot be shown, or not yet. */
+  /** All terrains, including those that cannot be shown or not yet. */
   readonly terrains: readonly MapLayer[];
   readonly terrain: string | null;
   readonly terrainFailed: boolean;
   readonly chooseTerrain: (id: string | null) => void;
 }
 
-/** The layers as the person has stacked them: remembered by this browser, and laid on the globe. */
+/** The layers in the user's order: stored in this browser, and shown on the globe. */
 export function useGround(): GroundChoice {
   const { settings } = usePage();
   const layers = useMapLayers((known) => known.layers);
@@ -59,7 +59,7 @@ export function stackOfLayers(
   );
 }
 
-/** The layers that are to be seen, from the topmost down, and where their tiles are. */
+/** The visible layers from the topmost down, with the addresses of their tiles. */
 export function shownLayers(layers: readonly MapLayer[], stack: readonly Stacked[]): ShownLayer[] {
   return stack.flatMap(({ id, isOn, opacity }) => {
     const layer = layers.find((one) => one.id === id);
@@ -69,7 +69,7 @@ export function shownLayers(layers: readonly MapLayer[], stack: readonly Stacked
   });
 }
 
-/** Lays the layers on the globe; tells whether the terrain could not be read. */
+/** Shows the layers on the globe; returns whether the terrain could not be read. */
 function useOnGlobe(layers: readonly MapLayer[], stack: readonly Stacked[], terrain: string | null): boolean {
   const laid = useGlobeLayer(
     "layers",

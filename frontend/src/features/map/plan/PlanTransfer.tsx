@@ -1,7 +1,7 @@
 import { Download, Plus, Redo2, Trash2, Undo2 } from "lucide-react";
 import { useState } from "react";
 import { useTranslation } from "react-i18next";
-import type { Whose } from "../../../lib/mapThing";
+import type { Aircraft } from "../../../lib/aircraft";
 import { inserted, removed } from "../../../lib/plan";
 import { editPlan, MISSIONS, redoPlan, undoPlan } from "../../../missions/planDrafts";
 import { SendPlan } from "../../../missions/SendPlan";
@@ -17,29 +17,29 @@ import { MAP_SELECTION, selectThing } from "../mapSelection";
 import type { MapPlan } from "./useMapPlan";
 
 interface Props {
-  whose: Whose;
+  aircraft: Aircraft;
   plan: MapPlan;
-  /** The waypoint that is chosen. */
+  /** Index of the selected waypoint. */
   row: number | null;
 }
 
-/** From the board and to it, and what is done to the plan as a whole. */
-export function PlanTransfer({ whose, plan, row }: Props) {
+/** Buttons to read the plan from the board, send it, and edit it as a whole. */
+export function PlanTransfer({ aircraft, plan, row }: Props) {
   return (
     <>
-      <Transfer whose={whose} plan={plan} />
-      <Rows whose={whose} plan={plan} row={row} />
+      <Transfer aircraft={aircraft} plan={plan} />
+      <Rows aircraft={aircraft} plan={plan} row={row} />
     </>
   );
 }
 
-function Transfer({ whose, plan }: Omit<Props, "row">) {
+function Transfer({ aircraft, plan }: Omit<Props, "row">) {
   const { t } = useTranslation();
   const missions = usePart(MISSIONS);
-  const download = useAsked(`plan.download.${whose}`);
-  const upload = useAsked(`plan.upload.${whose}`);
-  const goTo = useAsked(`plan.goTo.${whose}`);
-  const isDraft = usePlans((plans) => plans[whose].draft.present.length > 0);
+  const download = useAsked(`plan.download.${aircraft}`);
+  const upload = useAsked(`plan.upload.${aircraft}`);
+  const goTo = useAsked(`plan.goTo.${aircraft}`);
+  const isDraft = usePlans((plans) => plans[aircraft].draft.present.length > 0);
   const [isAsking, setAsking] = useState(false);
   const blocked = useBoardBlocked();
   const unsupported = plan.canTransfer ? undefined : t("plans.unsupportedShort");
@@ -49,7 +49,7 @@ function Transfer({ whose, plan }: Omit<Props, "row">) {
       ? t("plans.fixFirst", { count: errors })
       : undefined
     : t("map.plan.nothingEdited");
-  const read = (): void => void missions.download(whose, { control: `plan.download.${whose}` });
+  const read = (): void => void missions.download(aircraft, { control: `plan.download.${aircraft}` });
   return (
     <>
       <div className="map-plan-buttons">
@@ -62,7 +62,7 @@ function Transfer({ whose, plan }: Omit<Props, "row">) {
         >
           {t("map.plan.read")}
         </Button>
-        <SendPlan plan={whose} onBoard={plan.onBoard} disabledReason={blocked ?? unsupported ?? nothing}>
+        <SendPlan plan={aircraft} onBoard={plan.onBoard} disabledReason={blocked ?? unsupported ?? nothing}>
           {t("map.plan.send")}
         </SendPlan>
       </div>
@@ -91,28 +91,28 @@ function Transfer({ whose, plan }: Omit<Props, "row">) {
   );
 }
 
-function Rows({ whose, plan, row }: Props) {
+function Rows({ aircraft, plan, row }: Props) {
   const { t } = useTranslation();
   const missions = usePart(MISSIONS);
   const mapSelection = usePart(MAP_SELECTION);
-  const canUndo = usePlans((plans) => plans[whose].draft.past.length > 0);
-  const canRedo = usePlans((plans) => plans[whose].draft.future.length > 0);
+  const canUndo = usePlans((plans) => plans[aircraft].draft.past.length > 0);
+  const canRedo = usePlans((plans) => plans[aircraft].draft.future.length > 0);
   const { waypoints } = plan;
   const { maximum } = PLAN_LIMITS.count;
   const icon = { size: 14, "aria-hidden": true } as const;
 
   function insert(): void {
     const behind = row ?? waypoints.length - 1;
-    editPlan(missions.plans, whose, inserted(waypoints, behind));
-    selectThing(mapSelection, { kind: "waypoint", plan: whose, row: behind + 1 });
+    editPlan(missions.plans, aircraft, inserted(waypoints, behind));
+    selectThing(mapSelection, { kind: "waypoint", plan: aircraft, row: behind + 1 });
   }
 
   function remove(at: number): void {
-    editPlan(missions.plans, whose, removed(waypoints, at));
+    editPlan(missions.plans, aircraft, removed(waypoints, at));
     const left = waypoints.length - 1;
     selectThing(
       mapSelection,
-      left === 0 ? null : { kind: "waypoint", plan: whose, row: Math.min(at, left - 1) },
+      left === 0 ? null : { kind: "waypoint", plan: aircraft, row: Math.min(at, left - 1) },
     );
   }
 
@@ -134,7 +134,7 @@ function Rows({ whose, plan, row }: Props) {
         {null}
       </Button>
       <Button
-        onPress={() => undoPlan(missions.plans, whose)}
+        onPress={() => undoPlan(missions.plans, aircraft)}
         icon={<Undo2 {...icon} />}
         label={t("plans.undo")}
         disabledReason={canUndo ? undefined : t("plans.noUndo")}
@@ -142,7 +142,7 @@ function Rows({ whose, plan, row }: Props) {
         {null}
       </Button>
       <Button
-        onPress={() => redoPlan(missions.plans, whose)}
+        onPress={() => redoPlan(missions.plans, aircraft)}
         icon={<Redo2 {...icon} />}
         label={t("plans.redo")}
         disabledReason={canRedo ? undefined : t("plans.noRedo")}

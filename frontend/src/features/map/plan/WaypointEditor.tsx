@@ -1,7 +1,7 @@
 import { ArrowDown, ArrowLeft, ArrowRight, ArrowUp, ChevronsDown, ChevronsUp } from "lucide-react";
 import { type KeyboardEvent, type ReactNode, useId } from "react";
 import { useTranslation } from "react-i18next";
-import type { Whose } from "../../../lib/mapThing";
+import type { Aircraft } from "../../../lib/aircraft";
 import { changed, type Push, pushed, type Waypoint, type WaypointField } from "../../../lib/plan";
 import { amendPlan, editPlan, MISSIONS, redoPlan, undoPlan } from "../../../missions/planDrafts";
 import { COLUMN } from "../../../missions/planFacts";
@@ -15,14 +15,14 @@ import { useFlat } from "../flat/useFlat";
 import type { HeldWaypoint } from "./usePlanScene";
 
 interface Props {
-  whose: Whose;
+  aircraft: Aircraft;
   waypoints: readonly Waypoint[];
   row: number;
-  /** Where the pointer holds it now. */
+  /** Where the pointer drags it; null if it is not being dragged. */
   held: HeldWaypoint["to"] | null;
 }
 
-/** The steps of the keys: metres along the ground, feet upwards. */
+/** Step sizes of the buttons: metres along the ground, feet upwards. */
 const STEPS = { "1": 1, "10": 10, "100": 100 } as const;
 type Step = keyof typeof STEPS;
 
@@ -35,20 +35,20 @@ const KEYS: Readonly<Record<string, (step: number) => Push>> = {
   PageDown: (step) => ({ up_ft: -step }),
 };
 
-/** The chosen waypoint: its numbers, and keys that push it. */
-export function WaypointEditor({ whose, waypoints, row, held }: Props) {
+/** The selected waypoint: number fields, and buttons that move it. */
+export function WaypointEditor({ aircraft, waypoints, row, held }: Props) {
   const { t } = useTranslation();
   const waypoint = waypoints[row];
   return waypoint === undefined ? null : (
     <fieldset className="map-plan-editor">
       <legend>{t("map.plan.editing", { number: row + 1 })}</legend>
-      <Fields whose={whose} waypoints={waypoints} row={row} waypoint={{ ...waypoint, ...held }} />
-      <Pusher whose={whose} waypoints={waypoints} row={row} />
+      <Fields aircraft={aircraft} waypoints={waypoints} row={row} waypoint={{ ...waypoint, ...held }} />
+      <Pusher aircraft={aircraft} waypoints={waypoints} row={row} />
     </fieldset>
   );
 }
 
-function Fields({ whose, waypoints, row, waypoint }: Omit<Props, "held"> & { waypoint: Waypoint }) {
+function Fields({ aircraft, waypoints, row, waypoint }: Omit<Props, "held"> & { waypoint: Waypoint }) {
   const { t } = useTranslation();
   const missions = usePart(MISSIONS);
   const altitude = useUnit("altitude");
@@ -69,7 +69,7 @@ function Fields({ whose, waypoints, row, waypoint }: Omit<Props, "held"> & { way
         onCommit={(value) =>
           editPlan(
             missions.plans,
-            whose,
+            aircraft,
             changed(waypoints, row, name, unit === null ? value : unit.revert(value)),
           )
         }
@@ -87,8 +87,8 @@ function Fields({ whose, waypoints, row, waypoint }: Omit<Props, "held"> & { way
   );
 }
 
-/** Four arrows and two heights: by the pointer, or by the keys of the same names while anything in here has the focus. */
-function Pusher({ whose, waypoints, row }: Omit<Props, "held">) {
+/** Buttons to move the waypoint; their keys work while anything in here has the focus. */
+function Pusher({ aircraft, waypoints, row }: Omit<Props, "held">) {
   const { t } = useTranslation();
   const flat = useFlat();
   const { settings } = usePage();
@@ -100,15 +100,15 @@ function Pusher({ whose, waypoints, row }: Omit<Props, "held">) {
   );
 
   function push(by: Push, isRepeat: boolean): void {
-    // A held key is one edit to the undo, however far it goes.
+    // The repeats of a held key are one step to the undo.
     const put = isRepeat ? amendPlan : editPlan;
-    put(missions.plans, whose, pushed(waypoints, row, by));
+    put(missions.plans, aircraft, pushed(waypoints, row, by));
   }
 
   const undoing: Readonly<Record<string, () => void>> = {
-    z: () => undoPlan(missions.plans, whose),
-    Z: () => redoPlan(missions.plans, whose),
-    y: () => redoPlan(missions.plans, whose),
+    z: () => undoPlan(missions.plans, aircraft),
+    Z: () => redoPlan(missions.plans, aircraft),
+    y: () => redoPlan(missions.plans, aircraft),
   };
 
   function onKeyDown(event: KeyboardEvent): void {

@@ -1,17 +1,20 @@
+import type { Aircraft } from "../../../lib/aircraft";
 import type { Position } from "../../../lib/geodesy";
-import type { Whose } from "../../../lib/mapThing";
 import { METRES_PER_FOOT } from "../../../lib/units";
 import type { TelemetryStore } from "../../../store/telemetry";
 
 export type AircraftPlace = Position & { readonly altitude_m: number };
 
-/** The topic that tells where an aircraft is. */
+/** The topic with an aircraft's position. */
 export const PLACE_TOPIC = { flight: "gps", hil: "simulator" } as const;
 
-/** Where an aircraft was heard last, metres above mean sea level, however long ago: ask the state of its topic too. */
-export function aircraftPlace(telemetry: TelemetryStore, whose: Whose): AircraftPlace | null {
+/**
+ * An aircraft's last known position, altitude in metres above mean sea level. It may be old: check the topic's state
+ * too.
+ */
+export function aircraftPlace(telemetry: TelemetryStore, aircraft: Aircraft): AircraftPlace | null {
   const [latitude_deg, longitude_deg, altitude_m] =
-    whose === "flight"
+    aircraft === "flight"
       ? [
           telemetry.newestNumber("gps", "latitude_deg"),
           telemetry.newestNumber("gps", "longitude_deg"),

@@ -6,26 +6,26 @@ import { TRACK_LOG, type TrackLog } from "../trackLog";
 import { useTracks } from "../useTracks";
 
 export interface Home extends Position {
-  /** The first position of the flight that was heard, real or simulated; or the runway, until there is one. */
+  /** The first known position of the flight, real or simulated; the runway until there is one. */
   readonly source: "first" | "firstHil" | "runway";
 }
 
-/** Gran Canaria's airport: where this project flies from. */
+/** Gran Canaria's airport, where this project flies. */
 const RUNWAY: Home = { latitude_deg: 27.9319, longitude_deg: -15.3866, source: "runway" };
 
-/** Where the flight set out from, as far as is known. */
+/** Where the flight started, as far as is known. */
 export function useHome(): Home {
   const { points } = usePart(TRACK_LOG);
-  const real_s = useTracks(({ summary }) => summary.real.first_s);
+  const flight_s = useTracks(({ summary }) => summary.flight.first_s);
   const hil_s = useTracks(({ summary }) => summary.hil.first_s);
   // biome-ignore lint/correctness/useExhaustiveDependencies: the first points change with their times
   return useMemo(
-    () => firstOf(points.real, "first") ?? firstOf(points.hil, "firstHil") ?? RUNWAY,
-    [points, real_s, hil_s],
+    () => firstOf(points.flight, "first") ?? firstOf(points.hil, "firstHil") ?? RUNWAY,
+    [points, flight_s, hil_s],
   );
 }
 
-type Points = TrackLog["points"]["real"];
+type Points = TrackLog["points"]["flight"];
 
 function firstOf({ blocks }: Points, source: Home["source"]): Home | null {
   const latitude = blocks[0]?.latitude_e7[0];

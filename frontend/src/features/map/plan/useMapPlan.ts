@@ -1,5 +1,5 @@
 import { useMemo } from "react";
-import type { Whose } from "../../../lib/mapThing";
+import type { Aircraft } from "../../../lib/aircraft";
 import { samePlan, type Waypoint } from "../../../lib/plan";
 import { checkPlan, type PlanIssue } from "../../../lib/planCheck";
 import type { PlanState } from "../../../missions/planDrafts";
@@ -10,15 +10,15 @@ import { PLAN_LIMITS } from "../../../protocol/missions";
 import { useConnection, useTelemetry } from "../../../store/hooks";
 
 export interface MapPlan {
-  /** What is shown and edited: the draft, or while there is none, what the board has. */
+  /** The shown and edited plan: the draft, or without one, the board's plan. */
   readonly waypoints: readonly Waypoint[];
-  /** As the board has it: read back, or by the name of the route that it says it flies; null: not known. */
+  /** The board's plan: read back, or the built-in route that it reports; null: unknown. */
   readonly onBoard: readonly Waypoint[] | null;
   readonly state: PlanState;
   readonly issues: readonly PlanIssue[];
-  /** Index of the waypoint that the board flies to, while that is live. */
+  /** Index of the waypoint that the board flies to; null if not live. */
   readonly flownTo: number | null;
-  /** What comes after the board's last waypoint; null where the board has not said. */
+  /** What the board does after the last waypoint; null if unknown. */
   readonly ending: "loop" | "hold" | null;
   readonly canTransfer: boolean;
 }
@@ -26,10 +26,10 @@ export interface MapPlan {
 const NOTHING: readonly Waypoint[] = [];
 
 /** A plan as the map shows it. */
-export function useMapPlan(plan: Whose): MapPlan {
+export function useMapPlan(plan: Aircraft): MapPlan {
   const draft = usePlans((plans) => plans[plan].draft.present);
   const read = usePlans((plans) => plans[plan].board);
-  // As it was told last, like a plan that was read: a pause of the link takes no plan out of the hand that edits it.
+  // The last report, however old, as for a plan that was read: a pause of the link must not interrupt an edit.
   const route = useTelemetry((telemetry) =>
     plan === "hil" ? telemetry.newestNumber("board_status", "hil_plan_name") : null,
   );

@@ -1,6 +1,6 @@
 import { useEffect, useMemo } from "react";
 import { useTranslation } from "react-i18next";
-import type { Whose } from "../../../lib/mapThing";
+import type { Aircraft } from "../../../lib/aircraft";
 import { placed, unsentOf, type Waypoint } from "../../../lib/plan";
 import { editPlan, MISSIONS } from "../../../missions/planDrafts";
 import { useUnit } from "../../../readouts/useUnit";
@@ -15,17 +15,17 @@ import { aircraftPlace } from "./aircraftPlace";
 import { useHome } from "./useHome";
 import type { MapPlan } from "./useMapPlan";
 
-/** Where a waypoint is while the pointer holds it. */
+/** A waypoint that is being dragged, and where it is now. */
 export interface HeldWaypoint {
-  readonly plan: Whose;
+  readonly plan: Aircraft;
   readonly row: number;
   readonly to: Pick<Waypoint, "latitude_deg" | "longitude_deg" | "altitude_ft">;
 }
 
-/** Shows the plans on the globe, or on the flat map in its place, and takes in what the pointer does to them. */
+/** Shows the plans on the globe or the flat map, and applies clicks and drags to them. */
 export function usePlanScene(
-  plans: Readonly<Record<Whose, MapPlan>>,
-  isShown: Readonly<Record<Whose, boolean>>,
+  plans: Readonly<Record<Aircraft, MapPlan>>,
+  isShown: Readonly<Record<Aircraft, boolean>>,
   onHold: (held: HeldWaypoint | null) => void,
 ): void {
   const page = usePage();
@@ -71,8 +71,8 @@ export function usePlanScene(
   }, [scene, page, onHold, flight, hil]);
 }
 
-/** A plan as the globe draws it; the same object for as long as nothing of it changes. */
-function useDrawn(plan: Whose, { waypoints, onBoard, state, flownTo, ending }: MapPlan, isShown: boolean) {
+/** A plan as it is drawn; the same object while nothing of it changes. */
+function useDrawn(plan: Aircraft, { waypoints, onBoard, state, flownTo, ending }: MapPlan, isShown: boolean) {
   const { t } = useTranslation();
   const altitude = useUnit("altitude");
   const thing = useMapThing();

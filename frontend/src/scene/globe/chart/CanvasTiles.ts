@@ -12,10 +12,10 @@ import {
 import { type Box, tileBox } from "./geometry";
 
 const SIZE_PX = 256;
-/** Draws what lies in a box onto an empty square canvas. */
+/** Draws the content of a box onto an empty square canvas. */
 export type DrawTile = (context: CanvasRenderingContext2D, box: Box, level: number) => void;
 
-/** Pictures that the page draws itself, tile by tile, when the globe asks for them. */
+/** Images that the page draws itself, tile by tile, on the globe's request. */
 export class CanvasTiles implements ImageryProvider {
   readonly rectangle: Rectangle;
   readonly tileWidth = SIZE_PX;

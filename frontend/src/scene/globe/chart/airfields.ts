@@ -20,7 +20,10 @@ export interface Airfield {
   readonly runways: readonly Runway[];
 }
 
-/** Where the station's routes begin and end. Reference point from the Spanish AIP; runway ends from OurAirports (public domain). */
+/**
+ * The airfield where the station's routes begin and end. Reference point from the Spanish AIP; runway ends from
+ * OurAirports (public domain).
+ */
 export const GRAN_CANARIA: Airfield = {
   code: "GCLP",
   latitude_deg: 27.93194,

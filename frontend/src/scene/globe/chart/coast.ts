@@ -2,20 +2,20 @@ import { METRES_PER_DEGREE } from "../../../lib/geodesy";
 import { COAST, LAND, SEA } from "../../colours";
 import { type Box, boxOf, clipFilled, linesNear, overlaps, padded, type Ring, thinned } from "./geometry";
 
-/** An island with the box that holds it, so that most tiles need not look at its points. */
+/** An island with its bounding box, so that most tiles need not examine its points. */
 export interface Island {
   readonly ring: Ring;
   readonly box: Box;
 }
 
-/** Where the chart lies over the Earth's picture; at its border it is clear. */
+/** The area of the chart over the Earth's image; transparent at its border. */
 export const CHART: Box = { west_deg: -19.2, south_deg: 26.8, east_deg: -12.4, north_deg: 30.2 };
 const BORDER_DEG = 0.7;
 
 const SHALLOWS = ["rgb(120 185 205 / 16%)", "rgb(120 185 205 / 22%)"];
 const SHALLOWS_M = [1500, 600];
 
-/** GeoJSON polygons as islands. Throws where it is none. */
+/** GeoJSON polygons as islands. Throws on anything else. */
 export function readIslands(text: string): readonly Island[] {
   const { features } = JSON.parse(text) as {
     features: readonly {
@@ -83,7 +83,7 @@ export function drawCoast(context: CanvasRenderingContext2D, box: Box, islands: 
   context.stroke();
 }
 
-/** Take away what lies beyond the chart, softly: the Earth's own picture is seen there. */
+/** Fade the chart out at its border, where the Earth's image shows. */
 export function fadeBorder(context: CanvasRenderingContext2D, box: Box): void {
   const size_px = context.canvas.width;
   const per_px = (box.east_deg - box.west_deg) / size_px;

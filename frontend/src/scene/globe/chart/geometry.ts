@@ -8,7 +8,7 @@ export interface Box {
 
 /** Longitude and latitude, degrees. */
 export type Point = readonly [longitude_deg: number, latitude_deg: number];
-/** A closed line whose last point is not its first again. */
+/** A closed line; its last point is not the first one repeated. */
 export type Ring = readonly Point[];
 
 /** The box of a tile: two tiles on level 0, each half as wide on the next; x from the west, y from the north. */
@@ -76,7 +76,7 @@ function edgesOf(box: Box): readonly Edge[] {
   ];
 }
 
-/** The part of a filled ring that lies in a box; empty where there is none. Its edges along the box are not the coast. */
+/** The part of a filled ring inside a box; may be empty. Its edges along the box are no coast. */
 export function clipFilled(ring: Ring, box: Box): Ring {
   let clipped: Point[] = [...ring];
   for (const { isInside, cross } of edgesOf(box)) {
@@ -95,7 +95,7 @@ export function clipFilled(ring: Ring, box: Box): Ring {
   return clipped;
 }
 
-/** The lines of a ring that may be seen in a box, each with its neighbours just outside, so that no end shows. */
+/** The lines of a ring that may be visible in a box, each with its neighbours just outside, so that no end shows. */
 export function linesNear(ring: Ring, box: Box): readonly (readonly Point[])[] {
   const lines: Point[][] = [];
   let line: Point[] | null = null;
@@ -114,7 +114,7 @@ export function linesNear(ring: Ring, box: Box): readonly (readonly Point[])[] {
   return lines;
 }
 
-/** A ring without the points that lie nearer than `least_deg` to the one kept before: for a small scale. */
+/** A ring without points nearer than `least_deg` to the last kept one: for small scales. */
 export function thinned(ring: Ring, least_deg: number): Ring {
   let kept: Point | null = null;
   return ring.filter((point) => {

@@ -1,13 +1,13 @@
 import type { Box } from "./geometry";
 
-/** Distances between the lines, in seconds of arc: what people count in. */
+/** Possible distances between the lines, in seconds of arc: round for people. */
 const STEPS_S = [
   1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 900, 1800, 3600, 7200, 18_000, 36_000, 54_000, 108_000,
 ];
-/** So many lines cross a tile, or a little more. */
+/** About this many lines cross a tile. */
 const LINES_PER_TILE = 1.6;
 
-/** North, south, east and west in the person's language. */
+/** Letters of the cardinal points in the page's language. */
 export interface CompassLetters {
   readonly north: string;
   readonly south: string;
@@ -40,7 +40,7 @@ export function angleText(angle_s: number, step_s: number, positive: string, neg
   return whole === 0 ? text : text + (angle_s > 0 ? positive : negative);
 }
 
-/** Room for a label that begins in a neighbouring tile, as a share of the tile. */
+/** Room for the label of a neighbouring tile, as a share of the tile. */
 const REACH = 0.4;
 const LINE = "rgb(255 255 255 / 34%)";
 const INK = "rgb(255 255 255 / 88%)";

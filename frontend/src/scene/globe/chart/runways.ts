@@ -2,13 +2,13 @@ import { ASPHALT, PAINT } from "../../colours";
 import { type Airfield, type Runway, runwayCourse } from "./airfields";
 import { type Box, metresOfDegree, overlaps } from "./geometry";
 
-/** Wider than the runway is while it would be a hair: so many pixels at least. */
+/** Smallest width of a runway in pixels: it would be invisible at small scales. */
 const LEAST_WIDTH_PX = 2.5;
 /** Markings are painted from this many pixels of width. */
 const MARKED_WIDTH_PX = 9;
-/** A label stands beside the field while the runway is no longer than this, and no shorter. */
+/** A label is shown while the runway's length is within these pixels. */
 const LABEL_LENGTH_PX = [14, 400] as const;
-/** Broken centre line: stripe and gap, and where it begins. */
+/** Dashed centre line: stripe, gap, and where it begins. */
 const STRIPE_M = 30;
 const GAP_M = 20;
 const BEGIN_M = 120;
@@ -22,7 +22,7 @@ const NUMBER_HEIGHT_M = 18;
 export function drawAirfield(context: CanvasRenderingContext2D, box: Box, field: Airfield): void {
   const pixel_deg = (box.east_deg - box.west_deg) / context.canvas.width;
   const { longitude_m, latitude_m } = metresOfDegree(field.latitude_deg);
-  // The label reaches some tiles' widths beyond the field at small scales.
+  // At small scales the label extends over some tiles.
   const reach_deg = Math.max(0.03, 120 * pixel_deg);
   const reach: Box = {
     west_deg: field.longitude_deg - reach_deg,
@@ -62,7 +62,7 @@ interface Scale {
   readonly latitude_px: number;
 }
 
-/** Everything of one runway in metres: x from the middle along it towards its second end, y to the right of that. */
+/** Draws one runway in metres: x from the middle towards its second end, y to the right of that. */
 function drawRunway(context: CanvasRenderingContext2D, box: Box, runway: Runway, scale: Scale): void {
   const pixel_deg = (box.east_deg - box.west_deg) / context.canvas.width;
   const { length_m, bearing_deg } = runwayCourse(runway);
@@ -99,7 +99,7 @@ function drawRunway(context: CanvasRenderingContext2D, box: Box, runway: Runway,
     for (let y = -runway.width_m / 2 + 4; y < runway.width_m / 2 - 4; y += 2 * BAR_WIDTH_M) {
       context.fillRect(6, y, BAR_M, BAR_WIDTH_M);
     }
-    // Read by who lands here: upright as seen along the runway.
+    // Upright as seen when landing.
     context.translate(NUMBER_AT_M, 0);
     context.rotate(Math.PI / 2);
     context.font = `700 ${NUMBER_HEIGHT_M}px "Inter Variable", system-ui, sans-serif`;

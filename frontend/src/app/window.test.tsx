@@ -101,7 +101,7 @@ test("the about window names the versions, and every package with its licence", 
   for (const part of ["9.8.7", "epf-board 1.0.0, extendido", "fastapi0.1MIT", "ISC", "OFL-1.1"]) {
     expect(text).toContain(part);
   }
-  // Its own packages come from the lock file: what is built with it is in it.
+  // Its own packages come from the lock file that it was built with.
   const own = screen.getByText("react-dom").closest("tr");
   expect(own?.textContent).toMatch(/^react-dom\d+\.\d+\.\d+MIT$/);
   expect(text).not.toContain("vitest");

@@ -14,8 +14,8 @@ import { useAlarmLogState, useMutedFor_s } from "./useAlarms";
 
 const LEVELS: readonly AlarmLevel[] = ["critical", "warning"];
 
-/** What this browser sounds and says. Kept in this browser: another one near the same pilot may stay silent. */
-export function Heard() {
+/** Sound and speech of alarms. Stored in this browser: another one near the same pilot may stay silent. */
+export function SoundSettings() {
   const { t } = useTranslation();
   const sounder = useAlarmLogState((state) => state.sounder);
   const language = useSettings((settings) => settings.language);
@@ -52,7 +52,7 @@ interface ChannelProps {
   state: SounderState | SpeakerState;
 }
 
-/** One row of sound or speech: for each level whether it is heard, and how that is. */
+/** Settings of sound or speech: one switch per level, and a test. */
 function Channel({ channel, state }: ChannelProps) {
   const { t } = useTranslation();
   const { settings } = usePage();
