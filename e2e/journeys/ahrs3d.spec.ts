@@ -20,9 +20,7 @@ async function farthestFromHorizon(page: Page): Promise<number> {
       return [element?.dataset.pitchDeg, element?.dataset.rollDeg].map((text) => Number(text ?? Number.NaN));
     };
     const horizon = read('[role="img"][data-pitch-deg][data-roll-deg]');
-    return Math.max(
-      ...read(".ahrs3d-host").map((angle, index) => Math.abs(angle - (horizon[index] ?? Number.NaN))),
-    );
+    return Math.max(...read(".ahrs3d-host").map((angle, index) => Math.abs(angle - (horizon[index] ?? Number.NaN))));
   });
 }
 
@@ -58,9 +56,7 @@ test("the aircraft is turned as the horizon beside it, is aligned, and goes grey
   await expect(page.getByText(/es el cero/)).toHaveCount(0);
 
   // In flight the board is not left to the test.
-  await expect(page.getByRole("button", { name: "Empezar la prueba AHRS" })).toHaveAccessibleDescription(
-    /volando/,
-  );
+  await expect(page.getByRole("button", { name: "Empezar la prueba AHRS" })).toHaveAccessibleDescription(/volando/);
 
   await openMenu(page, "Parámetros");
   await page.getByRole("menu").getByRole("menuitemcheckbox", { name: "AHRS", exact: true }).click();

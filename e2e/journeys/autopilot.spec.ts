@@ -7,18 +7,14 @@ test("the autopilot is switched off and on, each time with the board's proof", a
   await expect(autopilot.getByRole("radio", { name: "On" })).toBeChecked();
 
   await autopilot.getByText("Off", { exact: true }).click();
-  await expect(page.getByRole("status", { name: "Último mensaje" })).toContainText(
-    /Autopilot Off: confirmado/,
-  );
+  await expect(page.getByRole("status", { name: "Último mensaje" })).toContainText(/Autopilot Off: confirmado/);
   await expect(autopilot.getByRole("radio", { name: "Off" })).toBeChecked();
   expect((await flying.status()).hil).toMatchObject({ source: "joystick", path: "assisted" });
   await expect.poll(async () => await flying.value("heartbeat", "autopilot_hil")).toBe(false);
   await expect(picture).not.toContainText("ignorado");
 
   await autopilot.getByText("On", { exact: true }).click();
-  await expect(page.getByRole("status", { name: "Último mensaje" })).toContainText(
-    /Autopilot On: confirmado/,
-  );
+  await expect(page.getByRole("status", { name: "Último mensaje" })).toContainText(/Autopilot On: confirmado/);
   await expect.poll(async () => await flying.value("heartbeat", "autopilot_hil")).toBe(true);
   await expect(picture).toContainText("ignorado");
 });
@@ -53,10 +49,7 @@ test("both switches move the way of the signal, by keyboard alone", async ({ pag
   await expect.poll(async () => await flying.value("heartbeat", "autopilot_hil")).toBe(true);
 });
 
-test("looking at every tab sends the board nothing but the simulator's information", async ({
-  page,
-  flying,
-}) => {
+test("looking at every tab sends the board nothing but the simulator's information", async ({ page, flying }) => {
   await open(page, flying);
   await expect(page.getByText("Tienes el control", { exact: true })).toBeVisible();
   flying.line.forget();

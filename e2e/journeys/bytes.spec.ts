@@ -20,12 +20,7 @@ interface Desk {
  * Act, wait until the gateway has answered, and compare what the line carried: exactly these frames in any order, one
  * that was not proven at once may have gone out again.
  */
-async function sends(
-  { page, station }: Desk,
-  what: string,
-  wanted: readonly string[],
-  act: () => Promise<void>,
-) {
+async function sends({ page, station }: Desk, what: string, wanted: readonly string[], act: () => Promise<void>) {
   station.line.forget();
   const answered = page.waitForResponse(
     (answer) => answer.request().method() !== "GET" && new URL(answer.url()).pathname.startsWith("/api/v1/"),
@@ -73,8 +68,7 @@ async function everyMenu(desk: Desk): Promise<void> {
 /** Press an entry of the open menu, and say yes where it asks. */
 async function choose(page: Page, entry: Entry): Promise<void> {
   await entryOf(page, entry).click();
-  if (entry.confirm !== undefined)
-    await page.getByRole("button", { name: entry.confirm, exact: true }).click();
+  if (entry.confirm !== undefined) await page.getByRole("button", { name: entry.confirm, exact: true }).click();
 }
 
 async function flightTab(desk: Desk): Promise<void> {
@@ -86,10 +80,7 @@ async function flightTab(desk: Desk): Promise<void> {
   await page.getByRole("tab", { name: "FMS", exact: true }).click();
   for (const way of ["Next", "Previous"]) {
     await sends(desk, `FMS ${way}`, [bytesOf(`pushButtonFMS${way}`)], async () => {
-      await page
-        .getByRole("tabpanel", { name: "FMS", exact: true })
-        .getByRole("button", { name: way })
-        .click();
+      await page.getByRole("tabpanel", { name: "FMS", exact: true }).getByRole("button", { name: way }).click();
     });
   }
   await page.getByRole("tab", { name: "Refresco", exact: true }).click();
@@ -130,8 +121,7 @@ async function gains(desk: Desk): Promise<void> {
     await page.getByRole("button", { name: "Load", exact: true }).click();
   });
   for (const name of GAIN_NAMES) {
-    const [action, value] =
-      name === "k_div_velocidad" ? [`spinBox_${name}`, 710] : [`doubleSpinBox_${name}`, 12.5];
+    const [action, value] = name === "k_div_velocidad" ? [`spinBox_${name}`, 710] : [`doubleSpinBox_${name}`, 12.5];
     await sends(desk, name, [bytesOf(action, value), READ_BACK], () => enter(page, name, value));
   }
   // Digit by digit is not command by command.
@@ -164,10 +154,7 @@ async function toolbars(desk: Desk): Promise<void> {
     ["X-Plane", "Manual", "actionHILControlJoystick"],
   ] as const) {
     await sends(desk, `${group}: ${name}`, [bytesOf(action)], async () => {
-      await desk.page
-        .getByRole("group", { name: group, exact: true })
-        .getByText(name, { exact: true })
-        .click();
+      await desk.page.getByRole("group", { name: group, exact: true }).getByText(name, { exact: true }).click();
     });
   }
 }
@@ -190,10 +177,7 @@ test("every control sends exactly the bytes that the captured station sent, and 
 
   await test.step("looking", async () => {
     station.line.forget();
-    for (const tab of await page
-      .getByRole("tablist", { name: "Pestañas principales" })
-      .getByRole("tab")
-      .all()) {
+    for (const tab of await page.getByRole("tablist", { name: "Pestañas principales" }).getByRole("tab").all()) {
       await tab.click();
       for (const sub of await page.getByRole("tabpanel").getByRole("tab").all()) await sub.click();
     }

@@ -27,14 +27,10 @@ async function saysWhyItIsDisabled(control: Locator, what: string): Promise<void
 
 async function show(page: Page, { tab, sub }: Screen): Promise<void> {
   await page.getByRole("tab", { name: tab, exact: true }).first().click();
-  if (sub !== undefined)
-    await page.getByRole("tabpanel").getByRole("tab", { name: sub, exact: true }).click();
+  if (sub !== undefined) await page.getByRole("tabpanel").getByRole("tab", { name: sub, exact: true }).click();
 }
 
-test("everything of the check list is there, enabled or with the reason why not", async ({
-  page,
-  flying,
-}) => {
+test("everything of the check list is there, enabled or with the reason why not", async ({ page, flying }) => {
   await open(page, flying);
   await expect(page.getByText("Tienes el control", { exact: true })).toBeVisible();
 

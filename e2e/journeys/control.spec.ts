@@ -18,9 +18,7 @@ test("one operator has control at a time: the second page watches until the firs
   await second.getByRole("button", { name: "Tomar el control" }).click();
   await expect(second.getByText("Tienes el control", { exact: true })).toBeVisible();
   await expect(off).toBeEnabled();
-  await expect(
-    page.getByRole("group", { name: "Autopilot" }).getByRole("radio", { name: "Off" }),
-  ).toBeDisabled();
+  await expect(page.getByRole("group", { name: "Autopilot" }).getByRole("radio", { name: "Off" })).toBeDisabled();
 
   await second.close();
   // A lost operator's control goes to whoever has watched longest, after some seconds for a page that is only reloaded.

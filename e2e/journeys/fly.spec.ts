@@ -1,9 +1,6 @@
 import { attitude, expect, open, test } from "../support/fixtures.js";
 
-test("a visitor sees the aircraft fly and bank, and the waypoint number advance", async ({
-  page,
-  flying,
-}) => {
+test("a visitor sees the aircraft fly and bank, and the waypoint number advance", async ({ page, flying }) => {
   await open(page, flying);
   await expect(attitude(page)).toHaveAttribute("data-state", "live");
   await expect(page.getByText("Tienes el control", { exact: true })).toBeVisible();

@@ -7,9 +7,7 @@ test("a pilot flies with a gamepad at the browser, and a gamepad that is pulled 
 }) => {
   const told = async () => {
     const stick = ["elevator", "aileron", "rudder", "throttle"];
-    return await Promise.all(
-      stick.map(async (axis) => Number((await flying.value("xplane_info", axis)).toFixed(2))),
-    );
+    return await Promise.all(stick.map(async (axis) => Number((await flying.value("xplane_info", axis)).toFixed(2))));
   };
   const gamepad = await Gamepad.at(page);
   await open(page, flying);

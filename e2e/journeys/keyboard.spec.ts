@@ -20,8 +20,7 @@ async function stop(page: Page): Promise<Stop | null> {
     const name = focused.getAttribute("aria-label") ?? shown.textContent ?? "";
     return {
       what: `${focused.tagName} ${focused.id} ${name.trim().slice(0, 40)}`,
-      isSeen:
-        width > 1 && height > 1 && shown.checkVisibility({ visibilityProperty: true, opacityProperty: true }),
+      isSeen: width > 1 && height > 1 && shown.checkVisibility({ visibilityProperty: true, opacityProperty: true }),
       isInPanel: focused.closest("[role=tabpanel]") !== null,
     };
   });
@@ -60,10 +59,7 @@ test("a pilot without a mouse reaches every tab, switches the autopilot, writes 
   await expect(page.getByText("Tienes el control", { exact: true })).toBeVisible();
   const said = page.getByRole("status", { name: "Último mensaje" });
 
-  const tabs = await page
-    .getByRole("tablist", { name: "Pestañas principales" })
-    .getByRole("tab")
-    .allTextContents();
+  const tabs = await page.getByRole("tablist", { name: "Pestañas principales" }).getByRole("tab").allTextContents();
   for (const [index, tab] of tabs.entries()) {
     await page.evaluate(() => (document.activeElement as HTMLElement | null)?.blur());
     await page.keyboard.press(TAB_KEYS.charAt(index));
@@ -79,9 +75,7 @@ test("a pilot without a mouse reaches every tab, switches the autopilot, writes 
     await expect(entry).toBeChecked();
     await page.keyboard.press("Escape");
     await expect(page.getByRole("menu")).toHaveCount(0);
-    await expect(
-      page.getByRole("menubar").getByRole("menuitem", { name: "Parámetros", exact: true }),
-    ).toBeFocused();
+    await expect(page.getByRole("menubar").getByRole("menuitem", { name: "Parámetros", exact: true })).toBeFocused();
   });
 
   await test.step("a command needs its second key", async () => {
@@ -110,9 +104,7 @@ test("a pilot without a mouse reaches every tab, switches the autopilot, writes 
   await test.step("an alarm", async () => {
     await page.evaluate(() => (document.activeElement as HTMLElement | null)?.blur());
     await page.keyboard.press(TAB_KEYS.charAt(tabs.indexOf("Alarmas")));
-    const limit = page
-      .getByRole("region", { name: "Umbrales" })
-      .getByRole("textbox", { name: /^Batería baja/ });
+    const limit = page.getByRole("region", { name: "Umbrales" }).getByRole("textbox", { name: /^Batería baja/ });
     await limit.fill("60");
     await limit.press("Enter");
     await expect(page.getByRole("alert")).toContainText("Batería baja");

@@ -11,10 +11,7 @@ test("language and theme are one click away and remembered", async ({ page, flyi
   await expect(page.locator("html")).toHaveAttribute("lang", "en");
 });
 
-test("what is said beside a gain lies clear of its buttons, in a narrow window too", async ({
-  page,
-  station,
-}) => {
+test("what is said beside a gain lies clear of its buttons, in a narrow window too", async ({ page, station }) => {
   await station.openBoard();
   await open(page, station);
   await page.getByRole("tab", { name: "Autopilot Param", exact: true }).click();

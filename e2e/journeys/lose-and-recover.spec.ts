@@ -11,17 +11,12 @@ test("the board's line is pulled: everything goes stale and the alarm shows; plu
   const alarms = page.getByRole("region", { name: "Alarmas" });
   await expect(alarms.getByRole("alert")).toContainText("Se ha perdido el latido de la placa");
   await expect(attitude(page)).not.toHaveAttribute("data-state", "live");
-  await expect(page.getByRole("img", { name: "Indicador de rumbo" })).not.toHaveAttribute(
-    "data-state",
-    "live",
-  );
+  await expect(page.getByRole("img", { name: "Indicador de rumbo" })).not.toHaveAttribute("data-state", "live");
   const panel = page.getByRole("tabpanel", { name: "Datos de vuelo", exact: true });
   await expect(panel.getByText("en vivo")).toHaveCount(0);
   await expect(page.getByRole("contentinfo")).toContainText("perdido");
   // A command cannot be given, and says why.
-  await expect(
-    page.getByRole("group", { name: "Autopilot" }).getByRole("radio", { name: "Off" }),
-  ).toBeDisabled();
+  await expect(page.getByRole("group", { name: "Autopilot" }).getByRole("radio", { name: "Off" })).toBeDisabled();
   for (const tab of ["HIL", "Setup"]) {
     await page.getByRole("tab", { name: tab, exact: true }).click();
     await expect(alarms.getByRole("alert")).toContainText("Se ha perdido el latido de la placa");

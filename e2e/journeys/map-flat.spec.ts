@@ -19,8 +19,7 @@ test("without WebGL the map says why, and shows the flight from above", async ({
   await expect(camera.getByText("HIL: en vivo")).toBeVisible();
   await page.getByRole("checkbox", { name: "Retícula de coordenadas" }).uncheck();
   const map = page.getByRole("application", { name: /^Mapa en 2D/ });
-  const colour = async (): Promise<readonly number[]> =>
-    middleOf(await pixelsOf(page, map.locator("canvas")));
+  const colour = async (): Promise<readonly number[]> => middleOf(await pixelsOf(page, map.locator("canvas")));
   await expect.poll(colour).toEqual(REAL);
 
   // Everything but what the globe alone can show is here.

@@ -52,9 +52,7 @@ test("a waypoint is pushed on the map, taken back, pushed again and sent, and th
   await panel.getByRole("button", { name: "Enviar", exact: true }).press("Enter");
   await expect(page.getByRole("alertdialog")).toContainText("La placa vuela al waypoint 4.");
   await page.getByRole("button", { name: "Enviar y seguir al 4", exact: true }).press("Enter");
-  await expect(page.getByRole("status", { name: "Último mensaje" })).toContainText(
-    /Ir al waypoint: confirmado/,
-  );
+  await expect(page.getByRole("status", { name: "Último mensaje" })).toContainText(/Ir al waypoint: confirmado/);
   await expect.poll(async () => await flying.value("fms_hil_plan", "waypoint")).toBe(3);
   const read = await (await fetch(`${flying.url}/api/v1/missions/hil`)).json();
   expect(read.waypoints[1].latitude_deg).toBeCloseTo(27.95039, 6);
@@ -94,8 +92,7 @@ test("a map file of the operator's is taken in, stands in the list and is seen o
   await page.getByRole("button", { name: "Ir a casa", exact: true }).press("Enter");
   // Within what the globe's light makes of it.
   const isRed = (red: number, green: number, blue: number): boolean => red > 120 && green < 70 && blue < 70;
-  const redPart = async (canvas: string): Promise<number> =>
-    partOf(await pixelsOf(page, page.locator(canvas)), isRed);
+  const redPart = async (canvas: string): Promise<number> => partOf(await pixelsOf(page, page.locator(canvas)), isRed);
   await expect.poll(() => redPart(".map-host .globe-picture"), { timeout: GLOBE_MS }).toBeGreaterThan(0.5);
 
   await page.getByRole("radio", { name: "Mapa 2D", exact: true }).check({ force: true });

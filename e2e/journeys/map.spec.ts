@@ -28,9 +28,7 @@ test("the page without the map loads nothing of the globe", async ({ page, flyin
   page.on("request", (request) => asked.push(new URL(request.url()).pathname));
   await open(page, flying);
   // The parts that are loaded ahead are there when the last of them is.
-  await expect
-    .poll(() => asked.some((path) => path.includes("GuideContent")), { timeout: DRAWN_MS })
-    .toBe(true);
+  await expect.poll(() => asked.some((path) => path.includes("GuideContent")), { timeout: DRAWN_MS }).toBe(true);
   expect(asked.filter((path) => /cesium|globe-engine|coastline/i.test(path))).toEqual([]);
 });
 
@@ -57,8 +55,7 @@ test("the globe shows the flight from behind and from the cockpit, and asks nobo
     const [pitch_deg, roll_deg] = [await eye(page, "Cabeceo"), await eye(page, "Alabeo")];
     const after = await indicated(page);
     // Both move while they are read, and the globe is drawn a few times a second.
-    const room_deg =
-      3 + Math.abs(after.roll_deg - before.roll_deg) + Math.abs(after.pitch_deg - before.pitch_deg);
+    const room_deg = 3 + Math.abs(after.roll_deg - before.roll_deg) + Math.abs(after.pitch_deg - before.pitch_deg);
     expect(Math.abs(pitch_deg - after.pitch_deg)).toBeLessThan(room_deg);
     expect(Math.abs(roll_deg - after.roll_deg)).toBeLessThan(room_deg);
   }).toPass({ timeout: DRAWN_MS });

@@ -14,10 +14,7 @@ test("one command flies: it prints the page's address, the loop is closed, and C
   try {
     await until(`the address\n${launcher.output}`, () => (launcher.output.includes(url) ? true : undefined));
     await page.goto(url, { waitUntil: "domcontentloaded" });
-    await expect(page.getByRole("img", { name: "Indicador de actitud" })).toHaveAttribute(
-      "data-state",
-      "live",
-    );
+    await expect(page.getByRole("img", { name: "Indicador de actitud" })).toHaveAttribute("data-state", "live");
     // The first waypoint is 2.4 km away; its distance shrinks while the board's own code flies there.
     const distance = async () => {
       const telemetry = await (await fetch(`${url}/api/v1/telemetry`)).json();
