@@ -66,3 +66,16 @@ def test_a_folder_without_a_place_in_the_layers_breaks_them(copy: Path) -> None:
     (copy / "src" / "epf_gcs" / "misc").mkdir()
     (copy / "src" / "epf_gcs" / "misc" / "__init__.py").write_text("")
     assert lint(copy).returncode != 0
+
+
+def test_no_hand_written_file_grows_beyond_what_one_reads_at_once() -> None:
+    root = BACKEND.parent
+    folders = (BACKEND / "src", root / "firmware" / "src", root / "firmware" / "ports", root / "firmware" / "tools")
+    files = [file for folder in folders for kind in ("*.py", "*.c", "*.h") for file in folder.rglob(kind)]
+    assert len(files) > 300
+    long = {
+        str(file.relative_to(root)): lines
+        for file in files
+        if "_gen." not in file.name and (lines := len(file.read_text().splitlines())) > 350
+    }
+    assert long == {}

@@ -32,6 +32,7 @@ from epf_gcs.flight.flight_log import FlightLog
 from epf_gcs.flight.hil.hil import Hil
 from epf_gcs.flight.hil.simulator import Simulator
 from epf_gcs.flight.hil.stick import Stick
+from epf_gcs.flight.housekeeping import Housekeeping
 from epf_gcs.flight.inspection import Inspected
 from epf_gcs.flight.line_rates import LineRates
 from epf_gcs.flight.lines import Lines, LinkOpener
@@ -51,8 +52,6 @@ from epf_gcs.vehicle.judges import AlarmId
 from epf_gcs.vehicle.restart import Restart
 from epf_gcs.vehicle.telemetry import Telemetry
 
-_TICK_S: Final = 0.1
-_STATUS_EVERY_TICKS: Final = 5
 _RESTART_S: Final = 1.0
 
 log = structlog.get_logger("flight")
@@ -66,7 +65,6 @@ class Flight:
         self._data_dir = data_dir
         self._board_url = board_url
         self._status_due = False
-        self._recording: Path | None = None
 
         # Time, memory, and the way out.
         self.clock = Clock()
@@ -162,6 +160,21 @@ class Flight:
             on_past=self._alarm_history.keep,
         )
 
+        self._housekeeping = Housekeeping(
+            clock=self.clock,
+            outlet=self.outlet,
+            board=self.board,
+            supervisor=self.supervisor,
+            simulator=self.simulator,
+            stick=self.stick,
+            ahrs_test=self.ahrs_test,
+            rates=self.rates,
+            alarms=self.alarms,
+            recorder=self.recorder,
+            log=self._log,
+            on_change=self.changed,
+        )
+
         # What stations are shown, and what they may ask.
         self._shown = Shown(
             self.clock,
@@ -235,7 +248,7 @@ class Flight:
                         ("board link", self.supervisor.run),
                         ("simulator link", self.simulator.run),
                         ("re-arming", self.rearming.run),
-                        ("housekeeping", self._keep_house),
+                        ("housekeeping", self._housekeeping.run),
                         ("stream", lambda: end.run(listener)),
                     )
                 ]
@@ -283,30 +296,6 @@ class Flight:
                 self.errors.count("internal")
                 await asyncio.sleep(_RESTART_S)
 
-    async def _keep_house(self) -> None:
-        ticks = 0
-        while True:
-            await asyncio.sleep(_TICK_S)
-            self.board.tick()
-            self.ahrs_test.tick()
-            self.stick.tick()
-            ticks += 1
-            if ticks % _STATUS_EVERY_TICKS == 0:
-                self.rates.note(self.clock.steady_s(), self.board, self.simulator)
-                self._log_links()
-                self.changed()
-            if self.alarms.look(self.clock.now_s()):
-                self.changed()
-            self._watch_recording()
-
-    def _watch_recording(self) -> None:
-        """Tell the viewers when a file begins or ends; the thread that writes it cannot."""
-        file = self.recorder.file if self.recorder is not None else None
-        if file != self._recording:
-            self._recording = file
-            self.outlet.event("recording", {"active": file is not None, "file": None if file is None else file.name})
-            self.changed()
-
     def _send_status(self) -> None:
         self._status_due = False
         if self.outlet.has_listeners:
@@ -342,17 +331,11 @@ class Flight:
             self.parameters.accept_unconfirmed()
         self.changed()
 
-    def _log_links(self) -> None:
-        board, simulator = self.supervisor, self.simulator
-        self._log.link("board", board.state, None if board.address is None else board.address.url, board.failure)
-        where = None if simulator.address is None else f"{simulator.address.send_host}:{simulator.address.send_port}"
-        self._log.link("simulator", simulator.state, where, simulator.failure)
-
     def _on_line(self) -> None:
         if not self.board.is_open:
             self.parameters.forget()
         self.commands.link_changed()
-        self._log_links()
+        self._housekeeping.log_links()
         self.outlet.event("link", {"board": self.supervisor.state, "simulator": self.simulator.state})
         # At once: what the line brings next belongs to this state, examples to the emulation above all.
         self._send_status()
