@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Write both lock files again from pyproject.toml; the hashes pin the files, and no registry is named.
+# Write the lock files again from pyproject.toml; the hashes pin the files, and no registry is named.
 set -eu
 cd "$(dirname "$0")"
 compile() { # compile OUTPUT EXTRA...
@@ -10,3 +10,4 @@ compile() { # compile OUTPUT EXTRA...
 }
 compile requirements.lock --extra build
 compile requirements-dev.lock --extra build --extra dev
+compile requirements-mutate.lock --extra build --extra dev --extra mutate

@@ -17,6 +17,7 @@ MODULES = (
     "line",
     "hil",
     "strangers",
+    "besieged",
     "kill",
     "page",
     "globe",
