@@ -18,7 +18,7 @@ PORT ?= 8000
 ARGS ?=
 MINUTES ?= 30
 
-.PHONY: help setup images generate check test test-backend test-protocol test-firmware test-frontend e2e soak fuzz run board bench clean tools browser
+.PHONY: help setup images generate check test test-backend test-protocol test-firmware test-frontend e2e soak fuzz mutate run board bench clean tools browser
 
 help: ## list the verbs
 	@awk -F':.*## ' '/^[a-z-]+:.*## / { printf "  make %-14s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -162,6 +162,13 @@ fuzz: $(DONE)/venv-dev $(DONE)/clang ## fuzz the board's code: RUNS=1000000 of e
 bench: $(DONE)/venv-dev $(DONE)/browser board frontend/dist/index.html ## the numbers of the design, each beside its peer in the same run
 	$(MAKE) --no-print-directory -C firmware flight-lib
 	cd backend && ../$(BIN)/python -m bench $(ARGS)
+
+$(DONE)/venv-mutate: backend/requirements-mutate.lock $(DONE)/venv-dev
+	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes -r backend/requirements-mutate.lock
+	@touch $@
+
+mutate: $(DONE)/venv-mutate ## change the gateway's code in small places and see whether its tests notice; ARGS="codec/frame.py --most 20"
+	cd backend && ../$(BIN)/python -m mutation $(ARGS)
 
 clean: ## remove everything that was built or installed
 	rm -rf $(VENV) $(DONE) frontend/node_modules frontend/dist e2e/node_modules e2e/test-results e2e/playwright-report

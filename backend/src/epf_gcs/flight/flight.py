@@ -47,10 +47,9 @@ from epf_gcs.flight.requests.state import alarm_requests, state_requests
 from epf_gcs.flight.status import Shown, build_status
 from epf_gcs.flight.watch import Watch
 from epf_gcs.vehicle.alarms import Alarms
-from epf_gcs.vehicle.board import Board
 from epf_gcs.vehicle.judges import AlarmId
 from epf_gcs.vehicle.restart import Restart
-from epf_gcs.vehicle.telemetry import Telemetry
+from epf_gcs.vehicle.vehicle import Vehicle
 
 _RESTART_S: Final = 1.0
 
@@ -80,8 +79,8 @@ class Flight:
         board_tap, simulator_tap = (
             (self.recorder.board_tap, self.recorder.simulator_tap) if self.recorder else (None, None)
         )
-        self.telemetry = Telemetry(self.outlet, self.clock, self._commanded_period_s)
-        self.board = Board(self.clock, self.outlet, self.telemetry, self.errors)
+        vehicle = Vehicle(self.clock, self.outlet, self.errors, self._commanded_period_s)
+        self.telemetry, self.board = vehicle.telemetry, vehicle.board
 
         # What is asked of the board.
         self.commands = Commands(self.board, self.telemetry, self.outlet, self.clock, self.errors)
