@@ -1,4 +1,4 @@
-"""An aircraft that only exists as numbers: a gentle circuit off Gran Canaria's airport, for a look without a board.
+"""A computed example flight for the emulation without a board: a gentle circuit off Gran Canaria's airport.
 
 Everything follows from one steady turn, so that no instrument contradicts another: the bank gives the radius, the
 radius the turn rate, the height the pressure. Time is the caller's, in seconds from the start of the flight.
