@@ -31,7 +31,7 @@ class Channel:
         return len(self._pending)
 
     def send(self, data: bytes) -> None:
-        """Send now what the system takes, straight to the socket, and keep the rest for later."""
+        """Send at once what the system takes; queue the rest, without a limit."""
         if self._closed:
             return
         sent = 0
