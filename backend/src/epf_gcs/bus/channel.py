@@ -41,7 +41,7 @@ class Channel:
             except (BlockingIOError, InterruptedError):
                 sent = 0
             except OSError:
-                return  # the reader notices too, and tells by on_closed
+                return  # the reader notices it too, and calls on_closed
         if sent < len(data):
             if not self._pending:
                 self._loop.add_writer(self._socket, self._writable)

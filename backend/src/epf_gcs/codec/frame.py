@@ -109,7 +109,7 @@ class FrameDecoder:
         self._smallest = min(layout.size for layout in self._layouts.values())
         self._buffer = b""
         self._need = 1  # buffer size from which anything new can be decided
-        self._frame_was_last = False  # the last byte heard was the last of a frame
+        self._frame_was_last = False  # the last byte received was the last of a frame
         self._run = b""  # skipped bytes not yet handed out
         self._run_is_remains = False
 

@@ -44,7 +44,7 @@ class Value:
 
 @dataclass(frozen=True, slots=True)
 class Confirm:
-    """What proves that a command was done where the board does not acknowledge.
+    """How to tell that a command was executed by a board that does not acknowledge commands.
 
     heartbeat: the heartbeat has all of `flags` ("argument" stands for the value sent).
     frame: a frame `message` arrives after the command. plan: the waypoint of `message` moves as

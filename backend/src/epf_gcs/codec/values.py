@@ -49,7 +49,7 @@ def meaning(frame: Frame) -> Meaning:
 
 
 def argument_fault(value: Value, given: float) -> str | None:
-    """Why a number cannot be this argument of a command, in a clear sentence; None where it can."""
+    """Why a number is not allowed as this argument of a command, in one sentence; None if it is allowed."""
     if not math.isfinite(given):
         return f"{value.name} must be a number"
     if value.kind == "integer" and given != int(given):

@@ -62,7 +62,7 @@ class GatewayClient:
         self._request("PUT", "/api/v1/hil", {"source": source, "path": path})
 
     def command(self, name: str, value: float | None = None) -> None:
-        """Give a command to the board, again where no answer came; raises LaunchError unless the board has taken it.
+        """Send a command to the board, again if no answer came; raises LaunchError unless the board has accepted it.
 
         Only for commands that are idempotent: they may arrive twice.
         """

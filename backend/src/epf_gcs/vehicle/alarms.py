@@ -1,4 +1,4 @@
-"""What the operator must know at once, on whatever tab: found, acknowledged, and kept in a history."""
+"""The alarms, which every tab of the page shows at once: raised, acknowledged, and kept in a history."""
 
 from __future__ import annotations
 

@@ -133,7 +133,7 @@ class Board:
         self.guest = guest
 
     def take_back(self) -> None:
-        """The guest's stream is over: begin the dialogue anew."""
+        """End the exclusive use of the line and begin the dialogue again."""
         farewell = self._dismiss()
         if self._link is not None:
             self.write(farewell + self.session.open(self._clock.steady_s()))

@@ -64,7 +64,7 @@ class ExampleMoment:
 
     @property
     def forces_m_s2(self) -> tuple[float, float, float]:
-        """Specific force in body axes: a coordinated turn has none to the side."""
+        """Specific force in body axes; the side component is 0 in a coordinated turn."""
         load = 1.0 / math.cos(math.radians(self.roll_deg))
         return _G_M_S2 * math.sin(math.radians(self.pitch_deg)), 0.0, -_G_M_S2 * load
 

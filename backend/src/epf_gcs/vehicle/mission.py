@@ -19,7 +19,7 @@ _FIELDS: Final = ("latitude_deg", "longitude_deg", "altitude_ft", "speed_kt")
 
 
 def mission_fault(waypoints: Sequence[Waypoint]) -> str | None:
-    """Why this plan cannot be sent, naming the waypoint and the field; None where it can."""
+    """Why this plan cannot be sent, naming the waypoint and the field; None if it can."""
     if not 1 <= len(waypoints) <= MAX_WAYPOINTS:
         return f"A plan has 1 to {MAX_WAYPOINTS} waypoints, not {len(waypoints)}."
     for index, waypoint in enumerate(waypoints):

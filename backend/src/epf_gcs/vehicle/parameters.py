@@ -71,7 +71,7 @@ def shown(name: str, value: float) -> float:
 
 
 def fault(name: str, value: float) -> str | None:
-    """Why this value is not allowed, in a clear sentence; None where it is."""
+    """Why this value is not allowed, in one sentence; None if it is allowed."""
     parameter = BY_NAME[name]
     if parameter.is_integer and math.isfinite(value) and value != int(value):
         return f"{name} must be a whole number, not {value:g}."

@@ -45,7 +45,7 @@ class BoardRestart:
         self._started_s = None
 
     def fell_silent(self, heartbeat: Mapping[str, Json]) -> None:
-        """The heartbeat of an open board stopped, and the dialogue begins anew."""
+        """The heartbeat of an open board stopped, and the dialogue is being opened again."""
         self._streams_before = _streams(heartbeat)
         self._has_spoken_text = False
 

@@ -31,7 +31,7 @@ BY_NAME: Final[Mapping[str, Threshold]] = {threshold.name: threshold for thresho
 
 
 def threshold_fault(threshold: Threshold, value: float) -> str | None:
-    """Why this value is not allowed, in a clear sentence; None where it is."""
+    """Why this value is not allowed, in one sentence; None if it is allowed."""
     return limit_fault(threshold.name, value, threshold.minimum, threshold.maximum)
 
 

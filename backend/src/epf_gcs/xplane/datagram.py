@@ -54,7 +54,7 @@ def build(records: Iterable[Record], tag: int = TAG_FROM_SIMULATOR) -> bytes:
 
 
 def surfaces_datagram(surfaces: Surfaces) -> bytes | None:
-    """The datagram that moves the aircraft, clamped; None where a value is not finite."""
+    """The datagram that moves the aircraft, clamped; None if a value is not finite."""
     safe = surfaces.clamped()
     if safe is None:
         return None

@@ -97,7 +97,7 @@ def row_meaning(row: int, eight: Eight, profile: str) -> RowMeaning:
 
 
 def info_from_rows(rows: Mapping[int, Mapping[str, float | None]]) -> XplaneInfo | None:
-    """Command 50 from the meanings of the rows of one simulator frame; None where one of its values is missing."""
+    """Command 50 from the decoded rows of one simulator frame; None if one of its values is missing."""
     values = {field: rows.get(row, {}).get(name) for field, (row, name) in INFO_SOURCES.items()}
     track = rows.get(TRACK_ROW, {}).get(TRACK_NAME)
     if track is not None:
