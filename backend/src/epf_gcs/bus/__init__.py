@@ -1,1 +1,1 @@
-"""The small stream between a vehicle's process and those that show it: definition, ends, carrier."""
+"""The stream between a vehicle's process and the stations that show it: its records, both ends, and the transport."""

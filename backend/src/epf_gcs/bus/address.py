@@ -1,7 +1,7 @@
-"""Where a vehicle's stream is found: a small file in the data folder names a socket of this machine.
+"""How a station finds a vehicle's stream: a small file in the data folder names a socket of this machine.
 
-A Unix socket that only its owner may open; where there are none (Windows), TCP on the loopback and a secret that only
-a reader of the file knows.
+It is a Unix socket that only its owner may open. Where the system has none (Windows), it is TCP on the loopback, with
+a secret that only a reader of the file knows.
 """
 
 from __future__ import annotations
@@ -58,7 +58,7 @@ class Listener:
         temporary.replace(self._file)
 
     async def accept(self) -> socket.socket | None:
-        """The next connection; None where it did not know the secret. Raises OSError."""
+        """The next connection; None if it did not send the secret. Raises OSError."""
         loop = asyncio.get_running_loop()
         connection, _ = await loop.sock_accept(self.socket)
         connection.setblocking(False)
@@ -77,7 +77,7 @@ class Listener:
         return None
 
     def close(self) -> None:
-        """Stop listening; the next vehicle writes the file anew."""
+        """Stop listening. The file stays: the next vehicle overwrites it."""
         self.socket.close()
         if self._path is not None:
             with contextlib.suppress(OSError):
@@ -85,7 +85,7 @@ class Listener:
 
 
 async def connect(folder: Path) -> socket.socket:
-    """A connection to the vehicle of this data folder. Raises OSError or ValueError where there is none."""
+    """A connection to the vehicle of this data folder. Raises OSError or ValueError if there is none."""
     where = orjson.loads((folder / FILE).read_bytes())
     loop = asyncio.get_running_loop()
     if "unix" in where:

@@ -31,7 +31,7 @@ class Channel:
         return len(self._pending)
 
     def send(self, data: bytes) -> None:
-        """Send now what the system takes, straight to the socket, and keep the rest for later."""
+        """Send at once what the system takes; queue the rest, without a limit."""
         if self._closed:
             return
         sent = 0
@@ -41,7 +41,7 @@ class Channel:
             except (BlockingIOError, InterruptedError):
                 sent = 0
             except OSError:
-                return  # the reader notices too, and tells by on_closed
+                return  # the reader notices it too, and calls on_closed
         if sent < len(data):
             if not self._pending:
                 self._loop.add_writer(self._socket, self._writable)

@@ -1,22 +1,22 @@
-"""The stream between a vehicle and a station: what passes, and how it is packed. It depends on no carrier.
+"""The stream between a vehicle and a station: its records and how they are packed, for any transport.
 
 Every record is a header (u32 length of the body, u8 kind, little endian) and a body.
 
 From the vehicle:
-  HELLO    JSON object: `version`, `vehicle`, `clock_offset_ns` (Unix minus steady clock), `control` (the browser that
-           had it: {client, name}, or null) and `status`, which is what STATUS holds
+  HELLO    JSON object: `version`, `vehicle`, `clock_offset_ns` (Unix minus steady clock), `control` (the browser
+           that had the controls: {client, name}, or null) and `status`, which is what STATUS holds
   SAMPLE   f64 Unix time, u8 length of the topic's name, the name, then the JSON text
            {"topic": ..., "t_s": ..., "values": {...}} as viewers get it
   EVENT    as SAMPLE, with the event's kind as the name and {"type": "event", "event": ..., "t_s": ..., "data": {...}}
   STATUS   JSON object: the state of links, HIL, recording, alarms, errors and topics
   ANSWER   u32 number of the request, then JSON: {"result": ...} or {"fault": {...}} (see `faults.py`)
-  BYE      nothing; the vehicle ends because it was told to
+  BYE      empty; the vehicle's process ends because it was told to
 To the vehicle:
   REQUEST  u32 number, then JSON: {"name": ..., "arguments": {...}, "by": {"client": ..., "name": ...} or null}
   NOTICE   JSON: {"name": ..., "arguments": {...}}; it has no answer
 
-A connection begins with HELLO, followed by the newest SAMPLE of every topic. A vehicle that speaks this is all that a
-station needs: the live one, a replayed one, or one on another machine.
+A connection begins with HELLO, followed by the newest SAMPLE of every topic. A station works with any vehicle that
+sends this stream: the live one, a replayed one, or one on another machine.
 """
 
 from __future__ import annotations
@@ -51,14 +51,14 @@ class Kind(IntEnum):
 
 @dataclass(frozen=True, slots=True)
 class Asker:
-    """Who asks: the id of a browser or program, and what others are shown of it. Both may be unknown."""
+    """Who asks: the id of a browser or program, and the name that is shown to others. Both may be unknown."""
 
     client: str | None = None
     name: str | None = None
 
 
 class BusError(Exception):
-    """The other side does not speak this stream: the connection is over."""
+    """The other side sent something that is not this stream: the connection must be closed."""
 
 
 class Record(NamedTuple):
@@ -122,7 +122,7 @@ def unpack_numbered(body: bytes) -> tuple[int, dict[str, Any]]:
 
 
 def unpack_object(body: bytes) -> dict[str, Any]:
-    """The JSON object that a body is. Raises BusError."""
+    """Decode a body that is a JSON object. Raises BusError."""
     try:
         value = orjson.loads(body)
     except orjson.JSONDecodeError as error:
@@ -133,13 +133,13 @@ def unpack_object(body: bytes) -> dict[str, Any]:
 
 
 class Decoder:
-    """Cuts a stream of bytes into records, whatever the pieces it comes in."""
+    """Cuts a stream of bytes into records, in whatever pieces it arrives."""
 
     def __init__(self) -> None:
         self._held = bytearray()
 
     def feed(self, data: bytes) -> list[Record]:
-        """The records that are whole now. Raises BusError where this can be no record."""
+        """The records that are complete now. Raises BusError if a record is announced that is too long."""
         if self._held:
             self._held += data
             data = bytes(self._held)

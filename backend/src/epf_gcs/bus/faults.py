@@ -1,4 +1,4 @@
-"""Failures that cross the stream: the same error on both sides."""
+"""Errors as JSON, so that the station raises the same error as the vehicle."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A station's end of the stream: keeps connected to a vehicle, hands on what it says, and asks it."""
+"""A station's end of the stream: stays connected to a vehicle, passes on its records and sends it requests."""
 
 from __future__ import annotations
 
@@ -28,30 +28,30 @@ from epf_gcs.bus.faults import error_of
 from epf_gcs.errors import ConflictError, GatewayError
 
 _RETRY_S: Final = 0.05
-# A plan of 100 waypoints over a slow line is the longest of all requests.
+# The longest request is to send a plan of 100 waypoints over a slow line.
 _ANSWER_S: Final = 120.0
 
 
 class Listener(Protocol):
-    """Hears what a vehicle says, on the event loop."""
+    """Receives a vehicle's records, on the event loop."""
 
     def on_hello(self, hello: dict[str, Any]) -> None:
-        """The vehicle is there; the newest sample of every topic follows."""
+        """Connected to the vehicle; the newest sample of every topic follows."""
 
     def on_sample(self, sample: Named) -> None:
         """The newest values of a topic."""
 
     def on_samples_end(self) -> None:
-        """All samples that came together were told."""
+        """All samples that arrived together were passed to `on_sample`."""
 
     def on_event(self, event: Named) -> None:
         """Something happened."""
 
     def on_status(self, status: dict[str, Any]) -> None:
-        """How everything stands."""
+        """The state of links, HIL, recording, alarms, errors and topics."""
 
     def on_lost(self, *, ended: bool) -> None:
-        """The vehicle's process is gone, `ended` because it was told to; it is looked for again."""
+        """The connection is lost (`ended`: because the vehicle's process was told to end); reconnecting goes on."""
 
 
 class StationEnd:
@@ -69,7 +69,7 @@ class StationEnd:
 
     @property
     def is_connected(self) -> bool:
-        """The vehicle's process is there."""
+        """There is a connection to the vehicle's process."""
         return self._channel is not None
 
     async def run(self) -> None:
@@ -92,7 +92,7 @@ class StationEnd:
                 self._on_closed()
 
     async def request(self, name: str, by: Asker | None = None, /, **arguments: Any) -> Any:
-        """Ask, and return the result. Raises what the vehicle raised; ConflictError where it is not there."""
+        """Send a request and return its result. Raises what the vehicle raised; ConflictError if not connected."""
         channel = self._channel
         if channel is None:
             raise _away()
@@ -110,7 +110,7 @@ class StationEnd:
             self._waiting.pop(number, None)
 
     def notice(self, name: str, /, **arguments: Any) -> None:
-        """Tell something that needs no answer; lost where the vehicle is not there."""
+        """Send something that needs no answer; dropped if not connected."""
         if self._channel is not None:
             self._channel.send(pack(Kind.NOTICE, orjson.dumps({"name": name, "arguments": arguments})))
 

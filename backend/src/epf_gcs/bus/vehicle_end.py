@@ -1,4 +1,4 @@
-"""The vehicle's end of the stream: tells everybody who listens, answers requests, and waits for nobody."""
+"""The vehicle's end of the stream: sends to all listeners, answers requests, never waits for a slow listener."""
 
 from __future__ import annotations
 
@@ -27,9 +27,9 @@ from epf_gcs.bus.definition import (
 from epf_gcs.bus.faults import fault_of
 from epf_gcs.errors import GatewayError
 
-# A listener that is this far behind gets no samples until it has caught up: it will ask for the present anyway.
+# A listener with this many unsent bytes gets no samples until it has caught up: only the newest ones are of use.
 _MOST_UNSENT_SAMPLES: Final = 1_000_000
-# And one that is this far behind has stopped: it is let go and may come again.
+# With this many it counts as hung: it is disconnected, and may connect again.
 _MOST_UNSENT: Final = 8_000_000
 _MOST_REQUESTS: Final = 256
 
@@ -40,7 +40,7 @@ Handler = Callable[[Asker, dict[str, Any]], Awaitable[Any]]
 
 
 class Broadcast:
-    """Samples, events and status to every listener; costs nothing while there is none. An outlet of the vehicle."""
+    """Sends samples, events and status to every listener; costs nothing while there is none. Implements `Outlet`."""
 
     def __init__(self, now_s: Callable[[], float]) -> None:
         self._now_s = now_s
@@ -49,7 +49,7 @@ class Broadcast:
 
     @property
     def has_listeners(self) -> bool:
-        """Somebody is there to be told."""
+        """Whether any listener is connected."""
         return bool(self._channels)
 
     def sample(self, topic: str, t_s: float, values: Any) -> None:
@@ -58,7 +58,7 @@ class Broadcast:
             self._samples.append(pack_sample(topic, t_s, values))
 
     def flush(self) -> None:
-        """Send the samples taken since the last time."""
+        """Send the samples taken since the last `flush`."""
         if self._samples:
             data = b"".join(self._samples)
             self._samples.clear()
@@ -73,12 +73,12 @@ class Broadcast:
             self._send(pack_event(kind, self._now_s(), data))
 
     def status(self, status: Mapping[str, Any]) -> None:
-        """How everything stands."""
+        """The state of links, HIL, recording, alarms, errors and topics."""
         if self._channels:
             self._send(pack(Kind.STATUS, orjson.dumps(status)))
 
     def add(self, channel: Channel) -> None:
-        """From now on this listener is told everything."""
+        """Send everything to this listener from now on."""
         self._channels.add(channel)
 
     def remove(self, channel: Channel) -> None:
@@ -95,9 +95,9 @@ class Broadcast:
 
 
 class VehicleEnd:
-    """Accepts listeners. `hello` and `samples` are what a new one is told first; `requests` are answered by name.
+    """Accepts listeners. `hello` and `samples` give what is sent to a new one first; `requests` holds the handlers.
 
-    `on_notice` hears what needs no answer; `on_gone` that a listener went. Handlers raise GatewayError.
+    `on_notice` gets what needs no answer; `on_gone` is called when a listener has gone. Handlers raise GatewayError.
     """
 
     def __init__(
@@ -119,7 +119,7 @@ class VehicleEnd:
         self._open: set[Channel] = set()
 
     async def run(self, listener: Listener) -> None:
-        """Accept whoever comes until cancelled; then let everybody go."""
+        """Accept listeners until cancelled; then disconnect them all."""
         try:
             async with asyncio.TaskGroup() as tasks:
                 while True:
@@ -131,7 +131,7 @@ class VehicleEnd:
                 self._close(channel)
 
     def begin(self, channel: Channel) -> None:
-        """A listener is there: tell it where everything stands."""
+        """A listener has connected: send it HELLO and the newest samples."""
         self._open.add(channel)
         data = pack(Kind.HELLO, orjson.dumps(self._hello()))
         channel.send(data + b"".join(pack_sample(*sample) for sample in self._samples()))
@@ -144,12 +144,12 @@ class VehicleEnd:
         self._on_gone()
 
     def notice(self, body: bytes) -> None:
-        """Hand on what needs no answer. Raises BusError."""
+        """Pass on the body of a NOTICE. Raises BusError."""
         said = unpack_object(body)
         self._on_notice(str(said.get("name")), dict(said.get("arguments") or {}))
 
     async def answer(self, asked: dict[str, Any]) -> dict[str, Any]:
-        """What becomes of a request."""
+        """Handle a request; returns its result or its fault, as ANSWER holds it."""
         name = str(asked.get("name"))
         handler = self._requests.get(name)
         try:
@@ -171,7 +171,7 @@ class VehicleEnd:
 
 
 class _Conversation:
-    """One listener."""
+    """The connection of one listener."""
 
     def __init__(self, end: VehicleEnd, connection: Any, tasks: asyncio.TaskGroup) -> None:
         self._end = end

@@ -42,7 +42,7 @@ class AhrsTestState(StrEnum):
 
 
 class AhrsTest:
-    """The station's side. Told the time; bytes in, attitudes out; what is no record is counted in `skipped`."""
+    """The station's side: bytes in, attitudes out, the time from the caller. `skipped` counts bytes outside records."""
 
     def __init__(self) -> None:
         self.state = AhrsTestState.IDLE
@@ -105,7 +105,7 @@ class AhrsTest:
         """The next record, or None when more bytes are needed.
 
         Records have no checksum and a float may hold the mark, so a record counts only when the mark of the
-        next one follows it: a lost byte costs records, and never shows a wrong attitude.
+        next one follows it: a lost byte can lose records, but never gives a wrong attitude.
         """
         while len(self._buffer) >= _RECORD.size + len(_MARK):
             if self._buffer.startswith(_MARK) and self._buffer.startswith(_MARK, _RECORD.size):
@@ -124,7 +124,7 @@ class AhrsTest:
 
 
 def _plausible(record: bytes) -> Attitude | None:
-    """The record's angles where all are finite and possible."""
+    """The record's angles; None if one is not finite or outside its limit."""
     angles: tuple[float, float, float] = _RECORD.unpack_from(record)[1:]
     inside = all(abs(angle) <= limit for angle, limit in zip(angles, _LIMITS_DEG, strict=True))
     return Attitude(*angles) if inside else None

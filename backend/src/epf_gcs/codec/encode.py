@@ -13,7 +13,7 @@ from epf_gcs.codec.values import argument_fault
 
 
 def frame_bytes(direction: Direction, message: Message, payload: bytes) -> bytes:
-    """The payload wrapped into a frame of this direction. The length of the payload is the caller's word."""
+    """Wrap a payload into a frame of this direction. Its length is not checked against the message."""
     body = (direction.type_bit | message.id).to_bytes(4, "little") + payload
     return direction.header + body + checksum(body).to_bytes(4, "little") + END
 
@@ -34,7 +34,7 @@ def encode_command(name: str, *values: float) -> bytes:
 
 
 def encode_telemetry(name: str, *values: float | bytes) -> bytes:
-    """Frame as a board would send it, from the values of the wire (not their meaning), unchecked."""
+    """Frame as a board would send it, from raw wire values (see `Value.encoding`), which are not checked."""
     message = TELEMETRY_BY_NAME[name]
     return frame_bytes(FROM_BOARD, message, message.struct.pack(*values))
 

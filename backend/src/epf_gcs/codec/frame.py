@@ -1,4 +1,4 @@
-"""Cut a stream of bytes into frames, whatever the line does to it."""
+"""Cut a stream of bytes into frames, even if the line damages it."""
 
 from __future__ import annotations
 
@@ -25,13 +25,13 @@ _HEADER_SIZE: Final = 4
 _START_SIZE: Final = 8  # header and type: enough to know the length
 _TAIL_SIZE: Final = 8  # checksum and end
 _END_WORD: Final = int.from_bytes(END, "little")
-_LONGEST_NOISE: Final = 256  # a text line of the board is shorter; bounds what waits for its line end
-_LONGEST_REMAINS: Final = 128  # the longest frame is shorter
+_LONGEST_NOISE: Final = 256  # longer than any text line of the board; bounds what is kept until a line end comes
+_LONGEST_REMAINS: Final = 128  # longer than the longest frame
 _new_frame: Final = tuple.__new__
 
 
 class Frame(NamedTuple):
-    """An accepted frame: length, type bits, checksum and end marker all hold."""
+    """An accepted frame: length, type bits, checksum and end marker are all correct."""
 
     message: Message
     payload: bytes
@@ -43,17 +43,18 @@ class Frame(NamedTuple):
 
     @property
     def values(self) -> tuple[Any, ...]:
-        """The payload as the wire has it, in the order of the definition."""
+        """The raw wire values, in the order of the definition; `meaning` decodes them."""
         message, payload = self
         return message.struct.unpack(payload)
 
 
 class Damage(NamedTuple):
-    """Bytes that are in no frame.
+    """Bytes that belong to no accepted frame. A candidate is a header that may begin a frame.
 
-    noise: bytes outside any frame, the board's text lines among them, cut after each line end.
-    remains: what follows the header of a failed candidate. Every other kind is one failed candidate, whose
-    `data` is its header: the search goes on behind it, so that a frame inside is found.
+    noise: bytes without a header before them, such as the board's text lines; one event for each line.
+    remains: the bytes after the header of a failed candidate.
+    Every other kind says why a candidate failed. Its `data` is the header alone: the search continues right
+    after it, because a good frame may lie inside the failed one.
     """
 
     kind: DamageKind
@@ -61,13 +62,13 @@ class Damage(NamedTuple):
 
     @property
     def is_failed_frame(self) -> bool:
-        """A candidate that did not hold, as against bytes that never looked like a frame."""
+        """True for a failed candidate; False for bytes that are only noise or remains."""
         return self.kind not in ("noise", "remains")
 
 
 @dataclass(frozen=True, slots=True)
 class Direction:
-    """One way of the line: its header, its type bit and its messages by type."""
+    """One direction of the line: its header, its type bit and its messages by type."""
 
     header: bytes
     type_bit: int
@@ -79,7 +80,7 @@ TO_BOARD: Final = Direction(TO_BOARD_HEADER, 0, COMMANDS_BY_ID)
 
 
 class _Layout(NamedTuple):
-    """What the scan needs of one message: frame size, and all words from the type to the end marker."""
+    """What the scan needs for one message: frame size, and a reader of all words from the type to the end marker."""
 
     size: int
     words: Callable[[bytes, int], tuple[int, ...]]
@@ -90,13 +91,13 @@ class FrameDecoder:
     """Turn chunks of any size into frames, finding the next header after damage.
 
     The wire is not trusted: no sequence of bytes makes `feed` raise, what it finds does not depend on how the
-    bytes are cut into chunks, and no intact frame is lost to rubbish before, inside or after it.
+    bytes are cut into chunks, and rubbish around an intact frame, even a false header, does not lose that frame.
     """
 
     def __init__(self, direction: Direction = FROM_BOARD) -> None:
         self._header = direction.header
         self._type_bit = direction.type_bit
-        # Header and type are one key: one look-up says what, how long, and that the type bits are right.
+        # Header and type together are the key: one look-up gives message and length, and rejects wrong type bits.
         self._layouts = {
             direction.header + (direction.type_bit | message.id).to_bytes(4, "little"): _Layout(
                 _START_SIZE + message.size + _TAIL_SIZE,
@@ -108,15 +109,15 @@ class FrameDecoder:
         self._smallest = min(layout.size for layout in self._layouts.values())
         self._buffer = b""
         self._need = 1  # buffer size from which anything new can be decided
-        self._frame_was_last = False  # the last byte heard was the last of a frame
+        self._frame_was_last = False  # the last byte received was the last of a frame
         self._run = b""  # skipped bytes not yet handed out
         self._run_is_remains = False
 
     @property
     def missing_bytes(self) -> int:
-        """The fewest bytes that must still come before a frame can be whole; 0 where that is not known.
+        """The least number of bytes still needed to complete a frame; 0 if unknown.
 
-        Among frames another frame is expected; among text and noise nobody knows what comes.
+        After a frame another frame is expected; after text or noise the next bytes can be anything.
         """
         if not self._buffer and not self._frame_was_last:
             return 0
@@ -131,10 +132,10 @@ class FrameDecoder:
         return self._scan(buffer)
 
     def flush(self) -> list[Frame | Damage]:
-        """The line is silent: hand out waiting text, and frames that a false header holds back.
+        """Call when the line is silent: returns waiting text, and frames that a false header holds back.
 
-        A false header with a plausible type waits for the length of that type. It is given up here only where
-        an intact frame lies behind it, so a silence in the middle of a good frame loses nothing.
+        A false header with a valid type makes the decoder wait for the length of that type. It is dropped here
+        only if an intact frame follows it, so a pause in the middle of a good frame loses nothing.
         """
         found: list[Frame | Damage] = []
         while self._holds_frame_behind_candidate():
@@ -143,7 +144,7 @@ class FrameDecoder:
         return found
 
     def finish(self) -> list[Frame | Damage]:
-        """Nothing more will come: whatever waits is cut short."""
+        """The stream has ended: return all that still waits, an incomplete frame as `cut_short`."""
         found: list[Frame | Damage] = []
         while self._buffer:
             if self._buffer.startswith(self._header):
@@ -158,7 +159,7 @@ class FrameDecoder:
         return found
 
     def _scan(self, buffer: bytes) -> list[Frame | Damage]:
-        """Take all that can be decided from `buffer`; the rest waits in self._buffer for self._need bytes."""
+        """Decode what `buffer` allows; the rest stays in self._buffer until that holds self._need bytes."""
         found: list[Frame | Damage] = []
         append = found.append
         layout_of = self._layouts.get
@@ -200,7 +201,7 @@ class FrameDecoder:
         return found
 
     def _search(self, buffer: bytes, position: int, found: list[Frame | Damage]) -> int:
-        """From a place without a known start of frame go to the next header; -1 where the buffer ends first."""
+        """Skip from `position`, where no known frame begins, to the next place to try; -1 if the buffer ends first."""
         start = buffer.find(self._header, position)
         if start < 0:
             kept = self._header_begun(buffer, position)
@@ -229,13 +230,13 @@ class FrameDecoder:
         return 0
 
     def _fail(self, kind: DamageKind, found: list[Frame | Damage]) -> None:
-        """One candidate did not hold; its header is dropped and the bytes behind it are searched again."""
+        """Report a failed candidate: only its header is dropped, the caller searches the bytes after it again."""
         found += self._take_run()
         found.append(Damage(kind, self._header))
         self._run_is_remains = True
 
     def _skip(self, data: bytes, found: list[Frame | Damage]) -> None:
-        """Drop bytes that are in no frame; pieces end where the bytes say so, never where a chunk ends."""
+        """Report bytes outside frames. An event ends at an end mark or a length limit, never where a chunk ends."""
         run = self._run + data
         while True:
             if self._run_is_remains:
@@ -253,7 +254,7 @@ class FrameDecoder:
         self._run = run
 
     def _take_run(self) -> list[Frame | Damage]:
-        """The skipped bytes as at most one event."""
+        """The skipped bytes as one event, or none."""
         if not self._run:
             return []
         taken = Damage("remains" if self._run_is_remains else "noise", self._run)
@@ -261,13 +262,13 @@ class FrameDecoder:
         return [taken]
 
     def _give_up(self) -> list[Frame | Damage]:
-        """Fail the waiting candidate and search behind its header."""
+        """Fail the waiting candidate and search the bytes after its header."""
         found: list[Frame | Damage] = []
         self._fail("cut_short", found)
         return found + self._scan(self._buffer[_HEADER_SIZE:])
 
     def _holds_frame_behind_candidate(self) -> bool:
-        """A complete, good frame lies inside the waiting bytes."""
+        """Whether a complete, good frame lies after the header of the waiting candidate."""
         buffer = self._buffer
         position = buffer.find(self._header, _HEADER_SIZE) if buffer.startswith(self._header) else -1
         while position >= 0:

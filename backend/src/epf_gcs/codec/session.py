@@ -8,7 +8,7 @@ States and what moves them:
                           +--heartbeat silent for 3 s (the board restarted in text mode)--+
 
 In `opening` the line that opens binary mode is repeated each second. In every state `close` gives the bytes
-that leave the board quiet and in text mode. The clock is the caller's: each call is told the time.
+that stop the board's streams and put it into text mode. The time is an argument of each call.
 """
 
 from __future__ import annotations

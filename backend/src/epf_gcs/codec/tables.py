@@ -19,11 +19,11 @@ _NO_FLAGS: Final[Mapping[str, bool | str]] = MappingProxyType({})
 
 @dataclass(frozen=True, slots=True)
 class Value:
-    """One named quantity of a payload, as JSON spells it (unit in the name).
+    """One quantity of a payload, under its JSON name (which has the unit in it).
 
-    `slot` is its place in the unpacked tuple; `encoding` says how the wire holds it. Outside
-    `minimum`..`maximum` it is "no data". `absent` (NaN or a number) says so on purpose and is no fault.
-    `names` are the meanings of an integer's values.
+    `slot` is its index in the unpacked tuple; `encoding` says how the wire holds it. A value outside
+    `minimum`..`maximum` is implausible and means "no data". `absent` (NaN or a number) is the wire value by which
+    the board itself says "no data"; it does not count as implausible. `names` gives an integer's values by name.
     """
 
     name: str
@@ -44,7 +44,7 @@ class Value:
 
 @dataclass(frozen=True, slots=True)
 class Confirm:
-    """What proves that a command was done where the board does not acknowledge.
+    """How to tell that a command was executed by a board that does not acknowledge commands.
 
     heartbeat: the heartbeat has all of `flags` ("argument" stands for the value sent).
     frame: a frame `message` arrives after the command. plan: the waypoint of `message` moves as
@@ -59,9 +59,9 @@ class Confirm:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Message:
-    """A frame of either direction, one object for each type.
+    """The definition of one type of frame, in either direction.
 
-    Commands alone have a `confirm` other than none; `parameter` names what a set command sets.
+    Only commands have a `confirm` other than none; `parameter` is the name of the gain that a set command sets.
     """
 
     id: int
@@ -83,7 +83,7 @@ class Message:
 
 @dataclass(frozen=True, slots=True)
 class Parameter:
-    """One gain of the control laws; all of one table are in the order of autopilot_parameters."""
+    """One gain of the control laws. The table lists them in the order of the message autopilot_parameters."""
 
     name: str
     group: str

@@ -1,4 +1,4 @@
-"""Values of the wire -> their meaning, with what is not plausible taken out; and arguments checked."""
+"""Wire values -> their meaning, without the implausible ones; and checks of command arguments."""
 
 from __future__ import annotations
 
@@ -25,9 +25,9 @@ class Meaning(NamedTuple):
 
 
 def meaning(frame: Frame) -> Meaning:
-    """What a frame says. A value that is not finite or outside its range becomes None and is named.
+    """Decode a frame. A value that is not finite or outside its range becomes None and is listed as implausible.
 
-    What a field holds where the board has nothing to say is None too, but is no fault and is not named.
+    The "no data" value of a field becomes None too, but is not listed: the board sent it on purpose.
     """
     wire = frame.values
     values: dict[str, Json] = {}
@@ -49,7 +49,7 @@ def meaning(frame: Frame) -> Meaning:
 
 
 def argument_fault(value: Value, given: float) -> str | None:
-    """Why a number cannot be this argument of a command, in a clear sentence; None where it can."""
+    """Why a number is not allowed as this argument of a command, in one sentence; None if it is allowed."""
     if not math.isfinite(given):
         return f"{value.name} must be a number"
     if value.kind == "integer" and given != int(given):
@@ -75,7 +75,7 @@ def shortest(value: float) -> float:
 
 
 class _Step(NamedTuple):
-    """How one value is read: by comparing with its limits, or by `read` where the wire holds it otherwise."""
+    """How one value is read: as it stands, if within its limits, or by `read` if the wire encodes it."""
 
     name: str
     slot: int
@@ -86,7 +86,7 @@ class _Step(NamedTuple):
 
 
 def _says_nothing(raw: float, absent: float | None) -> bool:
-    """The field holds its "no data"; where that is NaN, any NaN is it."""
+    """Whether the field holds its "no data" value; if that is NaN, every NaN counts."""
     return raw == absent or (absent is not None and math.isnan(absent) and math.isnan(raw))
 
 
@@ -95,13 +95,13 @@ def _flag(raw: int) -> bool | None:
 
 
 def _text(raw: bytes) -> str | None:
-    """Zero-padded ASCII; anything unprintable is no text."""
+    """Zero-padded ASCII; None if any of it is not printable."""
     text = raw.split(b"\0", 1)[0].decode("ascii", "replace")
     return text if text.isascii() and text.isprintable() else None
 
 
 def _ascii_digits(value: Value) -> Callable[[int], int | None]:
-    """Digits as received, units in the low byte; as many as the range has."""
+    """A number in ASCII digits, the last digit in the low byte; at most as many digits as the maximum has."""
     size = len(str(int(value.maximum or 0)))
 
     def read(raw: int) -> int | None:
@@ -143,7 +143,7 @@ def _step(value: Value) -> _Step:
             pass
     minimum = -math.inf if value.minimum is None else value.minimum
     maximum = math.inf if value.maximum is None else value.maximum
-    if value.kind == "number":  # a limit such as 99.99 is on the wire as the single-precision number next to it
+    if value.kind == "number":  # in single precision a limit such as 99.99 may be rounded to slightly outside itself
         minimum, maximum = min(minimum, single(minimum)), max(maximum, single(maximum))
     return _Step(value.name, value.slot, minimum, maximum, value.absent, read)
 

@@ -1,4 +1,4 @@
-"""A small aircraft as COLLADA 1.4, the one format of models that Google Earth takes: metres, nose to +y, z up."""
+"""A small aircraft as COLLADA 1.4, the only model format that Google Earth reads: metres, nose to +y, z up."""
 
 from __future__ import annotations
 
@@ -80,7 +80,7 @@ def _add_geometry(root: Element) -> None:
         add(accessor, "param", name=axis, type="float")
     vertices = add(mesh, "vertices", id="vertices")
     add(vertices, "input", semantic="POSITION", source="#points")
-    # Each triangle both ways round: a thin wing is seen from above and from below.
+    # Each triangle in both orientations, because a thin wing is seen from above and from below.
     both = [*_TRIANGLES, *(triangle[::-1] for triangle in _TRIANGLES)]
     triangles = add(mesh, "triangles", material="paint", count=str(len(both)))
     add(triangles, "input", semantic="VERTEX", source="#vertices", offset="0")

@@ -1,4 +1,4 @@
-"""Flight plans as a table of text: written for any program, read also as a Spanish spreadsheet writes it."""
+"""Flight plans as CSV: written for any program; read also as a Spanish spreadsheet writes it (`;`, decimal commas)."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _NEEDED: Final = ("latitude_deg", "longitude_deg")
 
 
 def write_csv(waypoints: Sequence[Waypoint]) -> bytes:
-    """Commas, decimal points and a header, as RFC 4180 has it."""
+    """A CSV with commas, decimal points and a header, as in RFC 4180."""
     text = io.StringIO()
     table = csv.writer(text)
     table.writerow(_COLUMNS)
@@ -30,7 +30,7 @@ def write_csv(waypoints: Sequence[Waypoint]) -> bytes:
 def read_csv(data: bytes) -> MissionFile:
     """The rows in order; columns by their names in the first line, in any order. Raises FileFault with the line.
 
-    Between columns `,`, `;` or a tab; a decimal comma is understood where it cannot be taken for a column.
+    The separator is `,`, `;` or a tab; decimal commas are understood if the separator is not a comma.
     """
     rows = _rows(_text(data))
     header_line, header = next(rows, (1, []))
@@ -47,7 +47,7 @@ def read_csv(data: bytes) -> MissionFile:
     unknown = [name for name in names if name and name not in (*_COLUMNS, *_METRIC)]
     notes = [Note("columns_skipped", {"names": ", ".join(unknown)[:200]})] if unknown else []
     filled = ((line, cells) for line, cells in rows if any(cell.strip() for cell in cells))
-    # One more than a plan takes is enough to know that there are too many.
+    # Reading one more than a plan can hold is enough for `settle` to refuse the file.
     taken = islice(filled, MAX_WAYPOINTS + 1)
     points = [_point(dict(zip(names, cells, strict=False)), Place("line", line)) for line, cells in taken]
     return settle("csv", points, notes)
@@ -76,7 +76,7 @@ def _number(row: Mapping[str, str], name: str, place: Place) -> float:
 
 
 def _rows(text: str) -> Iterator[tuple[int, list[str]]]:
-    """Line number and cells of each row; a spreadsheet's own first line (sep=;) is obeyed and not handed on."""
+    """Line number and cells of each row. A spreadsheet's first line such as `sep=;` only sets the separator."""
     first = text.split("\n", 1)[0].strip()
     if first.lower().startswith("sep=") and len(first) == len("sep=") + 1:
         separator = first[-1]
@@ -98,7 +98,7 @@ def _rows(text: str) -> Iterator[tuple[int, list[str]]]:
 
 
 def _text(data: bytes) -> str:
-    """Letters, as spreadsheets keep them. Raises FileFault for anything else."""
+    """Decode UTF-8, UTF-16 or Windows-1252, which spreadsheets write. Raises FileFault if it is not text."""
     is_utf16 = data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE))
     for encoding in ("utf-16",) if is_utf16 else ("utf-8-sig", "cp1252"):
         try:

@@ -1,4 +1,4 @@
-"""The flown tracks as CZML: place, attitude and time of every point, as Cesium plays them back."""
+"""The flown tracks as CZML, for playback in Cesium: position, attitude and time of every point."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from epf_gcs.formats.samples import Column, Samples
 
 MEDIA_TYPE: Final = "application/json"
 _WIDTH_PX: Final = 2
-# A body about as large as the aircraft, so that its attitude is seen without any other file: nose, left, up in metres.
+# A box about as large as the aircraft, which shows its attitude without a model file: nose, left, up in metres.
 _BOX_M: Final = (8.0, 12.0, 1.0)
 
 
@@ -29,7 +29,7 @@ class MovingTrack(NamedTuple):
 
 
 def czml_pieces(name: str, tracks: Sequence[MovingTrack]) -> Iterator[bytes]:
-    """A document with the clock over all of the flight, and a packet for each track that has a line; in pieces."""
+    """A document, in pieces: a clock over the whole flight, and a packet for each track that has a line."""
     shown = [track for track in tracks if track.spans_s]
     document: dict[str, Any] = {"id": "document", "name": name, "version": "1.0"}
     if shown:
@@ -56,7 +56,7 @@ def _packet(track: MovingTrack) -> Iterator[bytes]:
         "path": {"width": _WIDTH_PX, "resolution": 1, "material": colour},
         "box": {"dimensions": {"cartesian": list(_BOX_M)}, "material": colour},
     }
-    # The long lists are written between the halves of this, and the packet is closed by hand.
+    # Without the packet's closing brace: the long lists are streamed after it, then the brace is written.
     yield b",\n" + orjson.dumps(packet)[:-1]
     head = {"epoch": _time(epoch_s), "interpolationAlgorithm": "LINEAR", "interpolationDegree": 1}
     yield b',"position":' + orjson.dumps(head)[:-1] + b',"cartographicDegrees":['
@@ -72,7 +72,7 @@ def _packet(track: MovingTrack) -> Iterator[bytes]:
 
 
 def _joined(parts: Iterable[Column]) -> Iterator[bytes]:
-    """The numbers of all parts with commas between, without the brackets."""
+    """The numbers of all parts as one JSON list without its brackets."""
     separator = b""
     for part in parts:
         if part.size:
@@ -99,14 +99,14 @@ def _attitude_rows(samples: Samples, epoch_s: float) -> Column:
 
 
 def earth_quaternions(samples: Samples) -> Column:
-    """Rows of x, y, z, w: the turn from the body's axes (nose, left wing, up) to the Earth's (x through Greenwich on
+    """Rows of x, y, z, w: the rotation from body axes (nose, left wing, up) to Earth-fixed axes (x through Greenwich on
     the equator, z through the north pole)."""
-    # East, north and up of the place are the Earth's axes turned by the longitude and by the latitude's complement.
+    # The Earth-fixed axes become local east, north, up by rotating longitude + 90 about z, then 90 - latitude about x.
     to_place = _product(
         _about(2, np.radians(samples.longitude_deg + 90.0)), _about(0, np.radians(90.0 - samples.latitude_deg))
     )
-    # From a nose that looks east: a heading turns clockwise seen from above, a pitch raises the nose about the left
-    # wing's axis the other way, a roll lowers the right wing about the nose.
+    # Body axes with the nose to the east equal east, north, up. Heading is clockwise seen from above, so its sign
+    # changes; nose up is a negative rotation about the left wing's axis; right wing down is positive about the nose.
     to_nose = _product(
         _about(2, np.radians(90.0 - samples.heading_deg)),
         _product(_about(1, np.radians(-samples.pitch_deg)), _about(0, np.radians(samples.roll_deg))),
@@ -115,7 +115,7 @@ def earth_quaternions(samples: Samples) -> Column:
 
 
 def _about(axis: int, angle_rad: Column) -> Column:
-    """Turns about an axis, anticlockwise seen from its end."""
+    """Quaternions of rotations about an axis, anticlockwise seen from its tip."""
     turned = np.zeros((angle_rad.size, 4))
     turned[:, axis] = np.sin(angle_rad / 2.0)
     turned[:, 3] = np.cos(angle_rad / 2.0)
@@ -123,7 +123,7 @@ def _about(axis: int, angle_rad: Column) -> Column:
 
 
 def _product(first: Column, second: Column) -> Column:
-    """The second turn, then the first."""
+    """Quaternion product: the rotation `second`, followed by `first`."""
     x1, y1, z1, w1 = first.T
     x2, y2, z2, w2 = second.T
     return np.stack(

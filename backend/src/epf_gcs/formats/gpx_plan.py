@@ -1,4 +1,4 @@
-"""Flight plans as GPX 1.1: routes of hand-helds and planners, and our own with the speeds kept beside."""
+"""Flight plans as GPX 1.1: reads routes of hand-held receivers and planners; ours keep the speeds in an extension."""
 
 from __future__ import annotations
 
@@ -27,8 +27,8 @@ def write_gpx(name: str, waypoints: Sequence[Waypoint]) -> bytes:
 def read_gpx(root: Element) -> MissionFile:
     """The first route with points, else all single waypoints, else the first track. Raises FileFault.
 
-    Elevations are metres above mean sea level. A speed is taken from our own files alone: in those of a hand-held
-    it is how fast somebody walked, not how fast anybody should fly.
+    Elevations are metres above mean sea level. A speed is read from our own extension only: in a hand-held's file it
+    is the speed at which a track was recorded, not one to fly.
     """
     groups = [
         *_groups(root, "rte", "rtept"),

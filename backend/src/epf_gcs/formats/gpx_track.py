@@ -1,4 +1,4 @@
-"""The flown tracks as GPX 1.1: what loggers, planners and photo programs read."""
+"""The flown tracks as GPX 1.1, which loggers, planners and photo programs read."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ MEDIA_TYPE: Final = "application/gpx+xml"
 
 
 class TimedTrack(NamedTuple):
-    """The unbroken lines of one track, each in parts."""
+    """The lines of one track (it is broken where data are missing), each line in parts."""
 
     name: str
     lines: Sequence[Iterable[Samples]]

@@ -1,4 +1,4 @@
-"""KML 2.2 as we write it. The order of the elements is the schema's: readers other than Google Earth insist on it."""
+"""KML 2.2 as we write it. The elements are in the schema's order, which readers other than Google Earth require."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from epf_gcs.formats.xml_tree import KML, add, decimal, plain, xml_bytes
 
 MEDIA_TYPE: Final = "application/vnd.google-earth.kml+xml"
 SPEED_DATA: Final = "speed_kt"
-"""The name of the data that keeps a waypoint's speed: the format itself has no place for it."""
+"""Name of the ExtendedData entry that holds a waypoint's speed, for which KML has no element."""
 
 # Colours are aabbggrr.
 TRACK_COLOUR: Final = "ff00ffff"
@@ -37,12 +37,12 @@ def kml_bytes(root: Element) -> bytes:
 
 
 def coordinates(positions: Iterable[Position]) -> str:
-    """Longitude first, as KML wants it."""
+    """The positions as KML's text, longitude first."""
     return " ".join(f"{longitude:.9f},{latitude:.9f},{altitude:.6f}" for latitude, longitude, altitude in positions)
 
 
 def add_styles(content: Element) -> None:
-    """The looks of a track with its curtain, and of a plan; before any feature."""
+    """The styles of a track, with its curtain to the ground, and of a plan. Add them before any feature."""
     track = add(content, "Style", id="track")
     _line_style(track, TRACK_COLOUR, 3)
     add(add(track, "PolyStyle"), "color", _CURTAIN_COLOUR)

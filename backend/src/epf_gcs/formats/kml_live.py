@@ -1,4 +1,4 @@
-"""What Google Earth shows of a flight: the aircraft with their attitude, the view, the tracks, and where to ask."""
+"""A flight for Google Earth: the aircraft with their attitude, the view, the tracks, and links to reload them."""
 
 from __future__ import annotations
 
@@ -12,17 +12,17 @@ from xml.etree.ElementTree import Element
 from epf_gcs.formats.kml import Position, add_styles, coordinates, document, kml_bytes
 from epf_gcs.formats.xml_tree import add, decimal, plain
 
-# A few tenths of a millisecond: between two pieces the loop looks at the board and the simulator.
+# One piece takes a few tenths of a millisecond, so that writing a long track does not hold up the event loop.
 _POINTS_PER_PIECE: Final = 200
 _VIEW_RANGE_M: Final = 250.0
 _VIEW_TILT_DEG: Final = 70.0
-# Stands for the coordinates of a line until they are written; letters that no name can hold (see `plain`).
+# Placeholder for the coordinates of a line, replaced while writing; its letters cannot be in a name (see `plain`).
 _MARK: Final = re.compile("\ue000([0-9]+)\ue001".encode())
 
 
 @dataclass(frozen=True, slots=True)
 class Aircraft:
-    """One aircraft. The angles are None where they are not live: then only its last place is shown."""
+    """One aircraft. The angles are None if they are not live: then only its last position is shown."""
 
     name: str
     position: Position
@@ -33,14 +33,14 @@ class Aircraft:
 
 
 class NamedTrack(NamedTuple):
-    """The unbroken lines of one track."""
+    """The lines of one track, which is broken where data are missing."""
 
     name: str
     lines: Sequence[Iterable[Position]]
 
 
 class Link(NamedTuple):
-    """Something that is asked for again each `refresh_s` seconds; None asks once."""
+    """An address that Google Earth reloads every `refresh_s` seconds; None: loaded once."""
 
     name: str
     url: str
@@ -51,7 +51,7 @@ class Link(NamedTuple):
 def track_document(
     name: str, tracks: Sequence[NamedTrack], aircraft: Sequence[Aircraft] = (), model_url: str = ""
 ) -> Iterator[bytes]:
-    """A KML with the tracks, in pieces that are short work each; and the aircraft where they are now."""
+    """A KML with the tracks and the aircraft at their present positions, in pieces that each take little time."""
     root, content = document(name)
     add_styles(content)
     for one in aircraft:
@@ -62,7 +62,7 @@ def track_document(
 def live_document(
     name: str, aircraft: Sequence[Aircraft], followed: Aircraft | None, tracks: Sequence[NamedTrack], model_url: str
 ) -> Iterator[bytes]:
-    """A KML with the aircraft and what they flew lately, seen from behind the one that is followed."""
+    """A KML with the aircraft and their recent tracks, viewed from behind the followed aircraft."""
     root, content = document(name)
     if followed is not None:
         _add_view(content, followed)
@@ -73,7 +73,7 @@ def live_document(
 
 
 def link_document(name: str, links: Sequence[Link]) -> bytes:
-    """The KML that a user opens once: it names what to ask for, and how often."""
+    """The KML that a user opens once: it names the addresses to load, and how often."""
     root, content = document(name)
     add(content, "open", "1")
     for link in links:
@@ -141,7 +141,7 @@ def _add_aircraft(content: Element, aircraft: Aircraft, model_url: str) -> None:
     if heading_deg is None or pitch_deg is None or roll_deg is None:
         _add_point(placemark, aircraft.position)
         return
-    # A point beside the model: the model has no label, and not every reader draws it.
+    # Add a point to the model, because a model has no label and some readers do not draw it.
     geometry = add(placemark, "MultiGeometry")
     _add_point(geometry, aircraft.position)
     latitude_deg, longitude_deg, altitude_m = aircraft.position
@@ -153,7 +153,7 @@ def _add_aircraft(content: Element, aircraft: Aircraft, model_url: str) -> None:
     add(location, "altitude", decimal(altitude_m))
     orientation = add(model, "Orientation")
     add(orientation, "heading", decimal(heading_deg))
-    # Clockwise about x and y, seen from their ends: nose up and right wing down are negative.
+    # Clockwise about x and y, seen from the tip of the axis: nose up and right wing down are negative.
     add(orientation, "tilt", decimal(-pitch_deg))
     add(orientation, "roll", decimal(-roll_deg))
     add(add(model, "Link"), "href", model_url)

@@ -1,4 +1,4 @@
-"""Flight plans as KML: ours come back exactly, those of Google Earth as far as they say what a plan needs."""
+"""Flight plans as KML: our own files are read back exactly, Google Earth's as far as they hold what a plan needs."""
 
 from __future__ import annotations
 
@@ -29,14 +29,14 @@ _Mode = Literal["absolute", "relative", "clamped"]
 
 
 class _Shape(NamedTuple):
-    """The positions of one geometry, and how its altitudes are meant."""
+    """The positions of one geometry, and what its altitudes refer to."""
 
     mode: _Mode
     points: list[Point]
 
 
 class _Pin(NamedTuple):
-    """A placemark that is a point; `speed` is the text of ours, None where it is not ours."""
+    """A placemark with a point. `speed` is the text of our speed entry; None if it has none, so is not our own."""
 
     place: Place
     point: Element
@@ -52,7 +52,7 @@ def write_kml(name: str, waypoints: Sequence[Waypoint]) -> bytes:
 
 
 def read_kml(root: Element) -> MissionFile:
-    """The waypoints of a KML file. Our own placemarks before lines, the first line before other placemarks.
+    """The waypoints of a KML file: our own placemarks if there are any, else the first line, else other placemarks.
 
     Altitudes are metres. Raises FileFault.
     """
@@ -61,14 +61,14 @@ def read_kml(root: Element) -> MissionFile:
     if lines and all(pin.speed is None for pin in pins):
         chosen, skipped = [_shape(lines[0], Place("LineString", 1))], len(lines) - 1 + len(pins)
     else:
-        # One more than a plan takes is enough to know that there are too many.
+        # Reading one more than a plan can hold is enough for `settle` to refuse the file.
         chosen, skipped = [_pin_shape(pin) for pin in pins[: MAX_WAYPOINTS + 1]], 0
     notes = [Note("shapes_skipped", {"count": skipped})] if skipped else []
     return settle("kml", *_as_flown(chosen, notes))
 
 
 def _as_flown(shapes: list[_Shape], notes: list[Note]) -> tuple[list[Point], list[Note]]:
-    """The points in order, and what is to be said of their altitudes."""
+    """The points in order, and the notes with those on their altitudes added."""
     above_ground = sum(len(shape.points) for shape in shapes if shape.mode == "relative")
     if above_ground:
         notes.append(Note("altitude_above_ground", {"count": above_ground}))
@@ -76,7 +76,7 @@ def _as_flown(shapes: list[_Shape], notes: list[Note]) -> tuple[list[Point], lis
     clamped = 0
     for shape in shapes:
         for point in shape.points:
-            # On the ground whatever it says; a number there is more than nothing, a zero is not.
+            # "Clamped to ground" ignores the altitude in the file. Use it all the same if it is not 0; 0 means none.
             if shape.mode == "clamped" and point.altitude_ft:
                 clamped += 1
             points.append(point if shape.mode != "clamped" or point.altitude_ft else point._replace(altitude_ft=None))

@@ -8,7 +8,7 @@ Language = Literal["es", "en"]
 
 
 class Words(NamedTuple):
-    """One language."""
+    """The words in one language."""
 
     station: str
     track: str

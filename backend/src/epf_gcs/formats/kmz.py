@@ -1,4 +1,4 @@
-"""A KML and what it refers to in one file, packed while it is written: a day's track need not fit into memory."""
+"""A KML and the files it refers to in one archive, packed in pieces, so that a day's track need not fit into memory."""
 
 from __future__ import annotations
 
@@ -8,19 +8,19 @@ from collections.abc import Iterable, Iterator
 from typing import Final
 
 MEDIA_TYPE: Final = "application/vnd.google-earth.kmz"
-# Readers take the first KML of the archive; this is the name that all of them know.
+# Readers open the first KML of the archive; this is its usual name.
 DOCUMENT: Final = "doc.kml"
 _EARLIEST: Final = (1980, 1, 1, 0, 0, 0)
 
 
 class _Drain(io.RawIOBase):
-    """Takes what the archive writes and hands it on; nothing can be gone back to, and the format need not."""
+    """A write-only stream without seeking, which a ZIP archive does not need: holds what was written until `taken`."""
 
     def __init__(self) -> None:
         self._held = bytearray()
 
     def writable(self) -> bool:
-        """It is."""
+        """Always True."""
         return True
 
     def write(self, data: object) -> int:
@@ -30,7 +30,7 @@ class _Drain(io.RawIOBase):
         return len(view)
 
     def taken(self) -> bytes:
-        """What was written since."""
+        """Return and forget what was written since the last call."""
         held = bytes(self._held)
         self._held.clear()
         return held

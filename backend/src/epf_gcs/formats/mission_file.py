@@ -1,4 +1,4 @@
-"""What a reader of plan files finds, and the one way from there to a plan that a board can be given."""
+"""What the readers of plan files return, and the checks that all files pass to become a plan for the board."""
 
 from __future__ import annotations
 
@@ -25,22 +25,22 @@ NoteCode = Literal[
     "speed_missing",
 ]
 
-# What a waypoint gets where its file has no such thing, as most files of other programs: the speed at which the
-# board's own routes cruise, and an altitude from which a person sees that it was not in the file.
+# For waypoints whose file gives no speed or altitude, as in most files of other programs: the cruise speed of the
+# board's own routes, and a round altitude at which a person notices that it was not in the file.
 DEFAULT_SPEED_KT: Final = 55.0
 DEFAULT_ALTITUDE_FT: Final = 1000.0
 
 _ITEM: Final = {value.name: value for value in COMMANDS["mission_item"].values}
 _FIELDS: Final = ("latitude_deg", "longitude_deg", "altitude_ft", "speed_kt")
 MAX_WAYPOINTS: Final = int({value.name: value for value in COMMANDS["mission_begin"].values}["count"].maximum or 0)
-# 0.03 mm and 0.2 mm/s: takes away what a conversion and back leaves of 1000 ft (1000.0000000000001), and nothing else.
+# Rounds to 0.03 mm and 0.05 mm/s, just enough to remove the error of converting units twice (1000.0000000000001 ft).
 _DECIMALS: Final = 4
-# float() takes more: "1_000", "infinity", "nan", digits of other scripts.
+# float() alone would also accept "1_000", "infinity", "nan" and digits of other scripts.
 _NUMBER: Final = re.compile(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
 
 
 class Place(NamedTuple):
-    """Where in the file: a line, an item of a list, the n-th element of a name; counted from 1 as people do."""
+    """A place in the file, counted from 1: a line, an item of a list, or the n-th element of a name."""
 
     kind: str
     nth: int
@@ -50,14 +50,14 @@ class Place(NamedTuple):
 
 
 class Note(NamedTuple):
-    """Something about the file that a person should know before flying it."""
+    """Something about the file that the operator should know before flying it."""
 
     code: NoteCode
     params: Params
 
 
 class Point(NamedTuple):
-    """A waypoint as far as the file has it; None is not in the file."""
+    """A waypoint as read; None: not in the file."""
 
     place: Place
     latitude_deg: float
@@ -68,7 +68,7 @@ class Point(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class MissionFile:
-    """A file that could be read."""
+    """A file that could be read, as a plan that can be sent to the board."""
 
     format: Format
     waypoints: tuple[Waypoint, ...]
@@ -76,7 +76,7 @@ class MissionFile:
 
 
 class FileFault(Exception):  # noqa: N818 - a fault of the file, told to its owner as a GatewayError with the name
-    """Why a file is no plan: "'name' cannot be read because `why`." `params` are the values in it."""
+    """Why a file is not a plan: "'name' cannot be read because `why`." `params` are the values in the sentence."""
 
     def __init__(self, code: ErrorCode, why: str, **params: str | float | bool | None) -> None:
         super().__init__(why)
@@ -95,20 +95,20 @@ def number(text: str | None, field: str, place: Place) -> float:
 
 
 def not_a_number(field: str, found: str, place: Place) -> FileFault:
-    """The fault of a value that is missing or no number."""
+    """The error for a value that is missing or not a number."""
     why = f"{field} of {place} is missing" if not found else f"{field} of {place} is no number ({found[:30]!r})"
     return FileFault("mission_file_unreadable", why, field=field, value=found[:30], **place_params(place))
 
 
 def place_params(place: Place) -> dict[str, str | float]:
-    """Where it was, for a sentence in another language; the page knows the kinds by their keys."""
+    """The place as parameters of a sentence that the page translates; the kind becomes a key of its words."""
     return {"place": f"@problem.place_{place.kind}", "nth": place.nth}
 
 
 def settle(format_name: Format, points: Sequence[Point], notes: Sequence[Note] = ()) -> MissionFile:
-    """The whole file as a plan. Raises FileFault, naming the place, where one point could not be flown.
+    """The points as a plan. Raises FileFault, naming the place, if a value is outside what the board accepts.
 
-    What no point says is filled in and noted.
+    Missing altitudes and speeds are filled in with defaults, and noted.
     """
     if not points:
         raise FileFault("mission_file_no_waypoints", "there are no waypoints in it", format=format_name)

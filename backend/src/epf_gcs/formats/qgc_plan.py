@@ -12,18 +12,18 @@ from epf_gcs.codec.tables import Waypoint
 from epf_gcs.formats.mission_file import FileFault, MissionFile, Note, Place, Point, not_a_number, place_params, settle
 from epf_gcs.formats.units import ft_from_m, kt_from_m_s, m_from_ft, m_s_from_kt
 
-# MAV_CMD: a position to fly through, and the speed from then on.
+# MAV_CMD: a waypoint, one with a curved path, and a change of speed from there on.
 _WAYPOINT: Final = 16
 _SPLINE_WAYPOINT: Final = 82
 _CHANGE_SPEED: Final = 178
-# SPEED_TYPE: air and ground speed are how fast it flies; the others are how fast it climbs or sinks.
+# SPEED_TYPE: airspeed and ground speed; the other types are climb and descent speeds.
 _FLYING_SPEEDS: Final = (0, 1)
-# MAV_FRAME, each with its twin for integers.
+# MAV_FRAME, each with its variant for integer coordinates.
 _ABOVE_SEA: Final = (0, 5)
 _ABOVE_HOME: Final = (3, 6)
 _ABOVE_GROUND: Final = (10, 11)
 _COMMAND_FRAME: Final = 2
-# What the file wants to know and a plan of ours does not say: a fixed wing under any autopilot.
+# Values that the file requires and our plans do not have: fixed wing, generic autopilot.
 _FIXED_WING: Final = 1
 _GENERIC_AUTOPILOT: Final = 0
 _ABSOLUTE_MODE: Final = 2
@@ -32,7 +32,7 @@ _MOST_KINDS: Final = 8
 
 
 def write_plan(waypoints: Sequence[Waypoint]) -> bytes:
-    """A plan file: altitudes above mean sea level, a speed command before each waypoint whose speed is another."""
+    """A plan file: altitudes above mean sea level, a speed command before each waypoint at which the speed changes."""
     items: list[dict[str, Any]] = []
     speed_kt: float | None = None
     for waypoint in waypoints:
@@ -68,8 +68,8 @@ def write_plan(waypoints: Sequence[Waypoint]) -> bytes:
 def read_plan(data: bytes) -> MissionFile:
     """The waypoints of a plan file, with the speeds commanded before them. Raises FileFault.
 
-    Heights above home become altitudes with the file's planned home. Items that are no waypoint (take-off, landing,
-    surveys, camera) are left out and noted.
+    Heights above home become altitudes by adding the altitude of the file's planned home. Items that are not waypoints
+    (take-off, landing, surveys, camera) are left out and noted.
     """
     mission = _mission(data)
     reader = _Reader(mission.get("plannedHomePosition"))
@@ -80,7 +80,7 @@ def read_plan(data: bytes) -> MissionFile:
 
 
 class _Reader:
-    """Goes through the items in order, for a speed holds until the next."""
+    """Reads the items in order, because a commanded speed holds until the next one."""
 
     def __init__(self, home: object) -> None:
         self.points: list[Point] = []
@@ -91,7 +91,7 @@ class _Reader:
         self._above_ground = 0
 
     def take(self, item: object, place: Place) -> None:
-        """The next item."""
+        """Read the next item."""
         if not isinstance(item, dict):
             raise FileFault(
                 "mission_file_unreadable", f"{place} is no item", field="item", value="", **place_params(place)
@@ -110,7 +110,7 @@ class _Reader:
             self._skipped[str(command)[:30]] += 1
 
     def notes(self) -> list[Note]:
-        """What a person should know."""
+        """What the operator should know about the file."""
         found: list[Note] = []
         if self._skipped:
             kinds = ", ".join(list(self._skipped)[:_MOST_KINDS])
@@ -124,7 +124,7 @@ class _Reader:
 
     def _take_speed(self, parameters: list[Any], place: Place) -> None:
         speed_m_s = _number(parameters, 1, "speed", place)
-        # -1 leaves it, any other negative is the vehicle's own, which we do not know.
+        # -1 leaves the speed unchanged; any other negative value means the vehicle's default, which we do not know.
         if speed_m_s >= 0:
             self._speed_kt = kt_from_m_s(speed_m_s)
         elif speed_m_s != -1:

@@ -1,7 +1,7 @@
 """Terrain tiles as Cesium reads them (quantized-mesh 1.0), from a regular grid of heights.
 
-A grid and no simplified mesh: neighbours of one level have the same points on the edge that they share, so there is no
-crack between them; and the indices are the same for every tile and are packed once.
+A regular grid instead of a simplified mesh: neighbouring tiles of one level have the same points on their common edge,
+so there are no cracks between them; and the indices are the same for every tile and are packed once.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ import numpy as np
 import numpy.typing as npt
 
 CELLS: Final = 64
-"""Cells along each side of a tile; one more point than that."""
+"""Cells along each side of a tile, which has one point more."""
 
 Heights = npt.NDArray[np.float64]
 _Vectors = npt.NDArray[np.float64]
@@ -23,7 +23,7 @@ _Vectors = npt.NDArray[np.float64]
 _RADII_M: Final = np.array([6378137.0, 6378137.0, 6356752.314245179])
 _LARGEST: Final = 32767
 _HEADER: Final = struct.Struct("<3d2f3dd3d")
-# Where a tile is so wide that no point above it hides it all, it is never hidden.
+# Used as distance of the occlusion point for tiles so wide that no such point exists: they are never culled.
 _NEVER_HIDDEN: Final = 1e3
 
 
@@ -37,7 +37,7 @@ class TileBounds(NamedTuple):
 
 
 class _Grid(NamedTuple):
-    """What all tiles have in common. `order`: place in the grid (row by row from the south) of each vertex."""
+    """What all tiles have in common. `order`: index in the grid (row by row from the south) of each vertex."""
 
     order: npt.NDArray[np.int64]
     positions: bytes
@@ -45,7 +45,7 @@ class _Grid(NamedTuple):
 
 
 def tile_bounds(zoom: int, column: int, row: int) -> TileBounds:
-    """The rectangle of a tile: two of them at zoom 0, rows from the south."""
+    """The rectangle of a tile; zoom 0 has two tiles side by side, rows count from the south."""
     size_deg = 180.0 / (1 << zoom)
     return TileBounds(
         column * size_deg - 180.0, row * size_deg - 90.0, (column + 1) * size_deg - 180.0, (row + 1) * size_deg - 90.0
@@ -53,9 +53,9 @@ def tile_bounds(zoom: int, column: int, row: int) -> TileBounds:
 
 
 def tile_nodes(zoom: int, column: int, row: int) -> tuple[_Vectors, _Vectors]:
-    """Longitudes from the west and latitudes from the south of the grid's points.
+    """Longitudes from the west and latitudes from the south of the grid's points, in degrees.
 
-    A point on an edge has the same number, to the last bit, in both tiles that it belongs to.
+    A point on a common edge has exactly the same coordinates, to the last bit, in both tiles.
     """
     step_deg = 180.0 / (1 << zoom) / CELLS
     places = np.arange(CELLS + 1, dtype=np.float64)
@@ -63,7 +63,7 @@ def tile_nodes(zoom: int, column: int, row: int) -> tuple[_Vectors, _Vectors]:
 
 
 def encode_tile(zoom: int, column: int, row: int, heights_m: Heights) -> bytes:
-    """The tile. `heights_m`: one row of CELLS + 1 numbers for each latitude, from the south."""
+    """The tile as a file. `heights_m`: one row of CELLS + 1 numbers for each latitude, from the south."""
     grid = _grid()
     longitudes_deg, latitudes_deg = tile_nodes(zoom, column, row)
     lowest_m, highest_m = float(heights_m.min()), float(heights_m.max())
@@ -93,7 +93,7 @@ def _header(
 
 
 def earth_points(longitude_deg: _Vectors, latitude_deg: _Vectors, height_m: _Vectors) -> _Vectors:
-    """Rows of x (through Greenwich), y, z (through the pole) in metres, of heights above the ellipsoid."""
+    """Earth-fixed x (through Greenwich), y, z (through the pole) in metres; heights are above the ellipsoid."""
     longitude, latitude = np.radians(longitude_deg), np.radians(latitude_deg)
     flat = 1.0 - (_RADII_M[2] / _RADII_M[0]) ** 2
     normal_m = _RADII_M[0] / np.sqrt(1.0 - flat * np.sin(latitude) ** 2)
@@ -103,7 +103,7 @@ def earth_points(longitude_deg: _Vectors, latitude_deg: _Vectors, height_m: _Vec
 
 
 def _hiding_point(points_m: _Vectors, centre_m: _Vectors) -> _Vectors:
-    """A point, in radii of the ellipsoid, below the horizon only where all of the tile is."""
+    """The horizon occlusion point, in radii of the ellipsoid: if it is below the horizon, so is the whole tile."""
     scaled = points_m / _RADII_M
     towards = centre_m / _RADII_M
     length = float(np.linalg.norm(towards))
@@ -126,8 +126,8 @@ def _hiding_point(points_m: _Vectors, centre_m: _Vectors) -> _Vectors:
 
 @cache
 def _grid() -> _Grid:
-    """Two triangles a cell, anticlockwise from above; vertices numbered in the order in which they are first used, as
-    the format's way of packing indices wants it."""
+    """Two triangles per cell, anticlockwise seen from above. Vertices are numbered in the order of their first use,
+    which the format's high-water-mark encoding of indices requires."""
     side = CELLS + 1
     corner = (np.arange(CELLS)[:, None] * side + np.arange(CELLS)[None, :]).ravel()
     south_west, south_east, north_west, north_east = corner, corner + 1, corner + side, corner + side + 1
@@ -146,13 +146,13 @@ def _grid() -> _Grid:
 
 
 def _zigzag(values: npt.NDArray[np.int64]) -> bytes:
-    """Differences, with the sign in the lowest bit."""
+    """Differences of neighbouring values in zigzag encoding: the sign is in the lowest bit."""
     steps = np.diff(values, prepend=0)
     return ((steps << 1) ^ (steps >> 63)).astype("<u2").tobytes()
 
 
 def _below_highest(indices: npt.NDArray[np.int64]) -> bytes:
-    """Each index as what it is below the next new one."""
+    """High-water-mark encoding: each index as its distance below the next index not used so far."""
     is_new = np.zeros(indices.size, dtype=np.int64)
     is_new[np.unique(indices, return_index=True)[1]] = 1
     next_new = np.concatenate([[0], np.cumsum(is_new)[:-1]])

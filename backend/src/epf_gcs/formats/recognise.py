@@ -1,4 +1,4 @@
-"""From a file of any of the formats to a plan, and back."""
+"""Recognise the format of a plan file and read it; and the writers by format."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from epf_gcs.formats.qgc_plan import read_plan, write_plan
 from epf_gcs.formats.xml_tree import local, parse_xml
 
 MAX_FILE_BYTES: Final = 1_000_000
-"""A hundred waypoints are 50 kB in the longest of the formats; a recorded track of a day is larger, and no plan."""
+"""A hundred waypoints take 50 kB in the longest of the formats. A larger file, such as a day's track, is not a plan."""
 
 _ZIP: Final = b"PK\x03\x04"
 
@@ -33,7 +33,7 @@ WRITERS: Final[Mapping[Format, Callable[[str, Sequence[Waypoint]], bytes]]] = {
 
 
 def read_mission_file(name: str, data: bytes) -> MissionFile:
-    """The plan in a file; what it is, its first letters say. Raises InvalidInputError with the file's name."""
+    """The plan in a file, whose format is recognised by its first bytes. Raises InvalidInputError naming the file."""
     try:
         return _read(data)
     except FileFault as fault:
@@ -65,7 +65,7 @@ def _read_xml(root: Element) -> MissionFile:
 
 
 def _unpacked(data: bytes) -> bytes:
-    """The first KML of a KMZ, as Google Earth saves places. No more of it is unpacked than a plan may have."""
+    """The first KML of a KMZ, as Google Earth saves it; at most one byte more than MAX_FILE_BYTES is unpacked."""
     try:
         with zipfile.ZipFile(io.BytesIO(data)) as archive:
             inside = next(entry for entry in archive.infolist() if entry.filename.lower().endswith(".kml"))

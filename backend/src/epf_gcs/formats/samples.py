@@ -1,4 +1,4 @@
-"""Some points of a flown line as columns, for the writers of track files: one column is one fast operation."""
+"""Points of a flown line as numpy columns, which the writers of track files process fast."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ Column = npt.NDArray[np.float64]
 
 
 class Samples(NamedTuple):
-    """Unix time, place (degrees, metres above mean sea level) and attitude of as many points as each column is long.
+    """Columns of equal length: Unix time, position (degrees, metres above mean sea level) and attitude of each point.
 
-    Heading from true north, pitch nose up, roll right wing down; all three NaN where the attitude was not known.
+    Heading clockwise from true north; pitch + nose up, roll + right wing down; all three NaN if not known.
     """
 
     t_s: Column

@@ -1,4 +1,4 @@
-"""The header of the track's points as the page reads them; the points themselves are packed already."""
+"""The header before the packed track points that the page reads; the points themselves are already packed."""
 
 from __future__ import annotations
 

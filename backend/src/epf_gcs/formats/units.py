@@ -1,4 +1,4 @@
-"""What the files' units are in ours. The only place on this side where a file's unit is converted."""
+"""Conversions between the files' units and ours. The only place in the backend that converts units of files."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""XML of strangers: read without document types, entities or anything that an XML file can do to its reader."""
+"""XML from untrusted files: document types and entities, by which a file can attack its reader, are refused."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ EPF: Final = "urn:epf-gcs:mission:1"
 
 
 def parse_xml(data: bytes) -> Element:
-    """The root. Raises FileFault with the line of what is wrong."""
+    """The root element. Raises FileFault with the line of the error."""
     try:
         root: Element = fromstring(data, forbid_dtd=True)
     except DefusedXmlException as error:
@@ -37,12 +37,12 @@ def parse_xml(data: bytes) -> Element:
 
 
 def local(element: Element) -> str:
-    """The name without its namespace: versions of a format differ in that alone."""
+    """The name without its namespace, which differs between versions of a format."""
     return element.tag.rpartition("}")[2]
 
 
 def every(root: Element, name: str) -> Iterator[Element]:
-    """All elements of this name below, in the order of the file."""
+    """All elements of this name below `root`, in the order of the file."""
     return (element for element in root.iter() if local(element) == name)
 
 
@@ -58,23 +58,23 @@ def child_text(element: Element, name: str) -> str | None:
 
 
 def add(parent: Element, name: str, text: str | None = None, /, **attributes: str) -> Element:
-    """A new last child."""
+    """Append a child and return it."""
     made = SubElement(parent, name, attributes)
     made.text = text
     return made
 
 
 def xml_bytes(root: Element) -> bytes:
-    """A whole document. Its namespaces stand as plain attributes of the root: no prefix is made up for them."""
+    """A whole document. Namespaces are plain attributes of the root, so that the library invents no prefixes."""
     return bytes(tostring(root, encoding="UTF-8", xml_declaration=True))
 
 
 def decimal(value: float) -> str:
-    """Digits as XML's decimal wants them: never 1e-05, and no more than a double has."""
+    """The number as an XML decimal: without an exponent (1e-05 is not allowed), at most a double's digits."""
     text = f"{value:.12f}".rstrip("0").rstrip(".")
     return "0" if text == "-0" else text
 
 
 def plain(text: str) -> str:
-    """Text that XML and file names can hold: printable letters alone."""
+    """The text with only those characters that XML and file names can hold: printable ones."""
     return "".join(letter for letter in text if letter.isprintable()).strip()

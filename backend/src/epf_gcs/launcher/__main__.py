@@ -111,7 +111,7 @@ def run(
 
 
 class _StopRequest:
-    """Remembers that Ctrl-C or SIGTERM came; whoever waits asks now and then."""
+    """Remembers that Ctrl-C or SIGTERM came; polled while waiting."""
 
     def __init__(self) -> None:
         self.heard = False
@@ -124,7 +124,7 @@ class _StopRequest:
 
 @contextmanager
 def _alone(data: Path) -> Iterator[None]:
-    """Hold the data folder for this run: two boards on one line, or two recorders, would spoil each other."""
+    """Lock the data folder for this run: two boards on one line, or two recorders, would disturb each other."""
     try:
         data.mkdir(parents=True, exist_ok=True)
         opened = (data / "run.lock").open("w")

@@ -1,4 +1,4 @@
-"""One program of the demonstration: started in a process group of its own, logged, and surely stopped."""
+"""One program of the demonstration: started in its own process group, logged, and stopped, by force if it hangs."""
 
 import contextlib
 import ctypes
@@ -23,7 +23,7 @@ class Child:
     """A child process by pid. Its output goes to `<name>.log`, older output to `<name>.1.log`."""
 
     def __init__(self, name: str, command: Sequence[str], logs: Path, again: Sequence[str] | None = None) -> None:
-        """`again` is the command of every start but the first, where it is another."""
+        """`again` is the command of every restart, if it differs from that of the first start."""
         self.name = name
         self._command = tuple(command)
         self._again = self._command if again is None else tuple(again)
@@ -34,9 +34,9 @@ class Child:
             self.log_path.replace(self._older_log_path)
 
     def start(self) -> None:
-        """Start the program; raises LaunchError where it cannot be run at all."""
+        """Start the program; raises LaunchError if it cannot be run at all."""
         command = self._command if self._process is None else self._again
-        # Append: the lines of a program that died and is started again stay.
+        # Append, so that what a program logged before it died stays after its restart.
         with self.log_path.open("ab") as log:
             try:
                 self._process = subprocess.Popen(
@@ -62,7 +62,7 @@ class Child:
         return self._process.poll() if self._process else None
 
     def stop(self, timeout_s: float = STOP_TIMEOUT_S) -> bool:
-        """Stop the group, by force when it hangs; returns whether it went by itself."""
+        """Stop the process group, by SIGKILL if it hangs; returns False if it had to be killed."""
         if self._process is None:
             return True
         self._signal(signal.SIGTERM)
@@ -77,9 +77,9 @@ class Child:
         return True
 
     def turn_log_over(self, most_bytes: int = MOST_LOG_BYTES) -> None:
-        """Where the log has grown beyond this, keep its newest part as the older log and begin it anew.
+        """If the log is larger than this, copy its newest part to the older log and empty it.
 
-        The program goes on writing to the same file, at its end, which is its beginning then.
+        The program keeps the same file open for appending, so it continues at the start of the emptied file.
         """
         with contextlib.suppress(OSError):
             if self.log_path.stat().st_size <= most_bytes:
@@ -92,7 +92,7 @@ class Child:
                 log.truncate(0)
 
     def last_lines(self) -> str:
-        """The end of its log, to be shown where it failed."""
+        """The end of its log, to be shown after it failed."""
         with contextlib.suppress(OSError):
             with self.log_path.open("rb") as log:
                 log.seek(max(0, self.log_path.stat().st_size - _TAIL_BYTES))

@@ -1,4 +1,4 @@
-"""The demonstration's life: start the programs, close the loop, keep them running, stop them all."""
+"""Run the demonstration: start the programs, close the HIL loop, keep them running, stop them all."""
 
 import time
 from collections import deque
@@ -47,7 +47,8 @@ class Demonstration:
             self._start_with(simulator)
         except LaunchError:
             self.stop()
-            # Two that start at the same moment see the same ports free, and one of them comes too late.
+            # Two demonstrations started at the same moment find the same ports free, and one fails to bind them: if
+            # they are taken now, try once more with others.
             if all(free_udp_port(port) == port for port in (simulator.port, simulator.receive_port)):
                 raise
             self._start_with(self._embedded())
@@ -56,7 +57,7 @@ class Demonstration:
         options = self._options
         logs = options.data / "logs"
         logs.mkdir(parents=True, exist_ok=True)
-        # In the order of starting; they are stopped the other way round, the gateway first, because it
+        # In the order of starting. They are stopped in reverse order, the gateway first, because on its way out it
         # hands the controls back to the simulator and closes the board's binary mode.
         if options.board is None:
             self._children.append(Child("board", options.board_command(), logs))
@@ -76,7 +77,7 @@ class Demonstration:
             self._say("The board is a real one: its streams, plans and autopilot are left as they are.")
 
     def watch(self) -> None:
-        """Keep everything running until asked to stop; raises LaunchError where a program cannot be kept alive."""
+        """Keep everything running until asked to stop; raises LaunchError if a program ends again and again."""
         while not self._asked_to_stop():
             for child in self._children:
                 if (status := child.ended) is not None:
@@ -92,7 +93,7 @@ class Demonstration:
         self._children.clear()
 
     def _embedded(self) -> XPlane:
-        """The embedded simulator on the usual ports, or on others where those are taken: both ends are ours."""
+        """The embedded simulator on the usual ports, or on free ones if those are taken: we start both ends."""
         ports = free_udp_port(SIMULATOR_PORT), free_udp_port(STATION_PORT)
         for wanted, chosen in zip((SIMULATOR_PORT, STATION_PORT), ports, strict=True):
             if chosen != wanted:
@@ -100,7 +101,7 @@ class Demonstration:
         return XPlane(LOOPBACK, *ports)
 
     def _close_loop(self) -> None:
-        """Streams on, Gando loaded, and the board's autopilot flies the simulator."""
+        """Switch the streams on, load the Gando route, and have the board's autopilot fly the simulator."""
         gateway = self._gateway
         self._wait("the board answers", lambda status: status["board"]["state"] == "open" and _has_heartbeat(status))
         self._say("Loading the Gando route and closing the loop ...")
@@ -120,7 +121,7 @@ class Demonstration:
         self._gateway.wait(what, condition, _START_TIMEOUT_S, self._check)
 
     def _check(self) -> None:
-        """In every wait: nobody asked to stop, and nobody died."""
+        """Called during every wait: raises Stopped if asked to stop, LaunchError if a program has ended."""
         if self._asked_to_stop():
             raise Stopped
         for child in self._children:
@@ -139,8 +140,8 @@ class Demonstration:
         self._say(f"The {child.name} ended {_how(status)}: starting it again.")
         child.start()
         if child.name == "board":
-            # A board that was off has no plan and no autopilot; the gateway reopens the line by itself, unless
-            # somebody has closed it in the page: then there is nothing to command, and nothing to end a run for.
+            # A restarted board has no plan and its autopilot is off. The gateway reopens the line by itself, unless it
+            # was closed in the page: then the commands fail, which is shown but does not end the run.
             try:
                 self._close_loop()
             except LaunchError as error:

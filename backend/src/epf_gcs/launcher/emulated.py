@@ -1,4 +1,4 @@
-"""The board's image for its own processor, run by QEMU in the place of the demonstration's board."""
+"""The firmware image for the board's own processor, run by QEMU in place of the demonstration's board."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ if TYPE_CHECKING:
 
 QEMU: Final = "qemu-system-arm"
 _MACHINES: Final = {"qemu": ("stm32f405", "netduinoplus2"), "qemu-an386": ("mps2_an386", "mps2-an386")}
-"""What a person writes -> folder of the image, QEMU's name of the machine."""
+"""Value of --board -> folder of the image, QEMU's name of the machine."""
 _BUFFERED: Final = "stm32f405"
-"""Whose serial port asks QEMU's multiplexer for the next byte; the other one would never see what that holds."""
+"""The machine whose serial port fetches bytes buffered in QEMU's multiplexer; the other one never would."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,14 +29,14 @@ class EmulatedBoard:
 
     @classmethod
     def named(cls, board: str | None) -> Self | None:
-        """The one that `board` names, on a free port; None for everything else a board can be."""
+        """The emulated board that `board` names, on a free port; None if it names another kind of board."""
         if board not in _MACHINES:
             return None
         return cls(*_MACHINES[board], free_tcp_port())
 
     @property
     def url(self) -> str:
-        """What the gateway opens."""
+        """The address that the gateway opens."""
         return f"tcp://{LOOPBACK}:{self.port}"
 
     def command(self, firmware: Path, card: Path) -> list[str]:
@@ -54,7 +54,7 @@ class EmulatedBoard:
         return [
             *(program, "-M", self.machine, "-kernel", str(image), "-display", "none", "-monitor", "none"),
             *self._line(),
-            # A comma ends a value there, two are one.
+            # QEMU ends a value at a comma; a doubled comma stands for one.
             *("-semihosting-config", f"enable=on,target=native,arg=--card,arg={str(card).replace(',', ',,')}"),
         ]
 
@@ -64,8 +64,8 @@ class EmulatedBoard:
         words = ("-chardev", socket, "-serial", "chardev:line")
         if self.folder != _BUFFERED:
             return words
-        # QEMU's serial port takes one byte, and its main loop brings the next one only after the processor's program
-        # has taken that: two threads that wake each other for every byte were five sixths of a frame's way. The
-        # multiplexer holds 32 bytes between them. It would take a byte for its own commands, in the middle of a frame:
-        # this one does not exist.
+        # QEMU's serial port holds one byte, and its main loop passes the next one only after the firmware has read it:
+        # two threads that wake each other for every byte took five sixths of a frame's time. The multiplexer buffers
+        # 32 bytes between them. But it reads an escape byte as a command, even inside a frame: 256 is a value that no
+        # byte has.
         return ("-chardev", f"{socket},mux=on", *words[2:], "-echr", "256")

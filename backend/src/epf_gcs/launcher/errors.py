@@ -2,4 +2,4 @@
 
 
 class LaunchError(Exception):
-    """One sentence for the person at the terminal: which, why, what to do."""
+    """One sentence for the person at the terminal: what failed, why, and what to do."""

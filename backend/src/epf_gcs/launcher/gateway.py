@@ -1,4 +1,4 @@
-"""`epf-gcs`: the gateway as two processes, flight and web. Starts both, and starts again whichever dies."""
+"""`epf-gcs`: the gateway as two processes, flight and web. Starts both, and restarts either if it dies."""
 
 from __future__ import annotations
 
@@ -18,9 +18,9 @@ import typer
 from epf_gcs.errors import GatewayError
 from epf_gcs.listening import listen
 
-# A program that refuses its options ends with this, and would refuse them again.
+# Exit code of a program that refuses its options; a restart would fail in the same way.
 _REFUSED: Final = 2
-# The first restart comes at once, for in a flight each moment counts; one that dies again and again waits longer.
+# The first restart is immediate, because the aircraft may be in flight; repeated ones wait longer, up to this.
 _LONGEST_WAIT_S: Final = 5.0
 _LIVED_S: Final = 10.0
 _STOP_S: Final = 8.0
@@ -29,7 +29,7 @@ app = typer.Typer(add_completion=False, context_settings={"help_option_names": [
 
 
 class Part:
-    """One of the two processes. `again` is its command of every start but the first, where it is another."""
+    """One of the two processes. `again` is the command of every restart."""
 
     def __init__(
         self, name: str, command: Sequence[str], again: Sequence[str], stdin: int, files: Sequence[int] = ()
@@ -49,10 +49,10 @@ class Part:
         return self._quick_deaths == 1 and self._command == self._last
 
     def start(self) -> None:
-        """Start it. Its standard input is a pipe that only we hold open: when we die, it ends."""
+        """Start it. Only we hold the write end of its standard input, so it notices when we die, and ends."""
         self._last = self._command if self.process is None else self._again
         self._started_s = time.monotonic()
-        # A group of its own: a terminal's Ctrl-C comes to us alone, and we end both in their order.
+        # A process group of its own: a terminal's Ctrl-C reaches only us, and we end both in order.
         self.process = subprocess.Popen(self._last, stdin=self._stdin, pass_fds=self._files, process_group=0)
 
     def wait_s(self) -> float:
@@ -63,13 +63,13 @@ class Part:
         return 0.0 if self._quick_deaths <= 1 else min(_LONGEST_WAIT_S, 0.1 * 2.0**self._quick_deaths)
 
     def signal(self, number: int) -> None:
-        """Send a signal where it runs."""
+        """Send a signal if it runs."""
         if self.process is not None and self.process.poll() is None:
             self.process.send_signal(number)
 
 
 class Gateway:
-    """Both processes, and what holds them together."""
+    """Starts, restarts and ends both processes."""
 
     def __init__(self, flight: Part, web: Part) -> None:
         self._parts = (flight, web)
@@ -94,7 +94,7 @@ class Gateway:
         return 0
 
     def _revive(self, part: Part, code: int) -> bool:
-        """Start it again. False where that is no use: it refused its options, or could not begin at all."""
+        """Restart it. False if that is useless: it refused its options, or could not start at all."""
         if self._stopping:
             return True
         wait_s = part.wait_s()
@@ -188,7 +188,7 @@ def run(
         print(f"epf-gcs: {error.detail}", file=sys.stderr)
         raise typer.Exit(1) from error
     code = _gateway(listener, host, data_dir, page_dir, board, recording=recording, verbose=verbose).run()
-    # The interpreter's own end would only take time; both processes have ended.
+    # Both processes have ended.
     raise typer.Exit(code)
 
 
@@ -213,9 +213,9 @@ def _gateway(
         *(sys.executable, "-m", "epf_gcs.web", *common, "--host", host, "--fd", str(listener.fileno())),
         *([] if page_dir is None else ["--page-dir", str(page_dir)]),
     ]
-    # Started again, the flight process opens what was open when it died, not the board of the command line.
+    # After a restart the flight process opens what was open when it died, so only its first start gets --board.
     first = [*flight, *([] if board is None else ["--board", board])]
-    # The listening socket stays ours: while the web process is started again, browsers wait instead of being refused.
+    # We keep the listening socket open, so that browsers wait during a restart of the web process, and are not refused.
     return Gateway(Part("flight", first, flight, alive), Part("web", web, web, alive, [listener.fileno()]))
 
 

@@ -1,4 +1,4 @@
-"""The launcher's conversation with the gateway: its public interface over HTTP, nothing else."""
+"""The launcher's client of the gateway, which uses its public HTTP interface only."""
 
 import contextlib
 import json
@@ -20,7 +20,7 @@ Problem = dict[str, Any]
 
 
 class RefusedError(LaunchError):
-    """The gateway answered with a problem document; the message is its sentence."""
+    """The gateway answered with a problem document, whose `detail` is the message."""
 
     def __init__(self, request: str, problem: Problem) -> None:
         super().__init__(f"The gateway refused {request}: {problem.get('detail', 'it does not say why')}")
@@ -29,11 +29,11 @@ class RefusedError(LaunchError):
 
 
 class UnreachableError(LaunchError):
-    """Nobody answers at the gateway's address."""
+    """No answer from the gateway's address."""
 
 
 class GatewayClient:
-    """Requests to one gateway. Not for use through a proxy: it is on this computer."""
+    """Requests to one gateway. Proxy settings are ignored, because the gateway is on this computer."""
 
     def __init__(self, base_url: str) -> None:
         self._base_url = base_url
@@ -62,9 +62,9 @@ class GatewayClient:
         self._request("PUT", "/api/v1/hil", {"source": source, "path": path})
 
     def command(self, name: str, value: float | None = None) -> None:
-        """Give a command to the board, again where no answer came; raises LaunchError unless the board has taken it.
+        """Send a command to the board, again if no answer came; raises LaunchError unless the board has accepted it.
 
-        Only for commands that may as well come twice.
+        Only for commands that are idempotent: they may arrive twice.
         """
         body = {} if value is None else {"value": value}
         state = "timed_out"
@@ -79,7 +79,7 @@ class GatewayClient:
     ) -> Status:
         """Ask for the status until `condition` holds; `check` is called in between and may raise.
 
-        Raises LaunchError that says what was waited for in vain.
+        Raises LaunchError after the timeout, which says what was waited for.
         """
         deadline_s = time.monotonic() + timeout_s
         status: Status | None = None
@@ -96,9 +96,9 @@ class GatewayClient:
         raise LaunchError(f"Waited {timeout_s:.0f} s in vain until {what}; {seen}.")
 
     def _request(self, method: str, path: str, body: object = None) -> Status:
-        """One request. Where a page that was open already has the controls, it is made in that page's name:
+        """One request. If an open page has the controls, the request is repeated in that page's name.
 
-        both are the same person's, who has just started this.
+        Page and launcher belong to the same person, who has just started this.
         """
         try:
             return self._ask(method, path, body, {})

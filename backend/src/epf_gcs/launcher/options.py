@@ -9,7 +9,7 @@ from epf_gcs.launcher.emulated import EmulatedBoard
 from epf_gcs.launcher.errors import LaunchError
 from epf_gcs.launcher.ports import LOOPBACK
 
-# backend/src/launcher/options.py: the tree's root is three folders above the package.
+# This file is backend/src/epf_gcs/launcher/options.py: its fifth parent is the repository's root.
 ROOT: Final = Path(__file__).resolve().parents[4]
 FIRMWARE: Final = ROOT / "firmware"
 BOARD_PROGRAM: Final = FIRMWARE / "build" / "posix" / "epf-board"
@@ -23,7 +23,7 @@ EVERY_INTERFACE: Final = "0.0.0.0"  # noqa: S104 (only with --lan, which asks fo
 
 @dataclass(frozen=True, slots=True)
 class XPlane:
-    """An X-Plane of somebody's: where it receives, where this computer does, and its generation."""
+    """An X-Plane: the host and port that it receives on, the port that we receive on, and its generation."""
 
     host: str
     port: int = SIMULATOR_PORT
@@ -32,7 +32,7 @@ class XPlane:
 
     @classmethod
     def at(cls, address: str, receive_port: int, profile: str) -> Self:
-        """From `HOST` or `HOST:PORT`; raises LaunchError for what is neither."""
+        """From `HOST` or `HOST:PORT`; raises LaunchError for anything else."""
         host, colon, port = address.partition(":")
         if not host or (colon and not (port.isdecimal() and 0 < int(port) < 65536)):
             raise LaunchError(f"{address} is not the address of X-Plane: give HOST or HOST:PORT, as in 192.168.1.20.")
@@ -41,9 +41,9 @@ class XPlane:
 
 @dataclass(frozen=True, slots=True)
 class Options:
-    """One run. `board` and `xplane` are the real ones that take a demonstration part's place.
+    """One run. `board` and `xplane` are the real ones that replace the demonstration's board and simulator.
 
-    `emulated` is the demonstration's board too, as the image of its processor.
+    `emulated`: the demonstration's board runs as the image for its own processor, under QEMU.
     """
 
     board: str | None = None
@@ -69,7 +69,7 @@ class Options:
         return self.data / "board.pty"
 
     def board_url(self) -> str:
-        """What the gateway is to open: the demonstration's line, or the real board's device or address.
+        """The address that the gateway opens: the demonstration's line, or the real board's device or address.
 
         Raises LaunchError for what can be neither.
         """
@@ -88,7 +88,7 @@ class Options:
         return self.board
 
     def board_command(self) -> list[str]:
-        """Raises LaunchError where the firmware has not been built, or cannot be run."""
+        """The demonstration's board. Raises LaunchError if the firmware has not been built, or cannot be run."""
         card = self.data / "card"
         if self.emulated is not None:
             return self.emulated.command(FIRMWARE, card)
@@ -106,8 +106,8 @@ class Options:
     def gateway_command(self, *, first: bool) -> list[str]:
         """The gateway, which serves the page too.
 
-        It remembers its links. Only its first start is told the board, lest it opens for a moment the one of
-        another day; started again, it opens what was open when it died.
+        It remembers its links. Its first start gets the board's address, or it would briefly open the board of an
+        earlier run; a restart does not, because it opens what was open when it died.
         """
         return [
             *(sys.executable, "-m", "epf_gcs.launcher.gateway"),

@@ -1,4 +1,4 @@
-"""Which ports are free on the loopback, and who has the one that is not."""
+"""Which ports are free on the loopback, and which program has one that is taken."""
 
 import contextlib
 import errno
@@ -14,9 +14,9 @@ _LISTEN: Final = "0A"  # socket state in /proc/net/tcp
 
 
 def require_tcp_port(host: str, port: int) -> None:
-    """Raise LaunchError, naming who has it where that can be seen, unless the port can be listened on."""
+    """Raise LaunchError unless the port can be listened on; it names the program that has it, if that can be seen."""
     with socket.socket(socket.AF_INET, socket.SOCK_STREAM) as probe:
-        # As servers do: a port that only lingers after a stop is free.
+        # As servers do: a port that is only in TIME_WAIT after a stop counts as free.
         probe.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
         try:
             probe.bind((host, port))
@@ -25,7 +25,7 @@ def require_tcp_port(host: str, port: int) -> None:
 
 
 def free_udp_port(wanted: int) -> int:
-    """`wanted` where it is free on the loopback, else any other."""
+    """`wanted` if it is free on the loopback, else any other free port."""
     for port in (wanted, 0):
         with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe, contextlib.suppress(OSError):
             probe.bind((LOOPBACK, port))
@@ -45,7 +45,7 @@ def free_tcp_port() -> int:
 def lan_address() -> str | None:
     """The address other computers of the network reach this one at; None without a network. Sends nothing."""
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe, contextlib.suppress(OSError):
-        # Of an address for documentation, which is in no network: the way to it is the way out of this one.
+        # 192.0.2.1 is reserved for documentation and in no network, so the route to it is the default route.
         probe.connect(("192.0.2.1", 9))
         address: str = probe.getsockname()[0]
         return address
@@ -53,7 +53,7 @@ def lan_address() -> str | None:
 
 
 def listener_of(port: int) -> str | None:
-    """Name and process number of the program that listens on a TCP port; None where it cannot be seen."""
+    """Name and process number of the program that listens on a TCP port; None if that cannot be seen."""
     if sys.platform != "linux":
         return None
     inodes = _listening_inodes(port)

@@ -1,1 +1,1 @@
-"""Devices and sockets: the only code that touches one."""
+"""Devices and sockets of board and simulator: the only code that opens, reads and writes them."""

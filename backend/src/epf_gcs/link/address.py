@@ -17,9 +17,9 @@ Scheme = Literal["serial", "tcp", "pty", "emulation"]
 
 @dataclass(frozen=True, slots=True)
 class LinkAddress:
-    """Where the board is. `target` is a path or COM name, the host of a TCP address, or empty: there is none.
+    """Where the board is. `target` is a path, a COM name or the host of a TCP address; empty for the emulation.
 
-    `baud` is the speed of a serial line; on the other kinds it only scales the use of the line in percent.
+    `baud` is the speed of a serial line; for the other kinds it only serves to state the line's load in percent.
     """
 
     scheme: Scheme
@@ -29,7 +29,7 @@ class LinkAddress:
 
     @property
     def url(self) -> str:
-        """The one spelling of this address."""
+        """The canonical spelling of this address."""
         if self.scheme == "emulation":
             return f"{self.scheme}:"
         if self.scheme == "tcp":
@@ -43,22 +43,22 @@ class LinkAddress:
 
     @property
     def name(self) -> str:
-        """How a sentence names it."""
+        """The short name for messages."""
         return f"{self.target}:{self.port}" if self.scheme == "tcp" else self.target or self.url
 
     def same_device(self, other: LinkAddress) -> bool:
-        """Whether opening one needs the other closed."""
+        """Whether both are the same device, so that one must be closed before the other is opened."""
         return (self.scheme, self.target, self.port) == (other.scheme, other.target, other.port)
 
 
 EMULATION: Final = LinkAddress("emulation", "")
-"""No board: example values, for a look."""
+"""No board: example values."""
 
 
 def parse_address(text: str) -> LinkAddress:
     """Read an address; a plain path or COM name means a serial port.
 
-    Raises InvalidInputError with a sentence that says what is wrong with it.
+    Raises InvalidInputError, which says what is wrong with it.
     """
     text = text.strip()
     if len(text) > 500 or not text.isprintable():

@@ -1,4 +1,4 @@
-"""What every byte link can do, whatever carries it."""
+"""The interface of every byte link, for any kind of device."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from epf_gcs.errors import LinkError
 
 
 class Tap(Protocol):
-    """Sees every byte of a link before anybody interprets it."""
+    """Sees every byte of a link before it is decoded; the recorder is one."""
 
     def received(self, data: bytes) -> None:
         """Bytes as they came from the other side."""
@@ -24,20 +24,20 @@ class Link(Protocol):
 
     @property
     def baud(self) -> int:
-        """Bits per second of the line, 10 of them a byte; the reference for its use in percent."""
+        """Bits per second of the line (a byte takes 10 bits); the reference for its load in percent."""
 
     @property
     def backlog(self) -> int:
-        """Bytes written that have not left this machine yet, as far as the system tells."""
+        """Bytes written that have not left this machine yet, as far as the operating system reports it."""
 
     def start(self, callbacks: LinkCallbacks) -> None:
-        """Begin to read; until now the bytes waited in the system."""
+        """Begin to read; bytes that came before wait in the operating system's buffer."""
 
     def write(self, data: bytes) -> bool:
         """Send now, or queue what the system does not take. False: the queue is full, nothing was taken."""
 
     def close(self) -> None:
-        """Let the device go. No callback comes after this."""
+        """Close the device. No callback comes after this."""
 
 
 def _unknown() -> int:
@@ -46,10 +46,10 @@ def _unknown() -> int:
 
 @dataclass(frozen=True, slots=True)
 class LinkCallbacks:
-    """Whom a link tells. All are called on the event loop; `on_lost` at most once, and the link is closed by then.
+    """The callbacks of a link, all called on the event loop; `on_lost` at most once, after the link has closed.
 
-    `missing_bytes` is asked after each `on_bytes`: how many bytes must still come before it is worth being told of
-    them; 0 where nobody knows. A link may wait for them, and hand over less only when the line falls silent.
+    `missing_bytes` is asked after each `on_bytes`: how many bytes are still needed for a frame; 0 if unknown. A link
+    may wait until so many are there, and deliver fewer only when the line falls silent.
     """
 
     on_bytes: Callable[[bytes], None]
@@ -60,9 +60,9 @@ class LinkCallbacks:
 
 @dataclass(frozen=True, slots=True)
 class Device:
-    """An opened, non-blocking descriptor and how to look after it.
+    """An opened, non-blocking descriptor and the functions that belong to it.
 
-    `wait_for` has the system say "readable" only when so many bytes are there (1 to 255); None where it cannot.
+    `wait_for` makes the descriptor readable only when so many bytes are there (1 to 255); None if not supported.
     """
 
     name: str

@@ -11,18 +11,18 @@ from epf_gcs.errors import LinkError
 from epf_gcs.link.base import Device, LinkCallbacks, Tap
 from epf_gcs.link.failures import lost_error
 
-# More than a second of the fastest line; what is older than that helps nobody.
+# More than a second of the fastest line; older data would be useless to the board.
 _MAX_PENDING_BYTES: Final = 131072
-# A terminal gives no more at a time, and a larger buffer costs a new mapping for every few bytes.
+# A terminal returns no more per read, and each read into a larger buffer costs a memory mapping.
 _READ_BYTES: Final = 4096
-# The most that a terminal can be told to wait for.
+# The most bytes that a terminal can be told to wait for.
 _MOST_AWAITED: Final = 255
-# A line that fell silent before all came that was waited for: what is there is read after one to two of these.
+# If the line falls silent while we wait for more bytes, those already there are read after one to two times this.
 _PATIENCE_S: Final = 0.1
 
 
 def _nobody(_: object) -> None:
-    """Before `start` nobody listens."""
+    """The callback before `start`: ignore."""
 
 
 def _unknown() -> int:
@@ -30,10 +30,10 @@ def _unknown() -> int:
 
 
 class DescriptorLink:
-    """Reads when the descriptor is readable, straight from the event loop: no thread, no extra hop.
+    """Reads in the event loop's callback when the descriptor is readable: without a thread and its delay.
 
-    A frame comes in many pieces, and only the last makes it whole: where the system can, it wakes us for that one.
-    Made on a running loop. Implements `Link`.
+    A frame comes in many pieces, and only the last one completes it. Where the system supports it, we are woken for
+    the last one only. Made on a running loop. Implements `Link`.
     """
 
     def __init__(self, device: Device) -> None:
@@ -51,7 +51,7 @@ class DescriptorLink:
         self._patience: asyncio.TimerHandle | None = None
 
     def start(self, callbacks: LinkCallbacks) -> None:
-        """Begin to read; until now the bytes waited in the system."""
+        """Begin to read; bytes that came before wait in the operating system's buffer."""
         self._on_bytes = callbacks.on_bytes
         self._on_lost = callbacks.on_lost
         self._tap = callbacks.tap
@@ -65,17 +65,17 @@ class DescriptorLink:
 
     @property
     def backlog(self) -> int:
-        """Bytes of ours and of the kernel's queue that have not left yet."""
+        """Bytes in our queue and in the kernel's that have not left yet."""
         if self._closed:
             return 0
         return len(self._pending) + self._device.kernel_backlog()
 
     def write(self, data: bytes) -> bool:
-        """Write at once what the system takes and queue the rest, whole messages only."""
+        """Write at once what the system takes and queue the rest; False if the whole of it does not fit."""
         if self._closed or len(self._pending) + len(data) > _MAX_PENDING_BYTES:
             return False
         if self._awaited > 1 and self._missing_bytes() < 1:
-            # What comes is not what was waited for any more: the answer may be short.
+            # The bytes that we waited for are no longer expected; the answer to this write may be shorter.
             self._await_any()
         written = 0
         if not self._pending:
@@ -95,7 +95,7 @@ class DescriptorLink:
         return True
 
     def close(self) -> None:
-        """Let the device go; what is still queued is dropped."""
+        """Close the device; what is still queued is dropped."""
         if self._closed:
             return
         self._closed = True
@@ -124,7 +124,7 @@ class DescriptorLink:
             self._await_rest(self._wait_for)
 
     def _await_rest(self, wait_for: Callable[[int], None]) -> None:
-        """Be woken when what is missing can be here, and not for each of its pieces."""
+        """Be woken only when all bytes missing to a frame can be there, not for each piece of it."""
         self._has_read = True
         missing = self._missing_bytes()
         awaited = 1 if missing < 1 else min(missing, _MOST_AWAITED)
@@ -136,7 +136,7 @@ class DescriptorLink:
             self._patience = self._loop.call_later(_PATIENCE_S, self._look_for_silence)
 
     def _look_for_silence(self) -> None:
-        """Where nothing was read since the last look, take what is there: the rest may never come."""
+        """If nothing was read since the last look, stop waiting and read what is there: the rest may never come."""
         self._patience = None
         if self._awaited == 1:
             return

@@ -1,4 +1,4 @@
-"""One table from what the system says to what a person can do about it."""
+"""One table from the operating system's errors to sentences that tell a person what to do."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ def link_error(name: str, error: OSError) -> LinkError:
 
 
 def unexpected_error(name: str, error: Exception) -> LinkError:
-    """The sentence for whatever else stood in the way of opening: never a reason to give a line up."""
+    """The sentence for any other exception while opening; opening is retried after it as after every LinkError."""
     if isinstance(error, LinkError):
         return error
     if isinstance(error, OSError):
@@ -70,7 +70,7 @@ def unexpected_error(name: str, error: Exception) -> LinkError:
 
 
 def lost_error(name: str, reason: str) -> LinkError:
-    """The sentence for a link that worked and is gone."""
+    """The sentence for an open link that was lost."""
     return LinkError(
         "link_lost",
         f"The line to {name} was lost ({reason}): check cable and power; it is opened again as soon as it is back.",

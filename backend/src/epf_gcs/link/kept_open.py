@@ -1,6 +1,6 @@
-"""Keep one thing of a kind open: open it, notice its loss, back off, open it again, close it.
+"""Keep one device or socket open: open it, notice its loss, back off, open it again, close it.
 
-The only place that retries. What is opened, and what is done with it, comes in from outside.
+The only place that retries. How to open it, and what to do with it, is passed in as `Handling`.
 """
 
 from __future__ import annotations
@@ -15,22 +15,22 @@ from typing import Final, Generic, Protocol, Self, TypeVar
 from epf_gcs.errors import GatewayError, LinkError
 from epf_gcs.link.failures import unexpected_error
 
-# Quick at first, for a plug that only wobbled; then once a second, which nobody notices on an idle machine.
+# Quick at first, for a plug with a loose contact; then once a second, which costs an idle machine next to nothing.
 _FIRST_RETRY_S: Final = 0.1
 _LAST_RETRY_S: Final = 1.0
-# What was lost sooner than this counts as not opened: a peer that hangs up at once is not asked without a pause.
+# A link that lasted less than this counts as failed to open: a peer that hangs up at once is retried with pauses.
 _LASTED_S: Final = 1.0
 
 
 class Address(Protocol):
-    """What is to be open."""
+    """The address of what is to be kept open."""
 
     @property
     def name(self) -> str:
-        """How a sentence names it."""
+        """The short name for messages."""
 
     def same_device(self, other: Self) -> bool:
-        """Whether opening one needs the other closed."""
+        """Whether both are the same device, so that one must be closed before the other is opened."""
 
 
 A = TypeVar("A", bound=Address)
@@ -42,7 +42,7 @@ async def _stays(address: A) -> A:
 
 
 async def _nothing(_: object) -> None:
-    """Nothing is left to do."""
+    """The default of `settle`: nothing to do."""
 
 
 async def _wait(event: asyncio.Event, at_most_s: float) -> None:
@@ -53,11 +53,12 @@ async def _wait(event: asyncio.Event, at_most_s: float) -> None:
 
 @dataclass(frozen=True, slots=True)
 class Handling(Generic[A, L]):
-    """What is done with what is opened.
+    """How to open a link, and what to do when its state changes.
 
-    `find`: where the wanted one is now; asked before each attempt but the operator's own. `begin`: it is open, use it.
-    `settle`: what may take its time after `begin`. `end`: leave the other side as it should be, and close.
-    `gone`: it was lost and is closed already. `report` hears why; `changed`: the state may be another now.
+    `find`: the present address of the wanted device; called before each automatic attempt, not before `KeptOpen.open`.
+    `begin`: the link is open, use it. `settle`: slower work after `begin`. `end`: leave the other side in order, then
+    close. `gone`: the link was lost and is already closed. `report`: the reason of a failure. `changed`: the state may
+    have changed.
     """
 
     open: Callable[[A], Awaitable[L]]
@@ -71,9 +72,9 @@ class Handling(Generic[A, L]):
 
 
 class KeptOpen(Generic[A, L]):
-    """Made once for each line. `address` is what is wanted, None after a close; `link` is what is open.
+    """Keeps one link open. `address` is the wanted one, None after a close; `link` is the open one, None if not open.
 
-    `failure` is why it is not open, None while nothing failed; `reopened` counts what `run` opened.
+    `failure` is why it is not open, None if nothing failed; `reopened` counts the links that `run` opened.
     """
 
     def __init__(
@@ -95,9 +96,9 @@ class KeptOpen(Generic[A, L]):
         self.reopened = 0
 
     async def open(self, address: A) -> None:
-        """Open this in place of any other. Raises LinkError; then what was wanted stays wanted.
+        """Open this in place of any other. Raises LinkError; then the former address stays wanted.
 
-        Where it is the same device as before, that is closed first; if opening then fails, `run` opens it again.
+        If both are the same device, the old link is closed first; if opening then fails, `run` opens the old one again.
         """
         async with self._lock:
             previous = self.address
@@ -115,12 +116,12 @@ class KeptOpen(Generic[A, L]):
             await self._do.settle(address)
 
     def want(self, address: A) -> None:
-        """Open this as soon as it can be done; for the start, when nobody waits for an answer."""
+        """Have `run` open this as soon as possible; for the start of the program, when nobody waits for an answer."""
         self.address = address
         self._call()
 
     async def close(self) -> None:
-        """Let it go and stay closed."""
+        """Close the link and keep it closed."""
         async with self._lock:
             self.address = None
             self.failure = None
@@ -128,11 +129,11 @@ class KeptOpen(Generic[A, L]):
             self._do.changed()
 
     def shut_down(self) -> None:
-        """The program ends: let it go. What was wanted stays wanted."""
+        """The program ends: close the link, but keep the wanted address."""
         self._let_go()
 
     def lose(self, error: LinkError) -> None:
-        """What is open was lost, and closed itself."""
+        """The open link was lost and has closed itself."""
         self.link = None
         self._do.gone()
         self.failure = error
@@ -143,14 +144,14 @@ class KeptOpen(Generic[A, L]):
         self._wake.set()
 
     async def run(self) -> None:
-        """Open whatever is wanted and not open; runs as long as the program. May be run again after a fault."""
+        """Open the wanted link whenever it is not open, until cancelled. May be run again after an exception."""
         while True:
             self._wake.clear()
             if self.address is None or self.link is not None:
                 await self._wake.wait()
                 continue
             if self._pause_s:
-                # A new wish does not wait for the end of the pause.
+                # A newly wanted address ends the pause.
                 await self._wait(self._wake, self._pause_s)
             await self._reopen()
 
@@ -159,7 +160,7 @@ class KeptOpen(Generic[A, L]):
         return min(_LAST_RETRY_S, max(_FIRST_RETRY_S, 2.0 * self._pause_s))
 
     def _call(self) -> None:
-        """Have `run` open it at once."""
+        """Make `run` open it at once."""
         self._pause_s = 0.0
         self._wake.set()
 
@@ -190,7 +191,7 @@ class KeptOpen(Generic[A, L]):
             raise unexpected_error(wanted.name, error) from error
 
     async def _try(self, address: A) -> L:
-        """Open it once. Whatever goes wrong is a LinkError: no fault of a name or of the system ends the retries."""
+        """Open it once. Every exception becomes a LinkError, so that nothing ends the retries."""
         try:
             return await self._do.open(address)
         except LinkError:
@@ -206,7 +207,7 @@ class KeptOpen(Generic[A, L]):
         try:
             self._do.begin(address, link)
         except BaseException:
-            # A fault of ours: whoever runs this logs it and runs it again, and then it is opened anew.
+            # A programming error in `begin`: the caller of `run` logs it and runs it again, which reopens the link.
             self._let_go()
             self._pause_s = _LAST_RETRY_S
             self._wake.set()

@@ -1,4 +1,4 @@
-"""The serial ports of this machine, and which of them is a device that we knew under another name."""
+"""The serial ports of this machine, and where a known USB device is after it got another port name."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from serial.tools.list_ports_common import ListPortInfo
 
 @dataclass(frozen=True, slots=True)
 class SerialPort:
-    """A port as a person would recognise it. `identity` names the USB device behind it, wherever it is plugged in."""
+    """A port and its description. `identity` names the USB device (vendor, product, serial number) on any port."""
 
     path: str
     description: str
@@ -18,7 +18,7 @@ class SerialPort:
 
 
 def list_serial_ports() -> list[SerialPort]:
-    """All ports now, in the order of their names."""
+    """All ports present now, sorted by name."""
     found = [
         SerialPort(port.device, _describe(port.description, port.manufacturer), _identity(port))
         for port in list_ports.comports()
@@ -27,12 +27,12 @@ def list_serial_ports() -> list[SerialPort]:
 
 
 def find_identity(path: str) -> str | None:
-    """Who is behind this path, where that can be told."""
+    """The identity of the device at this path; None if unknown."""
     return next((port.identity for port in list_serial_ports() if port.path == path), None)
 
 
 def find_path(identity: str) -> str | None:
-    """Where a known device is now."""
+    """The path at which a known device is now; None if it is not there."""
     return next((port.path for port in list_serial_ports() if port.identity == identity), None)
 
 

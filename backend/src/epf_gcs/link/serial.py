@@ -20,15 +20,15 @@ from epf_gcs.link.address import LinkAddress
 from epf_gcs.link.base import Device
 from epf_gcs.link.failures import link_error
 
-# The system's own settings structure, and in it the least number of bytes that a read waits for.
+# Size of Linux's struct termios (with room to spare), and in it the place of VMIN, the bytes that a read waits for.
 _SETTINGS_BYTES: Final = 64
 _VMIN_PLACE: Final = 17 + termios.VMIN
-# A change that stays in this machine takes 3 us; one that goes over USB ten times this.
+# A change of settings takes 3 us inside this machine, and ten times this limit if it goes over USB.
 _CHEAP_S: Final = 50e-6
 
 
 def open_serial(address: LinkAddress) -> Device:
-    """Open a serial port for ourselves alone, 8N1, no flow control. Raises LinkError."""
+    """Open a serial port for exclusive use, 8N1, without flow control. Raises LinkError."""
     try:
         port = serial.Serial(
             address.target, address.baud, timeout=0, write_timeout=0, exclusive=True, xonxoff=False, rtscts=False
@@ -37,7 +37,7 @@ def open_serial(address: LinkAddress) -> Device:
         raise link_error(address.target, _as_os_error(error)) from error
     except (OSError, ValueError, termios.error) as error:
         raise link_error(address.target, _as_os_error(error)) from error
-    # Adapters collect bytes for 16 ms unless told not to; those that cannot be told say so by an error.
+    # USB adapters collect bytes for 16 ms unless set to low latency; those without this setting raise an error.
     with contextlib.suppress(OSError, ValueError, NotImplementedError):
         port.set_low_latency_mode(True)
     fd = port.fileno()
@@ -46,7 +46,7 @@ def open_serial(address: LinkAddress) -> Device:
 
 
 def open_pty(address: LinkAddress) -> Device:
-    """Open the slave side of a pseudo-terminal in raw mode, for ourselves alone. Raises LinkError."""
+    """Open the slave side of a pseudo-terminal in raw mode, for exclusive use. Raises LinkError."""
     try:
         fd = os.open(address.target, os.O_RDWR | os.O_NOCTTY | os.O_NONBLOCK)
     except OSError as error:
@@ -57,16 +57,16 @@ def open_pty(address: LinkAddress) -> Device:
     except (OSError, termios.error) as error:
         os.close(fd)
         raise link_error(address.target, _as_os_error(error)) from error
-    # What is written to a pseudo-terminal is at the other side at once.
+    # A pseudo-terminal delivers at once, so its kernel backlog is 0.
     return Device(address.target, fd, address.baud, lambda: os.close(fd), lambda: 0, waiter(fd))
 
 
 def waiter(fd: int) -> Callable[[int], None] | None:
-    """What has the terminal count as readable only when so many bytes are there; None where that is not to be had.
+    """A function that makes the terminal readable only when so many bytes are there; None if not supported or slow.
 
-    It is a setting of the terminal, VMIN, which reaches the driver with all the others. Most drivers see that nothing
-    of theirs changed. Some (FTDI's) send control messages over USB all the same and make us wait for them: that shows
-    in the time that it takes, and for those it is left alone.
+    It sets VMIN. The system passes all settings to the driver each time. Most drivers notice that none of theirs has
+    changed; some (FTDI's) still send control messages over USB and block us meanwhile. So the time of a change is
+    measured first, and None returned if it is too long.
     """
     if sys.platform != "linux":
         return None
@@ -74,7 +74,7 @@ def waiter(fd: int) -> Callable[[int], None] | None:
 
     def wait_for(count: int) -> None:
         settings[_VMIN_PLACE] = count
-        # Where the device is gone, the next read says so.
+        # If the device is gone, the next read reports it.
         with contextlib.suppress(OSError):
             fcntl.ioctl(fd, termios.TCSETS, settings)
 
@@ -85,7 +85,7 @@ def waiter(fd: int) -> Callable[[int], None] | None:
             begun_s = time.perf_counter()
             wait_for(count)
             took_s.append(time.perf_counter() - begun_s)
-        # The place in the settings is that of nearly all machines: see that it is that of this one.
+        # VMIN's place in the structure is the same on nearly all architectures: check it on this one.
         works = termios.tcgetattr(fd)[6][termios.VMIN] == 2
         wait_for(1)
     except (OSError, termios.error):
@@ -103,7 +103,7 @@ def _waiting_to_leave(fd: int) -> int:
 
 
 def _as_os_error(error: BaseException) -> OSError:
-    """The system's own error inside what pyserial and termios raise, which keep it in different places."""
+    """The system's error number from the exceptions of pyserial and termios, which keep it in different places."""
     number = error.errno if isinstance(error, OSError) else error.args[0] if error.args else None
     if isinstance(number, int):
         return OSError(number, os.strerror(number))

@@ -14,11 +14,11 @@ from epf_gcs.link.address import LinkAddress
 from epf_gcs.link.base import Device
 from epf_gcs.link.failures import link_error
 
-# For all addresses of a host together, as long as each gets the least.
+# Shared by all addresses of a host, but each gets at least `_LEAST_TIMEOUT_S`.
 _CONNECT_TIMEOUT_S: Final = 3.0
 _LEAST_TIMEOUT_S: Final = 1.0
 _NO_WAY: Final = (errno.EADDRNOTAVAIL, errno.EAFNOSUPPORT, errno.ENETUNREACH)
-# A peer that vanished without a word is noticed after this long with unanswered data.
+# The connection counts as lost when sent data was not acknowledged by TCP for this long.
 _DEAD_PEER_MS: Final = 5000
 
 SocketAddress = tuple[Any, ...]
@@ -48,7 +48,7 @@ async def open_tcp(address: LinkAddress, look_up: Resolve = _look_up) -> Device:
             failures.append(error)
         else:
             return Device(address.name, connection.fileno(), address.baud, connection.close, lambda: 0)
-    # An address that this machine has no way to says nothing of the host.
+    # That this machine has no route to an address says nothing about the host: prefer another address's error.
     telling = [error for error in failures if error.errno not in _NO_WAY]
     cause = (telling or failures or [OSError(errno.EADDRNOTAVAIL, "no address")])[0]
     raise link_error(address.name, cause) from cause
@@ -71,7 +71,7 @@ async def _connect(family: int, where: SocketAddress, timeout_s: float) -> socke
 
 
 def _in_turn(found: list[Found]) -> list[tuple[int, SocketAddress]]:
-    """The system's order, but the kinds of address take turns: a kind that leads nowhere costs one wait, not all."""
+    """The system's order, but IPv4 and IPv6 alternate: if one of them does not work, only one timeout is lost first."""
     waiting: dict[int, list[SocketAddress]] = {}
     for family, _, _, _, where in found:
         if where not in waiting.setdefault(family, []):

@@ -1,8 +1,8 @@
-"""The datagram sockets to the flight simulator, and who may be heard on them.
+"""The datagram sockets to the flight simulator, and which sender is accepted on them.
 
-The first sender on the simulator's host whose datagram is one is pinned: address and port. From then on a socket that
-is connected to it hears nothing else, so that the system itself keeps others out of its queue; those end up at the
-door, the socket that is open to all, where they are counted a few at a time and dropped.
+The first sender on the simulator's host that sends a simulator's datagram is pinned: its address and port. From then
+on it has a socket connected to it alone (the ear), so that the kernel keeps other senders out of that queue. Their
+datagrams arrive at the socket that is open to all (the door), where they are counted, a few at a time, and dropped.
 """
 
 from __future__ import annotations
@@ -24,20 +24,21 @@ from epf_gcs.link.failures import link_error
 
 # All rows that a simulator has are 5 kB.
 _MAX_DATAGRAM_BYTES: Final = 16384
-# A datagram longer than this holds a whole frame of the simulator: nothing else is waiting behind it.
+# A datagram longer than this holds a whole frame of the simulator, so no other is expected right behind it.
 _LONG_BYTES: Final = 128
 # Datagrams taken in one go; a flood must not keep the loop from everything else.
 _BURST: Final = 16
-# While the pinned sender is heard on a socket of its own, the door is looked at so often: 320 strangers a second.
+# Pause between reads of the door while strangers send and the pinned sender has its own socket: with `_BURST`, at most
+# 320 strangers' datagrams are read in a second.
 _DOOR_PAUSE_S: Final = 0.05
-# What may wait at the door when a sender is pinned; taken at once, so that nothing of it is overtaken.
+# Most datagrams read from the door after pinning a sender: those queued there are older than those at its own socket.
 _QUEUED: Final = 256
-# The pin may move when the pinned sender was silent for this long. Longer than the second after which the simulator
-# counts as lost, so that nobody takes over unseen; shorter than any simulator needs to start anew on another port.
+# Another sender may be pinned after the pinned one was silent for this long. Longer than the second after which the
+# simulator counts as lost, so that no sender takes over unnoticed; shorter than a simulator's restart on another port.
 _PIN_S: Final = 2.0
 _ANCILLARY_BYTES: Final = 64
 _NO_SUCH_FAMILY: Final = (errno.EAFNOSUPPORT, errno.EADDRNOTAVAIL)
-# Linux tells with each datagram how many were dropped before it because the queue was full. Python has no name for it.
+# SO_RXQ_OVFL, which Python does not name: with each datagram Linux reports how many a full queue dropped before it.
 _DROP_COUNTER: Final = 40 if sys.platform == "linux" else None
 
 SocketAddress = tuple[Any, ...]
@@ -60,10 +61,10 @@ def _anything(_: bytes) -> bool:
 
 @dataclass(frozen=True, slots=True)
 class UdpCallbacks:
-    """Whom the sockets tell, on the event loop.
+    """The callbacks of the sockets, all called on the event loop.
 
-    `on_strangers` hears who sent the newest of so many dropped datagrams. `belongs` tells whether a datagram is one of
-    a simulator; it is asked only where that decides who is pinned. What a stranger sends the tap does not see.
+    `on_strangers` gets the number of datagrams dropped and the sender of the newest. `belongs` tells whether a datagram
+    is a simulator's; it is asked only to decide whether to pin the sender. The tap does not see strangers' datagrams.
     """
 
     on_datagram: Callable[[bytes], None]
@@ -82,9 +83,9 @@ async def open_udp(
     look_up: Resolve = _look_up,
     now_s: Callable[[], float] = time.monotonic,
 ) -> UdpLink:
-    """Bind the receive port: on the loopback alone where the simulator is there. Raises LinkError.
+    """Bind the receive port, on the loopback alone if the simulator's address is one. Raises LinkError.
 
-    A name may have addresses of both kinds, as localhost has: then both are listened to.
+    If the host's name has IPv4 and IPv6 addresses, as localhost has, both are bound.
     """
     try:
         found = list(await look_up(address.send_host, address.send_port))
@@ -142,7 +143,7 @@ class UdpLink:
     ) -> None:
         self._doors = doors
         self._known_hosts = frozenset(str(where[0]) for _, where in peers)
-        # Until one of them is heard nobody knows which it is: then all are sent to.
+        # All addresses of the host are sent to until a datagram shows which one the simulator uses.
         self._send_to = peers
         self._send_port = int(peers[0][1][1])
         self._callbacks = callbacks
@@ -167,11 +168,11 @@ class UdpLink:
 
     @property
     def pinned(self) -> str | None:
-        """Host and port of the sender that is heard, None before the first datagram."""
+        """Host and port of the accepted sender, None before its first datagram."""
         return None if self._pinned is None else _spelled(self._pinned)
 
     def send(self, datagram: bytes) -> bool:
-        """Send now or not at all; a datagram that cannot leave is counted, not kept."""
+        """Send at once; a datagram that cannot be sent is counted and dropped."""
         if self._closed:
             return False
         sent = False
@@ -186,7 +187,7 @@ class UdpLink:
         return sent
 
     def close(self) -> None:
-        """Let the port go. No callback comes after this."""
+        """Close the sockets. No callback comes after this."""
         if self._closed:
             return
         self._closed = True
@@ -209,7 +210,7 @@ class UdpLink:
                 # Nothing more to read, or an ICMP complaint about something that we sent.
                 return
             if sender != self._pinned:
-                # It came between the socket's binding and its connecting.
+                # It was queued between this socket's bind and its connect.
                 self._callbacks.on_strangers(_spelled(sender), 1)
                 continue
             self._ear_heard = True
@@ -218,7 +219,7 @@ class UdpLink:
                 return
 
     def _look_at_door(self, family: int) -> None:
-        """Anybody's datagrams: find the simulator among them, count the others."""
+        """The door is readable: pass on the simulator's datagrams, count and drop the others."""
         door = self._doors[family]
         left, was_pinned_here = _BURST, False
         strangers, last = 0, None
@@ -258,13 +259,16 @@ class UdpLink:
         self._callbacks.on_datagram(datagram)
 
     def _doubt_ear(self, *, is_queued: bool) -> None:
-        """The pinned sender is at the door: it sends to an address of ours that its own socket does not have."""
+        """The pinned sender's data came to the door: it sends to another address of ours than its own socket has.
+
+        Then its own socket is given up, unless the datagram was queued at the door before that socket existed.
+        """
         if self._ear is not None and not self._ear_heard and not is_queued:
             self._may_have_ear = False
             self._drop_ear()
 
     def _newly_dropped(self, family: int, ancillary: list[tuple[int, int, bytes]]) -> int:
-        """Datagrams that the system dropped at this door since the last one; strangers' while an ear is there."""
+        """Strangers' datagrams that a full queue dropped at this door since the last look; 0 while there is no ear."""
         for level, kind, data in ancillary:
             if level == socket.SOL_SOCKET and kind == _DROP_COUNTER:
                 dropped = int.from_bytes(data[:4], sys.byteorder)
@@ -273,7 +277,7 @@ class UdpLink:
         return 0
 
     def _pin(self, family: int, sender: SocketAddress) -> None:
-        """This is the simulator from now on: hear it on a socket of its own, and answer its host."""
+        """Accept this sender as the simulator: receive it on a socket of its own, send to its host alone."""
         self._drop_ear()
         self._ear_heard = False
         self._pinned = sender
@@ -290,7 +294,7 @@ class UdpLink:
             ear.close()
 
     def _pause(self, family: int) -> None:
-        """Strangers are at the door and the simulator has another: they can wait."""
+        """Stop reading the door for a moment: only strangers send there, the simulator has its own socket."""
         self._loop.remove_reader(self._doors[family].fileno())
         self._pauses[family] = self._loop.call_later(_DOOR_PAUSE_S, self._resume, family)
 
@@ -299,9 +303,9 @@ class UdpLink:
 
 
 def _connected(door: socket.socket, sender: SocketAddress) -> socket.socket | None:
-    """A second socket on the door's port that hears `sender` alone; None where the system has no such thing.
+    """A second socket on the door's port that receives from `sender` alone; None if the system does not support it.
 
-    The port is shared only for as long as this takes: another program that wants it is still told that it is taken.
+    The port may be shared only while this runs, so another program that binds it later is still told that it is taken.
     """
     if sys.platform != "linux":
         return None

@@ -1,6 +1,6 @@
 """The flying aircraft: a JSBSim model, commanded and read in X-Plane's signs and units.
 
-Everything that bites in JSBSim is dealt with here: geodetic latitude, the order of the start (run_ic,
+JSBSim's pitfalls are handled here: geodetic latitude, the order of the start (run_ic,
 engines, throttle), the engine that has to spin up before the first instant, opposite signs of
 elevator and rudder, and angles of attack that are noise when the aircraft stands.
 """
@@ -100,9 +100,9 @@ class Motion:
 
 
 class Airframe:
-    """One aircraft in flight; `step` moves it on by 1/200 s.
+    """One aircraft in flight; `step` advances it by 1/200 s.
 
-    Raises AirframeError where JSBSim refuses the model or the situation.
+    Raises AirframeError if JSBSim refuses the model or the situation.
     """
 
     def __init__(
@@ -130,14 +130,14 @@ class Airframe:
         fdm["fcs/aileron-cmd-norm"] = controls.aileron
         fdm["fcs/rudder-cmd-norm"] = -controls.rudder
         fdm["fcs/throttle-cmd-norm"] = controls.throttle
-        # X-Plane's toe brakes are on no row: they are held while the throttle is closed, or an idling propeller
-        # would pull a parked aircraft away.
+        # No row carries X-Plane's toe brakes, so they are held while the throttle is closed; otherwise an idling
+        # propeller would pull a parked aircraft away.
         brake = _BRAKE if controls.throttle < _BRAKE_BELOW_THROTTLE else 0.0
         fdm["fcs/left-brake-cmd-norm"] = brake
         fdm["fcs/right-brake-cmd-norm"] = brake
 
     def step(self, steps: int = 1) -> None:
-        """Fly on by `steps` times 1/200 s; raises AirframeError where the model breaks down."""
+        """Advance by `steps` times 1/200 s; raises AirframeError if the model fails."""
         try:
             for _ in range(steps):
                 self._fdm.run()
@@ -226,7 +226,7 @@ class Airframe:
         """Run the engine to its steady speed while the aircraft stands still in mid-air.
 
         A propeller's speed cannot be set from outside, and without it the first second of flight has no thrust.
-        The still aircraft does not turn with the Earth: `_begin` puts it as far east as it will be left behind.
+        Meanwhile the aircraft does not turn with the Earth, so `_begin` places it further east by what the Earth turns.
         """
         fdm = self._fdm
         fdm["propulsion/set-running"] = -1
@@ -237,7 +237,7 @@ class Airframe:
         self.step(round(self._model.engine_settle_s * STEP_HZ))
         for name, value in usual.items():
             fdm[name] = value
-        # Only now: turbulence would use up random numbers at a standstill.
+        # Turbulence starts only now, because during the spin-up it would use up random numbers.
         fdm["atmosphere/turbulence/milspec/severity"] = self._severity
 
     def _getter(self, path: str) -> Callable[[], float]:

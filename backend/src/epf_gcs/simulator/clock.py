@@ -4,8 +4,8 @@
 class Schedule:
     """Frames at fixed instants from a start. The time is passed in [s, any monotonic clock].
 
-    A frame that comes late by less than a period leaves the schedule as it is. After a stall of a
-    period or more the whole schedule shifts: what was missed is not made up for by a burst.
+    A frame that is late by less than a period does not change the schedule. After a stall of a
+    period or more the whole schedule shifts, so that missed frames are not sent in a burst.
     """
 
     def __init__(self, period_s: float, start_s: float) -> None:
@@ -23,7 +23,7 @@ class Schedule:
         """The frame that was due is done at `now_s`; go on to the next."""
         self._frames += 1
         if now_s >= self.due_s:
-            # Start again from here: adding to the old start would leave the sum of many roundings.
+            # Set a new start: adding each shift to the old one would accumulate rounding errors.
             self._start_s = now_s + self._period_s
             self._frames = 0
             self.shifts += 1

@@ -8,7 +8,7 @@ from typing import Final
 from epf_gcs.simulator.state import FlightState
 
 LOAD_LIMIT_G: Final = 15.0
-# No quantity of a flight comes near, in any unit used here.
+# No quantity of a real flight comes near this, in any unit used here.
 _LARGEST: Final = 1e9
 _numbers: Final = attrgetter(*(field.name for field in fields(FlightState) if field.type is float))
 

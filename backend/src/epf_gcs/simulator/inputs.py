@@ -2,7 +2,7 @@
 
 Row 8 moves the pilot's stick, row 11 the surfaces past the stick, row 25 the throttle past its lever.
 -999 in a value gives that axis back: the surfaces and the throttle to the pilot, the stick to its
-neutral place. Everything else is counted and ignored, like values that are not finite.
+neutral place. All other rows, and values that are not finite, are counted and ignored.
 """
 
 import math
@@ -13,7 +13,7 @@ from epf_gcs.codec.messages_gen import NO_VALUE, XPLANE_ROWS
 from epf_gcs.simulator.state import NEUTRAL, Controls
 from epf_gcs.xplane.datagram import parse
 
-# Axis -> value commanded, None: given back. The axes are named as the wire's table names them.
+# Axis -> commanded value; None: given back. The axes have the names of the protocol's table.
 Command = dict[str, float | None]
 
 _ROWS: Final = {number: XPLANE_ROWS["xp10"][number].values for number in (8, 11, 25)}
@@ -21,7 +21,7 @@ _ROWS: Final = {number: XPLANE_ROWS["xp10"][number].values for number in (8, 11,
 
 @dataclass(slots=True)
 class InputCounts:
-    """What arrived, for the record."""
+    """Counts of what arrived and what was ignored."""
 
     datagrams: int = 0
     bad_datagrams: int = 0
@@ -30,10 +30,10 @@ class InputCounts:
 
 
 class Inputs:
-    """Who moves each axis, and to where.
+    """The position of each axis, and whether the station or the pilot commands it.
 
-    `trim` holds the aircraft where the pilot's stick is neutral and the throttle lever untouched:
-    the stick moves the surfaces about it, as an elevator trim does.
+    `trim` is where the surfaces and the throttle are while the pilot's stick is neutral and the lever
+    untouched: the stick moves the surfaces about it, as with an elevator trim.
     """
 
     def __init__(self, trim: Controls) -> None:

@@ -1,6 +1,6 @@
 """A network between the simulator and the station that delays, jitters and loses datagrams.
 
-Times are simulated seconds, and the dice are seeded: the same seed loses the same datagrams.
+Times are simulated seconds, and the random numbers are seeded: the same seed loses the same datagrams.
 """
 
 import random
@@ -21,11 +21,11 @@ class LinkQuality:
 
 
 class Link(Generic[T]):
-    """One direction, of whatever is carried. Nothing overtakes: what was sent first leaves first, as on a line."""
+    """One direction, for any kind of datagram. They arrive in the order of sending, even with jitter."""
 
     def __init__(self, quality: LinkQuality, seed: str) -> None:
         self._quality = quality
-        # A text as seed gives each direction dice of its own from one number.
+        # The seed is a text that names the direction, so each direction has its own random numbers.
         self._dice = random.Random(seed)
         self._under_way: deque[tuple[float, T]] = deque()
         self.lost = 0
@@ -39,7 +39,7 @@ class Link(Generic[T]):
         delay_ms = quality.delay_ms
         if quality.jitter_ms > 0.0:
             delay_ms += self._dice.random() * quality.jitter_ms
-        # Rounded, so that a delay of whole frames ends on a frame and not a rounding error after it.
+        # Rounded, so that a delay of whole frames ends exactly at a frame, not a rounding error after it.
         self._under_way.append((round(now_s + delay_ms / 1000.0, 9), datagram))
 
     @property

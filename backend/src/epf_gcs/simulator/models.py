@@ -1,4 +1,4 @@
-"""The aircraft the simulator can fly, and what has to be known of each besides its JSBSim files."""
+"""The aircraft that the simulator can fly, with the data that their JSBSim files do not hold."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -16,7 +16,7 @@ class TrimGains:
     """
 
     pitch_per_climb: float  # rad of pitch wanted per ft/s of climb error
-    climb_integral_s: float  # time in which a steady climb error is doubled in the wanted pitch
+    climb_integral_s: float  # integral time: a steady climb error's part of the wanted pitch doubles in it
     elevator_per_pitch: float
     elevator_per_rate: float
     elevator_integral_s: float
@@ -32,7 +32,7 @@ class AircraftModel:
     """An aircraft: its JSBSim model and the figures of its flight."""
 
     name: str
-    directory: Path | None  # folder of the model's folder; None: the aircraft of the jsbsim package
+    directory: Path | None  # parent of the model's folder; None: the aircraft of the jsbsim package
     cruise_kt: float  # indicated airspeed of a start in the air
     approach_kt: float  # indicated airspeed of a start on final
     wheels_height_ft: float  # of the centre of gravity over the ground with the wheels just touching

@@ -1,4 +1,4 @@
-"""The aircraft's state as X-Plane's ten rows. Which value stands where is told by the wire's own table."""
+"""The aircraft's state as X-Plane's ten rows. The place of each value comes from the protocol's table."""
 
 import math
 from collections.abc import Mapping

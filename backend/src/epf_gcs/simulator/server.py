@@ -12,19 +12,19 @@ from epf_gcs.simulator.simulation import Simulation
 
 Address = tuple[str, int]
 
-# More than any datagram of ours; a longer one is cut by the system and then refused as damaged.
+# More than any valid datagram; a longer one is cut by the system and then refused as damaged.
 _LONGEST_DATAGRAM: Final = 4096
-# Of a flood of datagrams so many are taken before the next frame is looked at.
+# Most datagrams taken before checking whether the next frame is due, so that a flood does not stop the simulation.
 _AT_ONCE: Final = 64
-# Lock-step: without an answer for so long the rows are sent again, for one of the two may have been lost.
+# Lock-step: without an answer for this long the rows are sent again, because rows or answer may have been lost.
 _ANSWER_TIMEOUT_S: Final = 1.0
-# How long the loop may sleep without looking whether it is asked to stop.
+# Longest sleep of the loop between checks whether it is asked to stop.
 _LONGEST_WAIT_S: Final = 0.2
 
 
 @dataclass(frozen=True, slots=True)
 class Pace:
-    """How simulated time goes by. `duration_s`: when to stop, None: never."""
+    """How simulated time passes. `duration_s`: when to stop, None: never."""
 
     period_s: float  # of a frame, simulated
     speed_up: float = 1.0
@@ -53,7 +53,7 @@ class Server:
         self.stalls = 0
 
     def run(self) -> None:
-        """Fly."""
+        """Run the simulation until its end."""
         if self._pace.lockstep:
             self._run_in_lockstep()
         else:
@@ -75,7 +75,7 @@ class Server:
                 frame_s = now_s
                 schedule.done(time.monotonic())
                 self.stalls = schedule.shifts
-            # What the link still holds goes out at its own instant, not only at the next frame.
+            # Delayed datagrams are sent when they are due, not only at the next frame.
             self._send(simulation.arrived(simulation.time_s + (now_s - frame_s) * speed_up))
             wake_s = schedule.due_s
             if (due_s := simulation.downlink.next_due_s) is not None:
@@ -89,7 +89,7 @@ class Server:
             simulation.send()
             frame = simulation.arrived(simulation.time_s)
             self._send(frame)
-            # Where delay or loss has left nothing to answer, nobody will: fly on.
+            # If delay or loss let nothing through, the station has nothing to answer: do not wait.
             answered = not frame
             deadline_s = time.monotonic() + _ANSWER_TIMEOUT_S
             while not answered and not self._asked_to_stop():
@@ -104,7 +104,7 @@ class Server:
                 self._socket.sendto(datagram, self._station)
                 self.datagrams_sent += 1
             except OSError:
-                # Nobody listens yet, or the network is away: X-Plane does not mind either.
+                # Nobody listens yet, or there is no network: count it and go on, as X-Plane does.
                 self.send_failures += 1
 
     def _receive(self, timeout_s: float) -> int:
@@ -118,7 +118,7 @@ class Server:
             except BlockingIOError:
                 break
             except OSError:
-                # An ICMP answer to a datagram of ours: the station is not there.
+                # An ICMP error for a datagram that we sent: the station does not listen.
                 self.send_failures += 1
                 continue
             commands += self._simulation.receive(datagram)

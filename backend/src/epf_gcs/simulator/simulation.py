@@ -25,7 +25,7 @@ HIGHEST_RATE_HZ: Final = 100
 
 @dataclass(frozen=True, slots=True)
 class SimulationOptions:
-    """What is flown and how it is sent. `throttle` is the pilot's lever where it is not the trimmed one."""
+    """What is flown and how it is sent. `throttle` is the pilot's lever, 0..1; None: the trimmed position."""
 
     aircraft: str = "rc"
     situation: Situation = field(default_factory=Situation)
@@ -37,7 +37,7 @@ class SimulationOptions:
 
 
 class Simulation:
-    """One flight. `report` is told of each crash in a sentence."""
+    """One flight. `report` gets a sentence for each crash."""
 
     def __init__(self, options: SimulationOptions, report: Callable[[str], None]) -> None:
         self._options = options
@@ -62,7 +62,7 @@ class Simulation:
         return self._frames / self._options.rate_hz
 
     def receive(self, datagram: bytes) -> bool:
-        """A datagram from the station enters the link now; returns whether it is a command."""
+        """Put a datagram from the station on the link; returns whether it is a command."""
         command = self.inputs.parse(datagram)
         if command is None:
             return False
@@ -70,11 +70,11 @@ class Simulation:
         return True
 
     def advance(self) -> None:
-        """Fly one frame on with the commands that have arrived."""
+        """Advance by one frame, with the commands that have arrived."""
         for command in self.uplink.due(self.time_s):
             self.inputs.apply(command)
         rate_hz = self._options.rate_hz
-        # Rates that do not divide 200 Hz get frames of unequal length that keep the mean.
+        # At rates that do not divide 200 Hz the frames have unequal numbers of steps, but the right mean.
         steps = (self._frames + 1) * STEP_HZ // rate_hz - self._frames * STEP_HZ // rate_hz
         self._frames += 1
         self._craft.command(self.inputs.controls())

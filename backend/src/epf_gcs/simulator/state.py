@@ -1,4 +1,4 @@
-"""What the simulator knows of the aircraft, and what moves it: values only, in X-Plane's signs.
+"""The state and the controls of the aircraft: values only, in X-Plane's signs.
 
 Elevator + is nose up, aileron + right wing down, rudder + nose right; pitch + is up, roll + right;
 p, q, r turn about the body's forward, right and down axes.
@@ -51,5 +51,5 @@ class FlightState:
     pressure_inhg: float
     temperature_degc: float
     on_ground: bool
-    touching: str | None  # a part that must not touch and does
+    touching: str | None  # a part that touches the ground and must not
     surfaces: Controls  # where the surfaces and the throttle are now

@@ -28,7 +28,7 @@ from epf_gcs.simulator.state import NEUTRAL, Controls, FlightState
 TRIM_FILE: Final = AIRCRAFT_DIRECTORY / "trim.json"
 
 _FLIGHT_S: Final = 60.0
-# What "trimmed" has to mean at the end of that flight.
+# The limits within which the last state of that flight counts as trimmed.
 _STEADY_CLIMB_FT_MIN: Final = 6.0
 _STEADY_SPEED_KT: Final = 0.2
 _STEADY_ROLL_DEG: Final = 0.5
@@ -37,7 +37,7 @@ _STANDING_FT_S: Final = 0.1
 
 @dataclass(frozen=True, slots=True)
 class Trim:
-    """A state that goes on by itself: motion through the air, and the controls that hold it."""
+    """A steady state: motion through the air, and the controls that keep it."""
 
     motion: Motion
     controls: Controls
@@ -50,7 +50,7 @@ def trimmed(model: AircraftModel, start: Start) -> Trim:
 
 
 def fly_trim(model: AircraftModel, start: Start) -> Trim:
-    """Find the trimmed state afresh; raises AirframeError where the aircraft does not settle."""
+    """Compute the trimmed state; raises AirframeError if the aircraft does not settle."""
     if start is Start.RUNWAY:
         return _stand(model)
     final = start is Start.FINAL
@@ -76,7 +76,7 @@ def fly_trim(model: AircraftModel, start: Start) -> Trim:
 
 
 def _stand(model: AircraftModel) -> Trim:
-    """Let the aircraft sink into its wheels; it then starts at rest."""
+    """Let the aircraft settle on its landing gear, so that it starts at rest."""
     craft = Airframe(model, Situation(), Motion(AIRPORT_ELEVATION_FT + model.wheels_height_ft), NEUTRAL)
     craft.step(round(_FLIGHT_S / STEP_S))
     last = craft.motion()
@@ -128,7 +128,7 @@ def _stored() -> dict[str, dict[str, dict[str, dict[str, float]]]]:
 
 
 def write_trim_file() -> None:
-    """Find every trimmed state afresh and write the file."""
+    """Compute every trimmed state and write the file."""
     entries = {
         name: {
             start.value: {"motion": _rounded(trim.motion), "controls": _rounded(trim.controls)}

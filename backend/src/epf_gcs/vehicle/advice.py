@@ -1,4 +1,4 @@
-"""What to do about what does not go well: one sentence each, from what is known of the lines."""
+"""Hints for the operator: one sentence for each problem that the state of the links shows."""
 
 from __future__ import annotations
 
@@ -21,23 +21,23 @@ Code = Literal[
 Level = Literal["info", "warning"]
 
 _FULL_PERCENT: Final = 90.0
-# The servo frames are worth slowing down where they are a good part of a full line.
+# Advise a lower servo rate only if the servo frames take a large part of a full line.
 _SERVOS_PERCENT: Final = 20.0
 _LONG_ROUND_TRIP_MS: Final = 100.0
 _SLOW: Final = 0.8
-# The heading of row 17 stands in for it.
+# Without row 18 (ground track) the heading of row 17 is used.
 _REPLACEABLE_ROWS: Final = frozenset({18})
 
 
 class MissingRow(NamedTuple):
-    """A row of the simulator that does not come."""
+    """A row of the simulator that is needed and does not come."""
 
     row: int
     name: str
 
 
 class Stream(NamedTuple):
-    """A topic that the board was asked for: how often it comes and should come."""
+    """A topic that the board was asked for: its measured and its expected rate."""
 
     topic: str
     rate_hz: float
@@ -56,10 +56,11 @@ class Advice:
 
 @dataclass(frozen=True, slots=True)
 class Observed:
-    """All that advice is made from; None and empty: not known, or nothing there.
+    """All that advice is made from; None or empty: unknown, or no problem.
 
-    `silent_target` is where a board should be and says nothing, `silent_port` the same of a simulator. Percentages
-    of the line are of what it can carry; `servos_percent` is the share of both servo streams.
+    `silent_target` is the address of a board that sends nothing, `silent_port` the UDP port at which a simulator's
+    data should arrive and does not. `rx_percent`, `tx_percent` and `servos_percent` (both servo streams together) are
+    shares of the line's capacity.
     """
 
     silent_target: str | None = None
@@ -78,7 +79,7 @@ class Observed:
 
 
 def advice(observed: Observed) -> list[Advice]:
-    """Everything worth saying, the most urgent first."""
+    """All hints that apply, warnings first."""
     found = [one for look in _LOOKS for one in look(observed)]
     return sorted(found, key=lambda one: one.level != "warning")
 

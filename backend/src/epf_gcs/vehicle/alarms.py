@@ -1,4 +1,4 @@
-"""What the operator must know at once, on whatever tab: found, acknowledged, and kept in a history."""
+"""The alarms, which every tab of the page shows at once: raised, acknowledged, and kept in a history."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ News = Literal["came", "went", "acknowledged"]
 class Alarm:
     """One thing that is or was wrong. Unix times; `until_s` is None while it lasts.
 
-    One that is over and was not acknowledged has recovered: it is listed until somebody says that they saw it.
+    An alarm that ended without being acknowledged is "recovered": it stays listed until somebody acknowledges it.
     """
 
     finding: Finding
@@ -43,10 +43,10 @@ class Alarm:
 
 
 class Alarms:
-    """Asks `watch` some times a second; tells the viewers of each alarm that comes, goes or is acknowledged.
+    """Asks `watch` at each `look`, and announces each alarm that comes, goes or is acknowledged.
 
-    `thresholds` are those that were chosen; `on_thresholds` keeps new ones. `past` are the alarms of earlier starts,
-    oldest first; `on_past` keeps each that ends, and again where it is acknowledged after its end.
+    `thresholds` are the operator's choices; `on_thresholds` stores new ones. `past` are the alarms of earlier runs,
+    oldest first; `on_past` stores each alarm when it ends, and once more if it is acknowledged after its end.
     """
 
     def __init__(
@@ -63,14 +63,14 @@ class Alarms:
         self._hub = hub
         self._on_thresholds = on_thresholds
         self._active: dict[AlarmId, Alarm] = {}
-        # Over, and nobody has said yet that they saw it.
+        # Ended, and not acknowledged yet.
         self._recovered: dict[AlarmId, Alarm] = {}
         self._past: deque[Alarm] = deque(past, maxlen=KEPT)
         self._on_past = on_past
         self.thresholds = chosen(thresholds)
-        # Set by the composition: hears which alarm was acknowledged.
+        # Set by the composition root: called with the id of an alarm that was acknowledged.
         self.on_acknowledged: Callable[[AlarmId], None] | None = None
-        # Set by the composition: hears of every alarm that comes, goes or is acknowledged, for the log.
+        # Set by the composition root: called for every alarm that comes, goes or is acknowledged, for the log.
         self.on_news: Callable[[News, Alarm], None] | None = None
 
     @property
@@ -80,11 +80,11 @@ class Alarms:
 
     @property
     def past(self) -> list[Alarm]:
-        """What was wrong, the one that ended last first."""
+        """The alarms that have ended, the latest to end first."""
         return list(reversed(self._past))
 
     def look(self, t_s: float) -> bool:
-        """See what is wrong at Unix time `t_s`. True where an alarm came or went, or where one became worse."""
+        """Update the alarms at Unix time `t_s`. True if an alarm came, went or became worse."""
         before = self._active
         self._active = {
             finding.id: _follow(before.get(finding.id), finding, t_s) for finding in self._watch(self.thresholds)
@@ -93,7 +93,7 @@ class Alarms:
         news = [alarm for alarm in self._active.values() if _is_news(before.get(alarm.finding.id), alarm)]
         self._past.extend(gone)
         for alarm in news:
-            # What comes again stands for what it was before; that one is in the history.
+            # The new alarm replaces the recovered one of the same id, which stays in the history.
             self._recovered.pop(alarm.finding.id, None)
             self._tell(alarm, "came")
         for alarm in gone:
@@ -104,9 +104,9 @@ class Alarms:
         return bool(news or gone)
 
     def acknowledge(self, name: str) -> Alarm:
-        """The operator knows: one that lasts is shown quietly until it goes, one that recovered is shown no more.
+        """The operator has seen it: an active alarm is shown quietly until it ends, a recovered one is removed.
 
-        Raises NotFoundError where it is neither.
+        Raises NotFoundError if it is neither.
         """
         alarm = next((alarm for alarm in self.active if alarm.finding.id == name), None)
         if alarm is None:
@@ -130,7 +130,7 @@ class Alarms:
         return known
 
     def choose(self, thresholds: Mapping[str, float]) -> None:
-        """Other limits from now on. Raises NotFoundError or InvalidInputError, and then none is changed."""
+        """Set some limits. Raises NotFoundError or InvalidInputError; then none is changed."""
         for name, value in thresholds.items():
             if name not in BY_NAME:
                 raise NotFoundError(
@@ -163,7 +163,7 @@ class Alarms:
 
 
 def _follow(before: Alarm | None, finding: Finding, t_s: float) -> Alarm:
-    """The alarm of a finding; one that became worse is new to whoever acknowledged the milder one."""
+    """The alarm of a finding. If it became worse it must be acknowledged again."""
     if before is None:
         return Alarm(finding, t_s)
     return replace(before, finding=finding, acknowledged=before.acknowledged and not _is_worse(before, finding))

@@ -13,7 +13,7 @@ from epf_gcs.vehicle.health import STALE_PERIODS
 
 _INTERVALS: Final = 256
 _RATE_WINDOW_S: Final = 5.0
-# A pause ends a run: what lies before it says nothing of how evenly the stream comes.
+# Intervals before a pause are not used: they do not describe the stream as it is now.
 _PAUSE_PERIODS: Final = 10.0
 _SHORTEST_PAUSE_S: Final = 1.0
 _RECENT: Final = 16
@@ -31,7 +31,7 @@ class ArrivalSummary:
 
 
 class Arrivals:
-    """Told of each message: a counter and one append. Times are the caller's, of any steady clock."""
+    """Call `heard` for each message; it costs a counter and one append. Times in seconds of any steady clock."""
 
     __slots__ = ("_times_s", "count", "values")
 
@@ -52,7 +52,7 @@ class Arrivals:
         return self._times_s[-1] if self._times_s else None
 
     def copy(self) -> Arrivals:
-        """The same as it is now, for somebody who takes longer to look at it."""
+        """A copy of the present state, which later messages do not change."""
         same = Arrivals()
         same.count = self.count
         same.values = self.values
@@ -60,13 +60,13 @@ class Arrivals:
         return same
 
     def forget_rate(self) -> None:
-        """The rate was changed: what was measured before says nothing, but for when the newest came."""
+        """The rate was changed: drop the measured intervals, keep the time of the newest message."""
         newest = list(self._times_s)[-1:]
         self._times_s.clear()
         self._times_s.extend(newest)
 
     def summary(self, now_s: float) -> ArrivalSummary:
-        """All that can be said of them at `now_s`."""
+        """Count, rate, jitter and age at `now_s`."""
         if not self._times_s:
             return ArrivalSummary(self.count, 0.0, None, None)
         age_s = max(0.0, now_s - self._times_s[-1])
@@ -92,7 +92,7 @@ class Arrivals:
 
 
 def _rate_hz(intervals: list[float], age_s: float) -> float:
-    """Of the newest five seconds, or of the last two messages where these are further apart; 0 once they stopped."""
+    """Rate over the newest five seconds, or from the last two messages if they are further apart; 0 after they stop."""
     span_s = 0.0
     count = 0
     for interval in intervals:

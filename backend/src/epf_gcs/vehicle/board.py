@@ -18,7 +18,7 @@ from epf_gcs.vehicle.restart import BoardRestart, Restart
 from epf_gcs.vehicle.telemetry import Telemetry
 
 _URGENT: Final = frozenset({"hil_surfaces", "servos_in"})
-# Pieces of noise that no shell and no plugging in of a cable makes.
+# More pieces of noise than the board's shell or plugging in a cable can cause.
 _RUBBISH: Final = 20
 _HANDSHAKE: Final = frozenset({"heartbeat", "capabilities"})
 
@@ -26,17 +26,17 @@ Listener = Callable[[Frame, Meaning], None]
 
 
 class Guest(Protocol):
-    """Has the line for a while, with a stream that is no frames."""
+    """The exclusive user of the line for a while, with a stream that does not consist of frames (the AHRS test)."""
 
     def on_bytes(self, data: bytes) -> None:
         """Bytes of the line."""
 
     def goodbye(self) -> bytes:
-        """What brings the board back to text mode; the guest is out from here on."""
+        """End the exclusive use; returns the bytes that bring the board back to text mode."""
 
 
 class Board:
-    """Told of lines and bytes; tells the telemetry and the listeners, and first of all whoever is `urgent`."""
+    """Takes links and bytes; passes frames first to `on_urgent`, then to the telemetry, then to the listeners."""
 
     def __init__(self, clock: Clock, outlet: Outlet, telemetry: Telemetry, errors: ErrorLog) -> None:
         self._clock = clock
@@ -58,9 +58,9 @@ class Board:
         self.bytes_in = 0
         self.bytes_out = 0
         self.baud = 0
-        # The link brings example values: nothing of it may reach a simulator, and nobody can command it.
+        # The link brings example values: they must not reach a simulator, and commands are refused.
         self.is_emulated = False
-        # Set by the composition: the bridge that must hear first, and who re-arms an opened board.
+        # Set by the composition root: the HIL bridge, which gets its frames first, and who restores an opened board.
         self.on_urgent: Callable[[Frame], None] | None = None
         self.on_opened: Callable[[], None] | None = None
         self.on_restarted: Callable[[Restart], None] | None = None
@@ -73,17 +73,17 @@ class Board:
 
     @property
     def is_open(self) -> bool:
-        """Commands can be sent, and it is known how they are proved."""
+        """Commands can be sent, and it is known whether the board acknowledges them."""
         return self._link is not None and self.session.is_open
 
     @property
     def frames_damaged(self) -> int:
-        """Candidates that did not hold; bytes that never looked like a frame are counted as noise alone."""
+        """Number of failed frame candidates, without noise and text."""
         return sum(count for kind, count in self.damage.items() if kind not in ("noise", "remains", "text"))
 
     @property
     def hears_only_rubbish(self) -> bool:
-        """Much came on this link, and nothing of it was a heartbeat or a line of text: as at a wrong baud rate."""
+        """Much noise came on this link, no heartbeat and hardly any text: probably a wrong baud rate."""
         noise = self.damage["noise"] - self._damage_before["noise"]
         text = self.damage["text"] - self._damage_before["text"]
         return self._link is not None and self.session.heartbeat_s is None and noise > _RUBBISH and noise > 10 * text
@@ -118,7 +118,7 @@ class Board:
             self._telemetry.blank()
 
     def say_goodbye(self) -> None:
-        """Leave the board quiet and in text mode, as long as the link still is there."""
+        """Stop the board's streams and put it into text mode, if the link is still open."""
         farewell = self._dismiss() + self.session.close()
         if farewell:
             self.write(farewell)
@@ -133,7 +133,7 @@ class Board:
         self.guest = guest
 
     def take_back(self) -> None:
-        """The guest's stream is over: begin the dialogue anew."""
+        """End the exclusive use of the line and begin the dialogue again."""
         farewell = self._dismiss()
         if self._link is not None:
             self.write(farewell + self.session.open(self._clock.steady_s()))
@@ -143,7 +143,7 @@ class Board:
         return b"" if guest is None else guest.goodbye()
 
     def check_commandable(self) -> None:
-        """Raise ConflictError where there is no board that could do anything, or where it does not listen."""
+        """Raise ConflictError while the AHRS test has the line, or while the link is the emulation."""
         if self.guest is not None:
             raise ConflictError(
                 "ahrs_test_running", "Nothing was sent because the AHRS test is running: stop the test first."
@@ -154,19 +154,19 @@ class Board:
             )
 
     def write(self, data: bytes) -> bool:
-        """Send bytes as they are. False where they could not even be queued."""
+        """Send bytes as they are. False if there is no link or its queue is full."""
         if self._link is None or not self._link.write(data):
             return False
         self.bytes_out += len(data)
         return True
 
     def listen(self, listener: Listener) -> None:
-        """From now on every good frame is handed to `listener` too."""
+        """Call `listener` for every good frame from now on."""
         self._listeners.append(listener)
 
     @contextmanager
     def listening(self, listener: Listener) -> Iterator[None]:
-        """While inside, every good frame is handed to `listener` too."""
+        """Call `listener` for every good frame inside the `with` block."""
         self._listeners.append(listener)
         try:
             yield
@@ -184,13 +184,13 @@ class Board:
             self._take(found)
 
     def missing_bytes(self) -> int:
-        """The fewest bytes that must still come before anything can be told of them; 0 where that is not known."""
+        """The least number of bytes still needed to complete a frame; 0 if unknown."""
         return 0 if self.guest is not None else self._decoder.missing_bytes
 
     def tick(self) -> None:
         """Do what is due; called some times a second."""
         if self.bytes_in == self._bytes_at_tick:
-            # Silent since the last look: text waits for its line end no longer, the board's prompt has none.
+            # Nothing came since the last tick: hand out text without its line end, as the board's prompt has none.
             self._take(self._decoder.flush())
         self._bytes_at_tick = self.bytes_in
         if self._link is not None:
@@ -200,7 +200,7 @@ class Board:
             self._notice_opening()
 
     def _take(self, found: list[Frame | Damage]) -> None:
-        """What the line brought, in the order of who waits for it: the simulator, the viewers, the books."""
+        """Pass on what the line brought, the most urgent receiver first: simulator, viewers, statistics."""
         if not found:
             return
         t_s = self._clock.now_s()
@@ -259,7 +259,7 @@ class Board:
             )
 
     def _notice_opening(self) -> None:
-        """The session became open, or the board started anew and it is not any more."""
+        """Notice that the session has opened, or that it is no longer open because the heartbeat stopped."""
         is_open = self.is_open
         if is_open and not self._was_open:
             self._was_open = True
@@ -283,12 +283,12 @@ class Board:
             self.on_restarted(found)
 
     def capabilities(self) -> dict[str, Json]:
-        """What an extended board said of itself; empty for a legacy board."""
+        """What an extended board reported about itself; empty for a legacy board."""
         return self.session.capabilities or {}
 
 
 def _as_text(damage: Damage) -> str | None:
-    """A line of the board's shell, as against rubbish."""
+    """A text line of the board's shell, "" for white space; None if the bytes are not printable text."""
     if damage.kind != "noise":
         return None
     data = damage.data.strip(b"\r\n\t ")

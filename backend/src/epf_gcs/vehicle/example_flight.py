@@ -1,4 +1,4 @@
-"""An aircraft that only exists as numbers: a gentle circuit off Gran Canaria's airport, for a look without a board.
+"""A computed example flight for the emulation without a board: a gentle circuit off Gran Canaria's airport.
 
 Everything follows from one steady turn, so that no instrument contradicts another: the bank gives the radius, the
 radius the turn rate, the height the pressure. Time is the caller's, in seconds from the start of the flight.
@@ -64,7 +64,7 @@ class ExampleMoment:
 
     @property
     def forces_m_s2(self) -> tuple[float, float, float]:
-        """Specific force in body axes: a coordinated turn has none to the side."""
+        """Specific force in body axes; the side component is 0 in a coordinated turn."""
         load = 1.0 / math.cos(math.radians(self.roll_deg))
         return _G_M_S2 * math.sin(math.radians(self.pitch_deg)), 0.0, -_G_M_S2 * load
 

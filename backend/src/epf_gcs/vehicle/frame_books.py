@@ -1,4 +1,4 @@
-"""The books on every type of frame that the board's line brought: good ones, damaged ones, and those nobody knows."""
+"""Statistics for each type of frame received from the board: good, damaged and of unknown type."""
 
 from __future__ import annotations
 
@@ -12,14 +12,14 @@ from epf_gcs.vehicle.arrivals import Arrivals
 from epf_gcs.vehicle.health import TASK_OF_TOPIC
 
 _WORD: Final = 4
-# A bad line makes up types at random: more than these are counted together.
+# A bad line produces random types; unknown types beyond this number are not recorded.
 _MOST_UNKNOWN: Final = 32
 
 
 class FrameBooks:
-    """`heard` and `damaged` are by the name of the message; `unknown` by the type's number.
+    """`heard` and `damaged` are by name of the message, `unknown` and `unknown_damaged` by number of the type.
 
-    The decoder names what failed by its header alone: the type is the first word of the remains which follow.
+    A failed candidate's event holds its header only, so the type is read from the `remains` that follow it.
     """
 
     def __init__(self) -> None:
@@ -30,7 +30,7 @@ class FrameBooks:
         self._after_failure = False
 
     def clear(self) -> None:
-        """What was heard were examples, or is about to be: it does not belong together with a board's."""
+        """Discard all counts, when switching to or from emulation: examples must not mix with a board's frames."""
         for name in self.heard:
             self.heard[name] = Arrivals()
         self.damaged.clear()
@@ -39,13 +39,13 @@ class FrameBooks:
         self._after_failure = False
 
     def rate_changed(self, rate_command: str) -> None:
-        """A task of the board has another period now."""
+        """The period of a task of the board was changed: measure the rates of its topics anew."""
         for topic, command in TASK_OF_TOPIC.items():
             if command == rate_command:
                 self.heard[topic].forget_rate()
 
     def on_damage(self, damage: Damage, t_s: float) -> None:
-        """Bytes in no frame came at `t_s`, in the order of the line."""
+        """Count damage that came at Unix time `t_s`. Call it in the order of the line."""
         if damage.kind == "remains" and self._after_failure and len(damage.data) >= _WORD:
             self._book(damage.data, t_s)
         self._after_failure = damage.is_failed_frame
@@ -71,7 +71,7 @@ class FrameBooks:
 
 
 def _is_whole(remains: bytes) -> bool:
-    """From the type to the end marker all is there, and the checksum holds: a frame of a newer firmware."""
+    """Whether a complete frame with a correct checksum is there: a message of a newer firmware."""
     if not remains.endswith(END):
         return False
     body = remains[: -len(END)]

@@ -1,4 +1,4 @@
-"""How well a topic arrives: how often, how old, and what in it could not be true."""
+"""How well a topic arrives: its rate, its age and its implausible values."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from statistics import median
 from typing import Final
 
-# Enough to see through one late or doubled sample, few enough to follow a changed rate within a second.
+# Enough that one late or doubled sample does not change the median, few enough to follow a new rate within a second.
 _INTERVALS: Final = 8
 _TRUSTED_INTERVALS: Final = 5
 STALE_PERIODS: Final = 3
@@ -32,7 +32,7 @@ ANSWERS: Final = frozenset({"autopilot_parameters"})
 
 
 class TopicHealth:
-    """Counts of one topic. Times are the caller's, in seconds of any steady clock."""
+    """Counts of one topic. Times in seconds of any steady clock."""
 
     __slots__ = ("_intervals", "count", "implausible", "last_s")
 
@@ -52,17 +52,17 @@ class TopicHealth:
             self.implausible.update(implausible)
 
     def forget_rate(self) -> None:
-        """The rate was changed: what was measured before says nothing."""
+        """The rate was changed: drop the measured intervals."""
         self._intervals.clear()
 
     def period_s(self, commanded_s: float | None) -> float | None:
-        """Time between samples: as measured where there are enough, else as commanded."""
+        """Time between samples: measured if there are enough intervals, else as commanded."""
         if len(self._intervals) >= _TRUSTED_INTERVALS or (self._intervals and commanded_s is None):
             return median(self._intervals)
         return commanded_s
 
     def stale_after_s(self, commanded_s: float | None) -> float | None:
-        """Age from which the value is not live any more; None where that is not known yet."""
+        """Age above which the value is stale; None if unknown as yet."""
         period_s = self.period_s(commanded_s)
         return None if period_s is None else max(STALE_PERIODS * period_s, _SHORTEST_STALE_S)
 

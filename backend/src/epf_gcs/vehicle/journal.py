@@ -1,4 +1,4 @@
-"""What was written to the gains: steps which can be undone and done again, and the entries of the journal."""
+"""What was written to the gains: the steps that can be undone and redone, and the entries of the journal."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import Any, Final, Literal
 Kind = Literal["write", "undo", "redo"]
 Outcome = Literal["confirmed", "rejected", "timed_out"]
 
-# Nobody goes back further than an afternoon of tuning; the journal itself keeps more.
+# Enough for an afternoon of tuning; the journal itself keeps more.
 _MOST_STEPS: Final = 200
 _KINDS: Final[Mapping[str, Kind]] = {"write": "write", "undo": "undo", "redo": "redo"}
 _OUTCOMES: Final[Mapping[str, Outcome]] = {
@@ -29,13 +29,13 @@ class Move:
 
     @property
     def back(self) -> Move:
-        """The way back."""
+        """The change that undoes this one."""
         return Move(self.name, self.after, self.before)
 
 
 @dataclass(frozen=True, slots=True)
 class Change:
-    """One gain of an entry: `before` is what the board had, None where it was not known; `after` what it was asked."""
+    """One gain of an entry: `before` is the board's value, None if unknown; `after` is the requested value."""
 
     name: str
     before: float | None
@@ -48,7 +48,7 @@ Step = tuple[Move, ...]
 
 @dataclass(frozen=True, slots=True)
 class Steps:
-    """What can be undone and done again, each in the direction of the first write; the newest is the last."""
+    """The steps that can be undone and redone, each as first written (not reversed); the newest is last."""
 
     undoable: tuple[Step, ...] = ()
     redoable: tuple[Step, ...] = ()
@@ -64,7 +64,7 @@ class Steps:
         return self.redoable[-1] if self.redoable else None
 
     def after(self, kind: Kind, changes: Iterable[Change]) -> Steps:
-        """What can be undone once these changes were tried."""
+        """The steps after these changes were tried."""
         changes = tuple(changes)
         match kind:
             case "write":
@@ -78,7 +78,7 @@ class Steps:
         return self
 
     def _after_write(self, changes: tuple[Change, ...]) -> Steps:
-        # A write without an answer may have arrived: going back from it is as good as going back from one that did.
+        # A write without an answer may have arrived, so it can be undone like a confirmed one.
         step = tuple(
             Move(change.name, change.before, change.after)
             for change in changes
@@ -100,7 +100,7 @@ class Entry:
 
     @property
     def state(self) -> Outcome:
-        """What became of the whole: confirmed only where every change was."""
+        """The outcome of the whole entry: confirmed only if every change was."""
         states = {change.state for change in self.changes}
         return "rejected" if "rejected" in states else "timed_out" if "timed_out" in states else "confirmed"
 

@@ -1,4 +1,4 @@
-"""What is wrong, judged from what is known: no state but what a judgement itself needs, and no clock."""
+"""The rules that find what is wrong. They keep only the state that a rule needs, and get the time from the caller."""
 
 from __future__ import annotations
 
@@ -31,10 +31,10 @@ HICCUP_S: Final = 1.0
 _NEVER_HEARD_S: Final = 5.0
 _GPS_LASTS_S: Final = 1.0
 _DAMAGE_WINDOW_S: Final = 10.0
-# One bad frame of ten in a quiet window is no bad line yet.
+# Fewer damaged frames than this raise no alarm: in a quiet window a single one would be a large share.
 _DAMAGE_LEAST: Final = 5
 _STRANGERS_WINDOW_S: Final = 10.0
-# One a second, all the time: more than a program that was started by mistake and ended again.
+# One a second over the whole window: more than a program sends that was started by mistake and ended again.
 _STRANGERS_LEAST: Final = 10
 
 
@@ -49,9 +49,9 @@ class Finding:
 
 
 class Lasting:
-    """Follows a condition once it has lasted: what flickers is neither announced nor taken back.
+    """Debounces a condition: `holds` changes only after the condition has differed from it for `lasts_s`.
 
-    Where nobody knows the condition it does not hold; a hiccup of the line alone changes nothing.
+    An unknown condition does not hold, but only after `HICCUP_S`: a short gap of the line changes nothing.
     """
 
     def __init__(self, lasts_s: float) -> None:
@@ -61,7 +61,7 @@ class Lasting:
         self.holds = False
 
     def look(self, now_s: float, *, condition: bool | None) -> bool:
-        """Whether it holds at `now_s`. None is "nobody knows"."""
+        """Whether the condition holds at `now_s`. None: unknown."""
         if condition is None:
             self._other_since_s = None
             if self._unknown_since_s is None:
@@ -80,13 +80,13 @@ class Lasting:
         return self.holds
 
     def reset(self) -> None:
-        """It does not hold, at once."""
+        """Set `holds` to False at once."""
         self.holds = False
         self._other_since_s = self._unknown_since_s = None
 
 
 class BatteryJudge:
-    """The battery of the board; not measured and not live are no alarm."""
+    """The battery of the board; no alarm while its voltage is not measured or not live."""
 
     def __init__(self) -> None:
         self._low = Lasting(LASTS_S)
@@ -132,12 +132,12 @@ class GpsJudge:
         self._was_valid = False
 
     def forget(self) -> None:
-        """There is no board to have a position."""
+        """No board is wanted: forget that there was a position."""
         self._was_valid = False
         self.wait()
 
     def wait(self) -> None:
-        """The board is silent as a whole: that is no fault of the receiver."""
+        """The board as a whole is silent, which is not the receiver's fault: no GPS alarm."""
         self._lost.reset()
 
     def look(self, now_s: float, live: Values | None, *, is_wanted: bool) -> Finding | None:
@@ -147,7 +147,7 @@ class GpsJudge:
             return None
         is_valid = live is not None and bool(live.get("fix")) and live.get("valid") is True
         self._was_valid = self._was_valid or is_valid
-        # A receiver that never had a position may not even be there: its silence is no loss.
+        # A receiver that never had a valid position may not be installed: its silence is not a loss.
         is_lost = not is_valid if live is not None or self._was_valid else None
         if is_lost:
             self._said = _gps_silent() if live is None else _gps_without_fix(critical=self._was_valid)
@@ -187,13 +187,13 @@ class DamageJudge:
 
 
 class StrangersJudge:
-    """The datagrams that others than the simulator sent to its port in the last ten seconds."""
+    """The datagrams that other programs than the simulator sent to our receive port in the last ten seconds."""
 
     def __init__(self, now_s: float) -> None:
         self._counts = deque([(now_s, 0)])
 
     def look(self, now_s: float, dropped: int, sender: str | None) -> Finding | None:
-        """`dropped` is a counter that only grows; `sender` is who sent the newest of them."""
+        """`dropped` is a counter that only grows; `sender` is the address that sent the newest of them."""
         self._counts.append((now_s, dropped))
         while self._counts[0][0] < now_s - _STRANGERS_WINDOW_S:
             self._counts.popleft()
@@ -222,7 +222,7 @@ class Line:
 
 
 def judge_heartbeat(line: Line | None, lost_s: float) -> Finding | None:
-    """`line` is None while nobody wants a board."""
+    """`line` is None while no board is wanted."""
     if line is None:
         return None
     params: Params = {"target": line.target}
@@ -240,7 +240,7 @@ def judge_heartbeat(line: Line | None, lost_s: float) -> Finding | None:
 
 @dataclass(frozen=True, slots=True)
 class Loop:
-    """What is known of the HIL loop once it was closed. Ages in seconds; None: not yet."""
+    """What is known of the HIL loop after it was first closed. Ages in seconds; None: nothing came yet."""
 
     to_board_age_s: float
     surfaces_age_s: float | None
@@ -250,7 +250,7 @@ class Loop:
 
 
 def judge_hil(loop: Loop | None, lost_s: float) -> Finding | None:
-    """`loop` is None while nobody flies with a simulator."""
+    """`loop` is None while HIL is not in use."""
     if loop is None:
         return None
     if loop.to_board_age_s > lost_s:
@@ -267,7 +267,7 @@ def judge_hil(loop: Loop | None, lost_s: float) -> Finding | None:
 
 
 def judge_stick(gamepad: str | None, state: Literal["live", "lost"] | None, *, flies: bool) -> Finding | None:
-    """`gamepad` is the one that was chosen as the pilot's stick; `flies`: the stick is the control source."""
+    """`gamepad` is the one chosen as the pilot's stick; `flies`: the stick is the control source."""
     if gamepad is None or state != "lost":
         return None
     text = (
@@ -287,7 +287,7 @@ def judge_parameters(unconfirmed: Sequence[str]) -> Finding | None:
 
 
 def judge_card(capabilities: Values) -> Finding | None:
-    """`capabilities` are what the board told of itself, empty while nobody knows."""
+    """`capabilities` are what the board reported about itself, empty while unknown."""
     if not capabilities.get("has_card_alarm"):
         return None
     text = (

@@ -1,4 +1,4 @@
-"""Whether a number lies where it may."""
+"""Whether a number lies within its limits."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import math
 
 
 def limit_fault(name: str, value: float, minimum: float, maximum: float) -> str | None:
-    """Why this value is not allowed, in a clear sentence; None where it is. Both limits are allowed values."""
+    """Why this value is not allowed, in one sentence; None if it is allowed. Both limits are allowed values."""
     if not math.isfinite(value):
         return f"{name} must be a number."
     if not minimum <= value <= maximum:

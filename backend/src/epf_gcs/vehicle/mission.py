@@ -19,7 +19,7 @@ _FIELDS: Final = ("latitude_deg", "longitude_deg", "altitude_ft", "speed_kt")
 
 
 def mission_fault(waypoints: Sequence[Waypoint]) -> str | None:
-    """Why this plan cannot be sent, naming the waypoint and the field; None where it can."""
+    """Why this plan cannot be sent, naming the waypoint and the field; None if it can."""
     if not 1 <= len(waypoints) <= MAX_WAYPOINTS:
         return f"A plan has 1 to {MAX_WAYPOINTS} waypoints, not {len(waypoints)}."
     for index, waypoint in enumerate(waypoints):
@@ -36,14 +36,14 @@ def item_arguments(plan: int, index: int, waypoint: Waypoint) -> tuple[float, ..
 
 
 def waypoint_from(values: Mapping[str, Json]) -> Waypoint | None:
-    """The waypoint of a frame from the board; None where one of its values is no data."""
+    """The waypoint in a frame from the board; None if one of its values is missing."""
     numbers = [values.get(field) for field in _FIELDS]
     known = [float(number) for number in numbers if isinstance(number, int | float)]
     return Waypoint(*known) if len(known) == len(_FIELDS) else None
 
 
 def same_plan(sent: Sequence[Waypoint], found: Sequence[Waypoint]) -> bool:
-    """The board has what was sent: positions exactly, altitude and speed to single precision."""
+    """Whether the board has what was sent: positions exactly, altitude and speed in single precision."""
     return [_on_the_wire(waypoint) for waypoint in sent] == list(found)
 
 

@@ -1,4 +1,4 @@
-"""What a vehicle needs from outside: the time, a line to write to, and somebody to tell."""
+"""What a vehicle needs from outside: the time, a line to write to, and an outlet for samples and events."""
 
 from __future__ import annotations
 
@@ -15,17 +15,17 @@ class Clock(Protocol):
         """Unix seconds."""
 
     def steady_s(self) -> float:
-        """Seconds of a clock that is never set, for measuring."""
+        """Seconds of a monotonic clock, for measuring durations."""
 
 
 class Outlet(Protocol):
-    """Takes what the vehicle has to say. Calls never block."""
+    """Takes the vehicle's samples and events. Calls never block."""
 
     def sample(self, topic: str, t_s: float, values: Values) -> None:
         """The newest values of a topic and their Unix time; sent with the next `flush`."""
 
     def flush(self) -> None:
-        """Send the samples taken since the last time."""
+        """Send the samples taken since the last `flush`."""
 
     def event(self, kind: str, data: Mapping[str, Any]) -> None:
         """Something happened that every viewer should hear of."""
@@ -36,7 +36,7 @@ class Line(Protocol):
 
     @property
     def baud(self) -> int:
-        """Bits per second, 10 of them a byte."""
+        """Bits per second; a byte takes 10 bits."""
 
     @property
     def backlog(self) -> int:

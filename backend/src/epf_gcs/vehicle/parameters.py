@@ -21,7 +21,8 @@ BY_NAME: Final[Mapping[str, Parameter]] = {parameter.name: parameter for paramet
 class Held:
     """One gain as far as it is known. `value` is the board's, None until it was read.
 
-    `loaded` is what the board had when it was read first, or when the operator asked for all of them.
+    `loaded` is the board's value when it was first read, or when the operator last loaded all gains; the page shows
+    changes against it.
     """
 
     value: float | None = None
@@ -34,43 +35,43 @@ UNKNOWN: Final[Held17] = dict.fromkeys(BY_NAME, Held())
 
 
 def after_read(held: Held17, values: Mapping[str, Json]) -> Held17:
-    """The board told its values. What waits for its own proof keeps its state."""
+    """The gains after the board sent its values. A pending gain stays pending until its own confirmation."""
     return {name: _after_read(held[name], values.get(name)) for name in BY_NAME}
 
 
 def loaded_now(held: Held17) -> Held17:
-    """The operator asked for all: from here on it counts what was changed."""
+    """The gains after the operator loaded all of them: changes are counted from the present values."""
     return {name: replace(one, loaded=one.value) for name, one in held.items()}
 
 
 def forgotten(held: Held17, names: Iterable[str]) -> Held17:
-    """The same, but what the board has for these is not known any more."""
+    """The gains with the values of `names` unknown again."""
     gone = frozenset(names)
     return {name: replace(one, value=None, state="unknown") if name in gone else one for name, one in held.items()}
 
 
 def with_state(held: Held17, names: Mapping[str, object], state: State) -> Held17:
-    """The same values with another state for some."""
+    """The same values, with this state for `names`."""
     return {name: replace(one, state=state) if name in names else one for name, one in held.items()}
 
 
 def differing(wanted: Mapping[str, float], values: Mapping[str, Json]) -> list[str]:
-    """Names whose value on the board is not the one asked for, as far as single precision can tell."""
+    """Names whose value on the board differs from the requested one, compared in single precision."""
     return [name for name, value in wanted.items() if not _same(BY_NAME[name], value, values.get(name))]
 
 
 def as_held(name: str, value: float) -> float:
-    """The value as a person writes what the board holds once it took `value`."""
+    """What the board holds after it took `value` (rounded to single precision), in the shortest decimal form."""
     return value if BY_NAME[name].is_integer else shortest(single(value))
 
 
 def shown(name: str, value: float) -> float:
-    """The value as a person wrote it: 0.6, not 0.6000000238418579."""
+    """A value of the board in the shortest decimal form: 0.6, not 0.6000000238418579."""
     return value if BY_NAME[name].is_integer else shortest(value)
 
 
 def fault(name: str, value: float) -> str | None:
-    """Why this value is not allowed, in a clear sentence; None where it is."""
+    """Why this value is not allowed, in one sentence; None if it is allowed."""
     parameter = BY_NAME[name]
     if parameter.is_integer and math.isfinite(value) and value != int(value):
         return f"{name} must be a whole number, not {value:g}."
@@ -84,7 +85,7 @@ def _after_read(held: Held, value: Json) -> Held:
     loaded = float(value) if held.loaded is None else held.loaded
     if held.state == "pending":
         return replace(held, value=float(value), loaded=loaded)
-    # A confirmed value stays so while the board still has it; a refused one stays refused until it is set again.
+    # A confirmed gain stays confirmed while the board still has that value; any other becomes `loaded`.
     keeps = held.state == "confirmed" and held.value == float(value)
     return Held(float(value), "confirmed" if keeps else "loaded", loaded)
 

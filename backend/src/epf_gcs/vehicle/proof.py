@@ -8,7 +8,7 @@ from typing import Final
 from epf_gcs.codec.tables import Confirm
 from epf_gcs.codec.values import Json
 
-# Sent twice they would act twice: when the answer is lost, nobody can tell whether the first one arrived.
+# Sent twice these act twice. After a lost answer it is unknown whether the first one arrived, so it is not repeated.
 NOT_REPEATABLE: Final = frozenset(
     {
         "reset",
@@ -21,7 +21,7 @@ NOT_REPEATABLE: Final = frozenset(
 
 
 def heartbeat_proves(confirm: Confirm, arguments: Sequence[float], heartbeat: Mapping[str, Json]) -> bool:
-    """All flags that the command should set are as it should set them."""
+    """Whether all flags that the command affects have the expected values."""
     return all(
         heartbeat.get(flag) is (bool(arguments[0]) if wanted == "argument" else wanted)
         for flag, wanted in confirm.flags.items()
@@ -29,7 +29,7 @@ def heartbeat_proves(confirm: Confirm, arguments: Sequence[float], heartbeat: Ma
 
 
 def plan_proves(confirm: Confirm, before: int | None, after: Json) -> bool:
-    """The waypoint moved as the command says. A plan that was just loaded begins at its first waypoint."""
+    """Whether the current waypoint changed as the command says. A plan just loaded begins at its first waypoint."""
     if not isinstance(after, int):
         return False
     if confirm.move == "first":

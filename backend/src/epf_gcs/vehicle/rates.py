@@ -9,7 +9,7 @@ _WINDOW_S: Final = 1.0
 
 
 class ByteRate:
-    """Told the counter's value now and then; says how fast it grew within the last second."""
+    """The growth rate of a counter over the last second, from its values passed to `note` now and then."""
 
     def __init__(self) -> None:
         self._points: deque[tuple[float, int]] = deque()

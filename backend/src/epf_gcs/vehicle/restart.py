@@ -1,4 +1,4 @@
-"""Whether a board that opens within one link is the one that was there, or has started anew and forgotten all."""
+"""Detect a restart of the board while the link stayed open: after one it has forgotten what it was told."""
 
 from __future__ import annotations
 
@@ -9,42 +9,43 @@ from typing import Final
 from epf_gcs.codec.values import Json
 from epf_gcs.vehicle.wanted import STREAM_FLAGS
 
-# The board counts whole milliseconds, the line delays what it says, and its quartz is off by a hundredth of a percent.
+# Tolerances for the line's delay and for the board's quartz, which is off by a hundredth of a percent.
 _SLACK_S: Final = 0.5
 _DRIFT: Final = 0.001
-# From here on its count begins again, below nothing.
+# The board's uptime counter overflows to negative values here.
 _UPTIME_WRAPS_MS: Final = 2**31
 
 
 @dataclass(frozen=True, slots=True)
 class Restart:
-    """The board started anew: its gains, plans and modes are those of its card. `uptime_ms` where it tells."""
+    """The board restarted: its gains, plans and modes are those of its card. `uptime_ms` is None for a legacy board."""
 
     t_s: float
     uptime_ms: int | None
 
 
 class BoardRestart:
-    """Told of what the session sees within one link; times are those of one steady clock, `t_s` is Unix time.
+    """Detects restarts from what the session sees within one link. `steady_s` is a steady clock's, `t_s` Unix time.
 
-    An extended board tells how long it has been up: less than it must be means that it started anew. A deployed
-    board tells nothing. There the sign is that it was silent and opened anew, unless what it sent before is still
-    switched on: then it was only the line that failed. What `heartbeat` is meant below: its values, as last heard.
+    An extended board reports its uptime: if that is shorter than the time since its known start, it has restarted.
+    A legacy board reports none. There a restart is assumed after a silence and a new opening, unless it sent no text
+    meanwhile and the streams that were on before (at least one) still are: then only the line had failed.
+    `heartbeat`: the values of the last heartbeat.
     """
 
     def __init__(self) -> None:
         self._streams_before: frozenset[str] | None = None
         self._has_spoken_text = False
-        # When the board must have started, by its own account.
+        # When the board started, computed from the uptime that it reported.
         self._started_s: float | None = None
 
     def link_opened(self) -> None:
-        """Another link, perhaps to another board: nothing is known of it."""
+        """Another link, perhaps to another board: forget what was known."""
         self._streams_before = None
         self._started_s = None
 
     def fell_silent(self, heartbeat: Mapping[str, Json]) -> None:
-        """The heartbeat of an open board stopped, and the dialogue begins anew."""
+        """The heartbeat of an open board stopped, and the dialogue is being opened again."""
         self._streams_before = _streams(heartbeat)
         self._has_spoken_text = False
 
@@ -55,7 +56,7 @@ class BoardRestart:
     def opened(
         self, steady_s: float, t_s: float, uptime_ms: int | None, heartbeat: Mapping[str, Json]
     ) -> Restart | None:
-        """The dialogue is open; `uptime_ms` is None for a legacy board. Returns the restart that this shows."""
+        """The dialogue is open; `uptime_ms` is None for a legacy board. Returns the restart, None if there was none."""
         before, self._streams_before = self._streams_before, None
         if uptime_ms is None:
             is_as_before = bool(before) and before is not None and before <= _streams(heartbeat)
@@ -70,5 +71,5 @@ class BoardRestart:
 
 
 def _streams(heartbeat: Mapping[str, Json]) -> frozenset[str]:
-    """Those that are on. A board that started anew has none."""
+    """The streams that are on; none after a restart."""
     return frozenset(flag for flag in STREAM_FLAGS.values() if flag is not None and heartbeat.get(flag) is True)

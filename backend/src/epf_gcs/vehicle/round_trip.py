@@ -1,4 +1,4 @@
-"""The time from a simulator frame sent to the board until its answer, in a line that numbers nothing."""
+"""The time from a simulator frame sent to the board until its answer. Frames carry no number to match the two by."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Final
 
 _KEPT: Final = 512
-# An answer this late steers nothing: the loop is lost at 250 ms. Older questions were lost on the line.
+# A question unanswered for this long was lost on the line: the loop itself counts as lost at 250 ms.
 _FORGET_S: Final = 0.5
 
 
@@ -21,10 +21,10 @@ class RoundTripSummary:
 
 
 class RoundTrip:
-    """Each question has one answer, in order. Lost ones are noticed by the gap that they leave.
+    """Pairs questions (frames to the board) and answers in order. Lost ones are found by the gap that they leave.
 
-    A lost frame would shift every later pair by one, so a gap of several periods between two answers takes as many
-    questions out; and nothing older than half a second is waited for.
+    A lost frame would shift every later pair by one. So a gap of several periods between two answers removes the
+    questions that were lost in it, and a question older than half a second is dropped.
     """
 
     def __init__(self) -> None:
@@ -43,7 +43,7 @@ class RoundTrip:
         self._asked.append(now_s)
 
     def answered(self, now_s: float) -> None:
-        """Its answer, or that of an earlier one, came."""
+        """An answer came: pair it with the oldest question that is still open."""
         while self._asked and now_s - self._asked[0] > _FORGET_S:
             self._asked.popleft()
         for _ in range(self._lost_before(now_s)):
@@ -55,7 +55,7 @@ class RoundTrip:
             self._answers_ms.append((now_s - self._asked.popleft()) * 1000.0)
 
     def clear(self) -> None:
-        """The loop was opened: what waits has no answer any more."""
+        """The loop was opened: drop the open questions and the statistics."""
         self._asked.clear()
         self._answers_ms.clear()
         self._last_answer_s = self._last_asked_s = None

@@ -1,4 +1,4 @@
-"""The one door for samples: the newest of each topic, how well it arrives, and on to the viewers."""
+"""Where all samples pass: keeps the newest of each topic, measures how well it arrives, sends it to the viewers."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ class Sample:
 
 
 class Telemetry:
-    """Every topic of one vehicle. `commanded_period_s` tells the period of a task of the board."""
+    """Every topic of one vehicle. `commanded_period_s` gives the period of a task of the board by its rate command."""
 
     def __init__(self, outlet: Outlet, clock: Clock, commanded_period_s: Callable[[str], float]) -> None:
         self._send = outlet.sample
@@ -32,7 +32,7 @@ class Telemetry:
         self.flush = outlet.flush
 
     def take(self, topic: str, t_s: float, values: Values, implausible: Iterable[str] = ()) -> None:
-        """A sample of this topic, heard at Unix time `t_s`. Call `flush` when all that came together is taken."""
+        """Take a sample, heard at Unix time `t_s`. Call `flush` after all samples that came together."""
         self._newest[topic] = Sample(t_s, values)
         self._send(topic, t_s, values)
         health = self.health.get(topic)
@@ -41,13 +41,13 @@ class Telemetry:
         health.heard(t_s, implausible)
 
     def rate_changed(self, rate_command: str) -> None:
-        """A task of the board has another period now."""
+        """The period of a task of the board was changed: measure the rates of its topics anew."""
         for topic, command in TASK_OF_TOPIC.items():
             if command == rate_command and topic in self.health:
                 self.health[topic].forget_rate()
 
     def blank(self) -> None:
-        """The examples are over: every topic has no data until it is heard again."""
+        """The emulation has ended: replace its values by "no data" until a topic is heard again."""
         now_s = self._clock.now_s()
         for topic, sample in list(self._newest.items()):
             values: Values = {name: {} if isinstance(value, dict) else None for name, value in sample.values.items()}
@@ -66,7 +66,7 @@ class Telemetry:
         return None if sample is None else sample.values
 
     def is_live(self, topic: str) -> bool:
-        """The topic was heard within its time."""
+        """Whether the topic was heard and is not stale."""
         health = self.health.get(topic)
         return health is not None and not self._is_stale(topic, health, self._clock.now_s())
 
@@ -76,18 +76,18 @@ class Telemetry:
         return None if health is None or health.last_s is None else self._clock.now_s() - health.last_s
 
     def stale_after_s(self, topic: str) -> float | None:
-        """Age from which this topic is not live; None where it cannot grow stale, or where its rate is unknown."""
+        """Age above which this topic is stale; None if it cannot become stale, or if its rate is unknown."""
         health = self.health.get(topic)
         if topic in ANSWERS or health is None:
             return None
         return health.stale_after_s(self.commanded_s(topic))
 
     def commanded_s(self, topic: str) -> float | None:
-        """Period with which the board was told to send this topic; None where it has none."""
+        """Commanded period of this topic; None if no task of the board sends it."""
         return self._commanded_period_s(TASK_OF_TOPIC[topic]) if topic in _TASK_TOPICS else None
 
     def snapshot(self) -> dict[str, dict[str, Any]]:
-        """The newest sample of every topic with its age, for those who ask once."""
+        """The newest sample of every topic with its age, for a single request (viewers get a stream)."""
         now_s = self._clock.now_s()
         return {
             topic: {

@@ -1,4 +1,4 @@
-"""From when on something is an alarm: the limits that an operator may choose."""
+"""The limits beyond which an alarm is raised, as far as the operator may choose them."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from epf_gcs.vehicle.limits import limit_fault
 
 @dataclass(frozen=True, slots=True)
 class Threshold:
-    """One limit; `unit` is that of its value and stands in its name too."""
+    """One limit; `unit` is the unit of its value, which is in the name too."""
 
     name: str
     default: float
@@ -31,12 +31,12 @@ BY_NAME: Final[Mapping[str, Threshold]] = {threshold.name: threshold for thresho
 
 
 def threshold_fault(threshold: Threshold, value: float) -> str | None:
-    """Why this value is not allowed, in a clear sentence; None where it is."""
+    """Why this value is not allowed, in one sentence; None if it is allowed."""
     return limit_fault(threshold.name, value, threshold.minimum, threshold.maximum)
 
 
 def chosen(kept: Mapping[str, Any]) -> dict[str, float]:
-    """All limits: those that were chosen, where they still are allowed, and the defaults."""
+    """All limits: the chosen value if it is still allowed, else the default."""
     return {
         name: float(value)
         if isinstance(value := kept.get(name), int | float)

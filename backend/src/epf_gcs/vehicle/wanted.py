@@ -1,4 +1,4 @@
-"""What the operator asked the board for, to ask again after the board or the gateway started anew."""
+"""What the operator asked the board for, so that it can be requested again after board or gateway restarted."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from epf_gcs.codec.values import Json
 
 _ON: Final = "_on"
 _OFF: Final = "_off"
-# Streams, with the heartbeat's flag for each; the two plans have none.
+# Streams, with the heartbeat's flag for each; the two plans have no flag.
 STREAM_FLAGS: Final[Mapping[str, str | None]] = MappingProxyType(
     {
         "ahrs": "ahrs",
@@ -62,7 +62,7 @@ class Wanted:
     def missing(self, heartbeat: Mapping[str, Json]) -> list[tuple[str, tuple[float, ...]]]:
         """Commands that bring a board with this heartbeat to what is wanted.
 
-        Streams only: an autopilot that lost its board is never switched on again by a machine.
+        Streams, rates and control source only: the autopilot is never switched on again without the operator.
         """
         commands: list[tuple[str, tuple[float, ...]]] = [
             (name, (period_ms,)) for name, period_ms in self.periods_ms.items()

@@ -25,7 +25,7 @@ class Record(NamedTuple):
 
 
 class Surfaces(NamedTuple):
-    """What moves the simulator's aircraft: nose up, right wing down and nose right are +, throttle is 0..1."""
+    """Controls of the simulator's aircraft, -1..1: nose up, right wing down and nose right are +; throttle 0..1."""
 
     elevator: float
     aileron: float
@@ -33,7 +33,7 @@ class Surfaces(NamedTuple):
     throttle: float
 
     def clamped(self) -> Surfaces | None:
-        """Within the limits of the simulator, or None where a value is not finite: that may not be sent."""
+        """Within the limits of the simulator; None if a value is not finite, because that must not be sent."""
         if not all(math.isfinite(value) for value in self):
             return None
         elevator, aileron, rudder = (min(1.0, max(-1.0, value)) for value in self[:3])
@@ -41,7 +41,7 @@ class Surfaces(NamedTuple):
 
 
 def parse(datagram: bytes) -> list[Record] | None:
-    """The records of a datagram, or None where it is not the magic, a tag and whole records."""
+    """The records of a datagram; None unless it consists of the magic, a tag and whole records."""
     body = datagram[_PREFIX_SIZE:]
     if not datagram.startswith(DATAGRAM_MAGIC) or not body or len(body) % _RECORD.size:
         return None
@@ -54,7 +54,7 @@ def build(records: Iterable[Record], tag: int = TAG_FROM_SIMULATOR) -> bytes:
 
 
 def surfaces_datagram(surfaces: Surfaces) -> bytes | None:
-    """The datagram that moves the aircraft, clamped; None where a value is not finite."""
+    """The datagram that moves the aircraft, clamped; None if a value is not finite."""
     safe = surfaces.clamped()
     if safe is None:
         return None

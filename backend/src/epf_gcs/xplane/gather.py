@@ -14,7 +14,7 @@ MAX_AGE_S: Final = 0.2
 
 _RELEVANT: Final = NEEDED_ROWS | {TRACK_ROW}
 _DESCENTS_BEFORE_DOUBT: Final = 12
-_PAUSE_DECAY: Final = 0.999  # each datagram: one long stall of ours does not name the leader for ever
+_PAUSE_DECAY: Final = 0.999  # per datagram, so that one long stall on our side does not choose the leader for ever
 
 
 class Gatherer:
@@ -22,11 +22,12 @@ class Gatherer:
 
     A new frame begins with a row that this frame already has, with a row number lower than the last one (the
     simulator sends rows in ascending order, so a lost datagram cannot shift the frames), or when the frame
-    is too old. A simulator that sends rows in another order never completes a frame by the second rule: after
-    enough vain descents frames begin with their leader instead, the row that came after the longest pause.
+    is too old. If a simulator sends its rows in another order, the second rule cuts every frame before it is
+    complete. After a dozen such cuts without a complete frame, a frame begins with the leader instead: the row
+    that came after the longest pause.
 
-    The ground track wins over the heading wherever its row comes: a simulator that sent it in the last frame
-    is waited for.
+    The ground track replaces the heading, wherever in the frame its row comes: if the last frame had that row,
+    this one is not complete without it.
     """
 
     def __init__(self, profile: str) -> None:

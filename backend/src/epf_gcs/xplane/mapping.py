@@ -1,4 +1,4 @@
-"""The simulator's rows -> our names, units and axes; and what the board or a pilot wants -> surfaces."""
+"""The simulator's rows -> our names, units and axes; and the controls of the board or a pilot -> surfaces."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from epf_gcs.xplane.datagram import Eight, Surfaces
 
 _RAD_PER_DEG: Final = math.pi / 180.0
 _CLAMPED_ROWS: Final = (8, 11, 25)
-"""Sticks, surfaces and throttle: a joystick or an engine a little beyond its end is at its end, not absent."""
+"""Sticks, surfaces and throttle: a value beyond its limit is clamped to the limit, not treated as missing."""
 
 
 class XplaneInfo(NamedTuple):
@@ -57,7 +57,7 @@ INFO_SOURCES: Final[Mapping[str, tuple[int, str]]] = {
     "latitude_deg": (20, "latitude_deg"),
     "longitude_deg": (20, "longitude_deg"),
 }
-"""Where each value of command 50 comes from: row and name. The ground track, row 18, wins over the heading."""
+"""Where each value of command 50 comes from: row and name. The ground track, row 18, replaces the heading if sent."""
 
 TRACK_ROW: Final = 18
 TRACK_NAME: Final = "horizontal_path_deg"
@@ -74,7 +74,8 @@ class RowMeaning(NamedTuple):
 def row_meaning(row: int, eight: Eight, profile: str) -> RowMeaning:
     """Names and units of a row's values; angular rates are rad/s in every profile. Unknown rows are empty.
 
-    "No value" (-999) is None and no fault; a value that is not finite or not plausible is None and named.
+    "No value" (-999) becomes None; a value that is not finite or outside its range becomes None and is listed as
+    implausible.
     """
     definition = XPLANE_ROWS[profile].get(row)
     values: dict[str, float | None] = {}
@@ -96,7 +97,7 @@ def row_meaning(row: int, eight: Eight, profile: str) -> RowMeaning:
 
 
 def info_from_rows(rows: Mapping[int, Mapping[str, float | None]]) -> XplaneInfo | None:
-    """Command 50 from the meanings of the rows of one simulator frame; None where one of its values is missing."""
+    """Command 50 from the decoded rows of one simulator frame; None if one of its values is missing."""
     values = {field: rows.get(row, {}).get(name) for field, (row, name) in INFO_SOURCES.items()}
     track = rows.get(TRACK_ROW, {}).get(TRACK_NAME)
     if track is not None:
@@ -112,7 +113,7 @@ def surfaces_from_servos_in(channels: Sequence[float]) -> Surfaces:
 
 
 def in_our_unit(wanted: RowValue) -> tuple[str, float]:
-    """Our name of a row's value, and what one of its units is in ours."""
+    """Our name for a row's value, and the factor from its unit to ours."""
     if wanted.unit == "deg/s":
         return wanted.name.removesuffix("_deg_s") + "_rad_s", _RAD_PER_DEG
     return wanted.name, 1.0

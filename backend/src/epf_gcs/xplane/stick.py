@@ -1,4 +1,4 @@
-"""A gamepad at a browser as the pilot's stick: its newest sample, and for how long that may be flown."""
+"""A gamepad at a browser as the pilot's stick: its newest sample, and for how long that sample may be used."""
 
 from __future__ import annotations
 
@@ -7,13 +7,14 @@ from typing import Any, Final
 
 from epf_gcs.xplane.datagram import Surfaces
 
-# Fifteen samples at 50 Hz: a page that draws something heavy, or a radio that repeats a packet, is back sooner, and a
-# light aircraft at full aileron has rolled some twenty degrees, from which anybody recovers.
+# Fifteen samples at 50 Hz. A busy page, or a radio that repeats a packet, delays samples by less than this; and a
+# light aircraft at full aileron rolls only some twenty degrees meanwhile, from which any pilot recovers.
 SAMPLE_LASTS_S: Final = 0.3
-# Cutting the engine at a hiccup pitches the aircraft twice; speed takes seconds to change. After that nobody is there,
-# and what flies away at full power is worse than what glides: the board does the same without its transmitter.
+# Longer than for the surfaces: cutting the engine for a short gap pitches the aircraft twice, while the speed takes
+# seconds to change. After this the pilot counts as gone, and an aircraft that glides is safer than one that flies away
+# at full power. The board does the same when it loses its transmitter.
 THROTTLE_LASTS_S: Final = 2.0
-# Two clocks drift apart by less than this; a line whose delay creeps up more slowly is not noticed.
+# Seconds per second. Two clocks drift apart by less than this; a delay that grows more slowly is not noticed.
 _DRIFT: Final = 0.001
 
 FIELDS: Final = (*Surfaces._fields, "t_ms")
@@ -26,7 +27,7 @@ _NEVER_S: Final = -1e9
 
 
 def read_sample(message: Mapping[str, Any]) -> tuple[Surfaces, float] | None:
-    """Positions, clamped to their ranges, and the sender's time in seconds; None where a field is no finite number."""
+    """Positions, clamped to their ranges, and the sender's time in seconds; None if a field is not a finite number."""
     values = [message.get(name) for name in FIELDS]
     if not all(isinstance(value, int | float) and not isinstance(value, bool) for value in values):
         return None
@@ -46,10 +47,10 @@ class GamepadInput:
         self._heard_s = 0.0
 
     def take(self, surfaces: Surfaces, sent_s: float, now_s: float) -> bool:
-        """A sample came. False where it was on its way for too long to be used.
+        """Take a sample. False if it arrived too late to be used.
 
-        Only the sender knows when it was taken, by a clock of its own: what it took longer than the fastest sample
-        until now is what it is late.
+        The clock of the sender differs from ours by an unknown amount, so the fastest sample so far counts as on
+        time: how much longer this one took is how late it is.
         """
         way_s = now_s - sent_s
         if self._shortest_s is None:
@@ -65,11 +66,14 @@ class GamepadInput:
         return True
 
     def is_live(self, now_s: float) -> bool:
-        """The newest sample may still be flown by."""
+        """Whether the newest sample is recent enough to fly with."""
         return now_s - self._sampled_s <= SAMPLE_LASTS_S
 
     def position(self, now_s: float) -> Surfaces:
-        """Positions to fly with: the newest sample; without a live one, centred surfaces and soon a closed throttle."""
+        """Positions to fly with: the newest sample; without a live one, centred surfaces.
+
+        The throttle is kept for `THROTTLE_LASTS_S`, then closed.
+        """
         if self.is_live(now_s):
             return self._surfaces
         holds = now_s - self._throttle_s <= THROTTLE_LASTS_S

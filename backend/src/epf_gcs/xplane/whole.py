@@ -1,9 +1,8 @@
-"""The short way from a datagram that holds a whole frame to the values of command 50.
+"""The fast path from a datagram that holds a whole frame to the values of command 50.
 
-Nearly every datagram of a simulator is of this kind, and the loop waits for it. What is the least
-unusual (a row missing or there twice, a value absent or out of its range, a stick beyond its end)
-is left to `parse` and `Gatherer`, which know what to do about it. Where this gives an answer, it
-is theirs.
+Nearly every datagram of a simulator is of this kind, and the HIL loop waits for it. Anything unusual,
+however slightly (a row missing or repeated, a value absent or out of its range, a stick beyond its end),
+goes to `parse` and `Gatherer`, which handle it. If the fast path returns values, they are the same as theirs.
 """
 
 from __future__ import annotations
@@ -20,11 +19,14 @@ _PREFIX_SIZE: Final = len(DATAGRAM_MAGIC) + 1
 _RECORD_FIELDS: Final = 1 + VALUES_PER_ROW
 _RECORD_SIZE: Final = 4 * _RECORD_FIELDS
 _MOST_ROWS: Final = 64
-_MOST_PLANS: Final = 8  # a simulator has one order of rows, or a few while somebody ticks them
+_MOST_PLANS: Final = 8  # a simulator sends one sequence of rows, or a few while somebody selects rows in it
 
 
 class _Plan(NamedTuple):
-    """Where the 15 values are in a datagram with these rows, their limits and what one of their units is in ours."""
+    """Where the 15 values are in a datagram with these rows, their limits, and the factors from their units to ours.
+
+    `scales` is None if all factors are 1.
+    """
 
     pick: Callable[[tuple[Any, ...]], tuple[float, ...]]
     limits: tuple[tuple[float, float], ...]
@@ -40,7 +42,7 @@ class WholeFrames:
         self._plans: dict[tuple[int, ...], _Plan | None] = {}
 
     def read(self, datagram: bytes) -> XplaneInfo | None:
-        """The values of a whole frame; None where this is none, or an unusual one."""
+        """The values of a whole frame; None if the datagram holds no whole frame or anything unusual."""
         count, rest = divmod(len(datagram) - _PREFIX_SIZE, _RECORD_SIZE)
         if rest or not len(NEEDED_ROWS) < count <= _MOST_ROWS or not datagram.startswith(DATAGRAM_MAGIC):
             return None
@@ -73,7 +75,7 @@ class WholeFrames:
 
 
 def _make_plan(rows: tuple[int, ...], profile: str) -> _Plan | None:
-    """None where a needed row or the track is missing, or a row stands there twice."""
+    """None if a needed row or the track is missing, or a row is repeated."""
     if not NEEDED_ROWS | {TRACK_ROW} <= set(rows) or len(set(rows)) < len(rows):
         return None
     places: list[int] = []
