@@ -23,6 +23,7 @@ from typing import Any, Final
 
 from epf_gcs.codec.encode import encode_telemetry
 from epf_gcs.codec.messages_gen import OPEN_BINARY_MODE
+from tests.support.programs import children_of
 
 HEARTBEAT: Final = encode_telemetry("heartbeat", *([1] * 10), 3, 0)
 _DEADLINE_S: Final = 20.0
@@ -127,8 +128,7 @@ class Gateway:
     def parts(self) -> dict[str, int]:
         """The process numbers of the two processes, `flight` and `web`."""
         found = {}
-        children = Path(f"/proc/{self.process.pid}/task/{self.process.pid}/children").read_text().split()
-        for pid in map(int, children):
+        for pid in children_of(self.process.pid):
             words = Path(f"/proc/{pid}/cmdline").read_bytes().decode().split("\0")
             found[words[words.index("-m") + 1].rpartition(".")[2]] = pid
         return found

@@ -24,7 +24,7 @@ from epf_gcs.xplane.datagram import release_datagram
 from tests.bus.test_ends import Heard, connected
 from tests.support.fake_board import FakeBoard
 from tests.support.ports import free_udp_port
-from tests.support.programs import Program, gateway_process
+from tests.support.programs import Program, children_of, gateway_process
 from tests.support.simulator import WHOLE, Simulator
 from tests.support.waiting import DEADLINE_S, eventually, eventually_async
 
@@ -46,7 +46,7 @@ class Flying:
     def pids(self) -> dict[str, int]:
         found = {}
         pid = self.program.process.pid
-        for child in Path(f"/proc/{pid}/task/{pid}/children").read_text().split():
+        for child in children_of(pid):
             words = Path(f"/proc/{child}/cmdline").read_bytes().decode().split("\0")
             if "-m" in words:
                 found[words[words.index("-m") + 1].rpartition(".")[2]] = int(child)

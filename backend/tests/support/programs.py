@@ -50,6 +50,12 @@ class Program:
             self.said += line.decode(errors="replace")
 
 
+def children_of(pid: int) -> list[int]:
+    """Process numbers of what a process started, in whichever of its threads."""
+    lists = Path(f"/proc/{pid}/task").glob("*/children")
+    return [int(child) for found in lists for child in found.read_text().split()]
+
+
 @contextmanager
 def gateway_process(data_dir: Path, *arguments: str) -> Iterator[Program]:
     """`epf-gcs` on a free port."""

@@ -7,6 +7,7 @@ import signal
 import socket
 import subprocess
 import sys
+import threading
 import time
 from collections.abc import Sequence
 from pathlib import Path
@@ -18,12 +19,12 @@ import typer
 from epf_gcs.errors import GatewayError
 from epf_gcs.listening import listen
 
-# Exit code of a program that refuses its options; a restart would fail in the same way.
-_REFUSED: Final = 2
 # The first restart is immediate, because the aircraft may be in flight; repeated ones wait longer, up to this.
 _LONGEST_WAIT_S: Final = 5.0
 _LIVED_S: Final = 10.0
 _STOP_S: Final = 8.0
+# A process that was being started when the signal came gets another signal after this time.
+_SIGNAL_AGAIN_S: Final = 2.0
 
 app = typer.Typer(add_completion=False, context_settings={"help_option_names": ["-h", "--help"]})
 
@@ -39,90 +40,81 @@ class Part:
         self._again = tuple(again)
         self._stdin = stdin
         self._files = tuple(files)
-        self._started_s = 0.0
         self._quick_deaths = 0
         self.process: subprocess.Popen[bytes] | None = None
 
-    @property
-    def never_lived(self) -> bool:
-        """It was started once, and ended within seconds."""
-        return self._quick_deaths == 1 and self._command == self._last
-
-    def start(self) -> None:
-        """Start it. Only we hold the write end of its standard input, so it notices when we die, and ends."""
-        self._last = self._command if self.process is None else self._again
-        self._started_s = time.monotonic()
-        # A process group of its own: a terminal's Ctrl-C reaches only us, and we end both in order.
-        self.process = subprocess.Popen(self._last, stdin=self._stdin, pass_fds=self._files, process_group=0)
-
-    def wait_s(self) -> float:
-        """How long to wait before it is started again."""
-        if time.monotonic() - self._started_s > _LIVED_S:
-            self._quick_deaths = 0
-        self._quick_deaths += 1
-        return 0.0 if self._quick_deaths <= 1 else min(_LONGEST_WAIT_S, 0.1 * 2.0**self._quick_deaths)
+    def keep_running(self, stopping: threading.Event) -> int | None:
+        """Start it again whenever it dies, until `stopping`. Returns its exit status if it refused to start at all."""
+        is_first = True
+        while not stopping.is_set():
+            began_s = time.monotonic()
+            code = self._run(self._command if is_first else self._again)
+            if stopping.is_set():
+                return None
+            has_lived = time.monotonic() - began_s > _LIVED_S
+            if is_first and code > 0 and not has_lived:
+                return code
+            is_first = False
+            how = f"by signal {-code}" if code < 0 else f"with status {code}"
+            print(f"epf-gcs: the {self.name} process ended {how} and is started again.", file=sys.stderr, flush=True)
+            stopping.wait(self._wait_s(has_lived=has_lived))
+        return None
 
     def signal(self, number: int) -> None:
         """Send a signal if it runs."""
         if self.process is not None and self.process.poll() is None:
             self.process.send_signal(number)
 
+    def _run(self, command: Sequence[str]) -> int:
+        # Only we hold the write end of its standard input, so it notices when we die, and ends. A process group of its
+        # own: a terminal's Ctrl-C reaches only us, and we end both in order.
+        self.process = subprocess.Popen(command, stdin=self._stdin, pass_fds=self._files, process_group=0)
+        return self.process.wait()
+
+    def _wait_s(self, *, has_lived: bool) -> float:
+        self._quick_deaths = 1 if has_lived else self._quick_deaths + 1
+        return 0.0 if self._quick_deaths <= 1 else min(_LONGEST_WAIT_S, 0.1 * 2.0**self._quick_deaths)
+
 
 class Gateway:
-    """Starts, restarts and ends both processes."""
+    """Both processes. Each is watched by a thread of its own, so that neither waits for the other's restart."""
 
     def __init__(self, flight: Part, web: Part) -> None:
         self._parts = (flight, web)
-        self._stopping = False
+        self._stopping = threading.Event()
+        self._refusal: int | None = None
 
     def run(self) -> int:
-        """Run until a signal; returns the exit code."""
+        """Run until a signal, or until one of the two refuses to start; returns the exit code."""
         for number in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP):
             signal.signal(number, self._stop)
-        for part in self._parts:
-            part.start()
-        while not self._stopping:
-            pid, status = os.wait()
-            code = os.waitstatus_to_exitcode(status)
-            for part in self._parts:
-                if part.process is not None and part.process.pid == pid:
-                    part.process.returncode = code
-                    if not self._revive(part, code):
-                        self._end()
-                        return code if code > 0 else 1
-        self._end()
-        return 0
+        watchers = [threading.Thread(target=self._watch, args=(part,), name=part.name) for part in self._parts]
+        for watcher in watchers:
+            watcher.start()
+        self._stopping.wait()
+        self._end(watchers)
+        return self._refusal or 0
 
-    def _revive(self, part: Part, code: int) -> bool:
-        """Restart it. False if that is useless: it refused its options, or could not start at all."""
-        if self._stopping:
-            return True
-        wait_s = part.wait_s()
-        if code == _REFUSED or (code > 0 and part.never_lived):
-            return False
-        how = f"by signal {-code}" if code < 0 else f"with status {code}"
-        print(f"epf-gcs: the {part.name} process ended {how} and is started again.", file=sys.stderr, flush=True)
-        time.sleep(wait_s)
-        if not self._stopping:
-            part.start()
-        return True
+    def _watch(self, part: Part) -> None:
+        refusal = part.keep_running(self._stopping)
+        if refusal is not None:
+            self._refusal = refusal
+            self._stopping.set()
 
     def _stop(self, _number: int, _frame: FrameType | None) -> None:
-        self._stopping = True
-        for part in self._parts:
-            part.signal(signal.SIGTERM)
+        self._stopping.set()
 
-    def _end(self) -> None:
+    def _end(self, watchers: Sequence[threading.Thread]) -> None:
         """End both; one that hangs is killed."""
         give_up_s = time.monotonic() + _STOP_S
-        for part in self._parts:
-            part.signal(signal.SIGTERM)
-        for part in self._parts:
-            if part.process is not None:
-                try:
-                    part.process.wait(max(0.1, give_up_s - time.monotonic()))
-                except subprocess.TimeoutExpired:
-                    part.signal(signal.SIGKILL)
+        number: int = signal.SIGTERM
+        while any(watcher.is_alive() for watcher in watchers):
+            for part in self._parts:
+                part.signal(number)
+            for watcher in watchers:
+                watcher.join(_SIGNAL_AGAIN_S)
+            if time.monotonic() > give_up_s:
+                number = signal.SIGKILL
 
 
 @app.command()

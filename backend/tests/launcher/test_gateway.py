@@ -1,0 +1,83 @@
+"""The gateway's two processes are started again when they die, each by itself; one that refuses ends the gateway."""
+
+from __future__ import annotations
+
+import os
+import sys
+import threading
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from epf_gcs.launcher import gateway
+from epf_gcs.launcher.gateway import Part
+from tests.support.waiting import DEADLINE_S, eventually
+
+
+class Kept:
+    """A part that runs a small program, and the thread that keeps it running."""
+
+    def __init__(self, folder: Path, program: str, again: str | None = None) -> None:
+        self.starts = folder / "starts"
+        self._pipe = os.pipe()
+        self.stopping = threading.Event()
+        self.refusal: int | None = None
+        self.part = Part("tried", self._command(program), self._command(again or program), self._pipe[0])
+        self.thread = threading.Thread(target=self._run, daemon=True)
+
+    def _command(self, program: str) -> list[str]:
+        return [
+            sys.executable,
+            "-c",
+            f"import sys, time\nwith open({str(self.starts)!r}, 'a') as f: f.write('x')\n{program}",
+        ]
+
+    def _run(self) -> None:
+        self.refusal = self.part.keep_running(self.stopping)
+
+    def count(self) -> int:
+        return len(self.starts.read_text()) if self.starts.exists() else 0
+
+    def runs(self, starts: int) -> None:
+        eventually(lambda: self.count() == starts, f"start number {starts}")
+
+    def stop(self) -> None:
+        self.stopping.set()
+        self.part.signal(9)
+        self.thread.join(DEADLINE_S)
+        for end in self._pipe:
+            os.close(end)
+
+
+@pytest.fixture
+def kept(tmp_path: Path, request: pytest.FixtureRequest) -> Iterator[Kept]:
+    made = Kept(tmp_path, *request.param)
+    made.thread.start()
+    yield made
+    made.stop()
+
+
+@pytest.mark.parametrize("kept", [("sys.exit(2)",), ("sys.exit(1)",)], indirect=True)
+def test_one_that_refuses_to_start_at_all_is_not_started_again(kept: Kept) -> None:
+    kept.thread.join(DEADLINE_S)
+    assert kept.refusal in (1, 2)
+    assert kept.count() == 1
+
+
+@pytest.mark.parametrize("kept", [("time.sleep(1000)",)], indirect=True)
+def test_one_that_is_killed_is_started_again_each_time(kept: Kept) -> None:
+    for starts in (1, 2):
+        kept.runs(starts)
+        kept.part.signal(9)
+    kept.runs(3)
+    assert kept.refusal is None
+
+
+def test_one_that_fails_after_it_has_lived_is_started_again(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(gateway, "_LIVED_S", 0.0)
+    kept = Kept(tmp_path, "sys.exit(1)", "time.sleep(1000)")
+    kept.thread.start()
+    kept.runs(2)
+    assert kept.refusal is None
+    kept.stop()
