@@ -74,7 +74,7 @@ class Maps:
         return (tile if description.kind == "terrain" else None), stamp
 
     async def description(self, layer_id: str) -> Description:
-        """What a layer says of itself. Raises NotFoundError, or why it cannot be read."""
+        """A layer's description. Raises NotFoundError, or why it cannot be read."""
         return await self._in_thread(self.folder.description, layer_id)
 
     async def remove(self, layer_id: str) -> None:

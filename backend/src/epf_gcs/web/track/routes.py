@@ -28,7 +28,7 @@ from epf_gcs.web.track.tracks import Tracks
 
 router = APIRouter(tags=["track"])
 
-# Each piece costs the event loop a turn, and each is made by a thread.
+# Size of each piece of the answer: each costs a turn of the event loop and is made in a thread.
 _PIECE_BYTES: Final = 65536
 _MODEL_IN_KMZ: Final = "models/aircraft.dae"
 _FLIGHT_COLOUR: Final = (255, 255, 0, 255)
@@ -70,7 +70,7 @@ async def get_track_points(
     total = len(track)
     first = after if after <= total and epoch in (None, track.epoch) else 0
     header = points_header(epoch=track.epoch, first=first, count=total - first, total=total, t0_s=track.t0_s)
-    # Blocks never change again: the answer is what is there now, sent while the flight goes on.
+    # Blocks are immutable: the answer is the track as of now, even if it grows while it is sent.
     pieces = [header, *(block.points for block in track.blocks(first))]
     length = HEADER_BYTES + (total - first) * POINT.itemsize
     return StreamingResponse(iter(pieces), media_type=MEDIA_TYPE, headers={"Content-Length": str(length)})
