@@ -120,5 +120,5 @@ async def _read(vehicle: StationEnd, plan: PlanName) -> list[Waypoint]:
 
 
 def _base(request: Request) -> str:
-    """The address that Google Earth can ask, as this request's own Host names it."""
+    """The base URL for Google Earth, taken from this request's Host."""
     return f"{str(request.base_url).rstrip('/')}/api/v1"

@@ -187,6 +187,6 @@ def _tile_answer(request: Request, tile: Tile, stamp: Stamp) -> Response:
 
 
 def _no_terrain(layer_id: str) -> Response:
-    """Terrain is looked for wherever somebody looks: that there is none is no fault, and is not counted as one."""
+    """Answer 404 without counting an error: the globe requests terrain wherever the camera looks, also outside it."""
     detail = f"There is no terrain of '{layer_id}' here."
     return problem_response(404, "map_tile_missing", detail, {"layer": layer_id}, {"Cache-Control": _CACHE})

@@ -20,7 +20,7 @@ RecordingId = Annotated[str, Path(pattern=r"^[0-9]{8}T[0-9]{6}Z(-[0-9]{1,4})?$",
 
 
 async def _folder_of(path: RecordingsDirDep, mirror: MirrorDep) -> RecordingFolder:
-    """All that these routes know of the station."""
+    """The only part of the station that these routes use."""
 
     def growing() -> Growing | None:
         recording = mirror.status["recording"]

@@ -154,7 +154,7 @@ def _drawn(name: str, lines: Sequence[Line]) -> NamedTrack:
 
 
 def _at_the_end(name: str, line: Line) -> Aircraft:
-    """Where the line ends, with the attitude of that moment where it is known."""
+    """The aircraft at the end of the line, with its attitude there if known."""
     _, latitude_deg, longitude_deg, altitude_m, heading_deg, pitch_deg, roll_deg = (
         float(column[0]) for column in line.last()
     )
@@ -167,7 +167,7 @@ def _title(words: Words) -> str:
 
 
 def _streamed(pieces: Iterator[bytes], media_type: str, name: str, extension: str) -> StreamingResponse:
-    """A file that is written while it is sent. Each piece is made by a thread: the control frames do not wait."""
+    """A file generated while it is sent. Each piece is made in a thread, so that the event loop does not wait."""
     headers = {"Content-Disposition": attachment(name, extension)}
     return StreamingResponse(_gathered(pieces), media_type=media_type, headers=headers)
 
