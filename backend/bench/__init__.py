@@ -1,1 +1,1 @@
-"""Measurements beside the peers, in the same run: `python -m bench`."""
+"""Measurements of the gateway and of comparable programs (peers) in the same run: `python -m bench`."""

@@ -29,7 +29,7 @@ MODULES = (
 
 
 def main(arguments: Sequence[str]) -> int:
-    """Measure what was asked for, all by default. Falling short is printed and is no failure of the run."""
+    """Run the named measurements, all by default. A missed target is printed but does not fail the run."""
     parser = argparse.ArgumentParser(prog="bench", description=__doc__)
     parser.add_argument("names", nargs="*", metavar="name", help=f"which to run: {', '.join(MODULES)} (default: all)")
     chosen = parser.parse_args(arguments).names or MODULES

@@ -1,7 +1,7 @@
-"""What strangers may do to a station, each as a process that does it for a while and ends by itself.
+"""Attacks on a station from its network, each a process that runs for a limited time and ends by itself.
 
 `with attack("pings", port, udp_port):` runs one; `python -m bench.attacks pings PORT UDP_PORT SECONDS` is that process,
-and says `ready` when it has begun in earnest. Everything stays on the loopback and is bounded in number and time.
+and prints `ready` when the attack is fully under way. All traffic stays on the loopback, limited in number and time.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ _EVERY_S: Final = 1.0
 
 
 def _pings(port: int, _udp_port: int, until_s: float) -> None:
-    """Four streams that send nothing but pings; one that is ended comes again."""
+    """Four streams that send nothing but pings; a closed one is opened again."""
     streams: list[socket.socket] = []
     while time.monotonic() < until_s:
         while len(streams) < _SOCKETS:
@@ -51,7 +51,7 @@ def _pings(port: int, _udp_port: int, until_s: float) -> None:
 
 
 def _flooded(stream: socket.socket) -> bool:
-    """Send some and throw the answers away; False where the station ended it."""
+    """Send some pings and discard the answers; False if the station closed the stream."""
     try:
         with contextlib.suppress(BlockingIOError):
             stream.send(_PINGS)
@@ -67,7 +67,7 @@ def _flooded(stream: socket.socket) -> bool:
 
 
 def _datagrams(_port: int, udp_port: int, until_s: float) -> None:
-    """Somebody else's datagrams at the simulator's port, half of them of its shape."""
+    """Datagrams of an unknown sender to the simulator's port, half of them in X-Plane's format."""
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sender:
         shapes = (b"DATA*" + bytes(36 * 5), os.urandom(200))
         begun_s, sent = time.monotonic(), 0
@@ -82,7 +82,7 @@ def _datagrams(_port: int, udp_port: int, until_s: float) -> None:
 
 
 def _bombs(port: int, _udp_port: int, until_s: float) -> None:
-    """Map files that are small and unpack to much, sent in again and again."""
+    """Small map files that unpack to huge sizes, uploaded again and again."""
     from tests.support.bombs import ENDLESS, SLOW, write_directory_bomb, write_lying_zip, write_view  # noqa: PLC0415
 
     with tempfile.TemporaryDirectory() as name:
@@ -109,11 +109,11 @@ def _send_in(port: int, file: Path, until_s: float) -> None:
 
 
 def _idle(port: int, _udp_port: int, until_s: float) -> None:
-    """Two thousand connections that say nothing or half a word; of those that are ended some come again."""
+    """Two thousand connections that send nothing or half a request; some of the closed ones are opened again."""
     waiting = selectors.DefaultSelector()
     count = 0
     while time.monotonic() < until_s:
-        # All of them at first; then so many in a second as there are places to lose.
+        # All of them at first; then 20 a round, to replace those that the station closed.
         for _ in range(_IDLE if count == 0 else 20):
             if count >= _IDLE:
                 break
@@ -135,7 +135,7 @@ def _idle(port: int, _udp_port: int, until_s: float) -> None:
 
 
 def _uploads(port: int, _udp_port: int, until_s: float) -> None:
-    """Three files that never come whole, a few bytes a second."""
+    """Three uploads of a few bytes a second that never complete."""
     sending: dict[int, socket.socket] = {}
     while time.monotonic() < until_s:
         for number in range(_UPLOADS):
@@ -157,7 +157,7 @@ def _uploads(port: int, _udp_port: int, until_s: float) -> None:
 
 def _viewers(count: int) -> Callable[[int, int, float], None]:
     def view(port: int, _udp_port: int, until_s: float) -> None:
-        """So many browsers that keep up."""
+        """Viewers that acknowledge every batch."""
         waiting = selectors.DefaultSelector()
         for _ in range(count):
             viewer = WebSocket(port, "/api/v1/stream?rate=60")
@@ -179,7 +179,7 @@ ATTACKS: Final[dict[str, Callable[[int, int, float], None]]] = {
     "viewers50": _viewers(50),
     "viewers200": _viewers(200),
 }
-"""By name. 200 viewers fit into this computer's share of streams."""
+"""The attacks by name. 200 viewers are below this computer's limit of streams."""
 
 _said = False
 
@@ -195,8 +195,8 @@ def _ready() -> None:
 def attack(
     name: str, port: int, udp_port: int, idle: Callable[[], None] = lambda: None
 ) -> Iterator[subprocess.Popen[bytes]]:
-    """One of ATTACKS for the time of the block. `idle` is called again and again until it has begun: a board that is
-    played by the caller must go on living meanwhile."""
+    """Run one of ATTACKS inside the block. `idle` is called repeatedly until the attack has begun, so that a caller
+    that plays the board can send its heartbeats meanwhile."""
     process = subprocess.Popen(
         [sys.executable, "-m", "bench.attacks", name, str(port), str(udp_port), str(LONGEST_S)],
         stdout=subprocess.PIPE,
@@ -221,7 +221,7 @@ def attack(
 
 
 def main() -> None:
-    """Name, port, UDP port, seconds."""
+    """Run one attack; arguments: name, port, UDP port, seconds."""
     name, port, udp_port, seconds = sys.argv[1:5]
     with contextlib.suppress(ImportError, ValueError, OSError):
         import resource  # noqa: PLC0415 - not on every system

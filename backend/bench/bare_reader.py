@@ -1,4 +1,4 @@
-"""Reads a pseudo-terminal and says when, in ns of the system's steady clock: `python -m bench.bare_reader PTY`."""
+"""Reads a pseudo-terminal and prints arrival times in ns of the steady clock: `python -m bench.bare_reader PTY`."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import time
 
 
 def main() -> None:
-    """Read for ever."""
+    """Read forever."""
     fd = os.open(sys.argv[1], os.O_RDWR | os.O_NOCTTY)
     os.write(1, b"ready\n")
     while True:

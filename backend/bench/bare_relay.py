@@ -1,6 +1,6 @@
-"""Hands datagrams to a pseudo-terminal and its bytes to datagrams, and does nothing else.
+"""Relays datagrams to a pseudo-terminal and its bytes back as datagrams, and does nothing else.
 
-`python -m bench.bare_relay PTY RECEIVE_PORT SEND_PORT`. What it writes has the size of the gateway's frames.
+`python -m bench.bare_relay PTY RECEIVE_PORT SEND_PORT`. Its writes have the size of the gateway's frames.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ _FRAME = encode_command("xplane_info", *([0.0] * 15))
 
 
 def main() -> None:
-    """Relay for ever."""
+    """Relay forever."""
     path, receive_port, send_port = sys.argv[1], int(sys.argv[2]), int(sys.argv[3])
     fd = os.open(path, os.O_RDWR | os.O_NOCTTY)
     simulator = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)

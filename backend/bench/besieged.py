@@ -1,4 +1,4 @@
-"""The HIL loop under each attack of `bench.attacks`, and with 50 and 200 viewers, beside the loop without any."""
+"""The HIL loop under each attack of `bench.attacks`, and with 50 and 200 viewers, compared to the undisturbed loop."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ Ways = tuple[list[float], list[float]]
 
 
 def run() -> list[Row]:
-    """p99 of both ways under each attack against the quiet loop of the same run."""
+    """p99 of both directions under each attack, compared to the undisturbed loop of the same run."""
     quiet = _measure(None)
     rows: list[Row] = []
     for name in ATTACKS:

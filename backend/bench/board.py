@@ -1,8 +1,8 @@
-"""Whether the board's loops keep their time when the line is as full as it gets, in both directions.
+"""Whether the board's periodic tasks stay on time while the line is full in both directions.
 
 Two boards of this computer run side by side for ten minutes (BENCH_MINUTES changes it), each in the HIL loop at 50 Hz
 with every stream on at its fastest. One's line is full both ways; the other is flooded with garbage at the line's full
-rate. How often a period began late is the board's own count, by its own clock (`tasks` in the shell).
+rate. The board itself counts the periods that began late, by its own clock (`tasks` in the shell).
 """
 
 from __future__ import annotations
@@ -48,7 +48,7 @@ def run() -> list[Row]:
 
 
 def _fly(name: str, filler: Filler) -> list[Row]:
-    """Ten minutes of one board; how often its loops were late, and what it took in and gave out."""
+    """Ten minutes of one board: how often its tasks were late, and the bytes it received and sent."""
     board = Board("posix", "--tcp", "0")
     station = Station.on_tcp(board.tcp_port)
     try:
@@ -59,7 +59,7 @@ def _fly(name: str, filler: Filler) -> list[Row]:
             station.command(f"set_{task}_task_rate", period_ms)
         sent, received = _fill(station, filler())
         station.command("stop")
-        # In text mode the shell answers; what garbage is left in the interpreter ends with its time-out.
+        # The shell answers only in text mode; its time-out discards garbage left in the frame decoder.
         station.command("exit_binary_mode")
         late = _late(station)
     finally:
@@ -86,7 +86,7 @@ def _fly(name: str, filler: Filler) -> list[Row]:
 
 
 def _fill(station: Station, filler: Iterator[bytes]) -> tuple[int, int]:
-    """Give and take at the line's pace, HIL frames first; bytes sent and received."""
+    """Send and receive at the line's rate, HIL frames first; returns the bytes sent and received."""
     begun_s = time.monotonic()
     hil = encode_command("xplane_info", *LEVEL_FLIGHT)
     hil_frames = sent = received = 0
@@ -109,14 +109,14 @@ def _fill(station: Station, filler: Iterator[bytes]) -> tuple[int, int]:
 
 
 def _commands() -> Iterator[bytes]:
-    """Frames that the board carries out and acknowledges, for ever."""
+    """Commands that the board executes and acknowledges, endlessly."""
     while True:
         for value in (1.0, 2.0):
             yield encode_command("set_k_roll", value)
 
 
 def _garbage() -> Iterator[bytes]:
-    """Bytes of every value, with headers of frames among them that never come true."""
+    """Random bytes, with frame headers among them that no valid frame follows."""
     source = random.Random(7)
     while True:
         yield source.randbytes(source.randrange(1, 60))
@@ -124,6 +124,6 @@ def _garbage() -> Iterator[bytes]:
 
 
 def _late(station: Station) -> dict[str, int]:
-    """Task -> periods that began late, as the shell says."""
+    """Task -> number of periods that began late, as the shell prints it."""
     found = (_LATE.match(line) for line in station.lines("tasks"))
     return {match[1]: int(match[2]) for match in found if match}

@@ -1,4 +1,4 @@
-"""Processor time of the gateway at a full 115200 line with one viewer, beside the peer on the same bytes."""
+"""CPU time of the gateway at a full 115200 baud line with one viewer, compared to the peer on the same bytes."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from bench.table import Row
 from tests.codec.streams import mixed_frames
 
 LINE_BYTES_PER_S: Final = 11520
-# A USB adapter in low latency mode hands over what came within a millisecond.
+# A USB adapter in low latency mode delivers once a millisecond what arrived.
 CHUNK_S: Final = 0.001
 MEASURED_S: Final = 10.0
 WARM_UP_S: Final = 2.0
@@ -45,7 +45,7 @@ def run() -> list[Row]:
 
 
 def _stream() -> bytes:
-    """Half a second of the line: all streams, and the heartbeat among them, so that the board stays open."""
+    """Half a second of the line: all streams, with heartbeats, so that the session stays open."""
     frames: list[bytes] = []
     size = 0
     for index, frame in enumerate(mixed_frames(1000, seed=3)):
@@ -57,7 +57,7 @@ def _stream() -> bytes:
 
 
 def _percent(pids: Sequence[int], line: Line, stream: bytes) -> float:
-    """Feed the line as a serial port would, on an absolute schedule; percent of one core."""
+    """Feed the line as a serial port would, on an absolute schedule; returns percent of one core."""
     sent = 0
     begun_s = time.monotonic()
     before_s, measured_from_s = 0.0, 0.0
@@ -74,7 +74,7 @@ def _percent(pids: Sequence[int], line: Line, stream: bytes) -> float:
 
 
 def _cut(stream: bytes, start: int, stop: int) -> bytes:
-    """Bytes start..stop of the stream repeated for ever."""
+    """Bytes start..stop of the endlessly repeated stream."""
     place = start % len(stream)
     repeated = stream[place:] + stream * (1 + (stop - start) // len(stream))
     return repeated[: stop - start]
@@ -82,7 +82,7 @@ def _cut(stream: bytes, start: int, stop: int) -> bytes:
 
 @contextlib.contextmanager
 def _reading(viewer: WebSocket, shown: Callable[[bytes], None]) -> Iterator[None]:
-    """A viewer that keeps up."""
+    """A viewer that reads every message."""
 
     def read() -> None:
         with contextlib.suppress(OSError):

@@ -1,4 +1,4 @@
-"""Viewers that keep up: `python -m bench.crowd PORT COUNT`; says `ready` when all have their first batch."""
+"""Viewers that keep up: `python -m bench.crowd PORT COUNT`; prints `ready` when all have their first batch."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from bench.station import WebSocket
 
 
 def main() -> None:
-    """Read and acknowledge for ever."""
+    """Read and acknowledge forever."""
     port, count = int(sys.argv[1]), int(sys.argv[2])
     waiting = selectors.DefaultSelector()
     for _ in range(count):

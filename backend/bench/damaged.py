@@ -14,7 +14,7 @@ SHARE = 0.001
 
 
 def run() -> list[Row]:
-    """Our decoder at every chunk size; the peer at its best, over a stream of its own with the same damage."""
+    """Our decoder at every chunk size; the peer at its best one, on its own stream with the same damage."""
     ours = damage(mixed_frames(FRAMES, seed=1), SHARE, seed=2)
     peer_found, peer_wrong = _peer()
     rows = []
@@ -27,7 +27,7 @@ def run() -> list[Row]:
 
 
 def _ours(stream: DamagedStream, chunk: int) -> tuple[float, int]:
-    """Percent of the intact frames found, and accepted frames that were not sent like that."""
+    """Percent of the intact frames that were found, and the number of accepted frames that were never sent."""
     found = placed(decode(stream.data, chunk))
     hit = sum(found.get(place) == frame for place, frame in stream.intact.items())
     return 100.0 * hit / len(stream.intact), len(found) - hit

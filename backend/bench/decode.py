@@ -1,4 +1,4 @@
-"""Frames a second of the live decoder, beside pymavlink over a stream of its own of the same kind."""
+"""Frames a second of the live decoder, compared to pymavlink on its own stream of the same kind."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ SHARE_AT_ONE_BYTE = 1.0 / 20.0
 
 
 def run() -> list[Row]:
-    """Our best round against the peer's best round, taken in turns so that both meet the same machine.
+    """Our best round against the peer's best round; they alternate, so that both meet the same load.
 
-    The clock is the processor time of this process: what else runs on the machine is not counted.
+    Measured in CPU time of this process, so that other programs on the machine do not count.
     """
     rates = {chunk: frames_a_second(chunk) for chunk in CHUNKS}
     return [_row(chunk, rates) for chunk in CHUNKS]

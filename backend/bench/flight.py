@@ -1,4 +1,4 @@
-"""The board's C code in closed loop with the simulator, beside the reference flights of the same laws.
+"""The board's C code in closed loop with the simulator, compared to reference flights of the same control laws.
 
 `python -m bench flight` flies the steps, the circuit and the shortest of the long routes; `python -m bench.flight`
 flies all four routes, 2 h 50 min of simulated time.
@@ -38,7 +38,7 @@ from epf_gcs.simulator.link import LinkQuality
 from epf_gcs.simulator.simulation import SimulationOptions
 
 _SHORT_ROUTES = ("gando", "vuelo")
-_LONGEST_SHARE = 1.3  # of the reference time; a flight that takes longer has lost its way
+_LONGEST_SHARE = 1.3  # share of the reference time after which a flight is given up as lost
 _STEP_S = 90.0
 
 
@@ -115,7 +115,7 @@ def _route(name: str) -> list[Row]:
 
 
 def _bad_links() -> list[Row]:
-    """Both are to be clean; at 250 ms round trip the laws are known to be lost."""
+    """Flights over bad links, all of which must succeed; at 250 ms round trip the control laws are known to fail."""
     links = {
         "200 ms round trip": LinkQuality(delay_ms=100.0),
         "5 % of frames lost": LinkQuality(loss=0.05),

@@ -22,7 +22,7 @@ _PROTOCOLS = ("foxglove.sdk.v1", "foxglove.websocket.v1")
 
 
 def main() -> None:
-    """Read the line for ever."""
+    """Read the line forever."""
     server = foxglove.start_server(host="127.0.0.1", port=0)
     schema = Schema(name="values", encoding="jsonschema", data=b'{"type":"object"}')
     channels: dict[str, Channel] = {"ahrs": Channel("ahrs", schema=schema, message_encoding="json")}

@@ -1,8 +1,8 @@
-"""The globe in a real browser, drawn by the processor alone: a long track beside a short one, what a point costs, what
-is kept of hours, the first picture, the instruments beside it, and that it rests when nothing moves.
+"""The globe in a real browser with software rendering: a long track compared to a short one, memory of each point and
+of hours of flight, time to the first picture, the instruments beside it, and no drawing while nothing moves.
 
-The gateway is this process, so that hours can be put into its track as they would have been flown. Everything that
-happens while it is measured comes over its links: board and simulator at 50 Hz.
+The gateway runs in this process, so that hours of flight can be put into its track directly. While it is measured all
+data comes over its links: board and simulator at 50 Hz.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ APPEND_REACH_MS: Final = 2.0
 OPEN_REACH_S: Final = 2.0
 FRAMES_REACH: Final = 50.0
 HEAP_REACH_MB: Final = 2.0
-"""What may be kept beside the points over the last hour and a half of two: nothing but noise."""
+"""Allowed heap growth, apart from the points, in the last 90 of 120 minutes: nothing but noise."""
 POINT_REACH_BYTES: Final = 64.0
 """28 of its values, 4 of its weight, and its share of what is drawn."""
 _E2E: Final = Path(__file__).resolve().parents[2] / "e2e"
@@ -68,7 +68,7 @@ def _rows(found: dict[str, Any]) -> list[Row]:
         for part, name in (("script", "a frame's script"), ("frame", "a frame until it is drawn")):
             for share in ("p50", "p95"):
                 ours, peer = float(long[part][share]), float(short[part][share])
-                # The bar is of what a frame costs; its worst ones belong to what else the machine does.
+                # Only the median has a limit: the slowest pictures are due to other load of the machine.
                 reach = "<= 1.1 x" if share == "p50" else ""
                 ok = ours <= WORSE_REACH * peer if reach else None
                 rows.append(Row(f"{where}: {name}, 360,000 points, {share}", ours, "ms", reach, ok, peer, "1,000"))
@@ -102,7 +102,7 @@ def _rows(found: dict[str, Any]) -> list[Row]:
 
 
 class _Flight:
-    """Board and simulator at 50 Hz, and hours of flight at once."""
+    """Plays board and simulator at 50 Hz, and can add hours of flight at once."""
 
     def __init__(self, gateway: Gateway, board: FakeBoard) -> None:
         self._gateway = gateway
@@ -110,32 +110,32 @@ class _Flight:
         self._port = free_udp_port()
         link = {"receive_port": self._port, "send_host": "127.0.0.1", "send_port": free_udp_port()}
         gateway.http.put("/links/simulator", json=link).raise_for_status()
-        # Time of flight less the clock's: a parked aircraft stays where it was.
+        # The time at which the aircraft was parked, where it then stays; None while it flies.
         self._parked_s: float | None = None
         self._is_on = False
         self._stop = threading.Event()
         self.thread = threading.Thread(target=self._fly, name="flight", daemon=True)
 
     def stop(self) -> None:
-        """Land."""
+        """Stop sending."""
         self._stop.set()
         self.thread.join()
 
     def fly(self, how: str) -> None:
-        """`on`, `off`, or `parked`: everything comes, and always the same."""
+        """`on`, `off`, or `parked`: all data is sent, with constant values."""
         self._is_on = how != "off"
         self._parked_s = time.time() if how == "parked" else None
 
     def put(self, points: int) -> None:
-        """The track is as after so many points of 50 Hz that end now."""
+        """Replace the track by this many points at 50 Hz, the last one now."""
         was_on, self._is_on = self._is_on, False
-        # The page has the control; a flight begins without asking it.
+        # Not over HTTP: only the page, which has control, could clear the track there.
         self._gateway.server.servers[0].get_loop().call_soon_threadsafe(self._gateway.web.tracks.reset)
         self._add(time.time() - PERIOD_S * points, points, 0.0)
         self._is_on = was_on
 
     def hasten(self, points: int, rate: float) -> None:
-        """Fly so many points on, so many in a second."""
+        """Append this many points, `rate` of them a second."""
         self._add(time.time(), points, _CHUNK / rate)
 
     def _add(self, begin_s: float, points: int, pause_s: float) -> None:
@@ -167,7 +167,7 @@ class _Flight:
 @contextmanager
 def _flight(gateway: Gateway, board: FakeBoard) -> Iterator[_Flight]:
     gateway.open_board(board.url)
-    # From here on its frames are the flight's.
+    # From here on `_Flight` sends the board's frames.
     board.silent = True
     flight = _Flight(gateway, board)
     flight.thread.start()
@@ -179,7 +179,7 @@ def _flight(gateway: Gateway, board: FakeBoard) -> Iterator[_Flight]:
 
 @contextmanager
 def _orders(flight: _Flight) -> Iterator[str]:
-    """Where the browser's side orders what shall be flown; the answer comes when it is done."""
+    """A server through which the browser's script controls the flight; it answers when the order is done."""
     known: dict[str, Callable[..., None]] = {
         "/fly": flight.fly,
         "/put": lambda points: flight.put(int(points)),
@@ -194,7 +194,7 @@ def _orders(flight: _Flight) -> Iterator[str]:
             self.end_headers()
 
         def log_message(self, *_: Any) -> None:
-            """Nobody reads it."""
+            """Print nothing."""
 
     with ThreadingHTTPServer(("127.0.0.1", 0), Orders) as server:
         thread = threading.Thread(target=server.serve_forever, name="orders", daemon=True)

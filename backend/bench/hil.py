@@ -1,7 +1,7 @@
-"""What the gateway adds to the HIL loop: a datagram until its frame is on the line, and a frame until its datagram.
+"""Delay that the gateway adds to the HIL loop: from datagram to frame on the line, and from frame to datagram.
 
-The board and the simulator are this process, at 50 Hz on an absolute schedule; the floor is a process that only
-hands the bytes on. The viewers get every topic at 60 Hz and acknowledge, from a process of their own.
+This process plays board and simulator, at 50 Hz on an absolute schedule; the baseline is a process that only
+relays the bytes. The viewers, in a separate process, get every topic at 60 Hz and acknowledge.
 """
 
 from __future__ import annotations
@@ -88,7 +88,7 @@ def _floor() -> tuple[list[float], list[float]]:
 
 
 def fly(simulator: socket.socket, receive_port: int, line: Line) -> tuple[list[float], list[float]]:
-    """Milliseconds of each way, FRAMES times."""
+    """FRAMES delays in ms for each direction."""
     there: list[float] = []
     back: list[float] = []
     next_s = time.perf_counter()
@@ -124,7 +124,7 @@ def _crowd(gateway: Gateway, viewers: int, line: Line) -> Iterator[None]:
     )
     try:
         assert process.stdout is not None
-        # The board lives on while they come in.
+        # Keep sending the board's heartbeats while the viewers connect.
         while not select.select([process.stdout], [], [], 0.05)[0]:
             line.write(HEARTBEAT)
             line.read(0.0)

@@ -28,7 +28,7 @@ SAMPLE_S: Final = 0.1
 ROW_PERIOD_MS: Final = 20.0
 """X-Plane's rows at 50 Hz."""
 P50_LIMIT_MS: Final = 2 * 3.2
-"""Twice what the deployed board's loop was measured at."""
+"""Twice the delay measured in the deployed board's loop."""
 
 
 @dataclass(frozen=True, slots=True)

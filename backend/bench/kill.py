@@ -1,4 +1,4 @@
-"""Kill the gateway in flight and see how much of the line's bytes its recording lacks."""
+"""Kill the gateway in flight and measure how many of the line's last bytes its recording lacks."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from bench.table import Row
 from tests.codec.streams import mixed_frames
 
 KILLS: Final = 5
-FLOWN_S: Final = 3.3  # no multiple of the recorder's flush, so the kills fall at different places of it
+FLOWN_S: Final = 3.3  # not a multiple of the recorder's flush period, so that the kills fall at different phases of it
 LINE_BYTES_PER_S: Final = 11520
 REACH_S: Final = 1.0
 MARK: Final = b"\rthe flight begins\n"  # a text line, as boards send them; the opening dialogue has none
@@ -31,12 +31,12 @@ def run() -> list[Row]:
 
 
 def _missing_s() -> float:
-    """How long before the kill the first byte came that is not in the file."""
+    """How long before the kill the first byte was sent that is not in the file, in s."""
     with station() as (gateway, line):
-        # What the opening dialogue put on the line is in the file too, in front of what is sent here.
+        # The file also holds the bytes of the opening dialogue, before those sent here.
         written = _feed(line)
         killed_s = time.monotonic()
-        # The launcher first, which would start it again; its end is what the flight process would end by itself for.
+        # Stop the launcher first: it would restart the flight process; killed first, it would end it cleanly.
         os.kill(gateway.process.pid, signal.SIGSTOP)
         flight = gateway.parts["flight"]
         os.kill(flight, signal.SIGKILL)
@@ -56,7 +56,7 @@ def _missing_s() -> float:
 
 
 def _feed(line: Line) -> list[tuple[float, bytes]]:
-    """Send a full line's worth of frames for a while; what was sent, with its time."""
+    """Send frames at the line's full rate for a while; returns the bytes sent, with their times."""
     frames = [MARK, *mixed_frames(4000, seed=7)]
     written: list[tuple[float, bytes]] = []
     begun_s = time.monotonic()
@@ -75,7 +75,7 @@ def _feed(line: Line) -> list[tuple[float, bytes]]:
 
 
 def _board_bytes(path: Path) -> bytes:
-    """All bytes of the board in a file that nobody closed."""
+    """All bytes from the board in a recording that was not closed."""
     topics: dict[int, str] = {}
     data = b""
     with path.open("rb") as file:
@@ -86,5 +86,5 @@ def _board_bytes(path: Path) -> bytes:
                 elif isinstance(record, Message) and topics[record.channel_id] == "board/received":
                     data += record.data
         except McapError:
-            pass  # the cut
+            pass  # the incomplete end of the file
     return data

@@ -1,4 +1,4 @@
-"""Board bytes on a pseudo-terminal until the message is in a client's hands, beside a bare read and foxglove-sdk."""
+"""Delay from board bytes on a pseudo-terminal to the message at a client, compared to a bare read and foxglove-sdk."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ _FRAME: Final = encode_telemetry("ahrs", 123.0, 4.5, -6.75)
 
 
 def run() -> list[Row]:
-    """The three take turns, so that all meet the same machine."""
+    """Measure the three in turns, so that all meet the same load of the machine."""
     ours: list[float] = []
     peer: list[float] = []
     bare: list[float] = []
@@ -61,7 +61,7 @@ def run() -> list[Row]:
 
 
 def _measure(line: Line, received: Callable[[], float]) -> list[float]:
-    """Milliseconds of SAMPLES frames, one under way at a time; `received` says when the message was there."""
+    """Delays in ms of SAMPLES frames, sent one at a time; `received` returns the time of the message's arrival."""
     times = []
     for _ in range(SAMPLES):
         begun = time.perf_counter()
@@ -87,7 +87,7 @@ def _until_binary(client: WebSocket) -> float:
 
 
 def _keep_open(line: Line, gateway: Gateway) -> None:
-    """The board lives on while the others are measured."""
+    """Send heartbeats, so that the session stays open while the others are measured."""
     line.write(HEARTBEAT)
     line.read(0.0)
     if gateway.process.poll() is not None:
@@ -105,7 +105,7 @@ def _peer() -> Iterator[tuple[Line, WebSocket]]:
 
 @contextlib.contextmanager
 def _bare() -> Iterator[tuple[Line, int]]:
-    """A process that does nothing but read the line and say when it did."""
+    """A process that only reads the line and prints the times."""
     with tempfile.TemporaryDirectory() as folder, _child("bench.bare_reader", folder) as (line, process):
         assert process.stdout is not None
         process.stdout.readline()

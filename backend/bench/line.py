@@ -1,8 +1,8 @@
-"""A full 115200 line until its frames are decoded: processor time and latency, woken for each piece or for each frame.
+"""Reading and decoding a full 115200 baud line: CPU time and latency, woken for each piece or for each frame.
 
-A pseudo-terminal is fed in pieces of a millisecond, as a USB adapter hands them over. A process of its own reads it
-through the gateway's link and decoder, with and without being told how many bytes are missing; nothing else runs in it.
-The two take turns, so that both meet the same machine. Latency is from the write of a frame's last byte.
+A pseudo-terminal is fed in pieces of a millisecond, as a USB adapter delivers them. A separate process reads it through
+the gateway's link and decoder, with and without waiting for the number of missing bytes; nothing else runs in it.
+The two modes alternate, so that both meet the same load. Latency is from the write of a frame's last byte.
 """
 
 from __future__ import annotations
@@ -67,7 +67,7 @@ def run() -> list[Row]:
 
 
 def _ran_s(pid: int) -> float:
-    """Processor time of the process's only thread; the clock ticks of `cpu_s` are too coarse for one percent."""
+    """CPU time in s of the process's only thread; the clock ticks of `cpu_s` are too coarse for one percent."""
     return int(Path(f"/proc/{pid}/schedstat").read_text().split()[0]) * 1e-9
 
 
@@ -95,7 +95,7 @@ _Feed = Callable[[Line, float], list[int]]
 
 
 def _in_pieces(line: Line, for_s: float) -> list[int]:
-    """On an absolute schedule; when the last byte of each marked frame was written, in ns of the steady clock."""
+    """Write pieces on an absolute schedule; returns the steady time in ns of each marked frame's last byte."""
     frames = _frames()
     ends: list[int] = []
     stream = b""
@@ -134,7 +134,7 @@ def _in_frames(line: Line, for_s: float) -> list[int]:
 
 
 def _measure(mode: str, feed: _Feed) -> tuple[float, float, list[float]]:
-    """Percent of a core, reads a second, and milliseconds of each marked frame."""
+    """Percent of a core, reads a second, and each marked frame's latency in ms."""
     with tempfile.TemporaryDirectory() as folder:
         line = Line(Path(folder))
         process = subprocess.Popen(

@@ -11,7 +11,7 @@ NAME = "pymavlink"
 
 
 class _Sink:
-    """What pymavlink writes its frames into."""
+    """A file-like object that collects the frames pymavlink writes."""
 
     def __init__(self) -> None:
         self.frames: list[bytes] = []
@@ -45,7 +45,7 @@ def mixed_frames(count: int, seed: int) -> list[bytes]:
 
 
 def decode(chunks: list[bytes]) -> list[Any]:
-    """All messages that the parser finds in these chunks; it is told to go on after damage."""
+    """All messages that the parser finds in these chunks; set to continue after damage."""
     parser: Any = common.MAVLink(None)
     parser.robust_parsing = True
     found: list[Any] = []

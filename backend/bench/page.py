@@ -1,7 +1,7 @@
 """The page in a real browser while twelve topics come at 50 Hz: frames, script, processor time, long tasks.
 
-The board and the simulator are this process, every value moves, and each main tab is open for a while. Beside them
-stands the leanest page that shows the same stream: what a browser costs on this machine at all.
+This process plays board and simulator with changing values, and each main tab is open for a while. The baseline is
+a minimal page that shows the same stream: the cost of the browser itself on this machine.
 """
 
 from __future__ import annotations
@@ -80,10 +80,10 @@ def _rows(tab: dict[str, float | str], lean: dict[str, float | str]) -> list[Row
 
 
 def _feed(line: Line, port: int, stop: threading.Event) -> None:
-    """Every topic 50 times a second, as a gentle flight in circles."""
+    """Send every topic 50 times a second, as in a gentle flight in circles."""
 
     def send_board(t_s: float) -> None:
-        # A gateway that is held up does not read: a real line would lose these bytes too.
+        # If the gateway is too slow to read, drop the bytes, as a real line would.
         with contextlib.suppress(BlockingIOError):
             line.write(board_frames(t_s))
         while line.read(0.0):
@@ -95,7 +95,7 @@ def _feed(line: Line, port: int, stop: threading.Event) -> None:
 def send(
     port: int, stop: threading.Event, send_board: Callable[[float], None], datagram: Callable[[float], bytes | None]
 ) -> None:
-    """Board and simulator 50 times a second on an absolute schedule, until told to stop."""
+    """Send board frames and simulator datagrams 50 times a second on an absolute schedule, until stopped."""
     simulator = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
     begun_s = next_s = time.monotonic()
     while not stop.is_set():

@@ -1,4 +1,4 @@
-"""A flight of any length as a station sees it: circuits that never lie on each other, with gusts; by its time alone."""
+"""A flight of any length as a function of time alone: circuits that never coincide, with gusts."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ _M_PER_DEG = 111_195.0
 
 
 class Moment(NamedTuple):
-    """Where the aircraft is and how it lies; altitude in metres above mean sea level, angles in degrees."""
+    """Position and attitude of the aircraft; altitude in metres above mean sea level, angles in degrees."""
 
     latitude_deg: float
     longitude_deg: float
@@ -37,7 +37,7 @@ def place(t_s: float) -> tuple[float, float, float]:
 
 
 def moment(t_s: float) -> Moment:
-    """The same with an attitude that goes with it."""
+    """Position at this time, with a matching attitude."""
     latitude_deg, longitude_deg, altitude_m = place(t_s)
     before = place(t_s - _STEP_S)
     east = (longitude_deg - before[1]) * math.cos(math.radians(latitude_deg))
@@ -46,7 +46,7 @@ def moment(t_s: float) -> Moment:
 
 
 def datagram(t_s: float) -> bytes:
-    """What the simulator sends of this moment."""
+    """The simulator's datagram at this time."""
     at = moment(t_s)
     values: dict[int, tuple[float, ...]] = {
         3: (130.0, 130.0, 130.0, 130.0),

@@ -1,4 +1,4 @@
-"""A gateway of its own process, a pseudo-terminal in the board's place, and lean WebSocket clients."""
+"""A gateway in a separate process, a pseudo-terminal in the board's place, and minimal WebSocket clients."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ TICKS_PER_S: Final = os.sysconf("SC_CLK_TCK")
 
 
 class Line:
-    """A pseudo-terminal: we are the board at its master."""
+    """A pseudo-terminal; this process plays the board at its master end."""
 
     def __init__(self, folder: Path) -> None:
         self.master, self.slave = pty.openpty()
@@ -42,22 +42,22 @@ class Line:
         self.folder = folder
 
     def write(self, data: bytes) -> None:
-        """Bytes of the board."""
+        """Send bytes as the board."""
         os.write(self.master, data)
 
     def read(self, timeout_s: float) -> bytes:
-        """Bytes for the board; empty when none came."""
+        """Bytes sent to the board; empty if none came in time."""
         ready, _, _ = select.select([self.master], [], [], timeout_s)
         return os.read(self.master, 65536) if ready else b""
 
     def close(self) -> None:
-        """Both ends."""
+        """Close both ends."""
         os.close(self.master)
         os.close(self.slave)
 
 
 class WebSocket:
-    """As little as a client can do, so that what is measured is the other side. Texts and binaries are whole."""
+    """A minimal client, so that only the server's cost is measured. It expects unfragmented messages."""
 
     def __init__(self, port: int, path: str, protocol: str = "") -> None:
         self.socket = socket.create_connection(("127.0.0.1", port))
@@ -87,19 +87,19 @@ class WebSocket:
             self._buffer += data
 
     def send(self, text: str) -> None:
-        """A short text; masked with zeros, which masks nothing and is allowed."""
+        """Send a short text; with a mask of zeros, which is allowed and changes nothing."""
         data = text.encode()
         head = bytes((0x81, 0x80 | len(data))) if len(data) < 126 else struct.pack("!BBH", 0x81, 0xFE, len(data))
         self.socket.sendall(head + b"\0\0\0\0" + data)
 
     def acknowledge(self, message: bytes) -> None:
-        """Tell our gateway that a batch was shown."""
+        """Acknowledge a batch to our gateway."""
         found = re.match(rb'\{"type":"batch","seq":(\d+)', message)
         if found is not None:
             self.send(f'{{"type":"ack","seq":{int(found[1])}}}')
 
     def close(self) -> None:
-        """End."""
+        """Close the connection."""
         self.socket.close()
 
     def _take(self) -> bytes | None:
@@ -126,7 +126,7 @@ class Gateway:
 
     @property
     def parts(self) -> dict[str, int]:
-        """The process numbers of the two processes, `flight` and `web`."""
+        """The process ids of `flight` and `web`."""
         found = {}
         for pid in children_of(self.process.pid):
             words = Path(f"/proc/{pid}/cmdline").read_bytes().decode().split("\0")
@@ -134,7 +134,7 @@ class Gateway:
         return found
 
     def put(self, path: str, body: dict[str, Any]) -> None:
-        """A PUT of the interface."""
+        """Make a PUT request."""
         request = urllib.request.Request(
             f"http://127.0.0.1:{self.port}/api/v1{path}",
             json.dumps(body).encode(),
@@ -144,19 +144,19 @@ class Gateway:
         urllib.request.urlopen(request, timeout=_DEADLINE_S).close()
 
     def open(self, line: Line) -> None:
-        """Open the line and play a deployed board's part of the dialogue."""
+        """Open the line and answer the opening dialogue as a deployed board does."""
         self.put("/links/board", {"url": line.url})
         give_up_s = time.monotonic() + _DEADLINE_S
         heard = b""
         while OPEN_BINARY_MODE not in heard and time.monotonic() < give_up_s:
             heard += line.read(0.1)
-        # Heartbeats until the question for extensions stays unanswered: then it is a legacy board, and open.
+        # Send heartbeats until the gateway's request for capabilities times out: then it takes us for a legacy board.
         while self._state() != "open" and time.monotonic() < give_up_s:
             line.write(HEARTBEAT)
             line.read(0.05)
 
     def stream(self, rate: int) -> WebSocket:
-        """A viewer."""
+        """Connect a viewer."""
         return WebSocket(self.port, f"/api/v1/stream?rate={rate}")
 
     def _state(self) -> str:
@@ -166,7 +166,7 @@ class Gateway:
 
 @contextlib.contextmanager
 def station() -> Iterator[tuple[Gateway, Line]]:
-    """A gateway with a line that we hold the other end of."""
+    """A running gateway and the line it has open."""
     with tempfile.TemporaryDirectory() as folder:
         line = Line(Path(folder))
         process = subprocess.Popen(
@@ -191,7 +191,7 @@ def station() -> Iterator[tuple[Gateway, Line]]:
 
 
 def cpu_s(*pids: int) -> float:
-    """Processor time that processes have used, user and system."""
+    """CPU time in s that the processes have used, user and system."""
     used = 0
     for pid in pids:
         fields = Path(f"/proc/{pid}/stat").read_text().rsplit(")", 1)[1].split()
@@ -200,6 +200,6 @@ def cpu_s(*pids: int) -> float:
 
 
 def percentile(values: Sequence[float], share: float) -> float:
-    """The value below which this share of all lies."""
+    """The value below which this share (0..1) of all values lies."""
     ordered = sorted(values)
     return ordered[min(len(ordered) - 1, int(share * len(ordered)))]

@@ -1,6 +1,6 @@
 """The HIL loop while another program of the simulator's machine floods its port: `python -m bench.strangers PORT`.
 
-Times are those of `bench.hil`, without a viewer, with and without the flood; and what of it is recorded.
+Measures as `bench.hil`, without viewers, with and without the flood; and how much of the flood is recorded.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ _FORGED: Final = b"DATA@" + bytes(36)
 
 
 def run() -> list[Row]:
-    """Both ways of the loop."""
+    """Measure both directions of the loop."""
     quiet, quiet_bytes = _measure(flooded=False)
     flooded, flooded_bytes = _measure(flooded=True)
     rows: list[Row] = []
@@ -44,13 +44,13 @@ def run() -> list[Row]:
 
 
 def _measure(*, flooded: bool) -> tuple[tuple[list[float], list[float]], float]:
-    """Milliseconds of both ways, and recorded bytes a second."""
+    """Delays in ms of both directions, and recorded bytes/s."""
     simulator, port = simulator_socket()
     with contextlib.closing(simulator), station() as (gateway, line):
         receive_port = free_udp_port()
         gateway.put("/links/simulator", {"receive_port": receive_port, "send_host": "127.0.0.1", "send_port": port})
         gateway.put("/hil", {"path": "assisted"})
-        # The simulator is heard first.
+        # The simulator sends first, so that the gateway accepts it as the sender.
         simulator.sendto(_FORGED, ("127.0.0.1", receive_port))
         time.sleep(0.1)
         flood = subprocess.Popen([sys.executable, "-m", "bench.strangers", str(receive_port)]) if flooded else None
@@ -67,7 +67,7 @@ def _measure(*, flooded: bool) -> tuple[tuple[list[float], list[float]], float]:
 
 
 def _flood(port: int) -> None:
-    """Rows of a simulator from another port of its machine, for ever."""
+    """Send a simulator's rows from another port of the same machine, forever."""
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sock:
         sent, begun_s = 0, time.monotonic()
         while True:

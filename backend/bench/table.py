@@ -1,4 +1,4 @@
-"""One line of the bench, and all of them as a table."""
+"""A row of results, and all rows as a table."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ HEADINGS = ("what", "ours", "peer", "ratio", "reach", "")
 
 @dataclass(frozen=True, slots=True)
 class Row:
-    """What was measured, beside the peer's figure of the same run where there is a peer.
+    """A measured value, with the peer's value from the same run if there is a peer.
 
-    `reach` says what is to be reached, and `ok` whether it was; None where there is nothing to reach.
+    `reach` is the target and `ok` whether it was met; None if there is no target.
     """
 
     what: str
@@ -25,7 +25,7 @@ class Row:
 
     @property
     def ratio(self) -> float | None:
-        """Ours in peers, None without one."""
+        """Our value divided by the peer's; None without a peer."""
         return None if self.peer is None or self.peer == 0.0 else self.ours / self.peer
 
 
@@ -45,7 +45,7 @@ def _cells(row: Row) -> tuple[str, ...]:
 
 
 def _number(value: float) -> str:
-    """Three digits are enough for a shared machine."""
+    """Three significant digits: more would be noise on a shared machine."""
     if value == 0.0 or abs(value) >= 100:
         return f"{value:,.0f}"
     return f"{value:.3g}"

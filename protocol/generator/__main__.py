@@ -1,6 +1,6 @@
 """Write every generated file, or with --check fail when one is out of date or a released frame changed.
 
-Run as `python3 -m generator` in protocol/. `--release` makes the present wire the released one.
+Run as `python3 -m generator` in protocol/. `--release` records the present frames as the released ones.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ ROOT = Path(__file__).resolve().parent.parent.parent
 
 
 def outputs(definition: Definition) -> dict[str, str]:
-    """Path from the root of the tree -> text."""
+    """All generated files: path from the root of the tree -> text."""
     return {
         "backend/src/epf_gcs/codec/messages_gen.py": emit_python.messages(definition),
         "firmware/src/comms/protocol_gen.h": emit_c.protocol_header(definition),
@@ -34,7 +34,7 @@ def outputs(definition: Definition) -> dict[str, str]:
 
 
 def main(arguments: list[str], root: Path = ROOT) -> int:
-    """Do what the command line says to the tree at `root`; returns the exit code."""
+    """Run the command line on the tree at `root`; returns the exit code."""
     parser = argparse.ArgumentParser(prog="generator", description=__doc__)
     parser.add_argument("--check", action="store_true", help="write nothing; fail when a file is out of date")
     parser.add_argument("--release", action="store_true", help="make the present wire the released one")
@@ -76,7 +76,7 @@ def _stale(root: Path, made: dict[str, str]) -> list[str]:
 
 
 def _broken(definition: Definition, last_release: Path) -> list[str]:
-    """What deployed stations and boards would trip over."""
+    """Changes of released frames, which deployed stations and boards would no longer understand."""
     if not last_release.exists():
         return ["protocol/released.json is missing: nothing would notice a changed frame"]
     return released.breaks(definition, json.loads(last_release.read_text("utf-8")))

@@ -1,4 +1,4 @@
-"""Rules that a schema cannot say: sizes, unique ids and names, references between the files."""
+"""Rules that a JSON schema cannot express: sizes, unique ids and names, references between the files."""
 
 from __future__ import annotations
 

@@ -236,7 +236,7 @@ def _structure(prefix: str, message: Message) -> Iterator[str]:
 
 
 def _constants(name: str, message: Message) -> Iterator[str]:
-    """Names for the numbers and bits that a field may hold, as macros: the wire's types are exact."""
+    """Macros for a field's named numbers and bits. No C enums: the fields have the wire's exact integer types."""
     for slot in message.slots:
         for label, number in slot.names.items():
             shown = f"({number})" if number < 0 else str(number)
@@ -283,12 +283,12 @@ def declared(slot: Slot) -> str:
 
 
 def _has_struct(command: Message) -> bool:
-    """Commands that set one parameter are driven by the parameter table and need no structure each."""
+    """Whether the command has a structure; not those that set a parameter, which the parameter table handles."""
     return command.size > 0 and not command.parameter
 
 
 def _size_table(what: str, prefix: str, messages: Iterable[Message]) -> list[str]:
-    """The answer of protocol_<what>_size as a switch over the known types."""
+    """The function protocol_<what>_size as a switch over the known types."""
     lines = [f"int32_t protocol_{what}_size(const uint32_t id)", "{", "    switch (id)", "    {"]
     sizes: dict[int, list[Message]] = {}
     for message in messages:

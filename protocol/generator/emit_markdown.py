@@ -151,7 +151,7 @@ def _id(message: Message) -> str:
 
 
 def _number(number: float) -> str:
-    """Every digit of a 32-bit word, and no zeros behind the point."""
+    """Enough digits for any 32-bit value, without trailing zeros."""
     return f"{number:.10g}"
 
 

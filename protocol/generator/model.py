@@ -23,7 +23,7 @@ UNIT_SUFFIXES: Mapping[str, str] = {
     "%": "percent",
     "ms": "ms",
 }
-"""Closed list of units, and what each adds to the name of a quantity."""
+"""Closed list of units, each with the suffix that it adds to the name of a quantity."""
 
 TYPE_SIZES: Mapping[str, int] = {
     "i8": 1,
@@ -55,7 +55,7 @@ class DefinitionError(Exception):
 class Value:
     """One named quantity as people and JSON see it; several may share a slot (flag bits).
 
-    `absent`: what the wire holds where there is nothing to say, NaN in a float.
+    `absent`: the wire value that means "no data"; NaN in a float.
     """
 
     name: str
@@ -93,7 +93,7 @@ class Slot:
 
 @dataclass(frozen=True)
 class Confirm:
-    """What proves that a command was done, where nothing acknowledges it."""
+    """How a command is proved on a board that sends no acknowledgements."""
 
     by: str
     flags: Mapping[str, bool | str] = field(default_factory=dict)
@@ -103,7 +103,7 @@ class Confirm:
 
 @dataclass(frozen=True)
 class Message:
-    """A frame of either direction; `confirm` is there for commands alone."""
+    """A frame of either direction; only commands have `confirm`."""
 
     name: str
     id: int
@@ -164,7 +164,7 @@ class Row:
 
 @dataclass(frozen=True)
 class Datagram:
-    """What is common to all datagrams of the simulator."""
+    """The format that all datagrams of the simulator share."""
 
     magic: str
     tag_from_simulator: int
@@ -201,7 +201,7 @@ class Route:
 
 @dataclass(frozen=True)
 class Frame:
-    """What wraps every payload, and the line that opens binary mode."""
+    """The bytes around every payload, and the text line that opens binary mode."""
 
     to_pc_header: bytes
     to_board_header: bytes
@@ -213,7 +213,7 @@ class Frame:
 
 @dataclass(frozen=True)
 class Definition:
-    """The whole wire, checked."""
+    """The whole protocol definition, checked."""
 
     frame: Frame
     messages: tuple[Message, ...]

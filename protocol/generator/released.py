@@ -1,4 +1,4 @@
-"""The wire as the last release had it: ids, types and orders that must not change under deployed stations."""
+"""The frames of the last release: ids, types and order of fields that must not change, for stations are deployed."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def text(definition: Definition) -> str:
 
 
 def breaks(definition: Definition, released: dict[str, Any]) -> list[str]:
-    """One sentence for each released frame that changed or went; new frames are welcome."""
+    """One sentence for each released frame that changed or is missing; new frames are allowed."""
     present = snapshot(definition)
     found = []
     for direction, frames in released.items():

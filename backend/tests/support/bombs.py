@@ -1,4 +1,4 @@
-"""Map files that want more than a map may: made to be refused, and none of them large."""
+"""Small malicious map files that need more memory or time than allowed, to test that they are refused."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ from typing import Final
 
 from tests.support.maps import png, write_mbtiles, write_pmtiles
 
-_ROOT_PLACE: Final = 8  # of the header: where the root directory is, and how long
+_ROOT_PLACE: Final = 8  # offset in the header of the root directory's position and length
 
 ENDLESS: Final = (
     "WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n) SELECT 0 AS zoom_level, 0 AS tile_column,"
     " 0 AS tile_row, x'00' AS tile_data FROM n WHERE i < 0"
 )
-# Not one tile, which is known after a billion rows.
+# Yields no tile, but only after a search through a billion rows.
 SLOW: Final = (
     "SELECT a.zoom_level, a.tile_column, a.tile_row, a.tile_data FROM kept a, many b, many c, many d"
     " WHERE b.i + c.i + d.i < 0"
@@ -36,7 +36,7 @@ def write_directory_bomb(path: Path, entries: int) -> Path:
 
 
 def write_view(path: Path, tiles: str, metadata: str | None = None, rows: int = 1000) -> Path:
-    """An MBTiles whose tiles, or whose metadata, are computed when they are asked for."""
+    """An MBTiles whose tiles or metadata are views with these queries."""
     write_mbtiles(path, {(0, 0, 0): png(1)}, bounds="0,0,1,1", minzoom="0", maxzoom="1")
     with closing(sqlite3.connect(path)) as file:
         file.execute("ALTER TABLE tiles RENAME TO kept")
@@ -51,7 +51,7 @@ def write_view(path: Path, tiles: str, metadata: str | None = None, rows: int = 
 
 
 def write_lying_zip(path: Path, real_bytes: int, said_bytes: int) -> Path:
-    """Terrain whose layer.json says that it is short, and is long."""
+    """Terrain in a zip file whose layer.json is longer than its header states."""
     with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as archive:
         archive.writestr("layer.json", bytes(real_bytes))
     data = bytearray(path.read_bytes())

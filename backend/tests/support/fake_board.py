@@ -1,6 +1,6 @@
-"""A board whose mistakes can be ordered: real frames over a real pseudo-terminal, answered by a thread.
+"""A board with faults on demand: real frames over a real pseudo-terminal, answered by a thread.
 
-The real firmware is `epf-board`; this one is for what that never does: refuse at will, lose an answer, send rubbish.
+The real firmware is `epf-board`; this one does what that cannot: refuse on demand, lose an answer, send garbage.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ _ALL_STREAMS = ("servos", "gps", "statistics", "ahrs", "inertial", "analog", "fl
 
 
 class FakeBoard:
-    """Plug it in with `with`; a station opens `url`. `received` are the names of the commands that came."""
+    """Use it in a `with` block; a station opens `url`. `received`: names of the commands received so far."""
 
     def __init__(self, path: Path, *, extended: bool = True) -> None:
         self.path = path
@@ -53,13 +53,13 @@ class FakeBoard:
         self.received: list[str] = []
         self.arguments: list[tuple[float, ...]] = []
         self.raw = b""
-        # Orders: how often to ignore a command before it works, and which result to acknowledge it with.
+        # Faults by command: how often to ignore it before it works, and the result to acknowledge it with.
         self.ignore: Counter[str] = Counter()
         self.refuse: dict[str, int] = {}
         self.lose_item: int | None = None
         self.silent = False
         self.in_binary_mode = False
-        # The AHRS test: whether it answers to it, whether it is in it, and what it says there.
+        # The AHRS test: whether the board supports it, whether it is running, and what it sends.
         self.has_ahrs_test = True
         self.in_ahrs_test = False
         self.sends_attitude = True
@@ -73,7 +73,7 @@ class FakeBoard:
 
     @property
     def url(self) -> str:
-        """Where a station finds it."""
+        """The URL of its line for a station."""
         return f"pty://{self.path}"
 
     def __enter__(self) -> Self:
@@ -86,11 +86,11 @@ class FakeBoard:
         self.unplug()
 
     def plug_in(self) -> None:
-        """Power on: text mode, all streams off."""
+        """Connect the cable and power on: text mode, all streams off."""
         self._master, slave = pty.openpty()
         tty.setraw(slave)
         self.path.symlink_to(os.ttyname(slave))
-        # Held open until a station is there: a pseudo-terminal without a slave reads as hung up.
+        # Keep the slave end open until a station opens it: without one the master reports a hang-up.
         self._slave = slave
         self.in_binary_mode = self.in_ahrs_test = False
         self.flags = dict.fromkeys(_FLAGS, 0)
@@ -99,7 +99,7 @@ class FakeBoard:
         self._thread.start()
 
     def unplug(self) -> None:
-        """Power off and pull the cable."""
+        """Power off and disconnect the cable."""
         if self._thread is None:
             return
         self._stop.set()
@@ -110,23 +110,23 @@ class FakeBoard:
         os.close(self._master)
 
     def restart(self) -> None:
-        """Power off and on while the cable stays: text mode, all streams off."""
+        """Power off and on with the cable connected: text mode, all streams off."""
         with self._lock:
             self.in_binary_mode = self.in_ahrs_test = False
             self.flags = dict.fromkeys(_FLAGS, 0)
 
     def send(self, data: bytes) -> None:
-        """Put bytes on the line."""
+        """Send bytes to the station."""
         with self._lock:
             self._write(data)
 
     def send_gps(self, latitude_deg: float, longitude_deg: float, altitude_m: float, *, valid: bool = True) -> None:
-        """One position, as the receiver gives it."""
+        """Send one position of the GPS receiver."""
         fix, status = (ord("3"), ord("A")) if valid else (ord("0"), ord("V"))
         self.send(encode_telemetry("gps", latitude_deg, longitude_deg, altitude_m, 55.0, 90.0, ord("8"), fix, status))
 
     def count(self, name: str) -> int:
-        """How often this command came."""
+        """How often this command was received."""
         return self.received.count(name)
 
     def _run(self) -> None:

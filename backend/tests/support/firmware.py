@@ -1,4 +1,4 @@
-"""Builds what a test needs of the firmware, once at a time: several workers share one tree."""
+"""Builds firmware targets for tests, under a lock because several test workers share one tree."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ _ARM_COMPILER: Final = "arm-none-eabi-gcc"
 
 
 def make(*targets: str) -> None:
-    """Bring the targets up to date; whoever comes second finds them so."""
-    # The options of a make that runs the tests are not for this one.
+    """Build the targets; a second caller waits and finds them up to date."""
+    # Do not pass on the options of the make that runs the tests.
     environment = {
         name: value for name, value in os.environ.items() if not name.startswith("MAKE") and name != "MFLAGS"
     }
@@ -29,6 +29,6 @@ def make(*targets: str) -> None:
 
 
 def lacking_for_images() -> str | None:
-    """What this computer has not got to build and run the processors' images; None when it has it all."""
+    """What is missing on this computer to build and run the images of the board's processors; None if nothing."""
     missing = [program for program in (_ARM_COMPILER, QEMU) if shutil.which(program) is None]
     return f"{' and '.join(missing)} cannot be installed here" if missing else None

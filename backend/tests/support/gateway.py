@@ -22,7 +22,7 @@ from tests.support.waiting import DEADLINE_S, eventually
 
 
 class FlightThread:
-    """A flight process as a thread, with a loop of its own."""
+    """A flight process as a thread with its own event loop."""
 
     def __init__(self, data_dir: Path, **options: Any) -> None:
         self.loop = asyncio.new_event_loop()
@@ -34,12 +34,12 @@ class FlightThread:
         self.flight: Flight | None = None
 
     def start(self) -> None:
-        """Up, with its socket open."""
+        """Start it and wait until its socket is open."""
         self._thread.start()
         assert self._ready.wait(DEADLINE_S), "the flight does not start"
 
     def stop(self) -> None:
-        """As on SIGTERM."""
+        """Stop it as SIGTERM would."""
         self.loop.call_soon_threadsafe(self._end.set)
         self._thread.join(DEADLINE_S)
         assert not self._thread.is_alive(), "the flight did not end"
@@ -68,13 +68,13 @@ class Gateway:
 
     @property
     def flight(self) -> Flight:
-        """The parts of the flight; only to look at."""
+        """The parts of the flight process; only to be read."""
         assert self.flight_thread.flight is not None
         return self.flight_thread.flight
 
     @property
     def web(self) -> Any:
-        """The parts of the web process, by their names; only to look at."""
+        """The parts of the web process by name; only to be read."""
         return cast(Any, self.server.config.app).state
 
     def status(self) -> dict[str, Any]:
@@ -88,13 +88,13 @@ class Gateway:
 
     @contextmanager
     def stream(self, query: str = "") -> Iterator[Stream]:
-        """A browser on the stream."""
+        """Connect to the stream like a browser."""
         with connect(f"ws://127.0.0.1:{self.server.port}/api/v1/stream{query}", max_size=None) as connection:
             yield Stream(connection)
 
 
 class Stream:
-    """What a browser sees; batches are acknowledged unless told otherwise."""
+    """A browser's end of the stream; batches are acknowledged unless told otherwise."""
 
     def __init__(self, connection: ClientConnection) -> None:
         self.connection = connection
@@ -105,15 +105,15 @@ class Stream:
         return cast(dict[str, Any], orjson.loads(self.connection.recv(timeout=DEADLINE_S)))
 
     def send(self, message: dict[str, Any]) -> None:
-        """A message to the gateway."""
+        """Send a message to the gateway."""
         self.connection.send(orjson.dumps(message).decode())
 
     def acknowledge(self, batch: dict[str, Any]) -> None:
-        """This batch was shown."""
+        """Acknowledge this batch."""
         self.send({"type": "ack", "seq": batch["seq"]})
 
     def next(self, kind: str) -> dict[str, Any]:
-        """The next message of this kind; batches on the way are acknowledged."""
+        """The next message of this kind; batches before it are acknowledged."""
         while True:
             message = self.receive()
             if message["type"] == "batch":
@@ -140,7 +140,7 @@ class Stream:
 def running_gateway(
     data_dir: Path, limits: Limits | None = None, *, recording: bool = True, board: str | None = None, **settings: Any
 ) -> Iterator[Gateway]:
-    """A gateway that is up, and that ends as on SIGTERM. With `limits`, it looks at them often."""
+    """A running gateway, stopped at the end as by SIGTERM. With `limits`, it checks them more often than normal."""
     set_up_logging(verbose=False)
     flight = FlightThread(data_dir, record=recording, board_url=board)
     flight.start()

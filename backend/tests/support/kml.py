@@ -1,4 +1,4 @@
-"""KML held against the OGC's own schema of KML 2.2, which fastkml brings along."""
+"""Validates KML against the OGC's schema of KML 2.2, which fastkml includes."""
 
 from __future__ import annotations
 
@@ -11,10 +11,10 @@ NAMESPACE = "{http://www.opengis.net/kml/2.2}"
 
 
 def schema_faults(data: bytes) -> list[str]:
-    """What the schema forbids in this document.
+    """The schema errors of this document.
 
-    The schema has one type for the tilt of a camera and of a model, 0..180. A model's nose goes up and down: Google's
-    reference has it -180..180, and there is no other way to write it. It is checked for that and set to zero.
+    The schema has one type for the tilt of a camera and of a model, 0..180. But a model's nose can point up or down:
+    Google's reference allows -180..180. So a model's tilt is checked against that, then set to zero for the schema.
     """
     root = etree.fromstring(data)
     for orientation in root.iter(f"{NAMESPACE}Orientation"):

@@ -1,4 +1,4 @@
-"""Map files made for a test: small, whole, and of the kinds that people have."""
+"""Makes small valid map files for tests, of the usual formats."""
 
 from __future__ import annotations
 
@@ -76,7 +76,7 @@ def write_raster(
     crs: str | None = "EPSG:4326",
     **more: Any,
 ) -> Path:
-    """A GeoTIFF whose pixels are `height_m(x, y)` at their middles, in the units of its coordinate system."""
+    """A GeoTIFF whose pixels are `height_m(x, y)` at their centres; x, y in the units of its coordinate system."""
     places = (np.arange(size) + 0.5) * step
     x, y = np.meshgrid(west + places, north - places)
     about: dict[str, Any] = {"driver": "GTiff", "width": size, "height": size, "count": 1, "dtype": "float32", **more}
@@ -89,7 +89,7 @@ def write_raster(
 
 
 def write_hgt(path: Path, height_m: Callable[[Any, Any], Any], size: int = 1201) -> Path:
-    """A tile of the shuttle's radar mission; its name says where it is."""
+    """An SRTM tile (.hgt); its file name gives its position."""
     south, west = int(path.stem[1:3]), int(path.stem[4:7]) * (-1 if path.stem[3] in "Ww" else 1)
     places = np.arange(size) / (size - 1)
     x, y = np.meshgrid(west + places, south + 1 - places)
@@ -98,7 +98,7 @@ def write_hgt(path: Path, height_m: Callable[[Any, Any], Any], size: int = 1201)
 
 
 class Mesh(NamedTuple):
-    """A decoded tile. Places within the tile 0..1, heights in metres; `edges`: west, south, east, north."""
+    """A decoded tile. Positions in the tile 0..1, heights in metres; `edges`: west, south, east, north."""
 
     centre_m: tuple[float, float, float]
     lowest_m: float
@@ -113,7 +113,7 @@ class Mesh(NamedTuple):
 
 
 def decode_mesh(data: bytes) -> Mesh:
-    """By the words of the format's description, number after number; all bytes must be used up."""
+    """Decode as the format's specification says, number by number; fails if bytes are left over."""
     *centre, lowest, highest = struct.unpack_from("<3d2f", data)
     *_, radius, hiding_x, hiding_y, hiding_z = struct.unpack_from("<4d3d", data, 32)
     at = 88

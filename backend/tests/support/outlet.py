@@ -1,4 +1,4 @@
-"""An outlet that keeps what a part said."""
+"""An outlet that keeps everything sent to it."""
 
 from __future__ import annotations
 

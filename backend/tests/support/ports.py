@@ -8,7 +8,7 @@ LOOPBACK = "127.0.0.1"
 
 
 def free_port(kind: socket.SocketKind) -> int:
-    """A port that nobody has: SOCK_DGRAM for UDP, SOCK_STREAM for TCP."""
+    """A port that is free: SOCK_DGRAM for UDP, SOCK_STREAM for TCP."""
     with socket.socket(socket.AF_INET, kind) as probe:
         probe.bind((LOOPBACK, 0))
         port: int = probe.getsockname()[1]
@@ -16,5 +16,5 @@ def free_port(kind: socket.SocketKind) -> int:
 
 
 def free_udp_port() -> int:
-    """A UDP port that nobody has."""
+    """A UDP port that is free."""
     return free_port(socket.SOCK_DGRAM)

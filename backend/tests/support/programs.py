@@ -1,4 +1,4 @@
-"""Programs of this project as processes of their own."""
+"""Runs the programs of this project as separate processes."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ BOARD = Path(__file__).parents[3] / "firmware" / "build" / "posix" / "epf-board"
 
 
 class Program:
-    """A child process; what it says on stderr is kept."""
+    """A child process; its stderr is kept."""
 
     def __init__(self, arguments: list[str]) -> None:
         environment = {name: value for name, value in os.environ.items() if not name.startswith("GCS_")}
@@ -28,13 +28,13 @@ class Program:
         self._reader.start()
 
     def wait_for_words(self, pattern: str) -> str:
-        """The first group of the pattern in what it says."""
+        """Wait until the pattern appears in its output; returns the first group."""
         eventually(lambda: re.search(pattern, self.said) is not None, f"'{pattern}' in: {self.said}")
         found = re.search(pattern, self.said)
         return found.group(1) if found is not None and found.groups() else ""
 
     def end(self, how: signal.Signals = signal.SIGTERM) -> int:
-        """Send a signal and wait for the end."""
+        """Send a signal and wait for the process to end; returns its exit code."""
         if self.process.poll() is None:
             self.process.send_signal(how)
         code = self.process.wait(DEADLINE_S)

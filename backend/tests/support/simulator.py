@@ -1,4 +1,4 @@
-"""X-Plane's side of the UDP: one frame of all its rows to send, and what came back."""
+"""X-Plane's end of the UDP connection: a frame of all rows to send, and the datagrams received."""
 
 from __future__ import annotations
 
@@ -44,15 +44,15 @@ class Simulator:
 
     @property
     def own_port(self) -> int:
-        """Where the station has to send to."""
+        """The port that the station must send to."""
         return int(self.socket.getsockname()[1])
 
     def send(self, datagram: bytes) -> None:
-        """One datagram to the station."""
+        """Send one datagram to the station."""
         self.socket.sendto(datagram, ("127.0.0.1", self.port))
 
     def heard(self, datagram: bytes | None) -> bool:
-        """This datagram has come."""
+        """Whether this datagram was received."""
         try:
             while True:
                 self.got.append(self.socket.recv(2048))

@@ -1,4 +1,4 @@
-"""A server of map tiles on the loopback, which counts what it is asked and answers as it is told."""
+"""A tile server on the loopback that records its requests and answers as configured."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from tests.support.maps import png
 
 
 class TileServer:
-    """`url` is what an operator types. `hold` keeps answers back while it is not set."""
+    """`url`: the address an operator enters. While the event `hold` is not set, answers are held back."""
 
     def __init__(self) -> None:
         self.paths: list[str] = []
@@ -30,7 +30,7 @@ class TileServer:
 
     @property
     def url(self) -> str:
-        """Its address."""
+        """The URL template of its tiles."""
         return f"http://127.0.0.1:{self.server.server_address[1]}/{{z}}/{{x}}/{{y}}.png"
 
     def _handler(self) -> type[BaseHTTPRequestHandler]:
@@ -46,7 +46,7 @@ class TileServer:
         return Handler
 
     def answer(self, request: BaseHTTPRequestHandler) -> None:
-        """One request."""
+        """Answer one request."""
         with self._lock:
             self.paths.append(request.path)
             self.agents.add(request.headers.get("User-Agent", ""))
@@ -67,7 +67,7 @@ class TileServer:
 
 @contextmanager
 def tile_server() -> Iterator[TileServer]:
-    """One that is up."""
+    """A running tile server."""
     server = TileServer()
     thread = threading.Thread(target=server.server.serve_forever, kwargs={"poll_interval": 0.01}, daemon=True)
     thread.start()

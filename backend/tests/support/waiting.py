@@ -1,4 +1,4 @@
-"""Waiting for what must come true, with a deadline that no healthy machine reaches."""
+"""Waits for a condition, with a deadline far above what a healthy machine needs."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ _LOOK_EVERY_S = 0.005
 
 
 def eventually(condition: Callable[[], bool], what: str) -> None:
-    """Return when the condition holds; fail with `what` when it never does."""
+    """Return when the condition holds; fail with `what` if it does not before the deadline."""
     give_up_s = time.monotonic() + DEADLINE_S
     while not condition():
         if time.monotonic() > give_up_s:
@@ -20,7 +20,7 @@ def eventually(condition: Callable[[], bool], what: str) -> None:
 
 
 async def eventually_async(condition: Callable[[], bool], what: str) -> None:
-    """The same on an event loop, which goes on meanwhile."""
+    """The same as a coroutine, without blocking the event loop."""
     give_up_s = time.monotonic() + DEADLINE_S
     while not condition():
         if time.monotonic() > give_up_s:

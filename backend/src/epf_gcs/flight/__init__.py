@@ -1,1 +1,1 @@
-"""The flight process: lines, HIL, commands with proof, recorder. It knows no web."""
+"""The flight process: lines, HIL, commands with proof, recorder. It knows nothing of HTTP."""

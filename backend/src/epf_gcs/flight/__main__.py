@@ -21,7 +21,7 @@ from epf_gcs.flight.flight import Flight
 from epf_gcs.link.address import parse_address
 from epf_gcs.logs import set_up_logging
 
-# The recorder's thread gives way to the event loop within this time.
+# How long another thread (the recorder's) may hold the interpreter while the event loop waits for it.
 _SWITCH_INTERVAL_S: Final = 0.0002
 _FOLDER_S: Final = 3.0
 _LOOK_AGAIN_S: Final = 0.05
@@ -59,7 +59,7 @@ async def _fly(options: argparse.Namespace) -> None:
         except NotImplementedError:
             signal.signal(name, lambda *_: loop.call_soon_threadsafe(ended.set))
     if options.with_parent:
-        # Not one of the loop's own threads: those are waited for at the end.
+        # A daemon thread, not the loop's executor: the loop would wait at its end for a read that blocks.
         threading.Thread(target=_wait_for_parent, args=(loop, ended), daemon=True).start()
     with await _held(options.data_dir):
         await _fly_until(ended, options)
@@ -69,15 +69,15 @@ async def _fly_until(ended: asyncio.Event, options: argparse.Namespace) -> None:
     flight = Flight(options.data_dir, record=options.recording, board_url=options.board)
     async with flight.running():
         log.info("flying", data=str(options.data_dir), pid=os.getpid())
-        # What was made until now lives as long as the process: the collector need not look at it again, and does not
-        # stop the loop for milliseconds to do so.
+        # All objects made so far live as long as the process. Frozen, they are not scanned again, which would
+        # stop the loop for milliseconds.
         gc.collect()
         gc.freeze()
         await ended.wait()
 
 
 async def _held(data_dir: Path) -> DataFolder:
-    """The data folder, for us alone. One that ends still lets its board and its folder go: wait for that a little."""
+    """The data folder, locked. A process that is ending may still hold the lock: retry for a short time."""
     give_up_s = time.monotonic() + _FOLDER_S
     while True:
         try:
@@ -89,7 +89,7 @@ async def _held(data_dir: Path) -> DataFolder:
 
 
 def _wait_for_parent(loop: asyncio.AbstractEventLoop, ended: asyncio.Event) -> None:
-    """The parent holds the other end of our standard input: it closes when the parent dies, however it dies."""
+    """Set `ended` when the parent dies, even if it was killed: it holds the other end of our standard input."""
     while os.read(0, 1):
         pass
     loop.call_soon_threadsafe(ended.set)

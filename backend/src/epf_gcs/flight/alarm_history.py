@@ -1,4 +1,4 @@
-"""The alarms that are over, kept over restarts."""
+"""Alarms that have ended, kept across restarts."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _IDS: Final[Mapping[str, AlarmId]] = {name: name for name in get_args(AlarmId)}
 
 
 class AlarmHistory:
-    """`past` is what an earlier start left, oldest first. The alarms are given that, and `keep` for what follows."""
+    """`past` holds the alarms of earlier runs, oldest first; `keep` adds those that end from now on."""
 
     def __init__(self, path: Path, report: Callable[[GatewayError], None]) -> None:
         self._path = path
@@ -28,7 +28,7 @@ class AlarmHistory:
         self.past: list[Alarm] = self._load()
 
     def keep(self, alarm: Alarm) -> None:
-        """One that ended, or that was acknowledged after its end; returns at once."""
+        """Write an alarm that ended, or that was acknowledged after its end. Returns without waiting for the disk."""
         self._file.append(orjson.dumps(alarm.as_dict()))
 
     def close(self) -> None:

@@ -1,4 +1,4 @@
-"""One flight to a data folder: a second one would write over what the first remembers and records."""
+"""A lock on the data folder: a second flight process would overwrite the first one's memory and recordings."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ if sys.platform == "win32":
 else:
     import fcntl
 
-# The system locks this byte where a file cannot be locked as a whole; what stands in front stays readable there.
+# Windows locks byte ranges and makes them unreadable: this byte lies behind the process id, which stays readable.
 _LOCKED_BYTE = 4096
 
 
 class DataFolder:
-    """Held from making it until `release`, or until the process ends, however that ends.
+    """Locked from construction until `release` or the end of the process, even if it is killed.
 
     Raises ConflictError where another process holds it, and OSError where the folder cannot be written.
     """
@@ -28,7 +28,7 @@ class DataFolder:
     def __init__(self, path: Path) -> None:
         self.path = path
         path.mkdir(parents=True, exist_ok=True)
-        # Not truncated: what stands in it is the other's number, if there is another.
+        # Not truncated: it may hold the id of the process that has the lock.
         self._file: BinaryIO | None = os.fdopen(os.open(path / ".lock", os.O_RDWR | os.O_CREAT, 0o644), "r+b")
         try:
             _lock(self._file)
@@ -48,7 +48,7 @@ class DataFolder:
         self._file.flush()
 
     def release(self) -> None:
-        """Another process may have it. The file stays: removing it would take it from under whoever waits."""
+        """Unlock. The file stays: a process that already opened it would otherwise lock a deleted file."""
         file, self._file = self._file, None
         if file is not None:
             file.close()
@@ -63,7 +63,7 @@ class DataFolder:
 
 
 def _lock(file: BinaryIO) -> None:
-    """Raises OSError where another process has it."""
+    """Raises OSError if another process has the lock."""
     if sys.platform == "win32":
         file.seek(_LOCKED_BYTE)
         try:

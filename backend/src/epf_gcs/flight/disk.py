@@ -1,4 +1,4 @@
-"""Files that are whole after a power cut: written beside, pushed to the disk, and put in place in one step."""
+"""Files that survive a power cut: written to a second file, synced to the disk, then renamed in one step."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from pathlib import Path
 
 
 def replace_file(path: Path, data: bytes) -> None:
-    """The file has the old content or the new one, whatever happens meanwhile. Blocks; raises OSError."""
+    """Replace a file atomically: it has the old or the new content, never a part. Blocks; raises OSError."""
     temporary = path.with_name(path.name + ".new")
     with temporary.open("wb") as file:
         file.write(data)
@@ -18,7 +18,7 @@ def replace_file(path: Path, data: bytes) -> None:
 
 
 def sync_folder(folder: Path) -> None:
-    """What was created, renamed or removed in this folder stays so. Raises OSError."""
+    """Sync the folder's entries, so that creations, renames and removals survive a power cut. Raises OSError."""
     if os.name == "nt":  # a folder cannot be opened there, and renaming is written through
         return
     descriptor = os.open(folder, os.O_RDONLY)

@@ -57,7 +57,7 @@ log = structlog.get_logger("flight")
 
 
 class Flight:
-    """Made on the running loop, by whoever holds the data folder. `board_url` replaces the remembered board."""
+    """Constructed on the running loop, with the data folder locked. `board_url` replaces the remembered board."""
 
     def __init__(self, data_dir: Path, *, record: bool = True, board_url: str | None = None) -> None:
         self._loop = asyncio.get_running_loop()
@@ -65,7 +65,7 @@ class Flight:
         self._board_url = board_url
         self._status_due = False
 
-        # Time, memory, and the way out.
+        # Time, memory, and the outlet to the stations.
         self.clock = Clock()
         self.outlet = Broadcast(self.clock.now_s)
         self._askers = Askers()
@@ -82,7 +82,7 @@ class Flight:
         vehicle = Vehicle(self.clock, self.outlet, self.errors, self._commanded_period_s)
         self.telemetry, self.board = vehicle.telemetry, vehicle.board
 
-        # What is asked of the board.
+        # Requests to the board.
         self.commands = Commands(self.board, self.telemetry, self.outlet, self.clock, self.errors)
         self.journal = Journal(
             data_dir / "parameter-journal.jsonl",
@@ -137,7 +137,7 @@ class Flight:
             changed=self._on_ahrs_test,
         )
 
-        # What is watched.
+        # Alarms and housekeeping.
         self.watch = Watch(
             supervisor=self.supervisor,
             board=self.board,
@@ -174,7 +174,7 @@ class Flight:
             on_change=self.changed,
         )
 
-        # What stations are shown, and what they may ask.
+        # The status that stations see, and the requests that they may make.
         self._shown = Shown(
             self.clock,
             self.errors,
@@ -216,7 +216,7 @@ class Flight:
         self._connect()
 
     def _connect(self) -> None:
-        """Who hears whom, where the two could not be made one after the other."""
+        """Connect parts that need each other and so cannot both get the other at construction."""
         self.board.on_urgent = self.hil.on_urgent
         self.board.on_opened = self._on_opened
         self.board.on_restarted = self._on_restarted
@@ -226,7 +226,7 @@ class Flight:
 
     @contextlib.asynccontextmanager
     async def running(self) -> AsyncIterator[None]:
-        """Everything runs inside; at the end board and simulator are let go as they should be. Raises OSError."""
+        """Run everything inside; at the end shut board and simulator links down in order. Raises OSError."""
         listener = Listener(self._data_dir)
         end = VehicleEnd(
             self.outlet,
@@ -266,11 +266,11 @@ class Flight:
                 await asyncio.to_thread(kept.close)
 
     def status(self) -> dict[str, Any]:
-        """How everything stands now."""
+        """The status of all parts now."""
         return build_status(self._shown)
 
     def changed(self) -> None:
-        """Something in the status changed that should be seen now and not in half a second."""
+        """Send the status now, not at the next half-second tick."""
         if not self._status_due:
             self._status_due = True
             self._loop.call_soon(self._send_status)
@@ -286,7 +286,7 @@ class Flight:
         }
 
     async def _keep_alive(self, name: str, job: Callable[[], Awaitable[None]]) -> None:
-        """The top of each task: a fault of ours in one of them must not end a flight."""
+        """Run a task and restart it after a bug: one faulty task must not end a flight."""
         while True:
             try:
                 await job()
@@ -301,7 +301,7 @@ class Flight:
             self.outlet.status(self.status())
 
     def _flies(self) -> bool:
-        """An autopilot is on, or the board moves the simulator's surfaces: it must not be left alone."""
+        """An autopilot is on, or the board moves the simulator's surfaces: it must keep hearing commands."""
         heartbeat = self.telemetry.newest("heartbeat") or {}
         moves = self.simulator.state == "open" and self.hil.path == "assisted"
         return moves or any(heartbeat.get(flag) is True for flag in ("autopilot", "autopilot_hil"))
@@ -315,12 +315,12 @@ class Flight:
         return self.memory.now.wanted.period_s(rate_command)
 
     def _on_opened(self) -> None:
-        # At once and not with the re-arming, which may be busy: whoever loads now must not lose what was read.
+        # At once and not in the re-arming task, which may be busy: it would discard values that were loaded meanwhile.
         self.parameters.forget()
         self.rearming.board_opened()
 
     def _on_restarted(self, restart: Restart) -> None:
-        """The board forgot what was not on its card: say what that was."""
+        """The board lost what was not stored on its card: report what that was."""
         self._log.board_restarted(restart.uptime_ms)
         lost = {"parameters": list(self.parameters.take_unstored()), "plans": list(self.missions.take_known())}
         self.outlet.event("board_restarted", {"silent_s": None, "uptime_ms": restart.uptime_ms, **lost})
@@ -336,5 +336,5 @@ class Flight:
         self.commands.link_changed()
         self._housekeeping.log_links()
         self.outlet.event("link", {"board": self.supervisor.state, "simulator": self.simulator.state})
-        # At once: what the line brings next belongs to this state, examples to the emulation above all.
+        # At once: viewers must know the new link state before its first samples, above all that they are emulated.
         self._send_status()

@@ -1,4 +1,4 @@
-"""What the log says of a flight: links, alarms, recordings, the disk; one line when it happens, and no flood."""
+"""Log lines of a flight: links, alarms, recordings, the disk; one line for each event, limited in rate."""
 
 from __future__ import annotations
 
@@ -14,18 +14,18 @@ _log = structlog.get_logger("flight")
 
 Level = Literal["info", "warning", "error"]
 LinkState = Literal["closed", "opening", "open", "lost"]
-# What comes and goes faster than this is said once, with how often it happened meanwhile.
+# An event that repeats faster than this is logged once, with the number of repetitions.
 _QUIET_S: Final = 10.0
 
 
 def say(level: Level, event: str, **values: Any) -> None:
-    """One line. A log that cannot be written, as on a full disk, must not end whoever speaks."""
+    """Write one log line. A failing log, as on a full disk, must not end the caller."""
     with contextlib.suppress(OSError):
         getattr(_log, level)(event, **values)
 
 
 class FlightLog:
-    """Told of what happens on the flight's loop; `steady_s` is any clock that is never set."""
+    """Called on the flight's loop; `steady_s` is a monotonic clock."""
 
     def __init__(self, steady_s: Callable[[], float]) -> None:
         self._steady_s = steady_s
@@ -34,11 +34,11 @@ class FlightLog:
         self._links: dict[str, LinkState] = {}
 
     def link(self, name: str, state: LinkState, target: str | None, failure: GatewayError | None) -> None:
-        """The state of a link as it is now; nothing is said where it is as before."""
+        """Log a link's state if it changed."""
         before = self._links.get(name, "closed")
         self._links[name] = state
         if state == before or state == "opening":
-            # On the way from lost to open it is lost still.
+            # "opening" after "lost" still counts as lost, so that "open" is logged as reopened.
             self._links[name] = before if before == "lost" and state == "opening" else state
             return
         event = {"closed": "link closed", "open": "link reopened" if before == "lost" else "link opened"}
@@ -47,13 +47,13 @@ class FlightLog:
         self._once(level, event.get(state, "link lost"), (name,), {"link": name, "target": target, **reason})
 
     def alarm(self, event: Literal["came", "went", "acknowledged"], alarm: Mapping[str, Any]) -> None:
-        """An alarm came (or became worse), went, or was acknowledged; `alarm` as its plain values."""
+        """Log an alarm that came (or became worse), went, or was acknowledged; `alarm` as its plain values."""
         is_bad = event == "came" and alarm["level"] == "critical"
         level: Level = "error" if is_bad else "warning" if event == "came" else "info"
         self._once(level, f"alarm {event}", (alarm["id"],), {"alarm": alarm["id"], "text": alarm["text"]})
 
     def board_restarted(self, uptime_ms: int | None) -> None:
-        """The board started anew within one link."""
+        """Log that the board restarted while its link stayed open."""
         self._once("warning", "board restarted", (), {"uptime_ms": uptime_ms})
 
     def _once(self, level: Level, event: str, key: tuple[str, ...], values: dict[str, Any]) -> None:

@@ -1,4 +1,4 @@
-"""What is due some times a second: time-outs, rates, alarms, the log of the links, and the status."""
+"""Work done a few times a second: time-outs, rates, alarms, the log of the links, and the status."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ class Housekeeping:
         self._recording: Path | None = None
 
     async def run(self) -> None:
-        """For ever."""
+        """Do all of it periodically, forever."""
         ticks = 0
         while True:
             await asyncio.sleep(_TICK_S)
@@ -74,14 +74,14 @@ class Housekeeping:
             self._watch_recording()
 
     def log_links(self) -> None:
-        """Tell the log how both links are; it says what is new."""
+        """Pass the state of both links to the log, which writes only changes."""
         board, simulator = self._supervisor, self._simulator
         self._log.link("board", board.state, None if board.address is None else board.address.url, board.failure)
         where = None if simulator.address is None else f"{simulator.address.send_host}:{simulator.address.send_port}"
         self._log.link("simulator", simulator.state, where, simulator.failure)
 
     def _watch_recording(self) -> None:
-        """Tell the viewers when a file begins or ends; the thread that writes it cannot."""
+        """Tell the viewers when a recording begins or ends: the writing thread may not touch the event loop's parts."""
         file = self._recorder.file if self._recorder is not None else None
         if file != self._recording:
             self._recording = file

@@ -1,7 +1,7 @@
-"""What goes over the lines, counted and measured: made when somebody asks, from counters kept on the way.
+"""Counts and rates of all messages on the lines: calculated on request, from counters kept all the time.
 
-In two steps: `take_snapshot` only copies, on the event loop, where the HIL loop waits its turn; `build_inspector`
-calculates, and may do so in a thread.
+In two steps: `take_snapshot` only copies, for it blocks the event loop and with it the HIL loop; `build_inspector`
+calculates and may run in a thread.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ _STRANGERS_S: Final = 10.0
 
 @dataclass(frozen=True, slots=True)
 class _Frame:
-    """The books on one type of frame, as they were."""
+    """The counters of one type of frame at the time of the snapshot."""
 
     id: int
     name: str
@@ -49,7 +49,7 @@ class _Frame:
 
 @dataclass(frozen=True, slots=True)
 class Snapshot:
-    """All that an answer is made from. `expected_hz` is what each stream that is on should reach.
+    """All inputs of an answer. `expected_hz`: the rate that each enabled stream should reach.
 
     `now_s` is the Unix time of the board's frames, `steady_s` the time of the simulator's rows.
     """
@@ -66,7 +66,7 @@ class Snapshot:
 
 @dataclass(frozen=True, slots=True)
 class Inspected:
-    """The parts that are looked at."""
+    """The parts whose counters are read."""
 
     clock: Clock
     board: Board
@@ -81,7 +81,7 @@ class Inspected:
 
 
 def take_snapshot(parts: Inspected) -> Snapshot:
-    """Copy what is known now."""
+    """Copy the counters."""
     link = _link(parts)
     return Snapshot(
         now_s=parts.clock.now_s(),
@@ -175,7 +175,7 @@ def _link(parts: Inspected) -> dict[str, Any]:
 
 
 def _observed(parts: Inspected, link: Mapping[str, Any]) -> Observed:
-    """What can be told without calculating any rate."""
+    """The observations that need no rate."""
     surfaces_s = parts.hil.last_surfaces_s
     is_alive = surfaces_s is not None and parts.clock.steady_s() - surfaces_s < _LOOP_ALIVE_S
     return Observed(
@@ -221,14 +221,14 @@ def _missing_rows(parts: Inspected) -> list[MissingRow]:
 
 
 def _strangers(parts: Inspected) -> int:
-    """How many datagrams of others came so far, as long as they keep coming."""
+    """Number of datagrams from unknown senders; 0 if none came recently."""
     last_s = parts.simulator.last_stranger_s
     is_recent = last_s is not None and parts.clock.steady_s() - last_s < _STRANGERS_S
     return parts.simulator.dropped["stranger"] if is_recent else 0
 
 
 def _expected_hz(parts: Inspected) -> dict[str, float]:
-    """The streams that the board says, or that we asked, to be on, and what they should reach."""
+    """Expected rate of each stream that is on, according to the board's heartbeat or else to our own requests."""
     heartbeat = parts.telemetry.newest("heartbeat") or {}
     wanted = parts.memory.now.wanted.streams
     expected: dict[str, float] = {}

@@ -1,4 +1,4 @@
-"""How full the lines are."""
+"""The load of the lines, in bytes/s."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from epf_gcs.vehicle.rates import ByteRate
 
 
 class LineRates:
-    """Bytes a second of the last second, of the board's line both ways and of the simulator's datagrams."""
+    """Bytes/s over the last second: the board's line in both directions, and the simulator's datagrams."""
 
     def __init__(self) -> None:
         self.board_in = ByteRate()

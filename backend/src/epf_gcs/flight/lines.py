@@ -40,13 +40,13 @@ class LinkOpener:
         return EmulationLink(self._take_example)
 
     def _take_example(self, datagram: bytes) -> None:
-        """Examples replace the simulator's datagrams only while none is connected."""
+        """Use an emulated datagram, but only while no simulator is connected."""
         if not self.is_simulated():
             self.hil.on_datagram(datagram)
 
 
 class Lines:
-    """Remembers what was opened, so that it is opened again at the next start; the emulation alone is forgotten."""
+    """Remembers which lines were open, to reopen them at the next start; the emulation is not remembered."""
 
     def __init__(
         self,
@@ -71,7 +71,7 @@ class Lines:
         self.before_emulation: LinkAddress | None = None
 
     def reopen(self, board_url: str | None) -> None:
-        """At the start: open what was open last, or `board_url` in place of the remembered board."""
+        """At the start: open the remembered lines, with `board_url` in place of the remembered board if given."""
         remembered = self._memory.now
         url = board_url or remembered.board_url
         try:
@@ -97,9 +97,9 @@ class Lines:
         self._note("board_link", {"url": address.url})
 
     async def close_board(self) -> None:
-        """The operator ends the session with this board: nothing of it is asked for again.
+        """End the session with this board and forget what was requested of it.
 
-        Ending the emulation gives back what was open before it.
+        Closing the emulation reopens the line that was open before it.
         """
         if self._board.is_emulated:
             before, identity = self.before_emulation, self._memory.now.board_identity
@@ -121,7 +121,7 @@ class Lines:
         self._note("simulator_link", {name: str(value) for name, value in address.as_dict().items()})
 
     async def close_simulator(self) -> None:
-        """Hand the simulator its controls back and forget it."""
+        """Hand the controls back to the simulator and forget its address."""
         await self._simulator.close()
         self._memory.update(simulator=None)
         self._end_recording_if_idle()

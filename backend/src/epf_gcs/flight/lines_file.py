@@ -1,4 +1,4 @@
-"""A file of lines that only grows at its end and is cut at its start; written by a thread, for a disk may stall."""
+"""A file of lines: appended at the end, the oldest dropped; written by a thread, for a disk may stall."""
 
 from __future__ import annotations
 
@@ -18,9 +18,9 @@ _DAMAGED: Final = ".damaged"
 
 
 class LinesFile:
-    """The newest `keep` lines of something. `report` hears of a disk that refuses, on the event loop.
+    """Keeps the newest `keep` lines. `report` is called on the event loop when the disk refuses a write.
 
-    `code` and `what` are the error's code and what its sentence calls the file.
+    `code` is that error's code; `what` names the file in its sentence.
     """
 
     def __init__(
@@ -38,15 +38,15 @@ class LinesFile:
         self._report = report
         self._code: ErrorCode = code
         self._what = what
-        # One thread, so that lines stand in the order in which they were given. Lines of the file as it is now:
-        # known to that thread alone once it runs.
+        # One thread, so that lines keep their order. Once it runs, only this thread uses the three fields below,
+        # which mirror the file.
         self._thread = ThreadPoolExecutor(1, thread_name_prefix=path.stem)
         self._lines: deque[bytes] = deque(maxlen=keep)
         self._on_disk = 0
         self._is_torn = False
 
     def read(self) -> list[bytes]:
-        """The lines as they are on the disk, oldest first; for the start. Raises OSError."""
+        """Read the lines from the disk, oldest first; only at the start. Raises OSError."""
         try:
             data = self._path.read_bytes()
         except FileNotFoundError:
@@ -57,7 +57,7 @@ class LinesFile:
         return lines
 
     def begin_with(self, lines: Iterable[bytes], *, damaged: bool) -> None:
-        """Go on from these lines; a file that holds others too is kept aside and written anew."""
+        """Continue from these readable lines. `damaged`: keep the old file under another name and write a new one."""
         self._lines.extend(lines)
         if damaged:
             self._submit(self._set_aside)
@@ -65,15 +65,15 @@ class LinesFile:
             self._submit(self._rewrite)
 
     def append(self, line: bytes) -> None:
-        """One more line; returns at once."""
+        """Append a line; returns at once."""
         self._submit(lambda: self._append(line))
 
     def close(self) -> None:
-        """Wait until all is written."""
+        """Wait until all lines are written."""
         self._thread.shutdown()
 
     def _submit(self, work: Callable[[], None]) -> None:
-        with contextlib.suppress(RuntimeError):  # after the end nothing is written any more
+        with contextlib.suppress(RuntimeError):  # closed already: drop the line
             self._thread.submit(self._try, work)
 
     def _try(self, work: Callable[[], None]) -> None:
@@ -87,7 +87,7 @@ class LinesFile:
                 "free the disk or correct its permissions, or it is lost at the next start.",
                 path=str(self._path),
             )
-            with contextlib.suppress(RuntimeError):  # the loop may have ended meanwhile
+            with contextlib.suppress(RuntimeError):  # the event loop may be closed already
                 self._loop.call_soon_threadsafe(self._report, failure)
 
     def _append(self, line: bytes) -> None:

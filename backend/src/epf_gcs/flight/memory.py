@@ -1,4 +1,4 @@
-"""What the gateway remembers from one start to the next: links, path of control, streams, thresholds, map sources."""
+"""Settings that the gateway keeps across restarts: links, path of control, streams, thresholds, map sources."""
 
 from __future__ import annotations
 
@@ -36,9 +36,9 @@ class Remembered:
 
 
 class Memory:
-    """One small JSON file, replaced as a whole by a thread: the newest wins, on the disk within a second.
+    """One small JSON file, replaced as a whole by a thread: the newest values are on the disk within a second.
 
-    A disk that refuses it is reported, on the thread or loop that made this, and nothing else changes.
+    If the disk refuses it, `report` is called on the constructing loop (or thread), and the flight goes on.
     """
 
     def __init__(
@@ -56,7 +56,7 @@ class Memory:
         self.now = self._load()
 
     def update(self, **changes: Any) -> None:
-        """Remember these from now on; returns at once."""
+        """Change these values; returns at once."""
         changed = replace(self.now, **changes)
         if changed == self.now:
             return
@@ -71,7 +71,7 @@ class Memory:
                 self._thread.start()
 
     def close(self) -> None:
-        """Wait until all is on the disk; what is remembered later is not kept."""
+        """Wait until the newest values are on the disk; later updates are not written."""
         with self._wake:
             self._is_ending = True
             self._wake.notify()
@@ -87,7 +87,7 @@ class Memory:
                         return
                     self._wake.wait()
                 if not self._is_ending:
-                    # A slider that is moved changes this many times a second: once is enough.
+                    # Moving a slider makes many updates a second: gather them into one write.
                     self._wake.wait_for(lambda: self._is_ending, _GATHER_S)
                 newest, self._to_write = self._to_write, None
             if newest is not None:
@@ -111,7 +111,7 @@ class Memory:
         if self._loop is None:
             self._report(failure)
             return
-        with contextlib.suppress(RuntimeError):  # the loop may have ended meanwhile
+        with contextlib.suppress(RuntimeError):  # the event loop may be closed already
             self._loop.call_soon_threadsafe(self._report, failure)
 
     def _load(self) -> Remembered:
@@ -141,7 +141,7 @@ class Memory:
             return Remembered()
 
     def _set_aside(self) -> Path | None:
-        """Keep what cannot be read: a person may want to look at it. None where the disk refuses."""
+        """Keep an unreadable file under another name, for a person to look at. None if the disk refuses."""
         stamp = datetime.fromtimestamp(self._unix_s(), UTC).strftime("%Y%m%dT%H%M%SZ")
         kept = self._path.with_name(f"{self._path.name}.damaged-{stamp}")
         try:

@@ -42,7 +42,7 @@ class Shown:
 
 
 def build_status(parts: Shown) -> dict[str, Any]:
-    """Plain values, ready for JSON. Version, control and viewers are the station's to add."""
+    """Plain values, ready for JSON. The web process adds version, control and viewers."""
     return {
         "server_time_s": parts.clock.now_s(),
         "board": _board(parts),
@@ -56,7 +56,7 @@ def build_status(parts: Shown) -> dict[str, Any]:
 
 
 def hil_state(hil: Hil) -> dict[str, Any]:
-    """The two switches, and where the stick comes from; its shape is `epf_gcs.web.schemas.HilState`."""
+    """Source, path and stick of the HIL loop; its shape is `epf_gcs.web.schemas.HilState`."""
     stick = hil.stick
     pilot = stick.pilot
     return {
@@ -138,7 +138,7 @@ def _simulator(parts: Shown) -> dict[str, Any]:
 
 
 def _advice(parts: Shown) -> str | None:
-    """What to do about a simulator that does not fly with us yet, where we can tell."""
+    """What the operator should do about a simulator that is not in the loop yet; None if unknown."""
     state, missing = parts.simulator.state, parts.hil.missing_rows
     address = parts.simulator.address
     if state in ("opening", "lost") and address is not None and parts.simulator.failure is None:

@@ -1,4 +1,4 @@
-"""Gathers what is known of the running parts, and has it judged."""
+"""Collects the state of the running parts and evaluates the alarm conditions."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ from epf_gcs.vehicle.telemetry import Telemetry
 
 
 class Watch:
-    """Called some times a second with the thresholds; `wants` tells whether a stream was asked for."""
+    """Called a few times a second with the thresholds; `wants(topic)`: whether a stream was requested."""
 
     def __init__(
         self,
@@ -64,11 +64,11 @@ class Watch:
 
     @property
     def damaged_percent(self) -> float:
-        """Share of damaged frames of the last ten seconds; 0 where there are too few to tell."""
+        """Share of damaged frames in the last ten seconds, in percent; 0 if there are too few frames."""
         return self._damage.percent
 
     def __call__(self, limits: Mapping[str, float]) -> list[Finding]:
-        """All that is wrong now, the most urgent kinds first."""
+        """All alarm conditions that hold now, the most urgent kinds first."""
         now_s = self._steady_s()
         recorder = self._recorder
         found = (
@@ -94,7 +94,7 @@ class Watch:
     def _line(self, now_s: float) -> Line | None:
         supervisor = self._supervisor
         if supervisor.address is None or self._board.guest is not None:
-            # With a guest on the line the board's silence is what was asked for.
+            # While another user (the AHRS test) has the line, the board's silence is expected.
             self._wanted_since_s = None
             return None
         if self._wanted_since_s is None:
@@ -122,7 +122,7 @@ class Watch:
         )
 
     def _look_at_gps(self, now_s: float) -> Finding | None:
-        """A board that is silent as a whole has an alarm of its own."""
+        """Judge the GPS only while heartbeats arrive: a silent board has its own alarm."""
         if self._supervisor.address is None:
             self._gps.forget()
             return None

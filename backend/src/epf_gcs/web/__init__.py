@@ -1,1 +1,1 @@
-"""The web process: interface, stream, page and maps. It owns nothing of the flight."""
+"""The web process: REST interface, stream, page and maps. It holds no state of the flight process."""

@@ -57,8 +57,10 @@ def _options() -> argparse.Namespace:
 
 
 def _wait_for_parent() -> None:
-    """The parent holds the other end of our standard input. Without it there is nobody to start us again: let the
-    port go at once. Nothing of a flight is lost, for none of it is here."""
+    """End the process when the parent dies, which closes our standard input: the port must be free for the next start.
+
+    Nothing of a flight is lost, for all of it is in the flight process.
+    """
     while os.read(0, 1):
         pass
     os._exit(0)

@@ -1,4 +1,4 @@
-"""The composition root: builds the parts, and owns their life."""
+"""The composition root: constructs the parts, starts and stops them."""
 
 from __future__ import annotations
 
@@ -108,7 +108,7 @@ def create_app(settings: Settings, visitors: Visitors | None = None) -> FastAPI:
 
 
 def _probes(app: FastAPI, settings: Settings, visitors: Visitors, answers: Counter[int]) -> APIRouter:
-    """/health and /metrics, of the running parts."""
+    """The routes /health and /metrics."""
 
     def flight_status() -> dict[str, Any] | None:
         mirror: VehicleMirror = app.state.mirror

@@ -1,6 +1,6 @@
-"""One HTTP connection with its limits: how long a head may take, how slow a body may come, how long nobody may read.
+"""One HTTP connection with limits: time for the request head, least rate of the body, time without reading.
 
-uvicorn parses and answers; it knows none of these limits. One look a second at all connections enforces them.
+uvicorn parses and answers but has none of these limits; `watch` enforces them once a second for all connections.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ class Connection(HttpToolsProtocol):
         self._is_between = False
 
     def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
-        """Let it in, or say that there are too many."""
+        """Accept the connection, or answer that there are too many."""
         super().connection_made(transport)
         self.host = self.client[0] if self.client is not None else ""
         self._enter_head()
@@ -49,12 +49,12 @@ class Connection(HttpToolsProtocol):
             self._end(*_BUSY)
 
     def connection_lost(self, exc: Exception | None) -> None:
-        """Its place is free."""
+        """Free its place."""
         self._visitors.leave(self)
         super().connection_lost(exc)
 
     def data_received(self, data: bytes) -> None:
-        """Bytes of a request."""
+        """Take bytes of a request and limit the size of its head."""
         if self._is_refused:
             return
         if self._stage == "head":
@@ -64,16 +64,16 @@ class Connection(HttpToolsProtocol):
             self._end(*_LONG_HEAD)
 
     def on_message_begin(self) -> None:
-        """The first byte of a request."""
+        """A request begins."""
         super().on_message_begin()
         if self._stage == "head":
-            # One that was waiting between requests begins to count now; a new connection did when it came.
+            # The time for the head starts with the connection, or for later requests with their first byte.
             if self._was_asked:
                 self._enter_head()
             self._is_between = False
 
     def on_headers_complete(self) -> None:
-        """Its head is whole."""
+        """The head is complete."""
         self._stage = "body"
         self._was_asked = True
         self.idle_since_s = None
@@ -82,27 +82,27 @@ class Connection(HttpToolsProtocol):
         super().on_headers_complete()
 
     def on_body(self, body: bytes) -> None:
-        """Some of its body."""
+        """A part of the body arrived."""
         self._body_bytes += len(body)
         super().on_body(body)
 
     def on_message_complete(self) -> None:
-        """All of it is there."""
+        """The whole request arrived."""
         self._stage = "answer"
         super().on_message_complete()
-        if self._is_answered():  # it was refused before all of it was there
+        if self._is_answered():  # refused before the whole body arrived
             self._enter_head()
             self._is_between = True
 
     def on_response_complete(self) -> None:
-        """It is answered; uvicorn ends the connection when no other request comes."""
+        """The request is answered; uvicorn closes the connection if no other request follows."""
         if self._stage == "answer" and not self.pipeline:
             self._enter_head()
             self._is_between = True
         super().on_response_complete()
 
     def handle_websocket_upgrade(self) -> None:
-        """Hand the transport to a WebSocket, which keeps this one's place."""
+        """Hand the transport to a WebSocket, which keeps this connection's place."""
         if not self._visitors.become_socket(self):
             log.warning("a stream was refused", host=self.host)
             self._end(*_BUSY)
@@ -126,16 +126,16 @@ class Connection(HttpToolsProtocol):
         self.transport.set_protocol(stream)
 
     def make_room(self) -> None:
-        """End without a word; the browser begins another when it needs one."""
+        """Close an idle connection without an answer; the browser opens a new one when it needs it."""
         self.transport.abort()
 
     def look(self, now_s: float) -> None:
-        """Called once a second: end what takes too long."""
+        """Close the connection if it exceeds a time limit; called once a second."""
         if self._is_refused or not self._is_up():
             return
         limits = self._visitors.limits
         if self._stage == "head":
-            # Between requests uvicorn ends it, but for a browser that sends line ends and no request.
+            # Between requests uvicorn closes idle connections, except those that send bare line ends and no request.
             if now_s - self._since_s > limits.head_s + (limits.idle_s if self._is_between else 0.0):
                 self._end(*_SLOW_HEAD)
         elif self._stage == "body":
@@ -146,7 +146,7 @@ class Connection(HttpToolsProtocol):
     def _look_at_body(self, now_s: float) -> None:
         limits = self._visitors.limits
         if self.flow.read_paused:
-            # It is the disk that is slow, and not the browser.
+            # The disk is slow, not the browser: restart the measurement.
             self._since_s, self._body_bytes = now_s, 0
         elif now_s - self._since_s > limits.rate_looked_at_s:
             if self._body_bytes < limits.least_bytes_per_s * limits.rate_looked_at_s:
@@ -166,7 +166,7 @@ class Connection(HttpToolsProtocol):
         self._head_bytes = 0
 
     def _is_answered(self) -> bool:
-        """An upgrade has no answer of uvicorn's."""
+        """Whether uvicorn has sent the whole answer; never true for a WebSocket upgrade."""
         answer = cast(RequestResponseCycle | None, self.cycle)
         return answer is not None and answer.response_complete
 
@@ -186,7 +186,7 @@ class Connection(HttpToolsProtocol):
 
 
 async def watch(visitors: Visitors, every_s: float) -> None:
-    """For ever."""
+    """Check the limits of all connections every `every_s`, forever."""
     loop = asyncio.get_running_loop()
     while True:
         await asyncio.sleep(every_s)

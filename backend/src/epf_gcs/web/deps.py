@@ -1,4 +1,4 @@
-"""What a route may ask for: each the one part that it needs."""
+"""FastAPI dependencies: each gives a route one part of the station."""
 
 from __future__ import annotations
 
@@ -19,22 +19,22 @@ from epf_gcs.web.vehicle.mirror import VehicleMirror
 
 
 def get_vehicle(request: Request) -> StationEnd:
-    """The vehicle, to be asked."""
+    """The connection to the flight process, for requests."""
     return cast(StationEnd, request.app.state.vehicle)
 
 
 def get_mirror(request: Request) -> VehicleMirror:
-    """What the vehicle said last."""
+    """The newest samples and status from the flight process."""
     return cast(VehicleMirror, request.app.state.mirror)
 
 
 def get_status(request: Request) -> WholeStatus:
-    """How everything stands."""
+    """The whole status."""
     return cast(WholeStatus, request.app.state.status)
 
 
 def get_control(request: Request) -> Control:
-    """Who may command."""
+    """Who has control."""
     return cast(Control, request.app.state.control)
 
 
@@ -81,7 +81,7 @@ def get_operator(
         Header(max_length=64, description="Id of the stream's hello; not needed while nobody has control."),
     ] = None,
 ) -> Asker:
-    """The caller, who may command now. Raises ConflictError while another has control."""
+    """The caller, if it may command now. Raises ConflictError while another has control."""
     control.check(x_client)
     return Asker(x_client, None if x_client is None else control.name_of(x_client))
 

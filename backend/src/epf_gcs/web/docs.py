@@ -1,4 +1,4 @@
-"""The browsable documentation, from files in this machine: no network is needed."""
+"""The API documentation in the browser, served from local files: it works without a network."""
 
 from __future__ import annotations
 

@@ -11,13 +11,13 @@ from fastapi.responses import FileResponse, PlainTextResponse, Response
 from epf_gcs.web.problems import problem_response
 
 _NOT_BUILT: Final = "The page is not built: run `npm run build` in frontend/. The interface is at /api/docs.\n"
-# Vite puts a hash of the content into the names of what lies here.
+# Vite puts a hash of the content into these file names, so they may be cached forever.
 _HASHED: Final = "assets"
 _MOST_SAID: Final = 200
 
 
 def install_page(app: FastAPI, folder: Path) -> None:
-    """Serve `folder` below /. The page is at / alone: it keeps no addresses of its own."""
+    """Serve `folder` below /. The page itself is only at /: it has no client-side routes."""
     root = folder.resolve()
 
     @app.get("/{path:path}", include_in_schema=False)
@@ -37,7 +37,7 @@ def install_page(app: FastAPI, folder: Path) -> None:
 
 
 def _file_below(root: Path, path: str) -> Path | None:
-    """The file of this name; None where there is none, or the name is none that a file can have."""
+    """The file at this path; None if there is none, or if it is not a valid file name."""
     try:
         file = (root / path).resolve()
         return file if file.is_file() else None

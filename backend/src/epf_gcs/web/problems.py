@@ -1,4 +1,4 @@
-"""One table from what went wrong to the problem document that says so (RFC 9457)."""
+"""One table from error types to problem documents (RFC 9457)."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ _HTTP_CODES: Final[dict[int, ErrorCode]] = {
     405: "method_not_allowed",
     400: "bad_json",
 }
-# Where a request was wrong, these parts of the place are the validator's own words.
+# Parts of a validation error's location that are pydantic's own and not names of the request's fields.
 _NO_FIELD: Final = re.compile(r"body|query|path|header|float|str|int|list\[.*|dict\[.*")
 
 _STATUS: Final[dict[type[GatewayError], HTTPStatus]] = {

@@ -20,14 +20,14 @@ from epf_gcs.web.settings import Settings
 from epf_gcs.web.stream.socket import SocketConnection
 from epf_gcs.web.visitors import Limits, Visitors, fitting, raise_descriptors
 
-# A thread that writes a recording or reads a download gives way to the event loop within this time.
+# How long another thread (one that reads a download) may hold the interpreter while the event loop waits for it.
 _SWITCH_INTERVAL_S: Final = 0.0002
 
 log = structlog.get_logger("gateway")
 
 
 class Server(uvicorn.Server):
-    """uvicorn with our connections and their limits; also a lost terminal ends it as it should."""
+    """uvicorn with our connections and their limits; SIGHUP, as from a closed terminal, also shuts it down cleanly."""
 
     def __init__(self, settings: Settings, limits: Limits | None = None, look_every_s: float = 1.0) -> None:
         self.visitors = Visitors(limits or Limits())
@@ -43,14 +43,14 @@ class Server(uvicorn.Server):
                 log_config=None,
                 server_header=False,
                 timeout_keep_alive=self.visitors.limits.idle_s,
-                # A download or a slow browser does not keep the board waiting for its farewell.
+                # Do not let a download or a slow browser delay the shutdown.
                 timeout_graceful_shutdown=2,
             )
         )
         self._settings = settings
 
     def serve_until_signal(self) -> None:
-        """Raises LinkError where the port cannot be taken; nothing else was begun then."""
+        """Run until a signal. Raises LinkError before anything else is started if the port cannot be taken."""
         sys.setswitchinterval(_SWITCH_INTERVAL_S)
         self.visitors.limits = fitting(self.visitors.limits, raise_descriptors())
         with self._listener() as listener:
@@ -73,11 +73,11 @@ class Server(uvicorn.Server):
 
     async def _serve(self, sockets: list[Any] | None = None) -> None:
         await super()._serve(sockets)
-        # uvicorn would send itself the signal again, and end by it: who asks for a polite end is answered with 0.
+        # uvicorn would raise the signal again and die of it; a requested end shall have exit status 0.
         self._captured_signals.clear()
 
     async def startup(self, sockets: list[Any] | None = None) -> None:
-        """Begin to listen, and say where."""
+        """Start listening, and log the address."""
         await super().startup(sockets)
         if self.started:
             host = f"[{self._settings.host}]" if ":" in self._settings.host else self._settings.host
@@ -85,7 +85,7 @@ class Server(uvicorn.Server):
 
     @property
     def port(self) -> int:
-        """The port that was taken."""
+        """The port in use."""
         return int(self.servers[0].sockets[0].getsockname()[1])
 
     def _hang_up(self) -> None:

@@ -29,7 +29,7 @@ from epf_gcs.web.track.tracks import Tracks
 from epf_gcs.web.vehicle.mirror import VehicleMirror
 
 _RESTART_S: Final = 1.0
-# How long the first requests wait for the flight process, which starts beside this one.
+# How long the server's start waits for the flight process, which is started at the same time.
 _FIRST_WAIT_S: Final = 5.0
 _STATUS_S: Final = 0.5
 
@@ -37,7 +37,7 @@ log = structlog.get_logger("web")
 
 
 class Station:
-    """Made on the running loop. `parts` are what routes ask for by name (`deps.py`)."""
+    """Constructed on the running loop. `parts` are what routes get by name (`deps.py`)."""
 
     def __init__(self, data_dir: Path, errors: ErrorLog) -> None:
         loop = asyncio.get_running_loop()
@@ -66,7 +66,7 @@ class Station:
 
     @contextlib.asynccontextmanager
     async def running(self) -> AsyncIterator[None]:
-        """Everything runs inside."""
+        """Run all parts inside."""
         try:
             async with asyncio.TaskGroup() as tasks:
                 running = [
@@ -81,7 +81,7 @@ class Station:
                 with contextlib.suppress(TimeoutError):
                     async with asyncio.timeout(_FIRST_WAIT_S):
                         await self._here.wait()
-                # What was made until now lives as long as the process: the collector need not look at it again.
+                # All objects made so far live as long as the process: frozen, they are not scanned again.
                 gc.collect()
                 gc.freeze()
                 try:
@@ -94,7 +94,7 @@ class Station:
             await self.tracks.close()
 
     async def _repeat(self) -> None:
-        """Without the flight process nobody else says how old everything is by now."""
+        """Without the flight process send the status ourselves, so that viewers see the ages grow."""
         while True:
             await asyncio.sleep(_STATUS_S)
             if not self.mirror.is_here:
@@ -105,7 +105,7 @@ class Station:
         self.status.changed()
 
     def _vehicle_here(self, holder: dict[str, Any] | None) -> None:
-        """Both sides agree on who has control: a new web process learns it, a new flight process is told."""
+        """Agree on who has control: the process that was restarted learns it from the other one."""
         if holder is not None and self.control.holder is None:
             self.control.restore(Client(holder["client"], holder["name"]))
         self._tell_vehicle(self.control.holder)
@@ -122,7 +122,7 @@ class Station:
 
 
 async def _keep_alive(name: str, job: Callable[[], Awaitable[None]]) -> None:
-    """The top of each task: a fault of ours in one of them must not end the others."""
+    """Run a task and restart it after a bug: one faulty task must not end the others."""
     while True:
         try:
             await job()

@@ -1,7 +1,7 @@
-"""Who is connected, and whether one more may come in: shares of connections by host and in total.
+"""The open connections, and their limits for each host and in total.
 
-A connection between requests gives way to a newcomer, the longest idle one of the host that has most, so that holding
-connections open locks nobody out. This computer's own share is kept apart from everybody else's.
+At a limit a new connection replaces an idle one, the longest idle of the host with the most connections, so that nobody
+can lock others out by holding connections open. This computer has limits of its own, apart from all other hosts.
 """
 
 from __future__ import annotations
@@ -15,14 +15,14 @@ from functools import lru_cache
 from typing import Final, Protocol
 
 RESERVED_DESCRIPTORS: Final = 200
-"""For files, links, recordings and worker processes."""
+"""Descriptors kept for files, links, recordings and worker processes."""
 
 _LEAST: Final = 50
 
 
 @dataclass(frozen=True)
 class Limits:
-    """How many of each, and for how long one may take. Connections include WebSockets."""
+    """Limits on the number of connections (WebSockets included) and on their times, sizes and rates."""
 
     connections: int = 1000
     connections_per_host: int = 200
@@ -36,11 +36,11 @@ class Limits:
     least_bytes_per_s: float = 2000.0
     rate_looked_at_s: float = 10.0
     unread_s: float = 30.0
-    """A browser that takes nothing of its answer for this long is gone."""
+    """A connection whose client reads nothing of its answer for this long is closed."""
 
 
 def fitting(limits: Limits, descriptors: int) -> Limits:
-    """The same with no more connections than this many descriptors are good for."""
+    """The limits, lowered if necessary to what this many file descriptors allow."""
     most = max(_LEAST, descriptors - RESERVED_DESCRIPTORS)
     if limits.connections + limits.for_this_computer <= most:
         return limits
@@ -54,7 +54,7 @@ def fitting(limits: Limits, descriptors: int) -> Limits:
 
 
 def raise_descriptors() -> int:
-    """Have as many descriptors as the system lets us; how many that are."""
+    """Raise the limit of open file descriptors as far as the system allows; returns it."""
     with contextlib.suppress(ImportError, ValueError, OSError):
         import resource  # noqa: PLC0415 - not on every system
 
@@ -71,10 +71,10 @@ class Visitor(Protocol):
 
     host: str
     idle_since_s: float | None
-    """Since when it waits for a request, or for the rest of a head; None while it is at one."""
+    """Loop time since when it waits for a request or the rest of a head; None while it handles one."""
 
     def make_room(self) -> None:
-        """End at once: another needs the place."""
+        """Close at once: another connection needs the place."""
 
 
 class Visitors:
@@ -83,7 +83,7 @@ class Visitors:
     def __init__(self, limits: Limits) -> None:
         self.limits = limits
         self.refused: Counter[str] = Counter()
-        # By host; this computer's own are under "".
+        # By host; those of this computer under "".
         self._of: dict[str, dict[Visitor, None]] = {}
         self._sockets: dict[str, set[Visitor]] = {}
 
@@ -95,11 +95,11 @@ class Visitors:
 
     @property
     def sockets(self) -> int:
-        """How many of them are WebSockets."""
+        """Number of WebSockets."""
         return sum(map(len, self._sockets.values()))
 
     def come_in(self, visitor: Visitor) -> bool:
-        """Take one more; False where there is no place for it and none can be made."""
+        """Add a connection; False if the limit is reached and no idle connection can be closed."""
         key, limits = _key(visitor.host), self.limits
         most = limits.connections_per_host if key else limits.for_this_computer
         fits = len(self._of.get(key, ())) < most or self._make_room([key])
@@ -113,7 +113,7 @@ class Visitors:
         return True
 
     def become_socket(self, visitor: Visitor) -> bool:
-        """It wants to be a WebSocket; False where there are enough."""
+        """Count this connection as a WebSocket; False if the limit is reached."""
         key, limits = _key(visitor.host), self.limits
         most = limits.sockets_per_host if key else limits.sockets_for_this_computer
         others = self.sockets - len(self._sockets.get("", ()))
@@ -124,7 +124,7 @@ class Visitors:
         return True
 
     def leave(self, visitor: Visitor) -> None:
-        """Its connection is over. May be said twice."""
+        """Remove a connection. Idempotent."""
         key = _key(visitor.host)
         if (those := self._of.get(key)) is not None:
             those.pop(visitor, None)
@@ -136,7 +136,7 @@ class Visitors:
                 del self._sockets[key]
 
     def _make_room(self, hosts: Iterable[str]) -> bool:
-        """End the connection that has been idle longest of the first of these hosts that has any."""
+        """Close the longest idle connection of the first of these hosts that has an idle one."""
         for host in hosts:
             idle = [(one.idle_since_s, index, one) for index, one in enumerate(self._of[host]) if one.idle_since_s]
             if idle:
@@ -153,7 +153,7 @@ def _key(host: str) -> str:
 
 @lru_cache(maxsize=4096)
 def is_this_computer(host: str) -> bool:
-    """The connection comes from this computer itself."""
+    """Whether this host is this computer itself."""
     try:
         return ipaddress.ip_address(host.partition("%")[0]).is_loopback
     except ValueError:

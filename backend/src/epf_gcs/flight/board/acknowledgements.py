@@ -1,4 +1,4 @@
-"""Which sending an acknowledgement belongs to: it names the command's type and nothing else."""
+"""Which of several sendings an acknowledgement belongs to: it names only the command's type."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ from epf_gcs.codec.frame import Frame
 from epf_gcs.codec.messages_gen import COMMANDS, TELEMETRY_BY_NAME
 from epf_gcs.codec.values import Meaning
 
-# Changes nothing, and every board that acknowledges at all acknowledges it, in the order in which it was asked.
+# A command without effect that every acknowledging board acknowledges, in the order of sending.
 FENCE: Final = COMMANDS["capabilities"]
-# The board acknowledges this one when its card is done, and meanwhile others: a fence says nothing of it.
+# Acknowledged only when the card has written, after commands that were sent later: a fence proves nothing here.
 _OUT_OF_ORDER: Final = frozenset({COMMANDS["store_parameters"].id})
-# A card that did not answer for this long will not answer.
+# After this long without the card's acknowledgement, expect it no more.
 _OWED_S: Final = 10.0
 
 _RESULTS: Final = {
@@ -26,7 +26,7 @@ _RESULTS: Final = {
 
 
 class Owed:
-    """How many acknowledgements of each type are still to come for what was sent."""
+    """How many acknowledgements of each command type are still outstanding."""
 
     def __init__(self, steady_s: Callable[[], float]) -> None:
         self._steady_s = steady_s
@@ -39,25 +39,25 @@ class Owed:
         self._last_s[command_id] = self._steady_s()
 
     def on_frame(self, frame: Frame, meant: Meaning) -> None:
-        """A frame of the board: one less is owed where it acknowledges something."""
+        """Take a frame of the board; an acknowledgement lowers the count of its type."""
         if frame.message.name == "acknowledgement":
             command_id = meant.values["command_type"]
             if isinstance(command_id, int) and self._counts[command_id] > 0:
                 self._counts[command_id] -= 1
 
     def none_before(self, command_id: int, sendings: int) -> None:
-        """What was sent before these last sendings will not be acknowledged any more."""
+        """Expect acknowledgements only for the last `sendings` commands of this type, not for earlier ones."""
         self._counts[command_id] = min(self._counts[command_id], sendings)
 
     def of(self, command_id: int) -> int:
-        """How many acknowledgements of this type may come that belong to earlier sendings."""
+        """How many acknowledgements of this type may still come for earlier sendings."""
         if command_id in _OUT_OF_ORDER and self._steady_s() - self._last_s.get(command_id, -_OWED_S) >= _OWED_S:
             return 0
         return self._counts[command_id]
 
 
 class AcknowledgementJudge:
-    """Sees in a frame what became of one command, and passes over the acknowledgements of earlier ones of its type.
+    """Finds the outcome of one command and skips the acknowledgements of earlier commands of its type.
 
     While earlier ones are owed, a fence is sent before the command: the board answers in order, so whatever comes
     before the fence's acknowledgement is old. Where the board does not keep the order, the owed ones are counted.
@@ -78,7 +78,7 @@ class AcknowledgementJudge:
         self._owed.sent(self._id)
 
     def __call__(self, frame: Frame, meant: Meaning) -> tuple[bool, str] | None:
-        """Whether it was done, and the board's word for it; None where the frame does not tell."""
+        """Whether the command was done, and the board's result name; None if the frame says nothing about it."""
         if frame.message.name != "acknowledgement":
             return None
         command_id = meant.values["command_type"]

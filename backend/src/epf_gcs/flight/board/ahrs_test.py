@@ -1,7 +1,7 @@
-"""The AHRS test: the board leaves its frames for a stream of bare attitudes, and comes back to them afterwards.
+"""The AHRS test: the board sends a stream of bare attitudes in place of frames until the test ends.
 
-While it runs the board hears no command and sends no heartbeat, so it is refused to a board that flies. It is proved
-by its first record, and its end by the heartbeat that follows.
+Meanwhile the board takes no commands and sends no heartbeat, so the test is refused while the board flies. The
+first record proves its start, the next heartbeat its end.
 """
 
 from __future__ import annotations
@@ -24,14 +24,14 @@ Stage = Literal["off", "starting", "running", "ending"]
 
 # The dialogue is tried twice: 0.2 s and 2 s each.
 _BEGIN_S: Final = 4.6
-# Opening takes a heartbeat and, on a deployed board, half a second without an answer; the line is greeted each second.
+# Reopening the session takes a heartbeat, plus 0.5 s on a deployed board, which does not answer; retried each second.
 _END_S: Final = 4.0
-# Records come fifty times a second: this long without one and the board was switched off or left the test by itself.
+# Records come at 50 Hz: after this long without one the board was switched off or left the test by itself.
 _SILENCE_S: Final = 2.0
 
 
 class AhrsTestRun:
-    """Borrows the board's line. `flies` tells whether the board must not be left alone; `changed`: the stage did."""
+    """Takes over the board's line. The test is refused while `flies()`; `changed` is called on each new stage."""
 
     def __init__(
         self,
@@ -58,13 +58,13 @@ class AhrsTestRun:
 
     @property
     def stage(self) -> Stage:
-        """Where the test stands. It runs once an attitude was heard: the board's word that it will come is no proof."""
+        """The test's stage: "running" only from the first attitude, for the board's announcement proves nothing."""
         if self._board.guest is self:
             return "running" if self._has_record else "starting"
         return "ending" if self._is_ending else "off"
 
     async def start(self) -> CommandResult:
-        """Begin and wait for the first record. Raises ConflictError where the board cannot be left to it now."""
+        """Begin and wait for the first record. Raises ConflictError if the board cannot run the test now."""
         async with self._lock:
             started_s = self._clock.steady_s()
             if self.stage != "running":
@@ -97,7 +97,7 @@ class AhrsTestRun:
             return self._result(started_s, done=self._board.is_open, by="heartbeat")
 
     def tick(self) -> None:
-        """Do what is due; called some times a second."""
+        """Send what is due and detect a test that went silent; called a few times a second."""
         if self._board.guest is not self:
             self._news.set()
             return
@@ -117,13 +117,13 @@ class AhrsTestRun:
         self._news.set()
 
     def on_bytes(self, data: bytes) -> None:
-        """Bytes of the lent line."""
+        """Take bytes of the board's line during the test."""
         was = self.stage
         attitudes = self._test.feed(data)
         if attitudes:
             self._has_record = True
             self._heard_s = self._clock.steady_s()
-            # They came in one piece: the newest is the present, the others are no older than it.
+            # All came in one chunk: only the newest is worth showing.
             self._telemetry.take(TOPIC, self._clock.now_s(), dict(attitudes[-1]._asdict()))
             self._telemetry.flush()
             self._news.set()
@@ -131,7 +131,7 @@ class AhrsTestRun:
             self._changed()
 
     def goodbye(self) -> bytes:
-        """What ends the test on the board; from here on it is over."""
+        """Return the bytes that end the test on the board, and regard the test as over."""
         self._news.set()
         return self._test.stop()
 

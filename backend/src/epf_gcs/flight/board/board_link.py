@@ -1,4 +1,4 @@
-"""The board's link: kept open, also under a new name of the same device, and handed to the board."""
+"""The board's link: kept open, found again if the same device gets a new name, and handed to the board."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ class Supervisor:
         )
 
     def find_devices_by(self, identify: Callable[[str], str | None], locate: Callable[[str], str | None]) -> None:
-        """Know devices in another way than by their USB serial number: path -> identity, identity -> path."""
+        """Replace the search by USB serial number: `identify` maps path to identity, `locate` identity to path."""
         self._identify = identify
         self._locate = locate
 
@@ -66,7 +66,7 @@ class Supervisor:
 
     @property
     def reopened(self) -> int:
-        """How often the link was opened by itself."""
+        """How often the link was reopened automatically."""
         return self._kept.reopened
 
     @property
@@ -104,27 +104,27 @@ class Supervisor:
         self._kept.shut_down()
 
     async def _find(self, wanted: LinkAddress) -> LinkAddress:
-        """The same device may have come back under another name."""
+        """The address to open: the same device may have come back under another name."""
         if wanted.scheme != "serial" or self.identity is None:
             return wanted
         path = await asyncio.to_thread(self._locate, self.identity)
         return wanted if path is None else replace(wanted, target=path)
 
     async def _learn_identity(self, address: LinkAddress) -> None:
-        """Who is behind the port; asked in a thread, for it reads a hundred files."""
+        """Look up the identity of the device behind the port; in a thread, for that reads a hundred files."""
         self.identity = None
         if address.scheme != "serial":
             return
         try:
             self.identity = await asyncio.to_thread(self._identify, address.target)
         except OSError:
-            # The link works without: it is found again under its own name alone.
+            # The link works without an identity; it is then found again only under the same name.
             return
         self._on_change()
 
     def _begin(self, address: LinkAddress, link: Link) -> None:
         is_emulated = address == EMULATION
-        # A recording is what happened; an example did not.
+        # Emulated bytes are never recorded.
         tap = None if is_emulated else self._tap
         link.start(LinkCallbacks(self._board.on_bytes, self._kept.lose, tap, self._board.missing_bytes))
         self._board.attach(link, is_emulated=is_emulated)

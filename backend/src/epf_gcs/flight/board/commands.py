@@ -1,4 +1,4 @@
-"""Commands with proof: sent, and then confirmed, rejected or timed out; never just hoped for."""
+"""Commands with proof: each one sent ends as confirmed, rejected or timed out."""
 
 from __future__ import annotations
 
@@ -26,11 +26,11 @@ from epf_gcs.vehicle.telemetry import Telemetry
 
 State = Literal["confirmed", "rejected", "timed_out", "sent"]
 By = Literal["acknowledgement", "heartbeat", "read_back", "none"]
-# How a proof is looked for; a frame that shows the effect is a read-back to the outside.
+# How a command is proved. "frame" (a frame that shows the effect) is reported to clients as "read_back".
 _Proof = Literal["acknowledgement", "heartbeat", "frame", "read_back", "none"]
 
 _ATTEMPTS: Final = 2
-# Far above a round trip on a busy 115200 line (some 20 ms), far below a person's patience.
+# Far above a round trip on a busy 115200 baud line (some 20 ms), and short enough for someone who waits.
 _ANSWER_S: Final = 0.6
 _SLOW_LINE_BAUD: Final = 57600
 _SLOW_LINE_FACTOR: Final = 5
@@ -41,7 +41,7 @@ Judge = Callable[[Frame, Meaning], Verdict | None]
 
 
 class _Sending(NamedTuple):
-    """One command on its way, and how it is seen that it was done."""
+    """One command on its way, and how it is proved."""
 
     command: Message
     frame: bytes
@@ -62,12 +62,12 @@ class CommandResult:
 
     @property
     def done(self) -> bool:
-        """The board has it, or nothing says that it has not."""
+        """Confirmed by the board, or not contradicted by it."""
         return self.state in ("confirmed", "sent")
 
 
 class Commands:
-    """Sends commands one at a time of each type, for an acknowledgement names nothing but the type."""
+    """Sends one command of each type at a time, for an acknowledgement names only the type."""
 
     def __init__(self, board: Board, telemetry: Telemetry, hub: Outlet, clock: Clock, errors: ErrorLog) -> None:
         self._loop = asyncio.get_running_loop()
@@ -79,14 +79,14 @@ class Commands:
         self._locks: defaultdict[str, asyncio.Lock] = defaultdict(asyncio.Lock)
         self._ids = count(1)
         self._owed = Owed(clock.steady_s)
-        # One for each command that waits for its proof, with the link that it went out on.
+        # Each command that waits for its proof, with the link it was sent on.
         self._waiting: dict[asyncio.Future[Verdict], Line | None] = {}
-        # Set by the composition: hears of every command that was done.
+        # Set by the composition root; called after every command that was done.
         self.on_done: Callable[[str, tuple[float, ...]], None] | None = None
         board.listen(self._owed.on_frame)
 
     def link_changed(self) -> None:
-        """The board's link may be another or none: whoever waits for a proof on the old one need not wait longer."""
+        """The board's link was replaced or closed: stop waiting for proofs on the old one."""
         for decided, link in self._waiting.items():
             if link is not self._board.link and not decided.done():
                 decided.cancel()
@@ -100,11 +100,11 @@ class Commands:
         quiet: bool = False,
         is_read_back: bool = False,
     ) -> CommandResult:
-        """Send and wait for the proof; `quiet` ones are part of something that is told as a whole.
+        """Send and wait for the proof. `quiet`: the caller reports the overall result.
 
-        `is_read_back`: the caller reads back what this sets, so that a board without acknowledgements is not asked
-        for the same twice. `arguments` are checked already. Raises ConflictError where it cannot be sent now, and
-        LinkError where the link was lost while it was on its way.
+        `is_read_back`: the caller reads the value back itself, so it is not read back here as well when the board
+        sends no acknowledgements. `arguments` are checked already. Raises ConflictError if the command cannot be
+        sent now, and LinkError if the link was lost before the proof.
         """
         command = COMMANDS[name]
         async with self._locks[name]:
@@ -127,7 +127,7 @@ class Commands:
         return result
 
     def tell_outcome(self, name: str, arguments: tuple[float, ...], client: str | None, result: CommandResult) -> None:
-        """Tell the viewers what became of a quiet command, once whoever ran it knows."""
+        """Report the outcome of a `quiet` command to the viewers, once the caller knows it."""
         self._tell(self._story(name, arguments, client), result.state, result.by, result.ms, result.reason)
 
     def check_ready(self, command: Message) -> None:
@@ -165,7 +165,7 @@ class Commands:
         return CommandResult(verdict[0], by, ms, verdict[1])
 
     async def _attempt(self, sending: _Sending, *, is_first: bool) -> Verdict | None:
-        """Send once and wait. None where nothing was proved in time. Raises LinkError where the link is gone."""
+        """Send once and wait. None if nothing proved it in time. Raises LinkError if the link is gone."""
         decided: asyncio.Future[Verdict] = self._loop.create_future()
 
         def listen(frame: Frame, meant: Meaning) -> None:
@@ -193,7 +193,7 @@ class Commands:
         try:
             self._send(sending.command, sending.frame)
         except ConflictError:
-            # The first one may have arrived: that the second finds no place is no news of it.
+            # The first sending may have arrived, so a full line at the second one does not mean failure.
             if is_first:
                 raise
             return
@@ -221,7 +221,7 @@ class Commands:
             )
 
     def _sending(self, command: Message, arguments: tuple[float, ...], *, is_read_back: bool) -> _Sending | None:
-        """What will prove this command on this board; None where nothing can, or where the caller proves it."""
+        """What will prove this command on this board; None if nothing can, or if the caller proves it."""
         frame, link = encode_command(command.name, *arguments), self._board.link
         if self._board.session.is_extended and self._board.capabilities().get("has_acknowledgements"):
             judge = AcknowledgementJudge(command.id, self._owed)
@@ -232,7 +232,7 @@ class Commands:
         return _Sending(command, frame, link, proof, seen, None)
 
     def _effect(self, command: Message, arguments: tuple[float, ...]) -> tuple[_Proof, Judge | None]:
-        """How to see in a frame what this command does."""
+        """How telemetry shows the effect of this command, for boards without acknowledgements."""
         confirm = command.confirm
         match confirm.by:
             case "heartbeat":
@@ -290,7 +290,7 @@ def _by_acknowledgement(judge: AcknowledgementJudge) -> Judge:
 
 
 def _end_of(error: BaseException) -> tuple[State, By, None, str | None]:
-    """How a command ends that was broken off. Only what never went out is known not to be done."""
+    """Outcome of an aborted command: "rejected" only if it was never sent, for otherwise nobody knows."""
     if isinstance(error, GatewayError) and error.code == "board_line_full":
         return "rejected", "none", None, "not_sent"
     return "timed_out", "none", None, None

@@ -1,4 +1,4 @@
-"""Who wrote what to the gains when, kept over restarts; and what can be undone while the same board is there."""
+"""Who changed which gains when, kept across restarts; and what can be undone on the same board."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _KEPT: Final = 1000
 
 
 class Journal:
-    """`name_of` tells what a browser is called. Each entry goes to the file and to the viewers."""
+    """`name_of` maps a client to its name. Each entry goes to the file and to the viewers."""
 
     def __init__(
         self,
@@ -46,7 +46,7 @@ class Journal:
         return list(reversed(self._entries))
 
     def note(self, kind: Kind, changes: Iterable[Change], client: str | None, *, undoable: bool) -> None:
-        """These changes were tried. `undoable` is false where the board that was asked is not there any more."""
+        """Note changes that were tried. `undoable` is false if that board is no longer connected."""
         newest = self._entries[-1].id if self._entries else 0
         name = None if client is None else self._name_of(client)
         entry = Entry(newest + 1, self._clock.now_s(), client, name, kind, tuple(changes))
@@ -57,7 +57,7 @@ class Journal:
         self._tell(entry)
 
     def forget_steps(self) -> None:
-        """Another board may be there, with other values: nothing that was written can be undone."""
+        """Drop all undo steps: another board, with other values, may be connected now."""
         if self.steps != Steps():
             self.steps = Steps()
             self._tell(None)

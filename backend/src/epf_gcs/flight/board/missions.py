@@ -28,25 +28,25 @@ class Missions:
         self._commands = commands
         self._hub = hub
         self._lock = asyncio.Lock()
-        # Plans that the board was seen to have since it opened.
+        # Plans read from or written to the board since its session opened.
         self._known: dict[Plan, None] = {}
 
     def take_known(self) -> tuple[Plan, ...]:
-        """The plans that the board was seen to have; from here on none is known."""
+        """Return the plans known to be on the board, and forget them."""
         known, self._known = tuple(self._known), {}
         return known
 
     async def read(self, plan: Plan) -> list[Waypoint]:
-        """The plan that the board has. Raises BoardError where it does not come whole."""
+        """The plan that the board has. Raises BoardError if it does not arrive complete."""
         self._check_supported()
         async with self._lock:
             return await self._read(plan)
 
     async def write(self, plan: Plan, waypoints: Sequence[Waypoint], client: str | None) -> list[Waypoint]:
-        """Replace a plan; returns what the board has then.
+        """Replace a plan; returns the plan read back from the board.
 
-        Raises InvalidInputError before anything is sent, BoardError where the board did not take it: the old plan
-        then still stands, for the new one counts from its commit on.
+        Raises InvalidInputError before anything is sent, BoardError if the board did not take it: it then keeps
+        the old plan, for a new one takes effect only with its commit.
         """
         fault = mission_fault(waypoints)
         if fault is not None:
@@ -121,7 +121,7 @@ class Missions:
 
 
 class _Collector:
-    """Puts the items of one plan together; a count begins anew."""
+    """Collects the items of one plan; a new count starts over."""
 
     def __init__(self, plan: int, whole: asyncio.Future[list[Waypoint]]) -> None:
         self.whole = whole

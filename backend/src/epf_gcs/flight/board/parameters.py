@@ -25,7 +25,7 @@ _READ_S: Final = 1.0
 
 
 class Parameters:
-    """What is held here is what the board said last, never what somebody hoped to have set.
+    """Holds the values that the board reported last, never values that were only requested.
 
     `unconfirmed` are the gains whose last write the board refused or did not answer.
     """
@@ -44,13 +44,13 @@ class Parameters:
         board.listen(self._on_frame)
 
     def forget(self) -> None:
-        """The board is gone or started anew: what it has is not known any more, and nothing can be undone."""
+        """Forget all values and undo steps: the board is gone or was restarted."""
         self._session += 1
         self._replace(UNKNOWN)
         self.journal.forget_steps()
 
     def accept_unconfirmed(self) -> None:
-        """The operator knows which gains were not confirmed."""
+        """The operator acknowledged the unconfirmed gains: stop listing them."""
         self.unconfirmed = ()
 
     async def load(self, client: str | None) -> None:
@@ -66,7 +66,7 @@ class Parameters:
             await self._write("write", changes, client)
 
     async def undo(self, client: str | None) -> None:
-        """Take the newest step back, with read-back. Raises ConflictError where there is none."""
+        """Undo the newest step, with read-back. Raises ConflictError if there is none."""
         async with self._lock:
             step = self.journal.steps.undo
             if step is None:
@@ -76,7 +76,7 @@ class Parameters:
             await self._write("undo", {move.name: move.after for move in step}, client)
 
     async def redo(self, client: str | None) -> None:
-        """Do again what was undone last, with read-back. Raises ConflictError where there is nothing."""
+        """Redo the step undone last, with read-back. Raises ConflictError if there is none."""
         async with self._lock:
             step = self.journal.steps.redo
             if step is None:
@@ -86,7 +86,7 @@ class Parameters:
             await self._write("redo", {move.name: move.after for move in step}, client)
 
     async def set_by_command(self, command: Message, value: float, client: str | None) -> CommandResult:
-        """Send one set command as it is, without a read-back of our own; the journal hears of it all the same."""
+        """Send one set command without our own read-back, and note it in the journal."""
         name = command.parameter
         async with self._lock:
             session, before = self._session, self._before(name)
@@ -98,7 +98,7 @@ class Parameters:
             return result
 
     async def store(self, client: str | None) -> CommandResult:
-        """Write them to the board's card."""
+        """Store the gains on the board's card."""
         written = tuple(self._unstored)
         result = await self._commands.run("store_parameters", client=client)
         if result.state == "confirmed":
@@ -107,14 +107,14 @@ class Parameters:
         return result
 
     def take_unstored(self) -> tuple[str, ...]:
-        """The gains that were written and never stored on the card; from here on there are none."""
+        """Return the gains written but not stored on the card, and clear that list."""
         unstored, self._unstored = tuple(self._unstored), {}
         return unstored
 
     async def _write(self, kind: Kind, changes: Mapping[str, float], client: str | None) -> None:
         session = self._session
         if any(self.held[name].value is None for name in changes):
-            # What they were is part of the journal, and without it nothing could be undone.
+            # The journal and undo need the values from before the write.
             await self._read(client)
         held = self.held
         before = {name: self._before(name) for name in changes}
@@ -128,7 +128,7 @@ class Parameters:
                 values = await self._read(client)
         except BaseException as error:
             if isinstance(error, ConflictError) and list(results.values()) == [None]:
-                # The first was not even sent: everything is as it was.
+                # Not even the first was sent: nothing has changed.
                 self._replace(held if session == self._session else self.held)
                 raise
             self._replace(gains.forgotten(self.held, changes))
@@ -158,7 +158,7 @@ class Parameters:
 
     @contextmanager
     def _read_back_follows(self) -> Iterator[None]:
-        """While inside, what the board sends is not told by itself: it is told once, with what became of the write."""
+        """Inside, do not report gains that arrive: `_write` reports them once, together with the write's outcome."""
         self._is_writing = True
         try:
             yield
@@ -173,7 +173,7 @@ class Parameters:
         client: str | None,
         session: int,
     ) -> None:
-        """Tell once of each gain what became of it, and note all of them as one step."""
+        """Report each gain's outcome once, and note all of them in the journal as one step."""
         changes = list(changes)
         for change in changes:
             result = results[change.name]
@@ -257,7 +257,7 @@ class Parameters:
             self._replace(gains.after_read(self.held, meant.values))
 
     def _replace(self, held: Held17) -> None:
-        """Take the new state and tell what changed in it."""
+        """Take the new state and send the viewers what changed."""
         changed: dict[str, Any] = {
             name: {
                 "value": None if one.value is None else gains.shown(name, one.value),
@@ -273,5 +273,5 @@ class Parameters:
 
 
 def _why_not(result: CommandResult | None) -> Outcome:
-    """The read-back shows another value: refused, or the command never arrived."""
+    """The outcome where the read-back shows another value: refused, or the command never arrived."""
     return "timed_out" if result is None or result.state == "timed_out" else "rejected"

@@ -1,4 +1,4 @@
-"""Each time a board opens, bring it to what was asked of it before: streams, periods and control source."""
+"""Each time a board opens, restore the streams, periods and control source that were requested before."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from epf_gcs.vehicle.wanted import RATE_COMMANDS
 
 
 class Rearming:
-    """An autopilot is never switched on by this: it may have been switched off for a reason."""
+    """Never switches an autopilot on: it may have been switched off for a reason."""
 
     def __init__(
         self,
@@ -40,7 +40,7 @@ class Rearming:
         self._opened.set()
 
     def command_done(self, name: str, arguments: tuple[float, ...]) -> None:
-        """Remember what this command asks for, and expect the board's new pace."""
+        """Remember what this command requests, and expect the board's new periods."""
         self._memory.update(wanted=self._memory.now.wanted.after(name, arguments))
         if name in RATE_COMMANDS:
             self._telemetry.rate_changed(name)
@@ -49,7 +49,7 @@ class Rearming:
                 self._board.session.expect_heartbeat_every(arguments[0] / 1000.0)
 
     async def run(self) -> None:
-        """Wait for openings for ever."""
+        """Restore the requested state after each opening, forever."""
         while True:
             await self._opened.wait()
             self._opened.clear()

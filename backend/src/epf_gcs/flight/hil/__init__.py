@@ -1,1 +1,1 @@
-"""The loop between the simulator and the board, and the pilot's stick."""
+"""The HIL loop between simulator and board, and the pilot's stick."""

@@ -1,7 +1,7 @@
-"""A link without a board: example values as real frames and real datagrams, through the whole path.
+"""A link without a board: example values sent as real frames and datagrams through the whole path.
 
-Nobody can command it; it answers only what opens a session. What it brings is never recorded, and never moves a
-simulator: see `Board.is_emulated`.
+It takes no commands and answers only the request that opens a session. Its data is never recorded and never moves
+a simulator: see `Board.is_emulated`.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ _Frames = Iterator[tuple[str, tuple[float, ...]]]
 
 
 class EmulationLink:
-    """Implements `Link`. `on_datagram` is told what the simulator would have sent. Made on a running loop."""
+    """Implements `Link`. `on_datagram` gets the datagrams a simulator would send. Constructed on a running loop."""
 
     def __init__(self, on_datagram: Callable[[bytes], object]) -> None:
         self._loop = asyncio.get_running_loop()
@@ -54,35 +54,35 @@ class EmulationLink:
 
     @property
     def baud(self) -> int:
-        """As the line of a deployed board."""
+        """The rate of a deployed board's line, in baud."""
         return DEFAULT_BAUD
 
     @property
     def backlog(self) -> int:
-        """Nothing waits."""
+        """Always 0: nothing is queued."""
         return 0
 
     def start(self, callbacks: LinkCallbacks) -> None:
-        """Take off."""
+        """Start sending frames and datagrams."""
         self._callbacks = callbacks
         self._started_s = self._loop.time()
         self._timer = self._loop.call_soon(self._step)
 
     def write(self, data: bytes) -> bool:
-        """A session may be opened; everything else was refused before it came here."""
+        """Answer the request that opens a session; all other commands are refused before they get here."""
         for found in self._commands.feed(data):
             if isinstance(found, Frame) and found.message.name == "capabilities":
                 self._loop.call_soon(self._answer_capabilities)
         return True
 
     def close(self) -> None:
-        """Gone, and silent from now on."""
+        """Stop sending."""
         self._callbacks = None
         if self._timer is not None:
             self._timer.cancel()
 
     def _answer_capabilities(self) -> None:
-        """Who it is, and the gains that a new board has."""
+        """Send the board's identity and the default gains."""
         uptime_ms = int(1000.0 * (self._loop.time() - self._started_s))
         self._bring(
             encode_telemetry("capabilities", _PROTOCOL_VERSION, _NO_FEATURES, b"emulation", b"examples", uptime_ms),
@@ -93,7 +93,7 @@ class EmulationLink:
         )
 
     def _step(self) -> None:
-        """One period of the fastest task."""
+        """Send everything due in one period of the fastest task."""
         if self._callbacks is None:
             return
         t_ms = self._next_ms
@@ -101,7 +101,7 @@ class EmulationLink:
         due = [frames for period_ms, frames in _TASKS if t_ms // period_ms != self._last_ms // period_ms]
         self._bring(*(encode_telemetry(name, *values) for frames in due for name, values in frames(now)))
         self._on_datagram(simulator_datagram(now))
-        # A loop that was away goes on from now: nobody wants to hear what it missed.
+        # After a stall of the event loop go on from now: do not send the missed periods.
         elapsed_ms = int(1000.0 * (self._loop.time() - self._started_s))
         self._last_ms, self._next_ms = t_ms, max(t_ms, elapsed_ms // _SERVOS_MS * _SERVOS_MS) + _SERVOS_MS
         self._timer = self._loop.call_at(self._started_s + self._next_ms / 1000.0, self._step)
@@ -156,7 +156,7 @@ def simulator_datagram(now: ExampleMoment) -> bytes:
 
 
 def _controls(now: ExampleMoment) -> tuple[float, float, float, float]:
-    """Aileron, elevator, rudder, throttle: a hand that holds the turn."""
+    """Aileron, elevator, rudder, throttle of a pilot who holds a steady turn."""
     sway = math.sin(2.0 * math.pi * now.t_s / _SWAY_PERIOD_S)
     return 0.05 + 0.04 * sway, -0.1 - 0.03 * sway, 0.02, 0.6 + 0.05 * sway
 
@@ -214,7 +214,7 @@ def _status_task(_: ExampleMoment) -> _Frames:
     yield "board_status", (0, 0, 0, 0, 0, 0)
 
 
-# Each with its period; all that are due come in one piece, as from a line.
+# Period and task. All frames due at once are sent in one chunk, as a serial line delivers them.
 _TASKS: Final = (
     (_SERVOS_MS, _servos_task),
     (_PARAMETER_MS, _parameter_task),

@@ -1,7 +1,7 @@
 """The loop between simulator and board. Nothing here waits for a disk, a browser or a log line.
 
-In: a datagram; when it completes a frame of the simulator, command 50 leaves in the same call. Back: a frame with
-surfaces; the simulator's datagram leaves in the same call. What viewers are shown of it is made afterwards.
+In: a datagram; when it completes a frame of the simulator, command 50 leaves in the same call. Out: a frame
+with surfaces; the simulator's datagram leaves in the same call. Samples for viewers are made afterwards.
 """
 
 from __future__ import annotations
@@ -30,11 +30,11 @@ Path = Literal["manual", "assisted"]
 Source = Literal["joystick", "rc"]
 
 _COMMAND_50: Final = COMMANDS["xplane_info"]
-# More waiting than this and the line is slower than the simulator: a frame that waits is old when it leaves.
+# With more bytes queued the line is slower than the simulator: skip the frame, it would be old when it leaves.
 _MAX_BACKLOG_BYTES: Final = 256
-# A row that was not heard for this long is not shown: 20 periods of the slowest simulator.
+# Hide a row not received for this long: 20 periods of the slowest simulator.
 _ROW_AGE_S: Final = 1.0
-# The simulator has some 140; what sends more numbers than these is no simulator.
+# X-Plane has some 140 rows; ignore further row numbers, which no simulator sends.
 _MOST_ROWS: Final = 256
 _MOST_UNPARSED: Final = 256
 _SHOW_EVERY_S: Final = 0.02
@@ -42,7 +42,7 @@ _RAW_EVERY_S: Final = 0.2
 
 
 class Hil:
-    """Told of datagrams and of the board's urgent frames. `path` says who moves the simulator's surfaces."""
+    """Takes datagrams and the board's urgent frames. `path` says who moves the simulator's surfaces."""
 
     def __init__(self, board: Board, telemetry: Telemetry, clock: Clock, stick: Stick) -> None:
         self._loop = asyncio.get_running_loop()
@@ -70,7 +70,7 @@ class Hil:
 
     @property
     def source(self) -> Source | None:
-        """Who holds the stick, as the board says; None before it said."""
+        """Who holds the stick, as the board reports it; None before its first report."""
         heartbeat = self._telemetry.newest("heartbeat")
         joystick = None if heartbeat is None else heartbeat.get("source_joystick")
         return None if joystick is None else "joystick" if joystick else "rc"
@@ -82,12 +82,12 @@ class Hil:
 
     @property
     def missing_rows(self) -> list[int]:
-        """Rows without which the board cannot be told where the aircraft is."""
+        """Numbers of the rows that command 50 needs and that do not arrive."""
         return sorted(NEEDED_ROWS - set(self.rows))
 
     @property
     def arrivals(self) -> Mapping[int, Arrivals]:
-        """When each row came, by its number; their times are those of the steady clock."""
+        """Arrival statistics of each row, by row number; times of the steady clock, in s."""
         return self._rows
 
     @property
@@ -96,7 +96,7 @@ class Hil:
         return self._profile
 
     def begin(self, link: UdpLink | None, profile: str) -> None:
-        """The simulator's socket is open, or examples come without one: nothing of an earlier one counts."""
+        """Start with a new simulator, or with emulated datagrams (`link` None): forget the earlier one's data."""
         self.link = link
         self._profile = profile
         self._gatherer = Gatherer(profile)
@@ -107,7 +107,7 @@ class Hil:
         self.last_to_board_s = self.last_surfaces_s = None
 
     def rest(self) -> None:
-        """The board is not to be told for a while: its silence is no broken loop."""
+        """Forget pending round trips during an AHRS test, so that the board's silence raises no HIL alarm."""
         self.round_trip.clear()
         self.last_to_board_s = self.last_surfaces_s = None
 
@@ -116,7 +116,7 @@ class Hil:
         self.link = None
 
     def on_datagram(self, datagram: bytes) -> bool:
-        """A datagram of the simulator. False where it is none."""
+        """Take a datagram from the simulator. False if it is not one of X-Plane's."""
         now_s = self._clock.steady_s()
         info = self._whole_frames.read(datagram)
         if info is not None:
@@ -140,7 +140,7 @@ class Hil:
         return True
 
     def on_urgent(self, frame: Frame) -> None:
-        """Surfaces or RC channels, straight from the decoder. Examples move nobody's simulator."""
+        """Take surfaces or RC channels, straight from the decoder. Emulated ones never move a simulator."""
         if self._board.is_emulated:
             return
         if frame.message.name == "hil_surfaces":
@@ -166,7 +166,7 @@ class Hil:
         return {row: one.values for row, one in self._rows.items() if (one.last_s or 0.0) >= oldest_s}
 
     def _with_stick(self, info: XplaneInfo, now_s: float) -> XplaneInfo:
-        """A gamepad that is chosen takes the place of the simulator's joystick, but in examples."""
+        """Put the chosen gamepad's position in place of the simulator's joystick, except when emulated."""
         chosen = None if self._board.is_emulated else self.stick.now(now_s)
         if chosen is None:
             return info
@@ -174,7 +174,7 @@ class Hil:
         return info._replace(elevator=elevator, aileron=aileron, rudder=rudder, throttle=throttle)
 
     def _act_on(self, info: XplaneInfo, now_s: float) -> None:
-        """A whole frame of the simulator is known: everything that waits for it, and nothing else."""
+        """Send at once what depends on a complete frame of the simulator; everything else waits for `_show`."""
         if self._board.is_emulated:
             self.skipped["emulation"] += 1
             return
@@ -202,7 +202,7 @@ class Hil:
             self.frames_to_simulator += 1
 
     def _show(self) -> None:
-        """Tell the viewers; after the frame is on its way."""
+        """Send the samples to the viewers, after the control frame has left."""
         self._show_due = False
         while self._unparsed:
             heard_s, datagram = self._unparsed.popleft()

@@ -19,7 +19,7 @@ State = Literal["closed", "opening", "open", "lost"]
 Profile = Literal["xp10", "xp12"]
 
 _LOST_AFTER_S: Final = 1.0
-# What X-Plane's network output was made for; the channel's use is shown in percent of it.
+# The rate X-Plane's network output is designed for; the channel's load is shown in percent of it.
 CHANNEL_BYTES_PER_S: Final = 73000
 
 
@@ -34,16 +34,16 @@ class SimulatorAddress:
 
     @property
     def name(self) -> str:
-        """How a sentence names it."""
+        """The simulator's name in messages to people."""
         return f"UDP port {self.receive_port}"
 
     def same_device(self, other: SimulatorAddress) -> bool:
-        """Whether opening one needs the other closed."""
+        """Whether the two use the same port, so that one must be closed to open the other."""
         return self.receive_port == other.receive_port
 
     @property
     def udp(self) -> UdpAddress:
-        """The socket's part of it."""
+        """The address of its socket."""
         return UdpAddress(self.receive_port, self.send_host, self.send_port)
 
     def as_dict(self) -> dict[str, Any]:

@@ -17,13 +17,13 @@ StickSource = Literal["simulator", "gamepad"]
 StickState = Literal["live", "lost"]
 Reason = Literal["chosen", "control_lost", "lost", "back"]
 
-# A page sends its first sample with the question; one that has none after so long has no gamepad that speaks.
+# A page starts sending samples together with its request: without one after this long no gamepad is active.
 _FIRST_SAMPLE_S: Final = 1.0
 
 
 @dataclass(frozen=True, slots=True)
 class Holder:
-    """The browser that has control. `name` is what others are shown."""
+    """The browser that has control. `name` is its name as other viewers see it."""
 
     id: str
     name: str
@@ -46,19 +46,19 @@ class Stick:
 
     @property
     def source(self) -> StickSource:
-        """Whose positions are flown."""
+        """Whether the simulator's or a gamepad's stick position is used."""
         return "simulator" if self._pilot is None else "gamepad"
 
     @property
     def state(self) -> StickState | None:
-        """Whether the gamepad's samples come; None where none is chosen."""
+        """Whether the gamepad's samples arrive; None if no gamepad is chosen."""
         if self._pilot is None:
             return None
         return "live" if self._input.is_live(self._clock.steady_s()) else "lost"
 
     @property
     def holder(self) -> Holder | None:
-        """The browser that has control, as the web process said last."""
+        """The browser that has control, as the web process reported last."""
         return self._holder
 
     @property
@@ -71,13 +71,13 @@ class Stick:
         return None if self._pilot is None else self._input.position(now_s)
 
     def take(self, client: str, sample: Mapping[str, Any]) -> None:
-        """A sample from a browser; one that cannot be used is counted."""
+        """Take a sample from a browser; unusable ones are counted."""
         read = read_sample(sample)
         if read is None:
             self.counts["invalid"] += 1
             return
         if self._holder is None or self._holder.id != client:
-            # A page that lost control learns it by the next status: until then this is no mistake of its own.
+            # Not an error of the page: it learns only from the next status that it lost control.
             self.counts["not_operator"] += 1
             return
         surfaces, sent_s = read
@@ -90,7 +90,7 @@ class Stick:
             self._announce_state()
 
     async def choose_gamepad(self, client: str | None, gamepad: str) -> None:
-        """The gamepad of this browser flies from now on, once a sample of it is here. Raises ConflictError."""
+        """Use this browser's gamepad, once a sample has arrived. Raises ConflictError."""
         self._check_holder(client)
         if not self._input.is_live(self._clock.steady_s()):
             self._input.let_go()
@@ -110,11 +110,11 @@ class Stick:
         self._announce("chosen")
 
     def choose_simulator(self) -> None:
-        """The simulator's rows fly from now on."""
+        """Use the stick position of the simulator's rows."""
         self._end("chosen")
 
     def control_changed(self, holder: Holder | None) -> None:
-        """Another browser, or nobody, has control: no gamepad flies on from a page that may not command."""
+        """Another browser, or none, has control: a gamepad whose browser lost control is no longer used."""
         self._holder = holder
         if self._pilot is not None and (holder is None or holder.id != self._pilot.id):
             self._end("control_lost")
@@ -122,13 +122,13 @@ class Stick:
             self._input.let_go()
 
     def let_go(self, client: str | None = None) -> None:
-        """The connection of this browser (None: of every browser) is over, or begins anew: older samples are void."""
+        """Drop the samples of this browser (None: of every browser): its connection ended or was replaced."""
         if self._holder is not None and client in (None, self._holder.id):
             self._input.let_go()
             self.tick()
 
     def tick(self) -> None:
-        """Announce loss and return of the samples; called some times a second."""
+        """Announce loss and return of the samples; called a few times a second."""
         if self._pilot is not None and self._was_live != (self.state == "live"):
             self._announce_state()
 

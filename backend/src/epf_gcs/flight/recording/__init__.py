@@ -1,1 +1,1 @@
-"""Every byte of both lines into files."""
+"""Recordings of every byte of both lines."""

@@ -28,18 +28,18 @@ def message_record(channel: int, sequence: int, time_ns: int, data: bytes) -> by
 
 
 def metadata_record(name: str, values: Mapping[str, str]) -> bytes:
-    """A note that stands in the file at the place where it was true."""
+    """A note, placed in the file at the time it applies to."""
     return _encode(Metadata(name=name, metadata=dict(values)))
 
 
 def opening(library: str, topics: Mapping[int, str]) -> bytes:
-    """What stands before the first message. The messages are raw bytes: there is no schema."""
+    """The records before the first message. Messages are raw bytes, so there is no schema."""
     return MAGIC + _encode(Header(profile="", library=library)) + _channels(topics)
 
 
 @dataclass
 class Tally:
-    """What the summary at the end of a file has to say."""
+    """The counts and times for the summary at the end of a file."""
 
     counts: dict[int, int] = field(default_factory=dict)
     metadata_count: int = 0
@@ -57,7 +57,7 @@ class Tally:
 
 
 def closing(topics: Mapping[int, str], tally: Tally, summary_start: int) -> bytes:
-    """What stands after the last message; `summary_start` is the offset of the byte after DataEnd."""
+    """The records after DataEnd; `summary_start` is the offset of the byte after DataEnd."""
     statistics = Statistics(
         attachment_count=0,
         channel_count=len(topics),

@@ -2,7 +2,7 @@
 
 The event loop only appends to a queue; a thread packs and writes what is in it, four times a second, and pushes it
 to the disk twice a second, so that a power cut takes less than a second of the flight.
-Whatever the disk does, the flight goes on; what could not be written is counted and told.
+Whatever the disk does, the flight goes on; bytes that could not be written are counted and reported.
 """
 
 from __future__ import annotations
@@ -37,23 +37,23 @@ TOPICS: Final = {
 _FLUSH_S: Final = 0.25
 _SYNC_S: Final = 0.5
 _RETRY_S: Final = 5.0
-# How long a loss is told that was mended at once.
+# How long a failure stays reported when the next write already succeeded.
 _TOLD_S: Final = 5.0
-# Below the first nothing is begun any more, below the second the log says so.
+# With less free space than the first no file is begun; below the second the log warns.
 _LEAST_BYTES: Final = 16 * 1024 * 1024
 _LOW_BYTES: Final = 512 * 1024 * 1024
-# A minute of a full line and of a simulator: a disk that is this far behind will not catch up.
+# Entries, about a minute of a full line and a simulator: a disk this far behind will not catch up.
 _MAX_QUEUED: Final = 100_000
 _NOTE: Final = 0
 
-# What waits for the writer: (channel or _NOTE, steady time, bytes); None ends the session.
+# Queue entry for the writer: (channel or _NOTE, steady time in ns, bytes); None ends the session.
 _Entry = tuple[int, int, bytes] | None
 
 
 class RecorderTap:
     """Hands the bytes of one line to the recorder; see `epf_gcs.link.base.Tap`. Never blocks.
 
-    This runs for every chunk of a line before anything else does, so it is one look and one append.
+    This runs first for every chunk of a line, so it does no more than one length check and one append.
     """
 
     __slots__ = ("_queue", "_received", "_sent", "lost")
@@ -65,14 +65,14 @@ class RecorderTap:
         self.lost = 0
 
     def received(self, data: bytes) -> None:
-        """Bytes as they came."""
+        """Record bytes that arrived."""
         if len(self._queue) < _MAX_QUEUED:
             self._queue.append((self._received, monotonic_ns(), data))
         else:
             self.lost += len(data)
 
     def sent(self, data: bytes) -> None:
-        """Bytes as they went."""
+        """Record bytes that were sent."""
         if len(self._queue) < _MAX_QUEUED:
             self._queue.append((self._sent, monotonic_ns(), data))
         else:
@@ -82,7 +82,7 @@ class RecorderTap:
 class Recorder:
     """One session at a time: it begins with its first byte and ends when `end_session` is called.
 
-    Where a disk has fewer than `least_bytes` left, no file is begun.
+    With less than `least_bytes` free on the disk no file is begun.
     """
 
     def __init__(
@@ -124,12 +124,12 @@ class Recorder:
 
     @property
     def bytes_lost(self) -> int:
-        """Bytes of the lines that are in no file."""
+        """Number of bytes of both lines that reached no file."""
         return self.board_tap.lost + self.simulator_tap.lost + self._bytes_unwritten
 
     def start(self) -> None:
-        """Begin to write in the background, and to mend what an earlier end left torn."""
-        # What is there now is not written any more; what begins from here on is not in this list.
+        """Start writing in the background, and repairing files that an earlier run left incomplete."""
+        # Listed before the writer starts, so that the file it writes is never repaired.
         torn = recordings_in(self._folder)
         self._mending = threading.Thread(
             target=repair_all, args=(torn, lambda: self._stopping), name="recordings' repair", daemon=True
@@ -151,7 +151,7 @@ class Recorder:
         self._queue.append((_NOTE, 0, metadata_record(name, values)))
 
     def end_session(self) -> None:
-        """Close the file; what comes next begins another."""
+        """Close the file; the next bytes begin a new one."""
         self._queue.append(None)
 
     def _run(self) -> None:
@@ -159,7 +159,7 @@ class Recorder:
             self._wake.wait(_FLUSH_S)
             self._write_queue()
             self._look_after()
-        # What came between the last look and the order to stop.
+        # Write what was queued since the last round.
         self._write_queue()
 
     def _write_queue(self) -> None:
@@ -215,7 +215,7 @@ class Recorder:
             self.failure = None
 
     def _look_after(self) -> None:
-        """Push what was written to the disk, and see that the file still is where it was begun."""
+        """Sync the file to the disk, and check that nobody removed or moved it."""
         now_s = self._clock.now_s()
         output = self._output
         if output is None or now_s < self._look_at_s:
@@ -229,7 +229,7 @@ class Recorder:
                 return
             self._bytes_unwritten += output.bytes_written - self._bytes_seen
             self._fail(OSError(errno.ENOENT, f"{output.path.name} was removed or moved while it was written"))
-            # The disk itself is well: go on at once, in a new file, and in a new folder where that went too.
+            # The disk itself works: continue at once in a new file, and in a new folder if that was removed too.
             self._retry_at_s = 0.0
             self._told_until_s = now_s + self._told_s
         except OSError as error:
@@ -256,7 +256,7 @@ class Recorder:
         self.file = None
 
     def _fail(self, error: OSError) -> None:
-        """Give this file up, keep what is in it, and try another one after a while."""
+        """Close this file with what it holds, and try a new one after `retry_s`."""
         failure = self.failure = f"{error.strerror or error}"
         self._retry_at_s = self._clock.now_s() + self._retry_s
         output, self._output = self._output, None
@@ -265,6 +265,6 @@ class Recorder:
             with contextlib.suppress(OSError):
                 output.give_up()
         if failure != self._said:
-            # Said once, however often it is tried again.
+            # Log the same failure once, not at every retry.
             self._said = failure
             say("error", "recording failed", folder=str(self._folder), reason=failure)

@@ -12,7 +12,7 @@ from epf_gcs.flight.recording.mcap_file import Tally, closing, data_end, opening
 
 
 class RecordingFile:
-    """Made by the writing thread and used by it alone. What fails raises OSError."""
+    """Constructed and used only by the writing thread. A disk that fails raises OSError."""
 
     def __init__(self, folder: Path, now_ns: int, library: str, topics: dict[int, str]) -> None:
         self.path = _free_name(folder, now_ns)
@@ -31,7 +31,7 @@ class RecordingFile:
 
     @property
     def is_gone(self) -> bool:
-        """Somebody removed or moved the file or its folder: what is written from here on is nowhere."""
+        """Whether somebody removed or moved the file or its folder, so that further writes would be lost."""
         ours = os.fstat(self._output.fileno())
         try:
             there = self.path.stat()
@@ -48,7 +48,7 @@ class RecordingFile:
             view = view[written:]
 
     def sync(self) -> None:
-        """What was written outlives a power cut from here on; waits for the disk."""
+        """Sync to the disk, so that the data so far survives a power cut. Blocks."""
         if self.bytes_written == self._bytes_synced:
             return
         if self._bytes_synced == 0:
@@ -57,7 +57,7 @@ class RecordingFile:
         self._bytes_synced = self.bytes_written
 
     def finish(self) -> None:
-        """The summary, and the end."""
+        """Write the summary and close the file."""
         end = data_end()
         self.put(end + closing(self._topics, self.tally, self.bytes_written + len(end)))
         os.fsync(self._output.fileno())
@@ -65,7 +65,7 @@ class RecordingFile:
         self._output.close()
 
     def give_up(self) -> None:
-        """Close it as it is: what is in it stays, but a file without a single record goes."""
+        """Close the file without a summary; delete it if it holds no record."""
         try:
             self._output.close()
         finally:
@@ -74,7 +74,7 @@ class RecordingFile:
 
 
 def _free_name(folder: Path, now_ns: int) -> Path:
-    """A file name that sorts by time and is not there yet."""
+    """An unused file name that sorts by time."""
     stem = datetime.fromtimestamp(now_ns // 1_000_000_000, UTC).strftime("%Y%m%dT%H%M%SZ")
     path = folder / f"{stem}.mcap"
     number = 2

@@ -1,4 +1,4 @@
-"""Recordings whose writer was killed: their torn end is cut off and the summary that is missing is written."""
+"""Repair of recordings whose writer was killed: cut off the incomplete last record and add the missing summary."""
 
 from __future__ import annotations
 
@@ -23,19 +23,19 @@ _OURS: Final = re.compile(r"[0-9]{8}T[0-9]{6}Z(-[0-9]+)?\.mcap")
 _HEAD: Final = Struct("<BQ")
 _MESSAGE: Final = Struct("<HIQQ")
 _CHANNEL: Final = Struct("<HHI")
-# What we write between the first record and the summary; any other file is not ours to cut.
+# The records we write between header and summary. A file with any other was not written by us: leave it alone.
 _KNOWN: Final = frozenset({Opcode.HEADER, Opcode.CHANNEL, Opcode.MESSAGE, Opcode.METADATA})
-# No record of ours is longer. A length beyond this is not a record that was cut, but a place that is damaged.
+# No record of ours is longer: a greater length means damage, not an incomplete record.
 _LONGEST: Final = 16 * 1024 * 1024
 _FOOTER_BYTES: Final = 9 + 20
-# The thread that looks through a file shares the interpreter with the flight: a tenth of a millisecond, and a rest.
+# Scanning shares the interpreter with the flight: pause after each burst of records (about 0.1 ms of work).
 _BURST: Final = 100
 _REST_S: Final = 0.001
 _LOWEST_PRIORITY: Final = 19
 
 
 class BeyondRepairError(Exception):
-    """The file is damaged in a way that no cut mends; it was left as it is."""
+    """The file is damaged not only at its end; it was left unchanged."""
 
 
 @dataclass
@@ -48,7 +48,7 @@ class _Found:
 
 
 def recordings_in(folder: Path) -> list[Path]:
-    """The recordings that are there now, newest first."""
+    """The recordings in this folder, newest first."""
     try:
         return sorted((path for path in folder.iterdir() if _OURS.fullmatch(path.name)), reverse=True)
     except OSError:
@@ -56,9 +56,9 @@ def recordings_in(folder: Path) -> list[Path]:
 
 
 def repair_all(files: Iterable[Path], is_over: Callable[[], bool] = lambda: False) -> None:
-    """Mend what is torn, in the calling thread, which gives way to all others. Stops early when `is_over`."""
+    """Repair incomplete recordings in the calling thread, at the lowest priority. Stops early when `is_over()`."""
     if hasattr(os, "setpriority"):
-        with contextlib.suppress(OSError):  # where it cannot be had, the rests must do
+        with contextlib.suppress(OSError):  # without the low priority, the pauses must suffice
             os.setpriority(os.PRIO_PROCESS, threading.get_native_id(), _LOWEST_PRIORITY)
     for path in files:
         if is_over():
@@ -75,9 +75,9 @@ def repair_all(files: Iterable[Path], is_over: Callable[[], bool] = lambda: Fals
 
 
 def repair(path: Path, is_over: Callable[[], bool] = lambda: False) -> int | None:
-    """Give a torn recording its end. Returns how many bytes were cut off, None where there was nothing to do.
+    """Complete an unfinished recording. Returns the number of bytes cut off, None if nothing was to be done.
 
-    An empty file is removed: nothing was ever in it. Raises BeyondRepairError and OSError; the file is as it was then.
+    An empty file is removed. Raises BeyondRepairError and OSError, and then leaves the file unchanged.
     """
     size = path.stat().st_size
     if size == 0:
@@ -108,7 +108,7 @@ def _is_whole(file: BinaryIO, size: int) -> bool:
 
 
 def _look_through(file: BinaryIO, size: int, is_over: Callable[[], bool]) -> _Found | None:
-    """Find the last whole record. None where it was broken off."""
+    """Find the last complete record. None if `is_over()` stopped the search."""
     file.seek(0)
     if file.read(len(MAGIC)) != MAGIC:
         raise BeyondRepairError("it does not begin as a recording")
@@ -117,7 +117,7 @@ def _look_through(file: BinaryIO, size: int, is_over: Callable[[], bool]) -> _Fo
     while (head := file.read(_HEAD.size)) and len(head) == _HEAD.size:
         opcode, length = _HEAD.unpack(head)
         if opcode == Opcode.DATA_END:
-            return found  # only the summary is torn
+            return found  # only the summary is incomplete
         if opcode not in _KNOWN or length > _LONGEST:
             _check_is_blank(head, file)
             return found
@@ -149,7 +149,7 @@ def _take(found: _Found, opcode: int, body: bytes) -> None:
 
 
 def _check_is_blank(head: bytes, file: BinaryIO) -> None:
-    """After a power cut a file may end in zeros, which hold nothing; anything else may be worth a person's look."""
+    """Accept an end of zeros, as a power cut leaves it. Raises BeyondRepairError for other data, which may matter."""
     block = head
     while block:
         if block.count(0) != len(block):

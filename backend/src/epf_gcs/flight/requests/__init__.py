@@ -1,1 +1,1 @@
-"""What a station may ask of the flight: one file a subject, each with the few parts that it needs."""
+"""The requests that a station may make to the flight process: one file for each subject."""

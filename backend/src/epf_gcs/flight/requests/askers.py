@@ -1,4 +1,4 @@
-"""Who asked, by name, for the journal."""
+"""Names of the clients that made requests, for the journal."""
 
 from __future__ import annotations
 
@@ -15,17 +15,17 @@ Table = dict[str, Handler]
 
 
 class Askers:
-    """Remembers what the latest askers are called."""
+    """Remembers the names of the latest clients."""
 
     def __init__(self) -> None:
         self._names: OrderedDict[str, str] = OrderedDict()
 
     def name_of(self, client: str) -> str | None:
-        """What others are shown of this client; None where it never asked under a name."""
+        """The client's name as others see it; None if it never gave one."""
         return self._names.get(client)
 
     def remembering(self, table: Table) -> Table:
-        """The same handlers, with the name of each asker remembered first."""
+        """Wrap these handlers so that each request's client name is remembered."""
         return {name: self._remember(handler) for name, handler in table.items()}
 
     def _remember(self, handler: Handler) -> Handler:

@@ -18,7 +18,7 @@ from epf_gcs.vehicle.board import Board
 
 
 class HilSwitches:
-    """Who holds the stick (source), who moves the simulator's surfaces (path), and where the stick comes from."""
+    """Who holds the stick (source), who moves the simulator's surfaces (path), and simulator or gamepad (stick)."""
 
     def __init__(
         self,
@@ -38,7 +38,7 @@ class HilSwitches:
         self._on_change = on_change
 
     async def choose_source(self, source: str, client: str | None) -> None:
-        """The source is the board's, and is confirmed by it. Raises BoardError."""
+        """Set the board's control source and wait for its confirmation. Raises BoardError."""
         if source == self._hil.source:
             return
         result = await self._commands.run("control_source", (int(source == "joystick"),), client=client)
@@ -51,13 +51,13 @@ class HilSwitches:
             )
 
     def choose_path(self, path: str) -> None:
-        """Remembered over restarts."""
+        """Set the path; it is kept across restarts."""
         self._hil.path = "assisted" if path == "assisted" else "manual"
         self._memory.update(hil_path=self._hil.path)
         self._on_change()
 
     async def choose_stick(self, stick: str, gamepad: str, client: str | None) -> None:
-        """Raises ConflictError where that gamepad cannot be flown with."""
+        """Choose simulator or gamepad. Raises ConflictError if that gamepad cannot be used."""
         note = {"source": stick}
         if stick == "gamepad":
             await self._hil.stick.choose_gamepad(client, gamepad)
@@ -68,7 +68,7 @@ class HilSwitches:
             self._recorder.note("stick", note)
 
     def requests(self) -> Table:
-        """hil.read and hil.set {source, path, stick, gamepad}, each null where it stays: both answer the HIL state."""
+        """hil.read and hil.set {source, path, stick, gamepad}, null for no change; both answer with the HIL state."""
         return {"hil.read": self._read, "hil.set": self._write}
 
     async def _read(self, _: Asker, __: dict[str, Any]) -> dict[str, Any]:

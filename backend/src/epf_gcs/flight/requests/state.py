@@ -23,7 +23,7 @@ def state_requests(status: Callable[[], dict[str, Any]], telemetry: Telemetry, i
         return telemetry.snapshot()
 
     async def inspect(_: Asker, __: dict[str, Any]) -> dict[str, Any]:
-        # Only copied here; calculated in a thread, so that the HIL loop does not wait.
+        # Copy here, calculate in a thread, so that the HIL loop does not wait.
         snapshot = take_snapshot(inspected)
         return await asyncio.to_thread(build_inspector, snapshot)
 

@@ -1,4 +1,4 @@
-"""What this program is made of: the packages that it runs with, and their licences."""
+"""The packages this program needs at run time, and their licences."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ _OURS: Final = "epf-gcs"
 _REQUIREMENT: Final = re.compile(r"^\s*(?P<name>[\w.-]+)\s*(\[(?P<extras>[^]]*)\])?[^;]*(;(?P<marker>.*))?$")
 _EXTRA: Final = re.compile(r"extra\s*==\s*[\"']([^\"']+)[\"']")
 _LICENCE_CLASSIFIER: Final = "License :: "
-# What is longer than this in the field of the licence is its whole text.
+# A longer value in the licence field is the full text of the licence, not its name.
 _LONGEST_NAME: Final = 80
 
 
 @dataclass(frozen=True, slots=True)
 class Package:
-    """A package as it is installed; `licence` is None where it does not say."""
+    """An installed package; `licence` is None if the package states none."""
 
     name: str
     version: str
@@ -50,7 +50,7 @@ def packages() -> tuple[Package, ...]:
 
 
 def needed_by(requirement: str, extras: frozenset[str]) -> tuple[str, frozenset[str]] | None:
-    """Name and extras of a requirement; None where it is only for an extra that nobody wants."""
+    """Name and extras of a requirement; None if only an extra that is not used needs it."""
     match = _REQUIREMENT.match(requirement)
     if match is None:
         return None
@@ -62,7 +62,7 @@ def needed_by(requirement: str, extras: frozenset[str]) -> tuple[str, frozenset[
 
 
 def licence_of(package: Distribution) -> str | None:
-    """The licence as the package names it: the expression, else a short name, else what it is filed under."""
+    """The package's licence: its licence expression, else a short name, else its trove classifier."""
     metadata = package.metadata
     for name in (*(metadata.get_all("License-Expression") or ()), *(metadata.get_all("License") or ())):
         if name.strip() and "\n" not in name and len(name) <= _LONGEST_NAME:

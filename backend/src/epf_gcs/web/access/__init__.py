@@ -1,1 +1,1 @@
-"""Who may ask, and who has control."""
+"""Access rules, and who has control."""

@@ -9,20 +9,20 @@ from typing import Final
 
 from epf_gcs.errors import ConflictError, NotFoundError
 
-# A page that is loaded again, or a hiccup of the network, keeps control.
+# Control survives a reload of the page or a short network failure.
 _GRACE_S: Final = 5.0
 
 
 @dataclass(frozen=True, slots=True)
 class Client:
-    """A browser on the stream. `name` is what others are shown."""
+    """A browser on the stream. `name` is its name as other viewers see it."""
 
     id: str
     name: str
 
 
 class Control:
-    """First come, first served; the operator gives it back, or loses it some seconds after the connection."""
+    """First come, first served; the operator releases it, or loses it some seconds after the connection is lost."""
 
     def __init__(
         self, loop: asyncio.AbstractEventLoop, on_change: Callable[[Client | None], None], *, grace_s: float = _GRACE_S
@@ -35,34 +35,34 @@ class Control:
         self.holder: Client | None = None
 
     def is_connected(self, client_id: str) -> bool:
-        """A live connection has this id."""
+        """Whether a live connection has this id."""
         return client_id in self._connected
 
     def name_of(self, client_id: str) -> str | None:
-        """What others are shown of this browser; None where none has this id."""
+        """The browser's name as other viewers see it; None if no connected browser has this id."""
         client = self._connected.get(client_id)
         return None if client is None else client.name
 
     def restore(self, holder: Client) -> None:
-        """This browser had control before the web process started, and keeps it where it comes back in time."""
+        """Give control to the browser that had it before a restart of the web process; it must reconnect in time."""
         if self.holder is None and not self._connected:
             self._give(holder)
             self._timer = self._loop.call_later(self._grace_s, self._grace_over)
 
     def connect(self, client: Client) -> None:
-        """A browser came: it gets control where nobody has it, or where it was its own a moment ago."""
+        """Add a browser: it gets control if nobody has it, or if it had control until just now."""
         self._connected[client.id] = client
         if self.holder is None or self.holder.id == client.id:
             self._give(client)
 
     def disconnect(self, client: Client) -> None:
-        """A browser went. If it had control, that is kept for it a little while."""
+        """Remove a browser. If it had control, it keeps it for `grace_s`."""
         self._connected.pop(client.id, None)
         if self.holder is not None and self.holder.id == client.id:
             self._timer = self._loop.call_later(self._grace_s, self._grace_over)
 
     def take(self, client_id: str) -> Client:
-        """Control for this browser. Raises ConflictError while another has it."""
+        """Give control to this browser. Raises NotFoundError if not connected, ConflictError if another has it."""
         client = self._connected.get(client_id)
         if client is None:
             raise NotFoundError(
@@ -75,7 +75,7 @@ class Control:
         return client
 
     def release(self, client_id: str) -> None:
-        """Give control back. Raises ConflictError where this browser does not have it."""
+        """Release control. Raises ConflictError if another browser has it."""
         if self.holder is None:
             return
         self.check(client_id)
@@ -94,7 +94,7 @@ class Control:
         )
 
     def _grace_over(self) -> None:
-        # Whoever has watched longest is next, so that a lone page that came back under a new id is not stuck.
+        # The browser connected longest is next, so that a single page that reconnects with a new id gets control again.
         self._give(next(iter(self._connected.values()), None))
 
     def _give(self, client: Client | None) -> None:

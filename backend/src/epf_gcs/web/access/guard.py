@@ -1,4 +1,4 @@
-"""Who may ask: no foreign page, no foreign name, no endless body; and what a browser may do with our answers."""
+"""Checks of each request (Host, Origin, length of the body), and the security headers of the answers."""
 
 from __future__ import annotations
 
@@ -32,10 +32,10 @@ log = structlog.get_logger("gateway")
 
 
 class Access:
-    """The rules. A browser tells the name it asked for (Host) and the page that asks (Origin).
+    """Rules for the header Host (the server's name in the URL) and Origin (the page that makes the request).
 
-    The Host keeps out pages that point a name of their own at this machine; the Origin keeps out pages of others
-    that send here. Programs that are no browser send no Origin and may.
+    The Host check stops DNS rebinding: a page whose own domain resolves to this machine. The Origin check stops
+    requests from pages of other servers. Programs other than browsers send no Origin and are accepted.
     """
 
     def __init__(self, hosts: Iterable[str], origins: Iterable[str]) -> None:
@@ -43,7 +43,7 @@ class Access:
         self._origins = frozenset(origins)
 
     def check_host(self, host: str | None) -> None:
-        """Raise GatewayError where this server was asked for under a foreign name, InvalidInputError for no name."""
+        """Raise GatewayError if Host is not one of this server's names, InvalidInputError if it is no name at all."""
         try:
             name = urlsplit(f"//{host or ''}").hostname or ""
         except ValueError as error:
@@ -59,7 +59,7 @@ class Access:
             )
 
     def check_origin(self, origin: str | None, host: str | None) -> None:
-        """Raise GatewayError where a page of another server asks."""
+        """Raise GatewayError if the request comes from another server's page."""
         if origin is None or origin in self._origins:
             return
         try:
@@ -76,7 +76,7 @@ class Access:
 
 
 class Guard:
-    """ASGI middleware around everything that is HTTP."""
+    """ASGI middleware around all HTTP requests."""
 
     def __init__(
         self,
@@ -88,8 +88,8 @@ class Guard:
         streamed_bodies: frozenset[str] = frozenset(),
         answers: Counter[int] | None = None,
     ) -> None:
-        """`longer_bodies`: path -> bytes, for the addresses that take files. `streamed_bodies`: paths whose own code
-        takes the body as it comes, and bounds it. `answers`: where each answer's status is counted."""
+        """`longer_bodies`: path -> largest body in bytes, for routes that take files. `streamed_bodies`: paths whose
+        routes read the body themselves and limit it. `answers`: counts the answers of each status."""
         self._app = app
         self._access = access
         self._errors = errors
@@ -100,7 +100,7 @@ class Guard:
         self._answers: Counter[int] = Counter() if answers is None else answers
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        """Check, then hand on."""
+        """Check the request, then pass it on."""
         if scope["type"] != "http":
             await self._app(scope, receive, send)
             return
@@ -171,7 +171,7 @@ class Guard:
 
 
 async def _read_body(receive: Receive, most_bytes: int) -> bytes | None:
-    """The whole body; None where it is too long. Bodies here are small, so they are read before anything else."""
+    """The whole body; None if it is too long. Bodies here are small, so each is read before its route runs."""
     body = bytearray()
     while True:
         message = await receive()

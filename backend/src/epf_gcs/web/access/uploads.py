@@ -1,4 +1,4 @@
-"""Files that are being sent in: so many from one computer, and some places that only this computer can take."""
+"""Limits on simultaneous uploads: for each host and in total, with a share reserved for this computer."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ class Uploads:
 
     @contextmanager
     def one_more(self, host: str) -> Iterator[None]:
-        """A place while it lasts. Raises ConflictError where there is none."""
+        """Count an upload while inside. Raises ConflictError if the limit is reached."""
         key = "" if is_this_computer(host) else host
         elsewhere = self._of.total() - self._of[""]
         if self._of[key] >= PER_HOST or (key and elsewhere >= FROM_ELSEWHERE):

@@ -1,4 +1,4 @@
-"""What a person or program sent as the value of a command -> its arguments, or why not."""
+"""Convert the value of a command request to the command's arguments, or say why it is wrong."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from epf_gcs.codec.values import argument_fault
 
 
 class ArgumentFault(ValueError):  # noqa: N818 - it names what is wrong, one sentence
-    """Why a value cannot be the argument of a command; `field` is the argument, empty for all of them."""
+    """Why a value is not valid for a command; `field` is the argument, empty if it concerns all of them."""
 
     def __init__(self, field: str, sentence: str) -> None:
         super().__init__(sentence)

@@ -1,4 +1,4 @@
-"""The two aircraft as they are now: the board's own, and the simulator's."""
+"""Position and attitude of both aircraft now: the board's, and the simulator's."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _ATTITUDE: Final = ("yaw_deg", "pitch_deg", "roll_deg")
 
 
 def aircraft_now(mirror: VehicleMirror, words: Words) -> dict[Which, Aircraft]:
-    """Those whose place is known; without an attitude where what they last said is old."""
+    """The aircraft whose position is known; without an attitude if their data is stale."""
     found: dict[Which, Aircraft] = {}
     flight = _flight(mirror, words)
     if flight is not None:
@@ -28,7 +28,7 @@ def aircraft_now(mirror: VehicleMirror, words: Words) -> dict[Which, Aircraft]:
 
 
 def followed_of(mirror: VehicleMirror, found: Mapping[Which, Aircraft], wanted: Which | None) -> Aircraft | None:
-    """Whom the view stays behind: the one that was asked for, else the simulator's while it flies."""
+    """The aircraft the camera follows: the requested one, else the simulator's while its data is live."""
     if wanted is not None:
         return found.get(wanted)
     if "hil" in found and (mirror.is_live("simulator") or "flight" not in found):
@@ -37,7 +37,7 @@ def followed_of(mirror: VehicleMirror, found: Mapping[Which, Aircraft], wanted: 
 
 
 def _flight(mirror: VehicleMirror, words: Words) -> Aircraft | None:
-    """By its GPS, with the attitude of its AHRS."""
+    """The board's aircraft: position from its GPS, attitude from its AHRS."""
     gps = mirror.newest("gps")
     if gps is None or gps["valid"] is not True or not gps["fix"]:
         return None
@@ -59,7 +59,7 @@ def _flight(mirror: VehicleMirror, words: Words) -> Aircraft | None:
 
 
 def _hil(mirror: VehicleMirror, words: Words) -> Aircraft | None:
-    """As the simulator says."""
+    """The simulator's aircraft."""
     values = mirror.newest("simulator")
     place = None if values is None else _numbers(values, "latitude_deg", "longitude_deg", "altitude_msl_ft")
     if values is None or place is None:
@@ -96,7 +96,7 @@ def _aircraft(
 
 
 def _numbers(values: Values, first: str, second: str, third: str) -> tuple[float, float, float] | None:
-    """Three values, or None where one of them is no data."""
+    """Three values, or None if one of them is missing."""
     found = (values.get(first), values.get(second), values.get(third))
     if any(value is None for value in found):
         return None

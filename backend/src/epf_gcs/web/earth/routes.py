@@ -24,7 +24,7 @@ from epf_gcs.web.track.track_lines import lines_of
 
 router = APIRouter(tags=["earth"])
 
-# The aircraft moves each second; its whole track is drawn again now and then, and the last minute with it.
+# Refresh the aircraft and the last minute of its track each second, the whole track every ten seconds.
 _LIVE_S: Final = 1
 _TRACK_S: Final = 10
 _EARTH_POINTS: Final = 5000
@@ -73,7 +73,7 @@ async def get_earth_kml(
         Link(words.track, f"{base}/track.kml?lang={lang}&points={_EARTH_POINTS}", _TRACK_S),
     ]
     if mirror.status["board"]["features"]["missions"]:
-        # Asked for once: each time is a transfer over the board's line.
+        # Loaded once and not refreshed, for each load is a transfer over the board's line.
         links += [
             Link(words.plan, f"{base}/plan.kml?plan=flight&lang={lang}", None),
             Link(words.hil_plan, f"{base}/plan.kml?plan=hil&lang={lang}", None),
@@ -120,5 +120,5 @@ async def _read(vehicle: StationEnd, plan: PlanName) -> list[Waypoint]:
 
 
 def _base(request: Request) -> str:
-    """The address that Google Earth can ask, as this request's own Host names it."""
+    """The base URL for Google Earth, taken from this request's Host."""
     return f"{str(request.base_url).rstrip('/')}/api/v1"

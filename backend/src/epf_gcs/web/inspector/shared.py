@@ -1,4 +1,4 @@
-"""One inspection for everybody who looks: the flight process is asked at most five times a second."""
+"""One inspector answer shared by all viewers: the flight process is asked at most five times a second."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ _LASTS_S: Final = 0.2
 
 
 class SharedInspector:
-    """`ask` asks the flight process. Those who come while an answer is under way wait for it together."""
+    """`ask` requests it from the flight process. Callers during a pending request share its answer."""
 
     def __init__(self, ask: Callable[[], Awaitable[Any]], steady_s: Callable[[], float]) -> None:
         self._ask = ask

@@ -1,1 +1,1 @@
-"""Maps that the operator brings: files of tiles and of heights, and online sources with what was seen kept."""
+"""Maps of the operator: files of tiles and of heights, and online sources with a cache of their tiles."""

@@ -1,4 +1,4 @@
-"""What a query may do in an SQLite file of a stranger: read its tables and plain views, within bounds of memory."""
+"""Limits for an untrusted SQLite file: queries only read tables and plain views, in bounded memory."""
 
 from __future__ import annotations
 
@@ -18,13 +18,13 @@ _LIMITS: Final = {
     sqlite3.SQLITE_LIMIT_TRIGGER_DEPTH: 1,
     sqlite3.SQLITE_LIMIT_WORKER_THREADS: 0,
 }
-# Views of map files join tables; hardly one calls anything, and these cannot make much of little.
+# The views of map files join tables and call few functions; none of these can turn a small value into a huge one.
 _FUNCTIONS: Final = frozenset({"substr", "min", "max", "coalesce", "ifnull", "length", "abs", "count", "lower"})
 _READING: Final = frozenset({sqlite3.SQLITE_SELECT, sqlite3.SQLITE_READ})
 
 
 def confine(connection: sqlite3.Connection) -> None:
-    """For a connection that was just opened. Raises sqlite3.Error."""
+    """Apply the limits to a newly opened connection. Raises sqlite3.Error."""
     for limit, value in _LIMITS.items():
         connection.setlimit(limit, value)
     connection.executescript(
@@ -35,7 +35,7 @@ def confine(connection: sqlite3.Connection) -> None:
 
 
 def _may(action: int, _first: str | None, second: str | None, _file: str | None, _view: str | None) -> int:
-    """Recursion has no other use in a map than to be endless."""
+    """Allow reads and a few functions. Recursive queries are denied: a map needs none, and they can be endless."""
     if action in _READING or (action == sqlite3.SQLITE_FUNCTION and second in _FUNCTIONS):
         return sqlite3.SQLITE_OK
     return sqlite3.SQLITE_DENY

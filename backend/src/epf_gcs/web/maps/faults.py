@@ -6,14 +6,14 @@ from epf_gcs.errors import InvalidInputError
 
 
 def damaged(name: str, why: str) -> InvalidInputError:
-    """It is not what its name says, or not whole."""
+    """The file is not what its name says, or incomplete."""
     return InvalidInputError(
         "map_file_damaged", f"'{name}' cannot be read ({why}): it is damaged or of another kind.", name=name, why=why
     )
 
 
 def vector(name: str, found: str) -> InvalidInputError:
-    """Lines and names in place of pictures."""
+    """The file holds vector tiles, not pictures."""
     return InvalidInputError(
         "map_file_vector",
         f"'{name}' holds tiles of the kind '{found}', which are no pictures: export it with PNG, JPEG or WebP tiles.",
@@ -23,12 +23,12 @@ def vector(name: str, found: str) -> InvalidInputError:
 
 
 def empty(name: str) -> InvalidInputError:
-    """No tile in it."""
+    """The file holds no tiles."""
     return InvalidInputError("map_file_empty", f"'{name}' holds no tiles: export it again.", name=name)
 
 
 def no_layer_json(name: str) -> InvalidInputError:
-    """Terrain without its table of contents."""
+    """Terrain without a layer.json."""
     return InvalidInputError(
         "map_file_no_layer_json",
         f"'{name}' has no layer.json that can be read: terrain comes with one beside its folders of levels.",
@@ -37,7 +37,7 @@ def no_layer_json(name: str) -> InvalidInputError:
 
 
 def not_mesh(name: str, found: str) -> InvalidInputError:
-    """Terrain of another format."""
+    """Terrain in a format other than quantized-mesh."""
     return InvalidInputError(
         "map_file_not_mesh",
         f"'{name}' holds terrain of the format '{found}': only quantized-mesh-1.0 can be shown.",
@@ -47,7 +47,7 @@ def not_mesh(name: str, found: str) -> InvalidInputError:
 
 
 def no_place(name: str) -> InvalidInputError:
-    """A raster that does not say where it is."""
+    """A raster without georeferencing."""
     return InvalidInputError(
         "map_raster_no_place",
         f"'{name}' does not say where on the Earth it is: a GeoTIFF needs a coordinate system and a place, an HGT file "
@@ -57,7 +57,7 @@ def no_place(name: str) -> InvalidInputError:
 
 
 def not_height(name: str, bands: int) -> InvalidInputError:
-    """A picture in place of heights."""
+    """A picture, not a raster of heights."""
     return InvalidInputError(
         "map_raster_not_height",
         f"'{name}' has {bands} bands and is a picture: heights are one band. Export pictures as MBTiles or PMTiles.",
@@ -67,7 +67,7 @@ def not_height(name: str, bands: int) -> InvalidInputError:
 
 
 def converting(name: str, percent: int) -> InvalidInputError:
-    """Not yet."""
+    """The raster is still being converted."""
     return InvalidInputError(
         "map_raster_converting",
         f"'{name}' is being turned into terrain ({percent} %): wait a little.",
@@ -77,7 +77,7 @@ def converting(name: str, percent: int) -> InvalidInputError:
 
 
 def not_converted(name: str, why: str) -> InvalidInputError:
-    """The worker failed."""
+    """The conversion failed."""
     return InvalidInputError(
         "map_raster_failed", f"'{name}' could not be turned into terrain ({why}).", name=name, why=why
     )

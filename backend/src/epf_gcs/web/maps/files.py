@@ -15,7 +15,7 @@ from epf_gcs.web.maps.mesh_files import LAYER_JSON
 from epf_gcs.web.maps.open_files import Stamp
 
 RASTERS: Final = frozenset[LayerFormat]({"geotiff", "hgt"})
-"""Formats of heights, which are turned into terrain before they can be shown."""
+"""Formats of heights, which must be converted to terrain tiles to be shown."""
 
 _FORMATS: Final[dict[str, LayerFormat]] = {
     ".mbtiles": "mbtiles",
@@ -42,7 +42,7 @@ class MapFile(NamedTuple):
 
 
 def safe_name(name: str) -> str:
-    """A name that every system takes and that leads nowhere else. Raises InvalidInputError with what is accepted."""
+    """The name, if it is valid on every system and holds no path. Raises InvalidInputError with what is accepted."""
     cleaned = _NOT_IN_NAMES.sub("_", plain(name)).strip(" .")
     if not cleaned or len(cleaned.encode()) > _LONGEST_NAME_BYTES:
         raise InvalidInputError(
@@ -60,17 +60,17 @@ def safe_name(name: str) -> str:
 
 
 def id_of(name: str) -> str:
-    """The id of the file with this name: readable, and another for each name."""
+    """The id of the file with this name: readable, and different for each name."""
     words = _NOT_IN_IDS.sub("-", name.lower()).strip("-")[:40].strip("-")
     return f"{words or 'map'}-{hashlib.blake2s(name.encode(), digest_size=4).hexdigest()}"
 
 
 InsideOf = Callable[[Path, Stamp], str | None]
-"""The name of the one raster in an archive; None where it is none."""
+"""The name of the one raster in an archive; None if the archive does not hold exactly one."""
 
 
 def look_at(path: Path, inside_of: InsideOf) -> MapFile | None:
-    """What this is; None where it is no map. `inside_of` reads archives. Raises OSError."""
+    """The kind of map at this path; None if it is not a map. `inside_of` reads archives. Raises OSError."""
     if path.name.startswith("."):
         return None
     if path.is_dir():
@@ -97,7 +97,7 @@ def _look_at_folder(path: Path) -> MapFile | None:
 
 
 def folder_bytes(path: Path) -> int:
-    """What the files of a folder of terrain take. Raises OSError."""
+    """Total size of the files of a folder of terrain, in bytes. Raises OSError."""
     return sum(file.stat().st_size for file in path.rglob("*") if file.is_file())
 
 

@@ -1,4 +1,4 @@
-"""The maps' folder: what is in it, with the reason where something cannot be shown; its tiles; away and back again."""
+"""The maps' folder: its layers, each with the reason if it cannot be shown; their tiles; removing and restoring."""
 
 from __future__ import annotations
 
@@ -21,14 +21,14 @@ _MOST_ARCHIVES: Final = 200
 
 
 class MapFolder:
-    """Called from threads: it may wait for a disk. `report` hears once of each file that cannot be shown.
+    """Blocks on the disk: call it in threads. `report` is called once for each file that cannot be shown.
 
-    No file of tiles is opened here: `Reader` does that, in processes with limits.
+    Files of tiles are never opened in this process: `Reader` does that, in processes with limits.
     """
 
     def __init__(self, path: Path, report: Callable[[GatewayError], None], reader: Reader | None = None) -> None:
         self.path = path
-        # Why a raster is not terrain yet; set by who turns it into it.
+        # The reason why a raster has no terrain yet; replaced by `TerrainJobs`.
         self.waiting: Callable[[MapFile], GatewayError] = lambda file: faults.converting(file.path.name, 0)
         self._report = report
         self._lock = Lock()
@@ -38,14 +38,14 @@ class MapFolder:
         self._inside: dict[tuple[Path, Stamp], str | None] = {}
 
     def layers(self) -> list[Layer]:
-        """Everything that looks like a map, by name. A raster without its terrain has a problem until it has."""
+        """Everything that looks like a map, by name. A raster has a problem as long as its terrain is missing."""
         with self._lock:
             self._files = {file.id: file for file in self._scan(self.path)}
             self._known = {key: known for key, known in list(self._known.items()) if key in self._files}
             return [self._layer(file) for file in sorted(self._files.values(), key=lambda file: file.path.name)]
 
     def tile(self, layer_id: str, zoom: int, column: int, row: int) -> tuple[Tile | None, Description, Stamp]:
-        """A tile, and what it belongs to. Raises NotFoundError, or why the file cannot be read."""
+        """A tile, and its layer's description and stamp. Raises NotFoundError, or why the file cannot be read."""
         file = self._find(layer_id)
         stamp = self._source_stamp(file)
         description = self._description(file, stamp)
@@ -57,12 +57,12 @@ class MapFolder:
         return self._reader.tile(path, file.path.name, form, stamp, zoom, column, row), description, stamp
 
     def description(self, layer_id: str) -> Description:
-        """What a layer says of itself. Raises NotFoundError, or why the file cannot be read."""
+        """A layer's description. Raises NotFoundError, or why the file cannot be read."""
         file = self._find(layer_id)
         return self._description(file, self._source_stamp(file))
 
     def remove(self, layer_id: str) -> None:
-        """Take a map out of the list; its file stays in a folder of its own."""
+        """Take a map out of the list; its file is moved to the folder of removed maps."""
         file = self._find(layer_id)
         with self._lock:
             self._reader.forget(file.path)
@@ -75,7 +75,7 @@ class MapFolder:
             self._files.pop(layer_id, None)
 
     def restore(self, layer_id: str) -> None:
-        """Bring back what was removed last under this id. Raises NotFoundError, ConflictError."""
+        """Bring back the map removed last under this id. Raises NotFoundError, ConflictError."""
         with self._lock:
             file = next((found for found in self._scan(self.path / REMOVED) if found.id == layer_id), None)
             if file is None:
@@ -86,18 +86,18 @@ class MapFolder:
             file.path.rename(target)
 
     def terrain_of(self, file: MapFile) -> Path:
-        """Where the tiles of a raster are kept; the name changes with the raster."""
+        """The file of a raster's terrain tiles; its name changes when the raster changes."""
         stamp = "-".join(f"{part:x}" for part in file.stamp)
         return self.path / TERRAIN / f"{file.id}-{stamp}.mbtiles"
 
     def unconverted(self) -> list[MapFile]:
-        """Rasters whose terrain is not there yet."""
+        """Rasters without terrain."""
         with self._lock:
             files = self._scan(self.path)
         return [file for file in files if file.format in RASTERS and not self.terrain_of(file).exists()]
 
     def drop_orphans(self) -> None:
-        """Delete terrain whose raster is gone for good. Raises OSError."""
+        """Delete terrain whose raster is neither in the folder nor among the removed maps. Raises OSError."""
         with self._lock:
             rasters = [*self._scan(self.path), *self._scan(self.path / REMOVED)]
         kept = {self.terrain_of(file) for file in rasters if file.format in RASTERS}
@@ -106,7 +106,7 @@ class MapFolder:
                 path.unlink(missing_ok=True)
 
     def take_in(self, path: Path) -> MapFile:
-        """Move a file that came from outside into the folder, if it can be shown. Raises why it cannot."""
+        """Move an uploaded file into the folder, if it can be shown. Raises why it cannot."""
         found = look_at(path, self._inside_of)
         if found is None:
             raise faults.damaged(path.name, "?")
@@ -121,14 +121,14 @@ class MapFolder:
         return found._replace(path=target)
 
     def discard(self, file: MapFile) -> None:
-        """Delete a file that was taken in and turned out to be of no use. Raises OSError."""
+        """Delete a file whose import was cancelled or failed after `take_in`. Raises OSError."""
         with self._lock:
             self._reader.forget(file.path)
             self._files.pop(file.id, None)
             file.path.unlink(missing_ok=True)
 
     def close(self) -> None:
-        """Let all files go."""
+        """Close all files."""
         self._reader.close()
 
     def _scan(self, folder: Path) -> list[MapFile]:
@@ -168,11 +168,11 @@ class MapFolder:
             return file.size_bytes, faults.damaged(file.path.name, error.strerror or str(error))
 
     def _source_stamp(self, file: MapFile) -> Stamp:
-        """A raster changes when its terrain comes."""
+        """The file's stamp; a raster's also changes when its terrain is made."""
         return (*file.stamp, int(self.terrain_of(file).exists())) if file.format in RASTERS else file.stamp
 
     def _tiles_of(self, file: MapFile) -> tuple[Path, LayerFormat]:
-        """The file that its tiles lie in. Raises why there is none yet."""
+        """The file that holds its tiles. Raises why there is none yet."""
         if file.format not in RASTERS:
             return file.path, file.format
         terrain = self.terrain_of(file)
@@ -181,14 +181,14 @@ class MapFolder:
         return terrain, "mbtiles"
 
     def _description(self, file: MapFile, stamp: Stamp) -> Description:
-        """Raises GatewayError where the file cannot be shown."""
+        """The file's description. Raises GatewayError if it cannot be shown."""
         _, found = self._look_up(file, stamp)
         if isinstance(found, GatewayError):
             raise found
         return found
 
     def _look_up(self, file: MapFile, stamp: Stamp) -> tuple[int, Description | GatewayError]:
-        """Size and description, read once for each state of the file; one that was too costly is asked for again."""
+        """Size and description, cached until the file changes; a file that took too long is tried again."""
         known = self._known.get(file.id)
         if known is not None and known[0] == stamp and not is_too_costly(known[2]):
             return known[1:]
@@ -200,7 +200,7 @@ class MapFolder:
         return size_bytes, found
 
     def _inside_of(self, path: Path, stamp: Stamp) -> str | None:
-        """Archives are asked about with every tile: remembered until they change."""
+        """The raster in an archive, cached until the archive changes, for every request of a tile needs it."""
         key = (path, stamp)
         if key not in self._inside:
             if len(self._inside) >= _MOST_ARCHIVES:
@@ -223,7 +223,7 @@ class MapFolder:
 
 
 def unknown(layer_id: str) -> NotFoundError:
-    """No such layer."""
+    """The error for an unknown layer."""
     return NotFoundError(
         "map_layer_unknown",
         f"There is no map layer '{layer_id}': GET /api/v1/map/layers lists all of them.",
@@ -232,14 +232,14 @@ def unknown(layer_id: str) -> NotFoundError:
 
 
 def exists(name: str) -> ConflictError:
-    """The name is taken."""
+    """The error for a name that is taken."""
     return ConflictError(
         "map_exists", f"There is a map '{name}' already: remove it first, or give this one another name.", name=name
     )
 
 
 def _kind_of(file: MapFile) -> Description:
-    """What is said of a file that cannot be read: its kind as far as the name tells."""
+    """The description of an unreadable file: its kind, as far as the format tells."""
     if file.format in ("mbtiles", "pmtiles"):
         return UNKNOWN
     return Description("", "terrain", UNKNOWN.bounds, 0, 0, "")

@@ -1,4 +1,4 @@
-"""A raster of heights, asked for by longitude and latitude. Only the worker's process loads the library for it."""
+"""A raster of heights, sampled by longitude and latitude. Only the worker process imports rasterio."""
 
 from __future__ import annotations
 
@@ -18,14 +18,14 @@ from rasterio.windows import Window
 from epf_gcs.web.maps import faults
 from epf_gcs.web.maps.layer import Bounds
 
-# One of these alone: other drivers of the library follow references to other files and hosts.
+# Allow no other drivers: some of the library's follow references to other files and hosts.
 _DRIVERS: Final = {".hgt": "SRTMHGT"}
 _OTHER_DRIVER: Final = "GTiff"
 _EARTH: Final = "EPSG:4326"
 _M_PER_UNIT: Final = {"ft": 0.3048, "foot": 0.3048, "feet": 0.3048, "us-ft": 1200 / 3937, "us survey foot": 1200 / 3937}
 _PLACE_IN_NAME: Final = re.compile(r"[NS]\d\d[EW]\d{3}", re.IGNORECASE)
 _QUOTED_PATH: Final = re.compile(r"^'[^']*'\s*")
-# The edge of a raster bends between the points that its bounds are found by.
+# Margin, as a share of the size: a projected edge bends beyond the points that the bounds are calculated from.
 _BEYOND_BOUNDS: Final = 0.02
 _MOST_BLOCK_PIXELS: Final = 16_000_000
 _MOST_BLOCK_SIDE: Final = 64
@@ -34,10 +34,10 @@ Grid = npt.NDArray[np.float64]
 
 
 class Heights:
-    """An opened raster. What it does not cover, or says to be no data, is the sea's level."""
+    """An opened raster. Places outside it or without data have height 0, sea level."""
 
     def __init__(self, path: Path, name: str, inside: str | None = None) -> None:
-        """`inside`: the file in an archive. Raises InvalidInputError where these are no heights with a place."""
+        """`inside`: the file in an archive. Raises InvalidInputError if it is no georeferenced raster of heights."""
         self._name = name
         where = str(path) if inside is None else f"/vsizip/{path}/{inside}"
         driver = _DRIVERS.get(Path(where).suffix.lower(), _OTHER_DRIVER)
@@ -65,34 +65,34 @@ class Heights:
 
     @property
     def pixel_deg(self) -> float:
-        """The finer of the raster's steps, in degrees of latitude or longitude."""
+        """The smaller side of a pixel, in degrees of latitude or longitude."""
         bounds, raster = self.bounds, self._raster
         down_deg = (bounds.north_deg - bounds.south_deg) / raster.height
         across_deg = (bounds.east_deg - bounds.west_deg) / raster.width
         return float(min(down_deg, across_deg))
 
     def at(self, longitudes_deg: Grid, latitudes_deg: Grid, step_deg: float) -> Grid:
-        """Metres above the sea at every crossing of these, a row for each latitude.
+        """Heights in metres above sea level on the grid of these coordinates, a row for each latitude.
 
-        `step_deg`: how far they are apart; of what is finer than that, the mean counts. Each number depends on its own
-        place and the step alone, so that two grids agree where they touch. Raises InvalidInputError.
+        `step_deg`: the spacing of the grid; finer pixels are averaged. Each height depends only on its own position
+        and the step, so that neighbouring grids agree at their common edge. Raises InvalidInputError.
         """
         longitude, latitude = np.meshgrid(longitudes_deg, latitudes_deg)
         columns, rows = self._pixels(longitude.ravel(), latitude.ravel())
         size = 1
         while 2 * size * self.pixel_deg <= step_deg:
             size *= 2
-        # In blocks of size x size pixels, counted from the middle of the first.
+        # Coordinates in blocks of size x size pixels, 0 at the centre of the first block.
         found = self._between(columns / size - 0.5, rows / size - 0.5, size)
         inside = (columns >= 0) & (columns <= self._raster.width) & (rows >= 0) & (rows <= self._raster.height)
         return np.where(inside, found, 0.0).reshape(longitude.shape)
 
     def close(self) -> None:
-        """Let the file go."""
+        """Close the file."""
         self._raster.close()
 
     def _pixels(self, longitude: Grid, latitude: Grid) -> tuple[Grid, Grid]:
-        """Columns and rows with their fractions; far outside where a projection does not reach."""
+        """Fractional columns and rows; -1e9 for places that the projection cannot represent."""
         x, y = longitude, latitude
         if not self._is_geographic:
             x, y = self._projected(longitude, latitude)
@@ -103,7 +103,7 @@ class Heights:
         return np.where(reached, columns, -1e9), np.where(reached, rows, -1e9)
 
     def _projected(self, longitude: Grid, latitude: Grid) -> tuple[Grid, Grid]:
-        """In the raster's own coordinates; NaN away from it, where many a projection has no answer but an error."""
+        """The raster's own coordinates; NaN far from the raster, where many projections fail with an error."""
         bounds = self.bounds
         wide_deg = (bounds.east_deg - bounds.west_deg) * _BEYOND_BOUNDS
         high_deg = (bounds.north_deg - bounds.south_deg) * _BEYOND_BOUNDS
@@ -116,7 +116,7 @@ class Heights:
         return x, y
 
     def _between(self, columns: Grid, rows: Grid, size: int) -> Grid:
-        """Between the four blocks around each place."""
+        """Bilinear interpolation between the four blocks around each place."""
         last_column = math.ceil(self._raster.width / size) - 1
         last_row = math.ceil(self._raster.height / size) - 1
         column, row = np.clip(columns, 0, last_column), np.clip(rows, 0, last_row)
@@ -136,7 +136,7 @@ class Heights:
         return between
 
     def _blocks(self, left: int, top: int, right: int, bottom: int, size: int) -> Grid:
-        """The mean of each block in this rectangle of blocks, a few of its rows at a time."""
+        """The mean of each block in this rectangle of blocks, read in strips to bound the memory."""
         found = np.zeros((bottom - top, right - left))
         side = min(size, _MOST_BLOCK_SIDE)
         at_once = max(1, _MOST_BLOCK_PIXELS // (side * side * (right - left)))
@@ -149,7 +149,7 @@ class Heights:
         raster = self._raster
         x0, y0 = left * size, top * size
         width, height = min(right * size, raster.width) - x0, min(bottom * size, raster.height) - y0
-        # Of a very large block some pixels are enough, and all would not fit into memory.
+        # In a very large block sample only some pixels: all of them would not fit into memory.
         skip = max(1, size // _MOST_BLOCK_SIDE)
         kept = (math.ceil(height / skip), math.ceil(width / skip))
         try:
@@ -170,5 +170,5 @@ class Heights:
 
 
 def _words(error: Exception) -> str:
-    """The library's reason without the path, which is the station's own matter."""
+    """The library's reason without the path, which clients need not know."""
     return _QUOTED_PATH.sub("", str(error)).rpartition("/")[2].rstrip(".")[:120] or type(error).__name__

@@ -1,4 +1,4 @@
-"""Map files that are sent to the station: written while they come, whole in the folder in the end or not at all."""
+"""Uploads of map files: written as they arrive; in the end the folder has the complete file or nothing."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ from epf_gcs.web.stream.hub import Hub
 
 INCOMING: Final = ".incoming"
 RESERVE_BYTES: Final = 200_000_000
-"""What a map leaves free: a recording of the day's flights must not end for a picture."""
+"""Disk space that imports leave free, so that a map never stops the recording of a flight."""
 
-# In all; each computer's share of them is smaller (`access.uploads`).
+# In total; the limit for each computer is lower (`access.uploads`).
 _MOST_AT_ONCE: Final = 7
 _KEPT: Final = 20
 _PIECE_BYTES: Final = 1 << 20
@@ -32,7 +32,7 @@ ImportState = Literal["receiving", "converting", "done", "failed"]
 
 @dataclass(slots=True)
 class Import:
-    """One file on its way. `layer` is its id in the list once it is there."""
+    """One upload. `layer` is the layer's id once the file is in the folder."""
 
     id: str
     name: str
@@ -62,7 +62,7 @@ class Import:
 
 
 class Imports:
-    """Owned by the event loop; the disk is written by the maps' threads."""
+    """Owned by the event loop; the maps' threads write to the disk."""
 
     def __init__(
         self,
@@ -96,7 +96,7 @@ class Imports:
         return found
 
     async def receive(self, name: str, total_bytes: int | None, chunks: AsyncIterator[bytes]) -> Import:
-        """Take a file in. Raises GatewayError where it cannot be taken, or is no map; then nothing of it is left."""
+        """Receive a file. Raises GatewayError if it cannot be stored or is no map, and then leaves nothing behind."""
         cleaned = safe_name(name)
         busy = [one for one in self._all.values() if one.state in ("receiving", "converting")]
         if any(one.name == cleaned for one in busy) or await self._in_thread((self._folder.path / cleaned).exists):
@@ -121,7 +121,7 @@ class Imports:
                 raise one.problem from error
             raise
         finally:
-            # Also where the browser went away in the middle, and this task is being cancelled.
+            # Shielded: also when the browser disconnected and this task is being cancelled.
             await asyncio.shield(self._in_thread(lambda: shutil.rmtree(folder, ignore_errors=True)))
         one.layer = file.id
         if file.format in RASTERS:
@@ -134,7 +134,7 @@ class Imports:
         return one
 
     async def cancel(self, import_id: str) -> Import:
-        """End an import; what came of it goes. One that is over stays as it is. Raises NotFoundError."""
+        """Cancel an import and delete its file. A finished import is not changed. Raises NotFoundError."""
         one = self.get(import_id)
         if one.state == "receiving":
             one.cancelled = True

@@ -1,4 +1,4 @@
-"""What a map layer is, and what gives its tiles. Everything here may block: it is called from the maps' own threads."""
+"""Map layers and the sources of their tiles. Everything here may block: it is called from the maps' own threads."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ LayerKind = Literal["imagery", "terrain"]
 LayerFormat = Literal["mbtiles", "pmtiles", "quantized_mesh", "geotiff", "hgt", "online"]
 
 MAX_TILE_BYTES: Final = 8_000_000
-"""A larger one is no tile: nothing draws it."""
+"""Larger ones are rejected: no real tile comes near."""
 
 _MOST_CREDIT: Final = 300
 _MARKUP: Final = re.compile(r"<[^<>]*>")
@@ -31,7 +31,7 @@ class Bounds(NamedTuple):
 
 
 class Tile(NamedTuple):
-    """One tile as it goes to the page. `encoding` is how it is packed, None where it is not."""
+    """One tile as it is sent to the page. `encoding`: its compression (Content-Encoding), None if uncompressed."""
 
     data: bytes
     media_type: str
@@ -39,7 +39,7 @@ class Tile(NamedTuple):
 
 
 class Range(NamedTuple):
-    """A rectangle of tiles of one zoom level, ends included, rows from the south."""
+    """A rectangle of tiles of one zoom level, both ends inclusive, rows counted from the south."""
 
     start_x: int
     start_y: int
@@ -49,7 +49,7 @@ class Range(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Description:
-    """What a file says of itself. `available`: for terrain, which tiles there are at each level."""
+    """A layer's metadata. `available`: for terrain, the existing tiles of each level."""
 
     title: str
     kind: LayerKind
@@ -72,7 +72,7 @@ class Description:
 
     @classmethod
     def from_dict(cls, values: dict[str, Any]) -> Description:
-        """What `as_dict` gave."""
+        """The inverse of `as_dict`."""
         available = values["available"]
         return cls(
             **{
@@ -91,21 +91,21 @@ class TileSource(Protocol):
 
     @property
     def description(self) -> Description:
-        """What it holds."""
+        """The file's metadata."""
 
     def tile(self, zoom: int, column: int, row: int) -> Tile | None:
-        """One tile; None where there is none. Rows from the north for imagery, as in the file's scheme for terrain.
+        """One tile; None if there is none. Rows from the north for imagery, in the file's own scheme for terrain.
 
-        Raises GatewayError where the file cannot be read.
+        Raises GatewayError if the file cannot be read.
         """
 
     def close(self) -> None:
-        """Let the file go."""
+        """Close the file."""
 
 
 @dataclass(frozen=True, slots=True)
 class Layer:
-    """One entry of the list. `problem` says why it cannot be shown, or what is still being done with it."""
+    """One entry of the list. `problem`: why it cannot be shown, or that it is still being converted."""
 
     id: str
     name: str
@@ -116,29 +116,29 @@ class Layer:
 
 
 UNKNOWN: Final = Description("", "imagery", Bounds(), 0, 0, "")
-"""What is said of a file that cannot be read."""
+"""The description of a file that cannot be read."""
 
 
 def checked_bounds(west_deg: float, south_deg: float, east_deg: float, north_deg: float) -> Bounds | None:
-    """What a file says that it covers; None where that is no rectangle of the Earth."""
+    """The bounds that a file states; None if they are not a valid rectangle on the Earth."""
     fits = -180 <= west_deg < east_deg <= 180 and -90 <= south_deg < north_deg <= 90
     return Bounds(west_deg, south_deg, east_deg, north_deg) if fits else None
 
 
 def credit(said: object) -> str:
-    """Whose work a map is, as words: files say it with the markup of a web page."""
+    """The attribution as plain text: files give it with HTML markup."""
     words = html.unescape(_MARKUP.sub("", str(said)))
     return " ".join(words.split())[:_MOST_CREDIT]
 
 
 def picture(data: bytes) -> Tile | None:
-    """A tile with the type that its first bytes tell; None where it is no picture."""
+    """A picture tile, its type taken from the first bytes; None if it is no picture."""
     media_type = _picture_type(data)
     return None if media_type is None or len(data) > MAX_TILE_BYTES else Tile(data, media_type)
 
 
 def mesh(data: bytes) -> Tile | None:
-    """A tile of terrain, packed or not."""
+    """A tile of terrain, with or without gzip."""
     if not data or len(data) > MAX_TILE_BYTES:
         return None
     return Tile(data, _MESH_TYPE, "gzip" if data.startswith(_GZIP) else None)

@@ -1,4 +1,4 @@
-"""All that has to do with maps, put together: the folder, what becomes terrain, what is sent in, online sources."""
+"""All parts of the maps: the folder, the conversion to terrain, imports, online sources."""
 
 from __future__ import annotations
 
@@ -21,13 +21,13 @@ from epf_gcs.web.maps.sources import OnlineChoice
 from epf_gcs.web.maps.terrain_jobs import T, TerrainJobs
 from epf_gcs.web.stream.hub import Hub
 
-# Their own threads: a slow stick with maps holds up other maps, and nothing else.
+# Threads for maps only: a slow memory stick delays other maps and nothing else.
 _THREADS: Final = 3
 TILES: Final = ".online-tiles.sqlite"
 
 
 class Maps:
-    """Made on the running loop."""
+    """Constructed on the running loop."""
 
     def __init__(
         self, path: Path, hub: Hub, clock: Clock, chosen: OnlineFile, report: Callable[[GatewayError], None]
@@ -47,13 +47,13 @@ class Maps:
         )
 
     async def run(self) -> None:
-        """Clear away what an earlier run left unfinished, then turn rasters into terrain for ever."""
+        """Delete unfinished files of an earlier run, then convert rasters to terrain, forever."""
         await self._in_thread(self._prepare)
         await self._jobs.run()
 
     async def layers(self) -> list[Layer]:
-        """Everything that can be chosen."""
-        # Going through a folder may take long; who asks meanwhile gets the same answer and needs no thread.
+        """All layers, of files and of online sources."""
+        # Scanning the folder may take long: callers meanwhile share one scan and occupy no further thread.
         if self._listing is None or self._listing.done():
             self._listing = asyncio.ensure_future(self._in_thread(self.folder.layers))
         found = await asyncio.shield(self._listing)
@@ -62,19 +62,19 @@ class Maps:
         return [*found, *self.online.layers()]
 
     async def picture(self, layer_id: str, zoom: int, column: int, row: int) -> tuple[Tile | None, Stamp]:
-        """One picture, rows from the north; or None. Raises NotFoundError, or why it cannot be read."""
+        """One picture, rows from the north; None if there is none. Raises NotFoundError, or why it cannot be read."""
         if self.online.has(layer_id):
             return await self.online.tile(layer_id, zoom, column, row)
         tile, description, stamp = await self._in_thread(self.folder.tile, layer_id, zoom, column, row)
         return (tile if description.kind == "imagery" else None), stamp
 
     async def terrain(self, layer_id: str, zoom: int, column: int, row: int) -> tuple[Tile | None, Stamp]:
-        """One piece of terrain, rows as its layer.json counts them. Raises as `picture`."""
+        """One tile of terrain, rows in the scheme of its layer.json. Raises as `picture`."""
         tile, description, stamp = await self._in_thread(self.folder.tile, layer_id, zoom, column, row)
         return (tile if description.kind == "terrain" else None), stamp
 
     async def description(self, layer_id: str) -> Description:
-        """What a layer says of itself. Raises NotFoundError, or why it cannot be read."""
+        """A layer's description. Raises NotFoundError, or why it cannot be read."""
         return await self._in_thread(self.folder.description, layer_id)
 
     async def remove(self, layer_id: str) -> None:
@@ -86,7 +86,7 @@ class Maps:
         await self._in_thread(self.folder.restore, layer_id)
 
     async def close(self) -> None:
-        """Let everything go; waits for what is being read."""
+        """Close everything; waits for reads under way."""
         await self.online.close()
         await asyncio.to_thread(self._threads.shutdown)
         self.folder.close()
@@ -95,13 +95,13 @@ class Maps:
         return self._loop.run_in_executor(self._threads, work, *values)
 
     def _prepare(self) -> None:
-        """The folder is there, so that its owner finds where to put files."""
+        """Create the folder, so that people find where to put files, and delete leftovers."""
         try:
             self.folder.path.mkdir(parents=True, exist_ok=True)
             shutil.rmtree(self.folder.path / INCOMING, ignore_errors=True)
             self.folder.drop_orphans()
         except OSError:
-            # Said when the list is asked for.
+            # Reported when the layers are listed.
             return
 
     def _tell(self, report: Callable[[GatewayError], None], error: GatewayError) -> None:

@@ -1,4 +1,4 @@
-"""MBTiles: tiles in an SQLite file, of pictures or of terrain. Opened for reading alone, nothing is left beside it."""
+"""MBTiles: tiles of pictures or terrain in an SQLite file. Opened read-only, without journal files beside it."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ from epf_gcs.web.maps.layer import (
 
 _MESH_FORMATS: Final = ("quantized-mesh", "terrain")
 _PICTURE_FORMATS: Final = frozenset({"png", "jpg", "jpeg", "webp", "image/png", "image/jpeg", "image/webp"})
-# A file from anywhere may make a query endless; a tile is a matter of microseconds.
+# An untrusted file can make a query endless; a normal tile takes microseconds.
 _LONGEST_S: Final = 5.0
 _LONGEST_LISTING_S: Final = 20.0
 _STEPS_BETWEEN_LOOKS: Final = 10_000
@@ -37,16 +37,16 @@ _METADATA: Final = f"SELECT substr(name, 1, 64), substr(value, 1, {_MAX_META_LEN
 
 
 class MbTiles:
-    """One opened file. Rows in the file count from the south; for pictures they are asked for from the north."""
+    """One opened file. Its rows count from the south; callers give the row of a picture from the north."""
 
     def __init__(self, path: Path, name: str) -> None:
-        """Raises GatewayError where it cannot be shown."""
+        """Open the file. Raises GatewayError if it cannot be shown."""
         self._name = name
         self._lock = threading.Lock()
         self._longest_s = _LONGEST_LISTING_S
         self._until_s = 0.0
         try:
-            # Immutable: no lock files appear beside a file on somebody's memory stick.
+            # Immutable: SQLite creates no lock files beside a file on somebody's memory stick.
             self._connection = sqlite3.connect(
                 f"file:{quote(str(path.absolute()))}?mode=ro&immutable=1", uri=True, check_same_thread=False
             )
@@ -76,7 +76,7 @@ class MbTiles:
         return mesh(data) if is_mesh else picture(data)
 
     def close(self) -> None:
-        """Let the file go."""
+        """Close the file."""
         with self._lock:
             self._connection.close()
 
@@ -99,7 +99,7 @@ class MbTiles:
         kind = self._kind(meta.get("format", "").lower())
         bounds, zooms = _bounds(meta.get("bounds", "")), _zooms(meta)
         available: tuple[tuple[Range, ...], ...] | None = None
-        # Going through all tiles of a large file takes long: only where the file leaves something unsaid.
+        # Scanning all tiles of a large file takes long: do it only if the metadata is incomplete.
         if kind == "terrain" or bounds is None or zooms is None:
             levels = self._levels()
             zooms = (min(levels), max(levels))
@@ -118,7 +118,7 @@ class MbTiles:
         )
 
     def _levels(self) -> dict[int, Range]:
-        """The rectangle that the tiles of each level lie in."""
+        """The bounding rectangle of the tiles of each level."""
         sizes = "min(tile_column), min(tile_row), max(tile_column), max(tile_row)"
         rows = self._rows(f"SELECT zoom_level, {sizes} FROM tiles GROUP BY zoom_level")  # noqa: S608
         levels = {
@@ -136,7 +136,7 @@ class MbTiles:
             raise faults.empty(self._name)
         if any(word in said for word in _MESH_FORMATS):
             return "terrain"
-        # What the tile is counts, not what the file says of it.
+        # Decide by the tile's content, not by the format that the metadata states.
         data = first[0][0]
         if isinstance(data, bytes) and picture(data) is not None:
             return "imagery"
@@ -160,7 +160,7 @@ def _zooms(meta: dict[str, str]) -> tuple[int, int] | None:
 
 
 def _covered(kind: LayerKind, zoom: int, tiles: Range) -> Bounds:
-    """The bounds of these tiles, where the file does not say them."""
+    """The bounds of these tiles, for a file that does not state its bounds."""
     if kind == "terrain":
         size_deg = 180.0 / (1 << zoom)
         return Bounds(

@@ -1,4 +1,4 @@
-"""Terrain that others made: quantized-mesh tiles beside their layer.json, in a folder or in a zip file."""
+"""Terrain made by other programs: quantized-mesh tiles beside a layer.json, in a folder or in a zip file."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _FORMAT: Final = "quantized-mesh-1.0"
 _MAX_JSON_BYTES: Final = 20_000_000
 _MAX_ZOOM: Final = 30
 _MOST_NAMES: Final = 1_000_000
-# The others are unpacked whole, however long that is, before the first byte is given out.
+# Other compressions are unpacked as a whole before the first byte is returned, so their size cannot be bounded.
 _BOUNDED: Final = frozenset({zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED})
 _KNOWN_EXTENSIONS: Final = frozenset({"octvertexnormals", "vertexnormals", "watermask", "metadata"})
 
@@ -35,7 +35,7 @@ class _Folder:
         self._path = path
 
     def read(self, path: str, most_bytes: int) -> bytes | None:
-        """Paths are made here of numbers alone, so none leads out of the folder."""
+        """`path` is made of numbers by the caller, so it cannot lead out of the folder."""
         try:
             with (self._path / path).open("rb") as file:
                 data = file.read(most_bytes + 1)
@@ -44,7 +44,7 @@ class _Folder:
         return data if len(data) <= most_bytes else None
 
     def close(self) -> None:
-        """Nothing is held open."""
+        """Do nothing: no file stays open."""
 
 
 class _Zip:
@@ -53,7 +53,7 @@ class _Zip:
         self._archive = zipfile.ZipFile(path)
         names = (PurePosixPath(name) for name in self._archive.namelist())
         tops = sorted((name.parent for name in names if name.name == LAYER_JSON), key=lambda top: len(top.parts))
-        # Many archives hold one folder, and all else in it.
+        # Many archives hold a single folder with everything in it.
         self._top = tops[0] if tops else PurePosixPath()
 
     def read(self, path: str, most_bytes: int) -> bytes | None:
@@ -66,10 +66,10 @@ class _Zip:
                 return None
             if entry.compress_type not in _BOUNDED:
                 raise ValueError("packed in a way that is not taken: use deflate")
-            # What an entry says of its own size may be a lie: unpacking ends at the bound, whatever it says.
+            # The size in an entry's header may be false: `read` ends at the bound in any case.
             with self._archive.open(entry) as file:
                 data = file.read(entry.file_size)
-                file.read(1)  # beyond the end: now its checksum is looked at
+                file.read(1)  # reading past the end makes zipfile check the checksum
                 return data
 
     def close(self) -> None:
@@ -78,10 +78,10 @@ class _Zip:
 
 
 class MeshFiles:
-    """An opened set. Rows as its layer.json counts them."""
+    """An opened set of tiles. Rows in the scheme of its layer.json."""
 
     def __init__(self, path: Path, name: str) -> None:
-        """Raises GatewayError where it cannot be shown."""
+        """Open the set. Raises GatewayError if it cannot be shown."""
         self._name = name
         try:
             self._files: _Files = _Folder(path) if path.is_dir() else _Zip(path)
@@ -94,12 +94,12 @@ class MeshFiles:
             raise
 
     def tile(self, zoom: int, column: int, row: int) -> Tile | None:
-        """One tile."""
+        """One tile; None if there is none."""
         data = self._read(f"{zoom}/{column}/{row}.terrain", MAX_TILE_BYTES)
         return None if data is None else mesh(data)
 
     def close(self) -> None:
-        """Let the files go."""
+        """Close the files."""
         self._files.close()
 
     def _read(self, path: str, most_bytes: int) -> bytes | None:
@@ -140,7 +140,7 @@ class MeshFiles:
 
 
 def _available(said: Any) -> tuple[tuple[Range, ...], ...] | None:
-    """Rectangles of tiles for each level; None where the set does not say, or not so that it can be understood."""
+    """Rectangles of tiles for each level; None if the set states none, or in an unknown form."""
     try:
         levels = tuple(
             tuple(Range(*(int(one[key]) for key in ("startX", "startY", "endX", "endY"))) for one in level)
@@ -160,13 +160,13 @@ def _bounds(said: Any) -> Bounds:
 
 
 def is_mesh_zip(path: Path) -> bool:
-    """The archive holds terrain. Raises OSError and BadZipFile."""
+    """Whether the archive holds terrain. Raises OSError and BadZipFile."""
     with zipfile.ZipFile(path) as archive:
         return any(PurePosixPath(name).name == LAYER_JSON for name in archive.namelist())
 
 
 def only_raster(path: Path) -> str | None:
-    """The name of the one raster of heights inside an archive, as elevation models are handed out."""
+    """The name of the one raster of heights in an archive, the usual form of published elevation models."""
     with zipfile.ZipFile(path) as archive:
         rasters = [name for name in archive.namelist() if name.lower().endswith((".hgt", ".tif", ".tiff"))]
     return rasters[0] if len(rasters) == 1 else None

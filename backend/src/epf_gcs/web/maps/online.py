@@ -1,4 +1,4 @@
-"""Tiles of online sources, only while the operator wants them: what is asked for, one tile at a time, and kept."""
+"""Tiles of online sources, only while switched on: each tile is fetched when requested, and cached."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ from epf_gcs.web.maps.tile_cache import Kept, TileCache
 PREFIX: Final = "online-"
 USER_AGENT: Final = f"EPF-GCS/{__version__} (ground control station; tiles on demand, no bulk download)"
 
-# The Mercator map ends here.
+# The limits of the Web Mercator projection.
 _WORLD: Final = Bounds(-180.0, -85.0511, 180.0, 85.0511)
 _AT_ONCE_PER_HOST: Final = 2
 _MOST_WAITING_PER_HOST: Final = 200
@@ -38,7 +38,7 @@ _LONGEST_PAUSE_S: Final = 300.0
 
 @dataclass(slots=True)
 class _Host:
-    """Two requests at a time, and a pause that grows while it does not answer."""
+    """One server: two requests at a time, and a pause that doubles while it does not answer."""
 
     turns: asyncio.Semaphore
     waiting: int = 0
@@ -47,7 +47,7 @@ class _Host:
 
 
 class Online:
-    """Owned by the event loop; the kept tiles are read and written by a thread of its own."""
+    """Owned by the event loop; one thread reads and writes the cached tiles."""
 
     def __init__(
         self,
@@ -70,26 +70,26 @@ class Online:
         self._problems: dict[str, GatewayError] = {}
         self.choice = choice
         self.consent = Consent()
-        """Servers in the own network that may be asked."""
+        """Servers in the local network that may be requested."""
 
     def layers(self) -> list[Layer]:
-        """The sources, while they are switched on."""
+        """The sources as layers; none while online maps are switched off."""
         return [self._layer(source) for source in self.choice.sources] if self.choice.enabled else []
 
     def problem_of(self, source_id: str) -> GatewayError | None:
-        """Why a source gives nothing now."""
+        """Why a source delivers no tiles now."""
         return self._problems.get(source_id)
 
     def has(self, layer_id: str) -> bool:
-        """The layer is one of these."""
+        """Whether this layer is an online source."""
         return any(layer_id == PREFIX + source.id for source in self.choice.sources)
 
     async def cached_bytes(self) -> int:
-        """How much is kept."""
+        """Size of the cache in bytes."""
         return await self._in_thread(lambda: self._opened().size_bytes if self._path.exists() else 0)
 
     async def choose(self, choice: OnlineChoice) -> None:
-        """From now on these. Raises InvalidInputError where one may not be asked, and changes nothing then."""
+        """Use these sources. Raises InvalidInputError if one is not allowed, and then changes nothing."""
         for source in choice.sources:
             parts = urlsplit(checked(source).url)
             host = parts.hostname or ""
@@ -103,12 +103,12 @@ class Online:
             await self._in_thread(lambda: self._opened().trim(choice.limit_bytes))
 
     async def clear(self) -> None:
-        """Forget every kept tile."""
+        """Delete all cached tiles."""
         if self._path.exists():
             await self._in_thread(lambda: self._opened().clear())
 
     async def tile(self, layer_id: str, zoom: int, column: int, row: int) -> tuple[Tile | None, Stamp]:
-        """A kept tile, or a fetched one; None where there is none or nobody answers. Raises NotFoundError."""
+        """A cached or fetched tile; None if there is none or the server does not answer. Raises NotFoundError."""
         source = next((one for one in self.choice.sources if PREFIX + one.id == layer_id), None)
         if source is None:
             raise unknown(layer_id)
@@ -122,7 +122,7 @@ class Online:
         return (None if kept is None else picture(kept.data)), (int(kept.expires_s) if kept else 0,)
 
     async def close(self) -> None:
-        """Ask nobody any more, and let the file go."""
+        """Close the HTTP client and the cache."""
         client, self._client = self._client, None
         if client is not None:
             await client.aclose()
@@ -131,7 +131,7 @@ class Online:
             self._cache.close()
 
     async def _fetched_once(self, source: Source, key: tuple[str, int, int, int], kept: Kept | None) -> Kept | None:
-        """Several viewers that look at the same place make one request."""
+        """Fetch a tile; simultaneous calls for the same tile share one request."""
         under_way = self._under_way.get(key)
         if under_way is not None:
             return await asyncio.shield(under_way)
@@ -152,7 +152,7 @@ class Online:
         host.waiting += 1
         try:
             async with host.turns:
-                # It may have been found silent, or been switched off, while this one waited.
+                # While this request waited, the server may have failed or the source been switched off.
                 if self._now_s() < host.quiet_until_s or source not in self.choice.sources or not self.choice.enabled:
                     return kept
                 return await self._ask(source, host, key, kept)
@@ -207,7 +207,7 @@ class Online:
         return tile
 
     async def _asking(self) -> httpx.AsyncClient:
-        """Made with the first request, by a thread: reading the certificates takes long."""
+        """The HTTP client, constructed at the first request in a thread: loading the certificates takes long."""
         if self._client is None:
             made = await self._in_thread(
                 lambda: httpx.AsyncClient(
@@ -222,7 +222,7 @@ class Online:
         return self._client
 
     def _opened(self) -> TileCache:
-        """In the thread alone."""
+        """The cache, opened at the first use. Call it only in the thread."""
         if self._cache is None:
             self._cache = TileCache(self._path, self._now_s)
         return self._cache
@@ -247,7 +247,7 @@ class Online:
 
 
 async def _body(answer: httpx.Response) -> bytes | None:
-    """The whole of it; None where it is too long for a tile."""
+    """The whole body; None if it is too long for a tile."""
     data = bytearray()
     async for chunk in answer.aiter_bytes():
         data += chunk

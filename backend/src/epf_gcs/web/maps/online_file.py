@@ -1,4 +1,4 @@
-"""Which online sources were chosen, kept over restarts in a small file of their own."""
+"""The chosen online sources, kept across restarts in a small file."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ import orjson
 from epf_gcs.errors import GatewayError
 
 _FILE: Final = "online-maps.json"
-# Where versions before 1.0.0 kept it.
+# The file of versions before 1.0.0.
 _OLD_FILE: Final = "state.json"
 
 
 class OnlineFile:
-    """`report` hears of a disk that refuses. Read once at the start; written when somebody chooses."""
+    """Read once at the start, written at each choice. `report` is called when the disk fails."""
 
     def __init__(self, data_dir: Path, report: Callable[[GatewayError], None]) -> None:
         self._path = data_dir / _FILE
@@ -24,7 +24,7 @@ class OnlineFile:
         self._report = report
 
     def read(self) -> dict[str, Any]:
-        """What was chosen; empty where nothing was, or where the file cannot be read."""
+        """The last choice; empty if there is none, or if the file cannot be read."""
         try:
             return dict(orjson.loads(self._path.read_bytes()))
         except FileNotFoundError:

@@ -1,4 +1,4 @@
-"""The map files that are open now: a few, the ones used last, each closed when nobody reads in it any more."""
+"""A cache of open map files: the few used last, each closed only when nobody reads it any more."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from typing import Final
 from epf_gcs.web.maps.layer import TileSource
 
 Stamp = tuple[int, ...]
-"""What changes when a file changes."""
+"""A value that changes when the file changes."""
 
 _MOST: Final = 8
 
@@ -25,7 +25,7 @@ class _Opened:
 
 
 class OpenFiles:
-    """For any number of threads."""
+    """Thread-safe."""
 
     def __init__(self, most: int = _MOST) -> None:
         self._most = most
@@ -37,7 +37,7 @@ class OpenFiles:
 
     @contextmanager
     def reading(self, key: str, stamp: Stamp, open_it: Callable[[], TileSource]) -> Iterator[TileSource]:
-        """The opened file while it is read; opened anew where it changed. Raises what `open_it` raises."""
+        """The open file, kept open while inside; reopened if it changed. Raises what `open_it` raises."""
         opened = self._take(key, stamp)
         if opened is None:
             opened = self._keep(key, _Opened(stamp, open_it()))
@@ -47,14 +47,14 @@ class OpenFiles:
             self._release(opened)
 
     def forget(self, key: str) -> None:
-        """The file is to be moved or was changed."""
+        """Close this file, which is to be moved or was changed, once nobody reads it."""
         with self._lock:
             opened = self._opened.pop(key, None)
         if opened is not None:
             self._give_up(opened)
 
     def close(self) -> None:
-        """Let all of them go."""
+        """Close all files."""
         for key in list(self._opened):
             self.forget(key)
 

@@ -1,8 +1,8 @@
-"""Requests that leave this network, and no others: who chooses a map's address must not reach what lies behind it.
+"""Requests to the internet only: a map's URL, chosen by a user, must not reach servers in the local network.
 
-A name is looked up here, every address it has is checked, and the connection is made to a checked address: what the
-name says a moment later counts no more. Redirects are followed by nobody. A server of tiles in the station's own
-network is reached where the person who starts the station names it (GCS_LOCAL_MAPS).
+A name is resolved here, all its addresses are checked, and the connection goes to a checked address, so that a later
+change of the DNS answer has no effect. Redirects are not followed. A tile server in the local network is reached only
+if the person who starts the station names it (GCS_LOCAL_MAPS).
 """
 
 from __future__ import annotations
@@ -17,16 +17,16 @@ from typing import Final
 import httpx
 
 _PORTS: Final = {"http": 80, "https": 443}
-# Addresses of IPv4 lie in the last bytes of these, behind a translator.
+# NAT64 and the like: the last four bytes of these addresses are an IPv4 address.
 _TRANSLATED: Final = tuple(ipaddress.IPv6Network(net) for net in ("64:ff9b::/96", "64:ff9b:1::/48", "::/96"))
 
 
 class LocalAddressError(OSError):
-    """The address lies in this computer or its network."""
+    """The address is in this computer or its network."""
 
 
 def is_outside(number: str) -> bool:
-    """This IP address belongs to somebody on the internet."""
+    """Whether this IP address is a public one on the internet."""
     address = ipaddress.ip_address(number.partition("%")[0])
     if isinstance(address, ipaddress.IPv6Address):
         if address.is_site_local or address.is_multicast or not address.is_global:
@@ -40,7 +40,7 @@ def is_outside(number: str) -> bool:
 
 
 def is_local_as_written(host: str) -> bool:
-    """The host is known to be inside without asking anybody: a number, however it is written, or a name of our own."""
+    """Whether the host is local without a DNS lookup: a local IP address in any notation, or a local name."""
     name = host.lower().rstrip(".")
     if name == "localhost" or name.endswith((".localhost", ".local", ".internal")):
         return True
@@ -52,20 +52,20 @@ def is_local_as_written(host: str) -> bool:
 
 
 class Consent:
-    """Servers in the own network that may be asked: `host` for all its ports, or `host:port`."""
+    """Servers in the local network that may be requested: `host` for all its ports, or `host:port`."""
 
     def __init__(self, servers: Collection[str] = ()) -> None:
         self._servers = frozenset(server.lower() for server in servers)
 
     def covers(self, scheme: str, host: str, port: int | None) -> bool:
-        """This one may be asked wherever it is."""
+        """Whether this server may be requested wherever it is."""
         name = f"[{host}]" if ":" in host else host
         port = port or _PORTS.get(scheme, 0)
         return not self._servers.isdisjoint((host.lower(), name.lower(), f"{name}:{port}".lower()))
 
 
 class OutsideTransport(httpx.AsyncBaseTransport):
-    """Sends to checked addresses alone. Raises LocalAddressError."""
+    """Sends requests only to checked addresses. Raises LocalAddressError."""
 
     def __init__(self, consent: Consent) -> None:
         self._consent = consent
@@ -74,12 +74,12 @@ class OutsideTransport(httpx.AsyncBaseTransport):
         self._proxies = urllib.request.getproxies()
 
     async def handle_async_request(self, request: httpx.Request) -> httpx.Response:
-        """Check, then send."""
+        """Check the address, then send the request."""
         url = request.url
         consented = self._consent.covers(url.scheme, url.host, url.port)
         proxy = self._proxies.get(url.scheme)
         if proxy is not None and not urllib.request.proxy_bypass(url.host):
-            # The proxy looks names up for us. What is inside is not its business either.
+            # The proxy resolves names for us; still refuse what is local by its spelling.
             if not consented and is_local_as_written(url.host):
                 raise LocalAddressError(url.host)
             return await self._through(proxy).handle_async_request(request)
@@ -87,12 +87,12 @@ class OutsideTransport(httpx.AsyncBaseTransport):
             return await self._direct.handle_async_request(request)
         number = await _checked(url.host, url.port or _PORTS[url.scheme])
         request.url = url.copy_with(host=number)
-        # The certificate is the name's, not the number's. The name is in the header Host already.
+        # TLS must check the certificate of the name, not of the IP address. The Host header already has the name.
         request.extensions = {**request.extensions, "sni_hostname": url.host}
         return await self._direct.handle_async_request(request)
 
     async def aclose(self) -> None:
-        """Let all connections go."""
+        """Close all connections."""
         for transport in (self._direct, *self._proxied.values()):
             await transport.aclose()
 
@@ -103,7 +103,7 @@ class OutsideTransport(httpx.AsyncBaseTransport):
 
 
 async def _checked(host: str, port: int) -> str:
-    """A number of this host. Raises LocalAddressError where one of its numbers is inside, OSError where it has none."""
+    """An IP address of this host. Raises LocalAddressError if any of its addresses is local, OSError if unknown."""
     try:
         found = await asyncio.get_running_loop().getaddrinfo(host, port, type=socket.SOCK_STREAM)
     except (UnicodeError, socket.gaierror) as error:
@@ -111,5 +111,5 @@ async def _checked(host: str, port: int) -> str:
     numbers = [str(one[4][0]) for one in found]
     if not numbers or not all(map(is_outside, numbers)):
         raise LocalAddressError(host)
-    # Stations seldom have a way out over IPv6.
+    # Prefer IPv4: stations seldom have an IPv6 route to the internet.
     return next((number for number in numbers if ":" not in number), numbers[0])

@@ -1,4 +1,4 @@
-"""PMTiles: tiles in one file with a directory. Read by position, never mapped: a stick that is pulled is an error."""
+"""PMTiles: tiles in one file with a directory. Read, not memory-mapped: a pulled stick then raises an error."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ class PmTiles:
     """One opened file."""
 
     def __init__(self, path: Path, name: str) -> None:
-        """Raises GatewayError where it cannot be shown."""
+        """Open the file. Raises GatewayError if it cannot be shown."""
         self._name = name
         self._lock = Lock()
         self._directories: OrderedDict[tuple[int, int], Any] = OrderedDict()
@@ -50,7 +50,7 @@ class PmTiles:
             raise faults.damaged(name, _words(error)) from error
 
     def tile(self, zoom: int, column: int, row: int) -> Tile | None:
-        """One tile; rows from the north, as the file has them."""
+        """One tile; rows from the north, as in the file."""
         try:
             data = self._find(zxy_to_tileid(zoom, column, row))
         except (EOFError, OSError, ValueError, IndexError, zlib.error) as error:
@@ -58,7 +58,7 @@ class PmTiles:
         return None if data is None else picture(data)
 
     def close(self) -> None:
-        """Let the file go."""
+        """Close the file."""
         with self._lock:
             file, self._file = self._file, None
             if file is not None:
@@ -72,7 +72,7 @@ class PmTiles:
         if header["max_zoom"] < header["min_zoom"] or header["max_zoom"] > _MAX_ZOOM:
             raise faults.damaged(self._name, f"zoom {header['min_zoom']}..{header['max_zoom']}")
         metadata = self._metadata()
-        # A copy that was broken off has its directory, which comes first, and not all of its tiles.
+        # An interrupted copy has the directory, which comes first, but not all tiles.
         if os.fstat(self._open_file()).st_size < header["tile_data_offset"] + header["tile_data_length"]:
             raise faults.damaged(self._name, _CUT_OFF)
         self._directory(header["root_offset"], header["root_length"])
@@ -113,7 +113,7 @@ class PmTiles:
         return None
 
     def _directory(self, offset: int, length: int) -> Any:
-        """The library unpacks a directory for each tile; here the ones used last are kept."""
+        """A directory, from a cache of those used last: the library would unpack it anew for each tile."""
         key = (offset, length)
         with self._lock:
             if key in self._directories:

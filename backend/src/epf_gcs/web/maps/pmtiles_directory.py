@@ -1,4 +1,4 @@
-"""A directory of a PMTiles file. The library unpacks and builds one without a bound; here both have one."""
+"""A directory of a PMTiles file, read with bounds on size and entries, which the library does not have."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import Any, Final
 from pmtiles.tile import Entry
 
 MOST_ENTRIES: Final = 200_000
-"""Writers put a few thousand into one directory."""
+"""Usual writers put a few thousand into one directory."""
 
 _MOST_BYTES: Final = 4_000_000
 _PARTS: Final = 4
@@ -16,7 +16,7 @@ _MOST_SHIFT: Final = 63
 
 
 def unpacked(data: bytes, most_bytes: int) -> bytes:
-    """What a gzip stream holds. Raises ValueError where it is longer than this, EOFError where it is cut off."""
+    """The content of a gzip stream. Raises ValueError if it is longer than `most_bytes`, EOFError if cut off."""
     unpacker = zlib.decompressobj(wbits=31)
     found = unpacker.decompress(data, most_bytes + 1)
     if len(found) > most_bytes:
@@ -37,7 +37,7 @@ def read_directory(data: bytes) -> list[Any]:
     tile_id = end = 0
     for step, run_length, length, offset in zip(ids, run_lengths, lengths, offsets, strict=True):
         tile_id += step
-        # 0 says: right behind the entry before.
+        # 0 means directly after the previous entry.
         start = end if offset == 0 and entries else offset - 1
         entries.append(Entry(tile_id, start, length, run_length))
         end = start + length
@@ -45,7 +45,7 @@ def read_directory(data: bytes) -> list[Any]:
 
 
 class _Numbers:
-    """Integers of seven bits a byte, the lowest first."""
+    """Varints: seven bits a byte, the lowest first."""
 
     def __init__(self, data: bytes) -> None:
         self._data = data

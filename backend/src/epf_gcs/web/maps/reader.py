@@ -1,7 +1,7 @@
-"""Map files as the station reads them: by processes that may end for it, one of which is ended when it takes too long.
+"""Reads map files in worker processes, which may crash without harm and are killed when a request takes too long.
 
-What a stranger's file costs is paid there. A file that was too costly is not asked again until it changes, or for some
-minutes: it may have been the disk.
+So an untrusted file costs the station neither memory nor time. A file that took too much is not tried again until it
+changes, or until some minutes have passed, for the disk may have been the cause.
 """
 
 from __future__ import annotations
@@ -26,19 +26,19 @@ from epf_gcs.web.maps.reading import TOO_COSTLY
 
 WORKERS: Final = 2
 _PROGRAM: Final = "epf_gcs.web.maps.reader_worker"
-# Above the reader's own limits on queries, which tell more of the reason.
+# Longer than the worker's own limits on queries, whose errors say more about the reason.
 _LONGEST_TILE_S: Final = 8.0
 _LONGEST_OPENING_S: Final = 30.0
 _LOOK_EVERY_S: Final = 0.5
 _NOT_AGAIN_FOR_S: Final = 300.0
-# The second is what SQLite says of a query that was ended for its length.
+# The second is SQLite's message for a query that was interrupted for taking too long.
 _GIVEN_UP: Final = (TOO_COSTLY, "interrupted")
 
 log = structlog.get_logger("gateway")
 
 
 class Reader:
-    """For any number of threads; each waits for its answer."""
+    """Thread-safe; each calling thread waits for its answer."""
 
     def __init__(
         self,
@@ -58,7 +58,7 @@ class Reader:
         self._lock = threading.Lock()
 
     def describe(self, path: Path, name: str, form: LayerFormat, stamp: Stamp) -> Description:
-        """What a file says of itself. Raises GatewayError where it cannot be shown."""
+        """A file's description. Raises GatewayError if it cannot be shown."""
         asked = {"do": "describe", "path": str(path), "name": name, "format": form, "stamp": stamp}
         head, _ = self._ask(asked, path, stamp, self._longest_opening_s)
         return Description.from_dict(head["description"])
@@ -66,7 +66,7 @@ class Reader:
     def tile(
         self, path: Path, name: str, form: LayerFormat, stamp: Stamp, zoom: int, column: int, row: int
     ) -> Tile | None:
-        """One tile, as `layer.TileSource` gives it. Raises GatewayError where the file cannot be read."""
+        """One tile, as from `layer.TileSource`. Raises GatewayError if the file cannot be read."""
         asked = {
             "do": "tile",
             "path": str(path),
@@ -79,7 +79,7 @@ class Reader:
         return Tile(data, head["media_type"], head["encoding"]) if data else None
 
     def raster_inside(self, path: Path, stamp: Stamp) -> str | None:
-        """The one raster in an archive; None where it is none, or looking took too much."""
+        """The one raster in an archive; None if there is not exactly one, or if looking took too much."""
         try:
             head, _ = self._ask(
                 {"do": "inside", "path": str(path), "name": path.name}, path, stamp, self._longest_opening_s
@@ -90,7 +90,7 @@ class Reader:
         return found if isinstance(found, str) else None
 
     def forget(self, path: Path) -> None:
-        """Let a file go that is to be moved. A process that is busy with it does so when it is asked the next time."""
+        """Close a file that is to be moved. A busy worker keeps it open until its next request."""
         held: list[_Worker] = []
         with contextlib.suppress(queue.Empty):
             while True:
@@ -150,12 +150,12 @@ class Reader:
 
 
 def is_too_costly(found: object) -> bool:
-    """This is the problem of a file that was given up, and may be asked for again later."""
+    """Whether this is the error of a file that took too much, which may be tried again later."""
     return isinstance(found, GatewayError) and found.params.get("why") in _GIVEN_UP
 
 
 class _Worker:
-    """One process, started when it is asked for the first time, and again after it ended."""
+    """One worker process, started at the first request and restarted after it ended."""
 
     def __init__(self) -> None:
         self._process: subprocess.Popen[bytes] | None = None
@@ -164,11 +164,11 @@ class _Worker:
 
     @property
     def is_running(self) -> bool:
-        """It was asked for something, and lives."""
+        """Whether the process was started and is alive."""
         return self._process is not None and self._process.poll() is None
 
     def ask(self, asked: dict[str, Any], longest_s: float) -> tuple[dict[str, Any], bytes] | None:
-        """The answer; None where the process ended over it."""
+        """The answer; None if the process died of the request."""
         process = self._process
         if process is None or process.poll() is not None:
             self.end()
@@ -186,13 +186,13 @@ class _Worker:
         return answer
 
     def end_if_late(self) -> None:
-        """Called by another thread than the one that asks."""
+        """Kill the process if its request is overdue. Called by another thread than `ask`."""
         with self._lock:
             if self._until_s is not None and time.monotonic() > self._until_s and self._process is not None:
                 self._process.kill()
 
     def end(self) -> None:
-        """It may be asked again, and begins anew then."""
+        """Kill the process; the next `ask` starts a new one."""
         process, self._process = self._process, None
         if process is None:
             return

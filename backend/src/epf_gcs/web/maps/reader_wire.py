@@ -1,4 +1,4 @@
-"""Between the station and the processes that read map files: two lengths, a head of JSON, and bytes."""
+"""Messages between the station and the processes that read map files: two lengths, a JSON head, and bytes."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ _LENGTHS: Final = struct.Struct("<II")
 
 
 def send(pipe: BinaryIO, head: dict[str, Any], data: bytes = b"") -> None:
-    """Raises OSError, ValueError where nobody listens any more."""
+    """Send a message. Raises OSError or ValueError if the other end is closed."""
     packed = orjson.dumps(head)
     pipe.write(_LENGTHS.pack(len(packed), len(data)) + packed)
     pipe.write(data)
@@ -22,7 +22,7 @@ def send(pipe: BinaryIO, head: dict[str, Any], data: bytes = b"") -> None:
 
 
 def receive(pipe: BinaryIO) -> tuple[dict[str, Any], bytes] | None:
-    """None where the other end is gone, or says what no message is. Raises OSError."""
+    """Receive a message; None if the other end is closed, or if this is no valid message. Raises OSError."""
     lengths = pipe.read(_LENGTHS.size)
     if len(lengths) < _LENGTHS.size:
         return None

@@ -1,7 +1,7 @@
-"""Reads map files of strangers: a process of its own with limits. `python -m epf_gcs.web.maps.reader_worker`.
+"""Reads untrusted map files in a separate process with limits. `python -m epf_gcs.web.maps.reader_worker`.
 
-Requests come on stdin, answers go to stdout; each is a head of JSON and then bytes (`reader_wire`). What runs out of
-memory or time ends this process, and the next request begins another.
+Requests come on stdin, answers go to stdout; each is a head of JSON and then bytes (`reader_wire`). A request
+that runs out of memory or time ends this process, and the next request starts another.
 """
 
 from __future__ import annotations
@@ -23,8 +23,8 @@ OUT_OF_MEMORY: Final = 3
 
 
 def main() -> None:
-    """Until stdin ends."""
-    # Ctrl-C in a terminal reaches all its processes: it is the station that ends this one.
+    """Answer requests until stdin is closed."""
+    # Ctrl-C in a terminal reaches all its processes: ignore it here, the station ends this one.
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     limit_memory()
     try:

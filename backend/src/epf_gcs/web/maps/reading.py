@@ -1,4 +1,4 @@
-"""What is read of a map file, in whichever process: the right reader for its format, and what a request may cost."""
+"""Opens a map file with the reader for its format, and sets the limits of the reading process."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _MOST_CPU_S: Final = 60
 
 
 def open_source(path: Path, name: str, form: LayerFormat) -> TileSource:
-    """Open a file of tiles. Raises GatewayError where it cannot be shown."""
+    """Open a file of tiles. Raises GatewayError if it cannot be shown."""
     if form == "mbtiles":
         return MbTiles(path, name)
     if form == "pmtiles":
@@ -28,15 +28,15 @@ def open_source(path: Path, name: str, form: LayerFormat) -> TileSource:
 
 
 def raster_inside(path: Path) -> str | None:
-    """The one raster of heights in an archive, which is how elevation models are handed out; None where it is none."""
+    """The one raster of heights in an archive, the usual form of elevation models; None if there is not exactly one."""
     try:
         return None if is_mesh_zip(path) else only_raster(path)
     except (OSError, zipfile.BadZipFile, ValueError, NotImplementedError):
-        return None  # the reason is found out, and said, when it is opened
+        return None  # the reason is reported when the file is opened
 
 
 def limit_memory() -> None:
-    """For this process, for ever, where the system can."""
+    """Limit this process's memory permanently, on systems that support it."""
     with contextlib.suppress(ImportError, ValueError, OSError):
         import resource  # noqa: PLC0415 - not on every system
 
@@ -44,9 +44,9 @@ def limit_memory() -> None:
 
 
 def limit_time() -> None:
-    """From now on this process may work this long: asked for again before each request.
+    """Limit this process's CPU time from now on; called anew before each request.
 
-    It ends by itself then, also where nobody is left who would end it.
+    The system then ends the process even if the station that would kill it is gone.
     """
     with contextlib.suppress(ImportError, ValueError, OSError):
         import resource  # noqa: PLC0415 - not on every system

@@ -21,7 +21,7 @@ from epf_gcs.web.problems import problem_response, problems, reading_problems
 router = APIRouter(prefix="/map", tags=["maps"])
 
 IMPORTS_PATH: Final = "/map/imports"
-# A file that is replaced under the same name is seen within this time.
+# A file replaced under the same name becomes visible within this time.
 _CACHE: Final = "private, max-age=600"
 _PICTURES: Final = ("image/png", "image/jpeg", "image/webp")
 _MESH: Final = "application/vnd.quantized-mesh"
@@ -56,7 +56,7 @@ async def get_map_tile(
     """One picture; rows count from the north."""
     tile, stamp = await maps.picture(layer_id, zoom, column, row)
     if tile is None:
-        # An online source may have it in a moment.
+        # Do not let the browser cache a missing online tile: it may be there at the next request.
         is_online = maps.online.has(layer_id)
         return Response(status_code=204, headers={"Cache-Control": "no-cache" if is_online else _CACHE})
     return _tile_answer(request, tile, stamp)
@@ -187,6 +187,6 @@ def _tile_answer(request: Request, tile: Tile, stamp: Stamp) -> Response:
 
 
 def _no_terrain(layer_id: str) -> Response:
-    """Terrain is looked for wherever somebody looks: that there is none is no fault, and is not counted as one."""
+    """Answer 404 without counting an error: the globe requests terrain wherever the camera looks, also outside it."""
     detail = f"There is no terrain of '{layer_id}' here."
     return problem_response(404, "map_tile_missing", detail, {"layer": layer_id}, {"Cache-Control": _CACHE})

@@ -1,4 +1,4 @@
-"""Online sources of tiles: which there are, how long what they gave may be kept, and how they are asked."""
+"""Online sources of tiles: their addresses, and how long their tiles may be cached."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ DEFAULT_LIMIT_BYTES: Final = 500_000_000
 MAX_LIMIT_BYTES: Final = 100_000_000_000
 
 _DAY_S: Final = 86400.0
-# What the tile usage policy of OpenStreetMap asks for where a program cannot do better.
+# The least caching time that OpenStreetMap's tile usage policy demands.
 _OSM_LEAST_S: Final = 7 * _DAY_S
 _OSM_HOST: Final = "openstreetmap.org"
 _UNSAID_S: Final = 7 * _DAY_S
@@ -27,7 +27,7 @@ _PLACEHOLDERS: Final = ("{z}", "{x}", "{y}")
 
 @dataclass(frozen=True, slots=True)
 class Source:
-    """One of them. The address has {z}, {x} and {y}, rows from the north; {s} is for servers with several names."""
+    """One source. Its URL has {z}, {x} and {y}, rows from the north; {s} is for servers with several names."""
 
     id: str
     name: str
@@ -37,16 +37,16 @@ class Source:
 
     @property
     def key(self) -> str:
-        """What its kept tiles are found under: another address is another map."""
+        """The key of its tiles in the cache: another URL is another map."""
         return hashlib.blake2s(self.url.encode(), digest_size=8).hexdigest()
 
     @property
     def host(self) -> str:
-        """Whom it asks."""
+        """The server that is requested."""
         return urlsplit(self.url).netloc.lower()
 
     def address(self, zoom: int, column: int, row: int) -> str:
-        """Of one tile."""
+        """The URL of one tile."""
         values = {"{z}": zoom, "{x}": column, "{y}": row, "{s}": "a"}
         return re.sub(r"\{[zxys]\}", lambda match: str(values[match[0]]), self.url)
 
@@ -61,7 +61,7 @@ OPENSTREETMAP: Final = Source(
 
 @dataclass(frozen=True, slots=True)
 class OnlineChoice:
-    """What the operator chose. Off by default: a station in a field asks nobody for anything."""
+    """The operator's choice. Off by default: the station makes no requests to the internet unless told to."""
 
     enabled: bool = False
     limit_bytes: int = DEFAULT_LIMIT_BYTES
@@ -77,7 +77,7 @@ class OnlineChoice:
 
     @classmethod
     def from_dict(cls, values: Mapping[str, Any]) -> OnlineChoice:
-        """What `as_dict` gave, from a file that people can edit; what makes no sense in it is the default."""
+        """The inverse of `as_dict`. People can edit the file: invalid values are replaced by defaults."""
         try:
             sources = tuple(checked(Source(**source)) for source in values["sources"])
             limit_bytes = min(max(0, int(values["limit_bytes"])), MAX_LIMIT_BYTES)
@@ -87,7 +87,7 @@ class OnlineChoice:
 
 
 def checked(source: Source) -> Source:
-    """The source, where its address can be asked. Raises InvalidInputError."""
+    """Return the source if its URL is valid. Raises InvalidInputError."""
     try:
         parts = urlsplit(source.url)
         is_address = parts.scheme in ("http", "https") and bool(parts.hostname) and parts.port != 0
@@ -104,7 +104,7 @@ def checked(source: Source) -> Source:
 
 
 def local(source: Source) -> InvalidInputError:
-    """It lies in this network, and nobody agreed to that."""
+    """The error for a source in the local network that GCS_LOCAL_MAPS does not name."""
     return InvalidInputError(
         "map_source_local",
         f"'{source.name}' is a server in this network ({source.host}): name it in GCS_LOCAL_MAPS when the station is "
@@ -115,7 +115,7 @@ def local(source: Source) -> InvalidInputError:
 
 
 def expiry_s(source: Source, headers: Mapping[str, str], now_s: float) -> float | None:
-    """Until when (Unix time) an answer may be used; None where the source forbids keeping it."""
+    """Until when (Unix time) an answer may be used; None if the source forbids caching it."""
     control = headers.get("cache-control", "")
     hostname = urlsplit(source.url).hostname or ""
     is_osm = hostname == _OSM_HOST or hostname.endswith(f".{_OSM_HOST}")

@@ -1,4 +1,4 @@
-"""Rasters of heights become terrain, one after the other, each by a process of its own that can be ended."""
+"""Converts rasters of heights to terrain, one after the other, each in a process that can be killed."""
 
 from __future__ import annotations
 
@@ -26,16 +26,16 @@ T = TypeVar("T")
 
 
 class InThread(Protocol):
-    """Runs what may wait for a disk in a thread of the maps."""
+    """Runs blocking work in one of the maps' threads."""
 
     def __call__(self, work: Callable[..., T], /, *values: Any) -> Awaitable[T]:
-        """The result, or what was raised."""
+        """Return the work's result, or raise its exception."""
 
 
 class TerrainJobs:
-    """Whatever lies in the folder without its terrain is turned into it: at the start, and when it is woken.
+    """Converts every raster in the folder that has no terrain: at the start, and after each `wake`.
 
-    `told(file, percent)`: a percent more. `ended(file, problem)`: it is there, or why there will be no terrain.
+    `told(file, percent)`: progress. `ended(file, problem)`: finished; `problem` is None, or why it failed.
     """
 
     def __init__(self, folder: MapFolder, in_thread: InThread, report: Callable[[GatewayError], None]) -> None:
@@ -53,18 +53,18 @@ class TerrainJobs:
         folder.waiting = self._problem_of
 
     def wake(self) -> None:
-        """Something new lies in the folder, or may."""
+        """Look for new rasters in the folder."""
         self._awake.set()
 
     def cancel(self, file: MapFile) -> None:
-        """Do not turn this one into terrain; the file goes away."""
+        """Stop the conversion of this file, which is about to be deleted."""
         if self._current is not None and self._current[0] == file.id:
             self._was_cancelled = True
             with contextlib.suppress(ProcessLookupError):
                 self._current[1].kill()
 
     async def run(self) -> None:
-        """For ever."""
+        """Convert rasters, forever."""
         while True:
             await self._awake.wait()
             self._awake.clear()
@@ -91,7 +91,7 @@ class TerrainJobs:
         await self.ended(file, problem)
 
     async def _work(self, file: MapFile, arguments: list[str]) -> GatewayError | None:
-        """Run the worker; None where it made the terrain."""
+        """Run the worker; None if it succeeded."""
         process = await asyncio.create_subprocess_exec(
             sys.executable, "-m", _WORKER, *arguments, stdin=asyncio.subprocess.DEVNULL, stdout=asyncio.subprocess.PIPE
         )
@@ -126,4 +126,4 @@ class TerrainJobs:
 
 
 async def _nobody_asked(_file: MapFile, _problem: GatewayError | None) -> None:
-    """Files that were put into the folder by hand."""
+    """Default for `ended`: do nothing."""

@@ -1,7 +1,7 @@
-"""Turns a raster of heights into terrain tiles: a process of its own, so that neither its memory nor its work nor a
-file that brings the library down comes near the flight. `python -m epf_gcs.web.maps.terrain_worker`.
+"""Converts a raster of heights to terrain tiles, in a separate process, so that neither its memory and CPU use nor a
+crash of the library affects the station. `python -m epf_gcs.web.maps.terrain_worker`.
 
-Prints a line of JSON for each percent, and one with the problem where it ends with one.
+Prints a line of JSON for each percent, and one with the problem if it fails.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from epf_gcs.web.maps.heights import Heights
 from epf_gcs.web.maps.layer import Bounds
 
 MOST_TILES: Final = 400_000
-"""About 3 GB. What is finer than this is not kept."""
+"""About 3 GB. Finer zoom levels are left out."""
 _HIGHEST_ZOOM: Final = 18
 _NICE: Final = 10
 _MOST_MEMORY_BYTES: Final = 4_000_000_000
@@ -34,7 +34,7 @@ _PACKING: Final = 6
 
 
 def main(arguments: list[str]) -> int:
-    """Arguments: raster, tiles to write, the raster's name in sentences, and the file inside an archive or nothing."""
+    """Arguments: raster, output file, the raster's name for messages, and the file in an archive or an empty string."""
     raster, target, name, inside = arguments
     _be_modest()
     try:
@@ -46,7 +46,7 @@ def main(arguments: list[str]) -> int:
 
 
 def convert(raster: Path, target: Path, name: str, inside: str | None, told: Callable[[int], None]) -> None:
-    """Write the tiles; `target` is there in the end, whole, or not at all. Raises GatewayError, OSError."""
+    """Write the tiles; `target` appears only when it is complete. Raises GatewayError, OSError."""
     heights = Heights(raster, name, inside)
     part = target.with_suffix(".part")
     part.unlink(missing_ok=True)
@@ -62,7 +62,7 @@ def convert(raster: Path, target: Path, name: str, inside: str | None, told: Cal
 
 
 def highest_zoom(bounds: Bounds, pixel_deg: float) -> int:
-    """The level whose points are about as far apart as the raster's, or the finest whose tiles are not too many."""
+    """The level whose spacing is nearest to the raster's, or the finest with at most MOST_TILES tiles."""
     zoom = min(_HIGHEST_ZOOM, max(0, round(math.log2(180.0 / CELLS / pixel_deg))))
     while zoom > 0 and math.prod(map(len, _touched_at(bounds, zoom))) > MOST_TILES:
         zoom -= 1
@@ -77,7 +77,7 @@ def _write(heights: Heights, output: sqlite3.Connection, told: Callable[[int], N
         " PRIMARY KEY (zoom_level, tile_column, tile_row)) WITHOUT ROWID;"
     )
     highest = highest_zoom(heights.bounds, heights.pixel_deg)
-    # Cesium begins with both tiles of level 0, wherever the raster is.
+    # Cesium always requests both tiles of level 0, wherever the raster is.
     tiles = [(0, 0, 0), (0, 1, 0), *(tile for zoom in range(1, highest + 1) for tile in _level(heights.bounds, zoom))]
     percent = -1
     for index, (zoom, column, row) in enumerate(tiles):
@@ -111,7 +111,7 @@ def _level(bounds: Bounds, zoom: int) -> Iterator[tuple[int, int, int]]:
 
 
 def _touched_at(bounds: Bounds, zoom: int) -> tuple[range, range]:
-    """Their columns, and their rows from the south."""
+    """Columns, and rows from the south, of the tiles that touch these bounds."""
     size_deg = 180.0 / (1 << zoom)
     columns = _touched((bounds.west_deg + 180.0) / size_deg, (bounds.east_deg + 180.0) / size_deg, 2 << zoom)
     rows = _touched((bounds.south_deg + 90.0) / size_deg, (bounds.north_deg + 90.0) / size_deg, 1 << zoom)

@@ -1,4 +1,4 @@
-"""Tiles of online sources that were seen, kept on the disk up to a size, those seen longest ago out first.
+"""A disk cache of online tiles with a limited size; the tiles used longest ago are deleted first.
 
 Called from one thread at a time.
 """
@@ -14,9 +14,9 @@ from typing import Final, NamedTuple
 Key = tuple[str, int, int, int]
 """Source, zoom, column, row."""
 
-# When a tile was seen is written down this seldom: looking at a map is no reason to wear out a card.
+# Update a tile's time of last use at most this often, to spare a flash card from writes.
 _SEEN_EVERY_S: Final = 3600.0
-# A little more goes than must, so that not every new tile needs another to go.
+# Trim to below the limit, so that not every new tile causes another deletion.
 _KEPT_SHARE: Final = 0.95
 _WHERE: Final = "source = ? AND zoom = ? AND tile_column = ? AND tile_row = ?"
 _SCHEMA: Final = """
@@ -33,7 +33,7 @@ CREATE INDEX IF NOT EXISTS by_seen ON tiles (seen_s, size);
 
 
 class Kept(NamedTuple):
-    """One tile as it came; no bytes: the source said that there is none. Times are Unix seconds."""
+    """One tile as received; empty data: the source has no such tile. Times are Unix seconds."""
 
     data: bytes
     etag: str | None
@@ -41,10 +41,10 @@ class Kept(NamedTuple):
 
 
 class TileCache:
-    """One SQLite file. One that is damaged is begun anew: all of it can be fetched again."""
+    """One SQLite file. A damaged one is deleted and created anew, for all tiles can be fetched again."""
 
     def __init__(self, path: Path, now_s: Callable[[], float]) -> None:
-        """Raises OSError, sqlite3.Error where there can be none."""
+        """Open or create the file. Raises OSError or sqlite3.Error if that fails."""
         self._path = path
         self._now_s = now_s
         path.parent.mkdir(parents=True, exist_ok=True)
@@ -55,7 +55,7 @@ class TileCache:
             self._open()
 
     def get(self, key: Key) -> Kept | None:
-        """A kept tile, however old. Raises sqlite3.Error."""
+        """A cached tile, even an expired one. Raises sqlite3.Error."""
         found = self._file.execute(f"SELECT data, etag, expires_s, seen_s FROM tiles WHERE {_WHERE}", key).fetchone()  # noqa: S608
         if found is None:
             return None
@@ -66,7 +66,7 @@ class TileCache:
         return Kept(data, etag, expires_s)
 
     def put(self, key: Key, tile: Kept, limit_bytes: int) -> None:
-        """Keep a tile in place of its former self. Raises sqlite3.Error."""
+        """Store a tile, in place of an older one with the same key. Raises sqlite3.Error."""
         before = self._file.execute(f"SELECT size FROM tiles WHERE {_WHERE}", key).fetchone()  # noqa: S608
         values = (*key, len(tile.data), tile.etag, tile.expires_s, self._now_s(), tile.data)
         self._file.execute("INSERT OR REPLACE INTO tiles VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)", values)
@@ -74,7 +74,7 @@ class TileCache:
         self.trim(limit_bytes)
 
     def trim(self, limit_bytes: int) -> None:
-        """Let the tiles go that were seen longest ago, until the others fit. Raises sqlite3.Error."""
+        """Delete the tiles used longest ago until the rest fits. Raises sqlite3.Error."""
         if self.size_bytes <= limit_bytes:
             return
         while self.size_bytes > limit_bytes * _KEPT_SHARE:
@@ -86,12 +86,12 @@ class TileCache:
             self.size_bytes -= found[1]
 
     def clear(self) -> None:
-        """Forget all of it. Raises sqlite3.Error."""
+        """Delete all tiles. Raises sqlite3.Error."""
         self._file.execute("DELETE FROM tiles")
         self.size_bytes = 0
 
     def close(self) -> None:
-        """Let the file go."""
+        """Close the file."""
         self._file.close()
 
     def _open(self) -> None:

@@ -27,7 +27,7 @@ _MEDIA_TYPES: Final[dict[Format, str]] = {
     "plan": "application/octet-stream",
 }
 _FILE: Final[dict[str, Any]] = {"schema": {"type": "string", "format": "binary"}}
-# What a file's name may not hold on one of the systems.
+# Characters that some operating system forbids in file names.
 _FORBIDDEN_IN_NAMES: Final = frozenset('/\\:*?"<>|')
 
 FileName = Annotated[str, Query(min_length=1, max_length=255, description="The file's name, for the sentences.")]
@@ -67,7 +67,7 @@ async def export_mission(body: MissionExport, format: Format) -> Response:  # no
 )
 async def import_mission(request: Request, name: FileName) -> MissionImport:
     """Read a KML, KMZ, GPX, CSV or .plan file, whole or not at all; what it is, its content says."""
-    # The largest file is a second of work: the board and the simulator do not wait for it.
+    # In a thread: the largest file takes a second, and the stream must not wait for it.
     found = await asyncio.to_thread(read_mission_file, plain(name), await request.body())
     return MissionImport(
         format=found.format,

@@ -12,7 +12,7 @@ _PIECE: Final = 256 * 1024
 
 
 class Growing(NamedTuple):
-    """The recording that is being written: its file's name, and up to which byte its records are whole."""
+    """The recording being written: its file name, and the number of bytes that are complete records."""
 
     file: str
     whole: int
@@ -20,7 +20,7 @@ class Growing(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Recording:
-    """One file as it was when it was looked at. `started_s` is Unix time."""
+    """One file at the time of listing. `started_s` is Unix time."""
 
     path: Path
     started_s: float
@@ -28,7 +28,7 @@ class Recording:
     active: bool
 
     def pieces(self) -> Iterator[bytes]:
-        """The first `size` bytes, however much is written behind them meanwhile. Blocks: for a thread."""
+        """The first `size` bytes, without what is appended meanwhile. Blocks: call it in a thread."""
         left = self.size
         with self.path.open("rb") as file:
             while left > 0 and (piece := file.read(min(left, _PIECE))):
@@ -37,7 +37,7 @@ class Recording:
 
 
 class RecordingFolder:
-    """`growing` tells what is being written now. Every call looks at the disk: for a thread."""
+    """`growing` gives the recording being written. Every call reads the disk: call it in a thread."""
 
     def __init__(self, path: Path, growing: Callable[[], Growing | None]) -> None:
         self._path = path
@@ -49,7 +49,7 @@ class RecordingFolder:
         return [found for file in files if (found := self._look(file)) is not None]
 
     def find(self, name: str) -> Recording | None:
-        """The recording of this name; None where it is gone, or where it is none of ours."""
+        """The recording of this name; None if it does not exist, or if its name is not one we give."""
         return self._look(self._path / f"{name}.mcap")
 
     def _look(self, file: Path) -> Recording | None:

@@ -20,7 +20,7 @@ RecordingId = Annotated[str, Path(pattern=r"^[0-9]{8}T[0-9]{6}Z(-[0-9]{1,4})?$",
 
 
 async def _folder_of(path: RecordingsDirDep, mirror: MirrorDep) -> RecordingFolder:
-    """All that these routes know of the station."""
+    """The only part of the station that these routes use."""
 
     def growing() -> Growing | None:
         recording = mirror.status["recording"]
@@ -62,9 +62,9 @@ async def export_recording(
     found = await _find(recording_id, folder)
     name = f"{recording_id}.{format}"
     if "range" in request.headers:
-        # A part has an end of its own: what is written behind it meanwhile does not matter.
+        # A range has a fixed end, so data appended meanwhile does not matter.
         return FileResponse(found.path, media_type="application/octet-stream", filename=name)
-    # FileResponse says the length first and then sends whatever is there: more than it said, where the file grows.
+    # FileResponse sends Content-Length first and then the whole file: too many bytes if the file grows meanwhile.
     headers = {
         "Content-Length": str(found.size),
         "Content-Disposition": f'attachment; filename="{name}"',

@@ -1,4 +1,4 @@
-"""What the web process knows of itself and of the disk, beside the flight's status."""
+"""Figures of the web process itself and of the disk, in addition to the flight's status."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ class Disk:
 
 @dataclass(frozen=True)
 class WebFigures:
-    """`answers`: how many requests were answered with each status. `refused`: what there was no place for."""
+    """`answers`: number of answers by HTTP status. `refused`: connections and sockets over the limits, by kind."""
 
     answers: Mapping[int, int] = field(default_factory=dict)
     connections: int = 0

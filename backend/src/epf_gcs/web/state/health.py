@@ -7,10 +7,10 @@ from typing import Any, Final, Literal
 from epf_gcs.web.state.figures import Disk, Status
 
 PartState = Literal["ok", "off", "waiting", "failed"]
-"""`off`: nobody asked for it. `waiting`: it was asked for and is about to come. `failed`: it should be there."""
+"""`off`: not requested. `waiting`: requested and not there yet. `failed`: requested, and lost or broken."""
 
 LEAST_FREE_BYTES: Final = 200_000_000
-"""What a day's recordings need."""
+"""Free disk space that a day's recordings need."""
 
 _HEARTBEAT_S: Final = 3.0
 _LINK_STATES: Final[dict[str, PartState]] = {"closed": "off", "opening": "waiting", "open": "ok", "lost": "failed"}

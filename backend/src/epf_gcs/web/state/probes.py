@@ -1,4 +1,4 @@
-"""/health and /metrics: for programs that watch the station, at the places where they look."""
+"""/health and /metrics for monitoring programs, at their customary paths."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _FRESH = {"Cache-Control": "no-store"}
 def probe_router(
     status: Callable[[], Status | None], web: Callable[[], WebFigures], disk: Callable[[], Disk | None]
 ) -> APIRouter:
-    """`status` gives None where the flight process does not answer. Include it before the page."""
+    """`status` returns None if the flight process does not answer. Include this router before the page."""
     router = APIRouter(include_in_schema=False)
 
     @router.get("/health")
@@ -38,7 +38,7 @@ def probe_router(
 
 
 def disk_of(folder: Path) -> Disk | None:
-    """Room on the disk of this folder; None where it is gone."""
+    """Free and total space on the disk of this folder; None if the folder does not exist."""
     try:
         usage = shutil.disk_usage(folder)
     except OSError:

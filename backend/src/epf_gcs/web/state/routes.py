@@ -15,7 +15,7 @@ router = APIRouter(tags=["state"])
 @router.get("/status", response_model=Status, responses=reading_problems())
 async def get_status(status: StatusDep, vehicle: VehicleDep, mirror: MirrorDep) -> Response:
     """The whole state of the station."""
-    # Fresh from the flight where it is there: who has just changed something sees it. Not validated, the tests do that.
+    # Ask the flight process, so that a caller sees its own last change. The answer is validated only in the tests.
     if vehicle.is_connected:
         mirror.learn(await vehicle.request("status"))
     return Response(status.text(), media_type="application/json")

@@ -1,4 +1,4 @@
-"""The whole status: the flight's, and what only the web process knows."""
+"""The whole status: the flight process's, plus version, control and viewers."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from epf_gcs.web.stream.hub import Hub
 
 
 class WholeStatus:
-    """`flight` answers with the flight's part as it was sent last."""
+    """`flight` returns the part that the flight process sent last."""
 
     def __init__(self, flight: Callable[[], dict[str, Any]], control: Control, errors: ErrorLog, hub: Hub) -> None:
         self._loop = asyncio.get_running_loop()
@@ -43,7 +43,7 @@ class WholeStatus:
         return orjson.dumps(self.build())
 
     def changed(self) -> None:
-        """Something in it changed: send it to the viewers soon, once for all changes of this moment."""
+        """Send the status to the viewers in the next turn of the loop, once for all changes until then."""
         if not self._due:
             self._due = True
             self._loop.call_soon(self._send)

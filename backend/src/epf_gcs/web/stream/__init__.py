@@ -1,1 +1,1 @@
-"""The WebSocket stream: newest state and events to any number of viewers."""
+"""The WebSocket stream: the newest state and events for any number of viewers."""

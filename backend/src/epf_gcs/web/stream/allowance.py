@@ -1,10 +1,10 @@
-"""So many in a second on average, and a few more at once."""
+"""A token bucket: a mean rate per second, with short bursts."""
 
 from __future__ import annotations
 
 
 class Allowance:
-    """Told the time. Full when it is made."""
+    """`per_s`: mean rate. `at_once`: largest burst, available from the start."""
 
     def __init__(self, per_s: float, at_once: float) -> None:
         self._per_s = per_s
@@ -13,7 +13,7 @@ class Allowance:
         self._looked_s: float | None = None
 
     def take(self, now_s: float) -> bool:
-        """Take one; False where none is left."""
+        """Take one token at this time (any steady clock, in s); False if none is left."""
         if self._looked_s is not None:
             self._left = min(self._at_once, self._left + (now_s - self._looked_s) * self._per_s)
         self._looked_s = now_s

@@ -38,7 +38,7 @@ _RATE_SENTENCE: Final = f"rate must be 0 (every sample) or 1..{MAX_RATE_HZ} batc
 
 @dataclass(frozen=True, slots=True)
 class StreamParts:
-    """What a conversation needs: the newest state, who may command, the vehicle's stick, and the status."""
+    """The parts that a conversation uses."""
 
     hub: Hub
     control: Control
@@ -49,14 +49,14 @@ class StreamParts:
 
 
 class StreamEndpoint:
-    """Makes a viewer of each browser that may come in. Implements `epf_gcs.web.stream.socket.Endpoint`."""
+    """Makes a viewer for each browser that is accepted. Implements `epf_gcs.web.stream.socket.Endpoint`."""
 
     def __init__(self, parts: StreamParts, access: Access) -> None:
         self._parts = parts
         self._access = access
 
     def check(self, host: str | None, origin: str | None) -> None:
-        """Raise Refusal for a foreign name or page."""
+        """Raise Refusal if Host is not a name of this server, or if the page is another server's."""
         try:
             self._access.check_host(host)
             self._access.check_origin(origin, host)
@@ -65,7 +65,7 @@ class StreamEndpoint:
             raise Refusal(HTTPStatus.FORBIDDEN, error.detail) from error
 
     def open(self, connection: SocketConnection, path: str, query: dict[str, str], peer: str) -> StreamConversation:
-        """Read the address. Raises Refusal where it is another one or the rate is none."""
+        """Read path and query of the URL. Raises Refusal for an unknown path or an invalid rate."""
         if path != STREAM_PATH:
             raise Refusal(HTTPStatus.NOT_FOUND, f"The stream is at {STREAM_PATH}.")
         rate_hz = _read_rate(query.get("rate", str(MAX_RATE_HZ)))
@@ -84,7 +84,7 @@ class StreamEndpoint:
         return StreamConversation(self._parts, connection, client, rate_hz)
 
     def opened(self, conversation: Conversation) -> None:
-        """The handshake is done: greet."""
+        """The handshake is done: send the hello."""
         if isinstance(conversation, StreamConversation):
             conversation.greet()
 
@@ -99,7 +99,7 @@ class StreamConversation:
         self._greeted = False
 
     def greet(self) -> None:
-        """Who it is, what there is, and how everything stands."""
+        """Send the hello: the browser's id and role, the topics and the status."""
         parts = self._parts
         self._greeted = True
         parts.control.connect(self._client)
@@ -130,7 +130,7 @@ class StreamConversation:
             self._parts.hub.serve(self._viewer)
 
     def on_closed(self) -> None:
-        """The browser went."""
+        """The browser disconnected."""
         self._parts.hub.remove(self._viewer)
         if self._greeted:
             self._parts.vehicle.notice("stick_gone", client=self._client.id)
@@ -138,7 +138,7 @@ class StreamConversation:
             self._parts.status.changed()
 
     def _take(self, text: str) -> tuple[ErrorCode, str] | None:
-        """Code and sentence of what is wrong with a message; None where nothing is."""
+        """Handle a message; code and sentence of the error, None if it was valid."""
         try:
             message: Any = orjson.loads(text)
         except orjson.JSONDecodeError:
@@ -156,7 +156,7 @@ class StreamConversation:
             case {"type": "rate"}:
                 return _INVALID, _RATE_SENTENCE
             case {"type": "stick"}:
-                # The flight process counts it, also where it is wrong; only we can answer the sender.
+                # The flight process counts even an invalid sample; only this process can answer the sender.
                 self._parts.vehicle.notice("stick", client=self._client.id, sample=message)
                 return ("stick_invalid", SAMPLE_FAULT) if read_sample(message) is None else None
             case _:

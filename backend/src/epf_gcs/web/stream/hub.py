@@ -12,13 +12,13 @@ import orjson
 from epf_gcs.web.stream.hub_state import HubState
 from epf_gcs.web.stream.viewer import Viewer
 
-# Viewers served in one turn of the event loop. Between turns the loop looks at the board and the simulator, so
-# fifty viewers delay a control frame by the time of a few, not of all.
+# Viewers served in one turn of the event loop. Between turns the loop handles all other input, so that fifty viewers
+# delay it by the time of a few, not of all.
 _VIEWERS_PER_TURN: Final = 4
 
 
 class _Pacer:
-    """All viewers of one rate: their batches leave together, at most `rate_hz` times a second."""
+    """All viewers with the same rate: their batches are sent together, at most `rate_hz` times a second."""
 
     def __init__(self, rate_hz: int) -> None:
         self.period_s = 1.0 / rate_hz
@@ -41,11 +41,11 @@ class Hub:
 
     @property
     def viewers(self) -> list[Viewer]:
-        """Everybody on the stream."""
+        """All viewers on the stream."""
         return [*self._every_sample, *(viewer for pacer in self._pacers.values() for viewer in pacer.viewers)]
 
     def flush(self) -> None:
-        """Send what is new to those whose turn it is, and set a timer for the others."""
+        """Send new samples to the viewers that are due, and set a timer for the others."""
         if self._every_sample:
             self._send(self._every_sample)
         if self._pacers:
@@ -60,11 +60,11 @@ class Hub:
                     self._loop.call_at(pacer.due_s, self._timer, pacer)
 
     def event(self, kind: str, data: dict[str, Any]) -> None:
-        """Something happened in the web process that every viewer should hear of."""
+        """Send an event of the web process to every viewer."""
         self.send_event(self.event_text(kind, data))
 
     def send_event(self, text: bytes) -> None:
-        """An event that is text already."""
+        """Send an event that is JSON text already to every viewer."""
         for viewer in self.viewers:
             viewer.offer_event(text)
             self.serve(viewer)
@@ -74,13 +74,13 @@ class Hub:
         return orjson.dumps({"type": "event", "event": kind, "t_s": self._now_s(), "data": data})
 
     def status(self, text: bytes) -> None:
-        """The newest status, for everybody."""
+        """Send the newest status to every viewer."""
         for viewer in self.viewers:
             viewer.offer_status(text)
             self.serve(viewer)
 
     def add(self, viewer: Viewer) -> None:
-        """A viewer begins with the newest sample of every topic."""
+        """Add a viewer; it gets the newest sample of every topic first."""
         if viewer.rate_hz:
             self._pacers.setdefault(viewer.rate_hz, _Pacer(viewer.rate_hz)).viewers.append(viewer)
         else:
@@ -107,7 +107,7 @@ class Hub:
         self.add(viewer)
 
     def serve(self, viewer: Viewer) -> None:
-        """Put a viewer in the queue of those to be sent to."""
+        """Queue a viewer for sending."""
         if not viewer.queued:
             viewer.queued = True
             self._queue.append(viewer)
@@ -120,12 +120,12 @@ class Hub:
         self._release(pacer, self._loop.time())
 
     def _release(self, pacer: _Pacer, now: float) -> None:
-        # From a fixed grid, so that the mean rate is the rate asked for; after a pause the grid starts again.
+        # Due times lie on a fixed grid, so that the mean rate is exact; after a pause the grid starts anew.
         pacer.due_s = max(pacer.due_s + pacer.period_s, now + 0.5 * pacer.period_s)
         self._send(pacer.viewers)
 
     def _send(self, viewers: list[Viewer]) -> None:
-        # The first goes at once, for the shortest way from the board to a lone browser.
+        # The first is sent at once, for the shortest delay to a single browser.
         for place, viewer in enumerate(viewers):
             if place == 0:
                 viewer.flush()

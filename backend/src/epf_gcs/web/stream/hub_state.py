@@ -10,7 +10,7 @@ from typing import Any, Final
 
 import orjson
 
-# Half a second of the fastest line. A viewer of every sample that is further behind is told how many it missed.
+# Half a second of the fastest line. A viewer of every sample that is further behind gets the number it missed.
 _LOG_SAMPLES: Final = 256
 
 Values = Mapping[str, Any]
@@ -27,7 +27,7 @@ class Newest:
 
     @property
     def values(self) -> Values:
-        """The values, read from the text once somebody needs them."""
+        """The values, parsed from the text at the first use."""
         if self._values is None:
             values: Values = orjson.loads(self.text)["values"]
             self._values = values
@@ -36,7 +36,7 @@ class Newest:
 
 
 class HubState:
-    """Counts every sample with a version, so that each viewer knows by one number what it has seen."""
+    """Numbers every sample with a version, so that one number tells what a viewer has been sent."""
 
     def __init__(self) -> None:
         self.version = 0
@@ -47,7 +47,7 @@ class HubState:
         self._bodies: dict[int, bytes] = {}
 
     def put(self, topic: str, t_s: float, text: bytes) -> Newest:
-        """Take a new sample; the old one of this topic is forgotten."""
+        """Take a new sample, in place of the topic's old one."""
         self.version += 1
         sample = Newest(t_s, text, self.version)
         self._newest[topic] = sample
@@ -59,12 +59,12 @@ class HubState:
         return sample
 
     def drop_log(self) -> None:
-        """Nobody wants every sample any more."""
+        """Stop keeping every sample: no viewer wants them."""
         self.keep_all = False
         self._log.clear()
 
     def samples(self) -> Mapping[str, Newest]:
-        """All topics heard so far."""
+        """The newest sample of each topic received so far."""
         return self._newest
 
     def changed_since(self, version: int) -> bytes:
@@ -76,7 +76,7 @@ class HubState:
         return body
 
     def every_since(self, version: int) -> tuple[bytes, int]:
-        """JSON of every sample after `version`, and how many more there were than are still kept."""
+        """JSON of every sample after `version` that is still kept, and the number of those that are not."""
         wanted = self.version - version
         kept = len(self._log)
         if wanted == 1 and kept:

@@ -27,12 +27,12 @@ _MAX_MESSAGE_BYTES: Final = 16384
 _KEEPALIVE_S: Final = 10.0
 _GONE: Final = 1012  # service restart: the page tries again
 PINGS_PER_S: Final = 20
-"""Control frames that a browser may send; its own answers to our pings are one in ten seconds."""
+"""Largest rate of a browser's control frames; its pongs to our pings are one in ten seconds."""
 MESSAGES_PER_S: Final = 1000
-"""Acknowledgements of every sample, and a stick, are well below."""
+"""Largest rate of a browser's messages; acknowledgements of every sample and a stick are well below."""
 _TOO_MUCH: Final = 1008  # policy violation
 BYTES_PER_TURN: Final = 1024
-"""Of one connection, looked at in one turn of the loop: not two hundred frames at the most."""
+"""Bytes of one connection handled in one turn of the loop: fewer than two hundred frames."""
 _LAST_WORDS_S: Final = 2.0
 
 
@@ -46,7 +46,7 @@ class Refusal(Exception):  # noqa: N818 - an answer to the handshake, not a faul
 
 
 class Conversation(Protocol):
-    """What happens on an open connection; made by the endpoint."""
+    """The handler of an open connection; constructed by the endpoint."""
 
     def on_text(self, text: str) -> None:
         """A message of the browser."""
@@ -59,13 +59,13 @@ class Endpoint(Protocol):
     """Answers a handshake."""
 
     def open(self, connection: SocketConnection, path: str, query: dict[str, str], peer: str) -> Conversation:
-        """Begin a conversation; greet by `connection.send` only after this returned. Raises Refusal."""
+        """Begin a conversation; `connection.send` works only after this returned. Raises Refusal."""
 
     def opened(self, conversation: Conversation) -> None:
         """The handshake is done."""
 
     def check(self, host: str | None, origin: str | None) -> None:
-        """Raise Refusal where this host or origin may not connect."""
+        """Raise Refusal if this host or origin may not connect."""
 
 
 class SocketConnection(asyncio.Protocol):
@@ -85,7 +85,7 @@ class SocketConnection(asyncio.Protocol):
         self._keepalive: asyncio.TimerHandle | None = None
         self._heard = True
         self._fragments: list[bytes] = []
-        # What came and was not looked at yet; while there is any, nothing more is read.
+        # Bytes received and not handled yet; reading pauses until it is empty.
         self._pending = b""
         self._given_up = False
         self._pings = Allowance(PINGS_PER_S, 2 * PINGS_PER_S)
@@ -98,7 +98,7 @@ class SocketConnection(asyncio.Protocol):
         self._connections.add(cast(Any, self))
 
     def data_received(self, data: bytes) -> None:
-        """Bytes of the browser: first the handshake, then frames."""
+        """Take bytes from the browser: first the handshake, then frames."""
         self._heard = True
         if self._given_up:
             return
@@ -133,7 +133,7 @@ class SocketConnection(asyncio.Protocol):
             conversation.on_closed()
 
     def shutdown(self) -> None:
-        """The server stops."""
+        """Close because the server stops."""
         if self._transport is not None:
             if self._is_open:
                 self._protocol.send_close(_GONE)
@@ -149,15 +149,15 @@ class SocketConnection(asyncio.Protocol):
             data = text_header(len(messages[0])) + messages[0]
         else:
             data = b"".join([text_header(len(text)) + text for text in messages])
-        # The transport would send at the end of the loop's turn; straight to the socket is a tenth of a
-        # millisecond sooner on a busy machine. What the system does not take at once is the transport's.
+        # The transport would send at the end of the loop's turn; writing to the socket directly is 0.1 ms sooner on
+        # a busy machine. What the system does not take at once goes to the transport.
         if self._transport.get_write_buffer_size() == 0:
             try:
                 written = os.write(self._fd, data)
             except BlockingIOError:
                 written = 0
             except OSError:
-                return  # the transport notices too, and tells us by connection_lost
+                return  # the transport notices too, and calls connection_lost
             if written == len(data):
                 return
             data = data[written:]
@@ -168,7 +168,7 @@ class SocketConnection(asyncio.Protocol):
         return 0 if self._transport is None else self._transport.get_write_buffer_size()
 
     def _work_on(self) -> None:
-        """One turn's share of what is pending; the rest has its turn after everybody else's."""
+        """Handle one turn's share of the pending bytes; the rest waits for the loop's next turn."""
         transport = self._transport
         piece, self._pending = self._pending[:BYTES_PER_TURN], self._pending[BYTES_PER_TURN:]
         if transport is None or not piece:
@@ -179,7 +179,7 @@ class SocketConnection(asyncio.Protocol):
             return
         if self._pending:
             self._loop.call_soon(self._work_on)
-        else:  # also after the last words: what still comes is thrown away
+        else:  # also after giving up: later bytes are discarded
             transport.resume_reading()
 
     def _work(self) -> None:
@@ -229,7 +229,7 @@ class SocketConnection(asyncio.Protocol):
         self._endpoint.opened(conversation)
 
     def _take_frame(self, frame: Frame) -> None:
-        """Messages go to the conversation; of any kind of frame there is only so much in a second."""
+        """Pass messages to the conversation; give the connection up if frames come faster than allowed."""
         is_message = frame.opcode in (Opcode.TEXT, Opcode.CONT, Opcode.BINARY)
         if self._given_up:
             return
@@ -244,7 +244,7 @@ class SocketConnection(asyncio.Protocol):
                     self._conversation.on_text(data.decode("utf-8", "replace"))
 
     def _give_up(self) -> None:
-        """Say why, and look at nothing more; closing at once would lose the words on their way."""
+        """Send the reason, ignore further input, and close later: closing at once could lose the reason on its way."""
         self._given_up = True
         self._pending = b""
         self._protocol.fail(_TOO_MUCH, "more frames than this station takes")
@@ -252,7 +252,7 @@ class SocketConnection(asyncio.Protocol):
             self._loop.call_later(_LAST_WORDS_S, self._transport.abort)
 
     def _check_alive(self) -> None:
-        """A browser that answers nothing for two rounds is gone, whatever the network says."""
+        """Close the connection if nothing arrived since the last ping; else ping again."""
         if self._transport is None:
             return
         if not self._heard:
@@ -266,7 +266,7 @@ class SocketConnection(asyncio.Protocol):
 
 
 def _parts(address: str) -> SplitResult:
-    """Path and query. Raises Refusal where it is no address."""
+    """Path and query. Raises Refusal if this is not a URL."""
     try:
         return urlsplit(address)
     except ValueError as error:
@@ -274,11 +274,11 @@ def _parts(address: str) -> SplitResult:
 
 
 def _nothing() -> None:
-    """Nobody waits for the end."""
+    """Default for `on_lost`: do nothing."""
 
 
 def _only(headers: Headers, name: str) -> str | None:
-    """The value of a header that may stand there once; of one that is repeated, something that is no value."""
+    """The value of a header; a repeated one gives its values joined, which is never a valid value."""
     values = headers.get_all(name)
     return None if not values else ",".join(values)
 

@@ -1,4 +1,4 @@
-"""One browser on the stream: what it has, what it is owed, and what it missed."""
+"""One browser on the stream: what it was sent, what is still to be sent, and what it missed."""
 
 from __future__ import annotations
 
@@ -7,10 +7,10 @@ from typing import Final, Protocol
 
 from epf_gcs.web.stream.hub_state import HubState
 
-# A batch is under way until the browser says that it has shown it. With four of them a browser 60 ms away still
-# gets 60 a second; a browser that stopped has four, and the newest state at once when it goes on.
+# A batch is under way until the browser acknowledges that it was shown. With four of them a browser 60 ms away
+# still gets 60 a second; a stalled browser has four pending, and gets the newest state as soon as it resumes.
 MAX_UNDER_WAY: Final = 4
-# Enough for the events of a mission upload; a browser that is further behind is told how many it missed.
+# Enough for the events of a mission upload; a browser that is further behind gets the number it missed.
 _MAX_EVENTS: Final = 256
 _MAX_UNSENT_BYTES: Final = 262144
 MAX_RATE_HZ: Final = 60
@@ -27,7 +27,7 @@ class Outlet(Protocol):
 
 
 class Viewer:
-    """Latest wins for state, a bounded queue for events, and never more than a few batches under way.
+    """Sends the newest state, events from a bounded queue, and never more than a few batches ahead.
 
     `rate_hz` 0 means every sample as it arrives.
     """
@@ -49,22 +49,22 @@ class Viewer:
         self.queued = False
 
     def greet(self, hello: bytes) -> None:
-        """The first message."""
+        """Send the first message."""
         self._outlet.send([hello])
 
     def offer_event(self, event: bytes) -> None:
-        """An event that should arrive; the oldest gives way, counted, where the browser does not keep up."""
+        """Queue an event; if the queue is full, drop and count the oldest."""
         if len(self._events) >= _MAX_EVENTS:
             self._events.popleft()
             self._missed_events += 1
         self._events.append(event)
 
     def offer_status(self, status: bytes) -> None:
-        """The newest status takes the place of one that was not sent yet."""
+        """Queue the status, in place of an older one that was not sent yet."""
         self._status = status
 
     def acknowledge(self, seq: int) -> bool:
-        """The browser has shown this batch and all before it. False: it was never sent."""
+        """The browser has shown this batch and all before it. False if the number is not one of a batch under way."""
         if not self._acknowledged <= seq <= self._seq:
             return False
         self._acknowledged = seq
@@ -72,11 +72,11 @@ class Viewer:
 
     @property
     def blocked(self) -> bool:
-        """As much is under way as may be."""
+        """Whether the limit of batches or bytes under way is reached."""
         return self._seq - self._acknowledged >= MAX_UNDER_WAY or self._outlet.unsent_bytes() > _MAX_UNSENT_BYTES
 
     def flush(self) -> None:
-        """Send what is owed, or note that it had to wait."""
+        """Send everything pending, or mark the viewer as waiting while it is blocked."""
         if self._seq != self._acknowledged and self.blocked:
             self.waiting = True
             if self.rate_hz and self._version != self._state.version:
@@ -97,7 +97,7 @@ class Viewer:
                 body = self._state.changed_since(since)
             else:
                 body, missed = self._state.every_since(since)
-        # Events and status count as under way through the batch that follows them, an empty one if need be.
+        # Events and status have no numbers: the batch after them, empty if need be, makes them acknowledged.
         if body or messages:
             self._seq += 1
             messages.append(

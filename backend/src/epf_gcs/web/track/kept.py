@@ -1,4 +1,4 @@
-"""A flown track on the disk, so that it is there again after the web process or the computer started anew."""
+"""A flown track on the disk, so that it survives a restart of the web process or of the computer."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ from epf_gcs.web.track.track import ATTITUDE, MAX_POINTS, POINT, Track
 _MAGIC: Final = b"EPK1"
 _HEADER: Final = struct.Struct("<4sId")
 _RECORD: Final = POINT.itemsize + ATTITUDE.itemsize
-# A track of another day is no longer this flight's: it stays in its recording.
+# An older track belongs to another flight and is not restored; that flight's recording still has it.
 _LASTS_S: Final = 6 * 3600.0
 
 
 @dataclass(slots=True)
 class _Written:
-    """What the file holds: the first `points` of the track with this epoch."""
+    """State of the file: it holds the first `points` points of the track with this epoch."""
 
     epoch: int
     points: int
@@ -38,7 +38,7 @@ class KeptTrack:
         self._written: _Written | None = None
 
     def load(self, now_s: float, epoch: int) -> Track | None:
-        """The track as it was; None where there is none of the last hours. A torn last record is left out."""
+        """The saved track; None if there is none of the last hours. An incomplete last record is ignored."""
         try:
             data = self._path.read_bytes()
         except OSError:
@@ -57,7 +57,7 @@ class KeptTrack:
         return track
 
     def save(self, epoch: int, t0_s: float, total: int, points: bytes, attitudes: bytes, first: int) -> None:
-        """Write the points from index `first` on, behind those before them. Raises OSError."""
+        """Write the points from index `first` on; those before are in the file already. Raises OSError."""
         count = total - first
         records = np.empty((count, _RECORD), np.uint8)
         records[:, : POINT.itemsize] = np.frombuffer(points, np.uint8).reshape(count, POINT.itemsize)
@@ -77,6 +77,6 @@ class KeptTrack:
         self._written = _Written(epoch, total)
 
     def first_unwritten(self, track: Track) -> int:
-        """Index of the first point that the file does not hold; 0 where it holds another track."""
+        """Index of the first point that the file does not hold; 0 if it holds another track."""
         written = self._written
         return written.points if written is not None and written.epoch == track.epoch else 0

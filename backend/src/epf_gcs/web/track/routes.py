@@ -28,7 +28,7 @@ from epf_gcs.web.track.tracks import Tracks
 
 router = APIRouter(tags=["track"])
 
-# Each piece costs the event loop a turn, and each is made by a thread.
+# Size of each piece of the answer: each costs a turn of the event loop and is made in a thread.
 _PIECE_BYTES: Final = 65536
 _MODEL_IN_KMZ: Final = "models/aircraft.dae"
 _FLIGHT_COLOUR: Final = (255, 255, 0, 255)
@@ -70,7 +70,7 @@ async def get_track_points(
     total = len(track)
     first = after if after <= total and epoch in (None, track.epoch) else 0
     header = points_header(epoch=track.epoch, first=first, count=total - first, total=total, t0_s=track.t0_s)
-    # Blocks never change again: the answer is what is there now, sent while the flight goes on.
+    # Blocks are immutable: the answer is the track as of now, even if it grows while it is sent.
     pieces = [header, *(block.points for block in track.blocks(first))]
     length = HEADER_BYTES + (total - first) * POINT.itemsize
     return StreamingResponse(iter(pieces), media_type=MEDIA_TYPE, headers={"Content-Length": str(length)})
@@ -154,7 +154,7 @@ def _drawn(name: str, lines: Sequence[Line]) -> NamedTrack:
 
 
 def _at_the_end(name: str, line: Line) -> Aircraft:
-    """Where the line ends, with the attitude of that moment where it is known."""
+    """The aircraft at the end of the line, with its attitude there if known."""
     _, latitude_deg, longitude_deg, altitude_m, heading_deg, pitch_deg, roll_deg = (
         float(column[0]) for column in line.last()
     )
@@ -167,7 +167,7 @@ def _title(words: Words) -> str:
 
 
 def _streamed(pieces: Iterator[bytes], media_type: str, name: str, extension: str) -> StreamingResponse:
-    """A file that is written while it is sent. Each piece is made by a thread: the control frames do not wait."""
+    """A file generated while it is sent. Each piece is made in a thread, so that the event loop does not wait."""
     headers = {"Content-Disposition": attachment(name, extension)}
     return StreamingResponse(_gathered(pieces), media_type=media_type, headers=headers)
 

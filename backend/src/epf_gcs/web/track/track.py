@@ -1,7 +1,7 @@
-"""Where an aircraft has been: every new position with its attitude, in bounded memory, for as long as it flies.
+"""The path an aircraft has flown: every new position with its attitude, for any length of flight in bounded memory.
 
-Points are packed as they go out: readers take whole blocks that never change again, and nothing is copied or formatted
-where the control frames pass.
+Points are stored in the format in which they are sent: readers share immutable blocks, and the event loop copies and
+formats nothing.
 """
 
 from __future__ import annotations
@@ -14,8 +14,8 @@ from typing import Final, NamedTuple
 import numpy as np
 
 MAX_POINTS: Final = 720_000
-"""Four hours of a simulator's 50 Hz. Beyond it the older half keeps every second point, again and again: the newest
-360,000 are always all there."""
+"""Four hours of a simulator's 50 Hz. Each time the limit is reached, every second point of the older half is dropped;
+the newest 360,000 points are always complete."""
 
 Position = tuple[float, float, float]
 """Latitude and longitude in degrees, altitude in metres above mean sea level."""
@@ -25,11 +25,11 @@ Attitude = tuple[float, float, float]
 POINT: Final = np.dtype(
     [("t_ms", "<u4"), ("latitude_1e7deg", "<i4"), ("longitude_1e7deg", "<i4"), ("altitude_mm", "<i4")]
 )
-"""One point: milliseconds since the track's `t0_s`, and where. 1e-7 deg is a centimetre."""
+"""One point: milliseconds since the track's `t0_s`, and the position. 1e-7 deg is about a centimetre."""
 ATTITUDE: Final = np.dtype([("heading_cdeg", "<u2"), ("pitch_cdeg", "<i2"), ("roll_cdeg", "<i2")])
-"""Its attitude in hundredths of a degree."""
+"""A point's attitude in hundredths of a degree; axes and signs as in `Attitude`."""
 UNKNOWN_HEADING: Final = 0xFFFF
-"""In place of a heading where the attitude was not live."""
+"""The heading of a point whose attitude is unknown because its data was stale."""
 
 _POINT: Final = struct.Struct("<Iiii")
 _ATTITUDE: Final = struct.Struct("<Hhh")
@@ -38,7 +38,7 @@ _BLOCK_POINTS: Final = 4096
 _MAX_U32: Final = 0xFFFFFFFF
 _MAX_I32: Final = 0x7FFFFFFF
 
-# Further apart than this and nobody knows what was between: another route was loaded, or the receiver was lost.
+# A longer gap between two points interrupts the track: another route was loaded, or the receiver lost its fix.
 _LONGEST_GAP_S: Final = 10.0
 _FASTEST_M_S: Final = 350.0
 _LEAST_JUMP_M: Final = 100.0
@@ -46,17 +46,17 @@ _M_PER_DEG: Final = 111_195.0
 
 
 class Block(NamedTuple):
-    """Points that follow each other, and their attitudes."""
+    """Consecutive points and their attitudes, packed."""
 
     points: bytes
     attitudes: bytes
 
 
 class Track:
-    """Positions in the order of time, in pieces where it was interrupted.
+    """Positions in the order of time, in several pieces if the track was interrupted.
 
-    `t0_s`: the Unix time from which its points count. `epoch`: another number each time that points which were given
-    out are no longer as they were; who reads on by indices begins anew then.
+    `t0_s`: the Unix time that the points' times count from. `epoch` changes whenever points that readers may already
+    have are changed or renumbered; a reader that continues by index must then start over.
     """
 
     def __init__(
@@ -77,7 +77,7 @@ class Track:
         return len(self._sealed) * self.block_points + len(self._points) // POINT.itemsize
 
     def add(self, t_s: float, position: Position, attitude: Attitude | None = None) -> None:
-        """The aircraft was here at this Unix time; the same place again is no new point."""
+        """Add a position at this Unix time; an unchanged position adds no point."""
         last = self._last
         if last is not None and position == last[1]:
             return
@@ -96,7 +96,7 @@ class Track:
             self._seal()
 
     def append(self, later: Track) -> None:
-        """What was flown after all of this, as a piece of its own."""
+        """Append a later track, as a separate piece."""
         before = len(self)
         shift_ms = round((later.t0_s - self.t0_s) * 1000.0)
         for block in later.blocks():
@@ -111,7 +111,7 @@ class Track:
         self._changed()
 
     def restore(self, points: bytes, attitudes: bytes) -> None:
-        """Take packed points of an earlier run into an empty track; its pieces are found again by their gaps."""
+        """Load packed points of an earlier run into an empty track; the gaps show where its pieces begin."""
         found = np.frombuffer(points, POINT)
         north_m = np.diff(found["latitude_1e7deg"].astype(np.float64)) * 1e-7 * _M_PER_DEG
         east_deg = (np.diff(found["longitude_1e7deg"].astype(np.float64)) * 1e-7 + 180.0) % 360.0 - 180.0
@@ -135,7 +135,7 @@ class Track:
         )
 
     def blocks(self, after: int = 0) -> list[Block]:
-        """Everything from the point with this index on, as it is now, whatever becomes of the track."""
+        """All points from this index on; the blocks do not change when the track does."""
         whole, rest = divmod(min(max(0, after), len(self)), self.block_points)
         found = [*self._sealed[whole:], Block(bytes(self._points), bytes(self._attitudes))]
         first = found[0]
@@ -143,13 +143,13 @@ class Track:
         return found
 
     def spans(self, since_s: float = -math.inf) -> list[tuple[int, int]]:
-        """First index, and index behind the last, of the points of each piece that is a line, from `since_s` on."""
+        """Start and end index (exclusive) of each piece with at least two points, from `since_s` (Unix time) on."""
         first = self._first_since(since_s)
         spans = [(max(start, first), end) for start, end in pairwise((*self._starts, len(self)))]
         return [(start, end) for start, end in spans if end - start > 1]
 
     def _seal(self) -> None:
-        """The newest points become a block that never changes again."""
+        """Turn the newest points into an immutable block."""
         points, attitudes = self.block_points * POINT.itemsize, self.block_points * ATTITUDE.itemsize
         self._sealed.append(Block(bytes(self._points[:points]), bytes(self._attitudes[:attitudes])))
         del self._points[:points]
@@ -158,7 +158,7 @@ class Track:
             self._thin()
 
     def _thin(self) -> None:
-        """Every second point of the older half goes; whole blocks, for this happens between two control frames."""
+        """Drop every second point of the older half, in whole blocks, for this runs on the event loop."""
         count = len(self._sealed) // 4 * 2
         old, kept = self._sealed[:count], self._sealed[count:]
         self._sealed = [_halved(first, second) for first, second in zip(old[::2], old[1::2], strict=True)] + kept
@@ -171,7 +171,7 @@ class Track:
         self.epoch = (self.epoch + 1) & _MAX_U32
 
     def _first_since(self, since_s: float) -> int:
-        """Index of the first point that is not older."""
+        """Index of the first point at or after `since_s` (Unix time)."""
         since_ms = (since_s - self.t0_s) * 1000.0
         low, high = 0, len(self)
         while low < high:
@@ -205,7 +205,7 @@ def _is_interrupted(last: tuple[float, Position], t_s: float, position: Position
     elapsed_s = t_s - last[0]
     latitude_deg, longitude_deg, _ = last[1]
     north_m = (position[0] - latitude_deg) * _M_PER_DEG
-    # The short way round where the date changes.
+    # The short way across the 180 degree meridian.
     east_deg = (position[1] - longitude_deg + 180.0) % 360.0 - 180.0
     east_m = east_deg * _M_PER_DEG * math.cos(math.radians(latitude_deg))
     moved_m = math.hypot(north_m, east_m)

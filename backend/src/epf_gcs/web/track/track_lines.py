@@ -1,4 +1,4 @@
-"""The unbroken lines of a flown track as they were when they were asked for, unpacked piece by piece by any thread."""
+"""The unbroken lines of a flown track at one moment, unpacked block by block in any thread."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ _DEG: Final = 1e-7
 
 @dataclass(frozen=True, slots=True)
 class Line:
-    """The chosen points of one line, a block at a time as often as it is gone through; nothing in it changes."""
+    """The chosen points of one line, unpacked a block at a time; immutable, and may be iterated repeatedly."""
 
     blocks: list[Block]
     block_points: int
@@ -47,7 +47,7 @@ class Line:
         return self._t_s(self.chosen[0]), self._t_s(self.chosen[-1])
 
     def last(self) -> Samples:
-        """The newest chosen point alone."""
+        """Only the newest chosen point."""
         block, place = divmod(self.chosen[-1], self.block_points)
         return _samples(self.blocks[block], self.t0_s, slice(place, place + 1))
 
@@ -59,7 +59,7 @@ class Line:
 def lines_of(track: Track, most_points: int | None = None, since_s: float = -math.inf) -> list[Line]:
     """Each unbroken line of two points or more, from `since_s` (Unix time) on.
 
-    With `most_points` some are left out evenly, never the newest of a line.
+    With `most_points` the lines are thinned evenly; the newest point of each line always stays.
     """
     spans = track.spans(since_s)
     total = sum(end - start for start, end in spans)
@@ -69,7 +69,7 @@ def lines_of(track: Track, most_points: int | None = None, since_s: float = -mat
 
 
 def _spread(start: int, end: int, step: int) -> range:
-    """Counted back from the newest point, which is the one that is looked at; a line has two at the least."""
+    """Every `step`-th index, counted back from the newest point so that it stays; at least two points."""
     newest_first = range(end - 1, start - 1, -step)
     return newest_first[::-1] if len(newest_first) > 1 else range(start, end, end - 1 - start)
 

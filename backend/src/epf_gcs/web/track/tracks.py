@@ -1,4 +1,4 @@
-"""The flown tracks: of the aircraft by its GPS, and of the simulator's. Drawn, cleared, and brought back."""
+"""The flown tracks, the board's by its GPS and the simulator's: collected, saved, cleared and restored."""
 
 from __future__ import annotations
 
@@ -25,14 +25,14 @@ _SIMULATOR: Final = ("true_heading_deg", "pitch_deg", "roll_deg")
 
 @dataclass(frozen=True, slots=True)
 class Pair:
-    """Both tracks; each only grows."""
+    """The tracks of the board's and of the simulator's aircraft."""
 
     flight: Track
     hil: Track
 
 
 class Tracks:
-    """Listens to the topics with a position. Examples have tracks of their own, which end with them."""
+    """Collects the topics with a position. Emulated data has separate tracks, dropped when the emulation ends."""
 
     def __init__(
         self, mirror: VehicleMirror, hub: Hub, clock: Clock, folder: Path, report: Callable[[GatewayError], None]
@@ -51,14 +51,14 @@ class Tracks:
         mirror.listen("simulator", self._on_simulator)
 
     async def run(self) -> None:
-        """Bring back what was flown in the last hours, then keep what is flown, once a second; for ever."""
+        """Load the saved tracks of the last hours, then save new points once a second, forever."""
         await self._load()
         while True:
             await asyncio.sleep(_SAVE_S)
             await self._save()
 
     async def close(self) -> None:
-        """Keep the rest."""
+        """Save the last points."""
         await self._save()
 
     async def _load(self) -> None:
@@ -72,7 +72,7 @@ class Tracks:
             self._tell()
 
     async def _save(self) -> None:
-        """The thread gets bytes that never change again; the flown tracks alone, examples are nobody's."""
+        """Save the flown tracks, never the emulated ones. The thread gets immutable bytes."""
         for kept, track in zip(self._kept, (self._flown.flight, self._flown.hil), strict=True):
             first, total = kept.first_unwritten(track), len(track)
             if first == total:
@@ -97,16 +97,16 @@ class Tracks:
 
     @property
     def now(self) -> Pair:
-        """What is drawn."""
+        """The tracks to draw: the emulated ones during an emulation, else the flown ones."""
         return self._examples if self._mirror.is_emulated else self._flown
 
     @property
     def can_restore(self) -> bool:
-        """There is a cleared track to bring back."""
+        """Whether there is a cleared track to restore."""
         return self._cleared is not None and not self._mirror.is_emulated
 
     def reset(self) -> None:
-        """Draw anew from now on. The last track that was cleared is kept; recordings are another matter."""
+        """Clear the tracks. The last cleared ones can be restored; recordings are not touched."""
         if self._mirror.is_emulated:
             self._examples = self._new_pair()
         else:
@@ -116,7 +116,7 @@ class Tracks:
         self._tell()
 
     def restore(self) -> None:
-        """The track that was cleared last, and what was flown since. Raises ConflictError where there is none."""
+        """Put the tracks cleared last in front of those flown since. Raises ConflictError if there are none."""
         if self._cleared is None or self._mirror.is_emulated:
             raise ConflictError(
                 "track_not_kept",
@@ -129,7 +129,7 @@ class Tracks:
         self._tell()
 
     def status_changed(self) -> None:
-        """Forget the examples when the emulation is over."""
+        """Drop the emulated tracks when the emulation ends."""
         was, self._was_emulated = self._was_emulated, self._mirror.is_emulated
         if was and not self._was_emulated:
             self._examples = self._new_pair()
@@ -140,7 +140,7 @@ class Tracks:
         return {"flight_points": len(self.now.flight), "hil_points": len(self.now.hil), "can_restore": self.can_restore}
 
     def _on_gps(self, t_s: float, values: Values) -> None:
-        """A receiver without a fix sends its last position, or the Gulf of Guinea."""
+        """Add a GPS position, if it has a fix: without one receivers send the last position, or 0 deg N 0 deg E."""
         if values["valid"] is True and values["fix"]:
             ahrs = self._mirror.newest("ahrs") if self._mirror.is_live("ahrs") else None
             attitude = None if ahrs is None else _attitude(ahrs, _AHRS)
@@ -153,7 +153,7 @@ class Tracks:
         _add(self.now.hil, t_s, values["latitude_deg"], values["longitude_deg"], altitude_m, attitude)
 
     def _new_pair(self) -> Pair:
-        """Tracks that nobody can take for others: their epochs are drawn, also over a restart of the gateway."""
+        """Empty tracks with random epochs, so that readers notice the change even after a restart of the gateway."""
         return Pair(self._new_track(), self._new_track())
 
     def _new_track(self) -> Track:

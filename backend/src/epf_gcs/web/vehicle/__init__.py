@@ -1,1 +1,1 @@
-"""The vehicle as the web process knows it: its newest samples and status, and how to ask it."""
+"""The vehicle as the web process knows it: its newest samples and status."""

@@ -1,4 +1,4 @@
-"""The status while there is no flight process: nothing of it looks live."""
+"""The status while the flight process is missing: nothing in it appears live."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ _TASKS: Final = ("parameters", "fms", "servos")
 
 
 def blank_status() -> dict[str, Any]:
-    """The status before anything was heard of a flight; its shape is `epf_gcs.web.state.schemas.Status`."""
+    """The status before the first contact with a flight process; its shape is `epf_gcs.web.state.schemas.Status`."""
     return {
         "server_time_s": 0.0,
         "board": {
@@ -75,7 +75,7 @@ def blank_status() -> dict[str, Any]:
 
 
 def status_without_flight(last: dict[str, Any], now_s: float, lost_s: float) -> dict[str, Any]:
-    """The last status with everything that the flight process did marked as lost, and an alarm that says why."""
+    """The last status, with everything that depends on the flight process marked as lost, and an alarm saying so."""
     failure = {"code": "flight_away", "detail": _AWAY, "params": {}}
 
     def lost(link: dict[str, Any]) -> dict[str, Any]:

@@ -1,4 +1,4 @@
-"""What the flight process said last, for those who ask; and on to the stream, as it comes."""
+"""The newest samples and status from the flight process, passed on to the stream as they arrive."""
 
 from __future__ import annotations
 
@@ -13,15 +13,15 @@ from epf_gcs.vehicle.outside import Values
 from epf_gcs.web.stream.hub import Hub
 from epf_gcs.web.vehicle.blank import blank_status, status_without_flight
 
-# Topics that arrive when somebody asks have no rate; everything else says in the status from when on it is stale.
+# Age limit of topics that the status gives none for: they arrive only on request and have no rate.
 _UNKNOWN_LASTS_S: Final = 3.0
 
 log = structlog.get_logger("web")
 
 
 class VehicleMirror:
-    """Implements `epf_gcs.bus.station_end.Listener`. `on_change`: the status is another one; `on_here` hears the
-    browser that had control when the flight process comes (or comes back)."""
+    """Implements `epf_gcs.bus.station_end.Listener`. `on_change` is called on a new status; `on_here` when the flight
+    process connects, with the browser that has control according to it, or None."""
 
     def __init__(
         self,
@@ -41,12 +41,12 @@ class VehicleMirror:
         self.is_here = False
 
     def listen(self, topic: str, listener: Callable[[float, Values], None]) -> None:
-        """From now on each sample of this topic is handed to `listener` too, with its Unix time."""
+        """Call `listener` with the Unix time and the values of each sample of this topic."""
         self._listeners[topic] = listener
 
     @property
     def status(self) -> dict[str, Any]:
-        """The status as it was sent last; without the flight process one that says so."""
+        """The status sent last; without the flight process, one that marks everything as lost."""
         if self.is_here and self._status is not None:
             return self._status
         now_s = self._clock.now_s()
@@ -54,7 +54,7 @@ class VehicleMirror:
 
     @property
     def is_emulated(self) -> bool:
-        """What comes now are examples, not a flight."""
+        """Whether the data is emulated and not a flight's."""
         return self.is_here and self._status is not None and bool(self._status["board"]["emulated"])
 
     def newest(self, topic: str) -> Values | None:
@@ -63,7 +63,7 @@ class VehicleMirror:
         return None if sample is None else sample.values
 
     def is_live(self, topic: str) -> bool:
-        """The topic was heard within its time."""
+        """Whether the topic's newest sample is not stale."""
         sample = self._hub.state.samples().get(topic)
         if sample is None or not self.is_here or self._status is None:
             return False
@@ -72,7 +72,7 @@ class VehicleMirror:
         return limit_s is None or self._clock.now_s() - sample.t_s <= limit_s
 
     def on_hello(self, hello: dict[str, Any]) -> None:
-        """The flight process is there."""
+        """The flight process connected."""
         self._clock.follow(int(hello["clock_offset_ns"]))
         self._status = hello["status"]
         was_lost, self._lost_s = self._lost_s is not None, None
@@ -84,31 +84,31 @@ class VehicleMirror:
         self._on_change()
 
     def on_sample(self, sample: Named) -> None:
-        """The newest values of a topic."""
+        """Take a sample of a topic."""
         newest = self._hub.state.put(sample.name, sample.t_s, sample.text)
         listener = self._listeners.get(sample.name)
         if listener is not None:
             listener(sample.t_s, newest.values)
 
     def on_samples_end(self) -> None:
-        """All samples that came together were told."""
+        """A group of samples is complete: send it to the viewers."""
         self._hub.flush()
 
     def on_event(self, event: Named) -> None:
-        """Something happened."""
+        """Pass an event on to the viewers."""
         self._hub.send_event(event.text)
 
     def learn(self, status: dict[str, Any]) -> None:
-        """How everything stands, as somebody was answered."""
+        """Take the status from the answer to a request, without calling `on_change`."""
         self._status = status
 
     def on_status(self, status: dict[str, Any]) -> None:
-        """How everything stands."""
+        """Take a new status."""
         self._status = status
         self._on_change()
 
     def on_lost(self, *, ended: bool) -> None:
-        """The flight process is gone: say it at once."""
+        """The flight process is gone: tell the viewers at once."""
         if not self.is_here:
             return
         self.is_here = False
