@@ -27,11 +27,8 @@ class Kept:
         self.thread = threading.Thread(target=self._run, daemon=True)
 
     def _command(self, program: str) -> list[str]:
-        return [
-            sys.executable,
-            "-c",
-            f"import sys, time\nwith open({str(self.starts)!r}, 'a') as f: f.write('x')\n{program}",
-        ]
+        note = f"with open({str(self.starts)!r}, 'a') as file: file.write('x')"
+        return [sys.executable, "-c", f"import sys, time\n{note}\n{program}"]
 
     def _run(self) -> None:
         self.refusal = self.part.keep_running(self.stopping)
