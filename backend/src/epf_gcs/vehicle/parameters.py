@@ -65,6 +65,15 @@ def as_held(name: str, value: float) -> float:
     return value if BY_NAME[name].is_integer else shortest(single(value))
 
 
+def as_values(name: str, one: Held) -> dict[str, float | str | None]:
+    """Value, state and loaded value of a gain, as the stream and the interface give them."""
+    return {
+        "value": None if one.value is None else shown(name, one.value),
+        "state": one.state,
+        "loaded": None if one.loaded is None else shown(name, one.loaded),
+    }
+
+
 def shown(name: str, value: float) -> float:
     """A value of the board in the shortest decimal form: 0.6, not 0.6000000238418579."""
     return value if BY_NAME[name].is_integer else shortest(value)

@@ -259,13 +259,7 @@ class Parameters:
     def _replace(self, held: Held17) -> None:
         """Take the new state and send the viewers what changed."""
         changed: dict[str, Any] = {
-            name: {
-                "value": None if one.value is None else gains.shown(name, one.value),
-                "state": one.state,
-                "loaded": None if one.loaded is None else gains.shown(name, one.loaded),
-            }
-            for name, one in held.items()
-            if one != self.held[name]
+            name: gains.as_values(name, one) for name, one in held.items() if one != self.held[name]
         }
         self.held = held
         if changed:

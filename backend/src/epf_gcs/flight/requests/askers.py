@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from collections import OrderedDict
-from collections.abc import Awaitable, Callable
 from typing import Any, Final
 
 from epf_gcs.bus.definition import Asker
+from epf_gcs.bus.vehicle_end import Handler
 
 _KEPT: Final = 200
 
-Handler = Callable[[Asker, dict[str, Any]], Awaitable[Any]]
 Table = dict[str, Handler]
 
 

@@ -11,7 +11,7 @@ from epf_gcs.flight.board.missions import Missions
 from epf_gcs.flight.board.parameters import Parameters
 from epf_gcs.flight.requests.askers import Table
 from epf_gcs.vehicle.journal import moves_as_dicts
-from epf_gcs.vehicle.parameters import shown
+from epf_gcs.vehicle.parameters import as_values
 
 
 def parameter_requests(parameters: Parameters) -> Table:
@@ -21,14 +21,7 @@ def parameter_requests(parameters: Parameters) -> Table:
     """
 
     def held() -> dict[str, dict[str, Any]]:
-        return {
-            name: {
-                "value": None if one.value is None else shown(name, one.value),
-                "loaded": None if one.loaded is None else shown(name, one.loaded),
-                "state": one.state,
-            }
-            for name, one in parameters.held.items()
-        }
+        return {name: as_values(name, one) for name, one in parameters.held.items()}
 
     async def read(_: Asker, __: dict[str, Any]) -> dict[str, Any]:
         return held()

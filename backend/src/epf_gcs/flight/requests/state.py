@@ -36,7 +36,7 @@ def alarm_requests(alarms: Alarms) -> Table:
     async def read(_: Asker, __: dict[str, Any]) -> dict[str, Any]:
         return {
             "active": [alarm.as_dict() for alarm in alarms.active],
-            "past": [{**alarm.as_dict(), "until_s": alarm.until_s} for alarm in alarms.past],
+            "past": [alarm.as_dict() for alarm in alarms.past],
         }
 
     async def thresholds(_: Asker, __: dict[str, Any]) -> dict[str, float]:
