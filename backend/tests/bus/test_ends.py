@@ -184,6 +184,7 @@ async def test_a_listener_that_does_not_read_is_let_go_and_costs_bounded_memory(
         vehicle.broadcast.event("console", {"text": "x" * 10_000})
         await asyncio.sleep(0)
     assert not vehicle.broadcast.has_listeners
+    assert vehicle.gone == 1, "a stick that came through it must be let go"
     stopped.close()
     await vehicle.stop()
 

@@ -56,6 +56,12 @@ class Channel:
         self._loop.remove_writer(self._socket)
         self._socket.close()
 
+    def lose(self) -> None:
+        """End the connection as if the other side had gone: `on_closed` is called."""
+        if not self._closed:
+            self.close()
+            self._on_closed()
+
     def _readable(self) -> None:
         try:
             data = self._socket.recv(_READ_BYTES)
@@ -65,9 +71,8 @@ class Channel:
             data = b""
         if data:
             self._on_data(data)
-        elif not self._closed:
-            self.close()
-            self._on_closed()
+        else:
+            self.lose()
 
     def _writable(self) -> None:
         try:

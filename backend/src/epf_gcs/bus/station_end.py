@@ -127,8 +127,7 @@ class StationEnd:
                 self._listener.on_samples_end()
         except BusError:
             if self._channel is not None:
-                self._channel.close()
-            self._on_closed()
+                self._channel.lose()
 
     def _take(self, record: Record) -> None:
         if record.kind == Kind.EVENT:

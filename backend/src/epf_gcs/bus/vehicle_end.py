@@ -88,8 +88,7 @@ class Broadcast:
     def _send(self, data: bytes) -> None:
         for channel in tuple(self._channels):
             if channel.unsent_bytes > _MOST_UNSENT:
-                self.remove(channel)
-                channel.close()
+                channel.lose()
             else:
                 channel.send(data)
 
@@ -187,8 +186,7 @@ class _Conversation:
                 self._take(record)
         except BusError as error:
             log.warning("a listener does not speak the stream and was let go", reason=str(error))
-            self._channel.close()
-            self._on_closed()
+            self._channel.lose()
 
     def _take(self, record: Record) -> None:
         if record.kind == Kind.NOTICE:
