@@ -34,7 +34,7 @@ MODULES: Final[dict[str, tuple[str, ...]]] = {
     "flight/board/acknowledgements.py": ("tests/flight/board/test_commands.py",),
     "flight/hil/stick.py": ("tests/web/test_stick.py", "tests/flight/hil"),
     "flight/hil/hil.py": ("tests/flight/hil",),
-    "flight/recording/mcap_file.py": ("tests/flight/recording",),
+    "recordings/mcap_file.py": ("tests/recordings", "tests/flight/recording"),
     "vehicle/alarms.py": ("tests/vehicle",),
     "vehicle/judges.py": ("tests/vehicle",),
     "vehicle/proof.py": ("tests/vehicle",),

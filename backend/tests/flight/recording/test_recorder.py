@@ -17,7 +17,8 @@ from mcap.records import Message, Metadata
 from mcap.stream_reader import StreamReader
 
 from epf_gcs.clock import Clock
-from epf_gcs.flight.recording.recorder import TOPICS, Recorder
+from epf_gcs.flight.recording.recorder import Recorder
+from epf_gcs.recordings.topics import TOPICS
 from tests.support.waiting import eventually
 
 

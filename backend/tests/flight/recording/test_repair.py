@@ -13,8 +13,8 @@ from mcap.reader import make_reader
 from mcap.records import Message, Metadata
 from mcap.stream_reader import StreamReader
 
-from epf_gcs.flight.recording.mcap_file import Tally, closing, data_end, message_record, metadata_record, opening
 from epf_gcs.flight.recording.repair import BeyondRepairError, recordings_in, repair, repair_all
+from epf_gcs.recordings.mcap_file import Tally, closing, data_end, message_record, metadata_record, opening
 
 TOPICS = {1: "board/received", 2: "board/sent"}
 NAME = "20260101T000000Z.mcap"

@@ -9,7 +9,7 @@ import pytest
 from mcap.records import Message
 from mcap.stream_reader import StreamReader
 
-from epf_gcs.flight.recording.mcap_file import Tally, closing, data_end
+from epf_gcs.recordings.mcap_file import Tally, closing, data_end
 from tests.support.fake_board import FakeBoard
 from tests.support.gateway import Gateway
 from tests.support.waiting import eventually

@@ -19,20 +19,10 @@ from typing import Final
 
 from epf_gcs.clock import Clock
 from epf_gcs.flight.flight_log import say
-from epf_gcs.flight.recording.mcap_file import message_record, metadata_record
 from epf_gcs.flight.recording.recording_file import RecordingFile
 from epf_gcs.flight.recording.repair import recordings_in, repair_all
-
-BOARD_RECEIVED: Final = 1
-BOARD_SENT: Final = 2
-SIMULATOR_RECEIVED: Final = 3
-SIMULATOR_SENT: Final = 4
-TOPICS: Final = {
-    BOARD_RECEIVED: "board/received",
-    BOARD_SENT: "board/sent",
-    SIMULATOR_RECEIVED: "simulator/received",
-    SIMULATOR_SENT: "simulator/sent",
-}
+from epf_gcs.recordings.mcap_file import message_record, metadata_record
+from epf_gcs.recordings.topics import BOARD_RECEIVED, BOARD_SENT, SIMULATOR_RECEIVED, SIMULATOR_SENT, TOPICS
 
 _FLUSH_S: Final = 0.25
 _SYNC_S: Final = 0.5

@@ -8,7 +8,7 @@ from io import FileIO
 from pathlib import Path
 
 from epf_gcs.flight.disk import sync_folder
-from epf_gcs.flight.recording.mcap_file import Tally, closing, data_end, opening
+from epf_gcs.recordings.mcap_file import Tally, closing, data_end, opening
 
 
 class RecordingFile:

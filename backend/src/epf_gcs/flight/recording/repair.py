@@ -17,7 +17,7 @@ from typing import BinaryIO, Final
 from mcap.opcode import Opcode
 
 from epf_gcs.flight.flight_log import say
-from epf_gcs.flight.recording.mcap_file import MAGIC, Tally, closing, data_end
+from epf_gcs.recordings.mcap_file import MAGIC, Tally, closing, data_end
 
 _OURS: Final = re.compile(r"[0-9]{8}T[0-9]{6}Z(-[0-9]+)?\.mcap")
 _HEAD: Final = Struct("<BQ")

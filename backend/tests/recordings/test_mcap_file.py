@@ -10,7 +10,7 @@ from mcap.reader import make_reader
 from mcap.records import Channel, Header, Message, Metadata, Statistics
 from mcap.stream_reader import StreamReader
 
-from epf_gcs.flight.recording.mcap_file import Tally, closing, data_end, message_record, metadata_record, opening
+from epf_gcs.recordings.mcap_file import Tally, closing, data_end, message_record, metadata_record, opening
 
 TOPICS = {1: "board/received", 2: "board/sent"}
 

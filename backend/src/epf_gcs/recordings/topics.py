@@ -1,0 +1,16 @@
+"""The four topics of a recording: what went over both lines, each way."""
+
+from __future__ import annotations
+
+from typing import Final
+
+BOARD_RECEIVED: Final = 1
+BOARD_SENT: Final = 2
+SIMULATOR_RECEIVED: Final = 3
+SIMULATOR_SENT: Final = 4
+TOPICS: Final = {
+    BOARD_RECEIVED: "board/received",
+    BOARD_SENT: "board/sent",
+    SIMULATOR_RECEIVED: "simulator/received",
+    SIMULATOR_SENT: "simulator/sent",
+}
