@@ -1,6 +1,6 @@
 import type { Sample, SimulatorRows } from "../protocol/envelope";
 import type { FlagField, NumberField, TopicName } from "../protocol/topics";
-import { ServerClock } from "./clock";
+import { FlightClock, ServerClock, type VehicleClock } from "./clock";
 
 /** `live`: recent. `stale`: received too long ago. `none`: never received. */
 export type DataState = "live" | "stale" | "none";
@@ -28,9 +28,31 @@ export class TelemetryStore {
   readonly #newest = new Map<string, Sample>();
   readonly #staleAfter_s = new Map<string, number>();
   readonly #rows = new Map<number, HeardRow>();
-  readonly #clock = new ServerClock();
+  readonly #clock: VehicleClock;
   #heard_ms = Number.NEGATIVE_INFINITY;
   #revision = 0;
+  #jumps = 0;
+  #made_s = Number.NEGATIVE_INFINITY;
+
+  /** `clock` is a `FlightClock` for a flight that is played back. */
+  constructor(clock: VehicleClock = new ServerClock()) {
+    this.#clock = clock;
+  }
+
+  /** Whether the samples are those of a flight that is played back. */
+  get isPast(): boolean {
+    return this.#clock instanceof FlightClock;
+  }
+
+  /** Changes whenever a playback went back in time: what was gathered before does not lead to what comes. */
+  get jumps(): number {
+    return this.#jumps;
+  }
+
+  /** Seconds that a plot's time axis counts: the flight's in the past, else the page's own. */
+  axis_s(now_ms: number): number {
+    return this.isPast ? (this.#clock.now_s(now_ms / 1000) ?? 0) : now_ms / 1000;
+  }
 
   /** Changes whenever something new arrives. */
   get revision(): number {
@@ -58,6 +80,13 @@ export class TelemetryStore {
 
   /** A batch made at `made_s` of the gateway's clock. */
   apply(made_s: number, samples: readonly Sample[], now_ms: number): void {
+    if (this.isPast && made_s < this.#made_s) {
+      // Of the moment that was left nothing may stay: it had not happened yet.
+      this.#newest.clear();
+      this.#rows.clear();
+      this.#jumps += 1;
+    }
+    this.#made_s = made_s;
     this.#clock.observe(made_s, now_ms / 1000);
     this.heard(now_ms);
     for (const sample of samples) {
