@@ -1,6 +1,5 @@
 import { dictionary, isNumber, isObject, isText, list, nullable, oneOf } from "../lib/check";
-import { isStatus, type Status } from "./guards.gen";
-import { isPlayback, type PlaybackPosition } from "./playback";
+import { isPlayback, isStatus, type Playback, type Status } from "./guards.gen";
 import { FIELD_KINDS } from "./topics";
 
 /** One message of a topic: when the gateway had it (Unix seconds of its clock) and what it said; null is "no data". */
@@ -30,7 +29,7 @@ export interface Hello {
 
 export interface PlaybackMessage {
   readonly type: "playback";
-  readonly position: PlaybackPosition;
+  readonly position: Playback;
 }
 
 export interface Batch {

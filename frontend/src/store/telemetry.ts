@@ -49,6 +49,11 @@ export class TelemetryStore {
     return this.#jumps;
   }
 
+  /** The vehicle's time, Unix seconds: the gateway's now, or the moment of the flight; null before anything was heard. */
+  clock_s(now_ms: number): number | null {
+    return this.#clock.now_s(now_ms / 1000);
+  }
+
   /** Seconds that a plot's time axis counts: the flight's in the past, else the page's own. */
   axis_s(now_ms: number): number {
     return this.isPast ? (this.#clock.now_s(now_ms / 1000) ?? 0) : now_ms / 1000;
@@ -151,6 +156,11 @@ export class TelemetryStore {
   newestNumberOf(topic: TopicName, field: string): number | null {
     const value = this.#newest.get(topic)?.values[field];
     return typeof value === "number" ? value : null;
+  }
+
+  /** A value of a topic's newest sample, whatever its kind; null if there is none. */
+  newestValueOf(topic: TopicName, field: string): number | boolean | null {
+    return this.#newest.get(topic)?.values[field] ?? null;
   }
 
   /** `liveNumber` of a field whose name is only known at run time; null if the topic has no such field. */

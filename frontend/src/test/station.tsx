@@ -15,6 +15,7 @@ import { aStatus } from "./aStatus";
 import { installCanvas } from "./canvas";
 import { ManualFrames } from "./frames";
 import { ManualGamepads } from "./gamepads";
+import { FakeReplay } from "./replay";
 import { ManualSounder, ManualSpeaker } from "./sound";
 import { ManualTimers, ManualWire } from "./wire";
 
@@ -49,6 +50,10 @@ export class Station {
   readonly wires: ManualWire[] = [];
   readonly asked: Asked[] = [];
   readonly clients: Array<string | null> = [];
+  /** Streams of flights of the past, and where each was asked to begin. */
+  readonly replays: FakeReplay[] = [];
+  /** The address of the page. */
+  url: string;
   /** The files that the page saved for the user. */
   readonly saved: Array<{ readonly name: string; readonly content: Blob }> = [];
   /** Exceptions in the page's own code. */
@@ -57,7 +62,8 @@ export class Station {
   #seq = 0;
 
   /** Shows the whole page, or the part of it that a test is about. */
-  constructor(shown: ReactElement = <App />) {
+  constructor(shown: ReactElement = <App />, url = "http://station/") {
+    this.url = url;
     installCanvas();
     const world: World = {
       timers: this.timers,
@@ -67,6 +73,17 @@ export class Station {
         this.wires.push(wire);
         this.clients.push(client);
         return wire;
+      },
+      dialFlight: (place, listener) => {
+        const replay = new FakeReplay(place, listener);
+        this.replays.push(replay);
+        return replay.wire;
+      },
+      address: {
+        read: () => this.url,
+        replace: (address) => {
+          this.url = address;
+        },
       },
       fetch: (path, init) => this.#ask(path, init),
       requestFrame: this.frames.request,
@@ -128,6 +145,21 @@ export class Station {
 
   deliver(message: unknown): void {
     act(() => this.wires.at(-1)?.deliver(message));
+    this.show();
+  }
+
+  /** The stream of the flight that was opened last. */
+  get replay(): FakeReplay {
+    const newest = this.replays.at(-1);
+    if (newest === undefined) {
+      throw new Error("no flight of the past was opened");
+    }
+    return newest;
+  }
+
+  /** Let the replay say something, and show it. */
+  replayed(run: (replay: FakeReplay) => void): void {
+    act(() => run(this.replay));
     this.show();
   }
 

@@ -1,13 +1,18 @@
 import { createStore, type StoreApi } from "zustand/vanilla";
 import type { Timers } from "../../lib/timers";
-import { type FlightEvent, isFlightEvents, isOverview, type Overview } from "../../protocol/flights";
+import {
+  type FlightEvent,
+  type FlightOverview,
+  isFlightEvents,
+  isFlightOverview,
+} from "../../protocol/guards.gen";
 import type { Gateway } from "../../requests/asking";
 import type { PlaybackStore } from "./playbackState";
 
 /** What is known of the flight in the time bar: the one that is shown, or the one that is being recorded. */
 export interface FlightFactsState {
   readonly flight: string | null;
-  readonly overview: Overview | null;
+  readonly overview: FlightOverview | null;
   /** Oldest first. */
   readonly events: readonly FlightEvent[];
   /** How far the recording went when it was read last, seconds since its start, and when that was by the page's clock. */
@@ -49,7 +54,7 @@ export function createFlightFacts({ rest, timers, playback }: Parts): FlightFact
     const mine = asked;
     const flight = playback.getState().flight ?? CURRENT;
     const [overview, events] = await Promise.all([
-      rest.ask("GET", `/api/v1/flights/${flight}/overview?points=${POINTS}`, isOverview),
+      rest.ask("GET", `/api/v1/flights/${flight}/overview?points=${POINTS}`, isFlightOverview),
       rest.ask("GET", `/api/v1/flights/${flight}/events`, isFlightEvents),
     ]);
     if (mine !== asked) {

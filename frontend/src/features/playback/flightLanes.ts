@@ -1,4 +1,4 @@
-import type { FlightEvent } from "../../protocol/flights";
+import type { FlightEvent } from "../../protocol/guards.gen";
 
 /** The lanes of the time bar, from top to bottom. */
 export const LANES = ["command", "mode", "alarm", "waypoint", "mark"] as const;

@@ -1,6 +1,6 @@
 import type { Timers } from "../../lib/timers";
 import { isDone } from "../../protocol/answers";
-import type { PlaybackPosition } from "../../protocol/playback";
+import type { Playback as PlaybackPosition } from "../../protocol/guards.gen";
 import type { Gateway } from "../../requests/asking";
 import { failureMessage, type Message } from "../../store/messages";
 import { partName } from "../../store/parts";
@@ -74,6 +74,11 @@ export interface PlaybackParts {
   readonly open: (place: () => PlaceInTime, listener: FlightListener) => FlightStream;
 }
 
+function stretchOf(loop: readonly number[] | null): Stretch | null {
+  const [from_s, to_s] = loop ?? [];
+  return from_s === undefined || to_s === undefined ? null : [from_s, to_s];
+}
+
 /** A moment nearer than this to an event counts as the event's own. */
 const BESIDE_S = 0.25;
 
@@ -90,13 +95,14 @@ export function createPlayback({ rest, timers, address, open }: PlaybackParts): 
   }
 
   function opened({ id, starts_s, duration_s }: Parameters<FlightListener["onOpened"]>[0]): void {
-    const { loop, rate, edge_s } = store.getState();
+    const { loop, rate, edge_s, moves } = store.getState();
     store.setState({
       flight: id,
       starts_s,
       duration_s,
       edge_s: Math.max(edge_s, duration_s),
       failure: null,
+      moves: moves + 1,
     });
     seeks.clear();
     if (loop !== null) {
@@ -111,11 +117,13 @@ export function createPlayback({ rest, timers, address, open }: PlaybackParts): 
     // A speed that was asked for while the flight stands is sent with the next "play".
     store.setState((before) => ({
       state,
-      loop,
+      loop: stretchOf(loop),
       duration_s,
       edge_s,
       starts_s: t_s - at_s,
       rate: isPlaying ? rate : before.rate,
+      // A step back or a loop goes to another moment too.
+      moves: before.moves + (at_s < before.at_s && !seeks.isBusy ? 1 : 0),
       // While a drag is under way the handle stays under the hand.
       ...(seeks.isBusy ? {} : { at_s }),
     }));
@@ -151,7 +159,7 @@ export function createPlayback({ rest, timers, address, open }: PlaybackParts): 
     const { flight, edge_s, duration_s } = store.getState();
     if (flight !== null) {
       const wanted_s = Math.min(Math.max(0, at_s), Math.max(edge_s, duration_s));
-      store.setState({ at_s: wanted_s });
+      store.setState({ at_s: wanted_s, moves: store.getState().moves + 1 });
       seeks.ask(wanted_s);
     }
   }

@@ -1,5 +1,5 @@
 import { createStore, type StoreApi } from "zustand/vanilla";
-import type { PlaybackPosition } from "../../protocol/playback";
+import type { Playback as PlaybackPosition } from "../../protocol/guards.gen";
 import type { Message } from "../../store/messages";
 
 /** A stretch of a flight, seconds since its start. */
@@ -18,6 +18,8 @@ export interface PlaybackState {
   readonly starts_s: number | null;
   /** The moment that is shown, or was asked for last while the answer is under way. */
   readonly at_s: number;
+  /** Changes when somebody goes to another moment; a flight that is played on does not change it. */
+  readonly moves: number;
   readonly state: "opening" | PlaybackPosition["state"];
   readonly rate: number;
   readonly loop: Stretch | null;
@@ -34,6 +36,7 @@ export const PRESENT: PlaybackState = {
   flight: null,
   starts_s: null,
   at_s: 0,
+  moves: 0,
   state: "opening",
   rate: 1,
   loop: null,
