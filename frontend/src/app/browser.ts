@@ -19,8 +19,7 @@ export function browserWorld(window: Window & typeof globalThis): World {
     },
     wall_ms: () => Date.now(),
     dial: (client, listener) => dial(window, client === null ? {} : { client }, listener),
-    dialFlight: ({ flight, at_s }, listener) =>
-      dial(window, { flight, at_s: at_s.toFixed(3) }, listener),
+    dialFlight: ({ flight, at_s }, listener) => dial(window, { flight, at_s: at_s.toFixed(3) }, listener),
     address: {
       read: () => window.location.href,
       replace: (address) => window.history.replaceState(null, "", address),

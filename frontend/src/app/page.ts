@@ -234,6 +234,7 @@ export function createPage(world: World): {
     settings,
     parts,
     past: null,
+    key: 0,
     saveFile: world.saveFile,
   };
   const pasts = createPasts({

@@ -1,6 +1,6 @@
 import { createStore, type StoreApi } from "zustand/vanilla";
-import { AHRS } from "../features/ahrs/alignment";
 import { createAhrs3d } from "../features/ahrs/ahrsRequests";
+import { AHRS } from "../features/ahrs/alignment";
 import { ALARM_LOG } from "../features/alarms/alarmLog";
 import { createPastAlarmLog } from "../features/alarms/pastAlarmLog";
 import { createSourceReturn, SOURCE_RETURN } from "../features/controls/sourceReturn";
@@ -9,10 +9,10 @@ import { createPastTrack } from "../features/map/pastTrack";
 import { TRACK_LOG } from "../features/map/trackLog";
 import { INSPECTOR } from "../features/messages/inspectorRequests";
 import { createPastInspector } from "../features/messages/pastInspector";
-import { createPastParameters } from "../features/parameters/pastParameters";
 import { PARAMETER_REQUESTS } from "../features/parameters/parameterValues";
-import type { FlightListener, FlightStream, Playback } from "../features/playback/playbackRequests";
+import { createPastParameters } from "../features/parameters/pastParameters";
 import type { PlaceInTime } from "../features/playback/flightAddress";
+import type { FlightListener, FlightStream, Playback } from "../features/playback/playbackRequests";
 import { SERVO_SLIDERS } from "../features/servos/servoPositions";
 import { createServoSliders } from "../features/servos/servoSliders";
 import { BOARD_CONSOLE } from "../features/setup/consoleLog";
@@ -61,9 +61,10 @@ export function createPasts(parts: PastParts): Pasts {
   const shown = createStore<{ readonly page: Page }>(() => ({ page: present }));
   let seen: Vehicle | null = null;
   let revision = 0;
+  let made_count = 0;
 
   function open(place: () => PlaceInTime, listener: FlightListener): FlightStream {
-    const made = createPast(parts, place);
+    const made = createPast(parts, place, ++made_count);
     const { vehicle } = made;
     const socket = new StreamSocket({
       dial: (wire) => parts.dial(place(), wire),
@@ -112,7 +113,11 @@ interface Past {
   readonly stop: () => void;
 }
 
-function createPast({ present, asking, timers, playback, report }: PastParts, place: () => PlaceInTime): Past {
+function createPast(
+  { present, asking, timers, playback, report }: PastParts,
+  place: () => PlaceInTime,
+  key: number,
+): Past {
   const { rest } = asking;
   const vehicle = createVehicle(new FlightClock());
   const client = (): string | null => present.connection.getState().client;
@@ -160,6 +165,7 @@ function createPast({ present, asking, timers, playback, report }: PastParts, pl
     connection: vehicle.connection,
     commands: pastAsking.commands,
     past: place().flight,
+    key,
     parts: present.parts
       .but()
       .with(ALARM_LOG, alarmLog)

@@ -20,6 +20,8 @@ export interface Page {
   readonly parts: Parts;
   /** The flight of the past that these stores show; null: they show the present. */
   readonly past: string | null;
+  /** Another number for each vehicle that is shown: components with a memory are made anew. */
+  readonly key: number;
   /** Saves a file on the user's computer. */
   readonly saveFile: (name: string, content: Blob) => void;
 }

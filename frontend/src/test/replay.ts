@@ -1,5 +1,5 @@
-import { FIELD_KINDS } from "../protocol/topics";
 import type { Status } from "../protocol/status";
+import { FIELD_KINDS } from "../protocol/topics";
 import type { WireListener } from "../transport/socket";
 import { aStatus } from "./aStatus";
 import { ManualWire } from "./wire";

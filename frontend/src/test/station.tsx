@@ -5,6 +5,7 @@ import { App } from "../app/App";
 import { CATALOGUES } from "../app/catalogues";
 import { loadParts } from "../app/loadParts";
 import { createPage, type World } from "../app/page";
+import { SHOWN } from "../app/past";
 import { createI18n } from "../i18n/i18n";
 import type { Sample } from "../protocol/envelope";
 import type { Status } from "../protocol/status";
@@ -155,6 +156,11 @@ export class Station {
       throw new Error("no flight of the past was opened");
     }
     return newest;
+  }
+
+  /** The page that the tabs read: the present one, or that of the past. */
+  shown(): Page {
+    return this.page.parts.get(SHOWN).getState().page;
   }
 
   /** Let the replay say something, and show it. */

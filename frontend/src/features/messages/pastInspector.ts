@@ -18,25 +18,27 @@ export function createPastInspector({ telemetry, connection }: Vehicle, now_ms: 
     read: async (): Promise<Inspection> => {
       const { status, rates_hz } = connection.getState();
       const at_ms = now_ms();
-      const board = Object.entries(status?.topics ?? {}).flatMap(([name, { count, stale_after_s }], index) => {
-        if (!isKnown(name)) {
-          return [];
-        }
-        const age_s = telemetry.age_s(name, at_ms);
-        return [
-          {
-            id: index,
-            name,
-            count,
-            rate_hz: rates_hz[name] ?? 0,
-            jitter_ms: null,
-            damaged: 0,
-            age_s,
-            stale_after_s,
-            values: age_s === null ? null : valuesOf(telemetry, name),
-          },
-        ];
-      });
+      const board = Object.entries(status?.topics ?? {}).flatMap(
+        ([name, { count, stale_after_s }], index) => {
+          if (!isKnown(name)) {
+            return [];
+          }
+          const age_s = telemetry.age_s(name, at_ms);
+          return [
+            {
+              id: index,
+              name,
+              count,
+              rate_hz: rates_hz[name] ?? 0,
+              jitter_ms: null,
+              damaged: 0,
+              age_s,
+              stale_after_s,
+              values: age_s === null ? null : valuesOf(telemetry, name),
+            },
+          ];
+        },
+      );
       return {
         t_s: telemetry.clock_s(at_ms) ?? 0,
         advice: [],

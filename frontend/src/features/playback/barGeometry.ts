@@ -71,8 +71,7 @@ export function formatFlightTime(at_s: number, decimals: 0 | 1 | 2 = 0): string 
   const hours = Math.floor(whole_s / 3600);
   const minutes = Math.floor(whole_s / 60) % 60;
   const seconds = String(whole_s % 60).padStart(2, "0");
-  const fraction =
-    decimals === 0 ? "" : `.${String(units % 10 ** decimals).padStart(decimals, "0")}`;
+  const fraction = decimals === 0 ? "" : `.${String(units % 10 ** decimals).padStart(decimals, "0")}`;
   return hours > 0
     ? `${hours}:${String(minutes).padStart(2, "0")}:${seconds}${fraction}`
     : `${minutes}:${seconds}${fraction}`;

@@ -4,7 +4,7 @@ import type { FlightEvent } from "../../protocol/guards.gen";
 export const LANES = ["command", "mode", "alarm", "waypoint", "mark"] as const;
 export type Lane = (typeof LANES)[number];
 
-/** The lane of each kind of event. What belongs to a line that was lost or damaged stands with the alarms. */
+/** The lane of each kind of event. What belongs to a line or a recording that was lost or damaged stands with the alarms. */
 const LANE_OF: Readonly<Record<string, Lane>> = {
   command: "command",
   console: "command",
@@ -15,6 +15,7 @@ const LANE_OF: Readonly<Record<string, Lane>> = {
   alarm: "alarm",
   damage: "alarm",
   link: "alarm",
+  lost: "alarm",
   restart: "alarm",
   waypoint: "waypoint",
   mark: "mark",
