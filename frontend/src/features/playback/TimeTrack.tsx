@@ -76,7 +76,6 @@ export function TimeTrack({ onMark }: Props) {
       aria-valuemin={0}
       aria-valuemax={edge_s}
       aria-valuenow={edge_s}
-      aria-keyshortcuts="ArrowLeft ArrowRight Shift+ArrowLeft Shift+ArrowRight Control+ArrowLeft Control+ArrowRight"
       onKeyDown={onKeyDown}
       {...gestures}
     >
