@@ -68,6 +68,12 @@ class Job(Output):
     result: JobResult | None
 
 
+class JobStarted(Output):
+    """The id of a job that was started."""
+
+    job: str
+
+
 class JobList(Output):
     """Jobs under way and the last that ended, newest first."""
 
@@ -154,7 +160,6 @@ class DeletedFlight(Output):
     id: str
     title: str
     started_s: float
-    duration_s: float | None
     bytes: int
     deleted_s: float
     gone_s: float
