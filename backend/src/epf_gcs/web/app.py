@@ -20,7 +20,9 @@ from epf_gcs.web.alarms import routes as alarms
 from epf_gcs.web.commands import ahrs_test_routes as ahrs_test
 from epf_gcs.web.commands import routes as commands
 from epf_gcs.web.earth import routes as earth
+from epf_gcs.web.flights import data_routes as flight_data
 from epf_gcs.web.flights import job_routes as jobs
+from epf_gcs.web.flights import mark_routes as flight_marks
 from epf_gcs.web.flights import routes as flights
 from epf_gcs.web.inspector import routes as inspector
 from epf_gcs.web.links import routes as links
@@ -90,6 +92,8 @@ def create_app(settings: Settings, visitors: Visitors | None = None) -> FastAPI:
         alarms,
         recordings,
         flights,
+        flight_data,
+        flight_marks,
         jobs,
         about,
         inspector,

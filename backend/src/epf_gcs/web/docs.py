@@ -56,16 +56,9 @@ loaded value), `recording`, `stick` (where the stick comes from, whether it is `
 `chosen`, `control_lost`, `lost`, `back`) and `track`.
 """
 
-# Shapes that no route answers with: of messages on the stream, and of routes that are not there yet. They stand under
-# `x-shapes`, from which the page's checks are generated as from the answers.
-SHAPES: Final[tuple[type[Output], ...]] = (
-    flights.FlightEvents,
-    flights.FlightKnown,
-    flights.FlightOverview,
-    flights.FlightTopics,
-    flights.Playback,
-    flights.Signals,
-)
+# Shapes that no route answers with: of messages on the stream. They stand under `x-shapes`, from which
+# the page's checks are generated as from the answers.
+SHAPES: Final[tuple[type[Output], ...]] = (flights.Playback,)
 
 router = APIRouter(include_in_schema=False)
 

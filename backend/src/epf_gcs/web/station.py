@@ -23,6 +23,7 @@ from epf_gcs.web.access.control import Client, Control
 from epf_gcs.web.flights.flights import Flights
 from epf_gcs.web.flights.imports import FlightImports
 from epf_gcs.web.flights.jobs import Jobs
+from epf_gcs.web.flights.queries import Queries
 from epf_gcs.web.inspector.shared import SharedInspector
 from epf_gcs.web.maps.maps import Maps
 from epf_gcs.web.maps.online_file import OnlineFile
@@ -58,6 +59,7 @@ class Station:
         self.flights = Flights(
             Places(data_dir), Jobs(self.hub), self.clock, self._growing, lambda: self.mirror.is_here, errors.report
         )
+        self.queries = Queries(data_dir)
         self.stream_parts = StreamParts(self.hub, self.control, self.vehicle, self.status, errors, self.clock)
         self.parts: dict[str, Any] = {
             "vehicle": self.vehicle,
@@ -69,6 +71,7 @@ class Station:
             "inspector": SharedInspector(lambda: self.vehicle.request("inspector"), self.clock.steady_s),
             "recordings_dir": data_dir / "recordings",
             "flights": self.flights,
+            "flight_queries": self.queries,
             "flight_imports": FlightImports(self.flights),
             "clock": self.clock,
         }
@@ -85,6 +88,7 @@ class Station:
                         ("maps", self.maps.run),
                         ("track", self.tracks.run),
                         ("flights", self.flights.run),
+                        ("flight queries", self.queries.run),
                         ("status", self._repeat),
                     )
                 ]
@@ -100,6 +104,7 @@ class Station:
                     for task in running:
                         task.cancel()
         finally:
+            await self.queries.close()
             await self.flights.close()
             await self.maps.close()
             await self.tracks.close()
