@@ -32,6 +32,8 @@ class Remembered:
     hil_path: str = "manual"
     wanted: Wanted = field(default_factory=Wanted)
     thresholds: dict[str, Any] = field(default_factory=dict)
+    # The choice of online maps of version 0.1.0, which had one process: only carried along until the web process, which
+    # keeps its own file since (`web/maps/online_file.py`), has taken it over.
     online: dict[str, Any] = field(default_factory=dict)
 
 
