@@ -14,8 +14,8 @@ from typing import Any, Final
 
 import orjson
 
+from epf_gcs.disk import replace_file, sync_folder
 from epf_gcs.errors import GatewayError
-from epf_gcs.flight.disk import replace_file, sync_folder
 from epf_gcs.flight.flight_log import say
 from epf_gcs.vehicle.wanted import Wanted
 
