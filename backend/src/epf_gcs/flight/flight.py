@@ -105,7 +105,7 @@ class Flight:
 
         # The loop with the simulator, and both lines.
         self.stick = Stick(self.outlet, self.clock, self.changed)
-        self.hil = Hil(self.board, self.telemetry, self.clock, self.stick)
+        self.hil = Hil(vehicle, self.clock, self.stick)
         self.hil.path = "assisted" if self.memory.now.hil_path == "assisted" else "manual"
         self.simulator = Simulator(self.hil, self.clock, simulator_tap, self.errors.report, self._on_line)
         opener = LinkOpener(self.hil, lambda: self.simulator.address is not None)

@@ -51,11 +51,10 @@ class _Frame:
 class Snapshot:
     """All inputs of an answer. `expected_hz`: the rate that each enabled stream should reach.
 
-    `now_s` is the Unix time of the board's frames, `steady_s` the time of the simulator's rows.
+    `now_s` is the Unix time of frames and rows.
     """
 
     now_s: float
-    steady_s: float
     frames: Sequence[_Frame]
     rows: Mapping[int, Arrivals]
     profile: str
@@ -85,7 +84,6 @@ def take_snapshot(parts: InspectorSources) -> Snapshot:
     link = _link(parts)
     return Snapshot(
         now_s=parts.clock.now_s(),
-        steady_s=parts.clock.steady_s(),
         frames=_frames(parts),
         rows={row: arrivals.copy() for row, arrivals in parts.hil.arrivals.items()},
         profile=parts.hil.profile,
@@ -151,7 +149,7 @@ def _rows(snapshot: Snapshot) -> list[dict[str, Any]]:
             "name": definitions[row].name if row in definitions else f"row_{row}",
             "expected": row in _EXPECTED_ROWS,
             "values": _finite(heard[row].values) if row in heard else None,
-            **_measured(heard[row] if row in heard else Arrivals(), snapshot.steady_s),
+            **_measured(heard[row] if row in heard else Arrivals(), snapshot.now_s),
         }
         for row in sorted({*definitions, *heard})
     ]
