@@ -79,7 +79,7 @@ class SimulatorSamples:
         return Reading(t_s, datagram, records, self._gatherer.take(records, t_s))
 
     def show(self, reading: Reading) -> None:
-        """Take a datagram that was read, and make samples of it if they are due. Call the telemetry's `flush` after it."""
+        """Take a datagram that was read; make samples of it if they are due. Call the telemetry's `flush` after it."""
         t_s, datagram, records, info = reading
         self.datagrams += 1
         self.bytes_in += len(datagram)
