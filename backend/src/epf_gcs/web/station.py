@@ -15,11 +15,12 @@ from typing import Any, Final
 
 import structlog
 
+from epf_gcs.bus.definition import Client, client_fields
 from epf_gcs.bus.station_end import StationEnd
 from epf_gcs.clock import Clock
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.recordings.places import Places
-from epf_gcs.web.access.control import Client, Control
+from epf_gcs.web.access.control import Control
 from epf_gcs.web.flights.flights import Flights
 from epf_gcs.web.flights.imports import FlightImports
 from epf_gcs.web.flights.jobs import Jobs
@@ -134,13 +135,12 @@ class Station:
         self._here.set()
 
     def _on_control(self, holder: Client | None) -> None:
-        data = {"client": holder.id if holder else None, "name": holder.name if holder else None}
-        self.hub.event("control", data)
+        self.hub.event("control", client_fields(holder))
         self._tell_vehicle(holder)
         self.status.changed()
 
     def _tell_vehicle(self, holder: Client | None) -> None:
-        self.vehicle.notice("control", client=holder.id if holder else None, name=holder.name if holder else None)
+        self.vehicle.notice("control", **client_fields(holder))
 
 
 async def _keep_alive(name: str, job: Callable[[], Awaitable[None]]) -> None:
