@@ -129,8 +129,7 @@ class Flight:
         )
         self.rates = LineRates()
         self.ahrs_test = AhrsTestRun(
-            board=self.board,
-            telemetry=self.telemetry,
+            vehicle=vehicle,
             clock=self.clock,
             errors=self.errors,
             flies=self._flies,

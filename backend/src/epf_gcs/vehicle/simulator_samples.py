@@ -102,7 +102,7 @@ class SimulatorSamples:
             raw = {str(row): list(values) for row, values in sorted(live.items())}
             self._telemetry.take("xplane_rows", t_s, {"rows": raw})
 
-    def state(self) -> dict[str, Any]:
+    def kept(self) -> dict[str, Any]:
         """All that the next samples depend on, as plain values for `restore`."""
         return {
             "profile": self._profile,
@@ -110,12 +110,12 @@ class SimulatorSamples:
             "raw_shown_s": self._raw_shown_s,
             "datagrams": self.datagrams,
             "bytes_in": self.bytes_in,
-            "gatherer": self._gatherer.state(),
-            "rows": [[row, *one.state()] for row, one in self._rows.items()],
+            "gatherer": self._gatherer.kept(),
+            "rows": [[row, *one.kept()] for row, one in self._rows.items()],
         }
 
     def restore(self, state: Mapping[str, Any]) -> None:
-        """Go on from a state that `state` gave."""
+        """Go on from a state that `kept` gave."""
         self.begin(state["profile"])
         self._shown_s = state["shown_s"]
         self._raw_shown_s = state["raw_shown_s"]

@@ -15,6 +15,7 @@ from epf_gcs.clock import Clock
 from epf_gcs.codec.encode import frame_bytes
 from epf_gcs.codec.frame import TO_BOARD, Frame
 from epf_gcs.codec.messages_gen import COMMANDS
+from epf_gcs.codec.values import single
 from epf_gcs.flight.hil.stick import Stick
 from epf_gcs.link.udp import UdpLink
 from epf_gcs.vehicle.arrivals import Arrivals
@@ -134,7 +135,8 @@ class Hil:
         chosen = None if self._board.is_emulated else self.stick.now(now_s)
         if chosen is None:
             return info
-        elevator, aileron, rudder, throttle = chosen
+        # As the wire will carry them, so that the recording holds what was shown.
+        elevator, aileron, rudder, throttle = map(single, chosen)
         return info._replace(elevator=elevator, aileron=aileron, rudder=rudder, throttle=throttle)
 
     def _act_on(self, info: XplaneInfo, now_s: float) -> None:
