@@ -12,7 +12,7 @@ from epf_gcs.vehicle.wanted import RATE_COMMANDS, Wanted
 _DONE: Final = frozenset({"confirmed", "sent"})
 _CLOSED: Final[dict[str, Any]] = {"state": "closed", "url": None, "baud": None, "profile": None, "emulated": False}
 # What an event of these kinds says is in the newest of its kind.
-_NEWEST: Final = frozenset({"control", "stick", "recording"})
+_NEWEST: Final = frozenset({"control", "stick", "hil"})
 
 
 class Known:

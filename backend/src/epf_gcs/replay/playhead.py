@@ -14,7 +14,7 @@ from epf_gcs.codec.messages_gen import COMMANDS
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.recordings import notes
 from epf_gcs.recordings.notes import Note
-from epf_gcs.recordings.topics import BOARD_RECEIVED, BOARD_SENT, SIMULATOR_RECEIVED
+from epf_gcs.recordings.topics import BOARD_RECEIVED, BOARD_SENT, SIMULATOR_RECEIVED, SIMULATOR_SENT
 from epf_gcs.replay.ahrs_test import RecordedAhrsTest
 from epf_gcs.replay.clock import RecordedClock
 from epf_gcs.replay.known import Known
@@ -24,9 +24,10 @@ from epf_gcs.vehicle.rates import ByteRate
 from epf_gcs.vehicle.simulator_samples import Reading
 from epf_gcs.vehicle.vehicle import Vehicle
 from epf_gcs.vehicle.wanted import RATE_COMMANDS
-from epf_gcs.xplane.mapping import XplaneInfo
 
 _TICK_NS: Final = 100_000_000
+# Ticks go on this long after the last item; a file with a wrong clock may have a gap of years.
+_TICKING_NS: Final = 600_000_000_000
 _COMMAND_50: Final = COMMANDS["xplane_info"]
 # The stick's four values come first in command 50.
 _STICK_BYTES: Final = 16
@@ -44,7 +45,7 @@ class RecordedLine:
         """Nothing waits."""
         return 0
 
-    def write(self, data: bytes) -> bool:  # noqa: ARG002 - what the interface says
+    def write(self, data: bytes) -> bool:
         """Send nothing."""
         return True
 
@@ -67,14 +68,13 @@ class Playhead:
         self.vehicle = Vehicle(self.clock, outlet, self.errors, self._period_s)
         self._ahrs_test = RecordedAhrsTest(self.vehicle)
         self._sent = FrameDecoder(TO_BOARD)
-        self._told: XplaneInfo | None = None
         self.bytes_sent = 0
         self.frames_to_board = 0
-        self.frames_skipped = 0
+        self.frames_to_simulator = 0
         self.datagrams_dropped = 0
         self.board_in, self.board_out, self.simulator_in = ByteRate(), ByteRate(), ByteRate()
         self._tick_ns = 0
-        self.clock.t_ns = timeline.starts_ns or 0
+        self.clock.t_ns = self._heard_ns = self._frame_ns = timeline.starts_ns or 0
         if kept is None:
             self._begin(from_ns)
         else:
@@ -97,12 +97,20 @@ class Playhead:
             if item.t_ns >= self._tick_ns:
                 self._tick_to(item.t_ns)
             cursor.take()
-            self.clock.t_ns = item.t_ns
+            self.clock.t_ns = self._heard_ns = item.t_ns
+            count = self._count()
             self._take(item)
+            if self._count() != count:
+                self._frame_ns = item.t_ns
         if to_ns >= self._tick_ns:
             self._tick_to(to_ns + 1)
         self.clock.t_ns = max(self.clock.t_ns, to_ns)
         return True
+
+    @property
+    def frame_ns(self) -> int:
+        """The time of the last frame or datagram."""
+        return self._frame_ns
 
     def step(self) -> int | None:
         """Feed on to the next frame or datagram that gives a sample; returns its time, None at the edge."""
@@ -119,10 +127,12 @@ class Playhead:
             {
                 "t_ns": self.clock.t_ns,
                 "tick_ns": self._tick_ns,
+                "heard_ns": self._heard_ns,
+                "frame_ns": self._frame_ns,
                 "known": self.known.now,
                 "vehicle": self.vehicle.kept(),
                 "sent": self._sent.kept(),
-                "counts": [self.bytes_sent, self.frames_to_board, self.datagrams_dropped],
+                "counts": [self.bytes_sent, self.frames_to_board, self.frames_to_simulator, self.datagrams_dropped],
                 "rates": [rate.kept() for rate in (self.board_in, self.board_out, self.simulator_in)],
                 "errors": dict(self.errors.counts),
             },
@@ -136,20 +146,29 @@ class Playhead:
         return item is not None and item.topic > 0 and item.t_ns > self.clock.t_ns and self.vehicle.board.guest is None
 
     def _begin(self, from_ns: int | None) -> None:
-        self._tick_ns = self._after(self.clock.t_ns if from_ns is None else from_ns)
         if from_ns is not None:
-            self.clock.t_ns = from_ns
-        self.vehicle.board.attach(RecordedLine(_DEFAULT_BAUD))
+            self.clock.t_ns = self._heard_ns = from_ns
+            for note in self._cursor.notes_before:
+                self.known.take(note)
+        self._tick_ns = self._after(self.clock.t_ns)
+        self._attach()
+        self.vehicle.simulator.begin("xp12" if self.known.lines["simulator"]["profile"] == "xp12" else "xp10")
 
-    def _restore(self, kept: dict[str, Any]) -> None:
-        self.clock.t_ns, self._tick_ns = kept["t_ns"], kept["tick_ns"]
-        self.known.now = kept["known"]
+    def _attach(self) -> None:
         board = self.known.lines["board"]
         if board["state"] != "closed" or not self.known.now["has_lines"]:
-            self.vehicle.board.attach(RecordedLine(board["baud"] or _DEFAULT_BAUD), is_emulated=board["emulated"])
+            baud = board["baud"]
+            line = RecordedLine(baud if isinstance(baud, int) else _DEFAULT_BAUD)
+            self.vehicle.board.attach(line, is_emulated=board["emulated"])
+
+    def _restore(self, kept: dict[str, Any]) -> None:
+        self.clock.t_ns, self._tick_ns, self._heard_ns = kept["t_ns"], kept["tick_ns"], kept["heard_ns"]
+        self._frame_ns = kept["frame_ns"]
+        self.known.now = kept["known"]
+        self._attach()
         self.vehicle.restore(kept["vehicle"])
         self._sent.restore(kept["sent"])
-        self.bytes_sent, self.frames_to_board, self.datagrams_dropped = kept["counts"]
+        self.bytes_sent, self.frames_to_board, self.frames_to_simulator, self.datagrams_dropped = kept["counts"]
         for rate, held in zip((self.board_in, self.board_out, self.simulator_in), kept["rates"], strict=True):
             rate.restore(held)
         self.errors.counts.update(kept["errors"])
@@ -164,6 +183,8 @@ class Playhead:
             self.bytes_sent += len(data)
             self._ahrs_test.sent(data)
             self.frames_to_board += len(self._told_in(data, self._sent))
+        elif topic == SIMULATOR_SENT:
+            self.frames_to_simulator += 1
         elif item.note is not None:
             self._take_note(item.note)
 
@@ -218,15 +239,12 @@ class Playhead:
         elif content.get("line") == "board":
             if board.link is not None:
                 board.detach()
-            if content.get("open"):
-                baud = content.get("baud")
-                line = RecordedLine(baud if isinstance(baud, int) else _DEFAULT_BAUD)
-                board.attach(line, is_emulated=content.get("emulated") is True)
+            self._attach()
 
     def _tick_to(self, t_ns: int) -> None:
-        """Do what was due at each tick before `t_ns`. After a long gap the last ticks tell all that earlier ones do."""
-        self._tick_ns = max(self._tick_ns, self._after(t_ns - 100 * _TICK_NS) - _TICK_NS)
-        while self._tick_ns < t_ns:
+        """Do what is due at each tick before `t_ns`. Long after the last item nothing is due any more."""
+        stop_ns = min(t_ns, self._heard_ns + _TICKING_NS)
+        while self._tick_ns < stop_ns:
             self.clock.t_ns = self._tick_ns
             self.vehicle.board.tick()
             now_s = self.clock.now_s()
@@ -234,6 +252,7 @@ class Playhead:
             self.board_out.note(now_s, self.bytes_sent)
             self.simulator_in.note(now_s, self.vehicle.simulator.bytes_in)
             self._tick_ns += _TICK_NS
+        self._tick_ns = max(self._tick_ns, self._after(t_ns - 1))
 
     def _count(self) -> int:
         return self.vehicle.board.frames_received + self.vehicle.simulator.datagrams

@@ -5,11 +5,10 @@ from __future__ import annotations
 import copy
 from bisect import bisect_left
 from collections import OrderedDict
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Final, NamedTuple
-
-import numpy as np
 
 from epf_gcs.recordings.notes import Note
 from epf_gcs.recordings.reading import Part, Reader
@@ -52,6 +51,11 @@ class Timeline:
         self.starts_ns: int | None = None
         self.edge_ns = 0
         self.look()
+
+    @property
+    def size(self) -> int:
+        """Bytes of the file that were read."""
+        return self._reader.place
 
     @property
     def is_whole(self) -> bool:
@@ -112,20 +116,23 @@ class Timeline:
                 return number, place
         return number, len(items)
 
+    def notes_before(self, number: int, place: int) -> Iterator[Note]:
+        """All notes before that place of a piece, in their order."""
+        for piece in self._pieces[:number]:
+            yield from (note for _, note in piece.notes)
+        yield from (item.note for item in (self.items(number) or ())[:place] if item.note is not None)
+
     def _load(self, piece: _Piece) -> list[Item]:
         messages = self._read(piece)
         found: list[Item] = []
-        notes = iter(piece.notes)
-        before, note = next(notes, (-1, None))
-        for index, (channel, t_ns, data) in enumerate(messages):
-            while note is not None and before <= index:
-                found.append(Item(note.t_ns, 0, b"", note))
-                before, note = next(notes, (-1, None))
-            found.append(Item(t_ns, channel, data, None))
-        while note is not None:
-            found.append(Item(note.t_ns, 0, b"", note))
-            before, note = next(notes, (-1, None))
-        return found
+        done = 0
+        for index, note in piece.notes:
+            found += [Item(t_ns, topic, data, None) for topic, t_ns, data in messages[done:index]]
+            done = max(done, index)
+            # In its place in the file, whatever time it claims.
+            latest_ns = messages[done][1] if done < len(messages) else piece.latest_ns
+            found.append(Item(min(note.t_ns, latest_ns), 0, b"", note))
+        return found + [Item(t_ns, topic, data, None) for topic, t_ns, data in messages[done:]]
 
     def _read(self, piece: _Piece) -> list[tuple[int, int, bytes]]:
         if not piece.count or self._loader is None:
@@ -154,6 +161,11 @@ class Cursor:
         self._timeline = timeline
         self._number, self._place = (0, 0) if from_ns is None else timeline.first_at(from_ns)
         self._items: list[Item] = timeline.items(self._number) or []
+
+    @property
+    def notes_before(self) -> Iterator[Note]:
+        """All notes before the next item."""
+        return self._timeline.notes_before(self._number, self._place)
 
     def peek(self) -> Item | None:
         """The next item; None at the edge of what is recorded."""

@@ -25,7 +25,7 @@ from epf_gcs.vehicle.simulator_samples import Reading, SimulatorSamples
 from epf_gcs.vehicle.telemetry import Telemetry
 from epf_gcs.vehicle.vehicle import Vehicle
 from epf_gcs.xplane.datagram import Surfaces, surfaces_datagram
-from epf_gcs.xplane.mapping import NEEDED_ROWS, XplaneInfo, surfaces_from_servos_in
+from epf_gcs.xplane.mapping import XplaneInfo, surfaces_from_servos_in
 
 Path = Literal["manual", "assisted"]
 Source = Literal["joystick", "rc"]
@@ -72,7 +72,7 @@ class Hil:
     @property
     def missing_rows(self) -> list[int]:
         """Numbers of the rows that command 50 needs and that do not arrive."""
-        return sorted(NEEDED_ROWS - set(self.rows))
+        return self._samples.missing_rows(self._clock.now_s())
 
     @property
     def arrivals(self) -> Mapping[int, Arrivals]:
