@@ -17,6 +17,7 @@ import structlog
 
 from epf_gcs import __version__
 from epf_gcs.bus.address import Listener
+from epf_gcs.bus.definition import client_fields
 from epf_gcs.bus.vehicle_end import Broadcast, VehicleEnd
 from epf_gcs.clock import Clock
 from epf_gcs.error_log import ErrorLog
@@ -33,18 +34,18 @@ from epf_gcs.flight.hil.hil import Hil
 from epf_gcs.flight.hil.simulator import Simulator
 from epf_gcs.flight.hil.stick import Stick
 from epf_gcs.flight.housekeeping import Housekeeping
-from epf_gcs.flight.inspection import Inspected
+from epf_gcs.flight.inspection import InspectorSources
 from epf_gcs.flight.line_rates import LineRates
 from epf_gcs.flight.lines import Lines, LinkOpener
 from epf_gcs.flight.memory import Memory
 from epf_gcs.flight.recording.recorder import Recorder
-from epf_gcs.flight.requests.askers import Askers
+from epf_gcs.flight.requests.client_names import ClientNames
 from epf_gcs.flight.requests.commands import command_requests
 from epf_gcs.flight.requests.hil import HilSwitches, stick_notices
 from epf_gcs.flight.requests.lines import line_requests
 from epf_gcs.flight.requests.parameters import mission_requests, parameter_requests
 from epf_gcs.flight.requests.state import alarm_requests, state_requests
-from epf_gcs.flight.status import Shown, build_status
+from epf_gcs.flight.status import StatusSources, build_status
 from epf_gcs.flight.watch import Watch
 from epf_gcs.vehicle.alarms import Alarms
 from epf_gcs.vehicle.judges import AlarmId
@@ -68,7 +69,7 @@ class Flight:
         # Time, memory, and the outlet to the stations.
         self.clock = Clock()
         self.outlet = Broadcast(self.clock.now_s)
-        self._askers = Askers()
+        self._client_names = ClientNames()
         self._log = FlightLog(self.clock.steady_s)
         self.errors = ErrorLog()
         self.errors.tell_viewers(self.clock.steady_s, self.outlet.event)
@@ -87,9 +88,9 @@ class Flight:
         self.journal = Journal(
             data_dir / "parameter-journal.jsonl",
             clock=self.clock,
-            hub=self.outlet,
+            outlet=self.outlet,
             report=self.errors.report,
-            name_of=self._askers.name_of,
+            name_of=self._client_names.name_of,
         )
         self.parameters = Parameters(self.board, self.commands, self.outlet, self.journal)
         self.missions = Missions(self.board, self.commands, self.outlet)
@@ -174,7 +175,7 @@ class Flight:
         )
 
         # The status that stations see, and the requests that they may make.
-        self._shown = Shown(
+        self._status_sources = StatusSources(
             self.clock,
             self.errors,
             self.memory,
@@ -189,7 +190,7 @@ class Flight:
             self.recorder,
             self.alarms,
         )
-        inspected = Inspected(
+        inspector_sources = InspectorSources(
             self.clock,
             self.board,
             self.telemetry,
@@ -201,9 +202,9 @@ class Flight:
             self.watch,
             self.alarms,
         )
-        self._requests = self._askers.remembering(
+        self._requests = self._client_names.remembering(
             {
-                **state_requests(self.status, self.telemetry, inspected),
+                **state_requests(self.status, self.telemetry, inspector_sources),
                 **line_requests(self.lines, self.supervisor, self.simulator),
                 **command_requests(self.board, self.commands, self.parameters, self.ahrs_test, self.outlet),
                 **parameter_requests(self.parameters),
@@ -266,7 +267,7 @@ class Flight:
 
     def status(self) -> dict[str, Any]:
         """The status of all parts now."""
-        return build_status(self._shown)
+        return build_status(self._status_sources)
 
     def changed(self) -> None:
         """Send the status now, not at the next half-second tick."""
@@ -280,7 +281,7 @@ class Flight:
             "version": __version__,
             "vehicle": "live",
             "clock_offset_ns": self.clock.offset_ns,
-            "control": None if holder is None else {"client": holder.id, "name": holder.name},
+            "control": None if holder is None else client_fields(holder),
             "status": self.status(),
         }
 
@@ -306,7 +307,7 @@ class Flight:
         return moves or any(heartbeat.get(flag) is True for flag in ("autopilot", "autopilot_hil"))
 
     def _on_ahrs_test(self) -> None:
-        if self.board.guest is not None:
+        if self.board.exclusive_user is not None:
             self.hil.rest()
         self.changed()
 
