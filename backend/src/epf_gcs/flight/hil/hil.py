@@ -58,6 +58,7 @@ class Hil:
         self._unparsed: deque[tuple[float, bytes]] = deque(maxlen=_MOST_UNPARSED)
         self._show_due = False
         self._shown_s = 0.0
+        self._heard_s = 0.0
         self._raw_shown_s = 0.0
         self.path: Path = "manual"
         self.link: UdpLink | None = None
@@ -132,6 +133,7 @@ class Hil:
                 info = self._with_stick(info, now_s)
                 self._act_on(info, now_s)
             self._keep_rows(records, now_s)
+        self._heard_s = self._clock.now_s()
         if info is not None:
             self._info = info
         if not self._show_due and (info is not None or now_s - self._shown_s >= _SHOW_EVERY_S):
@@ -202,12 +204,12 @@ class Hil:
             self.frames_to_simulator += 1
 
     def _show(self) -> None:
-        """Send the samples to the viewers, after the control frame has left."""
+        """Send the samples to the viewers, after the control frame has left. Their time is the newest datagram's."""
         self._show_due = False
         while self._unparsed:
             heard_s, datagram = self._unparsed.popleft()
             self._keep_rows(parse(datagram) or (), heard_s)
-        t_s = self._clock.now_s()
+        t_s = self._heard_s
         self._shown_s = self._clock.steady_s()
         live = self._live(self._shown_s)
         named: dict[str, float | None] = dict(_NO_VALUES)
