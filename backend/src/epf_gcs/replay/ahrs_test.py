@@ -7,7 +7,7 @@ from epf_gcs.vehicle.vehicle import Vehicle
 
 
 class RecordedAhrsTest:
-    """Implements `epf_gcs.vehicle.board.Guest`."""
+    """Implements `epf_gcs.vehicle.board.ExclusiveUser`."""
 
     def __init__(self, vehicle: Vehicle) -> None:
         self._board = vehicle.board
@@ -16,16 +16,16 @@ class RecordedAhrsTest:
 
     def sent(self, data: bytes) -> None:
         """These bytes were sent to the board: they may begin or end the test."""
-        if self._board.guest is None and data.endswith(BEGIN):
-            self._board.lend(self)
+        if self._board.exclusive_user is None and data.endswith(BEGIN):
+            self._board.acquire_line(self)
             self._samples.test.start(self._clock.steady_s())
-        elif self._board.guest is self and data.startswith(QUIT):
-            self._board.take_back()
+        elif self._board.exclusive_user is self and data.startswith(QUIT):
+            self._board.release_line()
 
     def on_bytes(self, data: bytes) -> None:
         """Take bytes of the board's line during the test."""
         self._samples.take(data)
 
-    def goodbye(self) -> bytes:
+    def on_line_released(self) -> bytes:
         """The test is over."""
         return self._samples.test.stop()

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any, Final, Literal, Protocol
 
-from epf_gcs.replay.keys import Keys
+from epf_gcs.replay.keys import EVERY_NS, Keys
 from epf_gcs.replay.outlet import ReplayOutlet, Sink
 from epf_gcs.replay.pace import Pace
 from epf_gcs.replay.playhead import Playhead
@@ -169,8 +169,9 @@ class Player:
     def keys_came(self, now_s: float) -> None:
         """More key frames are there: a moment that was reached without one is now reached exactly."""
         latest_ns = self._keys.latest_ns
-        if self._is_rough and self.is_there and latest_ns is not None and latest_ns >= self._head.clock.t_ns:
-            self._go(now_s, self._head.clock.t_ns)
+        here_ns = self._head.clock.t_ns
+        if self._is_rough and self.is_there and latest_ns is not None and latest_ns + EVERY_NS >= here_ns:
+            self._go(now_s, here_ns)
 
     def _at_s(self, t_ns: int) -> float:
         return (t_ns - self._starts_ns) * 1e-9
@@ -214,8 +215,12 @@ class Player:
         end_ns = self._timeline.edge_ns if self._loop is None else min(self._timeline.edge_ns, self._loop[1])
         at_ns = self._pace.at_ns(now_s)
         if self._outlet.every:
+            if self._outlet.under_way >= _MOST_UNDER_WAY:
+                # The time stands still while the viewer cannot follow.
+                self._pace.jump(now_s, self._head.clock.t_ns)
+                return True
             if not self._feed_every(min(at_ns, end_ns)):
-                return self._wait_for_viewer(now_s)
+                return False
         elif not self._head.advance(min(at_ns, end_ns), _TURN):
             if (at_ns - self._head.clock.t_ns) * 1e-9 > _MOST_BEHIND_S * self._pace.rate:
                 self._pace.jump(now_s, self._head.clock.t_ns)
@@ -225,7 +230,7 @@ class Player:
         return True
 
     def _feed_every(self, to_ns: int) -> bool:
-        """Feed item by item, no more than the viewer can take. False if more is due."""
+        """Feed item by item, some samples at a time. False if more is due."""
         outlet = self._outlet
         for _ in range(_TURN):
             if self._head.advance(to_ns, 1):
@@ -233,16 +238,8 @@ class Player:
                 return True
             if outlet.waiting >= _TOGETHER:
                 break
-        if outlet.under_way < _MOST_UNDER_WAY:
-            outlet.give()
+        outlet.give()
         return False
-
-    def _wait_for_viewer(self, now_s: float) -> bool:
-        """The time stands still while a viewer of every sample cannot follow. True if there is nothing to do now."""
-        if self._outlet.under_way < _MOST_UNDER_WAY:
-            return False
-        self._pace.jump(now_s, self._head.clock.t_ns)
-        return True
 
     def _at_end(self, now_s: float, end_ns: int) -> None:
         if self._loop is not None and end_ns == self._loop[1]:
@@ -256,7 +253,7 @@ class Player:
             self._pace.jump(now_s, end_ns)
 
     def _give(self, now_s: float) -> None:
-        if now_s >= self._give_at_s:
+        if not self._outlet.every and now_s >= self._give_at_s:
             # On a grid, so that the mean rate is exact; after a pause the grid begins anew.
             self._give_at_s = max(self._give_at_s + self._period_s, now_s + 0.5 * self._period_s)
             self._outlet.give()

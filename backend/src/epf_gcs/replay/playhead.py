@@ -143,7 +143,12 @@ class Playhead:
     def can_be_kept(self) -> bool:
         """Whether a key frame can begin here: the next item is a message, of a later time than all before it."""
         item = self._cursor.peek()
-        return item is not None and item.topic > 0 and item.t_ns > self.clock.t_ns and self.vehicle.board.guest is None
+        return (
+            item is not None
+            and item.topic > 0
+            and item.t_ns > self.clock.t_ns
+            and self.vehicle.board.exclusive_user is None
+        )
 
     def _begin(self, from_ns: int | None) -> None:
         if from_ns is not None:
@@ -220,7 +225,7 @@ class Playhead:
         rate_command = self.known.take(note)
         if rate_command is not None:
             self.vehicle.telemetry.rate_changed(rate_command)
-            self.vehicle.board.books.rate_changed(rate_command)
+            self.vehicle.board.frame_statistics.rate_changed(rate_command)
             if rate_command == RATE_COMMANDS[0]:
                 self.vehicle.board.session.expect_heartbeat_every(self._period_s(rate_command))
         content = note.content

@@ -49,7 +49,7 @@ def _board(head: Playhead) -> dict[str, Any]:
         "firmware": {"name": capabilities.get("firmware_name"), "version": capabilities.get("firmware_version")}
         if is_extended
         else None,
-        "ahrs_test": "off" if board.guest is None else "running",
+        "ahrs_test": "off" if board.exclusive_user is None else "running",
         "emulated": board.is_emulated,
         "before_emulation_url": None,
         "periods_ms": {
@@ -115,7 +115,7 @@ def _hil(head: Playhead) -> dict[str, Any]:
 def _heard(head: Playhead) -> str:
     """The state of the board's line in a recording without notes of it: what the bytes let one see."""
     session = head.vehicle.board.session
-    if session.is_open or head.vehicle.board.guest is not None:
+    if session.is_open or head.vehicle.board.exclusive_user is not None:
         return "open"
     return "lost" if head.vehicle.telemetry.newest("heartbeat") is not None else "opening"
 

@@ -291,7 +291,7 @@ class Board:
             "frames": self.frames_received,
             "bytes": [self.bytes_in, self._bytes_at_tick],
             "damage": [dict(self.damage), dict(self._damage_before)],
-            "books": self.books.kept(),
+            "books": self.frame_statistics.kept(),
         }
 
     def restore(self, kept: Mapping[str, Any]) -> None:
@@ -302,7 +302,7 @@ class Board:
         self.frames_received = kept["frames"]
         self.bytes_in, self._bytes_at_tick = kept["bytes"]
         self.damage, self._damage_before = map(Counter, kept["damage"])
-        self.books.restore(kept["books"])
+        self.frame_statistics.restore(kept["books"])
 
     def capabilities(self) -> dict[str, Json]:
         """What an extended board reported about itself; empty for a legacy board."""
