@@ -19,7 +19,6 @@ from epf_gcs import __version__
 from epf_gcs.bus.address import Listener
 from epf_gcs.bus.definition import client_fields
 from epf_gcs.bus.vehicle_end import Broadcast, VehicleEnd
-from epf_gcs.clock import Clock
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.flight.alarm_history import AlarmHistory
 from epf_gcs.flight.board.ahrs_test import AhrsTestRun
@@ -35,10 +34,12 @@ from epf_gcs.flight.hil.simulator import Simulator
 from epf_gcs.flight.hil.stick import Stick
 from epf_gcs.flight.housekeeping import Housekeeping
 from epf_gcs.flight.inspection import InspectorSources
+from epf_gcs.flight.line_clock import LineClock
 from epf_gcs.flight.line_rates import LineRates
 from epf_gcs.flight.lines import Lines, LinkOpener
 from epf_gcs.flight.memory import Memory
 from epf_gcs.flight.recording.recorder import Recorder
+from epf_gcs.flight.recording.taps import line_taps
 from epf_gcs.flight.requests.client_names import ClientNames
 from epf_gcs.flight.requests.commands import command_requests
 from epf_gcs.flight.requests.hil import HilSwitches, stick_notices
@@ -67,7 +68,7 @@ class Flight:
         self._status_due = False
 
         # Time, memory, and the outlet to the stations.
-        self.clock = Clock()
+        self.clock = LineClock()
         self.outlet = Broadcast(self.clock.now_s)
         self._client_names = ClientNames()
         self._log = FlightLog(self.clock.steady_s)
@@ -78,7 +79,7 @@ class Flight:
         # The vehicle, recorded before it is decoded.
         self.recorder = Recorder(data_dir / "recordings", self.clock, f"epf-gcs {__version__}") if record else None
         board_tap, simulator_tap = (
-            (self.recorder.board_tap, self.recorder.simulator_tap) if self.recorder else (None, None)
+            (self.recorder.board_tap, self.recorder.simulator_tap) if self.recorder else line_taps(self.clock, None)
         )
         vehicle = Vehicle(self.clock, self.outlet, self.errors, self._commanded_period_s)
         self.telemetry, self.board = vehicle.telemetry, vehicle.board
@@ -109,7 +110,7 @@ class Flight:
         self.hil.path = "assisted" if self.memory.now.hil_path == "assisted" else "manual"
         self.simulator = Simulator(self.hil, self.clock, simulator_tap, self.errors.report, self._on_line)
         opener = LinkOpener(self.hil, lambda: self.simulator.address is not None)
-        self.supervisor = Supervisor(self.board, board_tap, self.errors.report, self._on_line, opener)
+        self.supervisor = Supervisor(self.board, self.clock, board_tap, self.errors.report, self._on_line, opener)
         self.lines = Lines(
             board=self.board,
             supervisor=self.supervisor,
@@ -130,8 +131,7 @@ class Flight:
         )
         self.rates = LineRates()
         self.ahrs_test = AhrsTestRun(
-            board=self.board,
-            telemetry=self.telemetry,
+            vehicle=vehicle,
             clock=self.clock,
             errors=self.errors,
             flies=self._flies,
