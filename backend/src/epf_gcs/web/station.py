@@ -9,31 +9,27 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import gc
-from collections.abc import AsyncIterator, Awaitable, Callable
+from collections.abc import AsyncIterator
 from pathlib import Path
 from typing import Any, Final
 
-import structlog
-
+from epf_gcs.bus.definition import Client, client_fields
 from epf_gcs.bus.station_end import StationEnd
 from epf_gcs.clock import Clock
 from epf_gcs.error_log import ErrorLog
-from epf_gcs.web.access.control import Client, Control
+from epf_gcs.kept_alive import keep_alive
+from epf_gcs.web.access.control import Control
 from epf_gcs.web.inspector.shared import SharedInspector
 from epf_gcs.web.maps.maps import Maps
-from epf_gcs.web.maps.online_file import OnlineFile
 from epf_gcs.web.state.whole import WholeStatus
 from epf_gcs.web.stream.endpoint import StreamParts
 from epf_gcs.web.stream.hub import Hub
 from epf_gcs.web.track.tracks import Tracks
 from epf_gcs.web.vehicle.mirror import VehicleMirror
 
-_RESTART_S: Final = 1.0
 # How long the server's start waits for the flight process, which is started at the same time.
 _FIRST_WAIT_S: Final = 5.0
 _STATUS_S: Final = 0.5
-
-log = structlog.get_logger("web")
 
 
 class Station:
@@ -41,6 +37,7 @@ class Station:
 
     def __init__(self, data_dir: Path, errors: ErrorLog) -> None:
         loop = asyncio.get_running_loop()
+        self._errors = errors
         self._here = asyncio.Event()
         self.clock = Clock()
         self.hub = Hub(loop, self.clock.now_s)
@@ -50,7 +47,7 @@ class Station:
         self.control = Control(loop, self._on_control)
         self.status = WholeStatus(lambda: self.mirror.status, self.control, errors, self.hub)
         self.tracks = Tracks(self.mirror, self.hub, self.clock, data_dir / "track", errors.report)
-        self.maps = Maps(data_dir / "maps", self.hub, self.clock, OnlineFile(data_dir, errors.report), errors.report)
+        self.maps = Maps(data_dir, self.hub, self.clock, errors.report)
         self.stream_parts = StreamParts(self.hub, self.control, self.vehicle, self.status, errors, self.clock)
         self.parts: dict[str, Any] = {
             "vehicle": self.vehicle,
@@ -70,7 +67,7 @@ class Station:
         try:
             async with asyncio.TaskGroup() as tasks:
                 running = [
-                    tasks.create_task(_keep_alive(name, job), name=name)
+                    tasks.create_task(keep_alive("web", name, job, lambda: self._errors.count("internal")), name=name)
                     for name, job in (
                         ("vehicle", self.vehicle.run),
                         ("maps", self.maps.run),
@@ -112,20 +109,9 @@ class Station:
         self._here.set()
 
     def _on_control(self, holder: Client | None) -> None:
-        data = {"client": holder.id if holder else None, "name": holder.name if holder else None}
-        self.hub.event("control", data)
+        self.hub.event("control", client_fields(holder))
         self._tell_vehicle(holder)
         self.status.changed()
 
     def _tell_vehicle(self, holder: Client | None) -> None:
-        self.vehicle.notice("control", client=holder.id if holder else None, name=holder.name if holder else None)
-
-
-async def _keep_alive(name: str, job: Callable[[], Awaitable[None]]) -> None:
-    """Run a task and restart it after a bug: one faulty task must not end the others."""
-    while True:
-        try:
-            await job()
-        except Exception:
-            log.exception("a part failed and begins again", part=name)
-            await asyncio.sleep(_RESTART_S)
+        self.vehicle.notice("control", **client_fields(holder))
