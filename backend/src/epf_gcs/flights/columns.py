@@ -199,7 +199,13 @@ class _Making:
             chosen = np.flatnonzero(messages.channel[begin:end] == channel) + begin
             if not len(chosen):
                 continue
-            some = Messages(*(column[chosen] for column in messages[:4]), messages.data)
+            some = Messages(
+                messages.channel[chosen],
+                messages.t_ns[chosen],
+                messages.start[chosen],
+                messages.length[chosen],
+                messages.data,
+            )
             self._rates.heard(channel, some.t_ns, some.length)
             if channel == SIMULATOR_RECEIVED:
                 for topic, one in self._datagrams.take(some).tables.items():
