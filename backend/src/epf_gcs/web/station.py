@@ -18,7 +18,12 @@ from epf_gcs.bus.station_end import StationEnd
 from epf_gcs.clock import Clock
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.kept_alive import keep_alive
+from epf_gcs.recordings.places import Places
 from epf_gcs.web.access.control import Control
+from epf_gcs.web.flights.flights import Flights
+from epf_gcs.web.flights.imports import FlightImports
+from epf_gcs.web.flights.jobs import Jobs
+from epf_gcs.web.flights.queries import Queries
 from epf_gcs.web.inspector.shared import SharedInspector
 from epf_gcs.web.maps.maps import Maps
 from epf_gcs.web.state.whole import WholeStatus
@@ -48,6 +53,10 @@ class Station:
         self.status = WholeStatus(lambda: self.mirror.status, self.control, errors, self.hub)
         self.tracks = Tracks(self.mirror, self.hub, self.clock, data_dir / "track", errors.report)
         self.maps = Maps(data_dir, self.hub, self.clock, errors.report)
+        self.flights = Flights(
+            Places(data_dir), Jobs(self.hub), self.clock, self._growing, lambda: self.mirror.is_here, errors.report
+        )
+        self.queries = Queries(data_dir)
         self.stream_parts = StreamParts(self.hub, self.control, self.vehicle, self.status, errors, self.clock)
         self.parts: dict[str, Any] = {
             "vehicle": self.vehicle,
@@ -58,6 +67,9 @@ class Station:
             "maps": self.maps,
             "inspector": SharedInspector(lambda: self.vehicle.request("inspector"), self.clock.steady_s),
             "recordings_dir": data_dir / "recordings",
+            "flights": self.flights,
+            "flight_queries": self.queries,
+            "flight_imports": FlightImports(self.flights),
             "clock": self.clock,
         }
 
@@ -72,6 +84,8 @@ class Station:
                         ("vehicle", self.vehicle.run),
                         ("maps", self.maps.run),
                         ("track", self.tracks.run),
+                        ("flights", self.flights.run),
+                        ("flight queries", self.queries.run),
                         ("status", self._repeat),
                     )
                 ]
@@ -87,6 +101,8 @@ class Station:
                     for task in running:
                         task.cancel()
         finally:
+            await self.queries.close()
+            await self.flights.close()
             await self.maps.close()
             await self.tracks.close()
 
@@ -97,8 +113,14 @@ class Station:
             if not self.mirror.is_here:
                 self.status.changed()
 
+    def _growing(self) -> str | None:
+        """The id of the flight that is being recorded."""
+        recording = self.mirror.status["recording"]
+        return str(recording["file"]).removesuffix(".mcap") if recording["active"] else None
+
     def _status_changed(self) -> None:
         self.tracks.status_changed()
+        self.flights.status_changed()
         self.status.changed()
 
     def _vehicle_here(self, holder: dict[str, Any] | None) -> None:
