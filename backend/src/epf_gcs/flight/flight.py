@@ -9,17 +9,14 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
-from collections.abc import AsyncIterator, Awaitable, Callable
+from collections.abc import AsyncIterator
 from pathlib import Path
-from typing import Any, Final
-
-import structlog
+from typing import Any
 
 from epf_gcs import __version__
 from epf_gcs.bus.address import Listener
 from epf_gcs.bus.definition import client_fields
 from epf_gcs.bus.vehicle_end import Broadcast, VehicleEnd
-from epf_gcs.clock import Clock
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.flight.alarm_history import AlarmHistory
 from epf_gcs.flight.board.ahrs_test import AhrsTestRun
@@ -35,10 +32,12 @@ from epf_gcs.flight.hil.simulator import Simulator
 from epf_gcs.flight.hil.stick import Stick
 from epf_gcs.flight.housekeeping import Housekeeping
 from epf_gcs.flight.inspection import InspectorSources
+from epf_gcs.flight.line_clock import LineClock
 from epf_gcs.flight.line_rates import LineRates
 from epf_gcs.flight.lines import Lines, LinkOpener
 from epf_gcs.flight.memory import Memory
 from epf_gcs.flight.recording.recorder import Recorder
+from epf_gcs.flight.recording.taps import line_taps
 from epf_gcs.flight.requests.client_names import ClientNames
 from epf_gcs.flight.requests.commands import command_requests
 from epf_gcs.flight.requests.hil import HilSwitches, stick_notices
@@ -47,14 +46,11 @@ from epf_gcs.flight.requests.parameters import mission_requests, parameter_reque
 from epf_gcs.flight.requests.state import alarm_requests, state_requests
 from epf_gcs.flight.status import StatusSources, build_status
 from epf_gcs.flight.watch import Watch
+from epf_gcs.kept_alive import keep_alive
 from epf_gcs.vehicle.alarms import Alarms
 from epf_gcs.vehicle.judges import AlarmId
 from epf_gcs.vehicle.restart import Restart
 from epf_gcs.vehicle.vehicle import Vehicle
-
-_RESTART_S: Final = 1.0
-
-log = structlog.get_logger("flight")
 
 
 class Flight:
@@ -67,7 +63,7 @@ class Flight:
         self._status_due = False
 
         # Time, memory, and the outlet to the stations.
-        self.clock = Clock()
+        self.clock = LineClock()
         self.outlet = Broadcast(self.clock.now_s)
         self._client_names = ClientNames()
         self._log = FlightLog(self.clock.steady_s)
@@ -78,7 +74,7 @@ class Flight:
         # The vehicle, recorded before it is decoded.
         self.recorder = Recorder(data_dir / "recordings", self.clock, f"epf-gcs {__version__}") if record else None
         board_tap, simulator_tap = (
-            (self.recorder.board_tap, self.recorder.simulator_tap) if self.recorder else (None, None)
+            (self.recorder.board_tap, self.recorder.simulator_tap) if self.recorder else line_taps(self.clock, None)
         )
         vehicle = Vehicle(self.clock, self.outlet, self.errors, self._commanded_period_s)
         self.telemetry, self.board = vehicle.telemetry, vehicle.board
@@ -109,7 +105,7 @@ class Flight:
         self.hil.path = "assisted" if self.memory.now.hil_path == "assisted" else "manual"
         self.simulator = Simulator(self.hil, self.clock, simulator_tap, self.errors.report, self._on_line)
         opener = LinkOpener(self.hil, lambda: self.simulator.address is not None)
-        self.supervisor = Supervisor(self.board, board_tap, self.errors.report, self._on_line, opener)
+        self.supervisor = Supervisor(self.board, self.clock, board_tap, self.errors.report, self._on_line, opener)
         self.lines = Lines(
             board=self.board,
             supervisor=self.supervisor,
@@ -130,8 +126,7 @@ class Flight:
         )
         self.rates = LineRates()
         self.ahrs_test = AhrsTestRun(
-            board=self.board,
-            telemetry=self.telemetry,
+            vehicle=vehicle,
             clock=self.clock,
             errors=self.errors,
             flies=self._flies,
@@ -243,7 +238,7 @@ class Flight:
         try:
             async with asyncio.TaskGroup() as tasks:
                 running = [
-                    tasks.create_task(self._keep_alive(name, job), name=name)
+                    tasks.create_task(keep_alive("flight", name, job, lambda: self.errors.count("internal")), name=name)
                     for name, job in (
                         ("board link", self.supervisor.run),
                         ("simulator link", self.simulator.run),
@@ -285,16 +280,6 @@ class Flight:
             "control": None if holder is None else client_fields(holder),
             "status": self.status(),
         }
-
-    async def _keep_alive(self, name: str, job: Callable[[], Awaitable[None]]) -> None:
-        """Run a task and restart it after a bug: one faulty task must not end a flight."""
-        while True:
-            try:
-                await job()
-            except Exception:
-                log.exception("a part failed and begins again", part=name)
-                self.errors.count("internal")
-                await asyncio.sleep(_RESTART_S)
 
     def _send_status(self) -> None:
         self._status_due = False

@@ -62,13 +62,13 @@ class Arrivals:
         same._times_s = self._times_s.copy()
         return same
 
-    def state(self) -> tuple[int, list[float], Any]:
+    def kept(self) -> tuple[int, list[float], Any]:
         """Count, times of the newest messages and values of the last, for `restored`."""
         return self.count, list(self._times_s)[-_REMEMBERED:], self.values
 
     @classmethod
     def restored(cls, count: int, times_s: Iterable[float], values: Any) -> Arrivals:
-        """Go on from a state that `state` gave."""
+        """Go on from a state that `kept` gave."""
         same = cls()
         same.count = count
         same.values = values

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
-from typing import Final, Protocol
+from typing import Any, Final, Protocol
 
 from epf_gcs.codec.frame import Damage, Frame, FrameDecoder
 from epf_gcs.codec.session import Session, SessionState
@@ -281,6 +281,28 @@ class Board:
         )
         if found is not None and self.on_restarted is not None:
             self.on_restarted(found)
+
+    def kept(self) -> dict[str, Any]:
+        """What the next bytes are decoded by, and all counts, as plain values for `restore`."""
+        return {
+            "session": self.session.kept(),
+            "decoder": self._decoder.kept(),
+            "was_open": self._was_open,
+            "frames": self.frames_received,
+            "bytes": [self.bytes_in, self._bytes_at_tick],
+            "damage": [dict(self.damage), dict(self._damage_before)],
+            "books": self.frame_statistics.kept(),
+        }
+
+    def restore(self, kept: Mapping[str, Any]) -> None:
+        """Go on from a state that `kept` gave, with the same line attached."""
+        self.session.restore(kept["session"])
+        self._decoder.restore(kept["decoder"])
+        self._was_open = kept["was_open"]
+        self.frames_received = kept["frames"]
+        self.bytes_in, self._bytes_at_tick = kept["bytes"]
+        self.damage, self._damage_before = map(Counter, kept["damage"])
+        self.frame_statistics.restore(kept["books"])
 
     def capabilities(self) -> dict[str, Json]:
         """What an extended board reported about itself; empty for a legacy board."""

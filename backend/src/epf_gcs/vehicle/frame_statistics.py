@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from typing import Final
+from typing import Any, Final
 
 from epf_gcs.codec.checksum import checksum
 from epf_gcs.codec.frame import Damage
@@ -43,6 +43,26 @@ class FrameStatistics:
         for topic, command in TASK_OF_TOPIC.items():
             if command == rate_command:
                 self.heard[topic].forget_rate()
+
+    def kept(self) -> list[Any]:
+        """All counts, as plain values for `restore`; jitter is measured anew after it."""
+        return [
+            [[name, *one.kept()] for name, one in self.heard.items() if one.count],
+            dict(self.damaged),
+            [[number, *one.kept()] for number, one in self.unknown.items()],
+            [[number, count] for number, count in self.unknown_damaged.items()],
+            self._after_failure,
+        ]
+
+    def restore(self, kept: list[Any]) -> None:
+        """Go on from a state that `kept` gave."""
+        self.clear()
+        heard, damaged, unknown, unknown_damaged, self._after_failure = kept
+        for name, *one in heard:
+            self.heard[name] = Arrivals.restored(*one)
+        self.damaged.update(damaged)
+        self.unknown.update({number: Arrivals.restored(*one) for number, *one in unknown})
+        self.unknown_damaged.update(dict(unknown_damaged))
 
     def on_damage(self, damage: Damage, t_s: float) -> None:
         """Count damage that came at Unix time `t_s`. Call it in the order of the line."""

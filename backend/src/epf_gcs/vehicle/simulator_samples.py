@@ -13,7 +13,7 @@ from epf_gcs.vehicle.arrivals import Arrivals
 from epf_gcs.vehicle.telemetry import Telemetry
 from epf_gcs.xplane.datagram import Eight, Record, parse
 from epf_gcs.xplane.gather import Gatherer
-from epf_gcs.xplane.mapping import XplaneInfo, row_meaning
+from epf_gcs.xplane.mapping import NEEDED_ROWS, XplaneInfo, row_meaning
 from epf_gcs.xplane.whole import WholeFrames
 
 # Hide a row not received for this long: 20 periods of the slowest simulator.
@@ -68,6 +68,10 @@ class SimulatorSamples:
         """Numbers of the rows that arrive at Unix time `now_s`."""
         return sorted(self._live(now_s))
 
+    def missing_rows(self, now_s: float) -> list[int]:
+        """Numbers of the rows that command 50 needs and that do not arrive."""
+        return sorted(NEEDED_ROWS - self._live(now_s).keys())
+
     def read(self, datagram: bytes, t_s: float) -> Reading | None:
         """What a datagram that came at Unix time `t_s` says; None if it is not one of X-Plane's."""
         info = self._whole_frames.read(datagram)
@@ -79,7 +83,7 @@ class SimulatorSamples:
         return Reading(t_s, datagram, records, self._gatherer.take(records, t_s))
 
     def show(self, reading: Reading) -> None:
-        """Take a datagram that was read; make samples of it if they are due. Call the telemetry's `flush` after it."""
+        """Take a datagram that was read, and make samples if they are due. Call the telemetry's `flush` after."""
         t_s, datagram, records, info = reading
         self.datagrams += 1
         self.bytes_in += len(datagram)
@@ -102,7 +106,7 @@ class SimulatorSamples:
             raw = {str(row): list(values) for row, values in sorted(live.items())}
             self._telemetry.take("xplane_rows", t_s, {"rows": raw})
 
-    def state(self) -> dict[str, Any]:
+    def kept(self) -> dict[str, Any]:
         """All that the next samples depend on, as plain values for `restore`."""
         return {
             "profile": self._profile,
@@ -110,12 +114,12 @@ class SimulatorSamples:
             "raw_shown_s": self._raw_shown_s,
             "datagrams": self.datagrams,
             "bytes_in": self.bytes_in,
-            "gatherer": self._gatherer.state(),
-            "rows": [[row, *one.state()] for row, one in self._rows.items()],
+            "gatherer": self._gatherer.kept(),
+            "rows": [[row, *one.kept()] for row, one in self._rows.items()],
         }
 
     def restore(self, state: Mapping[str, Any]) -> None:
-        """Go on from a state that `state` gave."""
+        """Go on from a state that `kept` gave."""
         self.begin(state["profile"])
         self._shown_s = state["shown_s"]
         self._raw_shown_s = state["raw_shown_s"]

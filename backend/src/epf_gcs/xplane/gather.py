@@ -76,7 +76,7 @@ class Gatherer:
                 self._descents = 0
         return info
 
-    def state(self) -> dict[str, Any]:
+    def kept(self) -> dict[str, Any]:
         """All that the next datagrams are read by, as plain values for `restore`."""
         return {name: getattr(self, name) for name in _PLAIN} | {
             "_rows": [[row, values] for row, values in self._rows.items()],
@@ -84,7 +84,7 @@ class Gatherer:
         }
 
     def restore(self, state: Mapping[str, Any]) -> None:
-        """Go on from a state that `state` gave."""
+        """Go on from a state that `kept` gave."""
         for name in _PLAIN:
             setattr(self, name, state[name])
         self._rows = {row: dict(values) for row, values in state["_rows"]}

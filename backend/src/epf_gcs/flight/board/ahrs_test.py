@@ -11,14 +11,11 @@ from collections.abc import Callable
 from typing import Final, Literal
 
 from epf_gcs.clock import Clock
-from epf_gcs.codec.ahrs_test import AhrsTest
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.errors import ConflictError, LinkError
 from epf_gcs.flight.board.commands import CommandResult
 from epf_gcs.vehicle.board import Board
-from epf_gcs.vehicle.telemetry import Telemetry
-
-TOPIC: Final = "ahrs_test"
+from epf_gcs.vehicle.vehicle import Vehicle
 
 Stage = Literal["off", "starting", "running", "ending"]
 
@@ -36,21 +33,20 @@ class AhrsTestRun:
     def __init__(
         self,
         *,
-        board: Board,
-        telemetry: Telemetry,
+        vehicle: Vehicle,
         clock: Clock,
         errors: ErrorLog,
         flies: Callable[[], bool],
         changed: Callable[[], None],
     ) -> None:
-        self._board = board
-        self._telemetry = telemetry
+        self._board: Board = vehicle.board
+        self._samples = vehicle.ahrs_test
         self._clock = clock
         self._errors = errors
         self._flies = flies
         self._changed = changed
         self._lock = asyncio.Lock()
-        self._test = AhrsTest()
+        self._test = vehicle.ahrs_test.test
         self._heard_s = 0.0
         self._has_record = False
         self._news = asyncio.Event()
@@ -119,13 +115,9 @@ class AhrsTestRun:
     def on_bytes(self, data: bytes) -> None:
         """Take bytes of the board's line during the test."""
         was = self.stage
-        attitudes = self._test.feed(data)
-        if attitudes:
+        if self._samples.take(data):
             self._has_record = True
             self._heard_s = self._clock.steady_s()
-            # All came in one chunk: only the newest is worth showing.
-            self._telemetry.take(TOPIC, self._clock.now_s(), dict(attitudes[-1]._asdict()))
-            self._telemetry.flush()
             self._news.set()
         if self.stage != was:
             self._changed()

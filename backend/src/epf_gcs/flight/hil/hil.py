@@ -15,6 +15,7 @@ from epf_gcs.clock import Clock
 from epf_gcs.codec.encode import frame_bytes
 from epf_gcs.codec.frame import TO_BOARD, Frame
 from epf_gcs.codec.messages_gen import COMMANDS
+from epf_gcs.codec.values import single
 from epf_gcs.flight.hil.stick import Stick
 from epf_gcs.link.udp import UdpLink
 from epf_gcs.vehicle.arrivals import Arrivals
@@ -24,7 +25,7 @@ from epf_gcs.vehicle.simulator_samples import Reading, SimulatorSamples
 from epf_gcs.vehicle.telemetry import Telemetry
 from epf_gcs.vehicle.vehicle import Vehicle
 from epf_gcs.xplane.datagram import Surfaces, surfaces_datagram
-from epf_gcs.xplane.mapping import NEEDED_ROWS, XplaneInfo, surfaces_from_servos_in
+from epf_gcs.xplane.mapping import XplaneInfo, surfaces_from_servos_in
 
 Path = Literal["manual", "assisted"]
 Source = Literal["joystick", "rc"]
@@ -71,7 +72,7 @@ class Hil:
     @property
     def missing_rows(self) -> list[int]:
         """Numbers of the rows that command 50 needs and that do not arrive."""
-        return sorted(NEEDED_ROWS - set(self.rows))
+        return self._samples.missing_rows(self._clock.now_s())
 
     @property
     def arrivals(self) -> Mapping[int, Arrivals]:
@@ -134,7 +135,8 @@ class Hil:
         chosen = None if self._board.is_emulated else self.stick.now(now_s)
         if chosen is None:
             return info
-        elevator, aileron, rudder, throttle = chosen
+        # As the wire will carry them, so that the recording holds what was shown.
+        elevator, aileron, rudder, throttle = map(single, chosen)
         return info._replace(elevator=elevator, aileron=aileron, rudder=rudder, throttle=throttle)
 
     def _act_on(self, info: XplaneInfo, now_s: float) -> None:
