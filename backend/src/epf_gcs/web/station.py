@@ -20,6 +20,7 @@ from epf_gcs.bus.station_end import StationEnd
 from epf_gcs.clock import Clock
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.web.access.control import Control
+from epf_gcs.web.flights.replays import Replays
 from epf_gcs.web.inspector.shared import SharedInspector
 from epf_gcs.web.maps.maps import Maps
 from epf_gcs.web.maps.online_file import OnlineFile
@@ -52,7 +53,10 @@ class Station:
         self.status = WholeStatus(lambda: self.mirror.status, self.control, errors, self.hub)
         self.tracks = Tracks(self.mirror, self.hub, self.clock, data_dir / "track", errors.report)
         self.maps = Maps(data_dir / "maps", self.hub, self.clock, OnlineFile(data_dir, errors.report), errors.report)
-        self.stream_parts = StreamParts(self.hub, self.control, self.vehicle, self.status, errors, self.clock)
+        self.replays = Replays(data_dir, errors, self._active_recording)
+        self.stream_parts = StreamParts(
+            self.hub, self.control, self.vehicle, self.status, errors, self.clock, self.replays
+        )
         self.parts: dict[str, Any] = {
             "vehicle": self.vehicle,
             "mirror": self.mirror,
@@ -91,6 +95,7 @@ class Station:
                     for task in running:
                         task.cancel()
         finally:
+            await self.replays.close()
             await self.maps.close()
             await self.tracks.close()
 
@@ -100,6 +105,11 @@ class Station:
             await asyncio.sleep(_STATUS_S)
             if not self.mirror.is_here:
                 self.status.changed()
+
+    def _active_recording(self) -> str | None:
+        """The name of the file that is being written, None if none is."""
+        recording = self.mirror.status["recording"]
+        return recording["file"] if recording["active"] else None
 
     def _status_changed(self) -> None:
         self.tracks.status_changed()
