@@ -143,6 +143,7 @@ def test_what_is_no_wish_of_a_viewer_is_refused_in_words(station: Gateway, wish:
 def test_what_cannot_be_replayed_is_refused_before_anything_is_started(
     station: Gateway, query: str, status: int
 ) -> None:
+    eventually(lambda: not replays(), "earlier ones have ended")
     with pytest.raises(InvalidStatus) as refused, station.stream(query):
         pass
     assert refused.value.response.status_code == status
@@ -159,6 +160,7 @@ def test_a_file_that_is_no_recording_is_told_and_the_stream_closed(station: Gate
 
 def test_so_many_replays_and_no_more_and_a_live_viewer_beside_them_sees_nothing_of_it(station: Gateway) -> None:
     with station.stream() as live:
+        eventually(lambda: not replays(), "earlier ones have ended")
         streams = [station.stream(f"?flight={ID}&at_s={number}") for number in range(MOST_OF_A_HOST)]
         opened = [stream.__enter__() for stream in streams]
         assert len(replays()) == MOST_OF_A_HOST

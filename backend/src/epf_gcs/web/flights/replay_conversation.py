@@ -53,6 +53,8 @@ class ReplayConversation:
         self._playback: dict[str, Any] = {}
         self._at_s = 0.0
         self._untold = 0
+        self._jump: bytes | None = None
+        self._is_elsewhere = True
         self._early: list[tuple[str, dict[str, Any]]] = []
         self._is_greeted = False
 
@@ -103,7 +105,8 @@ class ReplayConversation:
 
     def on_sample(self, sample: Named) -> None:
         """A sample of the moment that is shown."""
-        newest_s = self._hub.state.newest_s
+        newest_s = sample.t_s if self._is_elsewhere else self._hub.state.newest_s
+        self._is_elsewhere = False
         self._hub.state.put(sample.name, sample.t_s, sample.text)
         # A batch's time goes back only where the replay went elsewhere.
         self._hub.state.newest_s = max(newest_s, sample.t_s)
@@ -111,6 +114,7 @@ class ReplayConversation:
 
     def on_samples_end(self) -> None:
         """A group of samples is complete."""
+        self._tell_jump()
         self._hub.flush()
         self._tell_taken()
 
@@ -120,16 +124,24 @@ class ReplayConversation:
 
     def on_status(self, status: dict[str, Any]) -> None:
         """The state of the flight at that moment."""
+        self._tell_jump()
         self._hub.status(orjson.dumps({"type": "status", "data": self._whole(status)}))
 
     def on_playback(self, playback: dict[str, Any]) -> None:
         """Where the replay is; after a jump all samples before it are of another moment."""
+        self._at_s = playback["t_s"]
+        text = orjson.dumps({"type": "playback", **playback})
         if playback["jumps"] != self._playback.get("jumps"):
             self._hub.state.clear()
+            self._hub.state.newest_s = self._at_s
+            self._is_elsewhere = True
             self._untold = 0
+            # Sent with the samples of the new moment, which follow: no batch lies between.
+            self._jump = text
+        else:
+            self._tell_jump()
+            self._hub.send_event(text)
         self._playback = playback
-        self._at_s = playback["t_s"]
-        self._hub.send_event(orjson.dumps({"type": "playback", **playback}))
 
     def on_lost(self, *, ended: bool) -> None:
         """The replay has gone; `_run` says why."""
@@ -199,6 +211,12 @@ class ReplayConversation:
         if self._untold and not self._viewer.rate_hz and not self._viewer.waiting and not self._viewer.queued:
             self._process.notice("taken", count=self._untold)
             self._untold = 0
+
+    def _tell_jump(self) -> None:
+        if self._jump is not None:
+            self._viewer.offer_event(self._jump)
+            self._jump = None
+            self._hub.serve(self._viewer)
 
     def _tell_error(self, code: str, detail: str) -> None:
         data = {"code": code, "detail": detail, "params": {}, "count": 1}
