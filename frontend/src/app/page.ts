@@ -26,6 +26,7 @@ import { SERVO_SLIDERS } from "../features/servos/servoPositions";
 import { createServoSliders } from "../features/servos/servoSliders";
 import { BOARD_CONSOLE } from "../features/setup/consoleLog";
 import { createBoardConsole } from "../features/setup/consoleRequests";
+import type { AnimationFrames } from "../lib/animationFrames";
 import type { Timers } from "../lib/timers";
 import { createPlanActions, takePlanEvent, takePlanStatus } from "../missions/missionRequests";
 import { createPlans, MISSIONS } from "../missions/planDrafts";
@@ -39,7 +40,7 @@ import { DamageRate } from "../store/damage";
 import type { Page } from "../store/hooks";
 import { createMessages, type Message, say } from "../store/messages";
 import { Parts } from "../store/parts";
-import { type FrameSource, Pump } from "../store/pump";
+import { Pump } from "../store/pump";
 import { StreamRates } from "../store/rates";
 import { type BrowserStorage, createSettings } from "../store/settings";
 import { TelemetryStore } from "../store/telemetry";
@@ -53,9 +54,7 @@ export interface World {
   readonly wall_ms: () => number;
   readonly dial: (client: string | null, listener: WireListener) => Wire;
   readonly fetch: (path: string, init: RequestInit) => Promise<Response>;
-  readonly requestFrame: (callback: (now_ms: number) => void) => number;
-  readonly cancelFrame: (handle: number) => void;
-  readonly measureFrame?: FrameSource["measure"];
+  readonly animationFrames: AnimationFrames;
   /** `storage` outlives the browser; `tabStorage` lasts until this browser tab is closed. */
   readonly storage: BrowserStorage | null;
   readonly tabStorage: BrowserStorage | null;
@@ -87,16 +86,7 @@ export function createPage(world: World): {
   const damage = new DamageRate();
   const rates = new StreamRates();
   const now_ms = world.timers.now_ms;
-  const pump = new Pump(
-    {
-      request: world.requestFrame,
-      cancel: world.cancelFrame,
-      ...(world.measureFrame && { measure: world.measureFrame }),
-    },
-    () => telemetry.revision,
-    now_ms(),
-    fail,
-  );
+  const pump = new Pump(world.animationFrames, () => telemetry.revision, now_ms(), fail);
   const client = (): string | null => connection.getState().client;
   const tell = (message: Message): void => say(messages, message, world.wall_ms());
 

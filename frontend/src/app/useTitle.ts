@@ -10,7 +10,7 @@ export function useTitle(): void {
     phase === "open" ? (status?.board.state ?? "unknown") : "unknown",
   );
   const alarms = useConnection(({ status, phase }) => (phase === "open" ? lasting(status) : 0));
-  const title = t("frame.title", { state: t(`link.${state}`), name: t("app.name") });
+  const title = t("window.title", { state: t(`link.${state}`), name: t("app.name") });
   useEffect(() => {
     document.title = alarms === 0 ? title : `(${alarms}) ${title}`;
   }, [alarms, title]);

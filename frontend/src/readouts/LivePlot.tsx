@@ -169,7 +169,7 @@ function useRecording(signals: readonly Signal[], window_s: number): Recording {
     },
     [signals],
   );
-  usePaint("frame", keep);
+  usePaint("movement", keep);
 
   return useCallback(
     (now_ms) => history.current?.window(now_ms / 1000, window_s) ?? { before_s: [], values: new Map() },

@@ -9,11 +9,9 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
-from collections.abc import AsyncIterator, Awaitable, Callable
+from collections.abc import AsyncIterator
 from pathlib import Path
-from typing import Any, Final
-
-import structlog
+from typing import Any
 
 from epf_gcs import __version__
 from epf_gcs.bus.address import Listener
@@ -48,14 +46,11 @@ from epf_gcs.flight.requests.parameters import mission_requests, parameter_reque
 from epf_gcs.flight.requests.state import alarm_requests, state_requests
 from epf_gcs.flight.status import StatusSources, build_status
 from epf_gcs.flight.watch import Watch
+from epf_gcs.kept_alive import keep_alive
 from epf_gcs.vehicle.alarms import Alarms
 from epf_gcs.vehicle.judges import AlarmId
 from epf_gcs.vehicle.restart import Restart
 from epf_gcs.vehicle.vehicle import Vehicle
-
-_RESTART_S: Final = 1.0
-
-log = structlog.get_logger("flight")
 
 
 class Flight:
@@ -243,7 +238,7 @@ class Flight:
         try:
             async with asyncio.TaskGroup() as tasks:
                 running = [
-                    tasks.create_task(self._keep_alive(name, job), name=name)
+                    tasks.create_task(keep_alive("flight", name, job, lambda: self.errors.count("internal")), name=name)
                     for name, job in (
                         ("board link", self.supervisor.run),
                         ("simulator link", self.simulator.run),
@@ -285,16 +280,6 @@ class Flight:
             "control": None if holder is None else client_fields(holder),
             "status": self.status(),
         }
-
-    async def _keep_alive(self, name: str, job: Callable[[], Awaitable[None]]) -> None:
-        """Run a task and restart it after a bug: one faulty task must not end a flight."""
-        while True:
-            try:
-                await job()
-            except Exception:
-                log.exception("a part failed and begins again", part=name)
-                self.errors.count("internal")
-                await asyncio.sleep(_RESTART_S)
 
     def _send_status(self) -> None:
         self._status_due = False

@@ -20,6 +20,10 @@ from epf_gcs.web.alarms import routes as alarms
 from epf_gcs.web.commands import ahrs_test_routes as ahrs_test
 from epf_gcs.web.commands import routes as commands
 from epf_gcs.web.earth import routes as earth
+from epf_gcs.web.flights import data_routes as flight_data
+from epf_gcs.web.flights import job_routes as jobs
+from epf_gcs.web.flights import mark_routes as flight_marks
+from epf_gcs.web.flights import routes as flights
 from epf_gcs.web.inspector import routes as inspector
 from epf_gcs.web.links import routes as links
 from epf_gcs.web.maps import online_routes as online_maps
@@ -86,6 +90,10 @@ def create_app(settings: Settings, visitors: Visitors | None = None) -> FastAPI:
         online_maps,
         alarms,
         recordings,
+        flights,
+        flight_data,
+        flight_marks,
+        jobs,
         about,
         inspector,
     ):
@@ -100,7 +108,7 @@ def create_app(settings: Settings, visitors: Visitors | None = None) -> FastAPI:
         errors=errors,
         max_body_bytes=settings.max_body_bytes,
         longer_bodies={_PREFIX + mission_files.IMPORT_PATH: MAX_FILE_BYTES},
-        streamed_bodies=frozenset({_PREFIX + maps.IMPORTS_PATH}),
+        streamed_bodies=frozenset({_PREFIX + maps.IMPORTS_PATH, _PREFIX + flights.UPLOAD_PATH}),
         answers=answers,
     )
     return app

@@ -20,6 +20,7 @@ class Settings(BaseSettings):
         default=None, description="The built page; by default the one that ships with the gateway."
     )
     fd: int | None = Field(default=None, description="An inherited listening socket, in place of host and port.")
+    watchdog: int | None = Field(default=None, description="An inherited pipe for signs of life to the parent.")
     allowed_hosts: tuple[str, ...] = Field(default=(), description="More names under which browsers may ask.")
     allowed_origins: tuple[str, ...] = Field(default=(), description="More web origins which may command.")
     local_maps: tuple[str, ...] = Field(

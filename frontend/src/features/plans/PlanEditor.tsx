@@ -46,7 +46,7 @@ export function PlanEditor({ plan }: { plan: PlanName }) {
         <div className="plans-main">
           <RowTools plan={plan} selected={selected} count={waypoints.length} edit={edit} />
           {/* biome-ignore lint/a11y/noStaticElementInteractions: the keys are those of the cells within */}
-          <div ref={edit.frame} className="plans-frame" onKeyDown={edit.onKeyDown}>
+          <div ref={edit.box} className="plans-box" onKeyDown={edit.onKeyDown}>
             {waypoints.length === 0 ? (
               <p className="plans-empty">{t("plans.empty")}</p>
             ) : (

@@ -25,13 +25,13 @@ _FARTHEST_S: Final = 1e9
 
 
 class Replays:
-    """`active` gives the name of the file that is being written, None while there is none."""
+    """`growing` gives the id of the flight that is being recorded, None while there is none."""
 
-    def __init__(self, data_dir: Path, errors: ErrorLog, active: Callable[[], str | None]) -> None:
+    def __init__(self, data_dir: Path, errors: ErrorLog, growing: Callable[[], str | None]) -> None:
         self._recordings = data_dir / "recordings"
         self._keys = data_dir / "keyframes"
         self._errors = errors
-        self._active = active
+        self._growing = growing
         self._hosts: Counter[str] = Counter()
         self._running: set[asyncio.Task[None]] = set()
 
@@ -78,8 +78,8 @@ class Replays:
 
     def _file(self, flight: str) -> Path:
         """The file of this id. Raises Refusal."""
-        name = self._active() if flight == CURRENT else f"{flight}.mcap" if FLIGHT_ID.fullmatch(flight) else None
-        file = None if name is None else self._recordings / name
+        flight_id = self._growing() if flight == CURRENT else flight if FLIGHT_ID.fullmatch(flight) else None
+        file = None if flight_id is None else self._recordings / f"{flight_id}.mcap"
         if file is None or not file.is_file():
             self._errors.count("recording_unknown")
             sentence = (
