@@ -8,12 +8,15 @@ from typing import Any, Final
 from fastapi import APIRouter, FastAPI
 from fastapi.openapi.utils import get_openapi
 from fastapi.responses import HTMLResponse, Response
+from pydantic.json_schema import models_json_schema
 
 from epf_gcs import __version__
+from epf_gcs.web.flights import schemas as flights
 from epf_gcs.web.problems import MEDIA_TYPE
-from epf_gcs.web.schemas import Problem
+from epf_gcs.web.schemas import Output, Problem
 
 OPENAPI_PATH: Final = "/api/v1/openapi.json"
+_REFERENCE: Final = "#/components/schemas/{model}"
 _ASSETS: Final = {"swagger-ui-bundle.js": "text/javascript", "swagger-ui.css": "text/css"}
 _PAGE: Final = """<!doctype html>
 <html lang="en">
@@ -46,12 +49,16 @@ the place of the simulator's rows 8 and 25. A sample is used for 0.3 s; without 
 then, and the throttle is closed after 2 s. The choice ends with that page's control.
 
 **Events**: `alarm` (an alarm that came, went or was acknowledged), `command` (pending, and what became of it),
-`console`, `control`, `error`, `flight` (the flight process: `state` is `lost` or `back`), `journal` (a new entry, and
-what undo and redo would write now), `link`, `map_import` (as `GET /map/imports/{id}`, at most four a second),
-`mission`, `parameter` (the gains that changed, each with value, state and loaded value), `recording`, `stick` (where
-the stick comes from, whether it is `live` or `lost`, and the `reason`: `chosen`, `control_lost`, `lost`, `back`) and
-`track`.
+`console`, `control`, `error`, `flight` (the flight process: `state` is `lost` or `back`), `job` (as `GET /jobs/{id}`,
+at most four a second), `journal` (a new entry, and what undo and redo would write now), `link`, `map_import` (as `GET
+/map/imports/{id}`, at most four a second), `mission`, `parameter` (the gains that changed, each with value, state and
+loaded value), `recording`, `stick` (where the stick comes from, whether it is `live` or `lost`, and the `reason`:
+`chosen`, `control_lost`, `lost`, `back`) and `track`.
 """
+
+# Shapes that no route answers with: of messages on the stream. They stand under `x-shapes`, from which
+# the page's checks are generated as from the answers.
+SHAPES: Final[tuple[type[Output], ...]] = (flights.Playback,)
 
 router = APIRouter(include_in_schema=False)
 
@@ -90,6 +97,10 @@ def describe(app: FastAPI) -> dict[str, Any]:
         schemas.pop("HTTPValidationError", None)
         schemas.pop("ValidationError", None)
         schemas.setdefault("Problem", Problem.model_json_schema())
+        references, parts = models_json_schema([(shape, "serialization") for shape in SHAPES], ref_template=_REFERENCE)
+        schema["x-shapes"] = {shape.__name__: references[shape, "serialization"] for shape in SHAPES}
+        for name, part in parts["$defs"].items():
+            schemas.setdefault(name, part)
         app.openapi_schema = schema
     return app.openapi_schema
 

@@ -16,7 +16,7 @@ from mcap.exceptions import EndOfFile
 from mcap.records import Message, Metadata
 from mcap.stream_reader import StreamReader
 
-from epf_gcs.clock import Clock
+from epf_gcs.flight.line_clock import LineClock
 from epf_gcs.flight.recording.recorder import Recorder
 from epf_gcs.recordings.topics import TOPICS
 from tests.support.waiting import eventually
@@ -33,7 +33,7 @@ def messages(path: Path) -> list[tuple[str, bytes]]:
 
 @contextlib.contextmanager
 def recording(folder: Path, *, retry_s: float = 0.0) -> Iterator[Recorder]:
-    recorder = Recorder(folder, Clock(), "test", retry_s=retry_s)
+    recorder = Recorder(folder, LineClock(), "test", retry_s=retry_s)
     recorder.start()
     try:
         yield recorder
@@ -86,7 +86,7 @@ def test_what_was_recorded_is_on_the_disk_while_the_flight_goes_on(tmp_path: Pat
 def test_a_file_cut_anywhere_is_read_up_to_the_cut(tmp_path: Path) -> None:
     with recording(tmp_path) as recorder:
         for index in range(20):
-            recorder.board_tap.received(b"frame %d" % index)
+            recorder.simulator_tap.received(b"DATA %d" % index)
     (file,) = tmp_path.glob("*.mcap")
     whole = messages(file)
     data = file.read_bytes()
@@ -153,7 +153,7 @@ def test_a_full_disk_is_told_and_what_is_on_it_stays_readable(small_disk: Path) 
 
 
 def test_a_disk_that_does_not_keep_up_costs_bytes_and_no_memory(tmp_path: Path) -> None:
-    recorder = Recorder(tmp_path, Clock(), "test")  # its thread is not started: it writes nothing
+    recorder = Recorder(tmp_path, LineClock(), "test")  # its thread is not started: it writes nothing
     for _ in range(100_500):
         recorder.board_tap.received(b"x")
     assert recorder.bytes_lost == 500
@@ -176,7 +176,7 @@ def test_a_folder_that_is_removed_in_flight_is_told_and_the_flight_goes_into_a_n
 
 
 def test_a_loss_that_was_mended_is_not_told_for_ever(tmp_path: Path) -> None:
-    recorder = Recorder(tmp_path, Clock(), "test", told_s=0.0)
+    recorder = Recorder(tmp_path, LineClock(), "test", told_s=0.0)
     recorder.start()
     recorder.board_tap.received(b"before")
     eventually(lambda: recorder.file is not None, "it records")
@@ -206,7 +206,7 @@ def test_a_disk_without_room_gets_no_empty_files(tmp_path: Path) -> None:
 
 def test_a_disk_that_is_nearly_full_is_not_begun_on_and_said_once(tmp_path: Path) -> None:
     with structlog.testing.capture_logs() as logged:
-        recorder = Recorder(tmp_path, Clock(), "test", retry_s=0.0, least_bytes=2**62)
+        recorder = Recorder(tmp_path, LineClock(), "test", retry_s=0.0, least_bytes=2**62)
         recorder.start()
         for count in range(1, 4):
             recorder.board_tap.received(b"lost")

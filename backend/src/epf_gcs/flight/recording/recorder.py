@@ -13,16 +13,20 @@ import os
 import shutil
 import threading
 from collections import deque
+from collections.abc import Iterator
+from itertools import groupby
+from operator import itemgetter
 from pathlib import Path
-from time import monotonic_ns
+from time import monotonic, monotonic_ns
 from typing import Final
 
-from epf_gcs.clock import Clock
 from epf_gcs.flight.flight_log import say
+from epf_gcs.flight.line_clock import LineClock
 from epf_gcs.flight.recording.recording_file import RecordingFile
 from epf_gcs.flight.recording.repair import recordings_in, repair_all
+from epf_gcs.flight.recording.taps import NOTE, Entry, line_taps
 from epf_gcs.recordings.mcap_file import message_record, metadata_record
-from epf_gcs.recordings.topics import BOARD_RECEIVED, BOARD_SENT, SIMULATOR_RECEIVED, SIMULATOR_SENT, TOPICS
+from epf_gcs.recordings.topics import STREAMS, TOPICS
 
 _FLUSH_S: Final = 0.25
 _SYNC_S: Final = 0.5
@@ -32,41 +36,6 @@ _TOLD_S: Final = 5.0
 # With less free space than the first no file is begun; below the second the log warns.
 _LEAST_BYTES: Final = 16 * 1024 * 1024
 _LOW_BYTES: Final = 512 * 1024 * 1024
-# Entries, about a minute of a full line and a simulator: a disk this far behind will not catch up.
-_MAX_QUEUED: Final = 100_000
-_NOTE: Final = 0
-
-# Queue entry for the writer: (channel or _NOTE, steady time in ns, bytes); None ends the session.
-_Entry = tuple[int, int, bytes] | None
-
-
-class RecorderTap:
-    """Hands the bytes of one line to the recorder; see `epf_gcs.link.base.Tap`. Never blocks.
-
-    This runs first for every chunk of a line, so it does no more than one length check and one append.
-    """
-
-    __slots__ = ("_queue", "_received", "_sent", "lost")
-
-    def __init__(self, queue: deque[_Entry], received: int, sent: int) -> None:
-        self._queue = queue
-        self._received = received
-        self._sent = sent
-        self.lost = 0
-
-    def received(self, data: bytes) -> None:
-        """Record bytes that arrived."""
-        if len(self._queue) < _MAX_QUEUED:
-            self._queue.append((self._received, monotonic_ns(), data))
-        else:
-            self.lost += len(data)
-
-    def sent(self, data: bytes) -> None:
-        """Record bytes that were sent."""
-        if len(self._queue) < _MAX_QUEUED:
-            self._queue.append((self._sent, monotonic_ns(), data))
-        else:
-            self.lost += len(data)
 
 
 class Recorder:
@@ -78,7 +47,7 @@ class Recorder:
     def __init__(
         self,
         folder: Path,
-        clock: Clock,
+        clock: LineClock,
         library: str,
         *,
         retry_s: float = _RETRY_S,
@@ -91,13 +60,12 @@ class Recorder:
         self._retry_s = retry_s
         self._told_s = told_s
         self._least_bytes = least_bytes
-        self._queue: deque[_Entry] = deque()
+        self._queue: deque[Entry] = deque()
         self._wake = threading.Event()
         self._stopping = False
         self._thread = threading.Thread(target=self._run, name="recorder", daemon=True)
         self._mending: threading.Thread | None = None
-        self.board_tap = RecorderTap(self._queue, BOARD_RECEIVED, BOARD_SENT)
-        self.simulator_tap = RecorderTap(self._queue, SIMULATOR_RECEIVED, SIMULATOR_SENT)
+        self.board_tap, self.simulator_tap = line_taps(clock, self._queue)
         # Written by the thread alone and read by the loop: single assignments, no lock needed.
         self.file: Path | None = None
         self.bytes_written = 0
@@ -138,7 +106,7 @@ class Recorder:
 
     def note(self, name: str, values: dict[str, str]) -> None:
         """Put a note into the recording, such as the address of a line that was opened."""
-        self._queue.append((_NOTE, 0, metadata_record(name, values)))
+        self._queue.append((NOTE, 0, metadata_record(name, values)))
 
     def end_session(self) -> None:
         """Close the file; the next bytes begin a new one."""
@@ -170,28 +138,26 @@ class Recorder:
         try:
             output = self._output or self._open()
             if output is not None:
-                output.put(b"".join([self._record(output, *entry) for entry in batch]))
+                output.put(b"".join([self._record(output, *entry) for entry in _together(batch)]))
                 self._wrote(output)
                 return
         except OSError as error:
             self._fail(error)
-        self._bytes_unwritten += sum(len(data) for channel, _, data in batch if channel != _NOTE)
+        self._bytes_unwritten += sum(len(data) for channel, _, data in batch if channel != NOTE)
 
-    def _record(self, output: RecordingFile, channel: int, steady_ns: int, data: bytes) -> bytes:
-        if channel == _NOTE:
+    def _record(self, output: RecordingFile, channel: int, time_ns: int, data: bytes) -> bytes:
+        if channel == NOTE:
             output.tally.metadata_count += 1
             return data
-        time_ns = self._clock.unix_ns(steady_ns)
         return message_record(channel, output.tally.add(channel, time_ns), time_ns, data)
 
     def _open(self) -> RecordingFile | None:
-        now_ns = self._clock.now_ns()
-        if now_ns * 1e-9 < self._retry_at_s:
+        if monotonic() < self._retry_at_s:
             return None
         self._folder.mkdir(parents=True, exist_ok=True)
         if self._measure() < self._least_bytes:
             raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
-        self._output = RecordingFile(self._folder, now_ns, self._library, TOPICS)
+        self._output = RecordingFile(self._folder, self._clock.unix_ns(monotonic_ns()), self._library, TOPICS)
         self._bytes_seen = 0
         return self._output
 
@@ -201,12 +167,12 @@ class Recorder:
             self.file = output.path
             self._said = None
             say("info", "recording begun", file=output.path.name)
-        if self._clock.now_s() >= self._told_until_s:
+        if monotonic() >= self._told_until_s:
             self.failure = None
 
     def _look_after(self) -> None:
         """Sync the file to the disk, and check that nobody removed or moved it."""
-        now_s = self._clock.now_s()
+        now_s = monotonic()
         output = self._output
         if output is None or now_s < self._look_at_s:
             return
@@ -248,7 +214,7 @@ class Recorder:
     def _fail(self, error: OSError) -> None:
         """Close this file with what it holds, and try a new one after `retry_s`."""
         failure = self.failure = f"{error.strerror or error}"
-        self._retry_at_s = self._clock.now_s() + self._retry_s
+        self._retry_at_s = monotonic() + self._retry_s
         output, self._output = self._output, None
         self.file = None
         if output is not None:
@@ -258,3 +224,12 @@ class Recorder:
             # Log the same failure once, not at every retry.
             self._said = failure
             say("error", "recording failed", folder=str(self._folder), reason=failure)
+
+
+def _together(batch: list[tuple[int, int, bytes]]) -> Iterator[tuple[int, int, bytes]]:
+    """Neighbours of one stream that were given the same time become one record."""
+    for (topic, t_ns), entries in groupby(batch, key=itemgetter(0, 1)):
+        if topic in STREAMS:
+            yield topic, t_ns, b"".join([data for _, _, data in entries])
+        else:
+            yield from entries
