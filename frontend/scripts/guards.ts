@@ -2,6 +2,8 @@
 export interface ApiDocument {
   readonly paths: Readonly<Record<string, Readonly<Record<string, Operation>>>>;
   readonly components: { readonly schemas: Schemas };
+  /** Schemas that come otherwise than as an answer: on the stream. */
+  readonly "x-shapes"?: Schemas;
 }
 
 interface Operation {
@@ -44,6 +46,8 @@ export const EXCEPTIONS: Exceptions = {
     "CommandOutcome.by",
     "CommandOutcome.reason",
     "Failure.code",
+    "Fault.code",
+    "FlightEvent.kind",
     "MapImport.problem_code",
     "MapLayer.problem_code",
     "MissionImport.format",
@@ -66,13 +70,17 @@ const PLAIN: Readonly<Record<string, string>> = {
   boolean: "isFlag",
 };
 
-/** The schemas with which the gateway answers a question that it granted, and all that they refer to, parts first. */
-export function answerSchemas({ paths, components }: ApiDocument): Schemas {
+/**
+ * The schemas with which the gateway answers a question that it granted, those of messages on the stream, and all that
+ * they refer to, parts first.
+ */
+export function answerSchemas({ paths, components, "x-shapes": shapes = {} }: ApiDocument): Schemas {
   const answers = Object.values(paths)
     .flatMap((operations) => Object.values(operations))
     .flatMap(({ responses }) => Object.entries(responses))
     .filter(([status]) => status.startsWith("2"))
     .map(([, { content }]) => content?.["application/json"]?.schema?.$ref)
+    .concat(Object.values(shapes).map(({ $ref }) => $ref))
     .filter((reference) => reference !== undefined)
     .map(nameOf);
   // Sorted before the second pass, so that the order does not depend on which schemas are answers themselves.

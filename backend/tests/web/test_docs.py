@@ -6,6 +6,7 @@ import re
 from typing import Any
 
 import httpx
+import orjson
 import pytest
 
 from tests.support.gateway import Gateway
@@ -79,3 +80,11 @@ def test_nothing_in_the_status_is_left_undescribed(gateway: Gateway) -> None:
         schema = schemas[name]
         assert set(schema["required"]) == set(schema["properties"]), name
         assert schema["additionalProperties"] is False
+
+
+def test_shapes_that_no_answer_has_are_described_with_all_their_parts(gateway: Gateway) -> None:
+    document = root(gateway, "/api/v1/openapi.json").json()
+    assert document["x-shapes"]["Playback"] == {"$ref": "#/components/schemas/Playback"}
+    named = set(re.findall(r'"#/components/schemas/(\w+)"', orjson.dumps(document).decode()))
+    assert named <= set(document["components"]["schemas"])
+    assert "Playback" in document["components"]["schemas"]

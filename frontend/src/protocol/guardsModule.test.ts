@@ -66,6 +66,11 @@ export type Plane = Checked<typeof isPlane>;
 `);
   });
 
+  test("has a guard for what comes on the stream and is no answer", () => {
+    const document = { ...documentOf({ Pilot: PILOT }, []), "x-shapes": { Pilot: reference("Pilot") } };
+    expect(guardsModule(document, NO_EXCEPTIONS)).toContain("export const isPilot = shape(");
+  });
+
   test("imports what it uses", () => {
     const [head] = guardsModule(documentOf({ Pilot: PILOT }), NO_EXCEPTIONS).split("\n\n");
     expect(head).toContain('import { type Checked, isText, shape } from "../lib/check";');

@@ -57,6 +57,21 @@ class Asker:
     name: str | None = None
 
 
+@dataclass(frozen=True, slots=True)
+class Client:
+    """A browser on the stream. `name` is its name as other viewers see it."""
+
+    id: str
+    name: str
+
+
+def client_fields(client: Client | None) -> dict[str, str | None]:
+    """How status, events and notices name a client, or nobody."""
+    if client is None:
+        return {"client": None, "name": None}
+    return {"client": client.id, "name": client.name}
+
+
 class BusError(Exception):
     """The other side sent something that is not this stream: the connection must be closed."""
 

@@ -17,6 +17,7 @@ import structlog
 
 from epf_gcs import __version__
 from epf_gcs.bus.address import Listener
+from epf_gcs.bus.definition import client_fields
 from epf_gcs.bus.vehicle_end import Broadcast, VehicleEnd
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.flight.alarm_history import AlarmHistory
@@ -32,20 +33,20 @@ from epf_gcs.flight.hil.hil import Hil
 from epf_gcs.flight.hil.simulator import Simulator
 from epf_gcs.flight.hil.stick import Stick
 from epf_gcs.flight.housekeeping import Housekeeping
-from epf_gcs.flight.inspection import Inspected
+from epf_gcs.flight.inspection import InspectorSources
 from epf_gcs.flight.line_clock import LineClock
 from epf_gcs.flight.line_rates import LineRates
 from epf_gcs.flight.lines import Lines, LinkOpener
 from epf_gcs.flight.memory import Memory
 from epf_gcs.flight.recording.recorder import Recorder
 from epf_gcs.flight.recording.taps import line_taps
-from epf_gcs.flight.requests.askers import Askers
+from epf_gcs.flight.requests.client_names import ClientNames
 from epf_gcs.flight.requests.commands import command_requests
 from epf_gcs.flight.requests.hil import HilSwitches, stick_notices
 from epf_gcs.flight.requests.lines import line_requests
 from epf_gcs.flight.requests.parameters import mission_requests, parameter_requests
 from epf_gcs.flight.requests.state import alarm_requests, state_requests
-from epf_gcs.flight.status import Shown, build_status
+from epf_gcs.flight.status import StatusSources, build_status
 from epf_gcs.flight.watch import Watch
 from epf_gcs.vehicle.alarms import Alarms
 from epf_gcs.vehicle.judges import AlarmId
@@ -69,7 +70,7 @@ class Flight:
         # Time, memory, and the outlet to the stations.
         self.clock = LineClock()
         self.outlet = Broadcast(self.clock.now_s)
-        self._askers = Askers()
+        self._client_names = ClientNames()
         self._log = FlightLog(self.clock.steady_s)
         self.errors = ErrorLog()
         self.errors.tell_viewers(self.clock.steady_s, self.outlet.event)
@@ -88,9 +89,9 @@ class Flight:
         self.journal = Journal(
             data_dir / "parameter-journal.jsonl",
             clock=self.clock,
-            hub=self.outlet,
+            outlet=self.outlet,
             report=self.errors.report,
-            name_of=self._askers.name_of,
+            name_of=self._client_names.name_of,
         )
         self.parameters = Parameters(self.board, self.commands, self.outlet, self.journal)
         self.missions = Missions(self.board, self.commands, self.outlet)
@@ -105,7 +106,7 @@ class Flight:
 
         # The loop with the simulator, and both lines.
         self.stick = Stick(self.outlet, self.clock, self.changed)
-        self.hil = Hil(self.board, self.telemetry, self.clock, self.stick)
+        self.hil = Hil(vehicle, self.clock, self.stick)
         self.hil.path = "assisted" if self.memory.now.hil_path == "assisted" else "manual"
         self.simulator = Simulator(self.hil, self.clock, simulator_tap, self.errors.report, self._on_line)
         opener = LinkOpener(self.hil, lambda: self.simulator.address is not None)
@@ -176,7 +177,7 @@ class Flight:
         )
 
         # The status that stations see, and the requests that they may make.
-        self._shown = Shown(
+        self._status_sources = StatusSources(
             self.clock,
             self.errors,
             self.memory,
@@ -191,7 +192,7 @@ class Flight:
             self.recorder,
             self.alarms,
         )
-        inspected = Inspected(
+        inspector_sources = InspectorSources(
             self.clock,
             self.board,
             self.telemetry,
@@ -203,9 +204,9 @@ class Flight:
             self.watch,
             self.alarms,
         )
-        self._requests = self._askers.remembering(
+        self._requests = self._client_names.remembering(
             {
-                **state_requests(self.status, self.telemetry, inspected),
+                **state_requests(self.status, self.telemetry, inspector_sources),
                 **line_requests(self.lines, self.supervisor, self.simulator),
                 **command_requests(self.board, self.commands, self.parameters, self.ahrs_test, self.outlet),
                 **parameter_requests(self.parameters),
@@ -268,7 +269,7 @@ class Flight:
 
     def status(self) -> dict[str, Any]:
         """The status of all parts now."""
-        return build_status(self._shown)
+        return build_status(self._status_sources)
 
     def changed(self) -> None:
         """Send the status now, not at the next half-second tick."""
@@ -282,7 +283,7 @@ class Flight:
             "version": __version__,
             "vehicle": "live",
             "clock_offset_ns": self.clock.offset_ns,
-            "control": None if holder is None else {"client": holder.id, "name": holder.name},
+            "control": None if holder is None else client_fields(holder),
             "status": self.status(),
         }
 
@@ -308,7 +309,7 @@ class Flight:
         return moves or any(heartbeat.get(flag) is True for flag in ("autopilot", "autopilot_hil"))
 
     def _on_ahrs_test(self) -> None:
-        if self.board.guest is not None:
+        if self.board.exclusive_user is not None:
             self.hil.rest()
         self.changed()
 

@@ -14,8 +14,8 @@ from typing import Any, Final
 
 import orjson
 
+from epf_gcs.disk import replace_file, sync_folder
 from epf_gcs.errors import GatewayError
-from epf_gcs.flight.disk import replace_file, sync_folder
 from epf_gcs.flight.flight_log import say
 from epf_gcs.vehicle.wanted import Wanted
 
@@ -32,6 +32,8 @@ class Remembered:
     hil_path: str = "manual"
     wanted: Wanted = field(default_factory=Wanted)
     thresholds: dict[str, Any] = field(default_factory=dict)
+    # The choice of online maps of version 0.1.0, which had one process: only carried along until the web process, which
+    # keeps its own file since (`web/maps/online_file.py`), has taken it over.
     online: dict[str, Any] = field(default_factory=dict)
 
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import contextlib
 from collections import Counter
 from collections.abc import AsyncIterator
-from pathlib import Path
 from typing import Any, Final
 
 from fastapi import APIRouter, FastAPI
@@ -13,6 +12,7 @@ from fastapi import APIRouter, FastAPI
 from epf_gcs import __version__
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.formats.recognise import MAX_FILE_BYTES
+from epf_gcs.product import PAGE
 from epf_gcs.web import docs
 from epf_gcs.web.about import routes as about
 from epf_gcs.web.access.guard import Access, Guard
@@ -42,7 +42,6 @@ from epf_gcs.web.track import routes as track
 from epf_gcs.web.vehicle.mirror import VehicleMirror
 from epf_gcs.web.visitors import Limits, Visitors
 
-_PAGE_IN_TREE: Final = Path(__file__).parents[4] / "frontend" / "dist"
 _PREFIX: Final = "/api/v1"
 
 
@@ -94,7 +93,7 @@ def create_app(settings: Settings, visitors: Visitors | None = None) -> FastAPI:
     app.include_router(docs.router)
     install_error_handlers(app, errors)
     app.include_router(_probes(app, settings, visitors or Visitors(Limits()), answers))
-    install_page(app, settings.page_dir or _PAGE_IN_TREE)
+    install_page(app, settings.page_dir or PAGE.folder)
     app.add_middleware(
         Guard,
         access=access,

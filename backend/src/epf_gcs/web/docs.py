@@ -8,12 +8,15 @@ from typing import Any, Final
 from fastapi import APIRouter, FastAPI
 from fastapi.openapi.utils import get_openapi
 from fastapi.responses import HTMLResponse, Response
+from pydantic.json_schema import models_json_schema
 
 from epf_gcs import __version__
+from epf_gcs.web.flights import schemas as flights
 from epf_gcs.web.problems import MEDIA_TYPE
-from epf_gcs.web.schemas import Problem
+from epf_gcs.web.schemas import Output, Problem
 
 OPENAPI_PATH: Final = "/api/v1/openapi.json"
+_REFERENCE: Final = "#/components/schemas/{model}"
 _ASSETS: Final = {"swagger-ui-bundle.js": "text/javascript", "swagger-ui.css": "text/css"}
 _PAGE: Final = """<!doctype html>
 <html lang="en">
@@ -53,6 +56,20 @@ the stick comes from, whether it is `live` or `lost`, and the `reason`: `chosen`
 `track`.
 """
 
+# Shapes that no route answers with: of messages on the stream, and of routes that are not there yet. They stand under
+# `x-shapes`, from which the page's checks are generated as from the answers.
+SHAPES: Final[tuple[type[Output], ...]] = (
+    flights.FlightBin,
+    flights.FlightEvents,
+    flights.FlightKnown,
+    flights.FlightList,
+    flights.FlightOverview,
+    flights.FlightTopics,
+    flights.JobList,
+    flights.Playback,
+    flights.Signals,
+)
+
 router = APIRouter(include_in_schema=False)
 
 
@@ -90,6 +107,10 @@ def describe(app: FastAPI) -> dict[str, Any]:
         schemas.pop("HTTPValidationError", None)
         schemas.pop("ValidationError", None)
         schemas.setdefault("Problem", Problem.model_json_schema())
+        references, parts = models_json_schema([(shape, "serialization") for shape in SHAPES], ref_template=_REFERENCE)
+        schema["x-shapes"] = {shape.__name__: references[shape, "serialization"] for shape in SHAPES}
+        for name, part in parts["$defs"].items():
+            schemas.setdefault(name, part)
         app.openapi_schema = schema
     return app.openapi_schema
 

@@ -15,10 +15,11 @@ from typing import Any, Final
 
 import structlog
 
+from epf_gcs.bus.definition import Client, client_fields
 from epf_gcs.bus.station_end import StationEnd
 from epf_gcs.clock import Clock
 from epf_gcs.error_log import ErrorLog
-from epf_gcs.web.access.control import Client, Control
+from epf_gcs.web.access.control import Control
 from epf_gcs.web.inspector.shared import SharedInspector
 from epf_gcs.web.maps.maps import Maps
 from epf_gcs.web.maps.online_file import OnlineFile
@@ -112,13 +113,12 @@ class Station:
         self._here.set()
 
     def _on_control(self, holder: Client | None) -> None:
-        data = {"client": holder.id if holder else None, "name": holder.name if holder else None}
-        self.hub.event("control", data)
+        self.hub.event("control", client_fields(holder))
         self._tell_vehicle(holder)
         self.status.changed()
 
     def _tell_vehicle(self, holder: Client | None) -> None:
-        self.vehicle.notice("control", client=holder.id if holder else None, name=holder.name if holder else None)
+        self.vehicle.notice("control", **client_fields(holder))
 
 
 async def _keep_alive(name: str, job: Callable[[], Awaitable[None]]) -> None:

@@ -6,8 +6,9 @@ import asyncio
 
 import pytest
 
+from epf_gcs.bus.definition import Client
 from epf_gcs.errors import ConflictError, NotFoundError
-from epf_gcs.web.access.control import Client, Control
+from epf_gcs.web.access.control import Control
 from tests.support.waiting import eventually_async
 
 pytestmark = pytest.mark.anyio

@@ -59,7 +59,7 @@ class AhrsTestRun:
     @property
     def stage(self) -> Stage:
         """The test's stage: "running" only from the first attitude, for the board's announcement proves nothing."""
-        if self._board.guest is self:
+        if self._board.exclusive_user is self:
             return "running" if self._has_record else "starting"
         return "ending" if self._is_ending else "off"
 
@@ -71,13 +71,13 @@ class AhrsTestRun:
                 self._check_startable()
                 self._heard_s = started_s
                 self._has_record = False
-                self._board.lend(self)
+                self._board.acquire_line(self)
                 self._board.write(self._test.start(started_s))
                 self._changed()
                 await self._wait(lambda: self.stage != "starting", _BEGIN_S)
             done = self.stage == "running"
-            if not done and self._board.guest is self:
-                self._give_back()
+            if not done and self._board.exclusive_user is self:
+                self._board.release_line()
             self._changed()
             return self._result(started_s, done=done, by="read_back")
 
@@ -85,8 +85,8 @@ class AhrsTestRun:
         """End and wait until the board speaks frames again."""
         async with self._lock:
             started_s = self._clock.steady_s()
-            if self._board.guest is self:
-                self._give_back()
+            if self._board.exclusive_user is self:
+                self._board.release_line()
             self._is_ending = True
             self._changed()
             try:
@@ -98,7 +98,7 @@ class AhrsTestRun:
 
     def tick(self) -> None:
         """Send what is due and detect a test that went silent; called a few times a second."""
-        if self._board.guest is not self:
+        if self._board.exclusive_user is not self:
             self._news.set()
             return
         now_s = self._clock.steady_s()
@@ -112,7 +112,7 @@ class AhrsTestRun:
                     "The AHRS test is over because the board sent no attitude any more: check its power and cable.",
                 )
             )
-            self._give_back()
+            self._board.release_line()
             self._changed()
         self._news.set()
 
@@ -130,7 +130,7 @@ class AhrsTestRun:
         if self.stage != was:
             self._changed()
 
-    def goodbye(self) -> bytes:
+    def on_line_released(self) -> bytes:
         """Return the bytes that end the test on the board, and regard the test as over."""
         self._news.set()
         return self._test.stop()
@@ -147,9 +147,6 @@ class AhrsTestRun:
                 "The AHRS test was not started because the board is flying: it hears no command during the test. "
                 "Switch its autopilot off, and the simulator to manual.",
             )
-
-    def _give_back(self) -> None:
-        self._board.take_back()
 
     async def _wait(self, condition: Callable[[], bool], at_most_s: float) -> None:
         try:

@@ -79,7 +79,7 @@ class Supervisor:
             return "closed"
         if self._kept.link is None:
             return "lost" if self.failure is not None else "opening"
-        if self._board.is_open or self._board.guest is not None:
+        if self._board.is_open or self._board.exclusive_user is not None:
             return "open"
         silent = self._board.session.state is SessionState.OPENING and self._board.session.heartbeat_s is not None
         return "lost" if silent else "opening"

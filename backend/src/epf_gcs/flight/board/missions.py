@@ -23,10 +23,10 @@ _READ_S: Final = 5.0
 class Missions:
     """One transfer at a time."""
 
-    def __init__(self, board: Board, commands: Commands, hub: Outlet) -> None:
+    def __init__(self, board: Board, commands: Commands, outlet: Outlet) -> None:
         self._board = board
         self._commands = commands
-        self._hub = hub
+        self._outlet = outlet
         self._lock = asyncio.Lock()
         # Plans read from or written to the board since its session opened.
         self._known: dict[Plan, None] = {}
@@ -117,7 +117,7 @@ class Missions:
             )
 
     def _tell(self, plan: Plan, state: str, count: int, client: str | None) -> None:
-        self._hub.event("mission", {"plan": plan, "state": state, "count": count, "client": client})
+        self._outlet.event("mission", {"plan": plan, "state": state, "count": count, "client": client})
 
 
 class _Collector:

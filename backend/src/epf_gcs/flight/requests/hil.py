@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from epf_gcs.bus.definition import Asker
+from epf_gcs.bus.definition import Asker, Client
 from epf_gcs.errors import BoardError
 from epf_gcs.flight.board.commands import Commands
 from epf_gcs.flight.hil.hil import Hil
-from epf_gcs.flight.hil.stick import Holder, Stick
+from epf_gcs.flight.hil.stick import Stick
 from epf_gcs.flight.memory import Memory
 from epf_gcs.flight.recording.recorder import Recorder
-from epf_gcs.flight.requests.askers import Table
+from epf_gcs.flight.requests.client_names import Table
 from epf_gcs.flight.status import hil_state
 from epf_gcs.vehicle.board import Board
 
@@ -97,7 +97,7 @@ def stick_notices(stick: Stick) -> Callable[[str, dict[str, Any]], None]:
             case "stick_gone", {"client": str(client)}:
                 stick.let_go(client)
             case "control", {"client": str(client), "name": str(shown)}:
-                stick.control_changed(Holder(client, shown))
+                stick.control_changed(Client(client, shown))
             case "control", {"client": None}:
                 stick.control_changed(None)
 

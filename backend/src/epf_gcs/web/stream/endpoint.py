@@ -11,12 +11,13 @@ from typing import Any, Final
 import orjson
 
 from epf_gcs import __version__
+from epf_gcs.bus.definition import Client
 from epf_gcs.bus.station_end import StationEnd
 from epf_gcs.clock import Clock
 from epf_gcs.codec.messages_gen import TELEMETRY
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.errors import ErrorCode, GatewayError
-from epf_gcs.web.access.control import Client, Control
+from epf_gcs.web.access.control import Control
 from epf_gcs.web.access.guard import Access
 from epf_gcs.web.state.whole import WholeStatus
 from epf_gcs.web.stream.hub import Hub

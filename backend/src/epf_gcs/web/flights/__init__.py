@@ -1,0 +1,1 @@
+"""Flights: the library of all recordings, what is in them, and the jobs that make it."""

@@ -1,0 +1,324 @@
+"""The shapes of flights: the library, one flight's events, signals and track, and jobs.
+
+`t_s` is Unix time in seconds; `at_s`, and every `from_s` and `to_s`, are seconds since the flight's first message.
+"""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, Literal
+
+from pydantic import Field
+
+from epf_gcs.errors import ErrorCode
+from epf_gcs.web.missions.schemas import WaypointModel
+from epf_gcs.web.parameters.schemas import ParameterState
+from epf_gcs.web.schemas import Input, Output, ParamValue, PlanName
+
+FlightState = Literal["recording", "waiting", "indexing", "indexed", "damaged"]
+JobKind = Literal["pack", "index", "import", "export", "report"]
+JobState = Literal["waiting", "running", "done", "failed", "cancelled"]
+EventKind = Literal[
+    "alarm",
+    "command",
+    "console",
+    "control",
+    "damage",
+    "gap",
+    "link",
+    "lost",
+    "mark",
+    "mode",
+    "parameter",
+    "plan",
+    "restart",
+    "waypoint",
+]
+Tag = Annotated[str, Field(min_length=1, max_length=40)]
+MarkText = Annotated[str, Field(min_length=1, max_length=500)]
+
+
+class Fault(Output):
+    """Why something could not be done. `code` is stable and translated by the page."""
+
+    code: ErrorCode
+    detail: str
+    params: dict[str, ParamValue]
+
+
+class JobResult(Output):
+    """What a finished job left to be fetched from `/jobs/{id}/result`."""
+
+    name: str
+    bytes: int
+
+
+class Job(Output):
+    """Work of a separate process. `progress` is 0 to 1; `doing` is a stable word for the step it is at.
+
+    `flight` is null while an imported file has no id yet. `result` is null unless the job made a file.
+    """
+
+    id: str
+    kind: JobKind
+    flight: str | None
+    state: JobState
+    progress: float
+    doing: str
+    fault: Fault | None
+    result: JobResult | None
+
+
+class JobList(Output):
+    """Jobs under way and the last that ended, newest first."""
+
+    jobs: list[Job]
+
+
+class Thumbnail(Output):
+    """A small picture: `track` as [x, y] pairs with x to the east and y to the north, `altitude` evenly spaced in
+    time. All values are 0 to 1; null altitudes are not known."""
+
+    track: list[list[float]]
+    altitude: list[float | None]
+
+
+class Flight(Output):
+    """One recording.
+
+    What can only be known from its content is null until it is indexed (`state`), and where the recording does not
+    have it. `fault` says why a flight could not be indexed. `frames_damaged` counts what the line damaged.
+    `damage` is a sentence where the file itself was cut or is damaged; all that is whole is shown.
+    """
+
+    id: str
+    active: bool
+    state: FlightState
+    fault: Fault | None
+    damage: str | None
+    started_s: float
+    duration_s: float | None
+    bytes: int
+    frames: int | None
+    frames_damaged: int | None
+    board: str | None
+    firmware: str | None
+    station: str | None
+    aircraft: str | None
+    operator: str | None
+    emulated: bool
+    imported: bool
+    highest_ft: float | None
+    fastest_kt: float | None
+    distance_nm: float | None
+    waypoints: int | None
+    alarms: int | None
+    marks: int | None
+    thumbnail: Thumbnail | None
+    title: str
+    tags: list[str]
+    notes: str
+    pinned: bool
+
+
+class FlightPolicy(Output):
+    """What happens when the disk fills: with `delete_oldest` the oldest flights that are not pinned are deleted
+    until `keep_free_bytes` are free."""
+
+    delete_oldest: bool
+    keep_free_bytes: int
+
+
+class FlightDisk(Output):
+    """Room for recordings. `hours_left` at the rate of the newest flights; null if there is none to judge by."""
+
+    free_bytes: int | None
+    hours_left: float | None
+    policy: FlightPolicy
+
+
+class FlightList(Output):
+    """One page of the flights that were asked for. `total` counts all pages; `tags` and `boards` are those of the
+    whole library; `indexing` are the jobs that prepare flights now."""
+
+    flights: list[Flight]
+    total: int
+    tags: list[str]
+    boards: list[str]
+    indexing: list[Job]
+    disk: FlightDisk
+
+
+class DeletedFlight(Output):
+    """A flight in the bin; from `gone_s` on it may be removed for good."""
+
+    id: str
+    title: str
+    started_s: float
+    duration_s: float | None
+    bytes: int
+    deleted_s: float
+    gone_s: float
+
+
+class FlightBin(Output):
+    """The bin, deleted last first."""
+
+    flights: list[DeletedFlight]
+
+
+class FlightChange(Input):
+    """What a person says about a flight; what is left out stays."""
+
+    title: Annotated[str, Field(max_length=200)] | None = None
+    tags: Annotated[list[Tag], Field(max_length=20)] | None = None
+    notes: Annotated[str, Field(max_length=20_000)] | None = None
+    pinned: bool | None = None
+
+
+class FlightPolicyInput(Input):
+    """What the person wants to happen when the disk fills."""
+
+    delete_oldest: bool
+    keep_free_bytes: Annotated[int, Field(ge=1_000_000_000, le=10_000_000_000_000)]
+
+
+class FlightEvent(Output):
+    """Something that happened. `name` says what within its kind: a command's, alarm's, mode's or parameter's name;
+    `data` is as the event of the stream has it. `until_s` is Unix time; null for a moment, or while it lasts.
+    `id` is given for marks, which can be changed by it."""
+
+    t_s: float
+    at_s: float
+    kind: EventKind
+    name: str
+    id: str | None
+    data: dict[str, Any]
+    until_s: float | None
+
+
+class FlightEvents(Output):
+    """All events, in order of time."""
+
+    events: list[FlightEvent]
+
+
+class MarkInput(Input):
+    """The words of a mark that is set now."""
+
+    text: MarkText
+
+
+class MarkAtInput(Input):
+    """A mark that is set later, at a moment of a finished flight."""
+
+    at_s: Annotated[float, Field(ge=0, le=10_000_000)]
+    text: MarkText
+
+
+class Signal(Output):
+    """One signal of the stretch that was asked for.
+
+    `at_s[i]` is the time of step i, `min[i]` and `max[i]` the extremes in it: of every sample, so that none is lost.
+    Where there are no more samples than steps, each step is a sample, and min equals max. Null is a value that the
+    board did not have, or a gap in the samples. `mean` and `count` are of all samples of the stretch that have a value.
+    """
+
+    name: str
+    unit: str
+    at_s: list[float]
+    min: list[float | None]
+    max: list[float | None]
+    mean: float | None
+    count: int
+
+
+class Signals(Output):
+    """The stretch, cut to the flight's, and its signals in the order they were asked for."""
+
+    from_s: float
+    to_s: float
+    signals: list[Signal]
+
+
+class TopicField(Output):
+    """A field of a topic. Numbers and flags can be plotted, as `topic.field`."""
+
+    name: str
+    unit: str
+    kind: Literal["number", "flag", "text"]
+
+
+class FlightTopic(Output):
+    """A topic that the flight has; `first_s` and `last_s` are when its samples begin and end."""
+
+    name: str
+    count: int
+    first_s: float
+    last_s: float
+    fields: list[TopicField]
+
+
+class FlightTopics(Output):
+    """All topics that have samples."""
+
+    topics: list[FlightTopic]
+
+
+class FlightIdentity(Output):
+    """What flew, and with which station."""
+
+    station: str | None
+    board: str | None
+    firmware: str | None
+    aircraft: str | None
+    operator: str | None
+    emulated: bool
+
+
+class KnownMission(Output):
+    """A plan as it was known; `waypoints` is null while it was not read."""
+
+    plan: PlanName
+    waypoints: list[WaypointModel] | None
+
+
+class KnownMissions(Output):
+    """Both plans; null where the recording does not say."""
+
+    flight: KnownMission | None
+    hil: KnownMission | None
+
+
+class FlightKnown(Output):
+    """What was known at a moment of the flight. `parameters` as GET /parameters gave them then; null: not noted."""
+
+    at_s: float
+    identity: FlightIdentity
+    parameters: list[ParameterState] | None
+    missions: KnownMissions
+
+
+class FlightOverview(Output):
+    """The ground of the time bar: the altitude at evenly spaced moments (null: not known), `signal` being the one
+    it was taken from, and the stretches [from_s, to_s] without any data."""
+
+    duration_s: float
+    signal: str | None
+    altitude_ft: list[float | None]
+    gaps: list[list[float]]
+
+
+class Playback(Output):
+    """Where a replay is: on the stream as the message `playback` and in the status of a replayed flight.
+
+    `edge_s` is how far the recording reaches; it grows for the flight that is being recorded. `loop` is [from_s, to_s].
+    """
+
+    flight: str
+    at_s: float
+    t_s: float
+    state: Literal["playing", "paused", "ended"]
+    rate: float
+    loop: list[float] | None
+    duration_s: float
+    edge_s: float
