@@ -48,7 +48,7 @@ from epf_gcs.flight.requests.commands import command_requests
 from epf_gcs.flight.requests.hil import HilSwitches, stick_notices
 from epf_gcs.flight.requests.lines import line_requests
 from epf_gcs.flight.requests.parameters import mission_requests, parameter_requests
-from epf_gcs.flight.requests.recording import recording_requests
+from epf_gcs.flight.requests.recording import policy_of, recording_requests
 from epf_gcs.flight.requests.state import alarm_requests, state_requests
 from epf_gcs.flight.status import StatusSources, build_status
 from epf_gcs.flight.watch import Watch
@@ -84,6 +84,8 @@ class Flight:
 
         # The vehicle, recorded before it is decoded.
         self.recorder = Recorder(data_dir / "recordings", self.clock, f"epf-gcs {__version__}") if record else None
+        if self.recorder is not None:
+            self.recorder.policy = policy_of(self.memory.now.recording)
         self.notes = FlightNotes(self.recorder, self.clock)
         board_tap, simulator_tap = (
             (self.recorder.board_tap, self.recorder.simulator_tap) if self.recorder else line_taps(self.clock, None)
@@ -220,7 +222,7 @@ class Flight:
                 **mission_requests(self.missions),
                 **self.switches.requests(),
                 **alarm_requests(self.alarms),
-                **recording_requests(self.recorder, self.notes, self.outlet),
+                **recording_requests(self.recorder, self.notes, self.memory, self.outlet),
             }
         )
         self._connect()
