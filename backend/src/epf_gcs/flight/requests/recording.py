@@ -19,8 +19,9 @@ def policy_of(remembered: Mapping[str, Any]) -> DiskPolicy:
     """The policy in these values; the default for what is missing or makes no sense."""
     default = DiskPolicy()
     keep = remembered.get("keep_free_bytes")
-    is_count = isinstance(keep, int) and not isinstance(keep, bool) and keep >= 0
-    return DiskPolicy(remembered.get("delete_oldest") is True, keep if is_count else default.keep_free_bytes)
+    if not isinstance(keep, int) or isinstance(keep, bool) or keep < 0:
+        keep = default.keep_free_bytes
+    return DiskPolicy(remembered.get("delete_oldest") is True, keep)
 
 
 def recording_requests(recorder: Recorder | None, notes: FlightNotes, memory: Memory, outlet: Outlet) -> Table:
