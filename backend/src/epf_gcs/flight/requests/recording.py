@@ -30,6 +30,9 @@ def recording_requests(recorder: Recorder | None, notes: FlightNotes, memory: Me
     recording.policy {delete_oldest, keep_free_bytes}: changes what is given, keeps it, and answers the whole policy.
     """
 
+    if recorder is not None:
+        recorder.policy = policy_of(memory.now.recording)
+
     async def mark(_: Asker, arguments: dict[str, Any]) -> dict[str, Any]:
         if recorder is None or recorder.file is None:
             raise ConflictError(
