@@ -61,14 +61,18 @@ def flight(seconds: float, *, seed: int = 1, gap: tuple[float, float] | None = N
         for number, datagram in enumerate(datagrams):
             items.append((t_ns + 5_000_000 + number * 300_000, SIMULATOR_RECEIVED, datagram))
         items.append((t_ns + 7_000_000, BOARD_SENT, b"\x01" * 76))
-        if step % 200 == 120:
-            items.append((t_ns + 8_000_000, notes.EVENT, {"event": "alarm", "data": alarm(t_ns, None)}))
-        if step % 200 == 180:
-            items.append((t_ns + 8_000_000, notes.EVENT, {"event": "alarm", "data": alarm(t_ns, t_ns * 1e-9)}))
-        if step == 300:
-            changed = {"name": "set_parameter_task_rate", "value": [50], "state": "confirmed"}
-            items.append((t_ns + 8_500_000, notes.EVENT, {"event": "command", "data": changed}))
+        items += noted(step, t_ns + 8_000_000)
     return items
+
+
+def noted(step: int, t_ns: int) -> Made:
+    """What is noted in this step."""
+    if step == 180:
+        changed = {"name": "set_parameter_task_rate", "value": [50], "state": "confirmed"}
+        return [(t_ns, notes.EVENT, {"event": "command", "data": changed})]
+    if step % 200 not in (120, 160):
+        return []
+    return [(t_ns, notes.EVENT, {"event": "alarm", "data": alarm(t_ns, None if step % 200 == 120 else t_ns * 1e-9)})]
 
 
 def alarm(t_ns: int, until_s: float | None) -> dict[str, Any]:

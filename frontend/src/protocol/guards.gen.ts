@@ -191,7 +191,6 @@ export type ControlState = Checked<typeof isControlState>;
 export const isDeletedFlight = shape({
   bytes: isNumber,
   deleted_s: isNumber,
-  duration_s: nullable(isNumber),
   gone_s: isNumber,
   id: isText,
   started_s: isNumber,
@@ -513,6 +512,12 @@ export const isJobList = shape({
   jobs: list(isJob),
 });
 export type JobList = Checked<typeof isJobList>;
+
+/** The id of a job that was started. */
+export const isJobStarted = shape({
+  job: isText,
+});
+export type JobStarted = Checked<typeof isJobStarted>;
 
 /** `before` is what the board had, null where that was not known; `after` is what it was asked to take. */
 export const isParameterChange = shape({

@@ -175,13 +175,13 @@ def known(flight: FlightData, at_s: float) -> dict[str, Any]:
     until_ns = flight.start_ns + round(at_s * 1e9)
     newest: dict[str, Any] = {}
     for note in flight.notes():
-        if note.t_ns <= until_ns:
+        if note.t_ns <= until_ns and isinstance(note.content, dict):
             newest[note.name if note.name != notes.PLAN else f"{notes.PLAN} {note.content.get('plan')}"] = note.content
     parameters = newest.get(notes.PARAMETERS)
     return {
         "at_s": at_s,
         "identity": identity_of(newest.get(notes.IDENTITY)),
-        "parameters": parameters["parameters"] if isinstance(parameters, dict) else parameters,
+        "parameters": None if parameters is None else parameters.get("parameters"),
         "missions": {plan: newest.get(f"{notes.PLAN} {plan}") for plan in ("flight", "hil")},
     }
 

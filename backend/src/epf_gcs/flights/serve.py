@@ -87,8 +87,9 @@ def serve(flights: Flights, requests: BinaryIO, replies: BinaryIO) -> None:
             body = flights.answer(message[0])
         except GatewayError as error:
             head = {"code": error.code, "detail": error.detail, "params": error.params}
-        except OSError as error:
-            why = error.strerror or str(error)
+        except (OSError, ValueError, ArithmeticError, LookupError, TypeError, AttributeError) as error:
+            # A stranger's recording may hold notes of any shape: none may end this program.
+            why = getattr(error, "strerror", None) or str(error) or type(error).__name__
             head = {
                 "code": "recording_unreadable",
                 "detail": f"The flight cannot be read: {why}.",

@@ -24,6 +24,7 @@ from epf_gcs.web.flights.flights import Flights
 from epf_gcs.web.flights.imports import FlightImports
 from epf_gcs.web.flights.jobs import Jobs
 from epf_gcs.web.flights.queries import Queries
+from epf_gcs.web.flights.replays import Replays
 from epf_gcs.web.inspector.shared import SharedInspector
 from epf_gcs.web.maps.maps import Maps
 from epf_gcs.web.state.whole import WholeStatus
@@ -57,7 +58,10 @@ class Station:
             Places(data_dir), Jobs(self.hub), self.clock, self._growing, lambda: self.mirror.is_here, errors.report
         )
         self.queries = Queries(data_dir)
-        self.stream_parts = StreamParts(self.hub, self.control, self.vehicle, self.status, errors, self.clock)
+        self.replays = Replays(data_dir, errors, self._growing)
+        self.stream_parts = StreamParts(
+            self.hub, self.control, self.vehicle, self.status, errors, self.clock, self.replays
+        )
         self.parts: dict[str, Any] = {
             "vehicle": self.vehicle,
             "mirror": self.mirror,
@@ -101,6 +105,7 @@ class Station:
                     for task in running:
                         task.cancel()
         finally:
+            await self.replays.close()
             await self.queries.close()
             await self.flights.close()
             await self.maps.close()

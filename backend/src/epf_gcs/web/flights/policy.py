@@ -8,7 +8,7 @@ from typing import Final
 
 import orjson
 
-from epf_gcs.web.flights.about import write_atomically
+from epf_gcs.disk import replace_file
 
 _KEEP_FREE_BYTES: Final = 5_000_000_000
 
@@ -35,4 +35,5 @@ def read_policy(path: Path) -> Policy:
 
 def write_policy(path: Path, policy: Policy) -> None:
     """Keep the choice. Raises OSError."""
-    write_atomically(path, orjson.dumps(asdict(policy)))
+    path.parent.mkdir(parents=True, exist_ok=True)
+    replace_file(path, orjson.dumps(asdict(policy)))
