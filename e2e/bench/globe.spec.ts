@@ -95,7 +95,7 @@ async function openMap(page: Page): Promise<number> {
   await page.getByRole("tab", { name: "Standard Six", exact: true }).click();
   await tab.click();
   const drawn = await page.waitForFunction(
-    () => window.timings.find(({ name, at_ms }) => name === "globe.frame" && at_ms > window.clicked_ms),
+    () => window.timings.find(({ name, at_ms }) => name === "globe.picture" && at_ms > window.clicked_ms),
     undefined,
     { timeout: PATIENCE_MS },
   );
@@ -116,7 +116,7 @@ async function settled(page: Page): Promise<void> {
 async function framesOnTheirWay(page: Page): Promise<number> {
   return await page.evaluate(() => {
     const told = (wanted: string) => window.timings.filter(({ name }) => name === wanted).length;
-    return told("globe.script") - told("globe.frame");
+    return told("globe.script") - told("globe.picture");
   });
 }
 
@@ -182,7 +182,7 @@ function summary(phases: Phase[]): Growing {
   return {
     graphics_ms: (1000 * sum((one) => one.graphics_s)) / frames,
     script: shares(timings, "globe.script"),
-    frame: shares(timings, "globe.frame"),
+    frame: shares(timings, "globe.picture"),
     update: shares(timings, "track.update"),
     take: shares(timings, "track.take"),
     drawn_per_s: frames / sum((one) => one.seconds),

@@ -2,11 +2,11 @@ import { mkdir, writeFile } from "node:fs/promises";
 import path from "node:path";
 import type { Page } from "@playwright/test";
 
-/** Wait until what was asked for stands still on the screen: two displayed frames, and the ten looks a second at text. */
+/** Wait until what was asked for stands still on the screen: a dozen animation frames, and the ten looks a second at text. */
 export async function settled(page: Page): Promise<void> {
   await page.evaluate(async () => {
     await document.fonts.ready;
-    for (let frame = 0; frame < 12; frame += 1) await new Promise((done) => requestAnimationFrame(done));
+    for (let nth = 0; nth < 12; nth += 1) await new Promise((done) => requestAnimationFrame(done));
   });
 }
 

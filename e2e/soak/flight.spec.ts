@@ -13,6 +13,7 @@ const LEFT_OUT = "Mapa 3D";
 /** The first minutes fill caches and pools; growth is judged after them. */
 const WARM_UP_SHARE = 0.2;
 
+type Alarm = { id: string; since_s: number; until_s: number | null };
 type Sample = { minute: number; gateway_mb: number; heap_mb: number; waypoint: number };
 
 function residentMb(pid: number): number {
@@ -20,19 +21,27 @@ function residentMb(pid: number): number {
   return Number(line?.[1]) / 1024;
 }
 
-/** The gateway is a child of the launcher; its command line tells it from the board and the simulator. */
-function gatewayPid(launcher: number): number {
+function childrenOf(parent: number): Map<number, string> {
+  const found = new Map<number, string>();
   for (const name of readdirSync("/proc")) {
     if (!/^\d+$/.test(name)) continue;
     try {
-      const parent = readFileSync(`/proc/${name}/stat`, "utf8").split(") ")[1]?.split(" ")[1];
-      const command = readFileSync(`/proc/${name}/cmdline`, "utf8");
-      if (Number(parent) === launcher && command.includes("\0gateway\0")) return Number(name);
+      const stat = readFileSync(`/proc/${name}/stat`, "utf8").split(") ")[1]?.split(" ")[1];
+      if (Number(stat) === parent) found.set(Number(name), readFileSync(`/proc/${name}/cmdline`, "utf8"));
     } catch {
       // a process that has just ended
     }
   }
-  throw new Error("no gateway process");
+  return found;
+}
+
+/** The gateway is a child of the launcher, its flight and its web process are children of the gateway. */
+function gatewayPids(launcher: number): number[] {
+  const gateway = [...childrenOf(launcher)].find(([, command]) => command.includes("\0epf_gcs.launcher.gateway\0"));
+  if (gateway === undefined) throw new Error("no gateway process");
+  const parts = [...childrenOf(gateway[0])].filter(([, command]) => /\0epf_gcs\.(flight|web)\0/.test(command));
+  if (parts.length !== 2) throw new Error(`the gateway has ${parts.length} processes in place of two`);
+  return [gateway[0], ...parts.map(([pid]) => pid)];
 }
 
 const middle = (values: number[]): number =>
@@ -53,14 +62,19 @@ test(`${MINUTES} minutes of flight leave memory flat, lose no frame and log no e
     const url = `http://127.0.0.1:${port}`;
     await until("the page's address", () => (launcher.output.includes(url) ? true : undefined));
     await page.goto(url, { waitUntil: "domcontentloaded" });
-    const pid = gatewayPid(launcher.pid);
+    const pids = gatewayPids(launcher.pid);
     const devtools = await page.context().newCDPSession(page);
     await devtools.send("HeapProfiler.enable");
 
     const samples: Sample[] = [];
     const started = Date.now();
     const status = async () => await (await fetch(`${url}/api/v1/status`)).json();
-    const before = await status();
+    // Alarms of the start are over when both lines are open: from here on none may come.
+    const before = await until("both lines open and no alarm", async () => {
+      const now = await status();
+      const isQuiet = now.alarms.every((alarm: Alarm) => alarm.until_s !== null);
+      return now.board.state === "open" && now.simulator.state === "open" && isQuiet ? now : undefined;
+    });
     const tabs = page
       .getByRole("tablist", { name: "Pestañas principales" })
       .getByRole("tab")
@@ -74,7 +88,7 @@ test(`${MINUTES} minutes of flight leave memory flat, lose no frame and log no e
       const telemetry = await (await fetch(`${url}/api/v1/telemetry`)).json();
       const sample = {
         minute: (Date.now() - started) / 60_000,
-        gateway_mb: residentMb(pid),
+        gateway_mb: pids.reduce((sum, pid) => sum + residentMb(pid), 0),
         heap_mb: usedSize / 1e6,
         waypoint: telemetry.fms_hil_plan.values.waypoint,
       };
@@ -95,7 +109,11 @@ test(`${MINUTES} minutes of flight leave memory flat, lose no frame and log no e
     }
     expect(after.board.frames_damaged).toBe(before.board.frames_damaged);
     expect(after.simulator.datagrams_dropped).toBe(before.simulator.datagrams_dropped);
-    expect(after.alarms).toEqual([]);
+    // Listed until somebody acknowledges it, an alarm that recovered during the flight is seen here too.
+    const unexpected = after.alarms.filter(
+      (alarm: Alarm) => alarm.until_s === null || alarm.since_s > before.server_time_s,
+    );
+    expect(unexpected).toEqual([]);
     expect(said).toEqual([]);
     for (const name of readdirSync(path.join(data, "logs"))) {
       const lines = readFileSync(path.join(data, "logs", name), "utf8").split("\n");

@@ -69,7 +69,7 @@ class Image(Emulator):
     def __init__(self, name: str, card: Path, *options: str) -> None:
         emulated = EmulatedBoard.named(name)
         assert emulated is not None
-        command = emulated.command(FIRMWARE, card)
+        command = emulated.command(FIRMWARE / "build", card)
         # The board's own options stand before the card.
         command[-1] = command[-1].replace(
             "arg=--card", ",".join([*(f"arg={option}" for option in options), "arg=--card"])

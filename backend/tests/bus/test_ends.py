@@ -30,6 +30,7 @@ class Heard:
         self.events: list[Named] = []
         self.statuses: list[dict[str, Any]] = []
         self.losses: list[bool] = []
+        self.playbacks: list[dict[str, Any]] = []
 
     def on_hello(self, hello: dict[str, Any]) -> None:
         self.hellos.append(hello)
@@ -45,6 +46,9 @@ class Heard:
 
     def on_status(self, status: dict[str, Any]) -> None:
         self.statuses.append(status)
+
+    def on_playback(self, playback: dict[str, Any]) -> None:
+        self.playbacks.append(playback)
 
     def on_lost(self, *, ended: bool) -> None:
         self.losses.append(ended)

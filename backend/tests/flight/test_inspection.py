@@ -14,7 +14,7 @@ from epf_gcs.codec.encode import encode_telemetry
 from epf_gcs.codec.messages_gen import END, TELEMETRY, TO_PC_HEADER
 from epf_gcs.flight.flight import Flight
 from epf_gcs.flight.hil.simulator import SimulatorAddress
-from epf_gcs.flight.inspection import Inspected, build_inspector, take_snapshot
+from epf_gcs.flight.inspection import InspectorSources, build_inspector, take_snapshot
 from epf_gcs.link.address import EMULATION, parse_address
 from epf_gcs.xplane.datagram import Record, build
 from tests.support.fake_board import FakeBoard
@@ -64,7 +64,7 @@ async def open_board(station: Flight, board: FakeBoard) -> None:
 
 
 def inspect(station: Flight) -> dict[str, Any]:
-    parts = Inspected(
+    parts = InspectorSources(
         station.clock,
         station.board,
         station.telemetry,
@@ -251,11 +251,11 @@ async def test_another_rate_counts_from_the_moment_it_was_commanded(station: Fli
     await open_board(station, board)
     await eventually_async(lambda: frames(station)["heartbeat"]["count"] > 20, "it lives")
     await station.commands.run("set_parameter_task_rate", (20,))
-    rate_hz = station.board.books.heard["heartbeat"].summary(station.clock.now_s()).rate_hz
+    rate_hz = station.board.frame_statistics.heard["heartbeat"].summary(station.clock.now_s()).rate_hz
     assert rate_hz == 0.0, "what was measured before says nothing"
 
 
-async def test_examples_leave_no_trace_in_the_books_of_a_board(station: Flight, board: FakeBoard) -> None:
+async def test_examples_leave_no_trace_in_the_statistics_of_a_board(station: Flight, board: FakeBoard) -> None:
     await open_board(station, board)
     await eventually_async(lambda: frames(station)["heartbeat"]["count"] > 20, "a board speaks")
     await station.lines.open_board(EMULATION)

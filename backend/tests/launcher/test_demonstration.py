@@ -18,6 +18,7 @@ from websockets.sync.client import connect
 
 from epf_gcs.launcher.options import BOARD_PROGRAM
 from epf_gcs.launcher.ports import LOOPBACK, free_tcp_port, listener_of
+from epf_gcs.product import BOARD
 from tests.support.ports import free_udp_port
 
 DEADLINE_S = 60.0
@@ -113,7 +114,7 @@ class Run:
                 except FileNotFoundError:
                     continue
                 # One that has just died, or has not become its program yet, has no words of its own.
-                if words[0] == str(BOARD_PROGRAM):
+                if words[0] == str(BOARD.folder / BOARD_PROGRAM):
                     names["board"] = int(entry.name)
                 elif "-m" in words and (name := words[words.index("-m") + 1]) != "epf_gcs.launcher":
                     names[name.rpartition(".")[2]] = int(entry.name)
@@ -302,7 +303,7 @@ def x_plane_of_somebody(listens_on: int, sends_to: int) -> Iterator[None]:
 
 @contextmanager
 def board_of_somebody(line: Path) -> Iterator[None]:
-    with subprocess.Popen([BOARD_PROGRAM, "--pty", line], stdout=subprocess.DEVNULL) as board:
+    with subprocess.Popen([BOARD.file(BOARD_PROGRAM), "--pty", line], stdout=subprocess.DEVNULL) as board:
         deadline_s = time.monotonic() + DEADLINE_S
         while not line.exists():
             assert time.monotonic() < deadline_s

@@ -13,17 +13,17 @@ ON_A_LINE = EmulatedBoard("stm32f405", "netduinoplus2", 40123)
 
 @pytest.fixture
 def qemu(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A folder of firmware with an image, and a QEMU on the path that is never started."""
+    """A folder of built firmware with an image, and a QEMU on the path that is never started."""
     programs = tmp_path / "bin"
     programs.mkdir()
     program = programs / "qemu-system-arm"
     program.write_text("#!/bin/sh\n")
     program.chmod(0o755)
     monkeypatch.setenv("PATH", str(programs))
-    image = tmp_path / "firmware" / "build" / "stm32f405" / "epf-board-qemu.elf"
+    image = tmp_path / "build" / "stm32f405" / "epf-board-qemu.elf"
     image.parent.mkdir(parents=True)
     image.write_bytes(b"")
-    return tmp_path / "firmware"
+    return tmp_path / "build"
 
 
 @pytest.mark.parametrize(("board", "folder"), [("qemu", "stm32f405"), ("qemu-an386", "mps2_an386")])

@@ -1,11 +1,13 @@
-"""The gateway's two processes are started again when they die, each by itself; one that refuses ends the gateway."""
+"""The gateway's two processes are started again when they die or hang; one that refuses ends the gateway."""
 
 from __future__ import annotations
 
 import os
+import signal
 import sys
 import threading
 from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
@@ -78,3 +80,49 @@ def test_one_that_fails_after_it_has_lived_is_started_again(tmp_path: Path, monk
     kept.runs(2)
     assert kept.refusal is None
     kept.stop()
+
+
+@contextmanager
+def watched(name: str, command: list[str]) -> Iterator[Part]:
+    """A real process of the gateway, which may be silent for a second."""
+    alive, held = os.pipe()
+    stopping = threading.Event()
+    part = Part(name, command, command, alive, silent_s=1.5)
+    thread = threading.Thread(target=part.keep_running, args=(stopping,), daemon=True)
+    thread.start()
+    try:
+        yield part
+    finally:
+        stopping.set()
+        part.signal(signal.SIGKILL)
+        thread.join(DEADLINE_S)
+        os.close(alive)
+        os.close(held)
+
+
+def pid_of(part: Part) -> int | None:
+    return None if part.process is None else part.process.pid
+
+
+@pytest.mark.parametrize("name", ["flight", "web"])
+def test_one_that_hangs_without_dying_is_killed_and_started_again(
+    name: str, tmp_path: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    words = {"flight": "flying", "web": "listening"}
+    said = ""
+
+    def says(times: int) -> bool:
+        nonlocal said
+        said += capfd.readouterr().err
+        return said.count(words[name]) == times
+
+    port = ["--port", "0"] if name == "web" else []
+    command = [sys.executable, "-m", f"epf_gcs.{name}", "--data-dir", str(tmp_path), "--with-parent", *port]
+    with watched(name, command) as part:
+        eventually(lambda: says(1), "it runs")
+        first = pid_of(part)
+        assert first is not None
+        os.kill(first, signal.SIGSTOP)
+        eventually(lambda: says(2), "it runs again")
+        assert pid_of(part) != first
+    assert said.count(f"the {name} process hangs and is killed") == 1

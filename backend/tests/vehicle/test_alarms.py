@@ -35,9 +35,9 @@ class World:
         self.wrong: list[Finding] = []
         self.limits: list[Mapping[str, float]] = []
         self.chosen: list[dict[str, float]] = []
-        self.hub = Told()
+        self.outlet = Told()
         self.kept: list[Alarm] = []
-        self.alarms = Alarms(self._watch, self.hub, kept or {}, self.chosen.append, on_past=self.kept.append)
+        self.alarms = Alarms(self._watch, self.outlet, kept or {}, self.chosen.append, on_past=self.kept.append)
 
     def _watch(self, limits: Mapping[str, float]) -> list[Finding]:
         self.limits.append(limits)
@@ -58,7 +58,7 @@ async def test_an_alarm_is_told_once_when_it_comes_and_once_when_it_goes() -> No
     assert [(alarm.finding.id, alarm.until_s) for alarm in world.alarms.active] == [("battery_low", 4.0)]
     (past,) = world.alarms.past
     assert (past.finding.id, past.since_s, past.until_s, past.acknowledged) == ("battery_low", 2.0, 4.0, False)
-    assert world.hub.events == [("battery_low", True, False), ("battery_low", False, False)]
+    assert world.outlet.events == [("battery_low", True, False), ("battery_low", False, False)]
 
 
 async def test_an_alarm_that_recovered_stays_listed_until_somebody_has_seen_it() -> None:
@@ -76,7 +76,7 @@ async def test_an_alarm_that_recovered_stays_listed_until_somebody_has_seen_it()
     assert world.alarms.active == []
     assert world.alarms.past == [known]
     assert world.kept == [recovered, known]
-    assert world.hub.events[-1] == ("battery_low", False, True)
+    assert world.outlet.events[-1] == ("battery_low", False, True)
     assert heard == [("came", "battery_low"), ("went", "battery_low"), ("acknowledged", "battery_low")]
     with pytest.raises(NotFoundError):
         world.alarms.acknowledge("battery_low")
@@ -104,7 +104,7 @@ async def test_an_alarm_that_comes_again_stands_for_the_one_that_recovered() -> 
 async def test_what_an_earlier_start_left_is_the_beginning_of_the_history() -> None:
     world = World()
     before = Alarm(Finding("cpu_high", "warning", "91 %."), 1.0, until_s=2.0)
-    alarms = Alarms(lambda _: world.wrong, world.hub, {}, world.chosen.append, past=[before])
+    alarms = Alarms(lambda _: world.wrong, world.outlet, {}, world.chosen.append, past=[before])
     assert alarms.active == []
     world.goes_wrong("battery_low")
     alarms.look(3.0)
@@ -154,7 +154,7 @@ async def test_an_acknowledged_alarm_stays_until_it_goes_and_is_new_when_it_come
     world.alarms.look(4.0)
     assert [alarm.acknowledged for alarm in world.alarms.active] == [False]
     assert [alarm.acknowledged for alarm in world.alarms.past] == [True]
-    assert world.hub.events == [
+    assert world.outlet.events == [
         ("battery_low", True, False),
         ("battery_low", True, True),
         ("battery_low", False, True),

@@ -21,11 +21,13 @@ def test_the_argument_is_the_flag() -> None:
     assert heartbeat_proves(source, (1,), {"source_joystick": True})
     assert heartbeat_proves(source, (0,), {"source_joystick": False})
     assert not heartbeat_proves(source, (0,), {"source_joystick": True})
+    assert heartbeat_proves(source, (1, 0), {"source_joystick": True}), "the first argument is the flag"
 
 
 def test_a_plan_must_have_moved() -> None:
     following = COMMANDS["hil_fms_next_waypoint"].confirm
     assert plan_proves(following, 2, 3)
+    assert plan_proves(following, 2, 0), "after the last waypoint comes the first"
     assert not plan_proves(following, 2, 2)
     assert not plan_proves(following, None, 3)
     assert not plan_proves(following, 2, None)
@@ -36,6 +38,7 @@ def test_a_loaded_plan_begins_at_its_first_waypoint() -> None:
     assert plan_proves(load, 0, 0)
     assert plan_proves(load, None, 0)
     assert not plan_proves(load, 3, 3)
+    assert not plan_proves(load, 3, -1)
 
 
 def test_everything_that_steps_is_never_repeated() -> None:

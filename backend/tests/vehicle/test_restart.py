@@ -39,6 +39,15 @@ def test_a_line_that_failed_for_a_while_is_no_restart(uptime_ms: int) -> None:
     assert restart.opened(110.0, 2e9, uptime_ms, STREAMING) is None
 
 
+@pytest.mark.parametrize(("late_s", "is_restart"), [(8.0, False), (12.0, True)])
+def test_after_hours_the_board_s_slower_quartz_is_no_restart(late_s: float, is_restart: bool) -> None:
+    restart = BoardRestart()
+    restart.opened(500.0, 1e9, 500_000, QUIET)
+    restart.fell_silent(QUIET)
+    uptime_ms = round((10_000.0 - late_s) * 1000.0)
+    assert restart.opened(10_000.0, 2e9, uptime_ms, QUIET) == (Restart(2e9, uptime_ms) if is_restart else None)
+
+
 def test_a_count_that_begins_again_after_25_days_is_no_restart() -> None:
     restart = BoardRestart()
     restart.opened(0.0, 1e9, 0, QUIET)

@@ -1,4 +1,4 @@
-"""The books on the topics."""
+"""The heard on the topics."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ class SetClock(Clock):
         return self.at_s
 
 
-class Books:
+class Heard:
     def __init__(self) -> None:
         self.clock = SetClock()
         self.period_s = 0.1
@@ -35,46 +35,46 @@ class Books:
 
 
 async def test_a_topic_is_live_for_three_periods() -> None:
-    books = Books()
-    assert not books.telemetry.is_live("ahrs")
-    books.hear("ahrs", 10, 0.1)
-    books.clock.at_s += 0.29
-    assert books.telemetry.is_live("ahrs")
-    assert not books.telemetry.snapshot()["ahrs"]["stale"]
-    books.clock.at_s += 0.02
-    assert not books.telemetry.is_live("ahrs")
-    assert books.telemetry.snapshot()["ahrs"]["stale"]
-    assert books.telemetry.snapshot()["ahrs"]["age_s"] == pytest.approx(0.31)
+    heard = Heard()
+    assert not heard.telemetry.is_live("ahrs")
+    heard.hear("ahrs", 10, 0.1)
+    heard.clock.at_s += 0.29
+    assert heard.telemetry.is_live("ahrs")
+    assert not heard.telemetry.snapshot()["ahrs"]["stale"]
+    heard.clock.at_s += 0.02
+    assert not heard.telemetry.is_live("ahrs")
+    assert heard.telemetry.snapshot()["ahrs"]["stale"]
+    assert heard.telemetry.snapshot()["ahrs"]["age_s"] == pytest.approx(0.31)
 
 
 async def test_an_answer_that_was_asked_for_does_not_grow_stale() -> None:
-    books = Books()
-    books.hear("autopilot_parameters", 1, 0.1)
-    books.clock.at_s += 3600.0
-    assert not books.telemetry.snapshot()["autopilot_parameters"]["stale"]
-    assert books.telemetry.stale_after_s("autopilot_parameters") is None
+    heard = Heard()
+    heard.hear("autopilot_parameters", 1, 0.1)
+    heard.clock.at_s += 3600.0
+    assert not heard.telemetry.snapshot()["autopilot_parameters"]["stale"]
+    assert heard.telemetry.stale_after_s("autopilot_parameters") is None
 
 
 async def test_a_slower_task_makes_its_topics_live_longer_at_once() -> None:
-    books = Books()
-    books.hear("ahrs", 10, 0.1)
-    books.hear("gps", 10, 0.1)
-    books.period_s = 10.0
-    books.telemetry.rate_changed("set_parameter_task_rate")
-    assert books.telemetry.stale_after_s("ahrs") == pytest.approx(30.0)
-    assert books.telemetry.stale_after_s("gps") == pytest.approx(0.3)
+    heard = Heard()
+    heard.hear("ahrs", 10, 0.1)
+    heard.hear("gps", 10, 0.1)
+    heard.period_s = 10.0
+    heard.telemetry.rate_changed("set_parameter_task_rate")
+    assert heard.telemetry.stale_after_s("ahrs") == pytest.approx(30.0)
+    assert heard.telemetry.stale_after_s("gps") == pytest.approx(0.3)
 
 
 async def test_a_topic_that_nobody_commands_is_measured() -> None:
-    books = Books()
-    books.hear("simulator", 1, 0.02)
-    assert books.telemetry.stale_after_s("simulator") is None
-    books.hear("simulator", 10, 0.5)
-    assert books.telemetry.stale_after_s("simulator") == pytest.approx(1.5)
+    heard = Heard()
+    heard.hear("simulator", 1, 0.02)
+    assert heard.telemetry.stale_after_s("simulator") is None
+    heard.hear("simulator", 10, 0.5)
+    assert heard.telemetry.stale_after_s("simulator") == pytest.approx(1.5)
 
 
 async def test_what_was_never_heard_has_no_age() -> None:
-    books = Books()
-    assert books.telemetry.age_s("ahrs") is None
-    assert books.telemetry.newest("ahrs") is None
-    assert books.telemetry.stale_after_s("ahrs") is None
+    heard = Heard()
+    assert heard.telemetry.age_s("ahrs") is None
+    assert heard.telemetry.newest("ahrs") is None
+    assert heard.telemetry.stale_after_s("ahrs") is None

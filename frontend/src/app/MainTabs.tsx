@@ -30,7 +30,7 @@ export function MainTabs() {
 function View({ tab }: { tab: TabName }) {
   const { t } = useTranslation();
   const { Part } = VIEWS[tab];
-  return <Part waiting={<p className="app-waiting">{t("frame.loading")}</p>} failed={NotLoaded} />;
+  return <Part waiting={<p className="app-waiting">{t("window.loading")}</p>} failed={NotLoaded} />;
 }
 
 function NotLoaded(retry: () => void): ReactNode {

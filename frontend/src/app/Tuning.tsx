@@ -10,7 +10,7 @@ export function Tuning() {
   const isOpen = useSettings(({ choices }) => (choices["tuning.loop"] ?? "") !== "");
   const { Part } = TUNING;
   return isOpen ? (
-    <Part waiting={<p className="app-waiting">{t("frame.loading")}</p>} failed={NotLoaded} />
+    <Part waiting={<p className="app-waiting">{t("window.loading")}</p>} failed={NotLoaded} />
   ) : null;
 }
 

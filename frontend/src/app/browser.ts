@@ -25,9 +25,11 @@ export function browserWorld(window: Window & typeof globalThis): World {
       replace: (address) => window.history.replaceState(null, "", address),
     },
     fetch: (path, init) => window.fetch(path, init),
-    requestFrame: (callback) => window.requestAnimationFrame(callback),
-    cancelFrame: (handle) => window.cancelAnimationFrame(handle),
-    measureFrame: frameMeter(window),
+    animationFrames: {
+      request: (callback) => window.requestAnimationFrame(callback),
+      cancel: (handle) => window.cancelAnimationFrame(handle),
+      measure: animationFrameMeter(window),
+    },
     saveFile: (name, content) => {
       const address = URL.createObjectURL(content);
       const link = window.document.createElement("a");
@@ -68,7 +70,7 @@ function dial(
 }
 
 /** Measures the cost of an animation frame: a message posted to oneself arrives after layout and paint. */
-function frameMeter(window: Window & typeof globalThis): (spent: (cost_ms: number) => void) => void {
+function animationFrameMeter(window: Window & typeof globalThis): (spent: (cost_ms: number) => void) => void {
   const { port1, port2 } = new window.MessageChannel();
   let begun_ms = 0;
   let tell: ((cost_ms: number) => void) | null = null;

@@ -28,6 +28,7 @@ import { SERVO_SLIDERS } from "../features/servos/servoPositions";
 import { createServoSliders } from "../features/servos/servoSliders";
 import { BOARD_CONSOLE } from "../features/setup/consoleLog";
 import { createBoardConsole } from "../features/setup/consoleRequests";
+import type { AnimationFrames } from "../lib/animationFrames";
 import type { Timers } from "../lib/timers";
 import { createPlanActions, takePlanEvent, takePlanStatus } from "../missions/missionRequests";
 import { createPlans, MISSIONS } from "../missions/planDrafts";
@@ -40,7 +41,7 @@ import { createCommands } from "../store/commands";
 import type { Page } from "../store/hooks";
 import { createMessages, type Message, say } from "../store/messages";
 import { Parts } from "../store/parts";
-import { type FrameSource, Pump } from "../store/pump";
+import { Pump } from "../store/pump";
 import { type BrowserStorage, createSettings } from "../store/settings";
 import { Rest } from "../transport/rest";
 import { StreamSocket, type Wire, type WireListener } from "../transport/socket";
@@ -56,9 +57,7 @@ export interface World {
   /** Connects to the stream of a flight of the past, from a moment on. */
   readonly dialFlight: (place: PlaceInTime, listener: WireListener) => Wire;
   readonly fetch: (path: string, init: RequestInit) => Promise<Response>;
-  readonly requestFrame: (callback: (now_ms: number) => void) => number;
-  readonly cancelFrame: (handle: number) => void;
-  readonly measureFrame?: FrameSource["measure"];
+  readonly animationFrames: AnimationFrames;
   /** `storage` outlives the browser; `tabStorage` lasts until this browser tab is closed. */
   readonly storage: BrowserStorage | null;
   readonly tabStorage: BrowserStorage | null;
@@ -90,11 +89,7 @@ export function createPage(world: World): {
   const sourceReturn = createSourceReturn();
   const now_ms = world.timers.now_ms;
   const pump = new Pump(
-    {
-      request: world.requestFrame,
-      cancel: world.cancelFrame,
-      ...(world.measureFrame && { measure: world.measureFrame }),
-    },
+    world.animationFrames,
     () => telemetry.revision + pasts.revision(),
     now_ms(),
     fail,

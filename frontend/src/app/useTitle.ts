@@ -6,14 +6,17 @@ import { formatDateTime } from "../lib/moment";
 import type { Status } from "../protocol/status";
 import { useConnection } from "../store/hooks";
 
-/** Shows that the past is shown and which, or the state of the board's link in the window's title, with the number of alarms of the present, where it is seen from other windows too. */
+/**
+ * The window's title, which is seen from other windows too: that the past is shown and which, or the state of the
+ * board's link; and the number of alarms of the present.
+ */
 export function useTitle(): void {
   const { t } = useTranslation();
   const state = useConnection(({ status, phase }) =>
     phase === "open" ? (status?.board.state ?? "unknown") : "unknown",
   );
   const alarms = useConnection(({ status, phase }) => (phase === "open" ? lasting(status) : 0));
-  const title = t("frame.title", { state: t(`link.${state}`), name: t("app.name") });
+  const title = t("window.title", { state: t(`link.${state}`), name: t("app.name") });
   // Whole seconds: the title must not change with every message of a flight that plays.
   const past_s = usePlayback((playback) =>
     playback.flight === null ? null : Math.floor(moment_s(playback) ?? 0),

@@ -20,7 +20,7 @@ export function LiveAttitude({ topic }: { topic: "ahrs" | "ahrs_test" | "simulat
     },
     [topic],
   );
-  usePaint("frame", paint);
+  usePaint("movement", paint);
   const describe = useCallback(
     (pitch_deg: number, roll_deg: number) =>
       t("attitude.sentence", { pitch: pitch_deg.toFixed(0), roll: roll_deg.toFixed(0) }),

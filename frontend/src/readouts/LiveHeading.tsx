@@ -28,7 +28,7 @@ export function LiveHeading({ heading_deg, bearing_deg }: { heading_deg: ReadLiv
       instrument.current?.paint(heading_deg(telemetry, now_ms), bearing_deg(telemetry, now_ms), now_ms),
     [heading_deg, bearing_deg],
   );
-  usePaint("frame", paint);
+  usePaint("movement", paint);
   const describe = useCallback(
     (heading: number, bug: number | null) =>
       bug === null

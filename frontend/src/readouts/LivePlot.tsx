@@ -176,7 +176,7 @@ function useRecording(signals: readonly Signal[], window_s: number): Recording {
     },
     [signals],
   );
-  usePaint("frame", keep);
+  usePaint("movement", keep);
 
   return useCallback(
     (telemetry, now_ms) =>

@@ -25,7 +25,7 @@ export function LiveServoBar<T extends TopicName>({ topic, field, ...rest }: Pro
       bar.current?.paint(telemetry.liveNumber(topic, field, now_ms), now_ms),
     [topic, field],
   );
-  usePaint("frame", paint);
+  usePaint("movement", paint);
   return <ServoBar ref={bar} noDataText={t("words.dash")} format={position} {...rest} />;
 }
 

@@ -1,17 +1,26 @@
 import { act, render, screen } from "@testing-library/react";
 import { useCallback, useRef } from "react";
 import { describe, expect, test } from "vitest";
-import { ManualFrames } from "../test/frames";
-import { createCommands } from "./commands";
+import { ManualAnimationFrames } from "../test/animationFrames";
+import { begin, createCommands } from "./commands";
 import { createConnection } from "./connection";
-import { type Page, PageContext, useTelemetry } from "./hooks";
+import {
+  type Page,
+  PageContext,
+  useCommandEntry,
+  useConnection,
+  usePart,
+  useSettings,
+  useTelemetry,
+} from "./hooks";
 import { createMessages } from "./messages";
+import { Parts, partName } from "./parts";
 import { Pump } from "./pump";
 import { createSettings } from "./settings";
 import { TelemetryStore } from "./telemetry";
 import { usePaint } from "./usePaint";
 
-const frames = new ManualFrames();
+const frames = new ManualAnimationFrames();
 const telemetry = new TelemetryStore();
 // The parts of a page that these hooks use.
 const page = {
@@ -26,6 +35,7 @@ const page = {
   commands: createCommands(),
   messages: createMessages(),
   settings: createSettings(null),
+  parts: new Parts(),
 } as Partial<Page> as Page;
 let now_ms = 0;
 
@@ -49,7 +59,7 @@ describe("a component that paints", () => {
           output.current.textContent = String(store.liveNumber("ahrs", "roll_deg", at_ms));
         }
       }, []);
-      usePaint("frame", paint);
+      usePaint("movement", paint);
       return <output ref={output} />;
     }
     render(<Painted />, { wrapper: ({ children }) => <PageContext value={page}>{children}</PageContext> });
@@ -109,4 +119,24 @@ test("a component outside of the page fails at once, not with empty values", () 
     return null;
   }
   expect(() => render(<Lost />)).toThrow("PageContext");
+});
+
+test("a component sees each store change, and its feature's own part", () => {
+  const name = partName<string>("a feature");
+  page.parts.with(name, "its part");
+  function Seeing() {
+    const entry = useCommandEntry("ahrs");
+    const phase = useConnection((connection) => connection.phase);
+    const language = useSettings((settings) => settings.language);
+    return <output>{[usePart(name), phase, language, entry?.state ?? "nothing"].join(" ")}</output>;
+  }
+  render(<Seeing />, { wrapper: ({ children }) => <PageContext value={page}>{children}</PageContext> });
+  const seen = (): string | null => screen.getByRole("status").textContent;
+  expect(seen()).toBe("its part connecting es nothing");
+  act(() => {
+    begin(page.commands, "ahrs", "on");
+    page.connection.setState({ phase: "open" });
+    page.settings.setState({ language: "en" });
+  });
+  expect(seen()).toBe("its part open en pending");
 });

@@ -1,5 +1,5 @@
 import { createContext, useContext, useSyncExternalStore } from "react";
-import { type StoreApi, useStore } from "zustand";
+import { useStore } from "zustand";
 import { type CommandEntry, type CommandStore, shown } from "./commands";
 import type { Connection, ConnectionStore } from "./connection";
 import type { MessageStore } from "./messages";
@@ -47,16 +47,12 @@ export function useIsPast(): boolean {
 }
 
 /** One value of a slow store; the component renders again when it changes. */
-function useSelected<S, T>(store: StoreApi<S>, select: (state: S) => T): T {
-  return useStore(store, select);
-}
-
 export function useConnection<T>(select: (connection: Connection) => T): T {
-  return useSelected(usePage().connection, select);
+  return useStore(usePage().connection, select);
 }
 
 export function useSettings<T>(select: (settings: Settings) => T): T {
-  return useSelected(usePage().settings, select);
+  return useStore(usePage().settings, select);
 }
 
 /**
@@ -73,6 +69,6 @@ export function useTelemetry<T extends string | number | boolean | null>(
 /** The state of a control's newest command, or null if there is nothing to show. */
 export function useCommandEntry(control: string): CommandEntry | null {
   const { commands, pump } = usePage();
-  const entries = useSelected(commands, (state) => state);
+  const entries = useStore(commands);
   return useSyncExternalStore(pump.onTick, () => shown(entries, control, pump.now_ms));
 }

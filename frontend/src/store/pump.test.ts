@@ -1,9 +1,9 @@
 import { describe, expect, test, vi } from "vitest";
-import { ManualFrames } from "../test/frames";
+import { ManualAnimationFrames } from "../test/animationFrames";
 import { Pump } from "./pump";
 
 function setup() {
-  const frames = new ManualFrames();
+  const frames = new ManualAnimationFrames();
   let revision = 0;
   const failures: unknown[] = [];
   const pump = new Pump(
@@ -15,10 +15,10 @@ function setup() {
   return { frames, pump, failures, arrive: () => (revision += 1) };
 }
 
-test("a burst of arrivals is one paint in the next frame", () => {
+test("a burst of arrivals is one paint in the next animation frame", () => {
   const { frames, pump, arrive } = setup();
   const paint = vi.fn();
-  pump.add("frame", paint);
+  pump.add("movement", paint);
   frames.show(1000);
   paint.mockClear();
   arrive();
@@ -28,11 +28,11 @@ test("a burst of arrivals is one paint in the next frame", () => {
   expect(paint).toHaveBeenCalledTimes(1);
 });
 
-test("frames without news paint only with the texts, ten times a second", () => {
+test("animation frames without news paint only with the texts, ten times a second", () => {
   const { frames, pump } = setup();
   const instrument = vi.fn();
   const text = vi.fn();
-  pump.add("frame", instrument);
+  pump.add("movement", instrument);
   pump.add("text", text);
   for (let frame = 0; frame <= 60; frame += 1) {
     frames.show(1000 + (frame * 1000) / 60);
@@ -41,11 +41,11 @@ test("frames without news paint only with the texts, ten times a second", () => 
   expect(instrument).toHaveBeenCalledTimes(11);
 });
 
-test("with news in every frame instruments move in every frame and text does not", () => {
+test("with news in every animation frame instruments move in each and text does not", () => {
   const { frames, pump, arrive } = setup();
   const instrument = vi.fn();
   const text = vi.fn();
-  pump.add("frame", instrument);
+  pump.add("movement", instrument);
   pump.add("text", text);
   for (let frame = 0; frame < 60; frame += 1) {
     arrive();
@@ -59,9 +59,9 @@ test.each([
   { cost_ms: 5, name: "dear", of: "second", least: 30, most: 40 },
   { cost_ms: 12, name: "dearer", of: "third", least: 20, most: 25 },
 ])(
-  "where frames are $name instruments move in every $of one, and texts as often as ever",
+  "where animation frames are $name instruments move in every $of one, and texts as often as ever",
   ({ cost_ms, least, most }) => {
-    const frames = new ManualFrames();
+    const frames = new ManualAnimationFrames();
     let revision = 0;
     const source = { request: frames.request, cancel: frames.cancel };
     const pump = new Pump(
@@ -72,7 +72,7 @@ test.each([
     );
     const instrument = vi.fn();
     const text = vi.fn();
-    pump.add("frame", instrument);
+    pump.add("movement", instrument);
     pump.add("text", text);
     const fly = (from: number, count: number) => {
       for (let frame = from; frame < from + count; frame += 1) {
@@ -100,8 +100,8 @@ describe("a painter that throws", () => {
     const { frames, pump, arrive } = setup();
     const instrument = vi.fn();
     const text = vi.fn();
-    pump.add("frame", fail);
-    pump.add("frame", instrument);
+    pump.add("movement", fail);
+    pump.add("movement", instrument);
     pump.add("text", fail);
     pump.add("text", text);
     for (let round = 0; round < 3; round += 1) {
@@ -113,9 +113,9 @@ describe("a painter that throws", () => {
     expect(pump.now_ms).toBe(1200);
   });
 
-  test("is reported once, not in each frame", () => {
+  test("is reported once, not in each animation frame", () => {
     const { frames, pump, failures, arrive } = setup();
-    pump.add("frame", fail);
+    pump.add("movement", fail);
     for (let round = 0; round < 3; round += 1) {
       arrive();
       frames.show(1000 + 100 * round);
@@ -126,7 +126,7 @@ describe("a painter that throws", () => {
   test("is tried again with each round, because what it could not paint changes", () => {
     const { frames, pump, failures, arrive } = setup();
     const paint = vi.fn().mockImplementationOnce(fail);
-    pump.add("frame", paint);
+    pump.add("movement", paint);
     arrive();
     frames.show(1000);
     arrive();
@@ -136,15 +136,15 @@ describe("a painter that throws", () => {
   });
 });
 
-test("nothing to paint asks for no frames", () => {
+test("nothing to paint asks for no animation frames", () => {
   const { frames, pump } = setup();
-  const remove = pump.add("frame", () => undefined);
+  const remove = pump.add("movement", () => undefined);
   expect(frames.waiting).toBe(1);
   remove();
   expect(frames.waiting).toBe(0);
 });
 
-test("a new painter paints with the very next frame", () => {
+test("a new painter paints with the very next animation frame", () => {
   const { frames, pump } = setup();
   pump.add("text", () => undefined);
   frames.show(1000);
@@ -153,4 +153,26 @@ test("a new painter paints with the very next frame", () => {
   frames.show(1016);
   expect(paint).toHaveBeenCalledOnce();
   expect(pump.now_ms).toBe(1016);
+});
+
+test("the loop goes on while any painter is left, of either rate", () => {
+  const { frames, pump } = setup();
+  const removeMovement = pump.add("movement", () => undefined);
+  const removeText = pump.add("text", () => undefined);
+  removeMovement();
+  expect(frames.waiting).toBe(1);
+  const removeOther = pump.add("movement", () => undefined);
+  removeText();
+  expect(frames.waiting).toBe(1);
+  removeOther();
+  expect(frames.waiting).toBe(0);
+});
+
+test("a loop that was ended begins again with the next painter", () => {
+  const { frames, pump } = setup();
+  pump.add("movement", () => undefined)();
+  const paint = vi.fn();
+  pump.add("movement", paint);
+  frames.show(1000);
+  expect(paint).toHaveBeenCalledOnce();
 });

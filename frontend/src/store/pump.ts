@@ -1,34 +1,27 @@
+import type { AnimationFrames } from "../lib/animationFrames";
 import { NUMBER_PERIOD_MS, Pace } from "../lib/pace";
 import { RedrawBudget } from "./paintBudget";
 
-/** Where displayed frames come from: the browser's, or a test's. */
-export interface FrameSource {
-  readonly request: (callback: (now_ms: number) => void) => number;
-  readonly cancel: (handle: number) => void;
-  /** Called inside a frame: tells once what the page has spent on it, in milliseconds. */
-  readonly measure?: (spent: (cost_ms: number) => void) => void;
-}
-
-/** `frame`: before each displayed frame that the budget allows, for what moves. `text`: ten times a second, as fast as anybody reads. */
-export type PaintRate = "frame" | "text";
+/** `movement`: in each animation frame that the budget allows. `text`: ten times a second, as fast as anybody reads. */
+export type PaintRate = "movement" | "text";
 export type Paint = (now_ms: number) => void;
 
 /**
- * The one animation-frame loop of the page. Painters of a rate run together, so layout happens once; frames in which
- * nothing new arrived paint nothing but the tenth-of-a-second texts, which also find what has become stale. Where
- * frames are dear, instruments move in every second or third one.
+ * The one animation-frame loop of the page. Painters of a rate run together, so layout happens once; animation frames
+ * in which nothing new arrived paint nothing but the tenth-of-a-second texts, which also find what has become stale.
+ * Where they are dear, instruments move in every second or third one.
  */
 export class Pump {
-  readonly #frames: FrameSource;
+  readonly #animationFrames: AnimationFrames;
   readonly #revision: () => number;
   readonly #onFailure: (error: unknown) => void;
   /** Painters that threw and were reported. */
   readonly #reported = new WeakSet<Paint>();
-  readonly #painters: Readonly<Record<PaintRate, Set<Paint>>> = { frame: new Set(), text: new Set() };
+  readonly #painters: Readonly<Record<PaintRate, Set<Paint>>> = { movement: new Set(), text: new Set() };
   #handle: number | null = null;
   readonly #budget = new RedrawBudget();
   #painted = -1;
-  #frame_ms = Number.NEGATIVE_INFINITY;
+  #moved_ms = Number.NEGATIVE_INFINITY;
   readonly #texts = new Pace(NUMBER_PERIOD_MS);
   #now_ms: number;
 
@@ -37,12 +30,12 @@ export class Pump {
    * once of each painter that throws.
    */
   constructor(
-    frames: FrameSource,
+    animationFrames: AnimationFrames,
     revision: () => number,
     now_ms: number,
     onFailure: (error: unknown) => void,
   ) {
-    this.#frames = frames;
+    this.#animationFrames = animationFrames;
     this.#revision = revision;
     this.#now_ms = now_ms;
     this.#onFailure = onFailure;
@@ -53,17 +46,17 @@ export class Pump {
     return this.#now_ms;
   }
 
-  /** Paint at this rate, first with the next frame, until the returned function is called. */
+  /** Paint at this rate, first with the next animation frame, until the returned function is called. */
   add(rate: PaintRate, paint: Paint): () => void {
     const painters = this.#painters[rate];
     painters.add(paint);
     this.#painted = -1;
     this.#texts.reset();
-    this.#handle ??= this.#frames.request(this.#frame);
+    this.#handle ??= this.#animationFrames.request(this.#animate);
     return () => {
       painters.delete(paint);
-      if (this.#painters.frame.size === 0 && this.#painters.text.size === 0 && this.#handle !== null) {
-        this.#frames.cancel(this.#handle);
+      if (this.#painters.movement.size === 0 && this.#painters.text.size === 0 && this.#handle !== null) {
+        this.#animationFrames.cancel(this.#handle);
         this.#handle = null;
       }
     };
@@ -72,16 +65,16 @@ export class Pump {
   /** As React wants a subscription: called with each round of texts. */
   readonly onTick = (changed: () => void): (() => void) => this.add("text", () => changed());
 
-  readonly #frame = (now_ms: number): void => {
-    this.#handle = this.#frames.request(this.#frame);
+  readonly #animate = (now_ms: number): void => {
+    this.#handle = this.#animationFrames.request(this.#animate);
     const textIsDue = this.#texts.due(now_ms);
     const revision = this.#revision();
-    const frameIsDue = now_ms - this.#frame_ms >= this.#budget.period_ms;
-    if (textIsDue || (frameIsDue && revision !== this.#painted)) {
-      this.#frames.measure?.((cost_ms) => this.#budget.observe(cost_ms));
+    const movementIsDue = now_ms - this.#moved_ms >= this.#budget.period_ms;
+    if (textIsDue || (movementIsDue && revision !== this.#painted)) {
+      this.#animationFrames.measure?.((cost_ms) => this.#budget.observe(cost_ms));
       this.#painted = revision;
-      this.#frame_ms = now_ms;
-      this.#run("frame", now_ms);
+      this.#moved_ms = now_ms;
+      this.#run("movement", now_ms);
     }
     if (textIsDue) {
       this.#now_ms = now_ms;

@@ -4,7 +4,7 @@ import type { Paint, PaintRate } from "./pump";
 import type { TelemetryStore } from "./telemetry";
 
 /**
- * Paint from the telemetry without React, directly onto the elements of the component's refs: `frame` in each
+ * Paint from the telemetry without React, directly onto the elements of the component's refs: `movement` in each
  * animation frame with news, `text` ten times a second. `paint` must be stable (useCallback), or it is registered
  * again at each render.
  */

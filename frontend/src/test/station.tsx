@@ -12,9 +12,9 @@ import type { Status } from "../protocol/status";
 import { FIELD_KINDS } from "../protocol/topics";
 import { type Page, PageContext } from "../store/hooks";
 import type { BrowserStorage } from "../store/settings";
+import { ManualAnimationFrames } from "./animationFrames";
 import { aStatus } from "./aStatus";
 import { installCanvas } from "./canvas";
-import { ManualFrames } from "./frames";
 import { ManualGamepads } from "./gamepads";
 import { FakeReplay } from "./replay";
 import { ManualSounder, ManualSpeaker } from "./sound";
@@ -44,7 +44,7 @@ class MemoryStorage implements BrowserStorage {
 /** The whole page in a document, with gateway, clock and animation frames under the test's control. */
 export class Station {
   readonly timers = new ManualTimers();
-  readonly frames = new ManualFrames();
+  readonly animationFrames = new ManualAnimationFrames();
   readonly sounder = new ManualSounder();
   readonly speaker = new ManualSpeaker();
   readonly gamepads = new ManualGamepads();
@@ -87,8 +87,7 @@ export class Station {
         },
       },
       fetch: (path, init) => this.#ask(path, init),
-      requestFrame: this.frames.request,
-      cancelFrame: this.frames.cancel,
+      animationFrames: this.animationFrames,
       storage: new MemoryStorage(),
       tabStorage: new MemoryStorage(),
       sounder: this.sounder,
@@ -183,9 +182,9 @@ export class Station {
   /** Two animation frames, far enough apart for texts to be painted. */
   show(): void {
     act(() => {
-      this.frames.show(this.timers.now_ms());
+      this.animationFrames.show(this.timers.now_ms());
       this.timers.pass(100);
-      this.frames.show(this.timers.now_ms());
+      this.animationFrames.show(this.timers.now_ms());
     });
   }
 

@@ -40,7 +40,7 @@ export function NumberField(props: Props) {
       <label htmlFor={inputId} className="ui-field-label">
         {label}
       </label>
-      <span className="ui-field-frame" data-invalid={isInvalid} data-disabled={disabled}>
+      <span className="ui-field-box" data-invalid={isInvalid} data-disabled={disabled}>
         <StepButton
           label={`${words.decrease} ${label}`}
           down

@@ -57,7 +57,7 @@ export function SegmentedSwitch<V extends string>(props: Props<V>) {
         aria-disabled={disabled || undefined}
       >
         <legend className={hideLabel === true ? "visually-hidden" : "ui-switch-label"}>{label}</legend>
-        <span className="ui-switch-frame">
+        <span className="ui-switch-box">
           {options.map((option) => (
             <label key={option.value} className="ui-switch-option" data-wanted={wanted === option.value}>
               <input

@@ -31,7 +31,7 @@ export function Select<V extends string>(props: Props<V>) {
         {label}
       </label>
       <Tooltip text={disabledReason ?? ""}>
-        <span className="ui-field-frame ui-field-choice" data-disabled={disabled}>
+        <span className="ui-field-box ui-field-choice" data-disabled={disabled}>
           <select
             id={selectId}
             className="ui-field-input ui-field-select"

@@ -3,14 +3,17 @@
 Every record is a header (u32 length of the body, u8 kind, little endian) and a body.
 
 From the vehicle:
-  HELLO    JSON object: `version`, `vehicle`, `clock_offset_ns` (Unix minus steady clock), `control` (the browser
-           that had the controls: {client, name}, or null) and `status`, which is what STATUS holds
+  HELLO    JSON object: `version`, `vehicle` ("live" or "replay"), `clock_offset_ns` (Unix minus steady clock),
+           `control` (the browser that had the controls: {client, name}, or null) and `status`, which is what STATUS
+           holds; from a replay also `playback`, `flight` (id), `starts_s` (Unix) and `duration_s`
   SAMPLE   f64 Unix time, u8 length of the topic's name, the name, then the JSON text
            {"topic": ..., "t_s": ..., "values": {...}} as viewers get it
   EVENT    as SAMPLE, with the event's kind as the name and {"type": "event", "event": ..., "t_s": ..., "data": {...}}
   STATUS   JSON object: the state of links, HIL, recording, alarms, errors and topics
   ANSWER   u32 number of the request, then JSON: {"result": ...} or {"fault": {...}} (see `faults.py`)
   BYE      empty; the vehicle's process ends because it was told to
+  PLAYBACK JSON object, from a replayed vehicle: where it is and whether it plays. When its `jumps` has changed, the
+           samples before it are of another moment; the newest sample of every topic follows
 To the vehicle:
   REQUEST  u32 number, then JSON: {"name": ..., "arguments": {...}, "by": {"client": ..., "name": ...} or null}
   NOTICE   JSON: {"name": ..., "arguments": {...}}; it has no answer
@@ -45,6 +48,7 @@ class Kind(IntEnum):
     STATUS = 4
     ANSWER = 5
     BYE = 6
+    PLAYBACK = 7
     REQUEST = 16
     NOTICE = 17
 
@@ -55,6 +59,21 @@ class Asker:
 
     client: str | None = None
     name: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Client:
+    """A browser on the stream. `name` is its name as other viewers see it."""
+
+    id: str
+    name: str
+
+
+def client_fields(client: Client | None) -> dict[str, str | None]:
+    """How status, events and notices name a client, or nobody."""
+    if client is None:
+        return {"client": None, "name": None}
+    return {"client": client.id, "name": client.name}
 
 
 class BusError(Exception):

@@ -50,6 +50,9 @@ class Listener(Protocol):
     def on_status(self, status: dict[str, Any]) -> None:
         """The state of links, HIL, recording, alarms, errors and topics."""
 
+    def on_playback(self, playback: dict[str, Any]) -> None:
+        """Where a replayed vehicle is, and whether it plays; a live one never says this."""
+
     def on_lost(self, *, ended: bool) -> None:
         """The connection is lost (`ended`: because the vehicle's process was told to end); reconnecting goes on."""
 
@@ -121,6 +124,11 @@ class StationEnd:
                 if record.kind == Kind.SAMPLE:
                     has_samples = True
                     self._listener.on_sample(unpack_named(record.body))
+                elif record.kind == Kind.PLAYBACK and has_samples:
+                    # What came before it goes out before it: it may say that all samples are old.
+                    has_samples = False
+                    self._listener.on_samples_end()
+                    self._take(record)
                 else:
                     self._take(record)
             if has_samples:
@@ -143,6 +151,8 @@ class StationEnd:
                 future.set_exception(error_of(answer["fault"]))
             else:
                 future.set_result(answer.get("result"))
+        elif record.kind == Kind.PLAYBACK:
+            self._listener.on_playback(unpack_object(record.body))
         elif record.kind == Kind.HELLO:
             self._listener.on_hello(unpack_object(record.body))
         elif record.kind == Kind.BYE:

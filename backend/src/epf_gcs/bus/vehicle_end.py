@@ -77,6 +77,11 @@ class Broadcast:
         if self._channels:
             self._send(pack(Kind.STATUS, orjson.dumps(status)))
 
+    def playback(self, playback: Mapping[str, Any]) -> None:
+        """Where a replay is, and whether it plays."""
+        if self._channels:
+            self._send(pack(Kind.PLAYBACK, orjson.dumps(playback)))
+
     def add(self, channel: Channel) -> None:
         """Send everything to this listener from now on."""
         self._channels.add(channel)

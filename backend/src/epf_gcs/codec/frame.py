@@ -131,6 +131,21 @@ class FrameDecoder:
             return []
         return self._scan(buffer)
 
+    def kept(self) -> list[Any]:
+        """What waits for more bytes, as plain values for `restore`."""
+        return [
+            self._buffer.decode("latin-1"),
+            self._need,
+            self._frame_was_last,
+            self._run.decode("latin-1"),
+            self._run_is_remains,
+        ]
+
+    def restore(self, kept: list[Any]) -> None:
+        """Go on from a state that `kept` gave."""
+        buffer, self._need, self._frame_was_last, run, self._run_is_remains = kept
+        self._buffer, self._run = buffer.encode("latin-1"), run.encode("latin-1")
+
     def flush(self) -> list[Frame | Damage]:
         """Call when the line is silent: returns waiting text, and frames that a false header holds back.
 

@@ -14,7 +14,7 @@ that stop the board's streams and put it into text mode. The time is an argument
 from __future__ import annotations
 
 from enum import StrEnum
-from typing import Final
+from typing import Any, Final
 
 from epf_gcs.codec.encode import EMPTY_COMMANDS
 from epf_gcs.codec.frame import Frame
@@ -105,6 +105,15 @@ class Session:
         self.state = SessionState.CLOSED
         self._next_s = None
         return b"" if was_closed else EMPTY_COMMANDS["stop"] + EMPTY_COMMANDS["exit_binary_mode"]
+
+    def kept(self) -> list[Any]:
+        """Where the dialogue stands, as plain values for `restore`."""
+        return [str(self.state), self.capabilities, self.heartbeat_s, self._silence_s, self._next_s]
+
+    def restore(self, kept: list[Any]) -> None:
+        """Go on from a state that `kept` gave."""
+        state, self.capabilities, self.heartbeat_s, self._silence_s, self._next_s = kept
+        self.state = SessionState(state)
 
     def _reopen(self, now_s: float) -> bytes:
         self.state = SessionState.OPENING

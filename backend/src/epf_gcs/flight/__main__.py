@@ -20,6 +20,7 @@ from epf_gcs.flight.data_folder import DataFolder
 from epf_gcs.flight.flight import Flight
 from epf_gcs.link.address import parse_address
 from epf_gcs.logs import set_up_logging
+from epf_gcs.watchdog import feed
 
 # How long another thread (the recorder's) may hold the interpreter while the event loop waits for it.
 _SWITCH_INTERVAL_S: Final = 0.0002
@@ -68,12 +69,16 @@ async def _fly(options: argparse.Namespace) -> None:
 async def _fly_until(ended: asyncio.Event, options: argparse.Namespace) -> None:
     flight = Flight(options.data_dir, record=options.recording, board_url=options.board)
     async with flight.running():
-        log.info("flying", data=str(options.data_dir), pid=os.getpid())
         # All objects made so far live as long as the process. Frozen, they are not scanned again, which would
         # stop the loop for milliseconds.
         gc.collect()
         gc.freeze()
+        # Held until the process ends: a loop that hangs while it shuts down is noticed too.
+        fed = None if options.watchdog is None else asyncio.create_task(feed(options.watchdog))
+        await asyncio.sleep(0)  # its first sign of life comes before the log says that it flies
+        log.info("flying", data=str(options.data_dir), pid=os.getpid())
         await ended.wait()
+    del fed
 
 
 async def _held(data_dir: Path) -> DataFolder:
@@ -115,6 +120,7 @@ def _options() -> argparse.Namespace:
     )
     parser.add_argument("--recording", action=argparse.BooleanOptionalAction, default=True)
     parser.add_argument("--with-parent", action="store_true", help="End when standard input closes.")
+    parser.add_argument("--watchdog", type=int, help="Pipe on which the parent expects signs of life.")
     parser.add_argument("--verbose", action="store_true")
     return parser.parse_args()
 

@@ -9,16 +9,14 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
-from collections.abc import AsyncIterator, Awaitable, Callable
+from collections.abc import AsyncIterator
 from pathlib import Path
-from typing import Any, Final
-
-import structlog
+from typing import Any
 
 from epf_gcs import __version__
 from epf_gcs.bus.address import Listener
-from epf_gcs.bus.vehicle_end import Broadcast, VehicleEnd
-from epf_gcs.clock import Clock
+from epf_gcs.bus.definition import client_fields
+from epf_gcs.bus.vehicle_end import VehicleEnd
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.flight.alarm_history import AlarmHistory
 from epf_gcs.flight.board.ahrs_test import AhrsTestRun
@@ -33,27 +31,29 @@ from epf_gcs.flight.hil.hil import Hil
 from epf_gcs.flight.hil.simulator import Simulator
 from epf_gcs.flight.hil.stick import Stick
 from epf_gcs.flight.housekeeping import Housekeeping
-from epf_gcs.flight.inspection import Inspected
+from epf_gcs.flight.inspection import InspectorSources
+from epf_gcs.flight.line_clock import LineClock
 from epf_gcs.flight.line_rates import LineRates
 from epf_gcs.flight.lines import Lines, LinkOpener
 from epf_gcs.flight.memory import Memory
+from epf_gcs.flight.recording.flight_notes import FlightNotes, NotedBroadcast
+from epf_gcs.flight.recording.known_notes import KnownNotes
 from epf_gcs.flight.recording.recorder import Recorder
-from epf_gcs.flight.requests.askers import Askers
+from epf_gcs.flight.recording.taps import line_taps
+from epf_gcs.flight.requests.client_names import ClientNames
 from epf_gcs.flight.requests.commands import command_requests
 from epf_gcs.flight.requests.hil import HilSwitches, stick_notices
 from epf_gcs.flight.requests.lines import line_requests
 from epf_gcs.flight.requests.parameters import mission_requests, parameter_requests
+from epf_gcs.flight.requests.recording import recording_requests
 from epf_gcs.flight.requests.state import alarm_requests, state_requests
-from epf_gcs.flight.status import Shown, build_status
+from epf_gcs.flight.status import StatusSources, build_status
 from epf_gcs.flight.watch import Watch
+from epf_gcs.kept_alive import keep_alive
 from epf_gcs.vehicle.alarms import Alarms
 from epf_gcs.vehicle.judges import AlarmId
 from epf_gcs.vehicle.restart import Restart
 from epf_gcs.vehicle.vehicle import Vehicle
-
-_RESTART_S: Final = 1.0
-
-log = structlog.get_logger("flight")
 
 
 class Flight:
@@ -66,9 +66,9 @@ class Flight:
         self._status_due = False
 
         # Time, memory, and the outlet to the stations.
-        self.clock = Clock()
-        self.outlet = Broadcast(self.clock.now_s)
-        self._askers = Askers()
+        self.clock = LineClock()
+        self.outlet = NotedBroadcast(self.clock)
+        self._client_names = ClientNames()
         self._log = FlightLog(self.clock.steady_s)
         self.errors = ErrorLog()
         self.errors.tell_viewers(self.clock.steady_s, self.outlet.event)
@@ -76,9 +76,8 @@ class Flight:
 
         # The vehicle, recorded before it is decoded.
         self.recorder = Recorder(data_dir / "recordings", self.clock, f"epf-gcs {__version__}") if record else None
-        board_tap, simulator_tap = (
-            (self.recorder.board_tap, self.recorder.simulator_tap) if self.recorder else (None, None)
-        )
+        self.notes = FlightNotes(self.recorder, self.clock)
+        board_tap, simulator_tap = self.recorder.taps if self.recorder else line_taps(self.clock, None)
         vehicle = Vehicle(self.clock, self.outlet, self.errors, self._commanded_period_s)
         self.telemetry, self.board = vehicle.telemetry, vehicle.board
 
@@ -87,9 +86,9 @@ class Flight:
         self.journal = Journal(
             data_dir / "parameter-journal.jsonl",
             clock=self.clock,
-            hub=self.outlet,
+            outlet=self.outlet,
             report=self.errors.report,
-            name_of=self._askers.name_of,
+            name_of=self._client_names.name_of,
         )
         self.parameters = Parameters(self.board, self.commands, self.outlet, self.journal)
         self.missions = Missions(self.board, self.commands, self.outlet)
@@ -104,11 +103,11 @@ class Flight:
 
         # The loop with the simulator, and both lines.
         self.stick = Stick(self.outlet, self.clock, self.changed)
-        self.hil = Hil(self.board, self.telemetry, self.clock, self.stick)
+        self.hil = Hil(vehicle, self.clock, self.stick)
         self.hil.path = "assisted" if self.memory.now.hil_path == "assisted" else "manual"
         self.simulator = Simulator(self.hil, self.clock, simulator_tap, self.errors.report, self._on_line)
         opener = LinkOpener(self.hil, lambda: self.simulator.address is not None)
-        self.supervisor = Supervisor(self.board, board_tap, self.errors.report, self._on_line, opener)
+        self.supervisor = Supervisor(self.board, self.clock, board_tap, self.errors.report, self._on_line, opener)
         self.lines = Lines(
             board=self.board,
             supervisor=self.supervisor,
@@ -124,18 +123,19 @@ class Flight:
             commands=self.commands,
             hil=self.hil,
             memory=self.memory,
-            recorder=self.recorder,
+            notes=self.notes,
             on_change=self.changed,
         )
         self.rates = LineRates()
         self.ahrs_test = AhrsTestRun(
-            board=self.board,
-            telemetry=self.telemetry,
+            vehicle=vehicle,
             clock=self.clock,
             errors=self.errors,
             flies=self._flies,
             changed=self._on_ahrs_test,
         )
+
+        self._known = KnownNotes(self.notes, self.board, self.parameters, self.stick, self.supervisor, self.simulator)
 
         # Alarms and housekeeping.
         self.watch = Watch(
@@ -175,7 +175,7 @@ class Flight:
         )
 
         # The status that stations see, and the requests that they may make.
-        self._shown = Shown(
+        self._status_sources = StatusSources(
             self.clock,
             self.errors,
             self.memory,
@@ -190,7 +190,7 @@ class Flight:
             self.recorder,
             self.alarms,
         )
-        inspected = Inspected(
+        inspector_sources = InspectorSources(
             self.clock,
             self.board,
             self.telemetry,
@@ -202,21 +202,23 @@ class Flight:
             self.watch,
             self.alarms,
         )
-        self._requests = self._askers.remembering(
+        self._requests = self._client_names.remembering(
             {
-                **state_requests(self.status, self.telemetry, inspected),
+                **state_requests(self.status, self.telemetry, inspector_sources),
                 **line_requests(self.lines, self.supervisor, self.simulator),
                 **command_requests(self.board, self.commands, self.parameters, self.ahrs_test, self.outlet),
                 **parameter_requests(self.parameters),
                 **mission_requests(self.missions),
                 **self.switches.requests(),
                 **alarm_requests(self.alarms),
+                **recording_requests(self.recorder, self.notes, self.memory, self.outlet),
             }
         )
         self._connect()
 
     def _connect(self) -> None:
         """Connect parts that need each other and so cannot both get the other at construction."""
+        self._known.listen(self.outlet, self.missions)
         self.board.on_urgent = self.hil.on_urgent
         self.board.on_opened = self._on_opened
         self.board.on_restarted = self._on_restarted
@@ -242,7 +244,7 @@ class Flight:
         try:
             async with asyncio.TaskGroup() as tasks:
                 running = [
-                    tasks.create_task(self._keep_alive(name, job), name=name)
+                    tasks.create_task(keep_alive("flight", name, job, lambda: self.errors.count("internal")), name=name)
                     for name, job in (
                         ("board link", self.supervisor.run),
                         ("simulator link", self.simulator.run),
@@ -267,7 +269,7 @@ class Flight:
 
     def status(self) -> dict[str, Any]:
         """The status of all parts now."""
-        return build_status(self._shown)
+        return build_status(self._status_sources)
 
     def changed(self) -> None:
         """Send the status now, not at the next half-second tick."""
@@ -281,19 +283,9 @@ class Flight:
             "version": __version__,
             "vehicle": "live",
             "clock_offset_ns": self.clock.offset_ns,
-            "control": None if holder is None else {"client": holder.id, "name": holder.name},
+            "control": None if holder is None else client_fields(holder),
             "status": self.status(),
         }
-
-    async def _keep_alive(self, name: str, job: Callable[[], Awaitable[None]]) -> None:
-        """Run a task and restart it after a bug: one faulty task must not end a flight."""
-        while True:
-            try:
-                await job()
-            except Exception:
-                log.exception("a part failed and begins again", part=name)
-                self.errors.count("internal")
-                await asyncio.sleep(_RESTART_S)
 
     def _send_status(self) -> None:
         self._status_due = False
@@ -307,7 +299,7 @@ class Flight:
         return moves or any(heartbeat.get(flag) is True for flag in ("autopilot", "autopilot_hil"))
 
     def _on_ahrs_test(self) -> None:
-        if self.board.guest is not None:
+        if self.board.exclusive_user is not None:
             self.hil.rest()
         self.changed()
 
@@ -316,6 +308,7 @@ class Flight:
 
     def _on_opened(self) -> None:
         # At once and not in the re-arming task, which may be busy: it would discard values that were loaded meanwhile.
+        self._known.identity()
         self.parameters.forget()
         self.rearming.board_opened()
 
@@ -331,6 +324,7 @@ class Flight:
         self.changed()
 
     def _on_line(self) -> None:
+        self._known.lines()
         if not self.board.is_open:
             self.parameters.forget()
         self.commands.link_changed()

@@ -51,11 +51,10 @@ class _Frame:
 class Snapshot:
     """All inputs of an answer. `expected_hz`: the rate that each enabled stream should reach.
 
-    `now_s` is the Unix time of the board's frames, `steady_s` the time of the simulator's rows.
+    `now_s` is the Unix time of frames and rows.
     """
 
     now_s: float
-    steady_s: float
     frames: Sequence[_Frame]
     rows: Mapping[int, Arrivals]
     profile: str
@@ -65,7 +64,7 @@ class Snapshot:
 
 
 @dataclass(frozen=True, slots=True)
-class Inspected:
+class InspectorSources:
     """The parts whose counters are read."""
 
     clock: Clock
@@ -80,12 +79,11 @@ class Inspected:
     alarms: Alarms
 
 
-def take_snapshot(parts: Inspected) -> Snapshot:
+def take_snapshot(parts: InspectorSources) -> Snapshot:
     """Copy the counters."""
     link = _link(parts)
     return Snapshot(
         now_s=parts.clock.now_s(),
-        steady_s=parts.clock.steady_s(),
         frames=_frames(parts),
         rows={row: arrivals.copy() for row, arrivals in parts.hil.arrivals.items()},
         profile=parts.hil.profile,
@@ -123,21 +121,21 @@ def build_inspector(snapshot: Snapshot) -> dict[str, Any]:
     }
 
 
-def _frames(parts: Inspected) -> list[_Frame]:
-    books, telemetry = parts.board.books, parts.telemetry
+def _frames(parts: InspectorSources) -> list[_Frame]:
+    statistics, telemetry = parts.board.frame_statistics, parts.telemetry
     known = [
         _Frame(
             type_id,
             message.name,
-            books.damaged[message.name],
+            statistics.damaged[message.name],
             telemetry.stale_after_s(message.name) if message.topic else None,
-            books.heard[message.name].copy(),
+            statistics.heard[message.name].copy(),
         )
         for type_id, message in TELEMETRY.items()
     ]
     unknown = [
-        _Frame(type_id, f"unknown_0x{type_id:x}", books.unknown_damaged[type_id], None, arrivals.copy())
-        for type_id, arrivals in sorted(books.unknown.items())
+        _Frame(type_id, f"unknown_0x{type_id:x}", statistics.unknown_damaged[type_id], None, arrivals.copy())
+        for type_id, arrivals in sorted(statistics.unknown.items())
     ]
     return known + unknown
 
@@ -151,13 +149,13 @@ def _rows(snapshot: Snapshot) -> list[dict[str, Any]]:
             "name": definitions[row].name if row in definitions else f"row_{row}",
             "expected": row in _EXPECTED_ROWS,
             "values": _finite(heard[row].values) if row in heard else None,
-            **_measured(heard[row] if row in heard else Arrivals(), snapshot.steady_s),
+            **_measured(heard[row] if row in heard else Arrivals(), snapshot.now_s),
         }
         for row in sorted({*definitions, *heard})
     ]
 
 
-def _link(parts: Inspected) -> dict[str, Any]:
+def _link(parts: InspectorSources) -> dict[str, Any]:
     rates, board = parts.rates, parts.board
     capacity = board.baud / 10.0 if board.link is not None else None
     rx, tx, simulator = rates.board_in.per_s(), rates.board_out.per_s(), rates.simulator_in.per_s()
@@ -174,7 +172,7 @@ def _link(parts: Inspected) -> dict[str, Any]:
     }
 
 
-def _observed(parts: Inspected, link: Mapping[str, Any]) -> Observed:
+def _observed(parts: InspectorSources, link: Mapping[str, Any]) -> Observed:
     """The observations that need no rate."""
     surfaces_s = parts.hil.last_surfaces_s
     is_alive = surfaces_s is not None and parts.clock.steady_s() - surfaces_s < _LOOP_ALIVE_S
@@ -193,7 +191,7 @@ def _observed(parts: Inspected, link: Mapping[str, Any]) -> Observed:
     )
 
 
-def _silent_target(parts: Inspected) -> str | None:
+def _silent_target(parts: InspectorSources) -> str | None:
     address = parts.supervisor.address
     if address is None:
         return None
@@ -203,31 +201,31 @@ def _silent_target(parts: Inspected) -> str | None:
     return None if is_heard else address.target
 
 
-def _rubbish_at_baud(parts: Inspected) -> int | None:
+def _rubbish_at_baud(parts: InspectorSources) -> int | None:
     address = parts.supervisor.address
     is_rubbish = address is not None and address.scheme == "serial" and parts.board.hears_only_rubbish
     return parts.board.baud if is_rubbish else None
 
 
-def _silent_port(parts: Inspected) -> int | None:
+def _silent_port(parts: InspectorSources) -> int | None:
     address = parts.simulator.address
     is_silent = address is not None and parts.simulator.state in ("opening", "lost")
     return address.receive_port if address is not None and is_silent else None
 
 
-def _missing_rows(parts: Inspected) -> list[MissingRow]:
+def _missing_rows(parts: InspectorSources) -> list[MissingRow]:
     definitions = XPLANE_ROWS[parts.hil.profile]
     return [MissingRow(row, definitions[row].name) for row in sorted(_EXPECTED_ROWS - set(parts.hil.rows))]
 
 
-def _strangers(parts: Inspected) -> int:
+def _strangers(parts: InspectorSources) -> int:
     """Number of datagrams from unknown senders; 0 if none came recently."""
     last_s = parts.simulator.last_stranger_s
     is_recent = last_s is not None and parts.clock.steady_s() - last_s < _STRANGERS_S
     return parts.simulator.dropped["stranger"] if is_recent else 0
 
 
-def _expected_hz(parts: Inspected) -> dict[str, float]:
+def _expected_hz(parts: InspectorSources) -> dict[str, float]:
     """Expected rate of each stream that is on, according to the board's heartbeat or else to our own requests."""
     heartbeat = parts.telemetry.newest("heartbeat") or {}
     wanted = parts.memory.now.wanted.streams

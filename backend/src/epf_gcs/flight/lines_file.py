@@ -11,8 +11,8 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Final
 
+from epf_gcs.disk import replace_file
 from epf_gcs.errors import ErrorCode, GatewayError
-from epf_gcs.flight.disk import replace_file
 
 _DAMAGED: Final = ".damaged"
 

@@ -14,8 +14,8 @@ from typing import Any, Final
 
 import orjson
 
+from epf_gcs.disk import replace_file, sync_folder
 from epf_gcs.errors import GatewayError
-from epf_gcs.flight.disk import replace_file, sync_folder
 from epf_gcs.flight.flight_log import say
 from epf_gcs.vehicle.wanted import Wanted
 
@@ -32,7 +32,11 @@ class Remembered:
     hil_path: str = "manual"
     wanted: Wanted = field(default_factory=Wanted)
     thresholds: dict[str, Any] = field(default_factory=dict)
+    # The choice of online maps of version 0.1.0, which had one process: only carried along until the web process, which
+    # keeps its own file since (`web/maps/online_file.py`), has taken it over.
     online: dict[str, Any] = field(default_factory=dict)
+    # The policy of the disk, as `DiskPolicy` has it; empty for the default.
+    recording: dict[str, Any] = field(default_factory=dict)
 
 
 class Memory:
@@ -171,6 +175,7 @@ def _encode(values: Remembered) -> bytes:
             "source": values.wanted.source,
             "thresholds": values.thresholds,
             "online": values.online,
+            "recording": values.recording,
         },
         option=orjson.OPT_INDENT_2,
     )
@@ -191,6 +196,7 @@ def _decode(values: dict[str, Any]) -> Remembered:
         # Not in the files of earlier versions.
         thresholds=dict(values.get("thresholds", {})),
         online=dict(values.get("online", {})),
+        recording=dict(values.get("recording", {})),
     )
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import asdict, dataclass
 from typing import Any
 
+from epf_gcs.bus.definition import client_fields
 from epf_gcs.clock import Clock
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.errors import GatewayError
@@ -23,7 +24,7 @@ from epf_gcs.vehicle.wanted import RATE_COMMANDS, Wanted
 
 
 @dataclass(frozen=True, slots=True)
-class Shown:
+class StatusSources:
     """The parts whose state is shown."""
 
     clock: Clock
@@ -41,7 +42,7 @@ class Shown:
     alarms: Alarms
 
 
-def build_status(parts: Shown) -> dict[str, Any]:
+def build_status(parts: StatusSources) -> dict[str, Any]:
     """Plain values, ready for JSON. The web process adds version, control and viewers."""
     return {
         "server_time_s": parts.clock.now_s(),
@@ -58,22 +59,20 @@ def build_status(parts: Shown) -> dict[str, Any]:
 def hil_state(hil: Hil) -> dict[str, Any]:
     """Source, path and stick of the HIL loop; its shape is `epf_gcs.web.schemas.HilState`."""
     stick = hil.stick
-    pilot = stick.pilot
     return {
         "source": hil.source,
         "path": hil.path,
         "stick": {
             "source": stick.source,
             "state": stick.state,
-            "client": None if pilot is None else pilot.id,
-            "name": None if pilot is None else pilot.name,
+            **client_fields(stick.pilot),
             "gamepad": stick.gamepad,
             "samples": stick.counts,
         },
     }
 
 
-def _board(parts: Shown) -> dict[str, Any]:
+def _board(parts: StatusSources) -> dict[str, Any]:
     board, supervisor = parts.board, parts.supervisor
     capabilities = board.capabilities()
     known = board.session.is_open
@@ -112,7 +111,7 @@ def _periods(wanted: Wanted) -> dict[str, Any]:
     }
 
 
-def _simulator(parts: Shown) -> dict[str, Any]:
+def _simulator(parts: StatusSources) -> dict[str, Any]:
     simulator, hil = parts.simulator, parts.hil
     address = simulator.address
     return {
@@ -137,7 +136,7 @@ def _simulator(parts: Shown) -> dict[str, Any]:
     }
 
 
-def _advice(parts: Shown) -> str | None:
+def _advice(parts: StatusSources) -> str | None:
     """What the operator should do about a simulator that is not in the loop yet; None if unknown."""
     state, missing = parts.simulator.state, parts.hil.missing_rows
     address = parts.simulator.address
@@ -148,10 +147,18 @@ def _advice(parts: Shown) -> str | None:
     return None
 
 
-def _recording(parts: Shown) -> dict[str, Any]:
+def _recording(parts: StatusSources) -> dict[str, Any]:
     recorder = parts.recorder
     if recorder is None:
-        return {"active": False, "file": None, "bytes": 0, "bytes_lost": 0, "failure": None}
+        return {
+            "active": False,
+            "file": None,
+            "bytes": 0,
+            "bytes_lost": 0,
+            "failure": None,
+            "free_bytes": None,
+            "hours_left": None,
+        }
     file = recorder.file
     return {
         "active": file is not None,
@@ -159,6 +166,8 @@ def _recording(parts: Shown) -> dict[str, Any]:
         "bytes": recorder.bytes_written,
         "bytes_lost": recorder.bytes_lost,
         "failure": recorder.failure,
+        "free_bytes": recorder.free_bytes,
+        "hours_left": recorder.hours_left,
     }
 
 

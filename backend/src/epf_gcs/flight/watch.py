@@ -93,7 +93,7 @@ class Watch:
 
     def _line(self, now_s: float) -> Line | None:
         supervisor = self._supervisor
-        if supervisor.address is None or self._board.guest is not None:
+        if supervisor.address is None or self._board.exclusive_user is not None:
             # While another user (the AHRS test) has the line, the board's silence is expected.
             self._wanted_since_s = None
             return None

@@ -8,8 +8,9 @@ from typing import Final
 from epf_gcs.launcher.child import Child
 from epf_gcs.launcher.errors import LaunchError
 from epf_gcs.launcher.gateway_client import GatewayClient, Status
-from epf_gcs.launcher.options import PAGE, SIMULATOR_PORT, STATION_PORT, Options, XPlane
+from epf_gcs.launcher.options import SIMULATOR_PORT, STATION_PORT, Options, XPlane
 from epf_gcs.launcher.ports import LOOPBACK, free_udp_port, require_tcp_port
+from epf_gcs.product import PAGE
 
 _START_TIMEOUT_S: Final = 60.0
 _WATCH_S: Final = 0.1
@@ -37,8 +38,10 @@ class Demonstration:
     def start(self) -> None:
         """Start everything and close the loop; raises LaunchError with what failed, Stopped when asked to."""
         require_tcp_port(self._options.host, self._options.port)
-        if not PAGE.exists():
-            self._say(f"The page has not been built ({PAGE} is missing): `make run` builds it. The interface works.")
+        try:
+            PAGE.file("index.html")
+        except FileNotFoundError as error:
+            self._say(f"{error} The interface works without it.")
         if self._options.xplane is not None:
             self._start_with(self._options.xplane)
             return

@@ -39,15 +39,15 @@ class EmulatedBoard:
         """The address that the gateway opens."""
         return f"tcp://{LOOPBACK}:{self.port}"
 
-    def command(self, firmware: Path, card: Path) -> list[str]:
-        """Start QEMU with the image of `firmware`, and the folder `card` as its memory card.
+    def command(self, built: Path, card: Path) -> list[str]:
+        """Start QEMU with the image in the folder `built`, and the folder `card` as its memory card.
 
         Raises LaunchError, with what to do, where QEMU or the image is missing.
         """
         program = shutil.which(QEMU)
         if program is None:
             raise LaunchError(f"{QEMU} is not on this computer: on Debian or Ubuntu, apt install qemu-system-arm.")
-        image = firmware / "build" / self.folder / "epf-board-qemu.elf"
+        image = built / self.folder / "epf-board-qemu.elf"
         if not image.exists():
             raise LaunchError(f"The board's image {image} is missing: build it with `make images`.")
         card.mkdir(parents=True, exist_ok=True)

@@ -1,4 +1,4 @@
-"""`epf-gcs`: the gateway as two processes, flight and web. Starts both, and restarts either if it dies."""
+"""`epf-gcs`: the gateway as two processes, flight and web. Starts both, and restarts either if it dies or hangs."""
 
 from __future__ import annotations
 
@@ -18,6 +18,7 @@ import typer
 
 from epf_gcs.errors import GatewayError
 from epf_gcs.listening import listen
+from epf_gcs.watchdog import SILENT_S, wait_for_end
 
 # The first restart is immediate, because the aircraft may be in flight; repeated ones wait longer, up to this.
 _LONGEST_WAIT_S: Final = 5.0
@@ -30,21 +31,28 @@ app = typer.Typer(add_completion=False, context_settings={"help_option_names": [
 
 
 class Part:
-    """One of the two processes. `again` is the command of every restart."""
+    """One of the two processes. `again` is the command of every restart; `silent_s` is told in `watchdog.py`."""
 
     def __init__(
-        self, name: str, command: Sequence[str], again: Sequence[str], stdin: int, files: Sequence[int] = ()
+        self,
+        name: str,
+        command: Sequence[str],
+        again: Sequence[str],
+        stdin: int,
+        files: Sequence[int] = (),
+        silent_s: float = SILENT_S,
     ) -> None:
         self.name = name
         self._command = tuple(command)
         self._again = tuple(again)
         self._stdin = stdin
         self._files = tuple(files)
+        self._silent_s = silent_s
         self._quick_deaths = 0
         self.process: subprocess.Popen[bytes] | None = None
 
     def keep_running(self, stopping: threading.Event) -> int | None:
-        """Start it again whenever it dies, until `stopping`. Returns its exit status if it refused to start at all."""
+        """Start it again whenever it dies or hangs, until `stopping`. Returns its exit status if it refused."""
         is_first = True
         while not stopping.is_set():
             began_s = time.monotonic()
@@ -68,8 +76,23 @@ class Part:
     def _run(self, command: Sequence[str]) -> int:
         # Only we hold the write end of its standard input, so it notices when we die, and ends. A process group of its
         # own: a terminal's Ctrl-C reaches only us, and we end both in order.
-        self.process = subprocess.Popen(command, stdin=self._stdin, pass_fds=self._files, process_group=0)
-        return self.process.wait()
+        watched, fed = os.pipe()
+        try:
+            self.process = subprocess.Popen(
+                [*command, "--watchdog", str(fed)],
+                stdin=self._stdin,
+                pass_fds=(*self._files, fed),
+                process_group=0,
+            )
+        finally:
+            os.close(fed)
+        try:
+            return wait_for_end(self.process, watched, self._silent_s, self._report_hung)
+        finally:
+            os.close(watched)
+
+    def _report_hung(self) -> None:
+        print(f"epf-gcs: the {self.name} process hangs and is killed.", file=sys.stderr, flush=True)
 
     def _wait_s(self, *, has_lived: bool) -> float:
         self._quick_deaths = 1 if has_lived else self._quick_deaths + 1

@@ -8,13 +8,9 @@ from typing import Final, Self
 from epf_gcs.launcher.emulated import EmulatedBoard
 from epf_gcs.launcher.errors import LaunchError
 from epf_gcs.launcher.ports import LOOPBACK
+from epf_gcs.product import BOARD
 
-# This file is backend/src/epf_gcs/launcher/options.py: its fifth parent is the repository's root.
-ROOT: Final = Path(__file__).resolve().parents[4]
-FIRMWARE: Final = ROOT / "firmware"
-BOARD_PROGRAM: Final = FIRMWARE / "build" / "posix" / "epf-board"
-PAGE: Final = ROOT / "frontend" / "dist" / "index.html"
-
+BOARD_PROGRAM: Final = "posix/epf-board"
 STATION_PORT: Final = 49003
 SIMULATOR_PORT: Final = 49000
 _LINK_KINDS: Final = ("serial", "tcp", "pty")
@@ -91,10 +87,12 @@ class Options:
         """The demonstration's board. Raises LaunchError if the firmware has not been built, or cannot be run."""
         card = self.data / "card"
         if self.emulated is not None:
-            return self.emulated.command(FIRMWARE, card)
-        if not BOARD_PROGRAM.exists():
-            raise LaunchError(f"The board's program {BOARD_PROGRAM} is missing: build it with `make board`.")
-        return [str(BOARD_PROGRAM), "--pty", str(self.board_line), "--card", str(card)]
+            return self.emulated.command(BOARD.folder, card)
+        try:
+            program = BOARD.file(BOARD_PROGRAM)
+        except FileNotFoundError as error:
+            raise LaunchError(str(error)) from error
+        return [str(program), "--pty", str(self.board_line), "--card", str(card)]
 
     def simulator_command(self, simulator: XPlane) -> list[str]:
         """The embedded simulator, which listens where the gateway sends and the other way round."""

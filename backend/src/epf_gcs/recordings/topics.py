@@ -14,3 +14,5 @@ TOPICS: Final = {
     SIMULATOR_RECEIVED: "simulator/received",
     SIMULATOR_SENT: "simulator/sent",
 }
+# The board's line is a stream of bytes, whose reads may be put together. A datagram's two ends carry meaning.
+STREAMS: Final = frozenset({BOARD_RECEIVED, BOARD_SENT})

@@ -52,7 +52,7 @@ class Alarms:
     def __init__(
         self,
         watch: Callable[[Mapping[str, float]], Iterable[Finding]],
-        hub: Outlet,
+        outlet: Outlet,
         thresholds: Mapping[str, Any],
         on_thresholds: Callable[[dict[str, float]], None],
         *,
@@ -60,7 +60,7 @@ class Alarms:
         on_past: Callable[[Alarm], None] | None = None,
     ) -> None:
         self._watch = watch
-        self._hub = hub
+        self._outlet = outlet
         self._on_thresholds = on_thresholds
         self._active: dict[AlarmId, Alarm] = {}
         # Ended, and not acknowledged yet.
@@ -157,7 +157,7 @@ class Alarms:
             self._on_past(alarm)
 
     def _tell(self, alarm: Alarm, news: News) -> None:
-        self._hub.event("alarm", {**alarm.as_dict(), "active": alarm.until_s is None})
+        self._outlet.event("alarm", {**alarm.as_dict(), "active": alarm.until_s is None})
         if self.on_news is not None:
             self.on_news(news, alarm)
 

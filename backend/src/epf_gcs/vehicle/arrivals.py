@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import deque
+from collections.abc import Iterable
 from dataclasses import dataclass
 from itertools import pairwise, takewhile
 from math import sqrt
@@ -18,6 +19,8 @@ _PAUSE_PERIODS: Final = 10.0
 _SHORTEST_PAUSE_S: Final = 1.0
 _RECENT: Final = 16
 _SHORTEST_SILENCE_S: Final = 0.5
+# Times that a kept state holds: enough for a rate; jitter is measured anew.
+_REMEMBERED: Final = 9
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,6 +60,19 @@ class Arrivals:
         same.count = self.count
         same.values = self.values
         same._times_s = self._times_s.copy()
+        return same
+
+    def kept(self) -> tuple[int, list[float], Any]:
+        """Count, times of the newest messages and values of the last, for `restored`."""
+        return self.count, list(self._times_s)[-_REMEMBERED:], self.values
+
+    @classmethod
+    def restored(cls, count: int, times_s: Iterable[float], values: Any) -> Arrivals:
+        """Go on from a state that `kept` gave."""
+        same = cls()
+        same.count = count
+        same.values = values
+        same._times_s.extend(times_s)
         return same
 
     def forget_rate(self) -> None:

@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
-from typing import Final, Protocol
+from typing import Any, Final, Protocol
 
 from epf_gcs.codec.frame import Damage, Frame, FrameDecoder
 from epf_gcs.codec.session import Session, SessionState
 from epf_gcs.codec.values import Json, Meaning, meaning
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.errors import ConflictError, LinkError
-from epf_gcs.vehicle.frame_books import FrameBooks
+from epf_gcs.vehicle.frame_statistics import FrameStatistics
 from epf_gcs.vehicle.outside import Clock, Line, Outlet
 from epf_gcs.vehicle.restart import BoardRestart, Restart
 from epf_gcs.vehicle.telemetry import Telemetry
@@ -25,13 +25,13 @@ _HANDSHAKE: Final = frozenset({"heartbeat", "capabilities"})
 Listener = Callable[[Frame, Meaning], None]
 
 
-class Guest(Protocol):
+class ExclusiveUser(Protocol):
     """The exclusive user of the line for a while, with a stream that does not consist of frames (the AHRS test)."""
 
     def on_bytes(self, data: bytes) -> None:
         """Bytes of the line."""
 
-    def goodbye(self) -> bytes:
+    def on_line_released(self) -> bytes:
         """End the exclusive use; returns the bytes that bring the board back to text mode."""
 
 
@@ -49,12 +49,12 @@ class Board:
         self._bytes_at_tick = 0
         self._damage_before: Counter[str] = Counter()
         self._was_open = False
-        self.guest: Guest | None = None
+        self.exclusive_user: ExclusiveUser | None = None
         self.session = Session()
         self.frames_received = 0
         self.damage: Counter[str] = Counter()
-        self.books = FrameBooks()
-        self._arrivals = self.books.heard
+        self.frame_statistics = FrameStatistics()
+        self._arrivals = self.frame_statistics.heard
         self.bytes_in = 0
         self.bytes_out = 0
         self.baud = 0
@@ -97,7 +97,7 @@ class Board:
         self._link = link
         self.is_emulated = is_emulated
         if is_emulated:
-            self.books.clear()
+            self.frame_statistics.clear()
         self.baud = link.baud
         self._decoder = FrameDecoder()
         self._was_open = False
@@ -108,43 +108,43 @@ class Board:
     def detach(self) -> None:
         """The link is gone."""
         self._link = None
-        self._dismiss()
+        self._end_exclusive_use()
         self._take(self._decoder.finish())
         self._was_open = False
         self.session.close()
         if self.is_emulated:
             self.is_emulated = False
-            self.books.clear()
+            self.frame_statistics.clear()
             self._telemetry.blank()
 
     def say_goodbye(self) -> None:
         """Stop the board's streams and put it into text mode, if the link is still open."""
-        farewell = self._dismiss() + self.session.close()
+        farewell = self._end_exclusive_use() + self.session.close()
         if farewell:
             self.write(farewell)
 
-    def lend(self, guest: Guest) -> None:
-        """Leave binary mode and give the line to `guest`: nothing can be commanded until `take_back`."""
+    def acquire_line(self, user: ExclusiveUser) -> None:
+        """Leave binary mode and give the line to `user` alone: nothing can be commanded until `release_line`."""
         self.write(self.session.close())
         self._restart.link_opened()
         self._take(self._decoder.finish())
         self._decoder = FrameDecoder()
         self._was_open = False
-        self.guest = guest
+        self.exclusive_user = user
 
-    def take_back(self) -> None:
+    def release_line(self) -> None:
         """End the exclusive use of the line and begin the dialogue again."""
-        farewell = self._dismiss()
+        farewell = self._end_exclusive_use()
         if self._link is not None:
             self.write(farewell + self.session.open(self._clock.steady_s()))
 
-    def _dismiss(self) -> bytes:
-        guest, self.guest = self.guest, None
-        return b"" if guest is None else guest.goodbye()
+    def _end_exclusive_use(self) -> bytes:
+        user, self.exclusive_user = self.exclusive_user, None
+        return b"" if user is None else user.on_line_released()
 
     def check_commandable(self) -> None:
         """Raise ConflictError while the AHRS test has the line, or while the link is the emulation."""
-        if self.guest is not None:
+        if self.exclusive_user is not None:
             raise ConflictError(
                 "ahrs_test_running", "Nothing was sent because the AHRS test is running: stop the test first."
             )
@@ -176,8 +176,8 @@ class Board:
     def on_bytes(self, data: bytes) -> None:
         """Bytes of the line."""
         self.bytes_in += len(data)
-        if self.guest is not None:
-            self.guest.on_bytes(data)
+        if self.exclusive_user is not None:
+            self.exclusive_user.on_bytes(data)
             return
         found = self._decoder.feed(data)
         if found:
@@ -185,7 +185,7 @@ class Board:
 
     def missing_bytes(self) -> int:
         """The least number of bytes still needed to complete a frame; 0 if unknown."""
-        return 0 if self.guest is not None else self._decoder.missing_bytes
+        return 0 if self.exclusive_user is not None else self._decoder.missing_bytes
 
     def tick(self) -> None:
         """Do what is due; called some times a second."""
@@ -236,7 +236,7 @@ class Board:
     def _take_damages(self, found: list[Frame | Damage], t_s: float) -> None:
         for item in found:
             if isinstance(item, Damage):
-                self.books.on_damage(item, t_s)
+                self.frame_statistics.on_damage(item, t_s)
                 self._take_damage(item)
 
     def _take_damage(self, damage: Damage) -> None:
@@ -281,6 +281,28 @@ class Board:
         )
         if found is not None and self.on_restarted is not None:
             self.on_restarted(found)
+
+    def kept(self) -> dict[str, Any]:
+        """What the next bytes are decoded by, and all counts, as plain values for `restore`."""
+        return {
+            "session": self.session.kept(),
+            "decoder": self._decoder.kept(),
+            "was_open": self._was_open,
+            "frames": self.frames_received,
+            "bytes": [self.bytes_in, self._bytes_at_tick],
+            "damage": [dict(self.damage), dict(self._damage_before)],
+            "books": self.frame_statistics.kept(),
+        }
+
+    def restore(self, kept: Mapping[str, Any]) -> None:
+        """Go on from a state that `kept` gave, with the same line attached."""
+        self.session.restore(kept["session"])
+        self._decoder.restore(kept["decoder"])
+        self._was_open = kept["was_open"]
+        self.frames_received = kept["frames"]
+        self.bytes_in, self._bytes_at_tick = kept["bytes"]
+        self.damage, self._damage_before = map(Counter, kept["damage"])
+        self.frame_statistics.restore(kept["books"])
 
     def capabilities(self) -> dict[str, Json]:
         """What an extended board reported about itself; empty for a legacy board."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter, deque
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from statistics import median
 from typing import Final
 
@@ -50,6 +50,22 @@ class TopicHealth:
         self.last_s = now_s
         if implausible:
             self.implausible.update(implausible)
+
+    def kept(self) -> tuple[int, float | None, list[float], dict[str, int]]:
+        """Count, time of the newest sample, newest intervals and implausible values, for `restored`."""
+        return self.count, self.last_s, list(self._intervals), dict(self.implausible)
+
+    @classmethod
+    def restored(
+        cls, count: int, last_s: float | None, intervals: Iterable[float], implausible: Mapping[str, int]
+    ) -> TopicHealth:
+        """Go on from a state that `kept` gave."""
+        same = cls()
+        same.count = count
+        same.last_s = last_s
+        same.implausible = Counter(implausible)
+        same._intervals.extend(intervals)
+        return same
 
     def forget_rate(self) -> None:
         """The rate was changed: drop the measured intervals."""

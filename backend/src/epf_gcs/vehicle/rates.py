@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import deque
+from collections.abc import Iterable
 from typing import Final
 
 _WINDOW_S: Final = 1.0
@@ -26,3 +27,11 @@ class ByteRate:
             return 0.0
         (first_s, first), (last_s, last) = self._points[0], self._points[-1]
         return (last - first) / (last_s - first_s) if last_s > first_s else 0.0
+
+    def kept(self) -> list[tuple[float, int]]:
+        """The points, for `restore`."""
+        return list(self._points)
+
+    def restore(self, kept: Iterable[tuple[float, int]]) -> None:
+        """Go on from points that `kept` gave."""
+        self._points = deque((now_s, total) for now_s, total in kept)

@@ -105,6 +105,18 @@ class Telemetry:
         now_s = self._clock.now_s()
         return {topic: self._summary(topic, health, now_s) for topic, health in self.health.items()}
 
+    def kept(self) -> dict[str, Any]:
+        """The newest samples and how well they arrive, as plain values for `restore`."""
+        return {
+            "newest": [[topic, sample.t_s, sample.values] for topic, sample in self._newest.items()],
+            "health": [[topic, *health.kept()] for topic, health in self.health.items()],
+        }
+
+    def restore(self, kept: Mapping[str, Any]) -> None:
+        """Go on from a state that `kept` gave; nothing is sent."""
+        self._newest = {topic: Sample(t_s, values) for topic, t_s, values in kept["newest"]}
+        self.health = {topic: TopicHealth.restored(*health) for topic, *health in kept["health"]}
+
     def _summary(self, topic: str, health: TopicHealth, now_s: float) -> dict[str, Any]:
         implausible: Mapping[str, int] = health.implausible
         return {

@@ -1,23 +1,42 @@
-"""One aircraft as its board's bytes tell it: bytes in; samples, their health and events out.
+"""One aircraft as the bytes of its board and its simulator tell it: bytes in; samples, their health and events out.
 
 It is told the time and does no I/O, so that any number can be made: the live one, and one for each replayed flight.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from typing import Any
 
 from epf_gcs.error_log import ErrorLog
+from epf_gcs.vehicle.ahrs_test_samples import AhrsTestSamples
 from epf_gcs.vehicle.board import Board
 from epf_gcs.vehicle.outside import Clock, Outlet
+from epf_gcs.vehicle.simulator_samples import SimulatorSamples
 from epf_gcs.vehicle.telemetry import Telemetry
 
 
 class Vehicle:
-    """`board` takes bytes and lines, `telemetry` has the newest samples; `commanded_period_s` tells a task's period."""
+    """`board` takes bytes and lines, `simulator` datagrams, `telemetry` has the newest samples.
+
+    `commanded_period_s` tells a task's period.
+    """
 
     def __init__(
         self, clock: Clock, outlet: Outlet, errors: ErrorLog, commanded_period_s: Callable[[str], float]
     ) -> None:
+        self.clock = clock
         self.telemetry = Telemetry(outlet, clock, commanded_period_s)
         self.board = Board(clock, outlet, self.telemetry, errors)
+        self.simulator = SimulatorSamples(self.telemetry)
+        self.ahrs_test = AhrsTestSamples(self.telemetry, clock)
+
+    def kept(self) -> dict[str, Any]:
+        """All that what comes next depends on, as plain values for `restore`: a key frame of a recording."""
+        return {"telemetry": self.telemetry.kept(), "board": self.board.kept(), "simulator": self.simulator.kept()}
+
+    def restore(self, kept: Mapping[str, Any]) -> None:
+        """Go on from a state that `kept` gave, with the same line attached; nothing is sent."""
+        self.telemetry.restore(kept["telemetry"])
+        self.board.restore(kept["board"])
+        self.simulator.restore(kept["simulator"])

@@ -21,7 +21,7 @@ from epf_gcs.web.settings import Settings
 def main() -> None:
     """Entry point of `epf-web`."""
     options = _options()
-    given = {name: getattr(options, name) for name in ("host", "port", "data_dir", "page_dir", "fd")}
+    given = {name: getattr(options, name) for name in ("host", "port", "data_dir", "page_dir", "fd", "watchdog")}
     try:
         settings = Settings(**{name: value for name, value in given.items() if value is not None})
     except ValueError as error:
@@ -48,6 +48,7 @@ def _options() -> argparse.Namespace:
     parser.add_argument("--host", help="Address to listen on.")
     parser.add_argument("--port", type=int, help="TCP port; 0 takes any free one.")
     parser.add_argument("--fd", type=int, help="A listening socket that was inherited, in place of host and port.")
+    parser.add_argument("--watchdog", type=int, help="Pipe on which the parent expects signs of life.")
     parser.add_argument("--data-dir", type=Path, help="Folder of the flight process, the recordings and the maps.")
     parser.add_argument("--page-dir", type=Path, help="Folder of the built page.")
     parser.add_argument("--with-parent", action="store_true", help="End when standard input closes.")

@@ -5,7 +5,6 @@ from __future__ import annotations
 import contextlib
 from collections import Counter
 from collections.abc import AsyncIterator
-from pathlib import Path
 from typing import Any, Final
 
 from fastapi import APIRouter, FastAPI
@@ -13,6 +12,7 @@ from fastapi import APIRouter, FastAPI
 from epf_gcs import __version__
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.formats.recognise import MAX_FILE_BYTES
+from epf_gcs.product import PAGE
 from epf_gcs.web import docs
 from epf_gcs.web.about import routes as about
 from epf_gcs.web.access.guard import Access, Guard
@@ -20,6 +20,10 @@ from epf_gcs.web.alarms import routes as alarms
 from epf_gcs.web.commands import ahrs_test_routes as ahrs_test
 from epf_gcs.web.commands import routes as commands
 from epf_gcs.web.earth import routes as earth
+from epf_gcs.web.flights import data_routes as flight_data
+from epf_gcs.web.flights import job_routes as jobs
+from epf_gcs.web.flights import mark_routes as flight_marks
+from epf_gcs.web.flights import routes as flights
 from epf_gcs.web.inspector import routes as inspector
 from epf_gcs.web.links import routes as links
 from epf_gcs.web.maps import online_routes as online_maps
@@ -42,7 +46,6 @@ from epf_gcs.web.track import routes as track
 from epf_gcs.web.vehicle.mirror import VehicleMirror
 from epf_gcs.web.visitors import Limits, Visitors
 
-_PAGE_IN_TREE: Final = Path(__file__).parents[4] / "frontend" / "dist"
 _PREFIX: Final = "/api/v1"
 
 
@@ -87,6 +90,10 @@ def create_app(settings: Settings, visitors: Visitors | None = None) -> FastAPI:
         online_maps,
         alarms,
         recordings,
+        flights,
+        flight_data,
+        flight_marks,
+        jobs,
         about,
         inspector,
     ):
@@ -94,14 +101,14 @@ def create_app(settings: Settings, visitors: Visitors | None = None) -> FastAPI:
     app.include_router(docs.router)
     install_error_handlers(app, errors)
     app.include_router(_probes(app, settings, visitors or Visitors(Limits()), answers))
-    install_page(app, settings.page_dir or _PAGE_IN_TREE)
+    install_page(app, settings.page_dir or PAGE.folder)
     app.add_middleware(
         Guard,
         access=access,
         errors=errors,
         max_body_bytes=settings.max_body_bytes,
         longer_bodies={_PREFIX + mission_files.IMPORT_PATH: MAX_FILE_BYTES},
-        streamed_bodies=frozenset({_PREFIX + maps.IMPORTS_PATH}),
+        streamed_bodies=frozenset({_PREFIX + maps.IMPORTS_PATH, _PREFIX + flights.UPLOAD_PATH}),
         answers=answers,
     )
     return app

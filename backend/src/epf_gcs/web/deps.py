@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated, cast
+from typing import Annotated, Any
 
 from fastapi import Depends, Header, Request
 
@@ -11,6 +11,9 @@ from epf_gcs.bus.definition import Asker
 from epf_gcs.bus.station_end import StationEnd
 from epf_gcs.clock import Clock
 from epf_gcs.web.access.control import Control
+from epf_gcs.web.flights.flights import Flights
+from epf_gcs.web.flights.imports import FlightImports
+from epf_gcs.web.flights.queries import Queries
 from epf_gcs.web.inspector.shared import SharedInspector
 from epf_gcs.web.maps.maps import Maps
 from epf_gcs.web.state.whole import WholeStatus
@@ -18,69 +21,41 @@ from epf_gcs.web.track.tracks import Tracks
 from epf_gcs.web.vehicle.mirror import VehicleMirror
 
 
-def get_vehicle(request: Request) -> StationEnd:
-    """The connection to the flight process, for requests."""
-    return cast(StationEnd, request.app.state.vehicle)
+def _part(name: str) -> Any:
+    """The part that the application's state holds under this name (`Station.parts`)."""
+
+    async def get(request: Request) -> Any:
+        return getattr(request.app.state, name)
+
+    return Depends(get)
 
 
-def get_mirror(request: Request) -> VehicleMirror:
-    """The newest samples and status from the flight process."""
-    return cast(VehicleMirror, request.app.state.mirror)
+VehicleDep = Annotated[StationEnd, _part("vehicle")]
+"""The connection to the flight process, for requests."""
+MirrorDep = Annotated[VehicleMirror, _part("mirror")]
+"""The newest samples and status from the flight process."""
+StatusDep = Annotated[WholeStatus, _part("status")]
+ControlDep = Annotated[Control, _part("control")]
+TracksDep = Annotated[Tracks, _part("tracks")]
+MapsDep = Annotated[Maps, _part("maps")]
+FlightsDep = Annotated[Flights, _part("flights")]
+QueriesDep = Annotated[Queries, _part("flight_queries")]
+"""Questions about what is in a flight."""
+ImportsDep = Annotated[FlightImports, _part("flight_imports")]
+"""Recordings that come from other machines."""
+InspectorDep = Annotated[SharedInspector, _part("inspector")]
+RecordingsDirDep = Annotated[Path, _part("recordings_dir")]
+ClockDep = Annotated[Clock, _part("clock")]
+"""The flight's clock."""
 
 
-def get_status(request: Request) -> WholeStatus:
-    """The whole status."""
-    return cast(WholeStatus, request.app.state.status)
+XClient = Annotated[
+    str | None,
+    Header(max_length=64, description="Id of the stream's hello; not needed while nobody has control."),
+]
 
 
-def get_control(request: Request) -> Control:
-    """Who has control."""
-    return cast(Control, request.app.state.control)
-
-
-def get_tracks(request: Request) -> Tracks:
-    """The flown tracks."""
-    return cast(Tracks, request.app.state.tracks)
-
-
-def get_maps(request: Request) -> Maps:
-    """The maps."""
-    return cast(Maps, request.app.state.maps)
-
-
-def get_inspector(request: Request) -> SharedInspector:
-    """The message inspector."""
-    return cast(SharedInspector, request.app.state.inspector)
-
-
-def get_recordings_dir(request: Request) -> Path:
-    """The folder of the recordings."""
-    return cast(Path, request.app.state.recordings_dir)
-
-
-def get_clock(request: Request) -> Clock:
-    """The flight's clock."""
-    return cast(Clock, request.app.state.clock)
-
-
-VehicleDep = Annotated[StationEnd, Depends(get_vehicle)]
-MirrorDep = Annotated[VehicleMirror, Depends(get_mirror)]
-StatusDep = Annotated[WholeStatus, Depends(get_status)]
-ControlDep = Annotated[Control, Depends(get_control)]
-TracksDep = Annotated[Tracks, Depends(get_tracks)]
-MapsDep = Annotated[Maps, Depends(get_maps)]
-InspectorDep = Annotated[SharedInspector, Depends(get_inspector)]
-RecordingsDirDep = Annotated[Path, Depends(get_recordings_dir)]
-ClockDep = Annotated[Clock, Depends(get_clock)]
-
-
-def get_operator(
-    control: ControlDep,
-    x_client: Annotated[
-        str | None,
-        Header(max_length=64, description="Id of the stream's hello; not needed while nobody has control."),
-    ] = None,
-) -> Asker:
+def get_operator(control: ControlDep, x_client: XClient = None) -> Asker:
     """The caller, if it may command now. Raises ConflictError while another has control."""
     control.check(x_client)
     return Asker(x_client, None if x_client is None else control.name_of(x_client))

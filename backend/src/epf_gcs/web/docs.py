@@ -49,26 +49,16 @@ the place of the simulator's rows 8 and 25. A sample is used for 0.3 s; without 
 then, and the throttle is closed after 2 s. The choice ends with that page's control.
 
 **Events**: `alarm` (an alarm that came, went or was acknowledged), `command` (pending, and what became of it),
-`console`, `control`, `error`, `flight` (the flight process: `state` is `lost` or `back`), `journal` (a new entry, and
-what undo and redo would write now), `link`, `map_import` (as `GET /map/imports/{id}`, at most four a second),
-`mission`, `parameter` (the gains that changed, each with value, state and loaded value), `recording`, `stick` (where
-the stick comes from, whether it is `live` or `lost`, and the `reason`: `chosen`, `control_lost`, `lost`, `back`) and
-`track`.
+`console`, `control`, `error`, `flight` (the flight process: `state` is `lost` or `back`), `job` (as `GET /jobs/{id}`,
+at most four a second), `journal` (a new entry, and what undo and redo would write now), `link`, `map_import` (as `GET
+/map/imports/{id}`, at most four a second), `mission`, `parameter` (the gains that changed, each with value, state and
+loaded value), `recording`, `stick` (where the stick comes from, whether it is `live` or `lost`, and the `reason`:
+`chosen`, `control_lost`, `lost`, `back`) and `track`.
 """
 
-# Shapes that no route answers with: of messages on the stream, and of routes that are not there yet. They stand under
-# `x-shapes`, from which the page's checks are generated as from the answers.
-SHAPES: Final[tuple[type[Output], ...]] = (
-    flights.FlightBin,
-    flights.FlightEvents,
-    flights.FlightKnown,
-    flights.FlightList,
-    flights.FlightOverview,
-    flights.FlightTopics,
-    flights.JobList,
-    flights.Playback,
-    flights.Signals,
-)
+# Shapes that no route answers with: of messages on the stream. They stand under `x-shapes`, from which
+# the page's checks are generated as from the answers.
+SHAPES: Final[tuple[type[Output], ...]] = (flights.Playback,)
 
 router = APIRouter(include_in_schema=False)
 

@@ -10,7 +10,7 @@ from fastapi.responses import FileResponse, PlainTextResponse, Response
 
 from epf_gcs.web.problems import problem_response
 
-_NOT_BUILT: Final = "The page is not built: run `npm run build` in frontend/. The interface is at /api/docs.\n"
+_NOT_BUILT: Final = "The page is not built: `make run` builds it. The interface is at /api/docs.\n"
 # Vite puts a hash of the content into these file names, so they may be cached forever.
 _HASHED: Final = "assets"
 _MOST_SAID: Final = 200

@@ -14,6 +14,7 @@ import structlog
 import uvicorn
 
 from epf_gcs.listening import listen
+from epf_gcs.watchdog import feed
 from epf_gcs.web.app import create_app
 from epf_gcs.web.connection import Connection, watch
 from epf_gcs.web.settings import Settings
@@ -48,6 +49,7 @@ class Server(uvicorn.Server):
             )
         )
         self._settings = settings
+        self._fed: asyncio.Task[None] | None = None
 
     def serve_until_signal(self) -> None:
         """Run until a signal. Raises LinkError before anything else is started if the port cannot be taken."""
@@ -77,10 +79,13 @@ class Server(uvicorn.Server):
         self._captured_signals.clear()
 
     async def startup(self, sockets: list[Any] | None = None) -> None:
-        """Start listening, and log the address."""
+        """Start listening and feeding the parent's watchdog, and log the address."""
         await super().startup(sockets)
         if self.started:
             host = f"[{self._settings.host}]" if ":" in self._settings.host else self._settings.host
+            if self._settings.watchdog is not None:
+                self._fed = asyncio.create_task(feed(self._settings.watchdog))
+                await asyncio.sleep(0)  # its first sign of life comes before the log says that it listens
             log.info("listening", url=f"http://{host}:{self.port}")
 
     @property

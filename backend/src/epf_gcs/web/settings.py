@@ -16,8 +16,11 @@ class Settings(BaseSettings):
     host: str = Field(default="127.0.0.1", description="Address to listen on; beyond 127.0.0.1 anyone can fly.")
     port: int = Field(default=8000, ge=0, le=65535, description="TCP port to listen on; 0 takes any free one.")
     data_dir: Path = Field(default=Path("data"), description="Where recordings and the remembered links live.")
-    page_dir: Path | None = Field(default=None, description="The built page; by default this tree's frontend/dist.")
+    page_dir: Path | None = Field(
+        default=None, description="The built page; by default the one that ships with the gateway."
+    )
     fd: int | None = Field(default=None, description="An inherited listening socket, in place of host and port.")
+    watchdog: int | None = Field(default=None, description="An inherited pipe for signs of life to the parent.")
     allowed_hosts: tuple[str, ...] = Field(default=(), description="More names under which browsers may ask.")
     allowed_origins: tuple[str, ...] = Field(default=(), description="More web origins which may command.")
     local_maps: tuple[str, ...] = Field(

@@ -9,31 +9,33 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import gc
-from collections.abc import AsyncIterator, Awaitable, Callable
+from collections.abc import AsyncIterator
 from pathlib import Path
 from typing import Any, Final
 
-import structlog
-
+from epf_gcs.bus.definition import Client, client_fields
 from epf_gcs.bus.station_end import StationEnd
 from epf_gcs.clock import Clock
 from epf_gcs.error_log import ErrorLog
-from epf_gcs.web.access.control import Client, Control
+from epf_gcs.kept_alive import keep_alive
+from epf_gcs.recordings.places import Places
+from epf_gcs.web.access.control import Control
+from epf_gcs.web.flights.flights import Flights
+from epf_gcs.web.flights.imports import FlightImports
+from epf_gcs.web.flights.jobs import Jobs
+from epf_gcs.web.flights.queries import Queries
+from epf_gcs.web.flights.replays import Replays
 from epf_gcs.web.inspector.shared import SharedInspector
 from epf_gcs.web.maps.maps import Maps
-from epf_gcs.web.maps.online_file import OnlineFile
 from epf_gcs.web.state.whole import WholeStatus
 from epf_gcs.web.stream.endpoint import StreamParts
 from epf_gcs.web.stream.hub import Hub
 from epf_gcs.web.track.tracks import Tracks
 from epf_gcs.web.vehicle.mirror import VehicleMirror
 
-_RESTART_S: Final = 1.0
 # How long the server's start waits for the flight process, which is started at the same time.
 _FIRST_WAIT_S: Final = 5.0
 _STATUS_S: Final = 0.5
-
-log = structlog.get_logger("web")
 
 
 class Station:
@@ -41,6 +43,7 @@ class Station:
 
     def __init__(self, data_dir: Path, errors: ErrorLog) -> None:
         loop = asyncio.get_running_loop()
+        self._errors = errors
         self._here = asyncio.Event()
         self.clock = Clock()
         self.hub = Hub(loop, self.clock.now_s)
@@ -50,8 +53,15 @@ class Station:
         self.control = Control(loop, self._on_control)
         self.status = WholeStatus(lambda: self.mirror.status, self.control, errors, self.hub)
         self.tracks = Tracks(self.mirror, self.hub, self.clock, data_dir / "track", errors.report)
-        self.maps = Maps(data_dir / "maps", self.hub, self.clock, OnlineFile(data_dir, errors.report), errors.report)
-        self.stream_parts = StreamParts(self.hub, self.control, self.vehicle, self.status, errors, self.clock)
+        self.maps = Maps(data_dir, self.hub, self.clock, errors.report)
+        self.flights = Flights(
+            Places(data_dir), Jobs(self.hub), self.clock, self._growing, lambda: self.mirror.is_here, errors.report
+        )
+        self.queries = Queries(data_dir)
+        self.replays = Replays(data_dir, errors, self._growing)
+        self.stream_parts = StreamParts(
+            self.hub, self.control, self.vehicle, self.status, errors, self.clock, self.replays
+        )
         self.parts: dict[str, Any] = {
             "vehicle": self.vehicle,
             "mirror": self.mirror,
@@ -61,6 +71,9 @@ class Station:
             "maps": self.maps,
             "inspector": SharedInspector(lambda: self.vehicle.request("inspector"), self.clock.steady_s),
             "recordings_dir": data_dir / "recordings",
+            "flights": self.flights,
+            "flight_queries": self.queries,
+            "flight_imports": FlightImports(self.flights),
             "clock": self.clock,
         }
 
@@ -70,11 +83,13 @@ class Station:
         try:
             async with asyncio.TaskGroup() as tasks:
                 running = [
-                    tasks.create_task(_keep_alive(name, job), name=name)
+                    tasks.create_task(keep_alive("web", name, job, lambda: self._errors.count("internal")), name=name)
                     for name, job in (
                         ("vehicle", self.vehicle.run),
                         ("maps", self.maps.run),
                         ("track", self.tracks.run),
+                        ("flights", self.flights.run),
+                        ("flight queries", self.queries.run),
                         ("status", self._repeat),
                     )
                 ]
@@ -90,6 +105,9 @@ class Station:
                     for task in running:
                         task.cancel()
         finally:
+            await self.replays.close()
+            await self.queries.close()
+            await self.flights.close()
             await self.maps.close()
             await self.tracks.close()
 
@@ -100,8 +118,14 @@ class Station:
             if not self.mirror.is_here:
                 self.status.changed()
 
+    def _growing(self) -> str | None:
+        """The id of the flight that is being recorded."""
+        recording = self.mirror.status["recording"]
+        return str(recording["file"]).removesuffix(".mcap") if recording["active"] else None
+
     def _status_changed(self) -> None:
         self.tracks.status_changed()
+        self.flights.status_changed()
         self.status.changed()
 
     def _vehicle_here(self, holder: dict[str, Any] | None) -> None:
@@ -112,20 +136,9 @@ class Station:
         self._here.set()
 
     def _on_control(self, holder: Client | None) -> None:
-        data = {"client": holder.id if holder else None, "name": holder.name if holder else None}
-        self.hub.event("control", data)
+        self.hub.event("control", client_fields(holder))
         self._tell_vehicle(holder)
         self.status.changed()
 
     def _tell_vehicle(self, holder: Client | None) -> None:
-        self.vehicle.notice("control", client=holder.id if holder else None, name=holder.name if holder else None)
-
-
-async def _keep_alive(name: str, job: Callable[[], Awaitable[None]]) -> None:
-    """Run a task and restart it after a bug: one faulty task must not end the others."""
-    while True:
-        try:
-            await job()
-        except Exception:
-            log.exception("a part failed and begins again", part=name)
-            await asyncio.sleep(_RESTART_S)
+        self.vehicle.notice("control", **client_fields(holder))

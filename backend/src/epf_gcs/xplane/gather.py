@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable
-from typing import Final
+from collections.abc import Iterable, Mapping
+from typing import Any, Final
 
 from epf_gcs.xplane.datagram import Record
 from epf_gcs.xplane.mapping import NEEDED_ROWS, TRACK_ROW, XplaneInfo, info_from_rows, row_meaning
@@ -15,6 +15,18 @@ MAX_AGE_S: Final = 0.2
 _RELEVANT: Final = NEEDED_ROWS | {TRACK_ROW}
 _DESCENTS_BEFORE_DOUBT: Final = 12
 _PAUSE_DECAY: Final = 0.999  # per datagram, so that one long stall on our side does not choose the leader for ever
+
+_PLAIN: Final = (
+    "incomplete_frames",
+    "_started_s",
+    "_last_row",
+    "_sent",
+    "_track_expected",
+    "_descents",
+    "_leader",
+    "_longest_pause_s",
+    "_heard_s",
+)
 
 
 class Gatherer:
@@ -63,6 +75,20 @@ class Gatherer:
             if self._descents < _DESCENTS_BEFORE_DOUBT:
                 self._descents = 0
         return info
+
+    def kept(self) -> dict[str, Any]:
+        """All that the next datagrams are read by, as plain values for `restore`."""
+        return {name: getattr(self, name) for name in _PLAIN} | {
+            "_rows": [[row, values] for row, values in self._rows.items()],
+            "implausible": dict(self.implausible),
+        }
+
+    def restore(self, state: Mapping[str, Any]) -> None:
+        """Go on from a state that `kept` gave."""
+        for name in _PLAIN:
+            setattr(self, name, state[name])
+        self._rows = {row: dict(values) for row, values in state["_rows"]}
+        self.implausible = Counter(state["implausible"])
 
     def _take_row(self, record: Record) -> None:
         meaning = row_meaning(record.row, record.values, self.profile)

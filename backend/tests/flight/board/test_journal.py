@@ -33,9 +33,9 @@ class Told(KeptOutlet):
 
 
 def a_journal(path: Path) -> tuple[Journal, Told, list[GatewayError]]:
-    hub, reported = Told(), list[GatewayError]()
+    outlet, reported = Told(), list[GatewayError]()
     names = {"c1": "tablet"}
-    return Journal(path, clock=Clock(), hub=hub, report=reported.append, name_of=names.get), hub, reported
+    return Journal(path, clock=Clock(), outlet=outlet, report=reported.append, name_of=names.get), outlet, reported
 
 
 async def test_an_entry_says_who_when_and_what_and_is_there_after_a_restart(tmp_path: Path) -> None:
@@ -57,16 +57,16 @@ async def test_an_entry_says_who_when_and_what_and_is_there_after_a_restart(tmp_
 
 
 async def test_viewers_hear_of_each_entry_and_of_what_can_be_undone(tmp_path: Path) -> None:
-    journal, hub, _ = a_journal(tmp_path / "journal.jsonl")
+    journal, outlet, _ = a_journal(tmp_path / "journal.jsonl")
     journal.note("write", [CHANGE], "c1", undoable=True)
-    (event,) = hub.events
+    (event,) = outlet.events
     assert event["entry"] == journal.entries[0].as_dict()
     assert event["undo"] == [{"name": "k_pitch", "before": 2.5, "after": 2.0}]
     assert event["redo"] is None
     journal.forget_steps()
-    assert hub.events[1:] == [{"entry": None, "undo": None, "redo": None}]
+    assert outlet.events[1:] == [{"entry": None, "undo": None, "redo": None}]
     journal.forget_steps()
-    assert len(hub.events) == 2, "nothing changed, nothing is told"
+    assert len(outlet.events) == 2, "nothing changed, nothing is told"
     journal.close()
 
 
@@ -117,9 +117,9 @@ async def test_lines_that_make_no_sense_are_told_and_kept_aside_and_the_rest_cou
 
 async def test_a_file_that_cannot_be_read_is_told_and_the_journal_goes_on(tmp_path: Path) -> None:
     (tmp_path / "journal.jsonl").mkdir()
-    journal, hub, reported = a_journal(tmp_path / "journal.jsonl")
+    journal, outlet, reported = a_journal(tmp_path / "journal.jsonl")
     assert [error.code for error in reported] == ["journal_unreadable"]
     journal.note("write", [CHANGE], None, undoable=True)
     assert [entry.id for entry in journal.entries] == [1]
-    assert len(hub.events) == 1
+    assert len(outlet.events) == 1
     journal.close()

@@ -6,8 +6,9 @@ import asyncio
 
 import pytest
 
+from epf_gcs.bus.definition import Client
 from epf_gcs.errors import ConflictError, NotFoundError
-from epf_gcs.web.access.control import Client, Control
+from epf_gcs.web.access.control import Control
 from tests.support.waiting import eventually_async
 
 pytestmark = pytest.mark.anyio
@@ -37,6 +38,19 @@ async def test_the_first_browser_gets_control_and_the_second_watches(desk: Desk)
     assert caught.value.params == {"client": "a", "name": "Ana"}
     with pytest.raises(ConflictError):
         desk.control.check(None)
+
+
+async def test_only_the_same_id_is_the_same_browser(desk: Desk) -> None:
+    desk.control.connect(BEA)
+    for other in (ANA, Client("c", "Carla")):
+        desk.control.connect(other)
+        assert desk.control.holder == BEA
+        for asked in (desk.control.check, desk.control.take, desk.control.release):
+            with pytest.raises(ConflictError):
+                asked(other.id)
+        desk.control.disconnect(other)
+        assert desk.control._timer is None, "Bea is still there: nothing ends her control"
+    assert desk.changes == [BEA]
 
 
 async def test_while_nobody_has_control_a_program_may_command(desk: Desk) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 import numpy as np
@@ -84,3 +85,12 @@ def test_what_is_no_track_or_of_another_day_is_left_alone(tmp_path: Path) -> Non
     assert KeptTrack(path).load(T0_S, 1) is None
     save(KeptTrack(path), a_track(10))
     assert KeptTrack(path).load(T0_S + 86_400.0, 1) is None
+
+
+def test_a_new_track_is_on_the_disk_before_it_takes_the_old_one_s_place(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    synced: list[Path] = []
+    monkeypatch.setattr(os, "fsync", lambda descriptor: synced.append(Path(f"/proc/self/fd/{descriptor}").readlink()))
+    save(KeptTrack(tmp_path / "hil.track"), a_track(10))
+    assert synced == [tmp_path / "hil.track.new", tmp_path]

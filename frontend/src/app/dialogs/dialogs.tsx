@@ -59,7 +59,7 @@ function Window({ name, onClose }: { name: DialogName; onClose: () => void }) {
   const { Part } = DIALOGS[name];
   return (
     <Dialog title={t(`dialog.${name}`)} open onClose={onClose} size={name === "settings" ? "normal" : "wide"}>
-      <Part waiting={t("frame.loading")} failed={NotLoaded} />
+      <Part waiting={t("window.loading")} failed={NotLoaded} />
     </Dialog>
   );
 }
@@ -73,8 +73,8 @@ export function LoadFailure({ onRetry }: { onRetry: () => void }) {
   const { t } = useTranslation();
   return (
     <Notice level="error">
-      <p>{t("frame.notLoaded")}</p>
-      <Button onPress={onRetry}>{t("frame.tryAgain")}</Button>
+      <p>{t("window.notLoaded")}</p>
+      <Button onPress={onRetry}>{t("window.tryAgain")}</Button>
     </Notice>
   );
 }

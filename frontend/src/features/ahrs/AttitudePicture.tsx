@@ -72,7 +72,7 @@ export function AttitudePicture({ source, settings, camera, onCamera, onFree }: 
     };
   }, [picture, onFree]);
 
-  usePaint("frame", useFeed(host, picture, source, camera.view));
+  usePaint("movement", useFeed(host, picture, source, camera.view));
 
   return (
     <section className="ahrs3d-scene" aria-label={t("ahrs3d.picture")}>

@@ -7,14 +7,14 @@ let telemetry: TelemetryStore;
 let scene: AttitudeScene;
 let feed: AttitudeFeed;
 let changes: number;
-let frames: number;
+let pictures: number;
 let dataset: DOMStringMap;
 
 beforeEach(() => {
   telemetry = new TelemetryStore();
   telemetry.greet(0, 0);
   scene = new AttitudeScene();
-  changes = frames = 0;
+  changes = pictures = 0;
   feed = new AttitudeFeed(scene, () => {
     changes += 1;
   });
@@ -32,8 +32,8 @@ function hear(topic: string, [yaw_deg, pitch_deg, roll_deg]: Angles, now_ms: num
 function look(source: "ahrs" | "ahrs_test", now_ms: number): DOMStringMap {
   feed.feed(telemetry, source, null, now_ms);
   scene.advance(now_ms + 500);
-  frames += 1;
-  feed.tell(dataset, frames);
+  pictures += 1;
+  feed.tell(dataset, pictures);
   return dataset;
 }
 
@@ -87,19 +87,19 @@ describe("what is not live", () => {
   });
 });
 
-test("nothing is told anew until another frame has been drawn", () => {
+test("nothing is told anew until another picture has been drawn", () => {
   hear("ahrs", [27, 8, -12], 100);
   look("ahrs", 100);
   hear("ahrs", [29, 8, -12], 120);
   feed.feed(telemetry, "ahrs", null, 120);
   scene.advance(620);
-  feed.tell(dataset, frames);
+  feed.tell(dataset, pictures);
   expect(dataset["yawDeg"]).toBe("27.0");
-  feed.tell(dataset, frames + 1);
-  expect(dataset).toMatchObject({ yawDeg: "29.0", frames: `${frames + 1}` });
+  feed.tell(dataset, pictures + 1);
+  expect(dataset).toMatchObject({ yawDeg: "29.0", pictures: `${pictures + 1}` });
 });
 
-test("nothing new asks for no frame", () => {
+test("nothing new asks for no picture", () => {
   hear("ahrs", [27, 8, -12], 100);
   look("ahrs", 100);
   const before = changes;

@@ -81,7 +81,7 @@ export class AttitudeFeed {
       return;
     }
     this.#told = told;
-    dataset["frames"] = `${drawn}`;
+    dataset["pictures"] = `${drawn}`;
     const shown = this.#scene.shownAttitude;
     dataset["state"] = this.#isLive === true ? "live" : shown === null ? "none" : "stale";
     for (const angle of ANGLES) {

@@ -84,7 +84,7 @@ export function useCalibration(isOn: boolean): Collecting {
     },
     [isOn, samples],
   );
-  usePaint("frame", collect);
+  usePaint("movement", collect);
 
   return {
     calibration,

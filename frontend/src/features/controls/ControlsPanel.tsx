@@ -63,7 +63,7 @@ function Cross() {
     },
     [connection],
   );
-  usePaint("frame", paint);
+  usePaint("movement", paint);
   return (
     <div className="left-cross">
       <ControlCross ref={cross} label={t("controls.picture")} noDataText={t("words.noData")} />

@@ -1,6 +1,7 @@
 import { existsSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { describe, expect, test } from "vitest";
+import { SCHEMAS } from "../../test/schemas.gen";
 import { type Block, readChapters, readInline } from "./markdown";
 
 const LANGUAGES = ["es", "en"] as const;
@@ -36,6 +37,21 @@ describe("the guide", () => {
     );
     expect(pictures.length).toBeGreaterThan(4);
     expect(missing).toEqual([]);
+  });
+
+  test.each(LANGUAGES)("tells of each alarm of the gateway and of the page, in %s", (language) => {
+    const { alarmName }: { alarmName: Readonly<Record<string, string>> } = JSON.parse(
+      readFileSync(join(import.meta.dirname, `../alarms/alarms.${language}.json`), "utf8"),
+    );
+    const told = (guide[language] ?? []).flatMap(({ blocks }) =>
+      blocks.flatMap((block: Block) =>
+        block.kind === "table" ? block.rows.map(([name]) => name?.[0]?.text.toLowerCase()) : [],
+      ),
+    );
+    const ofGateway = SCHEMAS["AlarmState"]?.properties?.["id"]?.enum?.map(String) ?? [];
+    expect(ofGateway.length).toBeGreaterThan(10);
+    const all = new Set([...ofGateway, ...Object.keys(alarmName)]);
+    expect([...all].filter((id) => !told.includes(alarmName[id]?.toLowerCase()))).toEqual([]);
   });
 
   test.each(LANGUAGES)("leaves no mark of its notation to the reader, in %s", (language) => {

@@ -13,13 +13,13 @@ function shownAt(
   const playout = linear();
   const shown: { now_s: number; shown: number }[] = [];
   let next = 0;
-  for (let frame = 0; frame < 600; frame += 1) {
-    const now_s = 100 + frame / 60;
+  for (let picture = 0; picture < 600; picture += 1) {
+    const now_s = 100 + picture / 60;
     for (; 100 + next / rate_hz + 0.04 + jitter(next) <= now_s; next += 1) {
       playout.push(100 + next / rate_hz, next / rate_hz, now_s);
     }
     const value = playout.at(now_s)?.value;
-    if (value !== undefined && frame > 240) {
+    if (value !== undefined && picture > 240) {
       shown.push({ now_s, shown: value });
     }
   }
@@ -27,7 +27,7 @@ function shownAt(
 }
 
 describe.each([50, 10, 5, 1])("a stream of %i Hz", (rate_hz) => {
-  test("is shown moving evenly from frame to frame", () => {
+  test("is shown moving evenly from picture to picture", () => {
     const steps = shownAt(rate_hz).map(
       ({ shown }, index, all) => shown - (all[index - 1]?.shown ?? shown - 1 / 60),
     );

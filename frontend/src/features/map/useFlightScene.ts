@@ -42,7 +42,7 @@ export function useFlightScene(): FlightScene | null {
   const followed = useFollowed();
   const motion = useMemo(() => new AircraftMotion(), []);
   const take = useCallback((from: TelemetryStore, now_ms: number) => motion.take(from, now_ms), [motion]);
-  usePaint("frame", take);
+  usePaint("movement", take);
   const flight = t("map.view.flight");
   const hil = t("map.view.hil");
   useEffect(() => {
@@ -54,7 +54,7 @@ export function useFlightScene(): FlightScene | null {
     if (globe === null || scene === null || track === null) {
       return undefined;
     }
-    return globe.onBeforeFrame(() => {
+    return globe.onBeforePicture(() => {
       for (const aircraft of AIRCRAFT) {
         const seen = scene.aircraft.seen(aircraft);
         track.setTip(

@@ -39,7 +39,7 @@ export function LiveSketch({ plan, waypoints, active, selected, onSelect }: Prop
     },
     [plan, waypoints],
   );
-  usePaint("frame", paint);
+  usePaint("movement", paint);
   const coarse = useTelemetry((telemetry, now_ms) => coarseOf(placeOf(telemetry, plan, now_ms)));
   const aircraft = useMemo(() => {
     const place = coarse === "" ? null : placeFrom(coarse);

@@ -5,7 +5,7 @@ import { PLAN_LIMITS, type PlanName } from "../../protocol/missions";
 import { usePart } from "../../store/hooks";
 
 export interface Editing {
-  readonly frame: RefObject<HTMLDivElement | null>;
+  readonly box: RefObject<HTMLDivElement | null>;
   readonly change: (row: number, field: WaypointField, value: number) => void;
   /** Put the cursor into a cell, once it is rendered. */
   readonly go: (row: number, field: WaypointField) => void;
@@ -22,13 +22,13 @@ export function useEditing(
   choose: (row: number | null) => void,
 ): Editing {
   const { plans } = usePart(MISSIONS);
-  const frame = useRef<HTMLDivElement>(null);
+  const box = useRef<HTMLDivElement>(null);
   const wanted = useRef<{ readonly row: number; readonly field: WaypointField } | null>(null);
   useEffect(() => {
     if (wanted.current !== null) {
       const { row, field } = wanted.current;
       wanted.current = null;
-      frame.current?.querySelector<HTMLInputElement>(`[data-row="${row}"][data-field="${field}"]`)?.focus();
+      box.current?.querySelector<HTMLInputElement>(`[data-row="${row}"][data-field="${field}"]`)?.focus();
     }
   });
 
@@ -86,7 +86,7 @@ export function useEditing(
   }
 
   return {
-    frame,
+    box,
     go,
     insert: () => insert(),
     remove: () => remove(),

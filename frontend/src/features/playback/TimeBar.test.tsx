@@ -185,7 +185,7 @@ describe("the past", () => {
       until_s: null,
     } as const;
     station.status(aStatus({ alarms: [alarm] }));
-    station.pass(1000);
+    station.pass(300);
     expect(station.sounder.played.length).toBeGreaterThan(0);
     const acknowledge = screen.getByRole("button", { name: /^Reconocer: / });
     expect(acknowledge.getAttribute("aria-disabled")).toBeNull();

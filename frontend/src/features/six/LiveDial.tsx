@@ -56,7 +56,7 @@ function useDial({ read, label, caption }: Props, unit: Unit): PointerDialProps 
     (telemetry: TelemetryStore, now_ms: number) => ref.current?.paint(read(telemetry, now_ms), now_ms),
     [read],
   );
-  usePaint("frame", paint);
+  usePaint("movement", paint);
   return useMemo(() => {
     const format = (value: number): string => unit.format(value) ?? "";
     return {

@@ -86,7 +86,7 @@ describe.each(INSTRUMENTS)("the $name", ({ Dial, attribute, inside, beyond, writ
     expect(dial.getAttribute("data-reach")).toBe("within");
   });
 
-  test("moves its pointer each frame but rewrites the number ten times a second", () => {
+  test("moves its pointer each animation frame but rewrites the number ten times a second", () => {
     const { paint, pointer, number } = draw();
     paint(inside, 0);
     const before = pointer();

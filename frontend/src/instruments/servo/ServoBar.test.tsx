@@ -25,7 +25,7 @@ test("the position stands in the attribute, the number and the bar", () => {
   expect(marker()).toBe("translateY(-75.00%)");
 });
 
-test("the bar follows each frame, the number ten times a second", () => {
+test("the bar follows each animation frame, the number ten times a second", () => {
   const { paint, marker, number } = draw();
   paint(0, 0);
   paint(1, 16);

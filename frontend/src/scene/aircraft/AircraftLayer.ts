@@ -53,7 +53,7 @@ export class AircraftLayer {
   readonly #globe: Globe;
   readonly #drawn: Readonly<Record<Aircraft, DrawnAircraft>>;
   readonly #labels = new LabelCollection();
-  readonly #endFrames: () => void;
+  readonly #endPictures: () => void;
   #feed: AircraftFeed | null = null;
   #seen: AllSeen = { flight: null, hil: null };
   #within: Aircraft | null = null;
@@ -65,7 +65,7 @@ export class AircraftLayer {
       flight: new DrawnAircraft(globe, this.#labels, "flight"),
       hil: new DrawnAircraft(globe, this.#labels, "hil"),
     };
-    this.#endFrames = globe.onBeforeFrame((now_ms) => this.#beforeFrame(now_ms));
+    this.#endPictures = globe.onBeforePicture((now_ms) => this.#beforePicture(now_ms));
   }
 
   /** Set the feed that is asked for each picture; null: nothing is drawn. */
@@ -85,13 +85,13 @@ export class AircraftLayer {
   }
 
   dispose(): void {
-    this.#endFrames();
+    this.#endPictures();
     this.#drawn.flight.dispose();
     this.#drawn.hil.dispose();
     this.#globe.scene.primitives.remove(this.#labels);
   }
 
-  #beforeFrame(now_ms: number): void {
+  #beforePicture(now_ms: number): void {
     this.#seen = this.#feed?.(now_ms) ?? { flight: null, hil: null };
     const flightMoved = this.#drawn.flight.show(this.#seen.flight, this.#within === "flight");
     const hilMoved = this.#drawn.hil.show(this.#seen.hil, this.#within === "hil");

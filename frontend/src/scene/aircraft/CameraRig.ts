@@ -29,7 +29,7 @@ const KEY_ZOOM = 1.2;
 export class CameraRig {
   readonly #globe: Globe;
   readonly #aircraft: AircraftLayer;
-  readonly #endFrames: () => void;
+  readonly #endPictures: () => void;
   #mode: CameraMode = "free";
   #followed: Aircraft = "flight";
   #heading_deg: number | null = null;
@@ -41,7 +41,7 @@ export class CameraRig {
   constructor(globe: Globe, aircraft: AircraftLayer) {
     this.#globe = globe;
     this.#aircraft = aircraft;
-    this.#endFrames = globe.onBeforeFrame((now_ms) => this.#beforeFrame(now_ms));
+    this.#endPictures = globe.onBeforePicture((now_ms) => this.#beforePicture(now_ms));
   }
 
   set(mode: CameraMode, aircraft: Aircraft): void {
@@ -92,7 +92,7 @@ export class CameraRig {
   }
 
   dispose(): void {
-    this.#endFrames();
+    this.#endPictures();
     this.#release();
   }
 
@@ -110,7 +110,7 @@ export class CameraRig {
         };
   }
 
-  #beforeFrame(now_ms: number): void {
+  #beforePicture(now_ms: number): void {
     const seen = this.#aircraft.seen(this.#followed);
     this.#aircraft.setWithin(this.#mode === "cockpit" && seen?.attitude != null ? this.#followed : null);
     if (seen === null || this.#mode === "free") {
@@ -127,13 +127,13 @@ export class CameraRig {
     const { camera } = this.#globe.scene;
     this.#turnAfter(seen, (now_ms - this.#moved_ms) / 1000);
     const { latitude_deg, longitude_deg, altitude_m } = seen.place;
-    const frame = Transforms.eastNorthUpToFixedFrame(
+    const axes = Transforms.eastNorthUpToFixedFrame(
       Cartesian3.fromDegrees(longitude_deg, latitude_deg, altitude_m),
     );
     const turned = Matrix4.multiplyByMatrix3(
-      frame,
+      axes,
       Matrix3.fromRotationZ(-CesiumMath.toRadians(this.#heading_deg ?? 0)),
-      frame,
+      axes,
     );
     if (this.#isHeld) {
       // Keeps what the user has turned since the last picture.

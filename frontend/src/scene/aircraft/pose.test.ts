@@ -34,13 +34,13 @@ function textbook({ yaw_deg, pitch_deg, roll_deg }: FullAttitude): readonly [Vec
   ];
 }
 
-/** A vector of the airframe in north, east, up, by way of the engine's own frame at the place. */
+/** A vector of the airframe in north, east, up, by way of the engine's own axes at the place. */
 function inEngine(place: Place, vector: Vector): Vector {
-  const frame = Transforms.eastNorthUpToFixedFrame(
+  const axes = Transforms.eastNorthUpToFixedFrame(
     Cartesian3.fromDegrees(place.longitude_deg, place.latitude_deg, place.altitude_m),
   );
   const local = Matrix4.multiplyByPointAsVector(
-    Matrix4.inverse(frame, new Matrix4()),
+    Matrix4.inverse(axes, new Matrix4()),
     new Cartesian3(...vector),
     new Cartesian3(),
   );

@@ -2,7 +2,7 @@ import { PerspectiveCamera, Scene } from "three";
 import { beforeEach, describe, expect, test, vi } from "vitest";
 import { quaternionOf } from "../../lib/attitude";
 import { AttitudeMotion } from "../../lib/attitudeMotion";
-import { ManualFrames } from "../../test/frames";
+import { ManualAnimationFrames } from "../../test/animationFrames";
 import { type Act, type Drawer, Stage } from "./Stage";
 
 class CountingDrawer implements Drawer {
@@ -62,14 +62,14 @@ class StillAct implements Act {
 }
 
 let drawer: CountingDrawer;
-let frames: ManualFrames;
+let frames: ManualAnimationFrames;
 let stage: Stage;
 let act: StillAct;
 let host: HTMLElement;
 
 beforeEach(() => {
   drawer = new CountingDrawer();
-  frames = new ManualFrames();
+  frames = new ManualAnimationFrames();
   stage = new Stage(drawer, frames);
   act = new StillAct();
   host = document.createElement("div");
@@ -85,14 +85,14 @@ function display(count: number, from_ms: number): void {
 }
 
 describe("what nobody changed", () => {
-  test("is drawn once when it is shown, and then asks for no frame", () => {
+  test("is drawn once when it is shown, and then asks for no animation frame", () => {
     stage.show(act, host);
     display(60, 0);
     expect(drawer.rendered).toBe(1);
     expect(frames.waiting).toBe(0);
   });
 
-  test("is drawn once more for each change, however many come before a frame", () => {
+  test("is drawn once more for each change, however many come before an animation frame", () => {
     stage.show(act, host);
     display(1, 0);
     stage.invalidate();

@@ -1,4 +1,5 @@
 import type { PerspectiveCamera, Scene } from "three";
+import type { AnimationFrames } from "../../lib/animationFrames";
 import { PictureBudget } from "../pictureBudget";
 import { stageLimits } from "./stageBudget";
 
@@ -23,12 +24,6 @@ export interface Drawer {
   dispose(): void;
 }
 
-/** The source of animation frames: the browser, or a test. */
-export interface FrameClock {
-  request(callback: (now_ms: number) => void): number;
-  cancel(handle: number): void;
-}
-
 /** A scene with its camera. */
 export interface Act {
   readonly scene: Scene;
@@ -50,7 +45,7 @@ const HELD_MS = 400;
  */
 export class Stage {
   readonly #drawer: Drawer;
-  readonly #frames: FrameClock;
+  readonly #animationFrames: AnimationFrames;
   readonly #watch: ResizeObserver | null;
   #act: Act | null = null;
   /** The act shown now or last. */
@@ -69,9 +64,9 @@ export class Stage {
   /** Called when the browser takes the context away (true) and gives it back. */
   onLost: ((isLost: boolean) => void) | null = null;
 
-  constructor(drawer: Drawer, frames: FrameClock) {
+  constructor(drawer: Drawer, animationFrames: AnimationFrames) {
     this.#drawer = drawer;
-    this.#frames = frames;
+    this.#animationFrames = animationFrames;
     this.#watch = typeof ResizeObserver === "undefined" ? null : new ResizeObserver(() => this.#resize());
     this.#budget = new PictureBudget(drawer.isSoftware, stageLimits(drawer.isSoftware));
     drawer.picture.addEventListener("webglcontextlost", this.#lose);
@@ -134,18 +129,18 @@ export class Stage {
 
   #wake(): void {
     if (this.#act !== null && !this.#isLost) {
-      this.#handle ??= this.#frames.request(this.#frame);
+      this.#handle ??= this.#animationFrames.request(this.#animate);
     }
   }
 
   #rest(): void {
     if (this.#handle !== null) {
-      this.#frames.cancel(this.#handle);
+      this.#animationFrames.cancel(this.#handle);
       this.#handle = null;
     }
   }
 
-  readonly #frame = (now_ms: number): void => {
+  readonly #animate = (now_ms: number): void => {
     this.#handle = null;
     const act = this.#act;
     if (act === null || this.#isLost) {

@@ -19,21 +19,21 @@ describe("how fine the processor draws", () => {
   });
 });
 
-test("without a graphics processor frames stay dear, however short they seem", () => {
+test("without a graphics processor pictures stay dear, however short they seem", () => {
   const budget = new PictureBudget(true, stageLimits(true));
-  for (let frame = 0; frame < 100; frame += 1) {
+  for (let picture = 0; picture < 100; picture += 1) {
     budget.observe(3);
   }
   expect(budget.period_ms(false)).toBe(80);
 });
 
-test("on a graphics processor some slow frames pass", () => {
+test("on a graphics processor some slow pictures pass", () => {
   const budget = new PictureBudget(false, stageLimits(false));
-  for (let frame = 0; frame < 100; frame += 1) {
+  for (let picture = 0; picture < 100; picture += 1) {
     budget.observe(90);
   }
   expect(budget.period_ms(false)).toBeGreaterThan(0);
-  for (let frame = 0; frame < 100; frame += 1) {
+  for (let picture = 0; picture < 100; picture += 1) {
     budget.observe(17);
   }
   expect(budget.period_ms(false)).toBe(0);

@@ -42,7 +42,7 @@ class WebglDrawer implements Drawer {
     this.canvas = copied?.canvas ?? picture;
     this.isSoftware = copied !== null;
     this.#copied = copied;
-    this.#cost = new PictureCost(context, "attitude.frame");
+    this.#cost = new PictureCost(context, "attitude.picture");
     this.#renderer = new WebGLRenderer({ canvas: picture, context });
     this.#renderer.debug.checkShaderErrors = false;
     this.#renderer.setPixelRatio(Math.min(MOST_PIXELS_PER_PIXEL, window.devicePixelRatio));

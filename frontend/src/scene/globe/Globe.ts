@@ -100,7 +100,7 @@ export class Globe {
     this.scene.backgroundColor = Color.fromCssColorString(SKY);
     this.scene.canvas.classList.add("globe-picture");
     this.#copied = this.isSoftware ? this.#seenBy(this.scene.canvas) : null;
-    this.#cost = new PictureCost(this.scene.canvas.getContext("webgl2"), "globe.frame");
+    this.#cost = new PictureCost(this.scene.canvas.getContext("webgl2"), "globe.picture");
     this.#budget = new PictureBudget(this.isSoftware, globeLimits(this.isSoftware));
     this.ground = new Ground(this);
     this.scene.camera.setView({
@@ -151,7 +151,7 @@ export class Globe {
   }
 
   /** Called before each picture; a listener that moves something calls `requestRender`. */
-  onBeforeFrame(listener: (now_ms: number) => void): () => void {
+  onBeforePicture(listener: (now_ms: number) => void): () => void {
     this.#listeners.add(listener);
     return () => this.#listeners.delete(listener);
   }
@@ -187,10 +187,10 @@ export class Globe {
       this.#suitScale(isHeld, now_ms);
     }
     this.widget.resize();
-    const before = this.#frameNumber();
+    const before = this.#pictureNumber();
     const started_ms = this.#cost.start();
     this.widget.render();
-    if (this.#frameNumber() !== before) {
+    if (this.#pictureNumber() !== before) {
       this.#isAsked = false;
       this.#drawn_ms = now_ms;
       this.#drawn += 1;
@@ -237,7 +237,7 @@ export class Globe {
     setScale(this.widget, softwareScale(clientWidth, clientHeight, this.#isCoarse));
   }
 
-  #frameNumber(): number {
+  #pictureNumber(): number {
     // Not in the published types; nothing else tells whether a picture was drawn.
     return (this.scene as unknown as { frameState: { frameNumber: number } }).frameState.frameNumber;
   }

@@ -2,21 +2,21 @@ import { describe, expect, test } from "vitest";
 import { PictureBudget } from "../pictureBudget";
 import { globeLimits, softwareScale } from "./globeBudget";
 
-/** A budget after many frames of this cost. */
+/** A budget after many pictures of this cost. */
 function having(cost_ms: number, isSoftware = false): PictureBudget {
   const budget = new PictureBudget(isSoftware, globeLimits(isSoftware));
-  for (let frame = 0; frame < 60; frame += 1) {
+  for (let picture = 0; picture < 60; picture += 1) {
     budget.observe(cost_ms);
   }
   return budget;
 }
 
 describe("on a graphics processor", () => {
-  test("every displayed frame may be drawn", () => {
+  test("every animation frame may be drawn", () => {
     expect(having(6).period_ms(false)).toBe(0);
   });
 
-  test("one slow frame changes nothing", () => {
+  test("one slow picture changes nothing", () => {
     const budget = having(6);
     budget.observe(150);
     expect(budget.period_ms(false)).toBe(0);
@@ -24,17 +24,17 @@ describe("on a graphics processor", () => {
 });
 
 describe("drawn by the processor alone", () => {
-  test.each([5, 30, 45, 60, 85])("at %i ms a frame four to eight are drawn in a second", (cost_ms) => {
+  test.each([5, 30, 45, 60, 85])("at %i ms a picture four to eight are drawn in a second", (cost_ms) => {
     const period_ms = having(cost_ms, true).period_ms(false);
     expect(period_ms).toBeGreaterThanOrEqual(124);
     expect(period_ms).toBeLessThanOrEqual(251);
   });
 
-  test("the browser's word is believed, however fast the frames are", () => {
+  test("the browser's word is believed, however fast the pictures are", () => {
     expect(having(6, true).isDear).toBe(true);
   });
 
-  test("a third of the time is left, and a map with frames of half a second does not look dead", () => {
+  test("a third of the time is left, and a map with pictures of half a second does not look dead", () => {
     expect(200 / having(200, true).period_ms(false)).toBeLessThan(0.67);
     expect(having(500, true).period_ms(false)).toBeLessThan(1001);
   });
@@ -52,18 +52,18 @@ describe("drawn by the processor alone", () => {
 });
 
 describe("on a slow graphics processor", () => {
-  test.each([60, 80, 120, 170, 300])("at %i ms a frame two to five are drawn in a second", (cost_ms) => {
+  test.each([60, 80, 120, 170, 300])("at %i ms a picture two to five are drawn in a second", (cost_ms) => {
     const period_ms = having(cost_ms).period_ms(false);
     expect(period_ms).toBeGreaterThanOrEqual(199);
     expect(period_ms).toBeLessThanOrEqual(501);
   });
 
-  test("most of the time is left to the instruments where a frame allows it", () => {
+  test("most of the time is left to the instruments where a picture allows it", () => {
     expect(60 / having(60).period_ms(false)).toBeLessThan(0.36);
     expect(150 / having(150).period_ms(false)).toBeLessThan(0.36);
   });
 
-  test("a third of the time is left even where a frame takes a second", () => {
+  test("a third of the time is left even where a picture takes a second", () => {
     expect(1000 / having(1000).period_ms(false)).toBeLessThan(0.67);
   });
 

@@ -16,13 +16,13 @@ const MOST_TILES_MS = 30;
  * Without a graphics processor: the longer a picture takes, the longer tiles are prepared in each. Throws if another
  * version of the engine lacks this setting.
  */
-export function hastenTiles({ globe }: Scene, frame_ms: number): void {
+export function hastenTiles({ globe }: Scene, picture_ms: number): void {
   // Not in the published types, which have no equivalent.
   const { _surface: surface } = globe as unknown as { _surface: { _loadQueueTimeSlice: number } };
   if (typeof surface._loadQueueTimeSlice !== "number") {
     throw new Error("the engine's ground has no time for its tiles");
   }
-  surface._loadQueueTimeSlice = Math.max(LEAST_TILES_MS, Math.min(MOST_TILES_MS, TILES_SHARE * frame_ms));
+  surface._loadQueueTimeSlice = Math.max(LEAST_TILES_MS, Math.min(MOST_TILES_MS, TILES_SHARE * picture_ms));
 }
 
 /** Set the device pixels per CSS pixel and side, without a graphics processor; the ground's tiles stay the same. */

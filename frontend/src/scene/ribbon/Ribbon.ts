@@ -6,9 +6,9 @@ import {
   DrawCommand,
   IndexDatatype,
   Pass,
+  type PictureState,
   PrimitiveType,
   type RendererContext,
-  type RendererFrame,
   RenderState,
   ShaderProgram,
   ShaderSource,
@@ -79,17 +79,17 @@ export class Ribbon {
   }
 
   /** Draw only these stretches, by the indices of their first points; by default all. */
-  draw(frame: RendererFrame, part: RibbonPart, ranges?: readonly Range[]): void {
+  draw(state: PictureState, part: RibbonPart, ranges?: readonly Range[]): void {
     if (this.#count < 2) {
       return;
     }
-    const parts = this.#upload(frame.context);
+    const parts = this.#upload(state.context);
     for (const [index, { begin, end }] of (ranges ?? [{ begin: 0, end: this.#count - 1 }]).entries()) {
       const command = parts.command(part, index);
       if (command !== null) {
         command.offset = begin * INDICES;
         command.count = (end - begin) * INDICES;
-        frame.commandList.push(command);
+        state.commandList.push(command);
       }
     }
   }

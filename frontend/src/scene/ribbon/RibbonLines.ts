@@ -1,4 +1,4 @@
-import { BoundingSphere, Cartesian3, Cartesian4, type Color, type RendererFrame } from "@cesium/engine";
+import { BoundingSphere, Cartesian3, Cartesian4, type Color, type PictureState } from "@cesium/engine";
 import type { Globe } from "../globe/Globe";
 import { downToTheSea } from "./ball";
 import { Ribbon, type RibbonStyle } from "./Ribbon";
@@ -27,10 +27,10 @@ export class RibbonLines {
   /** Kept while no line has this style, so that its shaders are not compiled again. */
   readonly #drawn = new Map<LineLook, { readonly ribbon: Ribbon; readonly sphere: BoundingSphere }>();
   readonly #primitive = {
-    update: (frame: RendererFrame): void => {
-      if (frame.passes.render) {
+    update: (state: PictureState): void => {
+      if (state.passes.render) {
         for (const { ribbon } of this.#drawn.values()) {
-          ribbon.draw(frame, "line");
+          ribbon.draw(state, "line");
         }
       }
     },

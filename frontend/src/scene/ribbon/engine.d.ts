@@ -8,7 +8,7 @@ declare module "@cesium/engine" {
     readonly drawingBufferHeight: number;
   }
 
-  export interface RendererFrame {
+  export interface PictureState {
     readonly context: RendererContext;
     readonly passes: { readonly render: boolean };
     /** What the camera sees. */

@@ -29,7 +29,7 @@ const SCALE_MS = 200;
 const PITCH_DEG = -50;
 const NEAREST_M = 600;
 /** The camera leaves an aircraft only in the picture after the command; it can be moved then. */
-const FRAMES_TO_FREE = 2;
+const PICTURES_TO_FREE = 2;
 
 /** Scale, point under the pointer, distance line, and views of points. */
 export class MapTools {
@@ -40,14 +40,14 @@ export class MapTools {
   #onScale: ((scale: MapScale) => void) | null = null;
   #onMeasure: ((place: GroundPlace) => void) | null = null;
   #told_ms = 0;
-  #wanted: { readonly sphere: BoundingSphere; frames: number } | null = null;
+  #wanted: { readonly sphere: BoundingSphere; pictures: number } | null = null;
 
   constructor(globe: Globe) {
     this.#globe = globe;
     this.#pointer = pointerOf(globe);
     this.#line = new DistanceLine(globe);
     this.#ends = [
-      globe.onBeforeFrame((now_ms) => this.#beforeFrame(now_ms)),
+      globe.onBeforePicture((now_ms) => this.#beforePicture(now_ms)),
       this.#pointer.addFinder((at) => {
         const measure = this.#onMeasure;
         const place = measure === null ? null : this.#pointer.placeAt(at);
@@ -87,7 +87,7 @@ export class MapTools {
       const points = places.map(({ longitude_deg, latitude_deg, altitude_m }) =>
         Cartesian3.fromDegrees(longitude_deg, latitude_deg, altitude_m),
       );
-      this.#wanted = { sphere: BoundingSphere.fromPoints(points), frames: FRAMES_TO_FREE };
+      this.#wanted = { sphere: BoundingSphere.fromPoints(points), pictures: PICTURES_TO_FREE };
       this.#globe.requestRender();
     }
   }
@@ -114,7 +114,7 @@ export class MapTools {
     this.#line.dispose();
   }
 
-  #beforeFrame(now_ms: number): void {
+  #beforePicture(now_ms: number): void {
     this.#look();
     if (this.#onScale !== null && now_ms - this.#told_ms >= SCALE_MS) {
       this.#told_ms = now_ms;
@@ -130,8 +130,8 @@ export class MapTools {
     if (wanted === null) {
       return;
     }
-    wanted.frames -= 1;
-    if (wanted.frames <= 0) {
+    wanted.pictures -= 1;
+    if (wanted.pictures <= 0) {
       this.#wanted = null;
       const { camera } = this.#globe.scene;
       const range = Math.max(NEAREST_M, 2.6 * wanted.sphere.radius);

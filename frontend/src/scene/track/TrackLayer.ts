@@ -1,4 +1,4 @@
-import { BoundingSphere, Cartesian3, Cartesian4, type RendererFrame } from "@cesium/engine";
+import { BoundingSphere, Cartesian3, Cartesian4, type PictureState } from "@cesium/engine";
 import { tellTiming } from "../../lib/timing";
 import { METRES_PER_UNIT } from "../../lib/track/block";
 import { ThinnedTrack } from "../../lib/track/thinnedTrack";
@@ -60,13 +60,13 @@ const CHOOSE_MS = 0.7;
 export class TrackLayer {
   readonly #globe: Globe;
   readonly #drawn = new Map<TrackPoints, DrawnTrack>();
-  readonly #endFrames: () => void;
+  readonly #endPictures: () => void;
   #thinning: ReturnType<typeof setTimeout> | null = null;
   #look: TrackLook = { colouring: "none", range: null, hasCurtain: true };
 
   constructor(globe: Globe) {
     this.#globe = globe;
-    this.#endFrames = globe.onBeforeFrame(() => this.#beforeFrame());
+    this.#endPictures = globe.onBeforePicture(() => this.#beforePicture());
     globe.scene.primitives.add(this.#primitive);
   }
 
@@ -119,13 +119,13 @@ export class TrackLayer {
   }
 
   dispose(): void {
-    this.#endFrames();
+    this.#endPictures();
     clearTimeout(this.#thinning ?? undefined);
     this.#globe.scene.primitives.remove(this.#primitive);
     this.#globe.requestRender();
   }
 
-  #beforeFrame(): void {
+  #beforePicture(): void {
     for (const drawn of this.#drawn.values()) {
       if (drawn.hasNews) {
         this.#globe.requestRender();
@@ -134,7 +134,7 @@ export class TrackLayer {
   }
 
   /** While the picture is made: camera and aircraft are in their final places. */
-  #update(frame: RendererFrame): void {
+  #update(state: PictureState): void {
     const { camera, drawingBufferHeight } = this.#globe.scene;
     const { x, y, z } = camera.positionWC;
     const fovy = (camera.frustum as { readonly fovy?: number }).fovy ?? 1;
@@ -145,7 +145,7 @@ export class TrackLayer {
     for (const drawn of this.#drawn.values()) {
       if (drawn.isVisible) {
         drawn.update(eye);
-        drawn.draw(frame, this.#curtainBlocks());
+        drawn.draw(state, this.#curtainBlocks());
       }
     }
     tellTiming("track.update", started_ms);
@@ -179,9 +179,9 @@ export class TrackLayer {
 
   /** The primitive that the engine asks for draw commands for each picture. */
   readonly #primitive = {
-    update: (frame: RendererFrame): void => {
-      if (frame.passes.render) {
-        this.#update(frame);
+    update: (state: PictureState): void => {
+      if (state.passes.render) {
+        this.#update(state);
       }
     },
     isDestroyed: (): boolean => false,
@@ -258,18 +258,18 @@ class DrawnTrack {
   }
 
   /** `curtainBlocks`: number of newest complete blocks with a curtain; 0: no curtain at all. */
-  draw(frame: RendererFrame, curtainBlocks: number): void {
+  draw(state: PictureState, curtainBlocks: number): void {
     const { body, tail } = this.#ribbons;
     const { blocks, starts, count } = this.#body;
-    const seen = blocks.map((block) => isWithin(this.#ballOf(block), frame.cullingVolume));
+    const seen = blocks.map((block) => isWithin(this.#ballOf(block), state.cullingVolume));
     const rangesFrom = (first: number): readonly Range[] =>
       rangesOf(starts, count, (index) => index >= first && seen[index] === true);
-    body.draw(frame, "line", rangesFrom(0));
-    tail.draw(frame, "line");
+    body.draw(state, "line", rangesFrom(0));
+    tail.draw(state, "line");
     if (curtainBlocks > 0) {
       // Of overlapping curtains the one drawn first is visible: the newest.
-      tail.draw(frame, "curtain");
-      body.draw(frame, "curtain", rangesFrom(blocks.length - curtainBlocks));
+      tail.draw(state, "curtain");
+      body.draw(state, "curtain", rangesFrom(blocks.length - curtainBlocks));
     }
   }
 

@@ -150,7 +150,7 @@ test("nothing is chosen anew while the eye hardly moves, and a level that is too
   expect(body.count).toBeGreaterThan(before);
 });
 
-test("a level that is wrong by little may wait for the next frame, and one that is wrong by much may not", () => {
+test("a level that is wrong by little may wait for the next picture, and one that is wrong by much may not", () => {
   const body = bodyOf(circuits(8 * 1024));
   const enough = (): boolean => true;
   body.choose(FAR, enough);

@@ -11,14 +11,11 @@ from collections.abc import Callable
 from typing import Final, Literal
 
 from epf_gcs.clock import Clock
-from epf_gcs.codec.ahrs_test import AhrsTest
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.errors import ConflictError, LinkError
 from epf_gcs.flight.board.commands import CommandResult
 from epf_gcs.vehicle.board import Board
-from epf_gcs.vehicle.telemetry import Telemetry
-
-TOPIC: Final = "ahrs_test"
+from epf_gcs.vehicle.vehicle import Vehicle
 
 Stage = Literal["off", "starting", "running", "ending"]
 
@@ -36,21 +33,20 @@ class AhrsTestRun:
     def __init__(
         self,
         *,
-        board: Board,
-        telemetry: Telemetry,
+        vehicle: Vehicle,
         clock: Clock,
         errors: ErrorLog,
         flies: Callable[[], bool],
         changed: Callable[[], None],
     ) -> None:
-        self._board = board
-        self._telemetry = telemetry
+        self._board: Board = vehicle.board
+        self._samples = vehicle.ahrs_test
         self._clock = clock
         self._errors = errors
         self._flies = flies
         self._changed = changed
         self._lock = asyncio.Lock()
-        self._test = AhrsTest()
+        self._test = vehicle.ahrs_test.test
         self._heard_s = 0.0
         self._has_record = False
         self._news = asyncio.Event()
@@ -59,7 +55,7 @@ class AhrsTestRun:
     @property
     def stage(self) -> Stage:
         """The test's stage: "running" only from the first attitude, for the board's announcement proves nothing."""
-        if self._board.guest is self:
+        if self._board.exclusive_user is self:
             return "running" if self._has_record else "starting"
         return "ending" if self._is_ending else "off"
 
@@ -71,13 +67,13 @@ class AhrsTestRun:
                 self._check_startable()
                 self._heard_s = started_s
                 self._has_record = False
-                self._board.lend(self)
+                self._board.acquire_line(self)
                 self._board.write(self._test.start(started_s))
                 self._changed()
                 await self._wait(lambda: self.stage != "starting", _BEGIN_S)
             done = self.stage == "running"
-            if not done and self._board.guest is self:
-                self._give_back()
+            if not done and self._board.exclusive_user is self:
+                self._board.release_line()
             self._changed()
             return self._result(started_s, done=done, by="read_back")
 
@@ -85,8 +81,8 @@ class AhrsTestRun:
         """End and wait until the board speaks frames again."""
         async with self._lock:
             started_s = self._clock.steady_s()
-            if self._board.guest is self:
-                self._give_back()
+            if self._board.exclusive_user is self:
+                self._board.release_line()
             self._is_ending = True
             self._changed()
             try:
@@ -98,7 +94,7 @@ class AhrsTestRun:
 
     def tick(self) -> None:
         """Send what is due and detect a test that went silent; called a few times a second."""
-        if self._board.guest is not self:
+        if self._board.exclusive_user is not self:
             self._news.set()
             return
         now_s = self._clock.steady_s()
@@ -112,25 +108,21 @@ class AhrsTestRun:
                     "The AHRS test is over because the board sent no attitude any more: check its power and cable.",
                 )
             )
-            self._give_back()
+            self._board.release_line()
             self._changed()
         self._news.set()
 
     def on_bytes(self, data: bytes) -> None:
         """Take bytes of the board's line during the test."""
         was = self.stage
-        attitudes = self._test.feed(data)
-        if attitudes:
+        if self._samples.take(data):
             self._has_record = True
             self._heard_s = self._clock.steady_s()
-            # All came in one chunk: only the newest is worth showing.
-            self._telemetry.take(TOPIC, self._clock.now_s(), dict(attitudes[-1]._asdict()))
-            self._telemetry.flush()
             self._news.set()
         if self.stage != was:
             self._changed()
 
-    def goodbye(self) -> bytes:
+    def on_line_released(self) -> bytes:
         """Return the bytes that end the test on the board, and regard the test as over."""
         self._news.set()
         return self._test.stop()
@@ -147,9 +139,6 @@ class AhrsTestRun:
                 "The AHRS test was not started because the board is flying: it hears no command during the test. "
                 "Switch its autopilot off, and the simulator to manual.",
             )
-
-    def _give_back(self) -> None:
-        self._board.take_back()
 
     async def _wait(self, condition: Callable[[], bool], at_most_s: float) -> None:
         try:

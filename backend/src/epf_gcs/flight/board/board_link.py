@@ -9,6 +9,7 @@ from typing import Literal
 
 from epf_gcs.codec.session import SessionState
 from epf_gcs.errors import GatewayError
+from epf_gcs.flight.line_clock import LineClock
 from epf_gcs.link.address import EMULATION, LinkAddress
 from epf_gcs.link.base import Link, LinkCallbacks, Tap
 from epf_gcs.link.kept_open import Handling, KeptOpen
@@ -25,13 +26,15 @@ class Supervisor:
     def __init__(
         self,
         board: Board,
-        tap: Tap | None,
+        clock: LineClock,
+        tap: Tap,
         report: Callable[[GatewayError], None],
         on_change: Callable[[], None],
         open_link: Callable[[LinkAddress], Awaitable[Link]] = open_link,
     ) -> None:
         self._board = board
         self._tap = tap
+        self._on_bytes = clock.decoding(board.on_bytes)
         self._on_change = on_change
         self._identify: Callable[[str], str | None] = find_identity
         self._locate: Callable[[str], str | None] = find_path
@@ -76,7 +79,7 @@ class Supervisor:
             return "closed"
         if self._kept.link is None:
             return "lost" if self.failure is not None else "opening"
-        if self._board.is_open or self._board.guest is not None:
+        if self._board.is_open or self._board.exclusive_user is not None:
             return "open"
         silent = self._board.session.state is SessionState.OPENING and self._board.session.heartbeat_s is not None
         return "lost" if silent else "opening"
@@ -124,9 +127,9 @@ class Supervisor:
 
     def _begin(self, address: LinkAddress, link: Link) -> None:
         is_emulated = address == EMULATION
-        # Emulated bytes are never recorded.
-        tap = None if is_emulated else self._tap
-        link.start(LinkCallbacks(self._board.on_bytes, self._kept.lose, tap, self._board.missing_bytes))
+        # Emulated bytes are never recorded, and have the time at which they are made.
+        on_bytes, tap = (self._board.on_bytes, None) if is_emulated else (self._on_bytes, self._tap)
+        link.start(LinkCallbacks(on_bytes, self._kept.lose, tap, self._board.missing_bytes))
         self._board.attach(link, is_emulated=is_emulated)
 
     def _end(self, link: Link) -> None:

@@ -69,11 +69,11 @@ class CommandResult:
 class Commands:
     """Sends one command of each type at a time, for an acknowledgement names only the type."""
 
-    def __init__(self, board: Board, telemetry: Telemetry, hub: Outlet, clock: Clock, errors: ErrorLog) -> None:
+    def __init__(self, board: Board, telemetry: Telemetry, outlet: Outlet, clock: Clock, errors: ErrorLog) -> None:
         self._loop = asyncio.get_running_loop()
         self._board = board
         self._telemetry = telemetry
-        self._hub = hub
+        self._outlet = outlet
         self._clock = clock
         self._errors = errors
         self._locks: defaultdict[str, asyncio.Lock] = defaultdict(asyncio.Lock)
@@ -275,7 +275,7 @@ class Commands:
         return {"id": next(self._ids), "name": name, "value": list(arguments), "client": client}
 
     def _tell(self, story: dict[str, Any], state: str, by: By, ms: float | None, reason: str | None) -> None:
-        self._hub.event("command", {**story, "state": state, "by": by, "ms": ms, "reason": reason})
+        self._outlet.event("command", {**story, "state": state, "by": by, "ms": ms, "reason": reason})
 
 
 def _by_acknowledgement(judge: AcknowledgementJudge) -> Judge:

@@ -26,13 +26,13 @@ class Journal:
         path: Path,
         *,
         clock: Clock,
-        hub: Outlet,
+        outlet: Outlet,
         report: Callable[[GatewayError], None],
         name_of: Callable[[str], str | None],
     ) -> None:
         self._path = path
         self._clock = clock
-        self._hub = hub
+        self._outlet = outlet
         self._report = report
         self._name_of = name_of
         self._file = LinesFile(path, _KEPT, report)
@@ -72,7 +72,7 @@ class Journal:
             "undo": moves_as_dicts(self.steps.undo),
             "redo": moves_as_dicts(self.steps.redo),
         }
-        self._hub.event("journal", data)
+        self._outlet.event("journal", data)
 
     def _load(self) -> None:
         try:

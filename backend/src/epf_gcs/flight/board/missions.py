@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Final
 
 from epf_gcs.codec.frame import Frame
@@ -23,13 +23,15 @@ _READ_S: Final = 5.0
 class Missions:
     """One transfer at a time."""
 
-    def __init__(self, board: Board, commands: Commands, hub: Outlet) -> None:
+    def __init__(self, board: Board, commands: Commands, outlet: Outlet) -> None:
         self._board = board
         self._commands = commands
-        self._hub = hub
+        self._outlet = outlet
         self._lock = asyncio.Lock()
         # Plans read from or written to the board since its session opened.
         self._known: dict[Plan, None] = {}
+        # Set by the composition root; called with each plan that was read from the board.
+        self.on_read: Callable[[Plan, list[Waypoint]], None] | None = None
 
     def take_known(self) -> tuple[Plan, ...]:
         """Return the plans known to be on the board, and forget them."""
@@ -99,6 +101,8 @@ class Missions:
                     found = await collector.whole
                 if found:
                     self._known[plan] = None
+                if self.on_read is not None:
+                    self.on_read(plan, found)
                 return found
             except TimeoutError:
                 raise BoardError(
@@ -117,7 +121,7 @@ class Missions:
             )
 
     def _tell(self, plan: Plan, state: str, count: int, client: str | None) -> None:
-        self._hub.event("mission", {"plan": plan, "state": state, "count": count, "client": client})
+        self._outlet.event("mission", {"plan": plan, "state": state, "count": count, "client": client})
 
 
 class _Collector:

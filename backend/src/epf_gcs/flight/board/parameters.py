@@ -30,10 +30,10 @@ class Parameters:
     `unconfirmed` are the gains whose last write the board refused or did not answer.
     """
 
-    def __init__(self, board: Board, commands: Commands, hub: Outlet, journal: Journal) -> None:
+    def __init__(self, board: Board, commands: Commands, outlet: Outlet, journal: Journal) -> None:
         self._board = board
         self._commands = commands
-        self._hub = hub
+        self._outlet = outlet
         self._lock = asyncio.Lock()
         self._session = 0
         self._is_writing = False
@@ -263,7 +263,7 @@ class Parameters:
         }
         self.held = held
         if changed:
-            self._hub.event("parameter", {"parameters": changed})
+            self._outlet.event("parameter", {"parameters": changed})
 
 
 def _why_not(result: CommandResult | None) -> Outcome:

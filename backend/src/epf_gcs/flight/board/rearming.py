@@ -44,7 +44,7 @@ class Rearming:
         self._memory.update(wanted=self._memory.now.wanted.after(name, arguments))
         if name in RATE_COMMANDS:
             self._telemetry.rate_changed(name)
-            self._board.books.rate_changed(name)
+            self._board.frame_statistics.rate_changed(name)
             if name == RATE_COMMANDS[0]:
                 self._board.session.expect_heartbeat_every(arguments[0] / 1000.0)
 

@@ -7,9 +7,9 @@ from collections.abc import Callable
 from dataclasses import asdict, dataclass
 from typing import Any, Final, Literal
 
-from epf_gcs.clock import Clock
 from epf_gcs.errors import GatewayError, LinkError
 from epf_gcs.flight.hil.hil import Hil
+from epf_gcs.flight.line_clock import LineClock
 from epf_gcs.link.base import Tap
 from epf_gcs.link.kept_open import Handling, KeptOpen
 from epf_gcs.link.udp import UdpAddress, UdpCallbacks, UdpLink, open_udp
@@ -57,14 +57,15 @@ class Simulator:
     def __init__(
         self,
         hil: Hil,
-        clock: Clock,
-        tap: Tap | None,
+        clock: LineClock,
+        tap: Tap,
         report: Callable[[GatewayError], None],
         on_change: Callable[[], None],
     ) -> None:
         self._clock = clock
         self._hil = hil
         self._tap = tap
+        self._decode = clock.decoding(hil.on_datagram)
         self._report = report
         self._last_datagram_s: float | None = None
         self.datagrams = 0
@@ -92,6 +93,11 @@ class Simulator:
     def failure(self) -> GatewayError | None:
         """Why the socket is not open."""
         return self._kept.failure
+
+    @property
+    def is_listening(self) -> bool:
+        """Whether the socket is open."""
+        return self._kept.link is not None
 
     @property
     def pinned(self) -> str | None:
@@ -144,7 +150,7 @@ class Simulator:
         self._hil.end()
 
     def _on_datagram(self, datagram: bytes) -> None:
-        if self._hil.on_datagram(datagram):
+        if self._decode(datagram):
             self._last_datagram_s = self._clock.steady_s()
             self.datagrams += 1
             self.bytes_in += len(datagram)

@@ -5,9 +5,9 @@ from __future__ import annotations
 import asyncio
 from collections import Counter
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from typing import Any, Final, Literal
 
+from epf_gcs.bus.definition import Client, client_fields
 from epf_gcs.errors import ConflictError
 from epf_gcs.vehicle.outside import Clock, Outlet
 from epf_gcs.xplane.datagram import Surfaces
@@ -21,24 +21,18 @@ Reason = Literal["chosen", "control_lost", "lost", "back"]
 _FIRST_SAMPLE_S: Final = 1.0
 
 
-@dataclass(frozen=True, slots=True)
-class Holder:
-    """The browser that has control. `name` is its name as other viewers see it."""
-
-    id: str
-    name: str
-
-
 class Stick:
     """Samples count only from the browser that has control; the choice ends with that browser's control."""
 
     def __init__(self, outlet: Outlet, clock: Clock, on_change: Callable[[], None]) -> None:
         self._event = outlet.event
+        # Set by the composition root: called when another browser, or none, has control.
+        self.on_holder: Callable[[], None] | None = None
         self._clock = clock
         self._on_change = on_change
         self._input = GamepadInput()
-        self._holder: Holder | None = None
-        self._pilot: Holder | None = None
+        self._holder: Client | None = None
+        self._pilot: Client | None = None
         self._was_live = False
         self._arrived = asyncio.Event()
         self.gamepad: str | None = None
@@ -57,12 +51,12 @@ class Stick:
         return "live" if self._input.is_live(self._clock.steady_s()) else "lost"
 
     @property
-    def holder(self) -> Holder | None:
+    def holder(self) -> Client | None:
         """The browser that has control, as the web process reported last."""
         return self._holder
 
     @property
-    def pilot(self) -> Holder | None:
+    def pilot(self) -> Client | None:
         """The browser whose gamepad is chosen."""
         return self._pilot
 
@@ -113,9 +107,11 @@ class Stick:
         """Use the stick position of the simulator's rows."""
         self._end("chosen")
 
-    def control_changed(self, holder: Holder | None) -> None:
+    def control_changed(self, holder: Client | None) -> None:
         """Another browser, or none, has control: a gamepad whose browser lost control is no longer used."""
         self._holder = holder
+        if self.on_holder is not None:
+            self.on_holder()
         if self._pilot is not None and (holder is None or holder.id != self._pilot.id):
             self._end("control_lost")
         if self._pilot is None:
@@ -132,7 +128,7 @@ class Stick:
         if self._pilot is not None and self._was_live != (self.state == "live"):
             self._announce_state()
 
-    def _check_holder(self, client: str | None) -> Holder:
+    def _check_holder(self, client: str | None) -> Client:
         if self._holder is None or self._holder.id != client:
             raise ConflictError(
                 "stick_needs_control",
@@ -152,15 +148,13 @@ class Stick:
         self._announce(reason, gamepad)
 
     def _announce(self, reason: Reason, gamepad: str | None = None) -> None:
-        pilot = self._pilot
         self._event(
             "stick",
             {
                 "source": self.source,
                 "state": self.state,
                 "reason": reason,
-                "client": None if pilot is None else pilot.id,
-                "name": None if pilot is None else pilot.name,
+                **client_fields(self._pilot),
                 "gamepad": self.gamepad or gamepad,
             },
         )

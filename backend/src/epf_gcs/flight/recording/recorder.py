@@ -1,7 +1,7 @@
 """Every byte of both lines, both ways, into one MCAP file a session, before anybody decodes it.
 
-The event loop only appends to a queue; a thread packs and writes what is in it, four times a second, and pushes it
-to the disk twice a second, so that a power cut takes less than a second of the flight.
+The event loop only appends to a queue; a thread packs and writes what is in it and pushes it
+to the disk four times a second, so that a power cut takes less than a second of the flight.
 Whatever the disk does, the flight goes on; bytes that could not be written are counted and reported.
 """
 
@@ -9,76 +9,59 @@ from __future__ import annotations
 
 import contextlib
 import errno
-import os
 import shutil
 import threading
 from collections import deque
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import dropwhile, groupby
+from operator import itemgetter
 from pathlib import Path
-from time import monotonic_ns
-from typing import Final
+from time import monotonic, monotonic_ns
+from typing import Any, Final
 
-from epf_gcs.clock import Clock
 from epf_gcs.flight.flight_log import say
+from epf_gcs.flight.line_clock import LineClock
 from epf_gcs.flight.recording.recording_file import RecordingFile
 from epf_gcs.flight.recording.repair import recordings_in, repair_all
+from epf_gcs.flight.recording.taps import NOTE, Entry, line_taps
 from epf_gcs.recordings.mcap_file import message_record, metadata_record
-from epf_gcs.recordings.topics import BOARD_RECEIVED, BOARD_SENT, SIMULATOR_RECEIVED, SIMULATOR_SENT, TOPICS
+from epf_gcs.recordings.notes import LOST, written
+from epf_gcs.recordings.topics import STREAMS, TOPICS
 
 _FLUSH_S: Final = 0.25
-_SYNC_S: Final = 0.5
+_SYNC_S: Final = 0.2
 _RETRY_S: Final = 5.0
 # How long a failure stays reported when the next write already succeeded.
 _TOLD_S: Final = 5.0
-# With less free space than the first no file is begun; below the second the log warns.
+# With less free space than this nothing is recorded, even where older flights are deleted to make room.
 _LEAST_BYTES: Final = 16 * 1024 * 1024
-_LOW_BYTES: Final = 512 * 1024 * 1024
-# Entries, about a minute of a full line and a simulator: a disk this far behind will not catch up.
-_MAX_QUEUED: Final = 100_000
-_NOTE: Final = 0
-
-# Queue entry for the writer: (channel or _NOTE, steady time in ns, bytes); None ends the session.
-_Entry = tuple[int, int, bytes] | None
+# How long a file must have been written before its rate is told.
+_RATE_AFTER_S: Final = 5.0
 
 
-class RecorderTap:
-    """Hands the bytes of one line to the recorder; see `epf_gcs.link.base.Tap`. Never blocks.
+@dataclass(frozen=True, slots=True)
+class DiskPolicy:
+    """What happens when the disk fills: recording stops at `keep_free_bytes`, or the library makes room.
 
-    This runs first for every chunk of a line, so it does no more than one length check and one append.
+    `delete_oldest`: the station's library deletes the oldest flights that nobody pinned; recording then goes on.
     """
 
-    __slots__ = ("_queue", "_received", "_sent", "lost")
-
-    def __init__(self, queue: deque[_Entry], received: int, sent: int) -> None:
-        self._queue = queue
-        self._received = received
-        self._sent = sent
-        self.lost = 0
-
-    def received(self, data: bytes) -> None:
-        """Record bytes that arrived."""
-        if len(self._queue) < _MAX_QUEUED:
-            self._queue.append((self._received, monotonic_ns(), data))
-        else:
-            self.lost += len(data)
-
-    def sent(self, data: bytes) -> None:
-        """Record bytes that were sent."""
-        if len(self._queue) < _MAX_QUEUED:
-            self._queue.append((self._sent, monotonic_ns(), data))
-        else:
-            self.lost += len(data)
+    delete_oldest: bool = False
+    keep_free_bytes: int = 1_000_000_000
 
 
 class Recorder:
     """One session at a time: it begins with its first byte and ends when `end_session` is called.
 
-    With less than `least_bytes` free on the disk no file is begun.
+    With less room on the disk than the policy keeps free (`least_bytes`, where it deletes older flights instead)
+    nothing is recorded, and `failure` says so.
     """
 
     def __init__(
         self,
         folder: Path,
-        clock: Clock,
+        clock: LineClock,
         library: str,
         *,
         retry_s: float = _RETRY_S,
@@ -91,19 +74,25 @@ class Recorder:
         self._retry_s = retry_s
         self._told_s = told_s
         self._least_bytes = least_bytes
-        self._queue: deque[_Entry] = deque()
+        # Replaced as a whole by the loop.
+        self.policy = DiskPolicy()
+        self._queue: deque[Entry] = deque()
+        # Replaced by the loop entry by entry, copied by the writing thread in one step.
+        self._known: dict[tuple[str, str], dict[str, str]] = {}
         self._wake = threading.Event()
         self._stopping = False
         self._thread = threading.Thread(target=self._run, name="recorder", daemon=True)
         self._mending: threading.Thread | None = None
-        self.board_tap = RecorderTap(self._queue, BOARD_RECEIVED, BOARD_SENT)
-        self.simulator_tap = RecorderTap(self._queue, SIMULATOR_RECEIVED, SIMULATOR_SENT)
+        self.taps = self.board_tap, self.simulator_tap = line_taps(clock, self._queue)
         # Written by the thread alone and read by the loop: single assignments, no lock needed.
         self.file: Path | None = None
         self.bytes_written = 0
         self.failure: str | None = None
         self.free_bytes: int | None = None
         self._bytes_unwritten = 0
+        self._lost_noted = 0
+        self._begun_s = 0.0
+        self._lost_reason: str | None = None
         self._bytes_seen = 0
         self._output: RecordingFile | None = None
         self._retry_at_s = 0.0
@@ -136,9 +125,21 @@ class Recorder:
         if self._mending is not None:
             self._mending.join()
 
-    def note(self, name: str, values: dict[str, str]) -> None:
-        """Put a note into the recording, such as the address of a line that was opened."""
-        self._queue.append((_NOTE, 0, metadata_record(name, values)))
+    def note(self, name: str, t_ns: int, content: Any) -> None:
+        """Put a note of Unix time `t_ns` into the recording; without a recording it is dropped."""
+        self._queue.append((NOTE, t_ns, metadata_record(name, written(t_ns, content))))
+
+    def know(self, name: str, about: str, t_ns: int, content: Any) -> None:
+        """The same for what each later file begins with too, in place of an earlier note of this `name` and `about`.
+
+        Nothing is noted if this was known before.
+        """
+        values = written(t_ns, content)
+        before = self._known.get((name, about))
+        if before is not None and before["json"] == values["json"]:
+            return
+        self._known[name, about] = values
+        self._queue.append((NOTE, t_ns, metadata_record(name, values)))
 
     def end_session(self) -> None:
         """Close the file; the next bytes begin a new one."""
@@ -167,32 +168,48 @@ class Recorder:
     def _write(self, batch: list[tuple[int, int, bytes]]) -> None:
         if not batch:
             return
+        if self._output is None:
+            # A file begins with its first byte, and with all that is known by then.
+            batch = list(dropwhile(lambda entry: entry[0] == NOTE, batch))
+            if not batch:
+                return
         try:
-            output = self._output or self._open()
+            output = self._output or self._open(batch[0][1])
             if output is not None:
-                output.put(b"".join([self._record(output, *entry) for entry in batch]))
+                self._note_lost(output, batch[0][1])
+                output.put(b"".join([self._record(output, *entry) for entry in _together(batch)]))
                 self._wrote(output)
                 return
         except OSError as error:
             self._fail(error)
-        self._bytes_unwritten += sum(len(data) for channel, _, data in batch if channel != _NOTE)
+        self._bytes_unwritten += sum(len(data) for channel, _, data in batch if channel != NOTE)
 
-    def _record(self, output: RecordingFile, channel: int, steady_ns: int, data: bytes) -> bytes:
-        if channel == _NOTE:
+    def _record(self, output: RecordingFile, channel: int, time_ns: int, data: bytes) -> bytes:
+        if channel == NOTE:
             output.tally.metadata_count += 1
             return data
-        time_ns = self._clock.unix_ns(steady_ns)
         return message_record(channel, output.tally.add(channel, time_ns), time_ns, data)
 
-    def _open(self) -> RecordingFile | None:
-        now_ns = self._clock.now_ns()
-        if now_ns * 1e-9 < self._retry_at_s:
+    def _note_lost(self, output: RecordingFile, t_ns: int) -> None:
+        """Tell in the file how many bytes are missing before what follows."""
+        lost = self.bytes_lost
+        if lost > self._lost_noted:
+            content = {"bytes": lost - self._lost_noted, "reason": self._lost_reason or "the disk did not keep up"}
+            output.put(metadata_record(LOST, written(t_ns, content)))
+            output.tally.metadata_count += 1
+            self._lost_noted, self._lost_reason = lost, None
+
+    def _open(self, t_ns: int) -> RecordingFile | None:
+        if monotonic() < self._retry_at_s:
             return None
         self._folder.mkdir(parents=True, exist_ok=True)
-        if self._measure() < self._least_bytes:
-            raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
-        self._output = RecordingFile(self._folder, now_ns, self._library, TOPICS)
+        self._check_room()
+        self._output = RecordingFile(self._folder, self._clock.unix_ns(monotonic_ns()), self._library, TOPICS)
         self._bytes_seen = 0
+        self._begun_s = monotonic()
+        for (name, _), values in list(self._known.items()):
+            self._output.put(metadata_record(name, {**values, "t_ns": str(t_ns)}))
+            self._output.tally.metadata_count += 1
         return self._output
 
     def _wrote(self, output: RecordingFile) -> None:
@@ -201,12 +218,12 @@ class Recorder:
             self.file = output.path
             self._said = None
             say("info", "recording begun", file=output.path.name)
-        if self._clock.now_s() >= self._told_until_s:
+        if monotonic() >= self._told_until_s:
             self.failure = None
 
     def _look_after(self) -> None:
         """Sync the file to the disk, and check that nobody removed or moved it."""
-        now_s = self._clock.now_s()
+        now_s = monotonic()
         output = self._output
         if output is None or now_s < self._look_at_s:
             return
@@ -215,7 +232,7 @@ class Recorder:
             output.sync()
             if not output.is_gone:
                 self._bytes_seen = output.bytes_written
-                self._measure()
+                self._check_room()
                 return
             self._bytes_unwritten += output.bytes_written - self._bytes_seen
             self._fail(OSError(errno.ENOENT, f"{output.path.name} was removed or moved while it was written"))
@@ -225,9 +242,28 @@ class Recorder:
         except OSError as error:
             self._fail(error)
 
+    @property
+    def hours_left(self) -> float | None:
+        """How long the disk's room lasts at the rate of this file; None while that is not known."""
+        output, free = self._output, self.free_bytes
+        if output is None or free is None:
+            return None
+        lasted_s = monotonic() - self._begun_s
+        if lasted_s < _RATE_AFTER_S or not output.bytes_written:
+            return None
+        return max(0, free - self._needed_bytes) * lasted_s / output.bytes_written / 3600.0
+
+    @property
+    def _needed_bytes(self) -> int:
+        return self._least_bytes if self.policy.delete_oldest else max(self._least_bytes, self.policy.keep_free_bytes)
+
+    def _check_room(self) -> None:
+        if self._measure() < self._needed_bytes:
+            raise OSError(errno.ENOSPC, f"less than {self._needed_bytes // 1_000_000} MB free on the disk")
+
     def _measure(self) -> int:
         free = self.free_bytes = shutil.disk_usage(self._folder).free
-        is_low = free < _LOW_BYTES
+        is_low = free < self._needed_bytes
         if is_low and not self._is_low:
             say("warning", "disk low", folder=str(self._folder), free_megabytes=free // 1_000_000)
         self._is_low = is_low
@@ -247,8 +283,8 @@ class Recorder:
 
     def _fail(self, error: OSError) -> None:
         """Close this file with what it holds, and try a new one after `retry_s`."""
-        failure = self.failure = f"{error.strerror or error}"
-        self._retry_at_s = self._clock.now_s() + self._retry_s
+        failure = self.failure = self._lost_reason = f"{error.strerror or error}"
+        self._retry_at_s = monotonic() + self._retry_s
         output, self._output = self._output, None
         self.file = None
         if output is not None:
@@ -258,3 +294,12 @@ class Recorder:
             # Log the same failure once, not at every retry.
             self._said = failure
             say("error", "recording failed", folder=str(self._folder), reason=failure)
+
+
+def _together(batch: list[tuple[int, int, bytes]]) -> Iterator[tuple[int, int, bytes]]:
+    """Neighbours of one stream that were given the same time become one record."""
+    for (topic, t_ns), entries in groupby(batch, key=itemgetter(0, 1)):
+        if topic in STREAMS:
+            yield topic, t_ns, b"".join([data for _, _, data in entries])
+        else:
+            yield from entries

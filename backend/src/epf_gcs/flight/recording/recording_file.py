@@ -7,7 +7,7 @@ from datetime import UTC, datetime
 from io import FileIO
 from pathlib import Path
 
-from epf_gcs.flight.disk import sync_folder
+from epf_gcs.disk import sync_folder
 from epf_gcs.recordings.mcap_file import Tally, closing, data_end, opening
 
 

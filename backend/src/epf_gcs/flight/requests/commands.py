@@ -11,7 +11,7 @@ from epf_gcs.errors import ConflictError
 from epf_gcs.flight.board.ahrs_test import AhrsTestRun
 from epf_gcs.flight.board.commands import Commands
 from epf_gcs.flight.board.parameters import Parameters
-from epf_gcs.flight.requests.askers import Table
+from epf_gcs.flight.requests.client_names import Table
 from epf_gcs.vehicle.board import Board
 from epf_gcs.vehicle.outside import Outlet
 

@@ -9,7 +9,7 @@ from epf_gcs.bus.definition import Asker
 from epf_gcs.codec.tables import Waypoint
 from epf_gcs.flight.board.missions import Missions
 from epf_gcs.flight.board.parameters import Parameters
-from epf_gcs.flight.requests.askers import Table
+from epf_gcs.flight.requests.client_names import Table
 from epf_gcs.vehicle.journal import moves_as_dicts
 from epf_gcs.vehicle.parameters import as_values
 

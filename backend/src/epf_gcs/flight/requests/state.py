@@ -7,13 +7,13 @@ from collections.abc import Callable
 from typing import Any
 
 from epf_gcs.bus.definition import Asker
-from epf_gcs.flight.inspection import Inspected, build_inspector, take_snapshot
-from epf_gcs.flight.requests.askers import Table
+from epf_gcs.flight.inspection import InspectorSources, build_inspector, take_snapshot
+from epf_gcs.flight.requests.client_names import Table
 from epf_gcs.vehicle.alarms import Alarms
 from epf_gcs.vehicle.telemetry import Telemetry
 
 
-def state_requests(status: Callable[[], dict[str, Any]], telemetry: Telemetry, inspected: Inspected) -> Table:
+def state_requests(status: Callable[[], dict[str, Any]], telemetry: Telemetry, sources: InspectorSources) -> Table:
     """status; telemetry: the newest sample of each topic with its age; inspector: every message, measured."""
 
     async def read_status(_: Asker, __: dict[str, Any]) -> dict[str, Any]:
@@ -24,7 +24,7 @@ def state_requests(status: Callable[[], dict[str, Any]], telemetry: Telemetry, i
 
     async def inspect(_: Asker, __: dict[str, Any]) -> dict[str, Any]:
         # Copy here, calculate in a thread, so that the HIL loop does not wait.
-        snapshot = take_snapshot(inspected)
+        snapshot = take_snapshot(sources)
         return await asyncio.to_thread(build_inspector, snapshot)
 
     return {"status": read_status, "telemetry": read_telemetry, "inspector": inspect}

@@ -4,21 +4,13 @@ from __future__ import annotations
 
 import asyncio
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Final
 
+from epf_gcs.bus.definition import Client
 from epf_gcs.errors import ConflictError, NotFoundError
 
 # Control survives a reload of the page or a short network failure.
 _GRACE_S: Final = 5.0
-
-
-@dataclass(frozen=True, slots=True)
-class Client:
-    """A browser on the stream. `name` is its name as other viewers see it."""
-
-    id: str
-    name: str
 
 
 class Control:

@@ -28,7 +28,7 @@ class Uploads:
         if self._of[key] >= PER_HOST or (key and elsewhere >= FROM_ELSEWHERE):
             raise ConflictError(
                 "map_imports_busy",
-                f"{PER_HOST} maps are being received already: wait for one of them, or cancel it.",
+                f"{PER_HOST} files are being received already: wait for one of them, or cancel it.",
                 limit=PER_HOST,
             )
         self._of[key] += 1

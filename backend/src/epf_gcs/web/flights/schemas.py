@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import Annotated, Any, Literal
 
-from pydantic import Field
+from pydantic import Field, StringConstraints
 
 from epf_gcs.errors import ErrorCode
 from epf_gcs.web.missions.schemas import WaypointModel
@@ -34,7 +34,7 @@ EventKind = Literal[
     "waypoint",
 ]
 Tag = Annotated[str, Field(min_length=1, max_length=40)]
-MarkText = Annotated[str, Field(min_length=1, max_length=500)]
+MarkText = Annotated[str, StringConstraints(strip_whitespace=True, min_length=1, max_length=500)]
 
 
 class Fault(Output):
@@ -66,6 +66,12 @@ class Job(Output):
     doing: str
     fault: Fault | None
     result: JobResult | None
+
+
+class JobStarted(Output):
+    """The id of a job that was started."""
+
+    job: str
 
 
 class JobList(Output):
@@ -154,7 +160,6 @@ class DeletedFlight(Output):
     id: str
     title: str
     started_s: float
-    duration_s: float | None
     bytes: int
     deleted_s: float
     gone_s: float
@@ -203,16 +208,16 @@ class FlightEvents(Output):
 
 
 class MarkInput(Input):
-    """The words of a mark that is set now."""
+    """The words of a mark."""
 
     text: MarkText
 
 
 class MarkAtInput(Input):
-    """A mark that is set later, at a moment of a finished flight."""
+    """A mark. Without `at_s` it is set now, in the flight that is being recorded; with it at that moment."""
 
-    at_s: Annotated[float, Field(ge=0, le=10_000_000)]
     text: MarkText
+    at_s: Annotated[float, Field(ge=0, le=10_000_000)] | None = None
 
 
 class Signal(Output):

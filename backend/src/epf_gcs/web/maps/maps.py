@@ -27,11 +27,11 @@ TILES: Final = ".online-tiles.sqlite"
 
 
 class Maps:
-    """Constructed on the running loop."""
+    """Constructed on the running loop; keeps its files in the folder `maps` of `data_dir`."""
 
-    def __init__(
-        self, path: Path, hub: Hub, clock: Clock, chosen: OnlineFile, report: Callable[[GatewayError], None]
-    ) -> None:
+    def __init__(self, data_dir: Path, hub: Hub, clock: Clock, report: Callable[[GatewayError], None]) -> None:
+        path = data_dir / "maps"
+        chosen = OnlineFile(data_dir, lambda error: self._tell(report, error))
         self._loop = asyncio.get_running_loop()
         self._threads = ThreadPoolExecutor(_THREADS, thread_name_prefix="maps")
         self.folder = MapFolder(path, lambda error: self._tell(report, error))

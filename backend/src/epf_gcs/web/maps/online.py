@@ -98,7 +98,7 @@ class Online:
         self.choice = choice
         self._problems.clear()
         self._hosts.clear()
-        self._remember(choice)
+        await self._in_thread(lambda: self._remember(choice))
         if self._path.exists():
             await self._in_thread(lambda: self._opened().trim(choice.limit_bytes))
 

@@ -8,15 +8,16 @@ from typing import Any, Final
 
 import orjson
 
+from epf_gcs.disk import replace_file
 from epf_gcs.errors import GatewayError
 
 _FILE: Final = "online-maps.json"
-# The file of versions before 1.0.0.
+# The file in which version 0.1.0 kept this choice too. The flight process carries it along until it is taken over.
 _OLD_FILE: Final = "state.json"
 
 
 class OnlineFile:
-    """Read once at the start, written at each choice. `report` is called when the disk fails."""
+    """Read once at the start, written at each choice, both blocking. `report` is called when the disk fails."""
 
     def __init__(self, data_dir: Path, report: Callable[[GatewayError], None]) -> None:
         self._path = data_dir / _FILE
@@ -28,26 +29,27 @@ class OnlineFile:
         try:
             return dict(orjson.loads(self._path.read_bytes()))
         except FileNotFoundError:
-            return self._read_old()
+            return self._take_over()
         except (OSError, ValueError, TypeError) as error:
             self._complain("read", error)
             return {}
 
     def write(self, choice: dict[str, Any]) -> None:
-        """Replace the file as a whole."""
-        temporary = self._path.with_suffix(".new")
+        """Replace the file as a whole: after a power cut it holds the old or the new choice."""
         try:
             self._path.parent.mkdir(parents=True, exist_ok=True)
-            temporary.write_bytes(orjson.dumps(choice, option=orjson.OPT_INDENT_2))
-            temporary.replace(self._path)
+            replace_file(self._path, orjson.dumps(choice, option=orjson.OPT_INDENT_2))
         except OSError as error:
             self._complain("written", error)
 
-    def _read_old(self) -> dict[str, Any]:
+    def _take_over(self) -> dict[str, Any]:
         try:
-            return dict(orjson.loads(self._old_path.read_bytes()).get("online") or {})
+            choice = dict(orjson.loads(self._old_path.read_bytes()).get("online") or {})
         except (OSError, ValueError, TypeError, AttributeError):
             return {}
+        if choice:
+            self.write(choice)
+        return choice
 
     def _complain(self, done: str, error: Exception) -> None:
         self._report(

@@ -8,20 +8,18 @@ from __future__ import annotations
 
 import contextlib
 import queue
-import subprocess
-import sys
 import threading
 import time
 from pathlib import Path
-from typing import Any, BinaryIO, Final, cast
+from typing import Any, Final
 
 import structlog
 
 from epf_gcs.errors import GatewayError, InvalidInputError
+from epf_gcs.web.asked_process import AskedProcess
 from epf_gcs.web.maps import faults
 from epf_gcs.web.maps.layer import Description, LayerFormat, Tile
 from epf_gcs.web.maps.open_files import Stamp
-from epf_gcs.web.maps.reader_wire import receive, send
 from epf_gcs.web.maps.reading import TOO_COSTLY
 
 WORKERS: Final = 2
@@ -48,8 +46,8 @@ class Reader:
     ) -> None:
         self._longest_tile_s = longest_tile_s
         self._longest_opening_s = longest_opening_s
-        self._workers = [_Worker() for _ in range(workers)]
-        self._idle: queue.LifoQueue[_Worker] = queue.LifoQueue()
+        self._workers = [AskedProcess(_PROGRAM) for _ in range(workers)]
+        self._idle: queue.LifoQueue[AskedProcess] = queue.LifoQueue()
         for worker in self._workers:
             self._idle.put(worker)
         self._costly: dict[tuple[Path, Stamp], float] = {}
@@ -91,7 +89,7 @@ class Reader:
 
     def forget(self, path: Path) -> None:
         """Close a file that is to be moved. A busy worker keeps it open until its next request."""
-        held: list[_Worker] = []
+        held: list[AskedProcess] = []
         with contextlib.suppress(queue.Empty):
             while True:
                 held.append(self._idle.get_nowait())
@@ -152,58 +150,3 @@ class Reader:
 def is_too_costly(found: object) -> bool:
     """Whether this is the error of a file that took too much, which may be tried again later."""
     return isinstance(found, GatewayError) and found.params.get("why") in _GIVEN_UP
-
-
-class _Worker:
-    """One worker process, started at the first request and restarted after it ended."""
-
-    def __init__(self) -> None:
-        self._process: subprocess.Popen[bytes] | None = None
-        self._until_s: float | None = None
-        self._lock = threading.Lock()
-
-    @property
-    def is_running(self) -> bool:
-        """Whether the process was started and is alive."""
-        return self._process is not None and self._process.poll() is None
-
-    def ask(self, asked: dict[str, Any], longest_s: float) -> tuple[dict[str, Any], bytes] | None:
-        """The answer; None if the process died of the request."""
-        process = self._process
-        if process is None or process.poll() is not None:
-            self.end()
-            process = self._start()
-        self._until_s = time.monotonic() + longest_s
-        try:
-            send(cast(BinaryIO, process.stdin), asked)
-            answer = receive(cast(BinaryIO, process.stdout))
-        except (OSError, ValueError):
-            answer = None
-        with self._lock:
-            self._until_s = None
-        if answer is None:
-            self.end()
-        return answer
-
-    def end_if_late(self) -> None:
-        """Kill the process if its request is overdue. Called by another thread than `ask`."""
-        with self._lock:
-            if self._until_s is not None and time.monotonic() > self._until_s and self._process is not None:
-                self._process.kill()
-
-    def end(self) -> None:
-        """Kill the process; the next `ask` starts a new one."""
-        process, self._process = self._process, None
-        if process is None:
-            return
-        process.kill()
-        for pipe in (process.stdin, process.stdout):
-            if pipe is not None:
-                with contextlib.suppress(OSError):
-                    pipe.close()
-        process.wait()
-
-    def _start(self) -> subprocess.Popen[bytes]:
-        process = subprocess.Popen([sys.executable, "-m", _PROGRAM], stdin=subprocess.PIPE, stdout=subprocess.PIPE)
-        self._process = process
-        return process

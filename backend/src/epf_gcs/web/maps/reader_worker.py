@@ -1,6 +1,6 @@
 """Reads untrusted map files in a separate process with limits. `python -m epf_gcs.web.maps.reader_worker`.
 
-Requests come on stdin, answers go to stdout; each is a head of JSON and then bytes (`reader_wire`). A request
+Requests come on stdin, answers go to stdout; each is a head of JSON and then bytes (`worker_pipe`). A request
 that runs out of memory or time ends this process, and the next request starts another.
 """
 
@@ -16,8 +16,8 @@ from epf_gcs.errors import GatewayError
 from epf_gcs.web.maps import faults
 from epf_gcs.web.maps.layer import Tile, TileSource
 from epf_gcs.web.maps.open_files import OpenFiles
-from epf_gcs.web.maps.reader_wire import receive, send
 from epf_gcs.web.maps.reading import limit_memory, limit_time, open_source, raster_inside
+from epf_gcs.worker_pipe import receive, send
 
 OUT_OF_MEMORY: Final = 3
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import orjson
 from fastapi import APIRouter, Response
 
+from epf_gcs.bus.definition import client_fields
 from epf_gcs.web.deps import ControlDep, MirrorDep, StatusDep, VehicleDep
 from epf_gcs.web.problems import problems, reading_problems
 from epf_gcs.web.state.schemas import ControlInput, ControlState, Sample, Status
@@ -30,8 +31,7 @@ async def get_telemetry(vehicle: VehicleDep) -> Response:
 @router.get("/control", responses=reading_problems())
 async def get_control(control: ControlDep) -> ControlState:
     """Who may command."""
-    holder = control.holder
-    return ControlState(client=holder.id if holder else None, name=holder.name if holder else None)
+    return ControlState.model_validate(client_fields(control.holder))
 
 
 @router.post("/control", responses=problems(404, 409))

@@ -10,6 +10,7 @@ from typing import Any
 import orjson
 
 from epf_gcs import __version__
+from epf_gcs.bus.definition import client_fields
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.web.access.control import Control
 from epf_gcs.web.stream.hub import Hub
@@ -29,11 +30,10 @@ class WholeStatus:
     def build(self) -> dict[str, Any]:
         """Plain values."""
         known = self._flight()
-        holder = self._control.holder
         return {
             **known,
             "version": __version__,
-            "control": {"client": holder.id if holder else None, "name": holder.name if holder else None},
+            "control": client_fields(self._control.holder),
             "errors": Counter(known["errors"]) + self._errors.counts,
             "viewers": len(self._hub.viewers),
         }

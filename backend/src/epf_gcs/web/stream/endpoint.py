@@ -1,4 +1,4 @@
-"""/api/v1/stream: hello, then batches, events and status to a browser; acknowledgements, rate and stick back."""
+"""/api/v1/stream, live or of a recording (`?flight=`): who gets which; and the conversation with a live browser."""
 
 from __future__ import annotations
 
@@ -11,29 +11,26 @@ from typing import Any, Final
 import orjson
 
 from epf_gcs import __version__
+from epf_gcs.bus.definition import Client
 from epf_gcs.bus.station_end import StationEnd
 from epf_gcs.clock import Clock
-from epf_gcs.codec.messages_gen import TELEMETRY
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.errors import ErrorCode, GatewayError
-from epf_gcs.web.access.control import Client, Control
+from epf_gcs.web.access.control import Control
 from epf_gcs.web.access.guard import Access
+from epf_gcs.web.flights.replay_conversation import ReplayConversation
+from epf_gcs.web.flights.replays import Replays
 from epf_gcs.web.state.whole import WholeStatus
 from epf_gcs.web.stream.hub import Hub
+from epf_gcs.web.stream.messages import INVALID, RATE_SENTENCE, TOPICS
 from epf_gcs.web.stream.socket import Conversation, Refusal, SocketConnection
 from epf_gcs.web.stream.viewer import MAX_RATE_HZ, Viewer
 from epf_gcs.xplane.stick import SAMPLE_FAULT, read_sample
 
 STREAM_PATH: Final = "/api/v1/stream"
-TOPICS: Final = sorted(
-    {message.name for message in TELEMETRY.values() if message.topic}
-    | {"xplane_info", "simulator", "xplane_rows", "ahrs_test"}
-)
 _CLIENT_ID: Final = re.compile(r"[0-9a-f]{16}")
 _MAX_NAME: Final = 40
 _MAX_DIGITS: Final = 4
-_INVALID: Final = "stream_message_invalid"
-_RATE_SENTENCE: Final = f"rate must be 0 (every sample) or 1..{MAX_RATE_HZ} batches a second."
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,6 +43,7 @@ class StreamParts:
     status: WholeStatus
     errors: ErrorLog
     clock: Clock
+    replays: Replays
 
 
 class StreamEndpoint:
@@ -64,16 +62,16 @@ class StreamEndpoint:
             self._parts.errors.count(error.code)
             raise Refusal(HTTPStatus.FORBIDDEN, error.detail) from error
 
-    def open(self, connection: SocketConnection, path: str, query: dict[str, str], peer: str) -> StreamConversation:
+    def open(self, connection: SocketConnection, path: str, query: dict[str, str], peer: str) -> Conversation:
         """Read path and query of the URL. Raises Refusal for an unknown path or an invalid rate."""
         if path != STREAM_PATH:
             raise Refusal(HTTPStatus.NOT_FOUND, f"The stream is at {STREAM_PATH}.")
         rate_hz = _read_rate(query.get("rate", str(MAX_RATE_HZ)))
         if rate_hz is None:
             self._parts.errors.count("rate_invalid")
-            raise Refusal(
-                HTTPStatus.BAD_REQUEST, f"rate must be 0 (every sample) or 1..{MAX_RATE_HZ} batches a second."
-            )
+            raise Refusal(HTTPStatus.BAD_REQUEST, RATE_SENTENCE)
+        if "flight" in query:
+            return self._parts.replays.open(connection, query, rate_hz, peer)
         wished = query.get("client", "")
         known = _CLIENT_ID.fullmatch(wished) is not None and not self._parts.control.is_connected(wished)
         name = query.get("name", "")
@@ -85,7 +83,7 @@ class StreamEndpoint:
 
     def opened(self, conversation: Conversation) -> None:
         """The handshake is done: send the hello."""
-        if isinstance(conversation, StreamConversation):
+        if isinstance(conversation, StreamConversation | ReplayConversation):
             conversation.greet()
 
 
@@ -142,25 +140,25 @@ class StreamConversation:
         try:
             message: Any = orjson.loads(text)
         except orjson.JSONDecodeError:
-            return _INVALID, 'A message on the stream was not JSON: send {"type": "ack", "seq": n} or a rate.'
+            return INVALID, 'A message on the stream was not JSON: send {"type": "ack", "seq": n} or a rate.'
         match message:
             case {"type": "ack", "seq": int(seq)} if self._viewer.acknowledge(seq):
                 if self._viewer.waiting:
                     self._parts.hub.serve(self._viewer)
                 return None
             case {"type": "ack"}:
-                return _INVALID, "An acknowledgement named a batch that is not under way: send the seq of a batch."
+                return INVALID, "An acknowledgement named a batch that is not under way: send the seq of a batch."
             case {"type": "rate", "rate": int(rate)} if 0 <= rate <= MAX_RATE_HZ:
                 self._parts.hub.change_rate(self._viewer, rate)
                 return None
             case {"type": "rate"}:
-                return _INVALID, _RATE_SENTENCE
+                return INVALID, RATE_SENTENCE
             case {"type": "stick"}:
                 # The flight process counts even an invalid sample; only this process can answer the sender.
                 self._parts.vehicle.notice("stick", client=self._client.id, sample=message)
                 return ("stick_invalid", SAMPLE_FAULT) if read_sample(message) is None else None
             case _:
-                return _INVALID, "A message on the stream has no known type: send an ack, a rate or a stick."
+                return INVALID, "A message on the stream has no known type: send an ack, a rate or a stick."
 
 
 def _read_rate(text: str) -> int | None:

@@ -30,8 +30,10 @@ class _Pacer:
 class Hub:
     """Owned by the event loop. Put any number of samples into `state`, then `flush` once."""
 
-    def __init__(self, loop: asyncio.AbstractEventLoop, now_s: Callable[[], float]) -> None:
-        self.state = HubState()
+    def __init__(
+        self, loop: asyncio.AbstractEventLoop, now_s: Callable[[], float], state: HubState | None = None
+    ) -> None:
+        self.state = state or HubState()
         self._loop = loop
         self._now_s = now_s
         self._pacers: dict[int, _Pacer] = {}

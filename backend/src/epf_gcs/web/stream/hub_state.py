@@ -38,12 +38,12 @@ class Newest:
 class HubState:
     """Numbers every sample with a version, so that one number tells what a viewer has been sent."""
 
-    def __init__(self) -> None:
+    def __init__(self, log_samples: int = _LOG_SAMPLES) -> None:
         self.version = 0
         self.newest_s = 0.0
         self.keep_all = False
         self._newest: dict[str, Newest] = {}
-        self._log: deque[Newest] = deque(maxlen=_LOG_SAMPLES)
+        self._log: deque[Newest] = deque(maxlen=log_samples)
         self._bodies: dict[int, bytes] = {}
 
     def put(self, topic: str, t_s: float, text: bytes) -> Newest:
@@ -57,6 +57,13 @@ class HubState:
         if self._bodies:
             self._bodies.clear()
         return sample
+
+    def clear(self) -> None:
+        """Forget all samples: those that follow are of another moment."""
+        self._newest.clear()
+        self._log.clear()
+        self._bodies.clear()
+        self.newest_s = 0.0
 
     def drop_log(self) -> None:
         """Stop keeping every sample: no viewer wants them."""

@@ -25,6 +25,7 @@ from epf_gcs.web.stream.allowance import Allowance
 
 _MAX_MESSAGE_BYTES: Final = 16384
 _KEEPALIVE_S: Final = 10.0
+_ENDED: Final = 1011  # something unexpected on our side: the reason says what
 _GONE: Final = 1012  # service restart: the page tries again
 PINGS_PER_S: Final = 20
 """Largest rate of a browser's control frames; its pongs to our pings are one in ten seconds."""
@@ -140,6 +141,15 @@ class SocketConnection(asyncio.Protocol):
                 self._write_protocol_output()
             self._is_open = False
             self._transport.close()
+
+    def end(self, reason: str) -> None:
+        """Close because what was shown has ended; `reason` is short, for a log of the browser."""
+        if self._transport is None or not self._is_open:
+            return
+        self._protocol.send_close(_ENDED, reason)
+        self._write_protocol_output()
+        self._is_open = False
+        self._loop.call_later(_LAST_WORDS_S, self._transport.abort)
 
     def send(self, messages: list[bytes]) -> None:
         """Send texts, all in one write."""

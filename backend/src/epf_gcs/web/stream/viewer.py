@@ -41,6 +41,8 @@ class Viewer:
         self._seq = 0
         self._acknowledged = 0
         self._version = 0
+        # The first time, the newest of every topic is sent; with none there yet, nothing of what follows is left out.
+        self._is_new = True
         self._events: deque[bytes] = deque()
         self._status: bytes | None = None
         self._missed = 0
@@ -92,8 +94,9 @@ class Viewer:
             self._status = None
         body, missed = b"", 0
         since, self._version = self._version, self._state.version
+        is_first, self._is_new = self._is_new, False
         if since != self._version:
-            if self.rate_hz or since == 0:
+            if self.rate_hz or is_first:
                 body = self._state.changed_since(since)
             else:
                 body, missed = self._state.every_since(since)

@@ -10,6 +10,7 @@ from typing import Final
 
 import numpy as np
 
+from epf_gcs.disk import replace_file
 from epf_gcs.web.track.track import ATTITUDE, MAX_POINTS, POINT, Track
 
 _MAGIC: Final = b"EPK1"
@@ -64,10 +65,7 @@ class KeptTrack:
         records[:, POINT.itemsize :] = np.frombuffer(attitudes, np.uint8).reshape(count, ATTITUDE.itemsize)
         self._path.parent.mkdir(parents=True, exist_ok=True)
         if first == 0:
-            temporary = self._path.with_suffix(".new")
-            with temporary.open("wb") as file:
-                file.write(_HEADER.pack(_MAGIC, 0, t0_s) + records.tobytes())
-            temporary.replace(self._path)
+            replace_file(self._path, _HEADER.pack(_MAGIC, 0, t0_s) + records.tobytes())
         else:
             with self._path.open("r+b") as file:
                 file.seek(_HEADER.size + first * _RECORD)

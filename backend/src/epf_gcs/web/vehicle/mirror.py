@@ -107,6 +107,9 @@ class VehicleMirror:
         self._status = status
         self._on_change()
 
+    def on_playback(self, playback: dict[str, Any]) -> None:
+        """A live vehicle does not say this."""
+
     def on_lost(self, *, ended: bool) -> None:
         """The flight process is gone: tell the viewers at once."""
         if not self.is_here:

@@ -1,4 +1,4 @@
-"""Messages between the station and the processes that read map files: two lengths, a JSON head, and bytes."""
+"""Messages between the station and its worker processes: two lengths, a JSON head, and bytes."""
 
 from __future__ import annotations
 

@@ -13,7 +13,7 @@ _KEPT: Final = 200
 Table = dict[str, Handler]
 
 
-class Askers:
+class ClientNames:
     """Remembers the names of the latest clients."""
 
     def __init__(self) -> None:

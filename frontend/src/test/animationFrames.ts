@@ -1,7 +1,7 @@
-import type { FrameSource } from "../store/pump";
+import type { AnimationFrames } from "../lib/animationFrames";
 
 /** Animation frames under the test's control. */
-export class ManualFrames implements FrameSource {
+export class ManualAnimationFrames implements AnimationFrames {
   #pending = new Map<number, (now_ms: number) => void>();
   #next = 1;
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from typing import Final
+from typing import Any, Final
 
 from epf_gcs.codec.checksum import checksum
 from epf_gcs.codec.frame import Damage
@@ -16,7 +16,7 @@ _WORD: Final = 4
 _MOST_UNKNOWN: Final = 32
 
 
-class FrameBooks:
+class FrameStatistics:
     """`heard` and `damaged` are by name of the message, `unknown` and `unknown_damaged` by number of the type.
 
     A failed candidate's event holds its header only, so the type is read from the `remains` that follow it.
@@ -44,22 +44,42 @@ class FrameBooks:
             if command == rate_command:
                 self.heard[topic].forget_rate()
 
+    def kept(self) -> list[Any]:
+        """All counts, as plain values for `restore`; jitter is measured anew after it."""
+        return [
+            [[name, *one.kept()] for name, one in self.heard.items() if one.count],
+            dict(self.damaged),
+            [[number, *one.kept()] for number, one in self.unknown.items()],
+            [[number, count] for number, count in self.unknown_damaged.items()],
+            self._after_failure,
+        ]
+
+    def restore(self, kept: list[Any]) -> None:
+        """Go on from a state that `kept` gave."""
+        self.clear()
+        heard, damaged, unknown, unknown_damaged, self._after_failure = kept
+        for name, *one in heard:
+            self.heard[name] = Arrivals.restored(*one)
+        self.damaged.update(damaged)
+        self.unknown.update({number: Arrivals.restored(*one) for number, *one in unknown})
+        self.unknown_damaged.update(dict(unknown_damaged))
+
     def on_damage(self, damage: Damage, t_s: float) -> None:
         """Count damage that came at Unix time `t_s`. Call it in the order of the line."""
         if damage.kind == "remains" and self._after_failure and len(damage.data) >= _WORD:
-            self._book(damage.data, t_s)
+            self._count_failed(damage.data, t_s)
         self._after_failure = damage.is_failed_frame
 
-    def _book(self, remains: bytes, t_s: float) -> None:
+    def _count_failed(self, remains: bytes, t_s: float) -> None:
         word = int.from_bytes(remains[:_WORD], "little")
         type_id = word & ~TO_PC_TYPE_BIT
         known = TELEMETRY.get(type_id)
         if known is not None and word & TO_PC_TYPE_BIT:
             self.damaged[known.name] += 1
         elif word & TO_PC_TYPE_BIT and not word & FORBIDDEN_TYPE_BITS:
-            self._book_unknown(type_id, remains, t_s)
+            self._count_unknown(type_id, remains, t_s)
 
-    def _book_unknown(self, type_id: int, remains: bytes, t_s: float) -> None:
+    def _count_unknown(self, type_id: int, remains: bytes, t_s: float) -> None:
         if type_id not in self.unknown:
             if len(self.unknown) >= _MOST_UNKNOWN:
                 return

@@ -1,0 +1,191 @@
+"""What happened in a flight, in order of time: from its notes, and from its samples where the bytes say it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any, Final
+
+import numpy as np
+import orjson
+import pyarrow as pa
+import pyarrow.parquet as pq
+
+from epf_gcs.errors import NotFoundError
+from epf_gcs.flights.flight_data import FlightData
+from epf_gcs.recordings import notes
+from epf_gcs.recordings.notes import Note
+
+FILE: Final = "events.parquet"
+
+_MODES: Final = ("autopilot", "autotrim", "auto_switch", "autopilot_hil", "source_joystick", "autotrim_hil")
+_PLANS: Final = {"fms_plan": "flight", "fms_hil_plan": "hil"}
+# Kinds of the stream's events, and what they are called here; those that are not listed are no event of a flight.
+_KINDS: Final = {
+    "alarm": "alarm",
+    "board_restarted": "restart",
+    "command": "command",
+    "console": "console",
+    "control": "control",
+    "link": "link",
+    "mission": "plan",
+    "parameter": "parameter",
+}
+_NAMES: Final = {"alarm": "id", "command": "name", "console": "direction", "mission": "plan", "control": "name"}
+# A burst of damaged frames with no longer pause than this is one event.
+_DAMAGE_PAUSE_S: Final = 2.0
+# A restart or a broken file may leave a command or alarm without its end; one flight has no more events than this.
+MOST_EVENTS: Final = 100_000
+
+Event = dict[str, Any]
+
+
+def find_events(flight: FlightData, silences: list[list[float]]) -> list[Event]:
+    """All events in order of time; `silences` are the stretches without data, in seconds since the start.
+
+    An event is {"t_ns", "kind", "name", "id", "data", "until_ns"}. Raises OSError, RecordingError.
+    """
+    found = [*_noted(flight.notes()), *_modes(flight), *_waypoints(flight)]
+    for from_s, to_s in silences:
+        begin, end = (flight.start_ns + round(at_s * 1e9) for at_s in (from_s, to_s))
+        found.append(_event(begin, "gap", "silence", {"duration_s": to_s - from_s}, until_ns=end))
+    found.sort(key=lambda event: event["t_ns"])
+    return found[:MOST_EVENTS]
+
+
+def as_answer(events: list[Event], start_ns: int) -> dict[str, Any]:
+    """Events as the interface gives them."""
+    return {
+        "events": [
+            {
+                "t_s": event["t_ns"] * 1e-9,
+                "at_s": (event["t_ns"] - start_ns) * 1e-9,
+                "kind": event["kind"],
+                "name": event["name"],
+                "id": event["id"],
+                "data": event["data"],
+                "until_s": None if event["until_ns"] is None else event["until_ns"] * 1e-9,
+            }
+            for event in events
+        ]
+    }
+
+
+def write_events(path: Path, events: list[Event]) -> None:
+    """Write them as a table; `data` is JSON text. Raises OSError."""
+    table = pa.table(
+        {
+            "t_ns": pa.array([event["t_ns"] for event in events], pa.int64()),
+            "until_ns": pa.array([event["until_ns"] for event in events], pa.int64()),
+            "kind": pa.array([event["kind"] for event in events], pa.string()),
+            "name": pa.array([event["name"] for event in events], pa.string()),
+            "id": pa.array([event["id"] for event in events], pa.string()),
+            "data": pa.array([orjson.dumps(event["data"]).decode() for event in events], pa.string()),
+        }
+    )
+    pq.write_table(table, path, compression="zstd")
+
+
+def read_events(path: Path) -> list[Event]:
+    """Read them back. Raises OSError."""
+    try:
+        rows = pq.read_table(path).to_pylist()
+    except pa.ArrowException as error:
+        raise OSError(f"{path.name} cannot be read: {error}") from error
+    return [{**row, "data": orjson.loads(row["data"])} for row in rows]
+
+
+def _noted(found: list[Note]) -> list[Event]:
+    """Events from notes. The end of a command or alarm becomes the end of the event that it began with."""
+    events: list[Event] = []
+    open_events: dict[tuple[str, Any], Event] = {}
+    for note in found:
+        content = note.content if isinstance(note.content, dict) else {}
+        if note.name == notes.MARK:
+            mark = {"text": str(content.get("text", "")), "by": content.get("by")}
+            events.append(_event(note.t_ns, "mark", "", mark, id=str(content.get("id", note.t_ns))))
+        elif note.name == notes.LOST:
+            events.append(_event(note.t_ns, "lost", str(content.get("reason", "")), content))
+        elif note.name == notes.LINE:
+            name = f"{content.get('line')}_{'opened' if content.get('open') else 'closed'}"
+            events.append(_event(note.t_ns, "link", name, content))
+        elif note.name == notes.EVENT and content.get("event") in _KINDS:
+            event = _from_stream(note.t_ns, content)
+            if not _ends_another(event, open_events):
+                events.append(event)
+    return events
+
+
+def _from_stream(t_ns: int, content: Event) -> Event:
+    kind = str(content["event"])
+    data = content["data"] if isinstance(content.get("data"), dict) else {}
+    return _event(t_ns, _KINDS[kind], str(data.get(_NAMES.get(kind, ""), "") or ""), data)
+
+
+def _ends_another(event: Event, open_events: dict[tuple[str, Any], Event]) -> bool:
+    """Whether this is the outcome of a command that began, or the end or acknowledgement of an alarm."""
+    data, kind = event["data"], event["kind"]
+    if kind not in ("command", "alarm"):
+        return False
+    key = (kind, data.get("id"))
+    is_open = data.get("state") == "pending" if kind == "command" else data.get("active") is True
+    before = open_events.get(key)
+    if is_open and (before is None or kind == "command"):
+        open_events[key] = event
+        return False
+    if before is None:
+        # An alarm that is acknowledged after its end was told already.
+        return kind == "alarm" and data.get("acknowledged") is True
+    before["data"] = data
+    if not is_open:
+        before["until_ns"] = event["t_ns"]
+        del open_events[key]
+    return True
+
+
+def _modes(flight: FlightData) -> list[Event]:
+    """Changes of the modes that the heartbeat reports."""
+    if "heartbeat" not in {span.name for span in flight.topics()}:
+        return []
+    found = []
+    for name in _MODES:
+        for t_ns, _, value in _changes(flight, "heartbeat", name):
+            found.append(_event(t_ns, "mode", name, {"on": bool(value)}))
+    return found
+
+
+def _waypoints(flight: FlightData) -> list[Event]:
+    """Waypoints that a plan left for another, whichever way."""
+    there = {span.name for span in flight.topics()}
+    found = []
+    for topic, plan in _PLANS.items():
+        if topic in there:
+            for t_ns, before, after in _changes(flight, topic, "waypoint"):
+                found.append(_event(t_ns, "waypoint", plan, {"from": int(before), "to": int(after)}))
+    return found
+
+
+def _changes(flight: FlightData, topic: str, field: str) -> list[tuple[int, float, float]]:
+    """Time (Unix ns), value before and value after of each change, without samples that have no value."""
+    try:
+        t_s, values = flight.samples(topic, field)
+    except NotFoundError:
+        return []
+    known = np.isfinite(values)
+    t_s, values = t_s[known], values[known]
+    places = np.flatnonzero(np.diff(values) != 0)[:MOST_EVENTS]
+    return [
+        (flight.start_ns + round(float(t_s[place + 1]) * 1e9), float(values[place]), float(values[place + 1]))
+        for place in places
+    ]
+
+
+def _event(
+    t_ns: int,
+    kind: str,
+    name: str,
+    data: dict[str, Any],
+    *,
+    until_ns: int | None = None,
+    id: str | None = None,  # noqa: A002
+) -> Event:
+    return {"t_ns": t_ns, "kind": kind, "name": name, "id": id, "data": data, "until_ns": until_ns}

@@ -1,0 +1,116 @@
+"""A finished flight: its samples from the Parquet files that the index worker made, read by DuckDB."""
+
+from __future__ import annotations
+
+from collections import OrderedDict
+from pathlib import Path
+from typing import Any, Final
+
+import duckdb
+import numpy as np
+import orjson
+
+from epf_gcs.errors import ConflictError
+from epf_gcs.flights.fields import fields_of
+from epf_gcs.flights.flight_data import PeriodCache, Samples, TopicSpan, in_order, unknown_signal
+from epf_gcs.recordings.notes import Note
+from epf_gcs.recordings.places import SUMMARY
+from epf_gcs.recordings.reading import notes_of
+
+_MOST_CACHED_BYTES: Final = 192_000_000
+_MEMORY: Final = "400MB"
+
+Key = tuple[str, str, str]
+
+
+class Columns:
+    """Reads columns with DuckDB and keeps the ones used last, up to a number of bytes. For one thread."""
+
+    def __init__(self, most_bytes: int = _MOST_CACHED_BYTES) -> None:
+        self._database = duckdb.connect(":memory:", config={"threads": 1, "memory_limit": _MEMORY})
+        self._kept: OrderedDict[Key, Any] = OrderedDict()
+        self._most_bytes = most_bytes
+        self._bytes = 0
+
+    def column(self, file: Path, name: str, stamp: str) -> Any:
+        """One column of a Parquet file as a numpy array in the file's order; nulls are NaN. Raises OSError."""
+        key = (str(file), name, stamp)
+        if key in self._kept:
+            self._kept.move_to_end(key)
+            return self._kept[key]
+        found = self._read(file, name)
+        self._kept[key] = found
+        self._bytes += found.nbytes
+        while self._bytes > self._most_bytes and len(self._kept) > 1:
+            _, old = self._kept.popitem(last=False)
+            self._bytes -= old.nbytes
+        return found
+
+    def _read(self, file: Path, name: str) -> Any:
+        as_is = name == "t_ns"
+        column = '"t_ns"' if as_is else f'CAST("{name}" AS DOUBLE)'
+        try:
+            found = self._database.execute(f"SELECT {column} AS v FROM read_parquet(?)", [str(file)]).fetchnumpy()  # noqa: S608 - names of the definition
+        except duckdb.Error as error:
+            raise OSError(f"{file.name} cannot be read: {error}") from error
+        values = found["v"]
+        if isinstance(values, np.ma.MaskedArray):
+            return values.filled(0 if as_is else np.nan)
+        return values
+
+
+class IndexedFlight:
+    """`folder` holds the columns, `recording` is the file itself (for its notes)."""
+
+    def __init__(self, folder: Path, recording: Path, columns: Columns) -> None:
+        try:
+            self.summary: dict[str, Any] = orjson.loads((folder / SUMMARY).read_bytes())
+        except (OSError, ValueError) as error:
+            raise not_indexed(recording.stem) from error
+        self._folder = folder
+        self._recording = recording
+        self._columns = columns
+        self._stamp = f"{(folder / SUMMARY).stat().st_mtime_ns}"
+        self._times: dict[str, Any] = {}
+        self.periods = PeriodCache()
+
+    @property
+    def start_ns(self) -> int:
+        """Unix time of the first message."""
+        return int(self.summary["started_ns"])
+
+    @property
+    def end_ns(self) -> int:
+        """Unix time of the last message."""
+        return int(self.summary["ended_ns"])
+
+    def topics(self) -> list[TopicSpan]:
+        """The topics that have samples."""
+        found = []
+        for file in sorted(self._folder.glob("*.parquet")):
+            if fields_of(file.stem):
+                t_ns = self._columns.column(file, "t_ns", self._stamp)
+                if len(t_ns):
+                    found.append(TopicSpan(file.stem, len(t_ns), int(t_ns.min()), int(t_ns.max())))
+        return found
+
+    def samples(self, topic: str, field: str) -> Samples:
+        """All samples of one field. Raises NotFoundError, OSError."""
+        file = self._folder / f"{topic}.parquet"
+        if field not in fields_of(topic) or not file.exists():
+            raise unknown_signal(f"{topic}.{field}")
+        t_s = self._times.get(topic)
+        if t_s is None:
+            t_s = self._times[topic] = (self._columns.column(file, "t_ns", self._stamp) - self.start_ns) * 1e-9
+        return in_order(t_s, self._columns.column(file, field, self._stamp))
+
+    def notes(self) -> list[Note]:
+        """All notes. Raises RecordingError, OSError."""
+        return notes_of(self._recording)
+
+
+def not_indexed(flight: str) -> ConflictError:
+    """The flight's columns are not made yet."""
+    return ConflictError(
+        "flight_not_indexed", f"The flight '{flight}' is being prepared: wait until it is indexed.", flight=flight
+    )

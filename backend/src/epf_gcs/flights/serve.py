@@ -1,0 +1,148 @@
+"""Answers questions about flights, one after the other: `python -m epf_gcs.flights serve DATA_FOLDER`.
+
+Requests come on standard input, answers go to standard output, each a JSON head and bytes (`worker_pipe`). A request
+is {"do": a key of _ANSWERS, "flight": id, "growing": bool, and what the question needs}. The answer's bytes are what
+the interface sends on; its head is empty, or the fault.
+"""
+
+from __future__ import annotations
+
+import signal
+import sys
+from collections import OrderedDict
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, BinaryIO, Final
+
+import orjson
+
+from epf_gcs.errors import GatewayError
+from epf_gcs.flights import answers
+from epf_gcs.flights.events import FILE, as_answer, find_events, read_events
+from epf_gcs.flights.flight_data import FlightData, PeriodCache
+from epf_gcs.flights.indexed import Columns, IndexedFlight, not_indexed
+from epf_gcs.flights.worker import be_modest
+from epf_gcs.recordings.places import Places, is_id
+from epf_gcs.worker_pipe import receive, send
+
+_MOST_OPEN: Final = 8
+
+
+@dataclass(slots=True)
+class _Open:
+    """A flight that was asked for lately. `made` is when its columns were made."""
+
+    data: FlightData
+    made: int
+    periods: PeriodCache = field(default_factory=PeriodCache)
+    folder: Path | None = None
+
+
+class Flights:
+    """The flights that were asked for last."""
+
+    def __init__(self, places: Places) -> None:
+        self._places = places
+        self._columns = Columns()
+        self._open: OrderedDict[str, _Open] = OrderedDict()
+
+    def answer(self, asked: dict[str, Any]) -> bytes:
+        """The answer's bytes. Raises GatewayError, OSError."""
+        opened = self._opened(asked["flight"], growing=asked["growing"])
+        return _ANSWERS[asked["do"]](opened, asked)
+
+    def _opened(self, flight: str, *, growing: bool) -> _Open:
+        if not is_id(flight):
+            raise not_indexed(flight)
+        folder = self._places.made_of(flight)
+        if folder is None:
+            raise not_indexed(flight)
+        made = folder.stat().st_mtime_ns
+        found = self._open.get(flight)
+        if found is None or found.made != made:
+            data = IndexedFlight(folder, self._places.recording(flight), self._columns)
+            found = self._open[flight] = _Open(data, made, folder=folder)
+        self._open.move_to_end(flight)
+        while len(self._open) > _MOST_OPEN:
+            self._open.popitem(last=False)
+        return found
+
+
+def main(arguments: list[str]) -> int:
+    """Answer until standard input closes, as it does when the parent dies."""
+    # Ctrl-C in a terminal reaches all its processes: the web process ends this one.
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    be_modest(most_cpu_s=None)
+    serve(Flights(Places(Path(arguments[0]))), sys.stdin.buffer, sys.stdout.buffer)
+    return 0
+
+
+def serve(flights: Flights, requests: BinaryIO, replies: BinaryIO) -> None:
+    """Answer one request after the other."""
+    while (message := receive(requests)) is not None:
+        head: dict[str, Any] = {}
+        body = b""
+        try:
+            body = flights.answer(message[0])
+        except GatewayError as error:
+            head = {"code": error.code, "detail": error.detail, "params": error.params}
+        except (OSError, ValueError, ArithmeticError, LookupError, TypeError, AttributeError) as error:
+            # A stranger's recording may hold notes of any shape: none may end this program.
+            why = getattr(error, "strerror", None) or str(error) or type(error).__name__
+            head = {
+                "code": "recording_unreadable",
+                "detail": f"The flight cannot be read: {why}.",
+                "params": {"reason": why},
+            }
+        send(replies, head, body)
+
+
+def _signals(opened: _Open, asked: dict[str, Any]) -> bytes:
+    found = answers.signals(
+        opened.data, opened.periods, asked["names"], asked["from_s"], asked["to_s"], asked["points"]
+    )
+    return answers.as_arrow(found) if asked["arrow"] else _json(found)
+
+
+def _topics(opened: _Open, _asked: dict[str, Any]) -> bytes:
+    return _json(answers.topics(opened.data))
+
+
+def _events(opened: _Open, _asked: dict[str, Any]) -> bytes:
+    if opened.folder is not None and (opened.folder / FILE).exists():
+        events = read_events(opened.folder / FILE)
+    else:
+        events = find_events(opened.data, answers.silence(opened.data, opened.periods))
+    return _json(as_answer(events, opened.data.start_ns))
+
+
+def _overview(opened: _Open, asked: dict[str, Any]) -> bytes:
+    return _json(answers.overview(opened.data, opened.periods, asked["points"]))
+
+
+def _track(opened: _Open, asked: dict[str, Any]) -> bytes:
+    return answers.track(opened.data, asked["source"], asked["points"])
+
+
+def _known(opened: _Open, asked: dict[str, Any]) -> bytes:
+    return _json(answers.known(opened.data, asked["at_s"]))
+
+
+def _span(opened: _Open, _asked: dict[str, Any]) -> bytes:
+    return _json({"start_s": opened.data.start_ns * 1e-9, "end_s": opened.data.end_ns * 1e-9})
+
+
+def _json(found: Any) -> bytes:
+    return orjson.dumps(found, option=orjson.OPT_SERIALIZE_NUMPY)
+
+
+_ANSWERS: Final[dict[str, Callable[[_Open, dict[str, Any]], bytes]]] = {
+    "events": _events,
+    "known": _known,
+    "overview": _overview,
+    "signals": _signals,
+    "span": _span,
+    "topics": _topics,
+    "track": _track,
+}

@@ -1,0 +1,106 @@
+"""What every worker program is: of the lowest priority, limited, told to stop by SIGTERM, gone with its parent.
+
+It says how far it is as JSON lines on standard output: {"progress": 0 to 1, "doing": word} as often as it likes, then
+one of {"done": {...}} and {"fault": {"code", "detail", "params"}}.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import ctypes
+import os
+import signal
+import sys
+import threading
+from collections.abc import Callable
+from typing import Any, Final
+
+import orjson
+
+from epf_gcs.errors import GatewayError
+
+_MOST_MEMORY_BYTES: Final = 4_000_000_000
+_MOST_CPU_S: Final = 3600
+_NICE: Final = 19
+# The system call ioprio_set on these processors, its "this process" and the class "only while nobody else reads".
+_IOPRIO_SET: Final = {"x86_64": 251, "aarch64": 30, "armv7l": 314, "riscv64": 30}
+_THIS_PROCESS: Final = 1
+_IDLE: Final = 3 << 13
+# How long a cancelled worker may take to remove its half-written files.
+_GRACE_S: Final = 2.0
+
+Say = Callable[[float, str], None]
+Run = Callable[[list[str], Say], dict[str, Any]]
+
+
+class Cancelled(BaseException):
+    """The worker was told to stop: not an error, and not to be caught by `except Exception`."""
+
+
+def be_modest(most_cpu_s: int | None = _MOST_CPU_S) -> None:
+    """Take processor and disk only while nobody else wants them, and limit memory and processor time.
+
+    With None the processor time is not limited.
+    """
+    with contextlib.suppress(AttributeError, OSError):  # not on every system
+        os.nice(_NICE)
+    with contextlib.suppress(AttributeError, OSError, KeyError):
+        ctypes.CDLL(None).syscall(_IOPRIO_SET[os.uname().machine], _THIS_PROCESS, 0, _IDLE)
+    with contextlib.suppress(ImportError, ValueError, OSError):
+        import resource  # noqa: PLC0415 - not on every system
+
+        resource.setrlimit(resource.RLIMIT_AS, (_MOST_MEMORY_BYTES, _MOST_MEMORY_BYTES))
+        if most_cpu_s is not None:
+            resource.setrlimit(resource.RLIMIT_CPU, (most_cpu_s, most_cpu_s))
+
+
+def end_with_parent() -> None:
+    """End when standard input closes, as it does when the parent dies, however it dies."""
+    threading.Thread(target=_wait_for_parent, name="parent", daemon=True).start()
+
+
+def work(run: Run, arguments: list[str]) -> int:
+    """Run a verb to its end and say how it ended; returns the exit code of the process."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C reaches all programs of a terminal: the parent ends this one
+    signal.signal(signal.SIGTERM, _cancel)
+    be_modest()
+    end_with_parent()
+    try:
+        _write({"done": run(arguments, say)})
+    except GatewayError as error:
+        _write({"fault": {"code": error.code, "detail": error.detail, "params": error.params}})
+    except MemoryError:
+        fault = GatewayError("job_failed", "It needs more memory than a flight may take.", why="memory")
+        _write({"fault": {"code": fault.code, "detail": fault.detail, "params": fault.params}})
+    except OSError as error:
+        why = error.strerror or str(error)
+        _write({"fault": {"code": "job_failed", "detail": f"The disk refused: {why}.", "params": {"why": why}}})
+    except Cancelled:
+        return 128 + signal.SIGTERM
+    else:
+        return 0
+    return 1
+
+
+def say(progress: float, doing: str) -> None:
+    """Say how far the work is: 0 to 1, and a stable word for the step."""
+    _write({"progress": round(min(1.0, max(0.0, progress)), 4), "doing": doing})
+
+
+def _write(message: dict[str, Any]) -> None:
+    sys.stdout.buffer.write(orjson.dumps(message, option=orjson.OPT_SERIALIZE_NUMPY) + b"\n")
+    sys.stdout.buffer.flush()
+
+
+def _cancel(_number: int, _frame: object) -> None:
+    raise Cancelled
+
+
+def _wait_for_parent() -> None:
+    with contextlib.suppress(OSError):
+        while os.read(0, 1):
+            pass
+    # As when cancelled, so that no half-written file stays; then in any case.
+    os.kill(os.getpid(), signal.SIGTERM)
+    threading.Event().wait(_GRACE_S)
+    os._exit(1)

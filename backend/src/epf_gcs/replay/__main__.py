@@ -1,0 +1,107 @@
+"""`epf-replay`: one recording as a vehicle that speaks the stream; nothing can be commanded through it."""
+
+from __future__ import annotations
+
+import argparse
+import asyncio
+import contextlib
+import gc
+import os
+import signal
+import sys
+import threading
+from pathlib import Path
+from typing import Final
+
+# Before numpy comes with the reader: its threads would cost memory, and nothing here uses them.
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+
+from epf_gcs.bus.address import Listener
+from epf_gcs.errors import GatewayError
+from epf_gcs.logs import set_up_logging
+from epf_gcs.replay.vehicle_process import VehicleProcess
+
+_MEMORY_BYTES: Final = 2 << 30
+_POLITE: Final = (signal.SIGTERM, signal.SIGINT)
+
+
+def main() -> None:
+    """Entry point of `epf-replay`. Ends with 0 on SIGTERM, SIGINT, or the end of standard input (`--with-parent`)."""
+    options = _options()
+    set_up_logging(verbose=False)
+    _be_modest()
+    try:
+        with asyncio.Runner(loop_factory=_loop_factory()) as runner:
+            runner.run(_replay(options))
+    except GatewayError as error:
+        sys.exit(f"epf-replay: {error.detail}")
+    except (OSError, MemoryError) as error:
+        sys.exit(f"epf-replay: {options.recording} cannot be replayed ({error}).")
+
+
+async def _replay(options: argparse.Namespace) -> None:
+    ended = asyncio.Event()
+    loop = asyncio.get_running_loop()
+    for name in _POLITE:
+        with contextlib.suppress(NotImplementedError):
+            loop.add_signal_handler(name, ended.set)
+    if options.with_parent:
+        threading.Thread(target=_wait_for_parent, args=(loop, ended), daemon=True).start()
+    process = VehicleProcess(options.recording, options.keys, at_s=options.at)
+    listener = Listener(options.folder)
+    try:
+        gc.collect()
+        gc.freeze()
+        running = asyncio.ensure_future(process.run(listener))
+        waiting = asyncio.ensure_future(ended.wait())
+        await asyncio.wait({running, waiting}, return_when=asyncio.FIRST_COMPLETED)
+        for task in (running, waiting):
+            task.cancel()
+        with contextlib.suppress(asyncio.CancelledError):
+            await running
+    finally:
+        process.close()
+        listener.close()
+
+
+def _be_modest() -> None:
+    """The lowest priority, and a limit of memory: no flight is slower for it, no file can take the machine."""
+    with contextlib.suppress(OSError, AttributeError):
+        os.nice(19)
+    with contextlib.suppress(ImportError, ValueError, OSError):
+        import resource  # noqa: PLC0415 - not there on every system
+
+        resource.setrlimit(resource.RLIMIT_AS, (_MEMORY_BYTES, _MEMORY_BYTES))
+
+
+def _wait_for_parent(loop: asyncio.AbstractEventLoop, ended: asyncio.Event) -> None:
+    """Set `ended` when the parent dies, even if it was killed: it holds the other end of our standard input."""
+    while os.read(0, 1):
+        pass
+    loop.call_soon_threadsafe(ended.set)
+
+
+def _loop_factory() -> type[asyncio.AbstractEventLoop] | None:
+    try:
+        import uvloop  # noqa: PLC0415 - not there on every system
+    except ImportError:
+        return None
+    return uvloop.Loop
+
+
+def _options() -> argparse.Namespace:
+    parser = argparse.ArgumentParser(
+        prog="epf-replay",
+        description="A recording of EPF GCS as a vehicle: a station finds it in its folder and plays, pauses and seeks "
+        "by notices of the stream.",
+    )
+    parser.add_argument("--recording", type=Path, required=True, help="The MCAP file; it may still be growing.")
+    parser.add_argument("--folder", type=Path, required=True, help="Where its socket is made; one folder for each.")
+    parser.add_argument("--at", type=float, default=0.0, help="Seconds after the start of the flight.")
+    parser.add_argument("--keys", type=Path, default=None, help="File of key frames, shared by replays of a recording.")
+    parser.add_argument("--with-parent", action="store_true", help="End when standard input closes.")
+    return parser.parse_args()
+
+
+if __name__ == "__main__":
+    main()

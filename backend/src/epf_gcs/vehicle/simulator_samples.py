@@ -1,0 +1,156 @@
+"""A simulator's datagrams -> the samples that viewers see: its values by name, what the board is told, and raw rows.
+
+What comes out depends on the datagrams and their times alone, so that a replay shows what was shown live.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import Any, Final, NamedTuple, Protocol, cast
+
+from epf_gcs.codec.messages_gen import XPLANE_ROWS
+from epf_gcs.vehicle.arrivals import Arrivals
+from epf_gcs.xplane.datagram import Eight, Record, parse
+from epf_gcs.xplane.gather import Gatherer
+from epf_gcs.xplane.mapping import NEEDED_ROWS, XplaneInfo, row_meaning
+from epf_gcs.xplane.whole import WholeFrames
+
+# Hide a row not received for this long: 20 periods of the slowest simulator.
+_ROW_AGE_S: Final = 1.0
+# X-Plane has some 140 rows; ignore further row numbers, which no simulator sends.
+_MOST_ROWS: Final = 256
+_SHOW_EVERY_S: Final = 0.02
+_RAW_EVERY_S: Final = 0.2
+
+
+class Samples(Protocol):
+    """Where samples go: the telemetry of a vehicle."""
+
+    def take(self, topic: str, t_s: float, values: Mapping[str, Any], implausible: Iterable[str] = (), /) -> None:
+        """Take a sample, heard at Unix time `t_s`."""
+
+
+class Reading(NamedTuple):
+    """One datagram: when it came (Unix s), its rows if they were parsed, and what it completes for the board."""
+
+    t_s: float
+    datagram: bytes
+    records: list[Record] | None
+    info: XplaneInfo | None
+
+
+class SimulatorSamples:
+    """`read` does only what the loop with the board waits for; `show` makes the samples, in the order of the line."""
+
+    def __init__(self, telemetry: Samples) -> None:
+        self._telemetry = telemetry
+        self._profile = "xp10"
+        self._gatherer = Gatherer(self._profile)
+        self._whole_frames = WholeFrames(self._profile)
+        self._rows: dict[int, Arrivals] = {}
+        self._shown_s = 0.0
+        self._raw_shown_s = 0.0
+        self.datagrams = 0
+        self.bytes_in = 0
+
+    @property
+    def arrivals(self) -> Mapping[int, Arrivals]:
+        """Arrival statistics of each row, by row number; Unix times."""
+        return self._rows
+
+    @property
+    def profile(self) -> str:
+        """Which generation of the simulator the rows are read as."""
+        return self._profile
+
+    def begin(self, profile: str) -> None:
+        """Another simulator: forget the earlier one's data."""
+        self._profile = profile
+        self._gatherer = Gatherer(profile)
+        self._whole_frames = WholeFrames(profile)
+        self._rows.clear()
+
+    def rows(self, now_s: float) -> list[int]:
+        """Numbers of the rows that arrive at Unix time `now_s`."""
+        return sorted(self._live(now_s))
+
+    def missing_rows(self, now_s: float) -> list[int]:
+        """Numbers of the rows that command 50 needs and that do not arrive."""
+        return sorted(NEEDED_ROWS - self._live(now_s).keys())
+
+    def read(self, datagram: bytes, t_s: float) -> Reading | None:
+        """What a datagram that came at Unix time `t_s` says; None if it is not one of X-Plane's."""
+        info = self._whole_frames.read(datagram)
+        if info is not None:
+            return Reading(t_s, datagram, None, info)
+        records = parse(datagram)
+        if records is None:
+            return None
+        return Reading(t_s, datagram, records, self._gatherer.take(records, t_s))
+
+    def show(self, reading: Reading) -> None:
+        """Take a datagram that was read, and make samples if they are due. Call the telemetry's `flush` after."""
+        t_s, datagram, records, info = reading
+        self.datagrams += 1
+        self.bytes_in += len(datagram)
+        self._keep_rows(parse(datagram) or () if records is None else records, t_s)
+        if info is None and t_s - self._shown_s < _SHOW_EVERY_S:
+            return
+        self._shown_s = t_s
+        live = self._live(t_s)
+        named: dict[str, float | None] = dict(_NO_VALUES)
+        implausible: list[str] = []
+        for row, values in live.items():
+            meaning = row_meaning(row, values, self._profile)
+            named.update(meaning.values)
+            implausible += meaning.implausible
+        self._telemetry.take("simulator", t_s, named, implausible)
+        if info is not None:
+            self._telemetry.take("xplane_info", t_s, info._asdict())
+        if t_s - self._raw_shown_s >= _RAW_EVERY_S:
+            self._raw_shown_s = t_s
+            raw = {str(row): list(values) for row, values in sorted(live.items())}
+            self._telemetry.take("xplane_rows", t_s, {"rows": raw})
+
+    def kept(self) -> dict[str, Any]:
+        """All that the next samples depend on, as plain values for `restore`."""
+        return {
+            "profile": self._profile,
+            "shown_s": self._shown_s,
+            "raw_shown_s": self._raw_shown_s,
+            "datagrams": self.datagrams,
+            "bytes_in": self.bytes_in,
+            "gatherer": self._gatherer.kept(),
+            "rows": [[row, *one.kept()] for row, one in self._rows.items()],
+        }
+
+    def restore(self, state: Mapping[str, Any]) -> None:
+        """Go on from a state that `kept` gave."""
+        self.begin(state["profile"])
+        self._shown_s = state["shown_s"]
+        self._raw_shown_s = state["raw_shown_s"]
+        self.datagrams = state["datagrams"]
+        self.bytes_in = state["bytes_in"]
+        self._gatherer.restore(state["gatherer"])
+        for row, count, times_s, values in state["rows"]:
+            self._rows[row] = Arrivals.restored(count, times_s, tuple(values))
+
+    def _keep_rows(self, records: Iterable[Record], t_s: float) -> None:
+        for row, values in records:
+            arrivals = self._rows.get(row)
+            if arrivals is None:
+                if len(self._rows) >= _MOST_ROWS:
+                    continue
+                arrivals = self._rows[row] = Arrivals()
+            arrivals.heard(t_s, values)
+
+    def _live(self, now_s: float) -> dict[int, Eight]:
+        oldest_s = now_s - _ROW_AGE_S
+        return {row: one.values for row, one in self._rows.items() if (one.last_s or 0.0) >= oldest_s}
+
+
+_NO_VALUES: Final[dict[str, Any]] = {
+    name: None
+    for row in XPLANE_ROWS["xp10"].values()
+    for name in row_meaning(row.id, cast(Eight, (0.0,) * 8), "xp10").values
+}

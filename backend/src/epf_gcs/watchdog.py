@@ -1,0 +1,52 @@
+"""Finds a process that hangs: it writes a byte to a pipe twice a second, and its parent misses them."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import os
+import select
+import subprocess
+from collections.abc import Callable
+from typing import Final
+
+FEED_S: Final = 0.5
+# Longer than any pause of a slow computer that still works: a restart costs a flight more than a pause.
+SILENT_S: Final = 8.0
+# A process that is starting reads its modules from the disk and may repair a recording first.
+STARTING_S: Final = 120.0
+_LOOK_S: Final = 0.5
+_MANY: Final = 4096
+
+
+async def feed(descriptor: int) -> None:
+    """The child's part, on its event loop until cancelled: a loop that hangs falls silent."""
+    os.set_inheritable(descriptor, False)
+    os.set_blocking(descriptor, False)
+    while True:
+        # A parent that does not read, or has died, is not this process's trouble here.
+        with contextlib.suppress(BlockingIOError, BrokenPipeError):
+            os.write(descriptor, b".")
+        await asyncio.sleep(FEED_S)
+
+
+def wait_for_end(
+    process: subprocess.Popen[bytes], descriptor: int, silent_s: float, on_hung: Callable[[], None]
+) -> int:
+    """The parent's part: wait until `process` has ended, kill it once it is silent for `silent_s`; its exit status.
+
+    `descriptor` is the end of the pipe to read, whose other end only the child holds. `on_hung` is called before the
+    kill. Only time in which this process itself ran counts: a paused container does not look like a child that hangs.
+    """
+    looks, most = 0, STARTING_S
+    while True:
+        if select.select([descriptor], [], [], _LOOK_S)[0]:
+            if not os.read(descriptor, _MANY):
+                return process.wait()
+            looks, most = 0, silent_s
+            continue
+        looks += 1
+        if looks * _LOOK_S >= most:
+            on_hung()
+            process.kill()
+            return process.wait()

@@ -1,0 +1,295 @@
+"""The flights of this station: their library, the jobs that prepare them, the bin, and the room on the disk.
+
+Nothing here has to do with the flight process but the name of the file that it writes now, which is left alone.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import shutil
+from collections.abc import Awaitable, Callable
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
+from typing import Any, Final, Literal, TypeVar
+
+import structlog
+
+from epf_gcs.clock import Clock
+from epf_gcs.errors import ConflictError, GatewayError, NotFoundError
+from epf_gcs.recordings.places import Places
+from epf_gcs.web.flights.about import About
+from epf_gcs.web.flights.folder import Deleted, FlightFolder
+from epf_gcs.web.flights.jobs import Job, Jobs
+from epf_gcs.web.flights.library import Library, Row, Wanted
+from epf_gcs.web.flights.policy import Policy, read_policy, write_policy
+
+# How often the folder is looked at for what other programs put there or took away.
+_LOOK_EVERY_S: Final = 30.0
+_ROOM_EVERY_S: Final = 60.0
+# Flights whose bytes and seconds give the rate by which the hours left are judged.
+_JUDGED_BY: Final = 5
+
+T = TypeVar("T")
+log = structlog.get_logger("web")
+
+
+class Flights:
+    """Owned by the event loop; one thread of its own reads and writes the disk.
+
+    `growing` gives the id of the flight that is being recorded, or None; `is_known` says whether that is certain:
+    without the flight process no recording is prepared, for one of them may still be written.
+    """
+
+    def __init__(
+        self,
+        places: Places,
+        jobs: Jobs,
+        clock: Clock,
+        growing: Callable[[], str | None],
+        is_known: Callable[[], bool],
+        report: Callable[[GatewayError], None],
+    ) -> None:
+        self.places = places
+        self.jobs = jobs
+        self._clock = clock
+        self._growing = growing
+        self._is_known = is_known
+        self._report = report
+        self._library = Library(places)
+        self._folder = FlightFolder(places)
+        self._thread = ThreadPoolExecutor(1, thread_name_prefix="flights")
+        self._loop = asyncio.get_running_loop()
+        self._awake = asyncio.Event()
+        self._was_growing: str | None = None
+        self._left_alone: set[str] = set()
+        self._room_at_s = 0.0
+        self._preparing: Job | None = None
+
+    @property
+    def growing(self) -> str | None:
+        """The flight that is being recorded."""
+        return self._growing()
+
+    async def run(self) -> None:
+        """Prepare flights one after the other, forever."""
+        await self.in_thread(self._tidy_up)
+        while True:
+            self._awake.clear()
+            with contextlib.suppress(OSError):
+                await self.in_thread(self._library.refresh, self.growing)
+                await self._make_room()
+                await self._prepare()
+            with contextlib.suppress(TimeoutError):
+                async with asyncio.timeout(_LOOK_EVERY_S):
+                    await self._awake.wait()
+
+    async def close(self) -> None:
+        """Stop all jobs and close the library."""
+        await self.jobs.close()
+        await self.in_thread(self._library.close)
+        await asyncio.to_thread(self._thread.shutdown)
+
+    def wake(self) -> None:
+        """Look at the recordings now."""
+        self._awake.set()
+
+    def status_changed(self) -> None:
+        """Look at the recordings when one began or ended."""
+        if self._growing() != self._was_growing:
+            self._was_growing = self._growing()
+            self.wake()
+
+    async def search(self, wanted: Wanted) -> tuple[list[Row], int]:
+        """One page of the flights as the files are now, and the number of all."""
+        await self._refresh()
+        return await self.in_thread(self._library.search, wanted)
+
+    async def all(self) -> list[Row]:
+        """All flights, oldest first."""
+        return await self.in_thread(self._library.all)
+
+    async def words(self) -> tuple[list[str], list[str]]:
+        """All tags and boards there are."""
+        return await self.in_thread(lambda: (self._library.tags(), self._library.boards()))
+
+    async def get(self, flight: str) -> Row:
+        """One flight. Raises NotFoundError."""
+        found = await self.in_thread(self._library.get, flight)
+        if found is None:
+            await self._refresh()
+            found = await self.in_thread(self._library.get, flight)
+        if found is None:
+            raise unknown(flight)
+        return found
+
+    async def say(self, flight: str, change: Callable[[About], About]) -> Row:
+        """Change what people say of a flight. Raises NotFoundError, and ConflictError where the disk refuses."""
+        row = await self.get(flight)
+        await self._writing(self._library.say, flight, change(replace(row.about)))
+        return await self.get(flight)
+
+    async def delete(self, flight: str) -> None:
+        """Move a flight to the bin. Raises NotFoundError, and ConflictError while it is recorded."""
+        await self.get(flight)
+        if flight == self.growing:
+            raise ConflictError(
+                "flight_recording", f"The flight '{flight}' is being recorded: end it first.", flight=flight
+            )
+        await self._stop_work_on(flight)
+        await self._writing(self._folder.delete, flight, self._clock.now_s())
+        await self.in_thread(self._library.forget, flight)
+
+    async def restore(self, flight: str) -> Row:
+        """Bring a flight back from the bin. Raises NotFoundError, ConflictError."""
+        await self._writing(self._folder.restore, flight)
+        self._left_alone.discard(flight)
+        await self._refresh()
+        self.wake()
+        return await self.get(flight)
+
+    async def bin(self) -> list[Deleted]:
+        """What lies in the bin."""
+        return await self.in_thread(self._folder.bin)
+
+    async def index_again(self, flight: str) -> Row:
+        """Make everything that is made of a recording again. Raises NotFoundError, ConflictError."""
+        await self.get(flight)
+        await self._stop_work_on(flight)
+        self._left_alone.discard(flight)
+        await self._writing(self._folder.drop_made, flight)
+        await self.in_thread(self._library.forget, flight)
+        await self._refresh()
+        self.wake()
+        return await self.get(flight)
+
+    async def with_fingerprint(self, fingerprint: str) -> str | None:
+        """The flight with this content; None if there is none."""
+        return await self.in_thread(self._library.with_fingerprint, fingerprint)
+
+    async def policy(self) -> Policy:
+        """What happens when the disk fills."""
+        return await self.in_thread(read_policy, self.places.policy)
+
+    async def set_policy(self, policy: Policy) -> None:
+        """Choose what happens when the disk fills. Raises ConflictError where the disk refuses."""
+        await self._writing(write_policy, self.places.policy, policy)
+        self._room_at_s = 0.0
+        self.wake()
+
+    async def room(self) -> tuple[int | None, float | None]:
+        """Free bytes, and the hours of recording for which they last; None where that is not known."""
+        free_bytes = await self.free_bytes()
+        rows = await self.in_thread(self._library.newest, _JUDGED_BY)
+        recorded = sum(row.bytes for row in rows)
+        duration_ns = sum(row.summary["ended_ns"] - row.summary["started_ns"] for row in rows if row.summary)
+        if free_bytes is None or not recorded:
+            return free_bytes, None
+        return free_bytes, free_bytes / recorded * duration_ns / 3.6e12
+
+    async def free_bytes(self) -> int | None:
+        """Free space on the disk of the recordings; None if it cannot be measured."""
+        try:
+            return await self.in_thread(self._folder.free_bytes)
+        except OSError:
+            return None
+
+    def preparing(self, flight: str) -> bool:
+        """Whether the flight is being prepared now."""
+        job = self._preparing
+        return job is not None and job.flight == flight and not job.is_over
+
+    def in_thread(self, work: Callable[..., T], /, *values: Any) -> Awaitable[T]:
+        """Run blocking work in the flights' thread."""
+        return self._loop.run_in_executor(self._thread, work, *values)
+
+    async def _writing(self, work: Callable[..., T], /, *values: Any) -> T:
+        try:
+            return await self.in_thread(work, *values)
+        except OSError as error:
+            why = error.strerror or str(error)
+            raise ConflictError(
+                "flight_not_written",
+                f"The flights' folder could not be changed ({why}): free the disk or correct its permissions.",
+                why=why,
+            ) from error
+
+    async def _refresh(self) -> None:
+        with contextlib.suppress(OSError):
+            await self.in_thread(self._library.refresh, self.growing)
+
+    async def _prepare(self) -> None:
+        """Pack and index every flight that is not yet, newest first: it is looked for first."""
+        tried: set[str] = set()
+        while self._is_known():
+            rows = await self.in_thread(self._library.waiting)
+            waiting = [row for row in rows if self._must_prepare(row) and row.id not in tried]
+            if not waiting:
+                return
+            tried.add(waiting[0].id)
+            await self._prepare_one(waiting[0].id)
+
+    def _must_prepare(self, row: Row) -> bool:
+        return row.fault is None and row.id != self.growing and row.id not in self._left_alone
+
+    async def _prepare_one(self, flight: str) -> None:
+        path = str(self.places.recording(flight))
+        # What could not be packed is indexed as it is: packing only saves room.
+        if (await self._work("pack", path, flight)).state == "cancelled":
+            return
+        job = await self._work("index", path, flight)
+        if job.fault is not None:
+            self._report(job.fault)
+            row = await self.in_thread(self._library.get, flight)
+            if row is not None:
+                fault = {"code": job.fault.code, "detail": job.fault.detail, "params": job.fault.params}
+                await self.in_thread(self._library.failed, flight, row.stamp, fault)
+
+    async def _work(self, kind: Literal["pack", "index"], path: str, flight: str) -> Job:
+        job = self._preparing = self.jobs.start(kind, [path], flight=flight)
+        await job.ended.wait()
+        await self._refresh()
+        if job.state == "cancelled":
+            self._left_alone.add(flight)
+        return job
+
+    async def _stop_work_on(self, flight: str) -> None:
+        self._left_alone.add(flight)
+        for job in self.jobs.of(flight):
+            await self.jobs.cancel(job)
+
+    async def _make_room(self) -> None:
+        """Empty the bin of what is old, and delete the oldest flights if the person allowed it."""
+        now_s = self._loop.time()
+        if now_s < self._room_at_s:
+            return
+        self._room_at_s = now_s + _ROOM_EVERY_S
+        await self.in_thread(self._folder.purge, self._clock.now_s())
+        policy = await self.policy()
+        if not policy.delete_oldest or not self._is_known():
+            return
+        for flight in reversed(await self.bin()):
+            if await self.in_thread(self._folder.free_bytes) >= policy.keep_free_bytes:
+                return
+            await self.in_thread(self._folder.remove_from_bin, flight.id)
+            log.warning("the disk is full: a deleted flight was removed from the bin", flight=flight.id)
+        for row in await self.all():
+            if await self.in_thread(self._folder.free_bytes) >= policy.keep_free_bytes:
+                return
+            if not row.about.pinned and row.id != self.growing:
+                await self._stop_work_on(row.id)
+                await self.in_thread(self._folder.remove, row.id)
+                await self.in_thread(self._library.forget, row.id)
+                log.warning("the disk is full: the oldest flight was deleted, as was chosen", flight=row.id)
+
+    def _tidy_up(self) -> None:
+        """Delete what an earlier run left half done."""
+        for folder in (self.places.incoming, self.places.exports):
+            shutil.rmtree(folder, ignore_errors=True)
+
+
+def unknown(flight: str) -> NotFoundError:
+    """There is no such flight."""
+    return NotFoundError(
+        "flight_unknown", f"There is no flight '{flight}': GET /api/v1/flights lists all of them.", flight=flight
+    )

@@ -1,0 +1,168 @@
+"""A moment of a recording is the same however it was reached: played to, sought, from a key frame, in one go."""
+
+from __future__ import annotations
+
+import json
+import random
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from epf_gcs.replay.keys import Keys
+from epf_gcs.replay.outlet import Silence
+from epf_gcs.replay.playhead import Playhead
+from epf_gcs.replay.scout import Scout
+from epf_gcs.replay.status import build_status
+from epf_gcs.replay.timeline import Timeline
+from epf_gcs.web.state.schemas import Status
+from tests.replay.recordings import SECOND_NS, STARTS_NS, flight, write
+from tests.support.outlet import KeptOutlet
+
+
+def state_of(head: Playhead) -> Any:
+    """All that a viewer can see, and all that what follows depends on."""
+    return {"status": build_status(head, "a.mcap", 0), "kept": json.loads(head.kept())}
+
+
+def keyed(timeline: Timeline, file: Path | None = None) -> Keys:
+    """All key frames of a recording."""
+    keys = Keys(file, "a", timeline.starts_ns or 0)
+    scout = Scout(timeline, keys)
+    while scout.has_work:
+        scout.work()
+    return keys
+
+
+@pytest.fixture(scope="module")
+def recording(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return write(tmp_path_factory.mktemp("flight") / "a.mcap", flight(24.0, gap=(10.0, 14.5)))
+
+
+def test_a_moment_played_to_in_pieces_is_the_moment_sought(recording: Path) -> None:
+    timeline = Timeline(recording)
+    rng = random.Random(5)
+    pieces = Playhead(timeline, Silence())
+    for at_ns in sorted(STARTS_NS + rng.randrange(26 * SECOND_NS) for _ in range(5)):
+        while not pieces.advance(at_ns, 7):
+            pass
+        at_once = Playhead(timeline, Silence())
+        assert at_once.advance(at_ns)
+        assert state_of(pieces) == state_of(at_once)
+
+
+def test_a_moment_from_a_key_frame_is_the_moment_played_to(recording: Path, tmp_path: Path) -> None:
+    timeline = Timeline(recording)
+    keys = keyed(timeline, tmp_path / "a.keys")
+    assert keys.latest_ns is not None
+    assert keys.latest_ns > STARTS_NS + 20 * SECOND_NS
+    rng = random.Random(6)
+    for at_ns in (STARTS_NS + rng.randrange(3 * SECOND_NS, 26 * SECOND_NS) for _ in range(12)):
+        key = keys.before(at_ns)
+        assert key is not None
+        sought = Playhead(timeline, Silence(), *key)
+        sought.advance(at_ns)
+        played = Playhead(timeline, Silence())
+        played.advance(at_ns)
+        assert state_of(sought) == state_of(played)
+
+
+def test_after_a_key_frame_the_same_samples_and_events_follow(recording: Path) -> None:
+    timeline = Timeline(recording)
+    key = keyed(timeline).before(STARTS_NS + 10 * SECOND_NS)
+    assert key is not None
+    whole, rest = KeptOutlet(), KeptOutlet()
+    Playhead(timeline, whole).advance(STARTS_NS + 24 * SECOND_NS)
+    Playhead(timeline, rest, *key).advance(STARTS_NS + 24 * SECOND_NS)
+    assert len(rest.samples) > 400
+    assert whole.samples[-len(rest.samples) :] == rest.samples
+    assert whole.samples[-len(rest.samples) - 1][1] < key[0] * 1e-9
+    alarms = [event for event in rest.events if event[0] == "alarm"]
+    assert alarms
+    assert [event for event in whole.events if event[0] == "alarm"][-len(alarms) :] == alarms
+
+
+def test_a_gap_is_a_gap_ages_grow_and_values_go_stale(recording: Path) -> None:
+    head = Playhead(Timeline(recording), Silence())
+    head.advance(STARTS_NS + 14 * SECOND_NS)
+    status = build_status(head, "a.mcap", 0)
+    assert 3.9 < status["topics"]["ahrs"]["age_s"] < 4.1
+    assert status["topics"]["ahrs"]["rate_hz"] == 0.0
+    assert not head.vehicle.telemetry.is_live("ahrs")
+    assert status["simulator"]["rows"] == []
+
+
+def test_the_status_has_the_shape_of_the_live_one(recording: Path) -> None:
+    head = Playhead(Timeline(recording), Silence())
+    head.advance(STARTS_NS + 17 * SECOND_NS)
+    status = build_status(head, "a.mcap", 12)
+    whole = {**status, "version": "1", "control": {"client": None, "name": None}, "viewers": 1}
+    assert Status.model_validate(whole).board.mode == "legacy"
+    assert status["board"]["state"] == "open"
+    assert status["board"]["periods_ms"]["parameters"] == {"ms": 50, "chosen": True}
+    assert status["simulator"]["state"] == "open"
+    assert [alarm["id"] for alarm in status["alarms"]] == ["gps_lost"]
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_a_recording_cut_anywhere_plays_to_its_last_whole_record(tmp_path: Path, seed: int) -> None:
+    whole = write(tmp_path / "whole.mcap", flight(4.0))
+    data = whole.read_bytes()
+    cut = tmp_path / "cut.mcap"
+    cut.write_bytes(data[: random.Random(seed).randrange(len(data) // 4, len(data))])
+    kept, all_of_it = KeptOutlet(), KeptOutlet()
+    timeline = Timeline(cut)
+    Playhead(timeline, kept).advance(timeline.edge_ns)
+    Playhead(Timeline(whole), all_of_it).advance(timeline.edge_ns)
+    assert kept.samples
+    missing = all_of_it.samples[len(kept.samples) :]
+    assert all_of_it.samples[: len(kept.samples)] == kept.samples
+    assert len(missing) <= 6, "only what the record that was cut held"
+
+
+def test_a_growing_recording_is_followed_to_its_edge(tmp_path: Path) -> None:
+    data = write(tmp_path / "whole.mcap", flight(6.0)).read_bytes()
+    path = tmp_path / "growing.mcap"
+    path.write_bytes(data[:5000])
+    timeline = Timeline(path)
+    outlet = KeptOutlet()
+    head = Playhead(timeline, outlet)
+    with path.open("ab") as file:
+        for start in range(5000, len(data), 3919):
+            file.write(data[start : start + 3919])
+            file.flush()
+            timeline.look()
+            head.advance(timeline.edge_ns)
+    assert timeline.is_whole
+    expected = KeptOutlet()
+    Playhead(Timeline(path), expected).advance(timeline.edge_ns)
+    assert outlet.samples == expected.samples
+
+
+def test_key_frames_of_another_recording_or_a_torn_file_are_not_used(recording: Path, tmp_path: Path) -> None:
+    timeline = Timeline(recording)
+    file = tmp_path / "a.keys"
+    keyed(timeline, file).close()
+    size = file.stat().st_size
+    assert Keys(file, "other", timeline.starts_ns or 0).latest_ns is None
+    keyed(timeline, file).close()
+    assert file.stat().st_size == size
+    file.write_bytes(file.read_bytes()[:-100])
+    again = Keys(file, "a", timeline.starts_ns or 0)
+    assert again.latest_ns is not None
+    assert again.before(STARTS_NS + 24 * SECOND_NS) is not None
+
+
+def test_two_replays_share_key_frames_and_one_of_them_writes(recording: Path, tmp_path: Path) -> None:
+    timeline = Timeline(recording)
+    first = Keys(tmp_path / "a.keys", "a", timeline.starts_ns or 0)
+    second = Keys(tmp_path / "a.keys", "a", timeline.starts_ns or 0)
+    assert first.is_writer
+    assert not second.is_writer
+    assert not Scout(timeline, second).has_work
+    scout = Scout(timeline, first)
+    while scout.has_work:
+        scout.work()
+    second.look()
+    assert second.latest_ns == first.latest_ns
+    assert second.before(STARTS_NS + 9 * SECOND_NS) == first.before(STARTS_NS + 9 * SECOND_NS)
