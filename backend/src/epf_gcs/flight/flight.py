@@ -53,6 +53,8 @@ from epf_gcs.vehicle.restart import Restart
 from epf_gcs.vehicle.vehicle import Vehicle
 
 _RESTART_S: Final = 1.0
+# How long the board's bytes may wait if nobody needs them at once; the times of samples and recording are as coarse.
+_GATHER_S: Final = 0.008
 
 log = structlog.get_logger("flight")
 
@@ -109,7 +111,9 @@ class Flight:
         self.hil.path = "assisted" if self.memory.now.hil_path == "assisted" else "manual"
         self.simulator = Simulator(self.hil, self.clock, simulator_tap, self.errors.report, self._on_line)
         opener = LinkOpener(self.hil, lambda: self.simulator.address is not None)
-        self.supervisor = Supervisor(self.board, board_tap, self.errors.report, self._on_line, opener)
+        self.supervisor = Supervisor(
+            self.board, board_tap, self.errors.report, self._on_line, opener, self._board_bytes_may_wait_s
+        )
         self.lines = Lines(
             board=self.board,
             supervisor=self.supervisor,
@@ -314,6 +318,11 @@ class Flight:
 
     def _commanded_period_s(self, rate_command: str) -> float:
         return self.memory.now.wanted.period_s(rate_command)
+
+    def _board_bytes_may_wait_s(self) -> float:
+        """The board's bytes are needed at once by the simulator, by a dialogue, and by a viewer of every sample."""
+        may_wait = self.hil.link is None and self.board.is_open and self.outlet.gathers
+        return _GATHER_S if may_wait else 0.0
 
     def _on_opened(self) -> None:
         # At once and not in the re-arming task, which may be busy: it would discard values that were loaded meanwhile.

@@ -44,18 +44,24 @@ def _unknown() -> int:
     return 0
 
 
+def _at_once() -> float:
+    return 0.0
+
+
 @dataclass(frozen=True, slots=True)
 class LinkCallbacks:
     """The callbacks of a link, all called on the event loop; `on_lost` at most once, after the link has closed.
 
     `missing_bytes` is asked after each `on_bytes`: how many bytes are still needed for a frame; 0 if unknown. A link
-    may wait until so many are there, and deliver fewer only when the line falls silent.
+    may wait until so many are there, and deliver fewer only when the line falls silent. `gather_s` is asked too: for
+    how long (in s) nobody needs what comes next; a link may leave it with the system for that time. 0: needed at once.
     """
 
     on_bytes: Callable[[bytes], None]
     on_lost: Callable[[LinkError], None]
     tap: Tap | None = None
     missing_bytes: Callable[[], int] = _unknown
+    gather_s: Callable[[], float] = _at_once
 
 
 @dataclass(frozen=True, slots=True)

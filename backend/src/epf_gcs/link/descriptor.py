@@ -19,6 +19,10 @@ _READ_BYTES: Final = 4096
 _MOST_AWAITED: Final = 255
 # If the line falls silent while we wait for more bytes, those already there are read after one to two times this.
 _PATIENCE_S: Final = 0.1
+# After a write bytes are read as they come for this time, so that the board's answer is not delayed.
+_ANSWER_S: Final = 0.1
+# A read that returns so much shows a line that brings more than may be left with the system.
+_MUCH_BYTES: Final = 1024
 
 
 def _nobody(_: object) -> None:
@@ -29,11 +33,16 @@ def _unknown() -> int:
     return 0
 
 
+def _at_once() -> float:
+    return 0.0
+
+
 class DescriptorLink:
     """Reads in the event loop's callback when the descriptor is readable: without a thread and its delay.
 
     A frame comes in many pieces, and only the last one completes it. Where the system supports it, we are woken for
-    the last one only. Made on a running loop. Implements `Link`.
+    the last one only. While nobody needs the bytes at once, they are read by a timer instead: the system would wake us
+    for every piece, even to find that it is not the last. Made on a running loop. Implements `Link`.
     """
 
     def __init__(self, device: Device) -> None:
@@ -49,6 +58,9 @@ class DescriptorLink:
         self._awaited = 1
         self._has_read = False
         self._patience: asyncio.TimerHandle | None = None
+        self._gather_s: Callable[[], float] = _at_once
+        self._gathering: asyncio.TimerHandle | None = None
+        self._answer_until_s = 0.0
 
     def start(self, callbacks: LinkCallbacks) -> None:
         """Begin to read; bytes that came before wait in the operating system's buffer."""
@@ -56,6 +68,7 @@ class DescriptorLink:
         self._on_lost = callbacks.on_lost
         self._tap = callbacks.tap
         self._missing_bytes = callbacks.missing_bytes
+        self._gather_s = callbacks.gather_s
         self._loop.add_reader(self._device.fd, self._readable)
 
     @property
@@ -74,6 +87,9 @@ class DescriptorLink:
         """Write at once what the system takes and queue the rest; False if the whole of it does not fit."""
         if self._closed or len(self._pending) + len(data) > _MAX_PENDING_BYTES:
             return False
+        self._answer_until_s = self._loop.time() + _ANSWER_S
+        if self._gathering is not None:
+            self._stop_gathering()
         if self._awaited > 1 and self._missing_bytes() < 1:
             # The bytes that we waited for are no longer expected; the answer to this write may be shorter.
             self._await_any()
@@ -103,25 +119,60 @@ class DescriptorLink:
         self._loop.remove_writer(self._device.fd)
         if self._patience is not None:
             self._patience.cancel()
+        if self._gathering is not None:
+            self._gathering.cancel()
         self._device.close()
 
     def _readable(self) -> None:
+        count = self._read()
+        if count == 0 or self._closed:
+            return
+        if count < _MUCH_BYTES and self._loop.time() >= self._answer_until_s:
+            gather_s = self._gather_s()
+            if gather_s > 0.0:
+                self._loop.remove_reader(self._device.fd)
+                self._gathering = self._loop.call_later(gather_s, self._read_gathered)
+                return
+        if self._wait_for is not None:
+            self._await_rest(self._wait_for)
+
+    def _read_gathered(self) -> None:
+        """The gathering time has passed: read what came, and go on so while something comes and nobody needs it."""
+        count = self._read()
+        if self._closed or self._gathering is None:
+            return
+        gather_s = self._gather_s() if 0 < count < _MUCH_BYTES else 0.0
+        if gather_s > 0.0:
+            self._gathering = self._loop.call_later(gather_s, self._read_gathered)
+        else:
+            self._stop_gathering()
+
+    def _stop_gathering(self) -> None:
+        """Be woken for bytes again."""
+        if self._gathering is not None:
+            self._gathering.cancel()
+            self._gathering = None
+            if self._awaited > 1:
+                self._await_any()
+            self._loop.add_reader(self._device.fd, self._readable)
+
+    def _read(self) -> int:
+        """Read once and hand on what is there; the number of bytes. 0 also if the device is lost."""
         try:
             data = os.read(self._device.fd, _READ_BYTES)
         except (BlockingIOError, InterruptedError):
-            return
+            return 0
         except OSError as error:
             self._lose(error.strerror or str(error))
-            return
+            return 0
         if not data:
             self._lose("the other side closed it")
-            return
+            return 0
         tap = self._tap
         if tap is not None:
             tap.received(data)
         self._on_bytes(data)
-        if self._wait_for is not None:
-            self._await_rest(self._wait_for)
+        return len(data)
 
     def _await_rest(self, wait_for: Callable[[int], None]) -> None:
         """Be woken only when all bytes missing to a frame can be there, not for each piece of it."""

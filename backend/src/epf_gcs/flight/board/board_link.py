@@ -20,7 +20,8 @@ State = Literal["closed", "opening", "open", "lost"]
 
 
 class Supervisor:
-    """Owns the link's life. `identity` names the USB device behind it, wherever it is plugged in."""
+    """Owns the link's life. `identity` names the USB device behind it, wherever it is plugged in; `gather_s` is asked
+    for how long nobody needs the line's bytes (see `LinkCallbacks`)."""
 
     def __init__(
         self,
@@ -29,9 +30,11 @@ class Supervisor:
         report: Callable[[GatewayError], None],
         on_change: Callable[[], None],
         open_link: Callable[[LinkAddress], Awaitable[Link]] = open_link,
+        gather_s: Callable[[], float] = lambda: 0.0,
     ) -> None:
         self._board = board
         self._tap = tap
+        self._gather_s = gather_s
         self._on_change = on_change
         self._identify: Callable[[str], str | None] = find_identity
         self._locate: Callable[[str], str | None] = find_path
@@ -126,7 +129,7 @@ class Supervisor:
         is_emulated = address == EMULATION
         # Emulated bytes are never recorded.
         tap = None if is_emulated else self._tap
-        link.start(LinkCallbacks(self._board.on_bytes, self._kept.lose, tap, self._board.missing_bytes))
+        link.start(LinkCallbacks(self._board.on_bytes, self._kept.lose, tap, self._board.missing_bytes, self._gather_s))
         self._board.attach(link, is_emulated=is_emulated)
 
     def _end(self, link: Link) -> None:
