@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import contextlib
 import os
 import pty
@@ -47,10 +48,11 @@ class Ends:
         self.lost: list[LinkError] = []
         self.tape = Tape()
         self.missing = 0
+        self.gather_s = 0.0
 
     async def open(self) -> DescriptorLink:
         link = await open_link(parse_address(f"pty://{self.path}"))
-        link.start(LinkCallbacks(self._take, self.lost.append, self.tape, lambda: self.missing))
+        link.start(LinkCallbacks(self._take, self.lost.append, self.tape, lambda: self.missing, lambda: self.gather_s))
         return link
 
     @property
@@ -209,3 +211,51 @@ async def test_after_a_question_of_another_kind_a_short_answer_is_heard(ends: En
     os.write(ends.master, b"1")
     await eventually_async(lambda: ends.got == b"begun1", "the answer arrives")
     link.close()
+
+
+async def test_bytes_that_nobody_needs_at_once_are_read_together(ends: Ends) -> None:
+    ends.gather_s = 0.2
+    link = await ends.open()
+    os.write(ends.master, b"0")
+    await eventually_async(lambda: ends.got == b"0", "the first is read at once")
+    for number in range(1, 10):
+        os.write(ends.master, b"%d" % number)
+        await asyncio.sleep(0.001)
+    assert ends.got == b"0", "the rest waits"
+    await eventually_async(lambda: ends.got == b"0123456789", "and comes")
+    assert len(ends.reads) == 2
+    link.close()
+
+
+async def test_an_answer_is_read_as_it_comes_though_bytes_are_gathered(ends: Ends) -> None:
+    ends.gather_s = 3600.0
+    link = await ends.open()
+    os.write(ends.master, b"stream")
+    await eventually_async(lambda: ends.got == b"stream", "it gathers from here on")
+    assert link.write(b"question")
+    os.write(ends.master, b" answer")
+    await eventually_async(lambda: ends.got == b"stream answer", "the answer is there within its time")
+    link.close()
+
+
+async def test_gathering_ends_when_the_bytes_are_needed_again(ends: Ends) -> None:
+    ends.gather_s = 0.02
+    link = await ends.open()
+    os.write(ends.master, b"a")
+    await eventually_async(lambda: ends.got == b"a", "it gathers from here on")
+    ends.gather_s = 0.0
+    os.write(ends.master, b"b")
+    await eventually_async(lambda: ends.got == b"ab", "the last that was gathered")
+    for number in range(3):
+        os.write(ends.master, b"%d" % number)
+        await eventually_async(lambda: len(ends.reads) == 3 + number, "each by itself")  # noqa: B023 - awaited here
+    link.close()
+
+
+async def test_a_line_that_is_pulled_while_bytes_are_gathered_is_told_as_lost(ends: Ends) -> None:
+    ends.gather_s = 0.02
+    await ends.open()
+    os.write(ends.master, b"a")
+    await eventually_async(lambda: ends.got == b"a", "it gathers from here on")
+    ends.pull()
+    await eventually_async(lambda: len(ends.lost) == 1, "the loss is told")
