@@ -20,7 +20,6 @@ from epf_gcs.flight.data_folder import DataFolder
 from epf_gcs.flight.flight import Flight
 from epf_gcs.link.address import parse_address
 from epf_gcs.logs import set_up_logging
-from epf_gcs.priority import FLIGHT, set_niceness
 
 # How long another thread (the recorder's) may hold the interpreter while the event loop waits for it.
 _SWITCH_INTERVAL_S: Final = 0.0002
@@ -36,7 +35,6 @@ def main() -> None:
     options = _options()
     set_up_logging(verbose=options.verbose)
     sys.setswitchinterval(_SWITCH_INTERVAL_S)
-    set_niceness(FLIGHT)
     if options.board is not None:
         try:
             parse_address(options.board)

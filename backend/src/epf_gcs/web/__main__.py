@@ -13,7 +13,6 @@ import orjson
 
 from epf_gcs.errors import GatewayError
 from epf_gcs.logs import set_up_logging
-from epf_gcs.priority import WEB, set_niceness
 from epf_gcs.web.app import create_app
 from epf_gcs.web.server import Server
 from epf_gcs.web.settings import Settings
@@ -32,7 +31,6 @@ def main() -> None:
         _print_openapi(settings)
         return
     set_up_logging(verbose=options.verbose)
-    set_niceness(WEB)
     if options.with_parent:
         threading.Thread(target=_wait_for_parent, daemon=True).start()
     try:
