@@ -10,6 +10,7 @@ import time
 from collections.abc import Iterator
 from contextlib import ExitStack, closing, contextmanager
 
+import orjson
 import pytest
 from websockets.sync.client import connect
 
@@ -178,8 +179,11 @@ def test_however_messages_are_cut_and_mixed_with_pings_each_is_understood(gatewa
         pongs = 0
         for opcode, content in heard:
             pongs += opcode == 10 and content == b"hello"
-            if b"stream_message_invalid" in content and b'"type":"event"' in content:
+            if content.startswith(b'{"type":"event","event":"error"'):
                 answers.append(content)
+            elif content.startswith(b'{"type":"batch"'):
+                # Without acknowledgements what follows would be held back.
+                stream.sendall(masked(1, b'{"type":"ack","seq":%d}' % orjson.loads(content)["seq"]))
             if len(answers) == len(asked) + 1 and pongs == 2:
                 break
     assert sum(b"rate must be" in answer for answer in answers) == len(asked)
