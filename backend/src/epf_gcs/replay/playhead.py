@@ -7,7 +7,6 @@ depends on the recorded bytes, notes and times alone. Ticks, which live come whe
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Mapping
 from typing import Any, Final
 
 from epf_gcs.codec.frame import TO_BOARD, Frame, FrameDecoder
@@ -51,21 +50,6 @@ class RecordedLine:
         return True
 
 
-class _Seen:
-    """An outlet without the events that the notes bring. Implements `epf_gcs.vehicle.outside.Outlet`."""
-
-    def __init__(self, outlet: Outlet, is_noted: Callable[[], bool]) -> None:
-        self._event = outlet.event
-        self._is_noted = is_noted
-        self.sample = outlet.sample
-        self.flush = outlet.flush
-
-    def event(self, kind: str, data: Mapping[str, Any]) -> None:
-        """Pass it on, if no note does."""
-        if not self._is_noted():
-            self._event(kind, data)
-
-
 class Playhead:
     """`advance` feeds all up to a moment. `from_ns` and `kept` are a key frame's; without them it begins at the start.
 
@@ -76,13 +60,12 @@ class Playhead:
         self, timeline: Timeline, outlet: Outlet, from_ns: int | None = None, kept: dict[str, Any] | None = None
     ) -> None:
         self._outlet = outlet
-        self._is_ticking = False
         self._cursor = Cursor(timeline, from_ns)
         self.clock = RecordedClock()
         self.known = Known()
         self.errors = ErrorLog()
         self.errors.tell_viewers(self.clock.steady_s, outlet.event)
-        self.vehicle = Vehicle(self.clock, _Seen(outlet, self._is_noted), self.errors, self._period_s)
+        self.vehicle = Vehicle(self.clock, outlet, self.errors, self._period_s)
         self._ahrs_test = RecordedAhrsTest(self.vehicle)
         self._sent = FrameDecoder(TO_BOARD)
         self.bytes_sent = 0
@@ -268,9 +251,7 @@ class Playhead:
         stop_ns = min(t_ns, self._heard_ns + _TICKING_NS)
         while self._tick_ns < stop_ns:
             self.clock.t_ns = self._tick_ns
-            self._is_ticking = True
             self.vehicle.board.tick()
-            self._is_ticking = False
             now_s = self.clock.now_s()
             self.board_in.note(now_s, self.vehicle.board.bytes_in)
             self.board_out.note(now_s, self.bytes_sent)
@@ -283,10 +264,6 @@ class Playhead:
 
     def _period_s(self, rate_command: str) -> float:
         return self.known.period_s(rate_command)
-
-    def _is_noted(self) -> bool:
-        """Whether what happens now is in the notes: text that live handed out at its own tick, not at ours."""
-        return self._is_ticking and bool(self.known.now["identity"])
 
     @staticmethod
     def _after(t_ns: int) -> int:

@@ -13,11 +13,13 @@ from pathlib import Path
 import pytest
 import structlog
 from mcap.exceptions import EndOfFile
-from mcap.records import Message, Metadata
+from mcap.records import Message
 from mcap.stream_reader import StreamReader
 
 from epf_gcs.flight.line_clock import LineClock
 from epf_gcs.flight.recording.recorder import Recorder
+from epf_gcs.recordings.notes import LINE, MARK
+from epf_gcs.recordings.reading import notes_of
 from epf_gcs.recordings.topics import TOPICS
 from tests.support.waiting import eventually
 
@@ -115,12 +117,16 @@ def test_a_session_that_ended_is_followed_by_a_file_of_its_own(tmp_path: Path) -
 
 def test_notes_are_in_the_file(tmp_path: Path) -> None:
     with recording(tmp_path) as recorder:
-        recorder.note("board_link", {"url": "tcp://h:1"})
+        recorder.know(LINE, "board", 5, {"line": "board", "open": True})
+        recorder.know(LINE, "board", 6, {"line": "board", "open": True})
         recorder.board_tap.received(b"x")
-    (file,) = tmp_path.glob("*.mcap")
-    with file.open("rb") as stream:
-        notes = [record for record in StreamReader(stream).records if isinstance(record, Metadata)]
-    assert [note.metadata for note in notes] == [{"url": "tcp://h:1"}]
+        eventually(lambda: recorder.file is not None, "it records")
+        recorder.note(MARK, 7, {"text": "aquí", "by": None, "id": "1"})
+        recorder.end_session()
+        recorder.board_tap.received(b"y")
+    first, second = sorted(tmp_path.glob("*.mcap"), key=lambda file: file.stat().st_mtime_ns)
+    assert [note.name for note in notes_of(first)] == [LINE, MARK]
+    assert [note.content for note in notes_of(second)] == [{"line": "board", "open": True}], "known from the start"
 
 
 def test_a_folder_that_cannot_be_written_is_told_and_counted_and_tried_again(tmp_path: Path) -> None:

@@ -14,11 +14,11 @@ import shutil
 import threading
 from collections import deque
 from collections.abc import Iterator
-from itertools import groupby
+from itertools import dropwhile, groupby
 from operator import itemgetter
 from pathlib import Path
 from time import monotonic, monotonic_ns
-from typing import Final
+from typing import Any, Final
 
 from epf_gcs.flight.flight_log import say
 from epf_gcs.flight.line_clock import LineClock
@@ -26,6 +26,7 @@ from epf_gcs.flight.recording.recording_file import RecordingFile
 from epf_gcs.flight.recording.repair import recordings_in, repair_all
 from epf_gcs.flight.recording.taps import NOTE, Entry, line_taps
 from epf_gcs.recordings.mcap_file import message_record, metadata_record
+from epf_gcs.recordings.notes import LOST, written
 from epf_gcs.recordings.topics import STREAMS, TOPICS
 
 _FLUSH_S: Final = 0.25
@@ -61,6 +62,8 @@ class Recorder:
         self._told_s = told_s
         self._least_bytes = least_bytes
         self._queue: deque[Entry] = deque()
+        # Replaced by the loop entry by entry, copied by the writing thread in one step.
+        self._known: dict[tuple[str, str], dict[str, str]] = {}
         self._wake = threading.Event()
         self._stopping = False
         self._thread = threading.Thread(target=self._run, name="recorder", daemon=True)
@@ -72,6 +75,8 @@ class Recorder:
         self.failure: str | None = None
         self.free_bytes: int | None = None
         self._bytes_unwritten = 0
+        self._lost_noted = 0
+        self._lost_reason: str | None = None
         self._bytes_seen = 0
         self._output: RecordingFile | None = None
         self._retry_at_s = 0.0
@@ -104,9 +109,21 @@ class Recorder:
         if self._mending is not None:
             self._mending.join()
 
-    def note(self, name: str, values: dict[str, str]) -> None:
-        """Put a note into the recording, such as the address of a line that was opened."""
-        self._queue.append((NOTE, 0, metadata_record(name, values)))
+    def note(self, name: str, t_ns: int, content: Any) -> None:
+        """Put a note of Unix time `t_ns` into the recording; without a recording it is dropped."""
+        self._queue.append((NOTE, t_ns, metadata_record(name, written(t_ns, content))))
+
+    def know(self, name: str, about: str, t_ns: int, content: Any) -> None:
+        """The same for what each later file begins with too, in place of an earlier note of this `name` and `about`.
+
+        Nothing is noted if this was known before.
+        """
+        values = written(t_ns, content)
+        before = self._known.get((name, about))
+        if before is not None and before["json"] == values["json"]:
+            return
+        self._known[name, about] = values
+        self._queue.append((NOTE, t_ns, metadata_record(name, values)))
 
     def end_session(self) -> None:
         """Close the file; the next bytes begin a new one."""
@@ -135,9 +152,15 @@ class Recorder:
     def _write(self, batch: list[tuple[int, int, bytes]]) -> None:
         if not batch:
             return
+        if self._output is None:
+            # A file begins with its first byte, and with all that is known by then.
+            batch = list(dropwhile(lambda entry: entry[0] == NOTE, batch))
+            if not batch:
+                return
         try:
-            output = self._output or self._open()
+            output = self._output or self._open(batch[0][1])
             if output is not None:
+                self._note_lost(output, batch[0][1])
                 output.put(b"".join([self._record(output, *entry) for entry in _together(batch)]))
                 self._wrote(output)
                 return
@@ -151,7 +174,16 @@ class Recorder:
             return data
         return message_record(channel, output.tally.add(channel, time_ns), time_ns, data)
 
-    def _open(self) -> RecordingFile | None:
+    def _note_lost(self, output: RecordingFile, t_ns: int) -> None:
+        """Tell in the file how many bytes are missing before what follows."""
+        lost = self.bytes_lost
+        if lost > self._lost_noted:
+            content = {"bytes": lost - self._lost_noted, "reason": self._lost_reason or "the disk did not keep up"}
+            output.put(metadata_record(LOST, written(t_ns, content)))
+            output.tally.metadata_count += 1
+            self._lost_noted, self._lost_reason = lost, None
+
+    def _open(self, t_ns: int) -> RecordingFile | None:
         if monotonic() < self._retry_at_s:
             return None
         self._folder.mkdir(parents=True, exist_ok=True)
@@ -159,6 +191,9 @@ class Recorder:
             raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
         self._output = RecordingFile(self._folder, self._clock.unix_ns(monotonic_ns()), self._library, TOPICS)
         self._bytes_seen = 0
+        for (name, _), values in list(self._known.items()):
+            self._output.put(metadata_record(name, {**values, "t_ns": str(t_ns)}))
+            self._output.tally.metadata_count += 1
         return self._output
 
     def _wrote(self, output: RecordingFile) -> None:
@@ -213,7 +248,7 @@ class Recorder:
 
     def _fail(self, error: OSError) -> None:
         """Close this file with what it holds, and try a new one after `retry_s`."""
-        failure = self.failure = f"{error.strerror or error}"
+        failure = self.failure = self._lost_reason = f"{error.strerror or error}"
         self._retry_at_s = monotonic() + self._retry_s
         output, self._output = self._output, None
         self.file = None
