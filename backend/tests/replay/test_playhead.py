@@ -144,7 +144,9 @@ def test_key_frames_of_another_recording_or_a_torn_file_are_not_used(recording: 
     file = tmp_path / "a.keys"
     keyed(timeline, file).close()
     size = file.stat().st_size
-    assert Keys(file, "other", timeline.starts_ns or 0).latest_ns is None
+    other = Keys(file, "other", timeline.starts_ns or 0)
+    assert other.latest_ns is None
+    other.close()
     keyed(timeline, file).close()
     assert file.stat().st_size == size
     file.write_bytes(file.read_bytes()[:-100])
