@@ -21,6 +21,7 @@ MODULES = (
     "kill",
     "page",
     "globe",
+    "replay",
     "flight",
     "board",
     "image",
