@@ -122,7 +122,7 @@ def _key_frames(recording: Path, file: Path) -> Row:
 def _seeks(port: int) -> list[Row]:
     """From the wish to the batch with the new moment's samples, as the page sees it."""
     opened_s = time.monotonic()
-    viewer = Viewer(port, "at_s=600")
+    viewer = Viewer(port, f"at_s={FLIGHT_S / 2.0}")
     opened_s = time.monotonic() - opened_s
     rng = random.Random(3)
     took_ms: list[float] = []
@@ -178,7 +178,7 @@ def _hundredfold(port: int) -> Row:
 
 def _ten(port: int, gateway: int) -> list[Row]:
     """Ten viewers, each at another moment: paused, then all at 1 x with 60 batches a second."""
-    viewers = [Viewer(port, f"at_s={100 * number}") for number in range(_VIEWERS)]
+    viewers = [Viewer(port, f"at_s={(FLIGHT_S / 12.0) * number}") for number in range(_VIEWERS)]
     rows = []
     for what, wish in (("paused", {"type": "pause"}), ("at 1 x, 60 Hz", {"type": "play", "rate": 1.0})):
         for viewer in viewers:
