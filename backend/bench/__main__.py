@@ -22,6 +22,7 @@ MODULES = (
     "kill",
     "page",
     "globe",
+    "replay",
     "flight",
     "board",
     "image",
