@@ -1,4 +1,4 @@
-"""`pack FILE`: packs a finished recording in its own place; one that is cut, damaged or packed already stays as it is."""
+"""`pack FILE`: packs a finished recording in its own place. One that is cut, damaged or packed already is left."""
 
 from __future__ import annotations
 

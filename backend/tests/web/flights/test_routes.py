@@ -203,6 +203,7 @@ def test_a_flight_is_prepared_by_itself_and_answers_what_is_in_it(gateway: Gatew
     with pa.ipc.open_stream(arrow.content) as reader:
         table = reader.read_all()
     assert table.column("max").to_pylist() == roll["max"]
+    assert asked(gateway, f"{path}/signals", names="servos_in.channel_11")["signals"][0]["at_s"] == []
     for wrong in ("ahrs.nothing", "nothing.roll_deg", "capabilities.firmware_name"):
         refused = gateway.http.get(f"{path}/signals", params={"names": wrong})
         assert (refused.status_code, refused.json()["code"]) == (404, "signal_unknown")
@@ -252,6 +253,29 @@ def test_a_mark_is_set_changed_and_removed_and_survives_a_new_index(gateway: Gat
     assert marks(gateway.http.delete(f"{path}/marks/{mark}").raise_for_status().json()) == []
     assert gateway.http.delete(f"{path}/marks/{mark}").json()["code"] == "mark_unknown"
     assert gateway.http.post(f"{path}/marks", json={"text": "jetzt"}).status_code == 422
+
+
+def test_a_mark_set_in_flight_stands_in_the_recording_and_can_be_worded_anew(
+    gateway: Gateway, board: FakeBoard
+) -> None:
+    gateway.open_board(board.url)
+    eventually(lambda: gateway.http.get("/flights/current/topics").status_code == 200, "it is recorded")
+    gateway.http.post("/flights/current/marks", json={"text": "ahora"}).raise_for_status()
+
+    def marks(flight: str) -> list[str]:
+        found = asked(gateway, f"/flights/{flight}/events")["events"]
+        return [one["data"]["text"] for one in found if one["kind"] == "mark"]
+
+    eventually(lambda: marks("current") == ["ahora"], "the mark is in the file")
+    flight = gateway.status()["recording"]["file"].removesuffix(".mcap")
+    gateway.http.delete("/links/board").raise_for_status()
+    assert indexed(gateway, flight)["marks"] == 1
+    events = asked(gateway, f"/flights/{flight}/events")["events"]
+    mark = next(one["id"] for one in events if one["kind"] == "mark")
+    gateway.http.patch(f"/flights/{flight}/marks/{mark}", json={"text": "entonces"}).raise_for_status()
+    assert (marks(flight), gateway.http.get(f"/flights/{flight}").json()["marks"]) == (["entonces"], 1)
+    gateway.http.delete(f"/flights/{flight}/marks/{mark}").raise_for_status()
+    assert (marks(flight), gateway.http.get(f"/flights/{flight}").json()["marks"]) == ([], 0)
 
 
 def test_the_same_recording_is_taken_once(gateway: Gateway, board: FakeBoard) -> None:
