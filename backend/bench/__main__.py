@@ -19,6 +19,7 @@ MODULES = (
     "strangers",
     "besieged",
     "kill",
+    "plots",
     "page",
     "globe",
     "flight",

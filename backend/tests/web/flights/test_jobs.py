@@ -8,6 +8,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+import httpx
 import pytest
 
 from epf_gcs.recordings.mcap_file import Tally, closing, data_end, message_record, opening
@@ -90,11 +91,17 @@ def test_a_gateway_that_ends_ends_its_workers(large: Path) -> None:
     assert not is_alive(worker)
 
 
-def test_a_web_process_that_is_killed_leaves_no_worker(large: Path) -> None:
-    with gateway_process(large) as gateway:
+def test_a_web_process_that_is_killed_leaves_no_worker_even_one_that_is_silent(tmp_path: Path) -> None:
+    with gateway_process(tmp_path / "data") as gateway:
+        port = gateway.wait_for_words(r"http://127\.0\.0\.1:(\d+)")
         eventually(lambda: bool(found(gateway.process.pid, "epf_gcs.web")), "the web process")
         (web,) = found(gateway.process.pid, "epf_gcs.web")
-        eventually(lambda: bool(found(web, "epf_gcs.flights")), "its worker")
-        (worker,) = found(web, "epf_gcs.flights")
+        # Whoever opens it waits for a writer that never comes: the worker says nothing, so no broken pipe ends it.
+        (tmp_path / "data" / "recordings").mkdir(exist_ok=True)
+        os.mkfifo(tmp_path / "data" / "recordings" / f"{FLIGHT}.mcap")
+        httpx.post(f"http://127.0.0.1:{port}/api/v1/flights/{FLIGHT}/index").raise_for_status()
+        eventually(lambda: bool(found(web, "epf_gcs.flights pack")), "its worker")
+        (worker,) = found(web, "epf_gcs.flights pack")
+        eventually(lambda: os.getpriority(os.PRIO_PROCESS, worker) == 19, "the worker has begun")
         os.kill(web, signal.SIGKILL)
         eventually(lambda: not is_alive(worker), "the worker ends")

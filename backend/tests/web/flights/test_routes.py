@@ -22,7 +22,7 @@ def flown(gateway: Gateway, board: FakeBoard) -> str:
     """Record a flight and end it; its id."""
     gateway.open_board(board.url)
     gateway.http.post("/commands/ahrs_on").raise_for_status()
-    eventually(lambda: gateway.status()["recording"]["bytes"] > 2000, "it records")
+    eventually(lambda: gateway.status()["topics"].get("ahrs", {"count": 0})["count"] > 5, "attitudes come")
     file = gateway.status()["recording"]["file"]
     gateway.http.delete("/links/board").raise_for_status()
     eventually(lambda: not gateway.status()["recording"]["active"], "the session ends")

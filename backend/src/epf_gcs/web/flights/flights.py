@@ -63,7 +63,7 @@ class Flights:
         self._thread = ThreadPoolExecutor(1, thread_name_prefix="flights")
         self._loop = asyncio.get_running_loop()
         self._awake = asyncio.Event()
-        self._was_growing: str | None = None
+        self._was: tuple[bool, str | None] = (False, None)
         self._left_alone: set[str] = set()
         self._room_at_s = 0.0
         self._preparing: Job | None = None
@@ -97,9 +97,10 @@ class Flights:
         self._awake.set()
 
     def status_changed(self) -> None:
-        """Look at the recordings when one began or ended."""
-        if self._growing() != self._was_growing:
-            self._was_growing = self._growing()
+        """Look at the recordings when one began or ended, and when the flight process came or went."""
+        now = (self._is_known(), self._growing())
+        if now != self._was:
+            self._was = now
             self.wake()
 
     async def search(self, wanted: Wanted) -> tuple[list[Row], int]:
