@@ -96,11 +96,15 @@ class Broadcast:
             self.send_gathered()
             self._send(pack(Kind.STATUS, orjson.dumps(status)))
 
-    def playback(self, playback: Mapping[str, Any]) -> None:
-        """Where a replay is, and whether it plays."""
+    def playback(self, playback: Mapping[str, Any], *, with_samples: bool = False) -> None:
+        """Where a replay is, and whether it plays; sent at once, or before the samples of the next `flush`."""
         if self._rates_hz:
-            self.send_gathered()
-            self._send(pack(Kind.PLAYBACK, orjson.dumps(playback)))
+            data = pack(Kind.PLAYBACK, orjson.dumps(playback))
+            if with_samples:
+                self._samples.append(data)
+            else:
+                self.send_gathered()
+                self._send(data)
 
     def add(self, channel: Channel) -> None:
         """Send everything to this listener from now on, each sample at once until it tells its pace."""
