@@ -36,7 +36,7 @@ def recording_requests(recorder: Recorder | None, notes: FlightNotes, memory: Me
     async def mark(_: Asker, arguments: dict[str, Any]) -> dict[str, Any]:
         if recorder is None or recorder.file is None:
             raise ConflictError(
-                "recording_not_active", "The mark was not set because nothing is recorded: open a line first."
+                "flight_not_recorded", "The mark was not set because nothing is recorded: open a line first."
             )
         by = arguments.get("by")
         made = notes.mark(str(arguments["text"]), None if by is None else str(by))
