@@ -12,7 +12,7 @@ from typing import Final, get_args
 from epf_gcs.errors import ConflictError, InvalidInputError, NotFoundError
 from epf_gcs.flights.worker import Say
 from epf_gcs.formats.kml_words import Language
-from epf_gcs.recordings.export_names import DECODED_FORMATS, ExportFormat
+from epf_gcs.recordings.export_names import ExportFormat, check_export, file_name
 
 RESERVE_BYTES: Final = 1_500_000_000
 """Space that an export leaves free, so that no viewer's file ever stops the recording of a flight."""
@@ -40,16 +40,10 @@ class Asked:
         """Whether the whole time of the flight is asked for."""
         return self.from_s is None and self.to_s is None
 
-    def check(self) -> None:
-        """Raises InvalidInputError where this can never be done."""
-        if self.topics is not None and self.format not in DECODED_FORMATS:
-            raise InvalidInputError(
-                "export_topics_unused",
-                f"The format {self.format} has no topics to choose from: leave them out.",
-                format=self.format,
-            )
-        if (self.from_s or 0.0) < 0.0 or (self.to_s is not None and self.to_s <= (self.from_s or 0.0)):
-            raise stretch_empty()
+    @property
+    def name(self) -> str:
+        """What the file is called."""
+        return file_name(self.flight, self.format, self.topics)
 
     def span_ns(self, start_ns: int) -> tuple[int, int]:
         """First and last Unix time (ns) that are asked for, of a flight that begins at `start_ns`."""
@@ -62,11 +56,15 @@ class Progress:
     """Tells the progress in steps, and ends the export before the disk is full."""
 
     def __init__(
-        self, say: Say, target: Path, free_bytes: Callable[[Path], int] = lambda path: shutil.disk_usage(path).free
+        self,
+        say: Say,
+        folder: Path,
+        name: str,
+        free_bytes: Callable[[Path], int] = lambda path: shutil.disk_usage(path).free,
     ) -> None:
         self._say = say
-        self._folder = target.parent
-        self._name = target.name
+        self._folder = folder
+        self._name = name
         self._free_bytes = free_bytes
         self._said = -1.0
 
@@ -100,15 +98,8 @@ def read_arguments(arguments: list[str]) -> tuple[Asked, Path]:
     parser.add_argument("--language", choices=get_args(Language), default="es")
     given = parser.parse_args(arguments)
     asked = Asked(given.file.resolve(), given.format, given.topics, given.from_s, given.to_s, given.language)
-    asked.check()
+    check_export(asked.format, asked.topics, asked.from_s, asked.to_s)
     return asked, given.out
-
-
-def stretch_empty() -> InvalidInputError:
-    """There is nothing in the stretch."""
-    return InvalidInputError(
-        "export_stretch_empty", "There is nothing of the flight in this stretch: it ends before it begins, or is empty."
-    )
 
 
 def unknown_topic(topic: str) -> NotFoundError:

@@ -15,10 +15,11 @@ import orjson
 import pyarrow as pa
 from mcap.records import Channel, Schema
 
-from epf_gcs.flights.export.asked import Asked, Progress, stretch_empty
+from epf_gcs.flights.export.asked import Asked, Progress
 from epf_gcs.flights.export.flown import TOPICS, FlownLine, Source, flown_lines
 from epf_gcs.flights.export.json_schemas import LOCATION_FIX_SCHEMA, schema_of
 from epf_gcs.flights.export.stretch import Stretch, times_of
+from epf_gcs.recordings.export_names import stretch_empty
 from epf_gcs.recordings.mcap_file import Contents, encoded, message_record
 from epf_gcs.recordings.packed_file import PackedFile
 from epf_gcs.recordings.parts import Messages
@@ -27,6 +28,8 @@ from epf_gcs.recordings.scan import Places
 _LIBRARY: Final = "epf-gcs export"
 _LEVEL: Final = 3
 _READING: Final = 0.1
+# A batch of every topic is held at once, as JSON.
+_ROWS: Final = 512
 _LOCATIONS: Final[dict[Source, str]] = {"flight": "location_flight", "hil": "location_hil"}
 _UNKNOWN_COVARIANCE: Final = {"position_covariance": [0.0] * 9, "position_covariance_type": 0}
 
@@ -76,7 +79,7 @@ def _contents(streams: list[_Stream]) -> Contents:
 
 
 def _topic(stretch: Stretch, topic: str) -> Batches:
-    for batch in stretch.batches(topic):
+    for batch in stretch.batches(topic, rows=_ROWS):
         yield times_of(batch), _rows(batch)
 
 

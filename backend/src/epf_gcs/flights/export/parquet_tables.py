@@ -26,15 +26,17 @@ def write(asked: Asked, target: Path, aside: Path, progress: Progress) -> None:
         return
     partition = Path(*stretch.folder.parts[-3:])
     # Stored, for the tables are packed already.
-    with zipfile.ZipFile(target, "w", zipfile.ZIP_STORED, allowZip64=True) as archive:
+    with zipfile.ZipFile(target, "w", zipfile.ZIP_STORED) as archive:
         for number, topic in enumerate(stretch.topics):
             path = stretch.path(topic)
             if not stretch.is_whole:
                 path = aside / f"{topic}.parquet"
                 _table(stretch, topic, path)
-            with path.open("rb") as source, archive.open(f"{partition.as_posix()}/{topic}.parquet", "w", True) as entry:
+            name = f"{partition.as_posix()}/{topic}.parquet"
+            with path.open("rb") as source, archive.open(name, "w", force_zip64=True) as entry:
                 shutil.copyfileobj(source, entry, _PIECE_BYTES)
-            path.unlink(missing_ok=True) if path.parent == aside else None
+            if path.parent == aside:
+                path.unlink()
             progress.at((number + 1) / len(stretch.topics))
 
 

@@ -12,8 +12,9 @@ import numpy as np
 from mcap.data_stream import ReadDataStream
 from mcap.records import Metadata
 
-from epf_gcs.flights.export.asked import Asked, Progress, stretch_empty
+from epf_gcs.flights.export.asked import Asked, Progress
 from epf_gcs.recordings import notes
+from epf_gcs.recordings.export_names import stretch_empty
 from epf_gcs.recordings.notes import Note
 from epf_gcs.recordings.packed_file import PackedFile
 from epf_gcs.recordings.packing import Block, RecordReader
@@ -96,7 +97,8 @@ class _Cut:
         sizes = block.messages.length[first:end] + PAYLOAD_AT
         begin, stop = int(block.at[first]), int(block.at[end - 1] + sizes[-1])
         part = slice(first, end)
-        messages = Messages(*(one[part] for one in block.messages[:4]), block.messages.data)
+        channel, t_ns, start, length, data = block.messages
+        messages = Messages(channel[part], t_ns[part], start[part], length[part], data)
         self._output.put(block.records[begin:stop], block.at[part] - begin, messages)
         self._count += end - first
 

@@ -16,8 +16,8 @@ from epf_gcs.flights.export.asked import Asked, Progress, unknown_topic
 from epf_gcs.flights.indexed import not_indexed
 from epf_gcs.recordings.places import SUMMARY, Places
 
-ROWS: Final = 4096
-"""Rows of a batch: few enough that a batch of every topic at once takes little memory."""
+ROWS: Final = 8192
+"""Rows of a batch."""
 
 
 class Stretch:
@@ -57,7 +57,7 @@ class Stretch:
         self._all_rows = max(1, sum(pq.ParquetFile(self.path(topic)).metadata.num_rows for topic in topics))
         self._read_rows, self._base, self._share = 0, base, share
 
-    def batches(self, topic: str, columns: list[str] | None = None) -> Iterator[pa.RecordBatch]:
+    def batches(self, topic: str, columns: list[str] | None = None, rows: int = ROWS) -> Iterator[pa.RecordBatch]:
         """The rows of the stretch in the order of the file, none of the batches empty."""
         # Without reading ahead: what a prefetch holds grows with the file.
         with pq.ParquetFile(self.path(topic), pre_buffer=False) as file:
@@ -65,7 +65,7 @@ class Stretch:
                 if not self._touches(file.metadata.row_group(group)):
                     self._count(file.metadata.row_group(group).num_rows)
                     continue
-                for batch in file.iter_batches(ROWS, row_groups=[group], columns=columns, use_threads=False):
+                for batch in file.iter_batches(rows, row_groups=[group], columns=columns, use_threads=False):
                     self._count(batch.num_rows)
                     chosen = self._chosen(batch)
                     if chosen.num_rows:

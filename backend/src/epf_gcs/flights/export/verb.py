@@ -32,7 +32,7 @@ _MODULES: Final = {
 def run(arguments: list[str], say: Say) -> dict[str, Any]:
     """Raises GatewayError, OSError."""
     asked, target = read_arguments(arguments)
-    progress = Progress(say, target)
+    progress = Progress(say, target.parent, asked.name)
     target.parent.mkdir(parents=True, exist_ok=True)
     part, aside = target.with_name(f".{target.name}.part"), target.with_name(f".{target.name}.aside")
     try:
