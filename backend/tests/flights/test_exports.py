@@ -99,7 +99,7 @@ def test_a_stretch_of_the_recording_has_its_bytes_and_what_was_known_before_it(
         (one.channel, one.t_ns, one.data)
         for one in walk(export(source, "mcap", "--from-s", "10", "--to-s", "20.5"))
         if hasattr(one, "data")
-    ] == expected  # noqa: E501
+    ] == expected
     assert [note.name for note in found.notes] == [IDENTITY, PLAN]
 
 
