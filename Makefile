@@ -18,7 +18,7 @@ PORT ?= 8000
 ARGS ?=
 MINUTES ?= 30
 
-.PHONY: help setup images generate check test test-backend test-protocol test-firmware test-frontend e2e soak fuzz mutate run board bench clean tools browser
+.PHONY: help setup images generate check test test-backend test-protocol test-firmware test-frontend e2e soak fuzz mutate mutate-page run board bench clean tools browser
 
 help: ## list the verbs
 	@awk -F':.*## ' '/^[a-z-]+:.*## / { printf "  make %-14s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -170,6 +170,13 @@ $(DONE)/venv-mutate: backend/requirements-mutate.lock $(DONE)/venv-dev
 mutate: $(DONE)/venv-mutate ## change the gateway's code in small places and see whether its tests notice; ARGS="codec/frame.py --most 20"
 	cd backend && ../$(BIN)/python -m mutation $(ARGS)
 
+$(DONE)/mutation: frontend/mutation/package-lock.json $(DONE)/frontend
+	@cd frontend/mutation && npm ci --no-audit --no-fund --loglevel=error
+	@touch $@
+
+mutate-page: $(DONE)/mutation ## the same for the page's lib, store and instruments; ARGS="src/lib/angles.ts" or ARGS="--share 0.1"
+	cd frontend && node mutation/mutate.mjs $(ARGS)
+
 clean: ## remove everything that was built or installed
-	rm -rf $(VENV) $(DONE) frontend/node_modules frontend/dist e2e/node_modules e2e/test-results e2e/playwright-report
+	rm -rf $(VENV) $(DONE) frontend/node_modules frontend/mutation/node_modules frontend/mutation/build frontend/dist e2e/node_modules e2e/test-results e2e/playwright-report
 	$(MAKE) --no-print-directory -C firmware clean

@@ -12,6 +12,7 @@ from bench.table import Row, table
 MODULES = (
     "decode",
     "damaged",
+    "flights",
     "latency",
     "cpu",
     "line",
@@ -19,6 +20,7 @@ MODULES = (
     "strangers",
     "besieged",
     "kill",
+    "plots",
     "page",
     "globe",
     "replay",

@@ -49,7 +49,9 @@ def run() -> list[Row]:
                 "BENCH_URL": f"http://127.0.0.1:{gateway.port}",
                 "BENCH_RESULTS": str(results),
             }
-            subprocess.run(["npm", "run", "--silent", "bench", "--", "page"], cwd=_E2E, env=environment, check=True)
+            subprocess.run(
+                ["npm", "run", "--silent", "bench", "--", "bench/page.spec"], cwd=_E2E, env=environment, check=True
+            )
         finally:
             stop.set()
             feeder.join()

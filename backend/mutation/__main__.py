@@ -31,7 +31,10 @@ MODULES: Final[dict[str, tuple[str, ...]]] = {
     "codec/frame.py": ("tests/codec",),
     "codec/session.py": ("tests/codec", "tests/vehicle/test_board.py"),
     "codec/values.py": ("tests/codec",),
-    "flight/board/acknowledgements.py": ("tests/flight/board/test_commands.py",),
+    "flight/board/acknowledgements.py": (
+        "tests/flight/board/test_acknowledgements.py",
+        "tests/flight/board/test_commands.py",
+    ),
     "flight/hil/stick.py": ("tests/web/test_stick.py", "tests/flight/hil"),
     "flight/hil/hil.py": ("tests/flight/hil",),
     "recordings/mcap_file.py": ("tests/recordings", "tests/flight/recording"),

@@ -8,8 +8,8 @@ const SIZES = [
 const LOOKS = ["dark", "light", "sunlight"] as const;
 const LANGUAGES = ["es", "en"] as const;
 
-/** One picture of every tab in every size, language and look, to be looked at: `npm run shots`. */
-test("every tab is pictured", async ({ page, flying }) => {
+/** One picture of every tab and menu in every size, language and look, to be looked at: `npm run shots`. */
+test("every tab and menu is pictured", async ({ page, flying }) => {
   await open(page, flying);
   await page.getByRole("tab", { name: "Autopilot Param", exact: true }).click();
   await page.getByRole("button", { name: "Load", exact: true }).click();
@@ -33,6 +33,14 @@ test("every tab is pictured", async ({ page, flying }) => {
           await settled(page);
           const name = `${size.width}-${language}-${theme}-${index + 1}-${(await tab.textContent())?.replaceAll(" ", "-")}`;
           await page.screenshot({ path: `test-results/shots/${name}.png` });
+        }
+        for (const [index, menu] of (await page.getByRole("menubar").getByRole("menuitem").all()).entries()) {
+          await menu.click();
+          await expect(page.getByRole("menu")).toBeVisible();
+          await settled(page);
+          const name = `${size.width}-${language}-${theme}-menu-${index + 1}-${(await menu.textContent())?.replaceAll(" ", "-")}`;
+          await page.screenshot({ path: `test-results/shots/${name}.png` });
+          await page.keyboard.press("Escape");
         }
       }
     }

@@ -109,3 +109,15 @@ test("the angle between turns is exact where it is small, and the same whatever 
   const [x, y, z, w] = quaternionOf({ yaw_deg: 120, pitch_deg: 0, roll_deg: 0 });
   expect(angleBetween_deg(still, [-x, -y, -z, -w])).toBeCloseTo(120, 9);
 });
+
+test("between two turns that nearly coincide the way is straight, and each turn on it has length one", () => {
+  const from = quaternionOf({ yaw_deg: 0, pitch_deg: 0, roll_deg: 0 });
+  const to = quaternionOf({ yaw_deg: 0.004, pitch_deg: 0, roll_deg: 0 });
+  for (const share of [0, 0.25, 1]) {
+    const turn = between(from, to, share);
+    expect(Math.hypot(...turn)).toBeCloseTo(1, 12);
+    expect(angleBetween_deg(from, turn)).toBeCloseTo(0.004 * share, 9);
+  }
+  const far = quaternionOf({ yaw_deg: 120, pitch_deg: 30, roll_deg: -60 });
+  expect(Math.hypot(...between(from, far, 0.3))).toBeCloseTo(1, 12);
+});

@@ -93,3 +93,28 @@ describe("the ghost", () => {
     );
   });
 });
+
+describe("nothing received", () => {
+  test("is nothing shown, no ghost and nothing that moves", () => {
+    const motion = new AttitudeMotion();
+    expect(motion.ghost(5000)).toBeNull();
+    expect(motion.isMoving(5000, true)).toBe(false);
+  });
+
+  test("since the source changed is the same, whatever came before", () => {
+    const motion = new AttitudeMotion();
+    const end_ms = turning(motion, 100, 30);
+    motion.clear();
+    expect(motion.shown(end_ms)).toBeNull();
+    expect(motion.ghost(end_ms)).toBeNull();
+    expect(motion.isMoving(end_ms, true)).toBe(false);
+  });
+});
+
+test("a single sample moves until its ghost has come, and not for who draws no ghost", () => {
+  const motion = new AttitudeMotion();
+  motion.push(yaw(40), 1000);
+  expect(motion.isMoving(1500, true)).toBe(true);
+  expect(motion.isMoving(1500, false)).toBe(false);
+  expect(motion.isMoving(2001, true)).toBe(false);
+});

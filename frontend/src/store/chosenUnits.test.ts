@@ -42,6 +42,23 @@ test("every quantity has more than one unit, and its usual one is among them", (
   }
 });
 
+test("each quantity offers these units, the usual one first, with no more decimals than its sensor resolves", () => {
+  const offered = QUANTITIES.map((quantity) => [
+    quantity,
+    unitsOf(quantity)
+      .map((unit) => `${unit} ${unitDigits(quantity, unit)}`)
+      .join(", "),
+  ]);
+  expect(Object.fromEntries(offered)).toEqual({
+    altitude: "ft 0, m 1",
+    speed: "kt 1, kmPerH 1, mPerS 1",
+    verticalSpeed: "ftPerMin 0, mPerS 1",
+    distance: "m 0, km 2, nm 2",
+    temperature: "degC 1, degF 1",
+  });
+  expect(QUANTITIES.map(usualUnit)).toEqual(["ft", "kt", "ftPerMin", "m", "degC"]);
+});
+
 test("a metre of altitude has a tenth, a metre of distance has none", () => {
   expect([unitDigits("altitude", "m"), unitDigits("distance", "m")]).toEqual([1, 0]);
 });

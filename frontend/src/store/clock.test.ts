@@ -35,3 +35,19 @@ test("after a reset only the new gateway counts", () => {
   clock.observe(1000, 11);
   expect(clock.now_s(11)).toBe(1000);
 });
+
+test("an old estimate gives way by half a millisecond for each second since the last message", () => {
+  const clock = new ServerClock();
+  clock.observe(1000, 10);
+  clock.observe(1000, 110); // a hundred seconds on the way
+  clock.observe(1000, 310);
+  expect(clock.now_s(310)).toBeCloseTo(1300 - 300 * 0.0005, 9);
+});
+
+test("a gateway whose clock is behind the page's, and the moment before zero, are times like any other", () => {
+  const clock = new ServerClock();
+  clock.observe(2, 10);
+  expect(clock.now_s(5)).toBe(-3);
+  clock.observe(4, 9); // a steady clock never goes back; nothing gives way if it did
+  expect(clock.now_s(9)).toBe(4);
+});

@@ -37,3 +37,13 @@ test("controls do not see each other's commands", () => {
   begin(store, KEY, "on");
   expect(shown(store.getState(), "autotrim", 0)).toBeNull();
 });
+
+test.each(["confirmed", "sent"] as const)(
+  "%s makes room after three seconds, to the millisecond",
+  (state) => {
+    const store = createCommands();
+    finish(store, KEY, begin(store, KEY, "on"), { state, message: null }, 1000);
+    expect(shown(store.getState(), KEY, 3999)).not.toBeNull();
+    expect(shown(store.getState(), KEY, 4000)).toBeNull();
+  },
+);

@@ -63,3 +63,18 @@ test("a browser that forbids its memory still has settings", () => {
   store.setState({ language: "en" });
   expect(store.getState().language).toBe("en");
 });
+
+test("a choice leaves the others alone, and only the aircraft's own choice had another name", () => {
+  const storage = new MemoryStorage();
+  const choices = { "tuning.aircraft": "hil", "plans.kind": "real" };
+  storage.setItem("epf-gcs.settings", JSON.stringify({ choices }));
+  const settings = createSettings(storage);
+  choose(settings, "tab", "map");
+  expect(settings.getState().choices).toEqual({ ...choices, tab: "map" });
+});
+
+test("without any memory there are settings for as long as the page lasts", () => {
+  const settings = createSettings(null);
+  choose(settings, "tab", "map");
+  expect(settings.getState()).toEqual({ language: "es", theme: "dark", choices: { tab: "map" } });
+});

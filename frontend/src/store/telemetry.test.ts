@@ -124,3 +124,62 @@ test("a field known only by its name is read like any other", () => {
   telemetry.heard(2000);
   expect(telemetry.liveNumberOf("ahrs", "roll_deg", 2000)).toBeNull();
 });
+
+test("an old flag is not live, and can still be read as what was heard last", () => {
+  expect(telemetry.newestFlag("gps", "valid")).toBeNull();
+  telemetry.apply(START_S, [{ topic: "gps", t_s: START_S, values: { valid: true } }], 0);
+  telemetry.heard(1900);
+  expect(telemetry.state("gps", 1900)).toBe("stale");
+  expect(telemetry.liveFlag("gps", "valid", 1900)).toBeNull();
+  expect(telemetry.newestFlag("gps", "valid")).toBe(true);
+});
+
+test("a stream may be as old as three of its periods and what the way takes, and not older", () => {
+  telemetry.setStaleAfter([["ahrs", 0.5]]);
+  batch(1000);
+  telemetry.heard(1700);
+  expect(telemetry.state("ahrs", 1649)).toBe("live");
+  expect(telemetry.state("ahrs", 1651)).toBe("stale");
+});
+
+test("before its limit is known a stream is live for a second and what the way takes", () => {
+  telemetry.setStaleAfter([["ahrs", null]]);
+  batch(1000);
+  telemetry.heard(2100);
+  expect(telemetry.state("ahrs", 2149)).toBe("live");
+  expect(telemetry.state("ahrs", 2151)).toBe("stale");
+});
+
+test("without the gateway's clock nothing has an age, and nothing is live", () => {
+  const unmet = new TelemetryStore();
+  unmet.applyRows({ t_s: START_S, rows: [[17, [1]]] });
+  expect(unmet.rowAge_s(17, 0)).toBeNull();
+  expect(unmet.liveRowValue(17, 0, 0)).toBeNull();
+});
+
+test("the time of the newest sample is the gateway's, and there is none before one was heard", () => {
+  expect(telemetry.newestAt_s("ahrs")).toBeNull();
+  expect(telemetry.newestNumberOf("ahrs", "roll_deg")).toBeNull();
+  batch(1000, 0.25);
+  expect(telemetry.newestAt_s("ahrs")).toBe(START_S + 0.75);
+});
+
+test("every row that was heard can be listed, a live one without such a value has none", () => {
+  telemetry.applyRows({ t_s: START_S, rows: [[17, [1.5]]] });
+  expect([...telemetry.rows.keys()]).toEqual([17]);
+  expect(telemetry.liveRowValue(17, 7, 0)).toBeNull();
+  expect(telemetry.liveRowValue(3, 0, 0)).toBeNull();
+});
+
+test("a row is live until a second and what the way takes have passed", () => {
+  telemetry.applyRows({ t_s: START_S, rows: [[17, [1.5]]] });
+  telemetry.heard(1100);
+  expect(telemetry.rowState(17, 1149)).toBe("live");
+  expect(telemetry.rowState(17, 1151)).toBe("stale");
+});
+
+test("a connection that is lost moves the revision, too: what is on the screen must be painted stale", () => {
+  const before = telemetry.revision;
+  telemetry.silence();
+  expect(telemetry.revision).toBeGreaterThan(before);
+});

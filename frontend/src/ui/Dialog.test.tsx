@@ -1,7 +1,8 @@
 import { screen } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { expect, test, vi } from "vitest";
-import { ConfirmDialog, Dialog } from "./Dialog";
+import { ConfirmDialog } from "./ConfirmDialog";
+import { Dialog } from "./Dialog";
 import { renderWithWords } from "./test/testWords";
 
 function draw() {
@@ -52,7 +53,7 @@ function ask() {
 
 test("a question is answered with its one button", async () => {
   const { onConfirm, onCancel } = ask();
-  expect(screen.getByRole("dialog", { description: "The board starts anew." })).toBeDefined();
+  expect(screen.getByRole("alertdialog", { description: "The board starts anew." })).toBeDefined();
   await userEvent.click(screen.getByRole("button", { name: "Yes" }));
   expect(onConfirm).toHaveBeenCalledTimes(1);
   expect(onCancel).not.toHaveBeenCalled();

@@ -1,7 +1,6 @@
 import { Dialog as Base } from "@base-ui/react/dialog";
 import { X } from "lucide-react";
 import type { ReactNode } from "react";
-import { Button } from "./Button";
 import { useWords } from "./words";
 import "./Dialog.css";
 
@@ -49,36 +48,5 @@ export function Dialog(props: Props) {
         </Base.Popup>
       </Base.Portal>
     </Base.Root>
-  );
-}
-
-interface ConfirmProps {
-  title: string;
-  text: string;
-  confirmLabel: string;
-  cancelLabel: string;
-  /** The action cannot be undone, or moves the aircraft. */
-  danger?: boolean | undefined;
-  onConfirm: () => void;
-  onCancel: () => void;
-}
-
-/** A question with yes and no; closing it otherwise means no. */
-export function ConfirmDialog(props: ConfirmProps) {
-  const { title, text, confirmLabel, cancelLabel, danger = false, onConfirm, onCancel } = props;
-  return (
-    <Dialog
-      title={title}
-      description={text}
-      onClose={onCancel}
-      actions={
-        <>
-          <Button onPress={onCancel}>{cancelLabel}</Button>
-          <Button variant={danger ? "danger" : "primary"} onPress={onConfirm}>
-            {confirmLabel}
-          </Button>
-        </>
-      }
-    />
   );
 }

@@ -48,6 +48,11 @@ def meaning(frame: Frame) -> Meaning:
     return Meaning(values, tuple(implausible))
 
 
+def steps(message: Message) -> tuple[Step, ...]:
+    """How each value of a message is read, in the order of the definition: for those who read many frames at once."""
+    return _PLANS[message]
+
+
 def argument_fault(value: Value, given: float) -> str | None:
     """Why a number is not allowed as this argument of a command, in one sentence; None if it is allowed."""
     if not math.isfinite(given):
@@ -74,7 +79,7 @@ def shortest(value: float) -> float:
     return value
 
 
-class _Step(NamedTuple):
+class Step(NamedTuple):
     """How one value is read: as it stands, if within its limits, or by `read` if the wire encodes it."""
 
     name: str
@@ -126,7 +131,7 @@ def _ascii_flag(value: Value) -> Callable[[int], bool | None]:
     return meanings.get
 
 
-def _step(value: Value) -> _Step:
+def _step(value: Value) -> Step:
     read: Callable[[Any], Json] | None = None
     match value.encoding:
         case "flag":
@@ -145,9 +150,9 @@ def _step(value: Value) -> _Step:
     maximum = math.inf if value.maximum is None else value.maximum
     if value.kind == "number":  # in single precision a limit such as 99.99 may be rounded to slightly outside itself
         minimum, maximum = min(minimum, single(minimum)), max(maximum, single(maximum))
-    return _Step(value.name, value.slot, minimum, maximum, value.absent, read)
+    return Step(value.name, value.slot, minimum, maximum, value.absent, read)
 
 
-_PLANS: Final[Mapping[Message, tuple[_Step, ...]]] = {
+_PLANS: Final[Mapping[Message, tuple[Step, ...]]] = {
     message: tuple(_step(value) for value in message.values) for message in (*TELEMETRY.values(), *COMMANDS.values())
 }

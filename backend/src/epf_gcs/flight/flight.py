@@ -10,7 +10,6 @@ from __future__ import annotations
 import asyncio
 import contextlib
 from collections.abc import AsyncIterator
-from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
@@ -18,7 +17,6 @@ from epf_gcs import __version__
 from epf_gcs.bus.address import Listener
 from epf_gcs.bus.definition import client_fields
 from epf_gcs.bus.vehicle_end import VehicleEnd
-from epf_gcs.codec.tables import Waypoint
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.flight.alarm_history import AlarmHistory
 from epf_gcs.flight.board.ahrs_test import AhrsTestRun
@@ -39,6 +37,7 @@ from epf_gcs.flight.line_rates import LineRates
 from epf_gcs.flight.lines import Lines, LinkOpener
 from epf_gcs.flight.memory import Memory
 from epf_gcs.flight.recording.flight_notes import FlightNotes, NotedBroadcast
+from epf_gcs.flight.recording.known_notes import KnownNotes
 from epf_gcs.flight.recording.recorder import Recorder
 from epf_gcs.flight.recording.taps import line_taps
 from epf_gcs.flight.requests.client_names import ClientNames
@@ -51,10 +50,8 @@ from epf_gcs.flight.requests.state import alarm_requests, state_requests
 from epf_gcs.flight.status import StatusSources, build_status
 from epf_gcs.flight.watch import Watch
 from epf_gcs.kept_alive import keep_alive
-from epf_gcs.recordings.notes import IDENTITY, LINE, PARAMETERS, PLAN
 from epf_gcs.vehicle.alarms import Alarms
 from epf_gcs.vehicle.judges import AlarmId
-from epf_gcs.vehicle.parameters import as_values
 from epf_gcs.vehicle.restart import Restart
 from epf_gcs.vehicle.vehicle import Vehicle
 
@@ -80,9 +77,7 @@ class Flight:
         # The vehicle, recorded before it is decoded.
         self.recorder = Recorder(data_dir / "recordings", self.clock, f"epf-gcs {__version__}") if record else None
         self.notes = FlightNotes(self.recorder, self.clock)
-        board_tap, simulator_tap = (
-            (self.recorder.board_tap, self.recorder.simulator_tap) if self.recorder else line_taps(self.clock, None)
-        )
+        board_tap, simulator_tap = self.recorder.taps if self.recorder else line_taps(self.clock, None)
         vehicle = Vehicle(self.clock, self.outlet, self.errors, self._commanded_period_s)
         self.telemetry, self.board = vehicle.telemetry, vehicle.board
 
@@ -139,6 +134,8 @@ class Flight:
             flies=self._flies,
             changed=self._on_ahrs_test,
         )
+
+        self._known = KnownNotes(self.notes, self.board, self.parameters, self.stick, self.supervisor, self.simulator)
 
         # Alarms and housekeeping.
         self.watch = Watch(
@@ -214,18 +211,14 @@ class Flight:
                 **mission_requests(self.missions),
                 **self.switches.requests(),
                 **alarm_requests(self.alarms),
-                **recording_requests(self.recorder, self.notes, self.outlet),
+                **recording_requests(self.recorder, self.notes, self.memory, self.outlet),
             }
         )
         self._connect()
 
     def _connect(self) -> None:
         """Connect parts that need each other and so cannot both get the other at construction."""
-        self.outlet.notes = self.notes
-        self.outlet.on_parameters = self._note_parameters
-        self.missions.on_read = self._note_plan
-        self.stick.on_holder = self._note_holder
-        self._note_identity()
+        self._known.listen(self.outlet, self.missions)
         self.board.on_urgent = self.hil.on_urgent
         self.board.on_opened = self._on_opened
         self.board.on_restarted = self._on_restarted
@@ -315,7 +308,7 @@ class Flight:
 
     def _on_opened(self) -> None:
         # At once and not in the re-arming task, which may be busy: it would discard values that were loaded meanwhile.
-        self._note_identity()
+        self._known.identity()
         self.parameters.forget()
         self.rearming.board_opened()
 
@@ -330,61 +323,8 @@ class Flight:
             self.parameters.accept_unconfirmed()
         self.changed()
 
-    def _note_identity(self) -> None:
-        capabilities, holder = self.board.capabilities(), self.stick.holder
-        firmware = f"{capabilities['firmware_name']} {capabilities['firmware_version']}" if capabilities else None
-        identity = {
-            "station": __version__,
-            "board": capabilities,
-            "firmware": firmware,
-            "aircraft": None,
-            "operator": None if holder is None else holder.name,
-            "emulated": self.board.is_emulated,
-        }
-        self.notes.know(IDENTITY, identity)
-
-    def _note_parameters(self) -> None:
-        self.notes.know(PARAMETERS, {name: as_values(name, one) for name, one in self.parameters.held.items()})
-
-    def _note_plan(self, plan: str, waypoints: list[Waypoint] | None) -> None:
-        found = None if waypoints is None else [asdict(waypoint) for waypoint in waypoints]
-        self.notes.know(PLAN, {"plan": plan, "waypoints": found}, plan)
-
-    def _note_holder(self) -> None:
-        holder = self.stick.holder
-        self.notes.event("control", {"client": holder and holder.id, "name": holder and holder.name})
-        self._note_identity()
-
-    def _note_lines(self) -> None:
-        board, simulator = self.supervisor.address, self.simulator.address
-        link = self.board.link
-        self.notes.know(
-            LINE,
-            {
-                "line": "board",
-                "open": link is not None,
-                "url": None if board is None else board.url,
-                "baud": None if link is None else link.baud,
-                "profile": None,
-                "emulated": self.board.is_emulated,
-            },
-            "board",
-        )
-        self.notes.know(
-            LINE,
-            {
-                "line": "simulator",
-                "open": self.hil.link is not None,
-                "url": None if simulator is None else f"udp://{simulator.send_host}:{simulator.send_port}",
-                "baud": None,
-                "profile": None if simulator is None else simulator.profile,
-                "emulated": False,
-            },
-            "simulator",
-        )
-
     def _on_line(self) -> None:
-        self._note_lines()
+        self._known.lines()
         if not self.board.is_open:
             self.parameters.forget()
         self.commands.link_changed()

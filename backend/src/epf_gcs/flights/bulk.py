@@ -95,7 +95,8 @@ class BulkDecoder:
         accepted = _not_inside(found.places, found.stops, found.good)
         stop = len(data) if is_over else self._undecided(data, found, accepted)
         accepted = accepted[found.places[accepted] < stop]
-        known_at = self._known_at(found, accepted, stop)
+        # At the end of the stream nothing is waited for any longer.
+        known_at = np.minimum(self._known_at(found, accepted, stop), len(data))
         frames = self._frames(data, found, accepted, times.of(known_at - 1))
         damage = self._name(data, found.places[accepted], found.stops[accepted], times)
         if is_over:

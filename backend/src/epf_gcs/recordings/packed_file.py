@@ -86,7 +86,7 @@ class PackedFile:
     def _end_chunk(self) -> None:
         if not self._gathered:
             return
-        content = np.concatenate(self._records)
+        content = np.concatenate(self._records).tobytes()
         channel, t_ns, at = (np.concatenate(arrays) for arrays in (self._channel, self._t_ns, self._at))
         self._records, self._channel, self._t_ns, self._at, self._gathered = [], [], [], [], 0
         packed = self._compressor.compress(content)

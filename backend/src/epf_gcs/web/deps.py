@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated, cast
+from typing import Annotated, Any
 
 from fastapi import Depends, Header, Request
 
@@ -21,78 +21,32 @@ from epf_gcs.web.track.tracks import Tracks
 from epf_gcs.web.vehicle.mirror import VehicleMirror
 
 
-def get_vehicle(request: Request) -> StationEnd:
-    """The connection to the flight process, for requests."""
-    return cast(StationEnd, request.app.state.vehicle)
+def _part(name: str) -> Any:
+    """The part that the application's state holds under this name (`Station.parts`)."""
+
+    async def get(request: Request) -> Any:
+        return getattr(request.app.state, name)
+
+    return Depends(get)
 
 
-def get_mirror(request: Request) -> VehicleMirror:
-    """The newest samples and status from the flight process."""
-    return cast(VehicleMirror, request.app.state.mirror)
-
-
-def get_status(request: Request) -> WholeStatus:
-    """The whole status."""
-    return cast(WholeStatus, request.app.state.status)
-
-
-def get_control(request: Request) -> Control:
-    """Who has control."""
-    return cast(Control, request.app.state.control)
-
-
-def get_tracks(request: Request) -> Tracks:
-    """The flown tracks."""
-    return cast(Tracks, request.app.state.tracks)
-
-
-def get_maps(request: Request) -> Maps:
-    """The maps."""
-    return cast(Maps, request.app.state.maps)
-
-
-def get_flights(request: Request) -> Flights:
-    """The flights."""
-    return cast(Flights, request.app.state.flights)
-
-
-def get_flight_imports(request: Request) -> FlightImports:
-    """Recordings that come from other machines."""
-    return cast(FlightImports, request.app.state.flight_imports)
-
-
-def get_queries(request: Request) -> Queries:
-    """Questions about what is in a flight."""
-    return cast(Queries, request.app.state.flight_queries)
-
-
-def get_inspector(request: Request) -> SharedInspector:
-    """The message inspector."""
-    return cast(SharedInspector, request.app.state.inspector)
-
-
-def get_recordings_dir(request: Request) -> Path:
-    """The folder of the recordings."""
-    return cast(Path, request.app.state.recordings_dir)
-
-
-def get_clock(request: Request) -> Clock:
-    """The flight's clock."""
-    return cast(Clock, request.app.state.clock)
-
-
-VehicleDep = Annotated[StationEnd, Depends(get_vehicle)]
-MirrorDep = Annotated[VehicleMirror, Depends(get_mirror)]
-StatusDep = Annotated[WholeStatus, Depends(get_status)]
-ControlDep = Annotated[Control, Depends(get_control)]
-TracksDep = Annotated[Tracks, Depends(get_tracks)]
-MapsDep = Annotated[Maps, Depends(get_maps)]
-FlightsDep = Annotated[Flights, Depends(get_flights)]
-QueriesDep = Annotated[Queries, Depends(get_queries)]
-ImportsDep = Annotated[FlightImports, Depends(get_flight_imports)]
-InspectorDep = Annotated[SharedInspector, Depends(get_inspector)]
-RecordingsDirDep = Annotated[Path, Depends(get_recordings_dir)]
-ClockDep = Annotated[Clock, Depends(get_clock)]
+VehicleDep = Annotated[StationEnd, _part("vehicle")]
+"""The connection to the flight process, for requests."""
+MirrorDep = Annotated[VehicleMirror, _part("mirror")]
+"""The newest samples and status from the flight process."""
+StatusDep = Annotated[WholeStatus, _part("status")]
+ControlDep = Annotated[Control, _part("control")]
+TracksDep = Annotated[Tracks, _part("tracks")]
+MapsDep = Annotated[Maps, _part("maps")]
+FlightsDep = Annotated[Flights, _part("flights")]
+QueriesDep = Annotated[Queries, _part("flight_queries")]
+"""Questions about what is in a flight."""
+ImportsDep = Annotated[FlightImports, _part("flight_imports")]
+"""Recordings that come from other machines."""
+InspectorDep = Annotated[SharedInspector, _part("inspector")]
+RecordingsDirDep = Annotated[Path, _part("recordings_dir")]
+ClockDep = Annotated[Clock, _part("clock")]
+"""The flight's clock."""
 
 
 XClient = Annotated[

@@ -1,4 +1,4 @@
-import { BellOff, CheckCheck, Volume2 } from "lucide-react";
+import { CheckCheck } from "lucide-react";
 import { useTranslation } from "react-i18next";
 import { formatClock } from "../../lib/moment";
 import { usePage, usePart } from "../../store/hooks";
@@ -6,7 +6,8 @@ import { choose } from "../../store/settings";
 import { AlarmStrip, endedWithoutPlace, LINES } from "../../ui/AlarmStrip";
 import { Button } from "../../ui/Button";
 import { ALARM_LOG } from "./alarmLog";
-import { blockedAmong, useActiveAlarms, useEndedAlarms, useMutedFor_s } from "./useAlarms";
+import { MuteButton } from "./MuteButton";
+import { blockedAmong, useActiveAlarms, useEndedAlarms } from "./useAlarms";
 
 /** What is wrong now, on every tab, with what can be done about it. */
 export function AlarmBar() {
@@ -71,21 +72,5 @@ export function AlarmBar() {
       )}
       {open.length > 0 && <MuteButton />}
     </AlarmStrip>
-  );
-}
-
-/** Two minutes of silence; while they last, how many seconds are left, and sound again at a press. */
-function MuteButton() {
-  const { t } = useTranslation();
-  const alarmLog = usePart(ALARM_LOG);
-  const muted_s = useMutedFor_s();
-  return muted_s === null ? (
-    <Button onPress={alarmLog.mute} icon={<BellOff size={14} aria-hidden="true" />}>
-      {t("alarmLog.mute")}
-    </Button>
-  ) : (
-    <Button onPress={alarmLog.unmute} icon={<Volume2 size={14} aria-hidden="true" />}>
-      {t("alarmLog.muted", { seconds: muted_s })}
-    </Button>
   );
 }

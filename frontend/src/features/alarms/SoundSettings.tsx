@@ -1,4 +1,4 @@
-import { BellOff, Play, Volume2 } from "lucide-react";
+import { Play } from "lucide-react";
 import { useTranslation } from "react-i18next";
 import { usePage, usePart, useSettings } from "../../store/hooks";
 import { Button } from "../../ui/Button";
@@ -9,8 +9,9 @@ import { RangeField } from "../../ui/RangeField";
 import type { SounderState, SpeakerState } from "./alarmLog";
 import { ALARM_LOG } from "./alarmLog";
 import { type AlarmChannel, alarmSettings, chooseHeard, chooseVolume } from "./alarmSettings";
+import { MuteButton } from "./MuteButton";
 import type { AlarmLevel } from "./raisedAlarms";
-import { useAlarmLogState, useMutedFor_s } from "./useAlarms";
+import { useAlarmLogState } from "./useAlarms";
 
 const LEVELS: readonly AlarmLevel[] = ["critical", "warning"];
 
@@ -21,7 +22,7 @@ export function SoundSettings() {
   const language = useSettings((settings) => settings.language);
   const speaker = useAlarmLogState((state) => state.speaker[language]);
   return (
-    <Panel title={t("alarmLog.heard")} actions={<Mute />}>
+    <Panel title={t("alarmLog.heard")} actions={<MuteButton />}>
       <div className="alarms-heard">
         <Channel channel="sound" state={sounder} />
         <Channel channel="speech" state={speaker} />
@@ -29,21 +30,6 @@ export function SoundSettings() {
         <p className="alarms-range">{t("alarmLog.thisBrowser")}</p>
       </div>
     </Panel>
-  );
-}
-
-function Mute() {
-  const { t } = useTranslation();
-  const alarmLog = usePart(ALARM_LOG);
-  const muted_s = useMutedFor_s();
-  return muted_s === null ? (
-    <Button onPress={alarmLog.mute} icon={<BellOff size={14} aria-hidden="true" />}>
-      {t("alarmLog.mute")}
-    </Button>
-  ) : (
-    <Button onPress={alarmLog.unmute} icon={<Volume2 size={14} aria-hidden="true" />}>
-      {t("alarmLog.muted", { seconds: muted_s })}
-    </Button>
   );
 }
 

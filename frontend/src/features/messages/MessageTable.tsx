@@ -6,6 +6,9 @@ import { Button } from "../../ui/Button";
 import type { Line, LineValue } from "./lines";
 import { MOST_PLOTTED, type PlotKeyText } from "./plotted";
 
+/** Those with numbers. */
+const COLUMNS = ["rate", "jitter", "count", "damaged", "age"] as const;
+
 interface Plotting {
   plotted: readonly PlotKeyText[];
   onToggle: (key: PlotKeyText) => void;
@@ -35,23 +38,11 @@ export function MessageTable({ label, lines, hasDamage = false, plotted, onToggl
           <tr>
             <th scope="col">{t("messages.id")}</th>
             <th scope="col">{t("messages.name")}</th>
-            <th scope="col" className="messages-number">
-              {t("messages.rate")}
-            </th>
-            <th scope="col" className="messages-number">
-              {t("messages.jitter")}
-            </th>
-            <th scope="col" className="messages-number">
-              {t("messages.count")}
-            </th>
-            {hasDamage && (
-              <th scope="col" className="messages-number">
-                {t("messages.damaged")}
+            {COLUMNS.filter((column) => hasDamage || column !== "damaged").map((column) => (
+              <th key={column} scope="col" className="messages-number">
+                {t(`messages.${column}`)}
               </th>
-            )}
-            <th scope="col" className="messages-number">
-              {t("messages.age")}
-            </th>
+            ))}
           </tr>
         </thead>
         <tbody>

@@ -2,12 +2,12 @@ import { useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useSentence } from "../../i18n/useSentence";
 import { MISSIONS, notePlan } from "../../missions/planDrafts";
+import { ReplaceDialog } from "../../missions/ReplaceDialog";
 import { usePlan } from "../../missions/usePlan";
 import { usePlans } from "../../missions/usePlans";
 import type { PlanName } from "../../protocol/missions";
 import { useAsked } from "../../requests/useAsked";
 import { usePart } from "../../store/hooks";
-import { ConfirmDialog } from "../../ui/Dialog";
 import { Notice } from "../../ui/Notice";
 import { LiveSketch } from "./LiveSketch";
 import { PlanHead } from "./PlanHead";
@@ -74,19 +74,7 @@ export function PlanEditor({ plan }: { plan: PlanName }) {
           <PlanIssues issues={shown.issues} onGo={edit.go} />
         </aside>
       </div>
-      {question !== null && (
-        <ConfirmDialog
-          title={t("plans.replaceTitle")}
-          text={t("plans.replaceText")}
-          confirmLabel={t("plans.replace")}
-          cancelLabel={t("plans.keep")}
-          onConfirm={() => {
-            setQuestion(null);
-            question();
-          }}
-          onCancel={() => setQuestion(null)}
-        />
-      )}
+      {question !== null && <ReplaceDialog onConfirm={question} onClose={() => setQuestion(null)} />}
     </div>
   );
 }

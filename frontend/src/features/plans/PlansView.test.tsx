@@ -110,10 +110,10 @@ describe("a download", () => {
     await write("altitude_ft", 0, "800{Enter}");
     await user.click(button("Descargar de la placa"));
     expect(station.asked).toHaveLength(1);
-    await user.click(within(screen.getByRole("dialog")).getByRole("button", { name: "Conservar" }));
+    await user.click(within(screen.getByRole("alertdialog")).getByRole("button", { name: "Conservar" }));
     expect(station.asked).toHaveLength(1);
     await user.click(button("Descargar de la placa"));
-    await user.click(within(screen.getByRole("dialog")).getByRole("button", { name: "Sustituir" }));
+    await user.click(within(screen.getByRole("alertdialog")).getByRole("button", { name: "Sustituir" }));
     expect(station.asked).toHaveLength(2);
   });
 });

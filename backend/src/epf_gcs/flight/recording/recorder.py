@@ -1,7 +1,7 @@
 """Every byte of both lines, both ways, into one MCAP file a session, before anybody decodes it.
 
-The event loop only appends to a queue; a thread packs and writes what is in it, four times a second, and pushes it
-to the disk twice a second, so that a power cut takes less than a second of the flight.
+The event loop only appends to a queue; a thread packs and writes what is in it and pushes it
+to the disk four times a second, so that a power cut takes less than a second of the flight.
 Whatever the disk does, the flight goes on; bytes that could not be written are counted and reported.
 """
 
@@ -9,11 +9,11 @@ from __future__ import annotations
 
 import contextlib
 import errno
-import os
 import shutil
 import threading
 from collections import deque
 from collections.abc import Iterator
+from dataclasses import dataclass
 from itertools import dropwhile, groupby
 from operator import itemgetter
 from pathlib import Path
@@ -30,19 +30,32 @@ from epf_gcs.recordings.notes import LOST, written
 from epf_gcs.recordings.topics import STREAMS, TOPICS
 
 _FLUSH_S: Final = 0.25
-_SYNC_S: Final = 0.5
+_SYNC_S: Final = 0.2
 _RETRY_S: Final = 5.0
 # How long a failure stays reported when the next write already succeeded.
 _TOLD_S: Final = 5.0
-# With less free space than the first no file is begun; below the second the log warns.
+# With less free space than this nothing is recorded, even where older flights are deleted to make room.
 _LEAST_BYTES: Final = 16 * 1024 * 1024
-_LOW_BYTES: Final = 512 * 1024 * 1024
+# How long a file must have been written before its rate is told.
+_RATE_AFTER_S: Final = 5.0
+
+
+@dataclass(frozen=True, slots=True)
+class DiskPolicy:
+    """What happens when the disk fills: recording stops at `keep_free_bytes`, or the library makes room.
+
+    `delete_oldest`: the station's library deletes the oldest flights that nobody pinned; recording then goes on.
+    """
+
+    delete_oldest: bool = False
+    keep_free_bytes: int = 1_000_000_000
 
 
 class Recorder:
     """One session at a time: it begins with its first byte and ends when `end_session` is called.
 
-    With less than `least_bytes` free on the disk no file is begun.
+    With less room on the disk than the policy keeps free (`least_bytes`, where it deletes older flights instead)
+    nothing is recorded, and `failure` says so.
     """
 
     def __init__(
@@ -61,6 +74,8 @@ class Recorder:
         self._retry_s = retry_s
         self._told_s = told_s
         self._least_bytes = least_bytes
+        # Replaced as a whole by the loop.
+        self.policy = DiskPolicy()
         self._queue: deque[Entry] = deque()
         # Replaced by the loop entry by entry, copied by the writing thread in one step.
         self._known: dict[tuple[str, str], dict[str, str]] = {}
@@ -68,7 +83,7 @@ class Recorder:
         self._stopping = False
         self._thread = threading.Thread(target=self._run, name="recorder", daemon=True)
         self._mending: threading.Thread | None = None
-        self.board_tap, self.simulator_tap = line_taps(clock, self._queue)
+        self.taps = self.board_tap, self.simulator_tap = line_taps(clock, self._queue)
         # Written by the thread alone and read by the loop: single assignments, no lock needed.
         self.file: Path | None = None
         self.bytes_written = 0
@@ -76,6 +91,7 @@ class Recorder:
         self.free_bytes: int | None = None
         self._bytes_unwritten = 0
         self._lost_noted = 0
+        self._begun_s = 0.0
         self._lost_reason: str | None = None
         self._bytes_seen = 0
         self._output: RecordingFile | None = None
@@ -187,10 +203,10 @@ class Recorder:
         if monotonic() < self._retry_at_s:
             return None
         self._folder.mkdir(parents=True, exist_ok=True)
-        if self._measure() < self._least_bytes:
-            raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+        self._check_room()
         self._output = RecordingFile(self._folder, self._clock.unix_ns(monotonic_ns()), self._library, TOPICS)
         self._bytes_seen = 0
+        self._begun_s = monotonic()
         for (name, _), values in list(self._known.items()):
             self._output.put(metadata_record(name, {**values, "t_ns": str(t_ns)}))
             self._output.tally.metadata_count += 1
@@ -216,7 +232,7 @@ class Recorder:
             output.sync()
             if not output.is_gone:
                 self._bytes_seen = output.bytes_written
-                self._measure()
+                self._check_room()
                 return
             self._bytes_unwritten += output.bytes_written - self._bytes_seen
             self._fail(OSError(errno.ENOENT, f"{output.path.name} was removed or moved while it was written"))
@@ -226,9 +242,28 @@ class Recorder:
         except OSError as error:
             self._fail(error)
 
+    @property
+    def hours_left(self) -> float | None:
+        """How long the disk's room lasts at the rate of this file; None while that is not known."""
+        output, free = self._output, self.free_bytes
+        if output is None or free is None:
+            return None
+        lasted_s = monotonic() - self._begun_s
+        if lasted_s < _RATE_AFTER_S or not output.bytes_written:
+            return None
+        return max(0, free - self._needed_bytes) * lasted_s / output.bytes_written / 3600.0
+
+    @property
+    def _needed_bytes(self) -> int:
+        return self._least_bytes if self.policy.delete_oldest else max(self._least_bytes, self.policy.keep_free_bytes)
+
+    def _check_room(self) -> None:
+        if self._measure() < self._needed_bytes:
+            raise OSError(errno.ENOSPC, f"less than {self._needed_bytes // 1_000_000} MB free on the disk")
+
     def _measure(self) -> int:
         free = self.free_bytes = shutil.disk_usage(self._folder).free
-        is_low = free < _LOW_BYTES
+        is_low = free < self._needed_bytes
         if is_low and not self._is_low:
             say("warning", "disk low", folder=str(self._folder), free_megabytes=free // 1_000_000)
         self._is_low = is_low

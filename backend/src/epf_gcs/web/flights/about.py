@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import contextlib
-import os
 from dataclasses import asdict, dataclass, field, fields
 from pathlib import Path
 from typing import Any, Self
 
 import orjson
+
+from epf_gcs.disk import replace_file
 
 
 @dataclass(slots=True)
@@ -74,18 +75,5 @@ def write_about(path: Path, about: About) -> None:
     if about.is_empty:
         path.unlink(missing_ok=True)
         return
-    write_atomically(path, about.as_json())
-
-
-def write_atomically(path: Path, data: bytes) -> None:
-    """Write a file so that a reader or a power cut sees the old or the new content, never a part. Raises OSError."""
     path.parent.mkdir(parents=True, exist_ok=True)
-    part = path.with_name(f".{path.name}.part")
-    try:
-        with part.open("wb") as file:
-            file.write(data)
-            file.flush()
-            os.fsync(file.fileno())
-        part.replace(path)
-    finally:
-        part.unlink(missing_ok=True)
+    replace_file(path, about.as_json())

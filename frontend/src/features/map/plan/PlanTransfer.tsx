@@ -4,6 +4,7 @@ import { useTranslation } from "react-i18next";
 import type { Aircraft } from "../../../lib/aircraft";
 import { inserted, removed } from "../../../lib/plan";
 import { editPlan, MISSIONS, redoPlan, undoPlan } from "../../../missions/planDrafts";
+import { ReplaceDialog } from "../../../missions/ReplaceDialog";
 import { SendPlan } from "../../../missions/SendPlan";
 import { usePlans } from "../../../missions/usePlans";
 import { PLAN_LIMITS } from "../../../protocol/missions";
@@ -11,7 +12,6 @@ import { useAsked } from "../../../requests/useAsked";
 import { useBoardBlocked } from "../../../requests/useBlocked";
 import { usePart } from "../../../store/hooks";
 import { Button } from "../../../ui/Button";
-import { ConfirmDialog } from "../../../ui/ConfirmDialog";
 import { Notice } from "../../../ui/Notice";
 import { MAP_SELECTION, selectThing } from "../mapSelection";
 import type { MapPlan } from "./useMapPlan";
@@ -74,19 +74,7 @@ function Transfer({ aircraft, plan }: Omit<Props, "row">) {
             {stateText}
           </Notice>
         ))}
-      {isAsking && (
-        <ConfirmDialog
-          title={t("plans.replaceTitle")}
-          text={t("plans.replaceText")}
-          confirmLabel={t("plans.replace")}
-          cancelLabel={t("plans.keep")}
-          onConfirm={() => {
-            setAsking(false);
-            read();
-          }}
-          onCancel={() => setAsking(false)}
-        />
-      )}
+      {isAsking && <ReplaceDialog onConfirm={read} onClose={() => setAsking(false)} />}
     </>
   );
 }

@@ -1,0 +1,235 @@
+"""The simulator's datagrams of a recording -> the topics that live gives: `simulator`, `xplane_info`, `xplane_rows`.
+
+A simulator sends the same rows in each datagram, so the datagrams of one length with the same row numbers are read
+together. Where every one of a stretch is a whole frame, its values are the live ones; any other goes one by one
+through what makes the live samples.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import Any, Final, NamedTuple
+
+import numpy as np
+import pyarrow as pa
+from numpy.typing import NDArray
+
+from epf_gcs.codec.messages_gen import DATAGRAM_MAGIC, NO_VALUE, VALUES_PER_ROW, XPLANE_ROWS
+from epf_gcs.flights.convert import T_NS
+from epf_gcs.recordings.parts import Messages
+from epf_gcs.vehicle.simulator_samples import SimulatorSamples
+from epf_gcs.xplane.mapping import INFO_SOURCES, in_our_unit
+from epf_gcs.xplane.whole import WholeFrames
+
+_PREFIX: Final = len(DATAGRAM_MAGIC) + 1
+_RECORD: Final = np.dtype([("row", "<i4"), ("values", "<f4", (VALUES_PER_ROW,))])
+_RAW_EVERY_S: Final = 0.2  # as in vehicle/simulator_samples.py
+_LOOK_AHEAD: Final = 64
+_CLAMPED: Final = (8, 11, 25)
+
+Floats = NDArray[np.float64]
+
+
+def _units() -> dict[str, str]:
+    found: dict[str, str] = {}
+    for row in XPLANE_ROWS["xp10"].values():
+        for value in row.values:
+            name, scale = in_our_unit(value)
+            found[name] = value.unit if scale == 1.0 else "rad/s"
+    return found
+
+
+UNITS: Final = _units()
+INFO_UNITS: Final = {
+    field: next(
+        "rad/s" if in_our_unit(value)[1] != 1.0 else value.unit
+        for value in XPLANE_ROWS["xp10"][row].values
+        if in_our_unit(value)[0] == name
+    )
+    for field, (row, name) in INFO_SOURCES.items()
+}
+SIMULATOR: Final = pa.schema([T_NS, *(pa.field(name, pa.float64(), metadata={"unit": u}) for name, u in UNITS.items())])
+INFO: Final = pa.schema(
+    [T_NS, *(pa.field(name, pa.float64(), metadata={"unit": unit}) for name, unit in INFO_UNITS.items())]
+)
+ROWS: Final = pa.schema(
+    [T_NS, pa.field("row", pa.int32(), nullable=False)]
+    + [pa.field(f"value_{index}", pa.float32()) for index in range(VALUES_PER_ROW)]
+)
+
+_SCHEMAS: Final = {"simulator": SIMULATOR, "xplane_info": INFO, "xplane_rows": ROWS}
+
+
+class Shown(NamedTuple):
+    """The tables of some datagrams, by topic."""
+
+    tables: dict[str, pa.Table]
+    datagrams: int
+
+
+class Datagrams:
+    """Takes the datagrams of a recording in order; `begin` when another simulator is opened."""
+
+    def __init__(self) -> None:
+        self._collector = _Collector()
+        self._samples = SimulatorSamples(self._collector)
+        self._whole = WholeFrames(self._samples.profile)
+
+    def begin(self, profile: str) -> None:
+        """A simulator of this profile begins: forget the earlier one's rows."""
+        self._samples.begin(profile if profile in XPLANE_ROWS else "xp10")
+        self._whole = WholeFrames(self._samples.profile)
+
+    def take(self, messages: Messages) -> Shown:
+        """Read datagrams (all of the simulator's channel). Never raises, whatever they hold."""
+        pieces: dict[str, list[pa.Table]] = {"simulator": [], "xplane_info": [], "xplane_rows": []}
+        lengths = messages.length
+        edges = np.flatnonzero(np.diff(lengths)) + 1
+        for begin, end in zip([0, *edges.tolist()], [*edges.tolist(), len(lengths)], strict=True):
+            if begin < end:
+                self._stretch(messages, begin, end, pieces)
+        return Shown({topic: pa.concat_tables(some) for topic, some in pieces.items() if some}, len(lengths))
+
+    def _stretch(self, messages: Messages, begin: int, end: int, pieces: dict[str, list[pa.Table]]) -> None:
+        length = int(messages.length[begin])
+        count, rest = divmod(length - _PREFIX, _RECORD.itemsize)
+        if not rest and count > 0 and end - begin > 1:
+            rows = np.ndarray((len(messages.data) - length + 1,), f"V{length}", messages.data, 0, (1,))[
+                messages.start[begin:end]
+            ]
+            raw = rows.view(np.uint8).reshape(end - begin, length)
+            records = np.ascontiguousarray(raw[:, _PREFIX:]).view(_RECORD).reshape(end - begin, count)
+            usual = (raw[:, : len(DATAGRAM_MAGIC)] == np.frombuffer(DATAGRAM_MAGIC, np.uint8)).all(axis=1)
+            usual &= (records["row"] == records["row"][0]).all(axis=1)
+            # The last one goes the live way, so that what is kept for the next datagram is what live keeps.
+            if usual.all() and self._bulk(messages.t_ns[begin : end - 1], records[:-1], pieces):
+                begin = end - 1
+        self._one_by_one(messages, begin, end, pieces)
+
+    def _bulk(self, t_ns: NDArray[np.int64], records: NDArray[Any], pieces: dict[str, list[pa.Table]]) -> bool:
+        """Read datagrams with the same rows together; False if one of them is no whole frame."""
+        numbers = records["row"][0].tolist()
+        infos = [self._whole.read(_datagram(records[index])) for index in (0, -1)]
+        known = set(numbers)
+        if None in infos or len(known) < len(numbers) or self._remains_of_others(known, int(t_ns[0])):
+            return False
+        columns: dict[str, Floats] = {}
+        nulls: dict[str, NDArray[np.bool_]] = {}
+        for place, number in enumerate(numbers):
+            self._read_row(number, records["values"][:, place], columns, nulls)
+        whole = {
+            field: ("horizontal_path_deg" if field == "yaw_deg" else name) for field, (_, name) in INFO_SOURCES.items()
+        }
+        if any(name not in columns or nulls[name].any() for name in whole.values()):
+            return False
+        inside = self._inside(numbers, records)
+        if not inside:
+            return False
+        none = np.zeros(len(t_ns))
+        missing = np.ones(len(t_ns), dtype=bool)
+        arrays = [pa.array(columns.get(name, none), mask=nulls.get(name, missing)) for name in UNITS]
+        pieces["simulator"].append(pa.Table.from_arrays([pa.array(t_ns), *arrays], schema=SIMULATOR))
+        info = [pa.array(columns[name]) for name in whole.values()]
+        pieces["xplane_info"].append(pa.Table.from_arrays([pa.array(t_ns), *info], schema=INFO))
+        raw_shown_s = self._show_raw(t_ns, numbers, records, pieces)
+        state = self._samples.kept()
+        self._samples.restore({**state, "shown_s": float(t_ns[-1]) * 1e-9, "raw_shown_s": raw_shown_s})
+        return True
+
+    def _remains_of_others(self, numbers: set[int], now_ns: int) -> bool:
+        """Whether rows that these datagrams do not have were heard just before, and are shown with them."""
+        return not set(self._samples.rows(now_ns * 1e-9)) <= numbers
+
+    def _inside(self, numbers: list[int], records: NDArray[Any]) -> bool:
+        """Whether all values that a whole frame needs are within the simulator's limits, as `WholeFrames` asks."""
+        sources = {(18, "horizontal_path_deg"), *(INFO_SOURCES[field] for field in INFO_SOURCES if field != "yaw_deg")}
+        for number, name in sources:
+            for wanted in XPLANE_ROWS[self._samples.profile][number].values:
+                if in_our_unit(wanted)[0] == name:
+                    raw = records["values"][:, numbers.index(number), wanted.index]
+                    if not ((raw >= wanted.minimum) & (raw <= wanted.maximum) & (raw != NO_VALUE)).all():
+                        return False
+        return True
+
+    def _read_row(
+        self, number: int, eight: NDArray[np.float32], columns: dict[str, Floats], nulls: dict[str, NDArray[np.bool_]]
+    ) -> None:
+        """As `row_meaning`, for many."""
+        definition = XPLANE_ROWS[self._samples.profile].get(number)
+        for wanted in definition.values if definition else ():
+            name, scale = in_our_unit(wanted)
+            raw = eight[:, wanted.index].astype(np.float64)
+            none = raw == NO_VALUE
+            if number in _CLAMPED:
+                raw = np.where(np.isfinite(raw), np.clip(raw, wanted.minimum, wanted.maximum), raw)
+            nulls[name] = none | ~((raw >= wanted.minimum) & (raw <= wanted.maximum))
+            columns[name] = raw * scale if scale != 1.0 else raw
+
+    def _show_raw(
+        self, t_ns: NDArray[np.int64], numbers: list[int], records: NDArray[Any], pieces: dict[str, list[pa.Table]]
+    ) -> float:
+        """Add the raw rows as often as live shows them; returns when that was last (Unix s)."""
+        shown_s: float = self._samples.kept()["raw_shown_s"]
+        t_s = t_ns * 1e-9
+        chosen: list[int] = []
+        index = 0
+        while True:
+            late = np.flatnonzero(t_s[index : index + _LOOK_AHEAD] - shown_s >= _RAW_EVERY_S)
+            if not len(late):
+                index += _LOOK_AHEAD
+                if index >= len(t_s):
+                    break
+                continue
+            index += int(late[0])
+            chosen.append(index)
+            shown_s = float(t_s[index])
+            index += 1
+        if not chosen:
+            return shown_s
+        order = np.argsort(numbers)
+        values = records["values"][chosen][:, order].reshape(-1, VALUES_PER_ROW)
+        arrays = [
+            pa.array(np.repeat(t_ns[chosen], len(numbers))),
+            pa.array(np.tile(np.array(numbers, dtype=np.int32)[order], len(chosen))),
+            *(pa.array(np.ascontiguousarray(values[:, index])) for index in range(VALUES_PER_ROW)),
+        ]
+        pieces["xplane_rows"].append(pa.Table.from_arrays(arrays, schema=ROWS))
+        return shown_s
+
+    def _one_by_one(self, messages: Messages, begin: int, end: int, pieces: dict[str, list[pa.Table]]) -> None:
+        view = messages.data.data
+        for index in range(begin, end):
+            start = int(messages.start[index])
+            self._collector.t_ns = int(messages.t_ns[index])
+            datagram = bytes(view[start : start + int(messages.length[index])])
+            reading = self._samples.read(datagram, self._collector.t_ns * 1e-9)
+            if reading is not None:
+                self._samples.show(reading)
+        self._collector.move_to(pieces)
+
+
+class _Collector:
+    """Takes the samples of datagrams that are read one by one; see `epf_gcs.vehicle.telemetry.Telemetry`."""
+
+    def __init__(self) -> None:
+        self.t_ns = 0
+        self._rows: dict[str, list[dict[str, Any]]] = {topic: [] for topic in _SCHEMAS}
+
+    def take(self, topic: str, _t_s: float, values: Mapping[str, Any], _implausible: Iterable[str] = ()) -> None:
+        if topic == "xplane_rows":
+            for row, eight in values["rows"].items():
+                named = {f"value_{slot}": one for slot, one in enumerate(eight)}
+                self._rows[topic].append({"t_ns": self.t_ns, "row": int(row), **named})
+        else:
+            self._rows[topic].append({"t_ns": self.t_ns, **values})
+
+    def move_to(self, pieces: dict[str, list[pa.Table]]) -> None:
+        """Hand out what was collected as tables."""
+        for topic, rows in self._rows.items():
+            if rows:
+                pieces[topic].append(pa.Table.from_pylist(rows, schema=_SCHEMAS[topic]))
+                self._rows[topic] = []
+
+
+def _datagram(records: NDArray[Any]) -> bytes:
+    return DATAGRAM_MAGIC + b"@" + records.tobytes()

@@ -1,0 +1,114 @@
+"""`import FILE OUT`: checks a recording of another machine and writes what it holds anew, as our recorder would.
+
+So nothing of a stranger's file lands in the library but payloads and notes within limits; whatever else it has, and
+all that is damaged, stays behind. It says {"started_ns", "fingerprint", "damage"}.
+"""
+
+from __future__ import annotations
+
+import time
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import Any, BinaryIO, Final
+
+from epf_gcs.errors import InvalidInputError
+from epf_gcs.flights.fingerprint import Fingerprint
+from epf_gcs.flights.worker import Say
+from epf_gcs.recordings import notes
+from epf_gcs.recordings.mcap_file import Tally, closing, data_end, message_record, metadata_record, opening
+from epf_gcs.recordings.notes import Note
+from epf_gcs.recordings.parts import Part
+from epf_gcs.recordings.reading import Reader
+from epf_gcs.recordings.topics import TOPICS
+
+_LIBRARY: Final = "epf-gcs import"
+_EARLIEST_NS: Final = int(datetime(2000, 1, 1, tzinfo=UTC).timestamp()) * 1_000_000_000
+_DAY_NS: Final = 86_400 * 1_000_000_000
+_LONGEST_NS: Final = 7 * _DAY_NS
+
+
+def run(arguments: list[str], say: Say) -> dict[str, Any]:
+    """Raises RecordingError, InvalidInputError, OSError; `OUT` is whole or not there."""
+    source, target = (Path(argument) for argument in arguments)
+    size = max(1, source.stat().st_size)
+    part_file = target.with_suffix(".part")
+    fingerprint, times = Fingerprint(), _Times()
+    try:
+        with part_file.open("wb") as output:
+            writer = _Writer(output)
+            reader = Reader(source)
+            for part in reader.parts():
+                times.add(part)
+                fingerprint.add(part.messages)
+                writer.add(part)
+                say(reader.place / size, "checking")
+            first_ns = times.check(time.time_ns())
+            writer.finish()
+        part_file.replace(target)
+    finally:
+        part_file.unlink(missing_ok=True)
+    return {"started_ns": first_ns, "fingerprint": fingerprint.text(), "damage": reader.damage}
+
+
+class _Times:
+    """What the messages say of the clock."""
+
+    def __init__(self) -> None:
+        self._first_ns: int | None = None
+        self._lowest_ns = self._highest_ns = 0
+
+    def add(self, part: Part) -> None:
+        t_ns = part.messages.t_ns
+        if not len(t_ns):
+            return
+        lowest, highest = int(t_ns.min()), int(t_ns.max())
+        if self._first_ns is None:
+            self._first_ns, self._lowest_ns, self._highest_ns = int(t_ns[0]), lowest, highest
+        self._lowest_ns, self._highest_ns = min(self._lowest_ns, lowest), max(self._highest_ns, highest)
+
+    def check(self, now_ns: int) -> int:
+        """The time of the first message. Raises InvalidInputError where there is none, or no clock shows such times."""
+        if self._first_ns is None:
+            raise InvalidInputError("recording_empty", "This recording holds no message: there is nothing to import.")
+        if self._lowest_ns < _EARLIEST_NS:
+            raise _wrong_clock("it begins before the year 2000")
+        if self._highest_ns > now_ns + _DAY_NS:
+            raise _wrong_clock("it ends in the future")
+        if self._highest_ns - self._lowest_ns > _LONGEST_NS:
+            raise _wrong_clock("it lasts longer than a week")
+        return self._first_ns
+
+
+class _Writer:
+    """Writes messages and notes in their order, without chunks."""
+
+    def __init__(self, output: BinaryIO) -> None:
+        self._output = output
+        self._tally = Tally()
+        output.write(opening(_LIBRARY, TOPICS))
+
+    def add(self, part: Part) -> None:
+        channels, t_ns, starts, lengths, data = part.messages
+        payloads = data.tobytes()
+        rows = zip(channels.tolist(), t_ns.tolist(), starts.tolist(), lengths.tolist(), strict=True)
+        waiting = list(reversed(part.notes))
+        for number, (channel, time_ns, start, length) in enumerate(rows):
+            while waiting and waiting[-1][0] <= number:
+                self._note(waiting.pop()[1])
+            sequence = self._tally.add(channel, time_ns)
+            self._output.write(message_record(channel, sequence, time_ns, payloads[start : start + length]))
+        for _, note in reversed(waiting):
+            self._note(note)
+
+    def finish(self) -> None:
+        end = data_end()
+        self._output.write(end)
+        self._output.write(closing(TOPICS, self._tally, self._output.tell()))
+
+    def _note(self, note: Note) -> None:
+        self._tally.metadata_count += 1
+        self._output.write(metadata_record(note.name, notes.written(note.t_ns, note.content)))
+
+
+def _wrong_clock(reason: str) -> InvalidInputError:
+    return InvalidInputError("recording_clock_wrong", f"The clock of this recording is wrong: {reason}.", reason=reason)
