@@ -12,6 +12,7 @@ from bench.table import Row, table
 MODULES = (
     "decode",
     "damaged",
+    "flights",
     "latency",
     "cpu",
     "line",
@@ -22,6 +23,7 @@ MODULES = (
     "plots",
     "page",
     "globe",
+    "replay",
     "flight",
     "board",
     "image",

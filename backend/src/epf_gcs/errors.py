@@ -119,7 +119,6 @@ ErrorCode = Literal[
     "recording_clock_wrong",
     "recording_empty",
     "recording_foreign",
-    "recording_not_active",
     "recording_not_packed",
     "recording_not_whole",
     "recording_packing_unknown",

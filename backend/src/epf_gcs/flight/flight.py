@@ -45,7 +45,7 @@ from epf_gcs.flight.requests.commands import command_requests
 from epf_gcs.flight.requests.hil import HilSwitches, stick_notices
 from epf_gcs.flight.requests.lines import line_requests
 from epf_gcs.flight.requests.parameters import mission_requests, parameter_requests
-from epf_gcs.flight.requests.recording import policy_of, recording_requests
+from epf_gcs.flight.requests.recording import recording_requests
 from epf_gcs.flight.requests.state import alarm_requests, state_requests
 from epf_gcs.flight.status import StatusSources, build_status
 from epf_gcs.flight.watch import Watch
@@ -76,12 +76,8 @@ class Flight:
 
         # The vehicle, recorded before it is decoded.
         self.recorder = Recorder(data_dir / "recordings", self.clock, f"epf-gcs {__version__}") if record else None
-        if self.recorder is not None:
-            self.recorder.policy = policy_of(self.memory.now.recording)
         self.notes = FlightNotes(self.recorder, self.clock)
-        board_tap, simulator_tap = (
-            (self.recorder.board_tap, self.recorder.simulator_tap) if self.recorder else line_taps(self.clock, None)
-        )
+        board_tap, simulator_tap = self.recorder.taps if self.recorder else line_taps(self.clock, None)
         vehicle = Vehicle(self.clock, self.outlet, self.errors, self._commanded_period_s)
         self.telemetry, self.board = vehicle.telemetry, vehicle.board
 

@@ -83,7 +83,7 @@ class Recorder:
         self._stopping = False
         self._thread = threading.Thread(target=self._run, name="recorder", daemon=True)
         self._mending: threading.Thread | None = None
-        self.board_tap, self.simulator_tap = line_taps(clock, self._queue)
+        self.taps = self.board_tap, self.simulator_tap = line_taps(clock, self._queue)
         # Written by the thread alone and read by the loop: single assignments, no lock needed.
         self.file: Path | None = None
         self.bytes_written = 0

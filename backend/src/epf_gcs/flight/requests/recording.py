@@ -30,10 +30,13 @@ def recording_requests(recorder: Recorder | None, notes: FlightNotes, memory: Me
     recording.policy {delete_oldest, keep_free_bytes}: changes what is given, keeps it, and answers the whole policy.
     """
 
+    if recorder is not None:
+        recorder.policy = policy_of(memory.now.recording)
+
     async def mark(_: Asker, arguments: dict[str, Any]) -> dict[str, Any]:
         if recorder is None or recorder.file is None:
             raise ConflictError(
-                "recording_not_active", "The mark was not set because nothing is recorded: open a line first."
+                "flight_not_recorded", "The mark was not set because nothing is recorded: open a line first."
             )
         by = arguments.get("by")
         made = notes.mark(str(arguments["text"]), None if by is None else str(by))
