@@ -88,12 +88,7 @@ export function createPage(world: World): {
   const plans = createPlans(world.storage);
   const sourceReturn = createSourceReturn();
   const now_ms = world.timers.now_ms;
-  const pump = new Pump(
-    world.animationFrames,
-    () => telemetry.revision + pasts.revision(),
-    now_ms(),
-    fail,
-  );
+  const pump = new Pump(world.animationFrames, () => telemetry.revision + pasts.revision(), now_ms(), fail);
   const client = (): string | null => connection.getState().client;
   const tell = (message: Message): void => say(messages, message, world.wall_ms());
 

@@ -327,6 +327,7 @@ describe("the playback", () => {
     expect(station.replay.place).toEqual({ flight: FLIGHT, at_s: 150 });
     station.replayed((replay) => replay.greet());
     expect(station.replay.asked).toEqual([{ type: "play", rate: 1 }]);
+    expect(screen.queryByText("Abriendo el vuelo…")).toBeNull();
   });
 
   test("sets a mark with words at the moment that is shown", async () => {
