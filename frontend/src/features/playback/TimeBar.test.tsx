@@ -5,11 +5,9 @@ import { FLIGHT, FLIGHT_STARTS_S } from "../../test/replay";
 import { type Asked, Station } from "../../test/station";
 import { PLAYBACK } from "./playbackRequests";
 
-const FLIGHT_PATH = /^\/api\/v1\/flights\//;
-
 /** Answers what the page asks about flights and has not been answered yet. */
 async function answerFlights(station: Station, edge_s = 600): Promise<void> {
-  const open = station.asked.filter(({ path }) => FLIGHT_PATH.test(path) && !answered.has(path + edge_s));
+  const open = station.askedByBar.filter(({ path }) => !answered.has(path + edge_s));
   for (const asked of open) {
     answered.add(asked.path + edge_s);
     await answerOne(asked, edge_s);
@@ -88,7 +86,15 @@ describe("the present", () => {
 
   test("says why there is nothing to look back at while nothing is recorded", () => {
     const station = new Station();
-    const recording = { active: false, failure: null, file: null, bytes: 0, bytes_lost: 0 };
+    const recording = {
+      active: false,
+      failure: null,
+      file: null,
+      bytes: 0,
+      bytes_lost: 0,
+      free_bytes: null,
+      hours_left: null,
+    };
     station.greet(aStatus({ recording }));
     expect(screen.getByText("Sin grabación en marcha: no hay nada que mirar atrás.")).toBeTruthy();
     expect(screen.queryByRole("slider", { name: "Momento del vuelo" })).toBeNull();
