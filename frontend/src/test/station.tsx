@@ -50,6 +50,8 @@ export class Station {
   readonly gamepads = new ManualGamepads();
   readonly wires: ManualWire[] = [];
   readonly asked: Asked[] = [];
+  /** What the time bar asks by itself about the flight that it shows. */
+  readonly askedByBar: Asked[] = [];
   readonly clients: Array<string | null> = [];
   /** Streams of flights of the past, and where each was asked to begin. */
   readonly replays: FakeReplay[] = [];
@@ -194,7 +196,8 @@ export class Station {
 
   #ask(path: string, init: RequestInit): Promise<Response> {
     return new Promise((resolve) => {
-      this.asked.push({
+      const isOfBar = /^\/api\/v1\/flights\/[^/]+\/(overview|events)/.test(path);
+      (isOfBar ? this.askedByBar : this.asked).push({
         method: init.method ?? "GET",
         path,
         body: typeof init.body === "string" ? JSON.parse(init.body) : undefined,
