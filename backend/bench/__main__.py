@@ -12,6 +12,7 @@ from bench.table import Row, table
 MODULES = (
     "decode",
     "damaged",
+    "flights",
     "latency",
     "cpu",
     "line",

@@ -157,6 +157,7 @@ class _Making:
                 self._tables.add("link", rates)
         finally:
             self._tables.close()
+        say(1.0, "columns")
         self.counts.gaps = self._rates.gaps
         self.counts.is_whole = self._reader.is_whole
         self.counts.damage = self._reader.damage

@@ -62,8 +62,11 @@ def table(message: Message, frames: Frames) -> tuple[pa.Table, dict[str, int]]:
 
 
 def _kind(message: Message, value: Value) -> pa.DataType:
-    if value.kind == "number" and layout(message)[str(value.slot)] == np.dtype("<f4"):
+    wire = layout(message)[str(value.slot)]
+    if value.kind == "number" and wire == np.dtype("<f4"):
         return pa.float32()
+    if value.kind == "integer" and wire == np.dtype("<u4"):
+        return pa.int64()
     return _ARROW[value.kind]
 
 

@@ -2,11 +2,12 @@
 
 A simulator sends the same rows in each datagram, so the datagrams of one length with the same row numbers are read
 together. Where every one of a stretch is a whole frame, its values are the live ones; any other goes one by one
-through the live gatherer.
+through what makes the live samples.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Mapping
 from typing import Any, Final, NamedTuple
 
 import numpy as np
@@ -16,17 +17,14 @@ from numpy.typing import NDArray
 from epf_gcs.codec.messages_gen import DATAGRAM_MAGIC, NO_VALUE, VALUES_PER_ROW, XPLANE_ROWS
 from epf_gcs.flights.convert import T_NS
 from epf_gcs.recordings.parts import Messages
-from epf_gcs.xplane.datagram import Eight, parse
-from epf_gcs.xplane.gather import Gatherer
-from epf_gcs.xplane.mapping import INFO_SOURCES, XplaneInfo, in_our_unit, row_meaning
+from epf_gcs.vehicle.simulator_samples import SimulatorSamples
+from epf_gcs.xplane.mapping import INFO_SOURCES, in_our_unit
 from epf_gcs.xplane.whole import WholeFrames
 
 _PREFIX: Final = len(DATAGRAM_MAGIC) + 1
 _RECORD: Final = np.dtype([("row", "<i4"), ("values", "<f4", (VALUES_PER_ROW,))])
-_ROW_AGE_NS: Final = 1_000_000_000
-_SHOW_EVERY_NS: Final = 20_000_000
-_RAW_EVERY_NS: Final = 200_000_000
-_MOST_ROWS: Final = 256
+_RAW_EVERY_S: Final = 0.2  # as in vehicle/simulator_samples.py
+_LOOK_AHEAD: Final = 64
 _CLAMPED: Final = (8, 11, 25)
 
 Floats = NDArray[np.float64]
@@ -59,6 +57,8 @@ ROWS: Final = pa.schema(
     + [pa.field(f"value_{index}", pa.float32()) for index in range(VALUES_PER_ROW)]
 )
 
+_SCHEMAS: Final = {"simulator": SIMULATOR, "xplane_info": INFO, "xplane_rows": ROWS}
+
 
 class Shown(NamedTuple):
     """The tables of some datagrams, by topic."""
@@ -71,15 +71,14 @@ class Datagrams:
     """Takes the datagrams of a recording in order; `begin` when another simulator is opened."""
 
     def __init__(self) -> None:
-        self.begin("xp10")
+        self._collector = _Collector()
+        self._samples = SimulatorSamples(self._collector)
+        self._whole = WholeFrames(self._samples.profile)
 
     def begin(self, profile: str) -> None:
         """A simulator of this profile begins: forget the earlier one's rows."""
-        self._profile = profile if profile in XPLANE_ROWS else "xp10"
-        self._gatherer = Gatherer(self._profile)
-        self._whole = WholeFrames(self._profile)
-        self._rows: dict[int, tuple[int, Eight]] = {}
-        self._shown_ns = self._raw_shown_ns = -(1 << 62)
+        self._samples.begin(profile if profile in XPLANE_ROWS else "xp10")
+        self._whole = WholeFrames(self._samples.profile)
 
     def take(self, messages: Messages) -> Shown:
         """Read datagrams (all of the simulator's channel). Never raises, whatever they hold."""
@@ -102,8 +101,9 @@ class Datagrams:
             records = np.ascontiguousarray(raw[:, _PREFIX:]).view(_RECORD).reshape(end - begin, count)
             usual = (raw[:, : len(DATAGRAM_MAGIC)] == np.frombuffer(DATAGRAM_MAGIC, np.uint8)).all(axis=1)
             usual &= (records["row"] == records["row"][0]).all(axis=1)
-            if usual.all() and self._bulk(messages.t_ns[begin:end], records, pieces):
-                return
+            # The last one goes the live way, so that what is kept for the next datagram is what live keeps.
+            if usual.all() and self._bulk(messages.t_ns[begin : end - 1], records[:-1], pieces):
+                begin = end - 1
         self._one_by_one(messages, begin, end, pieces)
 
     def _bulk(self, t_ns: NDArray[np.int64], records: NDArray[Any], pieces: dict[str, list[pa.Table]]) -> bool:
@@ -131,23 +131,20 @@ class Datagrams:
         pieces["simulator"].append(pa.Table.from_arrays([pa.array(t_ns), *arrays], schema=SIMULATOR))
         info = [pa.array(columns[name]) for name in whole.values()]
         pieces["xplane_info"].append(pa.Table.from_arrays([pa.array(t_ns), *info], schema=INFO))
-        self._show_raw(t_ns, numbers, records, pieces)
-        self._shown_ns = int(t_ns[-1])
-        self._rows = {
-            number: (int(t_ns[-1]), tuple(records["values"][-1, place].tolist()))
-            for place, number in enumerate(numbers)
-        }
+        raw_shown_s = self._show_raw(t_ns, numbers, records, pieces)
+        state = self._samples.kept()
+        self._samples.restore({**state, "shown_s": float(t_ns[-1]) * 1e-9, "raw_shown_s": raw_shown_s})
         return True
 
     def _remains_of_others(self, numbers: set[int], now_ns: int) -> bool:
         """Whether rows that these datagrams do not have were heard just before, and are shown with them."""
-        return any(now_ns - t_ns <= _ROW_AGE_NS for number, (t_ns, _) in self._rows.items() if number not in numbers)
+        return not set(self._samples.rows(now_ns * 1e-9)) <= numbers
 
     def _inside(self, numbers: list[int], records: NDArray[Any]) -> bool:
         """Whether all values that a whole frame needs are within the simulator's limits, as `WholeFrames` asks."""
         sources = {(18, "horizontal_path_deg"), *(INFO_SOURCES[field] for field in INFO_SOURCES if field != "yaw_deg")}
         for number, name in sources:
-            for wanted in XPLANE_ROWS[self._profile][number].values:
+            for wanted in XPLANE_ROWS[self._samples.profile][number].values:
                 if in_our_unit(wanted)[0] == name:
                     raw = records["values"][:, numbers.index(number), wanted.index]
                     if not ((raw >= wanted.minimum) & (raw <= wanted.maximum) & (raw != NO_VALUE)).all():
@@ -158,7 +155,7 @@ class Datagrams:
         self, number: int, eight: NDArray[np.float32], columns: dict[str, Floats], nulls: dict[str, NDArray[np.bool_]]
     ) -> None:
         """As `row_meaning`, for many."""
-        definition = XPLANE_ROWS[self._profile].get(number)
+        definition = XPLANE_ROWS[self._samples.profile].get(number)
         for wanted in definition.values if definition else ():
             name, scale = in_our_unit(wanted)
             raw = eight[:, wanted.index].astype(np.float64)
@@ -170,15 +167,25 @@ class Datagrams:
 
     def _show_raw(
         self, t_ns: NDArray[np.int64], numbers: list[int], records: NDArray[Any], pieces: dict[str, list[pa.Table]]
-    ) -> None:
+    ) -> float:
+        """Add the raw rows as often as live shows them; returns when that was last (Unix s)."""
+        shown_s: float = self._samples.kept()["raw_shown_s"]
+        t_s = t_ns * 1e-9
         chosen: list[int] = []
-        index = int(np.searchsorted(t_ns, self._raw_shown_ns + _RAW_EVERY_NS))
-        while index < len(t_ns):
+        index = 0
+        while True:
+            late = np.flatnonzero(t_s[index : index + _LOOK_AHEAD] - shown_s >= _RAW_EVERY_S)
+            if not len(late):
+                index += _LOOK_AHEAD
+                if index >= len(t_s):
+                    break
+                continue
+            index += int(late[0])
             chosen.append(index)
-            self._raw_shown_ns = int(t_ns[index])
-            index = max(index + 1, int(np.searchsorted(t_ns, self._raw_shown_ns + _RAW_EVERY_NS)))
+            shown_s = float(t_s[index])
+            index += 1
         if not chosen:
-            return
+            return shown_s
         order = np.argsort(numbers)
         values = records["values"][chosen][:, order].reshape(-1, VALUES_PER_ROW)
         arrays = [
@@ -187,48 +194,41 @@ class Datagrams:
             *(pa.array(np.ascontiguousarray(values[:, index])) for index in range(VALUES_PER_ROW)),
         ]
         pieces["xplane_rows"].append(pa.Table.from_arrays(arrays, schema=ROWS))
+        return shown_s
 
     def _one_by_one(self, messages: Messages, begin: int, end: int, pieces: dict[str, list[pa.Table]]) -> None:
-        simulator: list[dict[str, Any]] = []
-        infos: list[dict[str, Any]] = []
-        raw: list[dict[str, Any]] = []
         view = messages.data.data
         for index in range(begin, end):
-            start, t_ns = int(messages.start[index]), int(messages.t_ns[index])
-            self._one(bytes(view[start : start + int(messages.length[index])]), t_ns, simulator, infos, raw)
-        for topic, rows, shape in (
-            ("simulator", simulator, SIMULATOR),
-            ("xplane_info", infos, INFO),
-            ("xplane_rows", raw, ROWS),
-        ):
-            if rows:
-                pieces[topic].append(pa.Table.from_pylist(rows, schema=shape))
+            start = int(messages.start[index])
+            self._collector.t_ns = int(messages.t_ns[index])
+            datagram = bytes(view[start : start + int(messages.length[index])])
+            reading = self._samples.read(datagram, self._collector.t_ns * 1e-9)
+            if reading is not None:
+                self._samples.show(reading)
+        self._collector.move_to(pieces)
 
-    def _one(
-        self, datagram: bytes, t_ns: int, simulator: list[dict[str, Any]], infos: list[dict[str, Any]], raw: list[Any]
-    ) -> None:
-        """One datagram as live takes it; what a loop of events would show together is shown one by one."""
-        records = parse(datagram)
-        if records is None:
-            return
-        info: XplaneInfo | None = self._whole.read(datagram) or self._gatherer.take(records, t_ns * 1e-9)
-        for number, values in records:
-            if number in self._rows or len(self._rows) < _MOST_ROWS:
-                self._rows[number] = (t_ns, values)
-        if info is None and t_ns - self._shown_ns < _SHOW_EVERY_NS:
-            return
-        self._shown_ns = t_ns
-        live = {number: values for number, (heard_ns, values) in self._rows.items() if t_ns - heard_ns <= _ROW_AGE_NS}
-        named: dict[str, Any] = {"t_ns": t_ns}
-        for number, values in live.items():
-            named.update(row_meaning(number, values, self._profile).values)
-        simulator.append(named)
-        if info is not None:
-            infos.append({"t_ns": t_ns, **info._asdict()})
-        if t_ns - self._raw_shown_ns >= _RAW_EVERY_NS:
-            self._raw_shown_ns = t_ns
-            for number, values in sorted(live.items()):
-                raw.append({"t_ns": t_ns, "row": number} | {f"value_{slot}": one for slot, one in enumerate(values)})
+
+class _Collector:
+    """Takes the samples of datagrams that are read one by one; see `epf_gcs.vehicle.telemetry.Telemetry`."""
+
+    def __init__(self) -> None:
+        self.t_ns = 0
+        self._rows: dict[str, list[dict[str, Any]]] = {topic: [] for topic in _SCHEMAS}
+
+    def take(self, topic: str, _t_s: float, values: Mapping[str, Any], _implausible: Iterable[str] = ()) -> None:
+        if topic == "xplane_rows":
+            for row, eight in values["rows"].items():
+                named = {f"value_{slot}": one for slot, one in enumerate(eight)}
+                self._rows[topic].append({"t_ns": self.t_ns, "row": int(row), **named})
+        else:
+            self._rows[topic].append({"t_ns": self.t_ns, **values})
+
+    def move_to(self, pieces: dict[str, list[pa.Table]]) -> None:
+        """Hand out what was collected as tables."""
+        for topic, rows in self._rows.items():
+            if rows:
+                pieces[topic].append(pa.Table.from_pylist(rows, schema=_SCHEMAS[topic]))
+                self._rows[topic] = []
 
 
 def _datagram(records: NDArray[Any]) -> bytes:

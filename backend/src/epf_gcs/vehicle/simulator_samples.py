@@ -6,11 +6,10 @@ What comes out depends on the datagrams and their times alone, so that a replay 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from typing import Any, Final, NamedTuple, cast
+from typing import Any, Final, NamedTuple, Protocol, cast
 
 from epf_gcs.codec.messages_gen import XPLANE_ROWS
 from epf_gcs.vehicle.arrivals import Arrivals
-from epf_gcs.vehicle.telemetry import Telemetry
 from epf_gcs.xplane.datagram import Eight, Record, parse
 from epf_gcs.xplane.gather import Gatherer
 from epf_gcs.xplane.mapping import NEEDED_ROWS, XplaneInfo, row_meaning
@@ -22,6 +21,13 @@ _ROW_AGE_S: Final = 1.0
 _MOST_ROWS: Final = 256
 _SHOW_EVERY_S: Final = 0.02
 _RAW_EVERY_S: Final = 0.2
+
+
+class Samples(Protocol):
+    """Where samples go: the telemetry of a vehicle."""
+
+    def take(self, topic: str, t_s: float, values: Mapping[str, Any], implausible: Iterable[str] = (), /) -> None:
+        """Take a sample, heard at Unix time `t_s`."""
 
 
 class Reading(NamedTuple):
@@ -36,7 +42,7 @@ class Reading(NamedTuple):
 class SimulatorSamples:
     """`read` does only what the loop with the board waits for; `show` makes the samples, in the order of the line."""
 
-    def __init__(self, telemetry: Telemetry) -> None:
+    def __init__(self, telemetry: Samples) -> None:
         self._telemetry = telemetry
         self._profile = "xp10"
         self._gatherer = Gatherer(self._profile)
