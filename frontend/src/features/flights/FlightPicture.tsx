@@ -1,4 +1,5 @@
 import type { Thumbnail } from "../../protocol/guards.gen";
+import "./flight-picture.css";
 
 /** Sides of the two pictures, in the units of the drawing. */
 const TRACK = 40;
