@@ -32,7 +32,7 @@ class Viewer:
         self._unflushed += 1
 
     def flush(self) -> None:
-        self.flushes.append(self._unflushed)
+        self.flushes += [self._unflushed] if self._unflushed else []
         self._unflushed = 0
 
     def event(self, kind: str, data: Mapping[str, Any]) -> None:
@@ -41,7 +41,7 @@ class Viewer:
     def status(self, status: Mapping[str, Any]) -> None:
         self.statuses.append(status)
 
-    def playback(self, playback: Mapping[str, Any]) -> None:
+    def playback(self, playback: Mapping[str, Any], *, with_samples: bool = False) -> None:
         self.playbacks.append(playback)
 
 

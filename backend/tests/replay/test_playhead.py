@@ -9,6 +9,7 @@ from typing import Any
 
 import pytest
 
+from epf_gcs.recordings.packing import pack
 from epf_gcs.replay.keys import Keys
 from epf_gcs.replay.outlet import Silence
 from epf_gcs.replay.playhead import Playhead
@@ -120,6 +121,23 @@ def test_a_recording_cut_anywhere_plays_to_its_last_whole_record(tmp_path: Path,
     assert len(missing) <= 6, "only what the record that was cut held"
 
 
+def test_a_packed_recording_is_the_same_flight(recording: Path, tmp_path: Path) -> None:
+    pack(recording, tmp_path / "packed.mcap")
+    outlets = [KeptOutlet(), KeptOutlet()]
+    for path, outlet in zip((recording, tmp_path / "packed.mcap"), outlets, strict=True):
+        Playhead(Timeline(path), outlet).advance(STARTS_NS + 24 * SECOND_NS)
+    assert outlets[0].samples
+    assert outlets[0].samples == outlets[1].samples
+    assert outlets[0].events == outlets[1].events
+    packed = Timeline(tmp_path / "packed.mcap")
+    key = keyed(Timeline(recording)).before(STARTS_NS + 20 * SECOND_NS)
+    assert key is not None
+    from_key, from_start = Playhead(packed, Silence(), *key), Playhead(packed, Silence())
+    for head in (from_key, from_start):
+        head.advance(STARTS_NS + 21 * SECOND_NS)
+    assert state_of(from_key) == state_of(from_start), "key frames hold before and after packing"
+
+
 def test_a_growing_recording_is_followed_to_its_edge(tmp_path: Path) -> None:
     data = write(tmp_path / "whole.mcap", flight(6.0)).read_bytes()
     path = tmp_path / "growing.mcap"
@@ -144,7 +162,9 @@ def test_key_frames_of_another_recording_or_a_torn_file_are_not_used(recording: 
     file = tmp_path / "a.keys"
     keyed(timeline, file).close()
     size = file.stat().st_size
-    assert Keys(file, "other", timeline.starts_ns or 0).latest_ns is None
+    other = Keys(file, "other", timeline.starts_ns or 0)
+    assert other.latest_ns is None
+    other.close()
     keyed(timeline, file).close()
     assert file.stat().st_size == size
     file.write_bytes(file.read_bytes()[:-100])

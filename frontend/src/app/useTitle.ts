@@ -6,7 +6,10 @@ import { formatDateTime } from "../lib/moment";
 import type { Status } from "../protocol/status";
 import { useConnection } from "../store/hooks";
 
-/** Shows that the past is shown and which, or the state of the board's link in the window's title, with the number of alarms of the present, where it is seen from other windows too. */
+/**
+ * The window's title, which is seen from other windows too: that the past is shown and which, or the state of the
+ * board's link; and the number of alarms of the present.
+ */
 export function useTitle(): void {
   const { t } = useTranslation();
   const state = useConnection(({ status, phase }) =>

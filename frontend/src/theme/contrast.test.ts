@@ -46,7 +46,6 @@ const pairs: [string, string, number][] = [
   ["--past-ink", "--past", TEXT],
   ...surfaces.map((surface): [string, string, number] => ["--past", surface, GRAPHIC]),
   ["--past", "--past-wash", GRAPHIC],
-  ["--past", "--dial-face", GRAPHIC],
   ...inks.map((ink): [string, string, number] => [ink, "--past-wash", TEXT]),
   ["--text", "--accent-wash", TEXT],
   ["--accent", "--accent-wash", TEXT],

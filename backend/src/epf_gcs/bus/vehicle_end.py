@@ -77,10 +77,15 @@ class Broadcast:
         if self._channels:
             self._send(pack(Kind.STATUS, orjson.dumps(status)))
 
-    def playback(self, playback: Mapping[str, Any]) -> None:
-        """Where a replay is, and whether it plays."""
-        if self._channels:
-            self._send(pack(Kind.PLAYBACK, orjson.dumps(playback)))
+    def playback(self, playback: Mapping[str, Any], *, with_samples: bool = False) -> None:
+        """Where a replay is, and whether it plays; sent at once, or before the samples of the next `flush`."""
+        if not self._channels:
+            return
+        data = pack(Kind.PLAYBACK, orjson.dumps(playback))
+        if with_samples:
+            self._samples.insert(0, data)
+        else:
+            self._send(data)
 
     def add(self, channel: Channel) -> None:
         """Send everything to this listener from now on."""

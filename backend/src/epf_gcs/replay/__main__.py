@@ -52,6 +52,8 @@ async def _replay(options: argparse.Namespace) -> None:
     try:
         gc.collect()
         gc.freeze()
+        # What is decoded has no cycles: look for some now and then, not all the time.
+        gc.set_threshold(50_000, 20, 50)
         running = asyncio.ensure_future(process.run(listener))
         waiting = asyncio.ensure_future(ended.wait())
         await asyncio.wait({running, waiting}, return_when=asyncio.FIRST_COMPLETED)

@@ -10,7 +10,15 @@ from epf_gcs.recordings.notes import Note
 from epf_gcs.vehicle.wanted import RATE_COMMANDS, Wanted
 
 _DONE: Final = frozenset({"confirmed", "sent"})
-_CLOSED: Final[dict[str, Any]] = {"state": "closed", "url": None, "baud": None, "profile": None, "emulated": False}
+_CLOSED: Final[dict[str, Any]] = {
+    "open": False,
+    "url": None,
+    "baud": None,
+    "profile": None,
+    "emulated": False,
+    # As the newest event of the links said.
+    "said": "closed",
+}
 # What an event of these kinds says is in the newest of its kind.
 _NEWEST: Final = frozenset({"control", "stick", "hil"})
 
@@ -33,7 +41,7 @@ class Known:
 
     @property
     def lines(self) -> dict[str, dict[str, Any]]:
-        """State, url, baud, profile and emulated of "board" and "simulator"."""
+        """Of "board" and "simulator": whether it is open, url, baud, profile, emulated and what was said of it."""
         lines: dict[str, dict[str, Any]] = self.now["lines"]
         return lines
 
@@ -72,17 +80,16 @@ class Known:
 
     def _line(self, content: Mapping[str, Any]) -> None:
         self.now["has_lines"] = True
-        line = self.lines[content["line"]]
-        line.update({name: content.get(name) for name in ("url", "baud", "profile")})
-        line["emulated"] = content.get("emulated") is True
-        line["state"] = "opening" if content.get("open") else "closed"
+        line = {name: content.get(name) for name in ("url", "baud", "profile")}
+        flags = {name: content.get(name) is True for name in ("open", "emulated")}
+        self.lines[content["line"]].update(line | flags)
 
     def _event(self, kind: str, data: Mapping[str, Any]) -> str | None:
         if kind in _NEWEST:
             self.now["events"][kind] = dict(data)
         elif kind == "link":
             for name, line in self.lines.items():
-                line["state"] = data.get(name, line["state"])
+                line["said"] = data.get(name, line["said"])
         elif kind == "alarm":
             self._alarm(data)
         elif kind == "parameter" and isinstance(data.get("parameters"), Mapping):

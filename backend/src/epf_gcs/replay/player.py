@@ -40,8 +40,8 @@ class Audience(Sink, Protocol):
     def status(self, status: Mapping[str, Any]) -> None:
         """The state of the flight at that moment."""
 
-    def playback(self, playback: Mapping[str, Any]) -> None:
-        """Where the replay is, and whether it plays."""
+    def playback(self, playback: Mapping[str, Any], *, with_samples: bool = False) -> None:
+        """Where the replay is, and whether it plays; at once, or with the samples of the next `flush`."""
 
 
 class Player:
@@ -207,7 +207,8 @@ class Player:
         self._audience.flush()
         self._audience.status(self.status())
         self._outlet.is_open = True
-        self._tell_at_s, self._status_at_s = now_s + _TOLD_S, now_s + _STATUS_S
+        self._tell_at_s = now_s + _TOLD_S if self._pace.is_playing else float("inf")
+        self._status_at_s = now_s + _STATUS_S
         self._give_at_s = now_s + self._period_s
 
     def _play_on(self, now_s: float) -> bool:
@@ -252,25 +253,27 @@ class Player:
         else:
             self._pace.jump(now_s, end_ns)
 
-    def _give(self, now_s: float) -> None:
-        if not self._outlet.every and now_s >= self._give_at_s:
-            # On a grid, so that the mean rate is exact; after a pause the grid begins anew.
-            self._give_at_s = max(self._give_at_s + self._period_s, now_s + 0.5 * self._period_s)
-            self._outlet.give()
-
     def _tell(self, now_s: float) -> float:
         """Send samples, position and status as they are due; returns the seconds until the next is."""
         if self._target_ns is not None:
             return 0.0
-        self._give(now_s)
-        if now_s >= self._tell_at_s:
-            self._tell_at_s = now_s + (_TOLD_S if self._pace.is_playing else float("inf"))
-            self._audience.playback(self.playback())
-        if now_s >= self._status_at_s:
-            self._status_at_s = now_s + (_STATUS_S if self._pace.is_playing else _PAUSED_STATUS_S)
+        is_playing = self._pace.is_playing
+        is_given = not self._outlet.every and now_s >= self._give_at_s
+        # What is due soon goes with the samples, for each thing sent alone wakes three processes.
+        soon_s = now_s + 0.5 * self._period_s if is_given and is_playing else now_s
+        if soon_s >= self._tell_at_s:
+            self._tell_at_s = max(self._tell_at_s, now_s - _TOLD_S) + _TOLD_S if is_playing else float("inf")
+            self._audience.playback(self.playback(), with_samples=is_given)
+        if is_given:
+            # On a grid, so that the mean rate is exact; after a pause the grid begins anew.
+            self._give_at_s = max(self._give_at_s + self._period_s, now_s + 0.5 * self._period_s)
+            self._outlet.give()
+            self._audience.flush()
+        if soon_s >= self._status_at_s:
+            self._status_at_s = now_s + (_STATUS_S if is_playing else _PAUSED_STATUS_S)
             self._audience.status(self.status())
         due_s = min(self._tell_at_s, self._status_at_s)
-        if self._pace.is_playing:
+        if is_playing:
             due_s = min(due_s, self._due_s(now_s))
         return max(0.0, due_s - now_s)
 

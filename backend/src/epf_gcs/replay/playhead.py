@@ -7,7 +7,6 @@ depends on the recorded bytes, notes and times alone. Ticks, which live come whe
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Mapping
 from typing import Any, Final
 
 from epf_gcs.codec.frame import TO_BOARD, Frame, FrameDecoder
@@ -51,21 +50,6 @@ class RecordedLine:
         return True
 
 
-class _Seen:
-    """An outlet without the events that the notes bring. Implements `epf_gcs.vehicle.outside.Outlet`."""
-
-    def __init__(self, outlet: Outlet, is_noted: Callable[[], bool]) -> None:
-        self._event = outlet.event
-        self._is_noted = is_noted
-        self.sample = outlet.sample
-        self.flush = outlet.flush
-
-    def event(self, kind: str, data: Mapping[str, Any]) -> None:
-        """Pass it on, if no note does."""
-        if not self._is_noted():
-            self._event(kind, data)
-
-
 class Playhead:
     """`advance` feeds all up to a moment. `from_ns` and `kept` are a key frame's; without them it begins at the start.
 
@@ -76,13 +60,12 @@ class Playhead:
         self, timeline: Timeline, outlet: Outlet, from_ns: int | None = None, kept: dict[str, Any] | None = None
     ) -> None:
         self._outlet = outlet
-        self._is_ticking = False
         self._cursor = Cursor(timeline, from_ns)
         self.clock = RecordedClock()
         self.known = Known()
         self.errors = ErrorLog()
         self.errors.tell_viewers(self.clock.steady_s, outlet.event)
-        self.vehicle = Vehicle(self.clock, _Seen(outlet, self._is_noted), self.errors, self._period_s)
+        self.vehicle = Vehicle(self.clock, outlet, self.errors, self._period_s)
         self._ahrs_test = RecordedAhrsTest(self.vehicle)
         self._sent = FrameDecoder(TO_BOARD)
         self.bytes_sent = 0
@@ -174,11 +157,11 @@ class Playhead:
                 self.known.take(note)
         self._tick_ns = self._after(self.clock.t_ns)
         self._attach()
-        self.vehicle.simulator.begin("xp12" if self.known.lines["simulator"]["profile"] == "xp12" else "xp10")
+        self._begin_simulator(self.known.lines["simulator"]["profile"])
 
     def _attach(self) -> None:
         board = self.known.lines["board"]
-        if board["state"] != "closed" or not self.known.now["has_lines"]:
+        if board["open"] or not self.known.now["has_lines"]:
             baud = board["baud"]
             line = RecordedLine(baud if isinstance(baud, int) else _DEFAULT_BAUD)
             self.vehicle.board.attach(line, is_emulated=board["emulated"])
@@ -239,6 +222,7 @@ class Playhead:
         return [one for one in decoder.feed(data) if isinstance(one, Frame) and one.message is _COMMAND_50]
 
     def _take_note(self, note: Note) -> None:
+        before = {name: dict(line) for name, line in self.known.lines.items()}
         rate_command = self.known.take(note)
         if rate_command is not None:
             self.vehicle.telemetry.rate_changed(rate_command)
@@ -246,31 +230,36 @@ class Playhead:
             if rate_command == RATE_COMMANDS[0]:
                 self.vehicle.board.session.expect_heartbeat_every(self._period_s(rate_command))
         content = note.content
-        if note.name == notes.LINE and isinstance(content, dict):
-            self._take_line(content)
+        if note.name == notes.LINE:
+            self._lines_changed(before)
         elif note.name == "simulator_link" and isinstance(content, dict):
             # A note of the first recordings.
-            self.vehicle.simulator.begin("xp12" if content.get("profile") == "xp12" else "xp10")
+            self._begin_simulator(content.get("profile"))
         elif note.name == notes.EVENT and isinstance(content, dict) and isinstance(content.get("data"), dict):
+            # In its place in the file, with the time that it has.
+            here_ns, self.clock.t_ns = self.clock.t_ns, note.t_ns
             self._outlet.event(str(content.get("event")), content["data"])
+            self.clock.t_ns = here_ns
 
-    def _take_line(self, content: dict[str, Any]) -> None:
-        board = self.vehicle.board
-        if content.get("line") == "simulator" and content.get("open"):
-            self.vehicle.simulator.begin("xp12" if content.get("profile") == "xp12" else "xp10")
-        elif content.get("line") == "board":
-            if board.link is not None:
-                board.detach()
+    def _lines_changed(self, before: dict[str, dict[str, Any]]) -> None:
+        """A note says how the lines are; it may say what is known already."""
+        board, simulator = self.known.lines["board"], self.known.lines["simulator"]
+        if board != before["board"]:
+            if self.vehicle.board.link is not None:
+                self.vehicle.board.detach()
             self._attach()
+        if simulator != before["simulator"] and simulator["open"]:
+            self._begin_simulator(simulator["profile"])
+
+    def _begin_simulator(self, profile: Any) -> None:
+        self.vehicle.simulator.begin("xp12" if profile == "xp12" else "xp10")
 
     def _tick_to(self, t_ns: int) -> None:
         """Do what is due at each tick before `t_ns`. Long after the last item nothing is due any more."""
         stop_ns = min(t_ns, self._heard_ns + _TICKING_NS)
         while self._tick_ns < stop_ns:
             self.clock.t_ns = self._tick_ns
-            self._is_ticking = True
             self.vehicle.board.tick()
-            self._is_ticking = False
             now_s = self.clock.now_s()
             self.board_in.note(now_s, self.vehicle.board.bytes_in)
             self.board_out.note(now_s, self.bytes_sent)
@@ -283,10 +272,6 @@ class Playhead:
 
     def _period_s(self, rate_command: str) -> float:
         return self.known.period_s(rate_command)
-
-    def _is_noted(self) -> bool:
-        """Whether what happens now is in the notes: text that live handed out at its own tick, not at ours."""
-        return self._is_ticking and bool(self.known.now["identity"])
 
     @staticmethod
     def _after(t_ns: int) -> int:

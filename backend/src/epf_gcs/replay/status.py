@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any, Final
 
+from epf_gcs.codec.session import SessionState
 from epf_gcs.replay.playhead import Playhead
 from epf_gcs.vehicle.wanted import RATE_COMMANDS
 
@@ -37,7 +38,7 @@ def _board(head: Playhead) -> dict[str, Any]:
     board, known = head.vehicle.board, head.known
     line = known.lines["board"]
     capabilities = known.now["identity"].get("board") or board.capabilities()
-    state = line["state"] if known.now["has_lines"] else _heard(head)
+    state = _heard(head) if board.link is not None else line["said"]
     is_extended = bool(capabilities)
     return {
         "state": state,
@@ -71,7 +72,8 @@ def _simulator(head: Playhead) -> dict[str, Any]:
     simulator, known, now_s = head.vehicle.simulator, head.known, head.clock.now_s()
     line = known.lines["simulator"]
     rows = simulator.rows(now_s)
-    state = line["state"] if known.now["has_lines"] else "open" if rows else "lost" if simulator.datagrams else "closed"
+    heard = "open" if rows else "lost" if simulator.arrivals else None
+    state = (heard or "opening") if line["open"] else line["said"] if known.now["has_lines"] else heard or "closed"
     return {
         "state": state,
         "receive_port": None,
@@ -113,11 +115,12 @@ def _hil(head: Playhead) -> dict[str, Any]:
 
 
 def _heard(head: Playhead) -> str:
-    """The state of the board's line in a recording without notes of it: what the bytes let one see."""
-    session = head.vehicle.board.session
-    if session.is_open or head.vehicle.board.exclusive_user is not None:
+    """The state of the board's open line, as `Supervisor.state` gives it live."""
+    board = head.vehicle.board
+    if board.is_open or board.exclusive_user is not None:
         return "open"
-    return "lost" if head.vehicle.telemetry.newest("heartbeat") is not None else "opening"
+    is_silent = board.session.state is SessionState.OPENING and board.session.heartbeat_s is not None
+    return "lost" if is_silent else "opening"
 
 
 def _percent(bytes_per_s: float, full: float) -> float:

@@ -11,11 +11,12 @@ from pathlib import Path
 from typing import Final, NamedTuple
 
 from epf_gcs.recordings.notes import Note
-from epf_gcs.recordings.reading import Part, Reader
+from epf_gcs.recordings.reading import Messages, Part, Reader
 
-# Pieces that a growing file gave are read again together, up to this size.
-_PIECE_BYTES: Final = 1 << 20
+# A piece has at most so many messages: a seek makes objects of no more than one.
+_PIECE_MESSAGES: Final = 2000
 _PIECES_AT_HAND: Final = 3
+_PARTS_AT_HAND: Final = 2
 
 
 class Item(NamedTuple):
@@ -29,12 +30,15 @@ class Item(NamedTuple):
 
 @dataclass(slots=True)
 class _Piece:
-    """A stretch of the file: where it begins, how many messages, its latest time and its notes."""
+    """Messages of the part of the file at `place`: how many are before them in it, how many they are, and their notes.
+
+    Each note comes with the number of messages of the piece before it.
+    """
 
     place: int
     is_chunk: bool
+    skipped: int
     count: int
-    bytes: int
     latest_ns: int
     notes: list[tuple[int, Note]] = field(default_factory=list)
 
@@ -48,6 +52,7 @@ class Timeline:
         self._pieces: list[_Piece] = []
         self._latest: list[int] = []
         self._loaded: OrderedDict[int, tuple[int, list[Item]]] = OrderedDict()
+        self._parts: OrderedDict[int, Messages] = OrderedDict()
         self.starts_ns: int | None = None
         self.edge_ns = 0
         self.look()
@@ -76,19 +81,42 @@ class Timeline:
         count = len(messages.t_ns)
         if count and self.starts_ns is None:
             self.starts_ns = self.edge_ns = int(messages.t_ns[0])
-        latest_ns = max(self.edge_ns, int(messages.t_ns.max())) if count else self.edge_ns
-        size = len(messages.data)
-        last = self._pieces[-1] if self._pieces else None
-        if last is not None and not part.is_chunk and not last.is_chunk and last.bytes + size <= _PIECE_BYTES:
-            last.notes += [(last.count + before, note) for before, note in part.notes]
-            last.count += count
-            last.bytes = self._reader.place - last.place if self._reader.place > part.place else last.bytes + size
-            last.latest_ns = self._latest[-1] = latest_ns
-            self._loaded.pop(len(self._pieces) - 1, None)
-        else:
-            self._pieces.append(_Piece(part.place, part.is_chunk, count, size, latest_ns, list(part.notes)))
-            self._latest.append(latest_ns)
-        self.edge_ns = latest_ns
+        skipped = self._join(part) if self._pieces else 0
+        notes = [(before - skipped, note) for before, note in part.notes if before >= skipped]
+        while True:
+            taken = min(count - skipped, _PIECE_MESSAGES)
+            is_last = skipped + taken == count
+            latest_ns = self._later(part, skipped, taken)
+            here = [one for one in notes if is_last or one[0] < taken]
+            if taken or here:
+                self._pieces.append(_Piece(part.place, part.is_chunk, skipped, taken, latest_ns, here))
+                self._latest.append(latest_ns)
+            if is_last:
+                return
+            notes = [(before - taken, note) for before, note in notes[len(here) :]]
+            skipped += taken
+
+    def _join(self, part: Part) -> int:
+        """Add the first messages of a part to the last piece, if they are read together and it is not full.
+
+        Returns how many; the notes before them are added too.
+        """
+        last = self._pieces[-1]
+        count = len(part.messages.t_ns)
+        if part.is_chunk or last.is_chunk or last.skipped or last.count + count > _PIECE_MESSAGES:
+            return 0
+        last.notes += [(last.count + before, note) for before, note in part.notes]
+        last.count += count
+        last.latest_ns = self._latest[-1] = self._later(part, 0, count)
+        self._loaded.pop(len(self._pieces) - 1, None)
+        part.notes.clear()
+        return count
+
+    def _later(self, part: Part, skipped: int, taken: int) -> int:
+        """The latest time up to the end of this stretch, which is the edge then."""
+        if taken:
+            self.edge_ns = max(self.edge_ns, int(part.messages.t_ns[skipped : skipped + taken].max()))
+        return self.edge_ns
 
     def items(self, number: int) -> list[Item] | None:
         """The messages and notes of a piece in their order; None if there is no such piece yet."""
@@ -123,7 +151,7 @@ class Timeline:
         yield from (item.note for item in (self.items(number) or ())[:place] if item.note is not None)
 
     def _load(self, piece: _Piece) -> list[Item]:
-        messages = self._read(piece)
+        messages = self._read(piece) if piece.count else []
         found: list[Item] = []
         done = 0
         for index, note in piece.notes:
@@ -135,22 +163,34 @@ class Timeline:
         return found + [Item(t_ns, topic, data, None) for topic, t_ns, data in messages[done:]]
 
     def _read(self, piece: _Piece) -> list[tuple[int, int, bytes]]:
-        if not piece.count or self._loader is None:
-            return []
-        reader = copy.copy(self._loader)
-        reader.place = piece.place
-        reader.is_whole = False
-        found: list[tuple[int, int, bytes]] = []
-        for part in reader.parts():
-            channels, times, starts, lengths, data = part.messages
-            view = data.data
+        stretch = slice(piece.skipped, piece.skipped + piece.count)
+        channels, times, starts, lengths, data = self._part(piece.place, stretch.stop)
+        view = data.data
+        return [
+            (channel, t_ns, bytes(view[start : start + length]))
             for channel, t_ns, start, length in zip(
-                channels.tolist(), times.tolist(), starts.tolist(), lengths.tolist(), strict=True
-            ):
-                found.append((channel, t_ns, bytes(view[start : start + length])))
-            if len(found) >= piece.count:
-                break
-        return found[: piece.count]
+                channels[stretch].tolist(),
+                times[stretch].tolist(),
+                starts[stretch].tolist(),
+                lengths[stretch].tolist(),
+                strict=True,
+            )
+        ]
+
+    def _part(self, place: int, count: int) -> Messages:
+        """At least so many messages of the part at a place of the file."""
+        held = self._parts.get(place)
+        if held is None or len(held.t_ns) < count:
+            if self._loader is None:
+                raise LookupError("the file has no messages")
+            reader = copy.copy(self._loader)
+            reader.place = place
+            reader.is_whole = False
+            held = self._parts[place] = next(part.messages for part in reader.parts())
+            while len(self._parts) > _PARTS_AT_HAND:
+                self._parts.popitem(last=False)
+        self._parts.move_to_end(place)
+        return held
 
 
 class Cursor:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import asyncio
-import contextlib
 import math
 from pathlib import Path
 from time import monotonic
@@ -35,7 +34,7 @@ class VehicleProcess:
         self._keys: Keys | None = None
         self._player: Player | None = None
         self._scout: Scout | None = None
-        self._wake = asyncio.Event()
+        self._timer: asyncio.Handle | None = None
         self._broadcast = Broadcast(self._now_s)
 
     async def run(self, listener: Listener) -> None:
@@ -57,29 +56,37 @@ class VehicleProcess:
             on_notice=self._notice,
             on_gone=lambda: None,
         )
-        async with asyncio.TaskGroup() as tasks:
-            tasks.create_task(end.run(listener))
-            tasks.create_task(self._play(player, self._scout))
+        self._hurry()
+        try:
+            await end.run(listener)
+        finally:
+            if self._timer is not None:
+                self._timer.cancel()
 
     def close(self) -> None:
         """Let the file of key frames go."""
         if self._keys is not None:
             self._keys.close()
 
-    async def _play(self, player: Player, scout: Scout) -> None:
-        while True:
-            wait_s = player.turn(monotonic())
-            if wait_s > _SPARE_S and scout.has_work:
-                scout.work()
-                player.keys_came(monotonic())
-                wait_s = 0.0
-            if wait_s <= 0.0:
-                await asyncio.sleep(0)
-                continue
-            self._wake.clear()
-            with contextlib.suppress(TimeoutError):
-                async with asyncio.timeout(min(wait_s, _REST_S)):
-                    await self._wake.wait()
+    def _turn(self) -> None:
+        """One turn of the player, or a slice of the scout's work; arms the timer of the next."""
+        player, scout = self._the_player(), self._scout
+        loop = asyncio.get_running_loop()
+        wait_s = player.turn(monotonic())
+        if wait_s > _SPARE_S and scout is not None and scout.has_work:
+            scout.work()
+            player.keys_came(monotonic())
+            wait_s = 0.0
+        if wait_s <= 0.0:
+            self._timer = loop.call_soon(self._turn)
+        else:
+            self._timer = loop.call_later(min(wait_s, _REST_S), self._turn)
+
+    def _hurry(self) -> None:
+        """Something was asked: the next turn comes at once."""
+        if self._timer is not None:
+            self._timer.cancel()
+        self._timer = asyncio.get_running_loop().call_soon(self._turn)
 
     def _now_s(self) -> float:
         return 0.0 if self._player is None else self._player.head.clock.now_s()
@@ -148,4 +155,4 @@ class VehicleProcess:
                 player.taken(count)
             case _:
                 return
-        self._wake.set()
+        self._hurry()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import signal
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -10,6 +11,7 @@ from typing import Any
 import orjson
 import pytest
 from websockets.exceptions import ConnectionClosed, InvalidStatus
+from websockets.sync.client import connect
 
 from epf_gcs.replay.outlet import Silence
 from epf_gcs.replay.playhead import Playhead
@@ -19,7 +21,7 @@ from epf_gcs.web.state.schemas import Status
 from tests.replay.recordings import SECOND_NS, STARTS_NS, flight, plain, write
 from tests.support.gateway import Gateway, Stream, running_gateway
 from tests.support.outlet import KeptOutlet
-from tests.support.programs import children_of
+from tests.support.programs import children_of, gateway_process
 from tests.support.waiting import eventually
 
 ID = "20260101T120000Z"
@@ -176,3 +178,20 @@ def test_so_many_replays_and_no_more_and_a_live_viewer_beside_them_sees_nothing_
         assert live.hello["status"]["viewers"] == 0
         assert live.next("status")["data"]["viewers"] == 1
         assert "playback" not in live.next("status")["data"]
+
+
+def test_a_replay_ends_when_the_web_process_is_killed(tmp_path: Path) -> None:
+    (tmp_path / "recordings").mkdir()
+    write(tmp_path / "recordings" / f"{ID}.mcap", flight(2.0))
+    with gateway_process(tmp_path) as gateway:
+        url = gateway.wait_for_words(r"url=(http://\S+)").replace("http", "ws")
+        with connect(f"{url}/api/v1/stream?flight={ID}") as connection:
+            assert orjson.loads(connection.recv())["type"] == "hello"
+            (web,) = [pid for pid in children_of(gateway.process.pid) if b"epf_gcs.web" in _words(pid)]
+            (replay,) = [pid for pid in children_of(web) if b"epf_gcs.replay" in _words(pid)]
+            os.kill(web, signal.SIGKILL)
+            eventually(lambda: not Path(f"/proc/{replay}").exists() or not _words(replay), "the replay ends")
+
+
+def _words(pid: int) -> bytes:
+    return Path(f"/proc/{pid}/cmdline").read_bytes()

@@ -1,5 +1,6 @@
 import { act, fireEvent, screen } from "@testing-library/react";
 import { describe, expect, test } from "vitest";
+import { TIME_KEYS } from "../../features/playback/timeKeys";
 import { Station } from "../../test/station";
 import { chooseKeys } from "./choice";
 import { SHORTCUTS } from "./table";
@@ -95,9 +96,10 @@ test("the help sheet, opened by a question mark, names every key", () => {
   const shown = [...sheet.querySelectorAll("dt")].map((term) =>
     [...term.querySelectorAll("kbd")].map(({ textContent }) => textContent).join(" "),
   );
-  expect(shown).toHaveLength(SHORTCUTS.length);
+  expect(shown).toHaveLength(SHORTCUTS.length + TIME_KEYS.length);
   expect(shown).toContain("Mayús A Intro");
   expect(shown).toContain("?");
+  expect(shown).toContain("Mayús ← →");
   // The sheet keeps the keys from the page.
   press("1", sheet);
   expect(sheet.isConnected).toBe(true);

@@ -50,7 +50,7 @@ export function Shortcuts() {
 
   // A key that was armed in the present must not wait for its Enter in the past, nor the other way round.
   // biome-ignore lint/correctness/useExhaustiveDependencies: each vehicle that is shown
-  useEffect(() => setArmed(null), [page]);
+  useEffect(() => () => setArmed(null), [page]);
 
   useEffect(() => {
     if (armed === null) {

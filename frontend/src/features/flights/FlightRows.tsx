@@ -98,8 +98,13 @@ export function FlightPages() {
   const { t } = useTranslation();
   const { ask } = usePart(FLIGHTS);
   const query = useLibrary((library) => library.query);
-  const total = useLibrary(({ list }) => list?.total ?? 0);
+  const total = useLibrary(
+    ({ list }) => (list?.total ?? 0) - (list?.flights.some(({ active }) => active) ? 1 : 0),
+  );
   const pages = Math.max(1, Math.ceil(total / PER_PAGE));
+  if (total === 0) {
+    return null;
+  }
   const count = t(isFiltered(query) ? "flights.found" : "flights.count", { count: total });
   return (
     <nav className="flights-pages" aria-label={t("flights.pages")}>

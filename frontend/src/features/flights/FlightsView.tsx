@@ -40,7 +40,7 @@ export function FlightsView() {
         <FlightFilters />
         <HeadTools />
       </div>
-      <div className="flights-body" data-selected={flight !== null}>
+      <div className="flights-body" data-selected={flight !== null} data-empty={past.length === 0}>
         <div className="flights-main">
           {failure !== null && <Notice level="error">{sentence(failure)}</Notice>}
           <RunningFlight />

@@ -13,6 +13,12 @@ import { PLAYBACK } from "./playbackRequests";
 import { moment_s } from "./playbackState";
 import { usePlayback } from "./usePlayback";
 
+const READOUTS = [
+  { topic: "analog", field: "altitude_m", label: "time.altitude", as: "altitude" },
+  { topic: "analog", field: "calibrated_airspeed_kt", label: "time.airspeed", as: "speed" },
+  { topic: "gps", field: "speed_kt", label: "time.groundSpeed", as: "speed" },
+] as const;
+
 /** Above everything while the past is shown: that it is the past and which, and beside it the present in small. */
 export function PresentStrip() {
   const { t } = useTranslation();
@@ -25,9 +31,9 @@ export function PresentStrip() {
           <LiveAttitude topic="ahrs" />
         </div>
         <Heartbeat />
-        <LiveReadout topic="analog" field="altitude_m" label="time.altitude" as="altitude" />
-        <LiveReadout topic="analog" field="calibrated_airspeed_kt" label="time.airspeed" as="speed" />
-        <LiveReadout topic="gps" field="speed_kt" label="time.groundSpeed" as="speed" />
+        {READOUTS.map((readout) => (
+          <LiveReadout key={readout.label} {...readout} />
+        ))}
         <Stick />
         <Now />
       </section>

@@ -31,11 +31,9 @@ export function TimeTrack({ onMark }: Props) {
   const view = useMemo(() => zoom ?? wholeFlight(edge_s), [zoom, edge_s]);
   const size = useSize(bar);
   useBarPicture(canvas, size, view, edge_s);
-  useEffect(() => {
-    if (flight === null) {
-      setZoom(null);
-    }
-  }, [flight]);
+  const isPast = flight !== null;
+  // biome-ignore lint/correctness/useExhaustiveDependencies: a zoom does not outlast the past in which it was made
+  useEffect(() => () => setZoom(null), [isPast]);
   useHandle({ bar, handle, view, width: size.width, edge_s });
   useFollowing(zoom, setZoom, edge_s);
 
@@ -78,7 +76,6 @@ export function TimeTrack({ onMark }: Props) {
       aria-valuemin={0}
       aria-valuemax={edge_s}
       aria-valuenow={edge_s}
-      aria-keyshortcuts="ArrowLeft ArrowRight Shift+ArrowLeft Shift+ArrowRight Control+ArrowLeft Control+ArrowRight"
       onKeyDown={onKeyDown}
       {...gestures}
     >

@@ -5,7 +5,6 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import math
-import re
 from collections import Counter
 from collections.abc import Callable
 from http import HTTPStatus
@@ -13,6 +12,7 @@ from pathlib import Path
 from typing import Final
 
 from epf_gcs.error_log import ErrorLog
+from epf_gcs.recordings.places import Places, is_id
 from epf_gcs.web.flights.replay_conversation import ReplayConversation
 from epf_gcs.web.flights.replay_process import ReplayProcess
 from epf_gcs.web.stream.socket import Refusal, SocketConnection
@@ -20,7 +20,6 @@ from epf_gcs.web.stream.socket import Refusal, SocketConnection
 MOST: Final = 12
 MOST_OF_A_HOST: Final = 10
 CURRENT: Final = "current"
-FLIGHT_ID: Final = re.compile(r"[0-9]{8}T[0-9]{6}Z(-[0-9]{1,4})?")
 _FARTHEST_S: Final = 1e9
 
 
@@ -28,7 +27,7 @@ class Replays:
     """`growing` gives the id of the flight that is being recorded, None while there is none."""
 
     def __init__(self, data_dir: Path, errors: ErrorLog, growing: Callable[[], str | None]) -> None:
-        self._recordings = data_dir / "recordings"
+        self._places = Places(data_dir)
         self._keys = data_dir / "keyframes"
         self._errors = errors
         self._growing = growing
@@ -78,8 +77,8 @@ class Replays:
 
     def _file(self, flight: str) -> Path:
         """The file of this id. Raises Refusal."""
-        flight_id = self._growing() if flight == CURRENT else flight if FLIGHT_ID.fullmatch(flight) else None
-        file = None if flight_id is None else self._recordings / f"{flight_id}.mcap"
+        flight_id = self._growing() if flight == CURRENT else flight if is_id(flight) else None
+        file = None if flight_id is None else self._places.recording(flight_id)
         if file is None or not file.is_file():
             self._errors.count("recording_unknown")
             sentence = (

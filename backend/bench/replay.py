@@ -1,0 +1,217 @@
+"""Replays of a flight of two hours at the full line: pace, seeks, a hundred times real time, and ten viewers' cost."""
+
+from __future__ import annotations
+
+import json
+import random
+import tempfile
+import threading
+import time
+from pathlib import Path
+from typing import Any, Final
+
+from bench.station import HEARTBEAT, WebSocket, cpu_s
+from bench.table import Row
+from epf_gcs.recordings import notes
+from epf_gcs.recordings.mcap_file import Tally, closing, data_end, message_record, metadata_record, opening
+from epf_gcs.recordings.topics import BOARD_RECEIVED, SIMULATOR_RECEIVED, TOPICS
+from epf_gcs.replay.keys import Keys
+from epf_gcs.replay.scout import Scout
+from epf_gcs.replay.timeline import Timeline
+from tests.codec.streams import mixed_frames
+from tests.support.programs import children_of, gateway_process
+from tests.support.simulator import WHOLE
+
+FLIGHT_S: Final = 7200.0
+LINE_BYTES_PER_S: Final = 11520
+_ID: Final = "20260101T120000Z"
+_STARTS_NS: Final = 1_767_268_800_000_000_000
+_SIMULATOR_NS: Final = 20_000_000
+_VIEWERS: Final = 10
+_MEASURED_S: Final = 10.0
+_PACED_S: Final = 20.0
+_SEEKS: Final = 60
+
+
+def run() -> list[Row]:
+    """All on one recording; the gateway has no board, so that what it costs is the replays'."""
+    with tempfile.TemporaryDirectory(prefix="epf-gcs-replay-") as name:
+        data = Path(name)
+        recording = make_recording(data / "recordings" / f"{_ID}.mcap", FLIGHT_S)
+        rows = [_key_frames(recording, data / "keyframes" / f"{_ID}.keys")]
+        with gateway_process(data) as program:
+            port = int(program.wait_for_words(r"url=http://\S+:(\d+)"))
+            rows += _seeks(port)
+            rows.append(_pace(port))
+            rows.append(_hundredfold(port))
+            rows += _ten(port, program.process.pid)
+        return rows
+
+
+def make_recording(path: Path, seconds: float) -> Path:
+    """A recording of the full line, each frame a record at the time it came, and a simulator's datagrams at 50 Hz."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    tally = Tally()
+    frames = mixed_frames(5000, seed=7)
+    frames[::25] = [HEARTBEAT] * len(frames[::25])
+    line = {"line": "board", "open": True, "url": "pty:///b", "baud": 115200, "profile": None, "emulated": False}
+    with path.open("wb") as file:
+        file.write(opening("bench", TOPICS) + metadata_record(notes.LINE, notes.written(_STARTS_NS, line)))
+        t_ns, simulator_ns, number = _STARTS_NS, _STARTS_NS, 0
+        parts: list[bytes] = []
+        while t_ns < _STARTS_NS + seconds * 1e9:
+            frame = frames[number % len(frames)]
+            number += 1
+            t_ns += len(frame) * 1_000_000_000 // LINE_BYTES_PER_S
+            while simulator_ns < t_ns:
+                parts.append(
+                    message_record(SIMULATOR_RECEIVED, tally.add(SIMULATOR_RECEIVED, simulator_ns), simulator_ns, WHOLE)
+                )
+                simulator_ns += _SIMULATOR_NS
+            parts.append(message_record(BOARD_RECEIVED, tally.add(BOARD_RECEIVED, t_ns), t_ns, frame))
+            if len(parts) > 10_000:
+                file.write(b"".join(parts))
+                parts.clear()
+        file.write(b"".join(parts) + data_end())
+        file.write(closing(TOPICS, tally, file.tell()))
+    return path
+
+
+class Viewer:
+    """A browser's end: acknowledges every batch, and counts."""
+
+    def __init__(self, port: int, query: str) -> None:
+        self.socket = WebSocket(port, f"/api/v1/stream?flight={_ID}&{query}")
+        self.hello = json.loads(self.socket.receive())
+        self.batches = 0
+
+    def next(self) -> dict[str, Any] | None:
+        """The next message; None for a batch."""
+        message = self.socket.receive()
+        if message.startswith(b'{"type":"batch"'):
+            self.socket.acknowledge(message)
+            self.batches += 1
+            return None
+        # A ping of the server is empty.
+        found: dict[str, Any] | None = json.loads(message) if message else None
+        return found
+
+    def playback(self) -> dict[str, Any]:
+        """The next message of where the replay is."""
+        while True:
+            message = self.next()
+            if message is not None and message["type"] == "playback":
+                return message
+
+    def say(self, **message: Any) -> None:
+        """Send a message."""
+        self.socket.send(json.dumps(message))
+
+
+def _key_frames(recording: Path, file: Path) -> Row:
+    begun_s = time.process_time()
+    timeline = Timeline(recording)
+    keys = Keys(file, _ID, timeline.starts_ns or 0)
+    scout = Scout(timeline, keys)
+    while scout.has_work:
+        scout.work()
+    keys.close()
+    return Row(f"key frames of {FLIGHT_S / 3600:g} h, made once in the background", time.process_time() - begun_s, "s")
+
+
+def _seeks(port: int) -> list[Row]:
+    """From the wish to the batch with the new moment's samples, as the page sees it."""
+    opened_s = time.monotonic()
+    viewer = Viewer(port, f"at_s={FLIGHT_S / 2.0}")
+    opened_s = time.monotonic() - opened_s
+    rng = random.Random(3)
+    took_ms: list[float] = []
+    jumps = viewer.hello["status"]["playback"]["jumps"]
+    for _ in range(_SEEKS):
+        begun_s = time.monotonic()
+        viewer.say(type="seek", at_s=rng.uniform(10.0, FLIGHT_S - 10.0))
+        while (playback := viewer.playback())["jumps"] == jumps:
+            pass
+        jumps = playback["jumps"]
+        batches = viewer.batches
+        while viewer.batches == batches:
+            viewer.next()
+        took_ms.append((time.monotonic() - begun_s) * 1000.0)
+    viewer.socket.close()
+    took_ms.sort()
+    p95_ms = took_ms[round(0.95 * (len(took_ms) - 1))]
+    return [
+        Row("opening a flight of 2 h at its middle, until its hello", opened_s, "s", "<= 2 s", opened_s <= 2.0),
+        Row("seek anywhere in 2 h, until the batch is there: p50", took_ms[len(took_ms) // 2], "ms"),
+        Row("the same: p95", p95_ms, "ms", "<= 100 ms", p95_ms <= 100.0),
+    ]
+
+
+def _pace(port: int) -> Row:
+    viewer = Viewer(port, "at_s=100")
+    viewer.say(type="play", rate=1.0)
+    first = viewer.playback()
+    while first["state"] != "playing":
+        first = viewer.playback()
+    begun_s, last, worst_s = time.monotonic(), first, 0.0
+    while (passed_s := time.monotonic() - begun_s) < _PACED_S:
+        last = viewer.playback()
+        worst_s = max(worst_s, abs(last["at_s"] - first["at_s"] - (time.monotonic() - begun_s)))
+    viewer.socket.close()
+    assert passed_s >= _PACED_S
+    return Row(f"1 x: greatest error in {_PACED_S:g} s", worst_s * 1000.0, "ms", "<= 100 ms", worst_s <= 0.1)
+
+
+def _hundredfold(port: int) -> Row:
+    viewer = Viewer(port, "at_s=100")
+    viewer.say(type="play", rate=100.0)
+    first = viewer.playback()
+    while first["state"] != "playing":
+        first = viewer.playback()
+    begun_s, last = time.monotonic(), first
+    while time.monotonic() - begun_s < _MEASURED_S:
+        last = viewer.playback()
+    rate = (last["at_s"] - first["at_s"]) / (time.monotonic() - begun_s)
+    viewer.socket.close()
+    return Row("asked for 100 x: recorded time over real time", rate, "x", ">= 99 x", rate >= 99.0)
+
+
+def _ten(port: int, gateway: int) -> list[Row]:
+    """Ten viewers, each at another moment: paused, then all at 1 x with 60 batches a second."""
+    viewers = [Viewer(port, f"at_s={(FLIGHT_S / 12.0) * number}") for number in range(_VIEWERS)]
+    rows = []
+    for what, wish in (("paused", {"type": "pause"}), ("at 1 x, 60 Hz", {"type": "play", "rate": 1.0})):
+        for viewer in viewers:
+            viewer.say(**wish)
+        _drain(viewers, 1.0)
+        pids = _all_of(gateway)
+        before_s, begun_s = cpu_s(*pids), time.monotonic()
+        _drain(viewers, _MEASURED_S)
+        percent = 100.0 * (cpu_s(*pids) - before_s) / (time.monotonic() - begun_s)
+        rows.append(Row(f"ten viewers {what}: all processes", percent, "%", "<= 30 % of a core", percent <= 30.0))
+    for viewer in viewers:
+        viewer.socket.close()
+    return rows
+
+
+def _drain(viewers: list[Viewer], seconds: float) -> None:
+    """Read what comes to each of them."""
+    end_s = time.monotonic() + seconds
+
+    def read(viewer: Viewer) -> None:
+        while time.monotonic() < end_s:
+            viewer.next()
+
+    readers = [threading.Thread(target=read, args=(viewer,)) for viewer in viewers]
+    for reader in readers:
+        reader.start()
+    for reader in readers:
+        reader.join()
+
+
+def _all_of(gateway: int) -> list[int]:
+    """The gateway's processes and the replays."""
+    found = [gateway]
+    for pid in found:
+        found += children_of(pid)
+    return found

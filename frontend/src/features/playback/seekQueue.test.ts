@@ -1,0 +1,50 @@
+import { beforeEach, expect, test } from "vitest";
+import { ManualTimers } from "../../test/wire";
+import { SeekQueue } from "./seekQueue";
+
+let timers: ManualTimers;
+let sent: number[];
+let queue: SeekQueue;
+
+beforeEach(() => {
+  timers = new ManualTimers();
+  sent = [];
+  queue = new SeekQueue((at_s) => sent.push(at_s), timers);
+});
+
+test("one is under way at a time, and of those that wait the newest wins", () => {
+  for (const at_s of [1, 2, 3]) {
+    queue.ask(at_s);
+  }
+  expect(sent).toEqual([1]);
+  timers.pass(60);
+  queue.answered();
+  expect(sent).toEqual([1, 3]);
+  queue.answered();
+  expect(queue.isBusy).toBe(false);
+});
+
+test("a drag that is answered at once sends at most twenty a second", () => {
+  for (let at_ms = 0; at_ms < 990; at_ms += 10) {
+    queue.ask(at_ms);
+    queue.answered();
+    timers.pass(10);
+  }
+  expect(sent.length).toBeGreaterThan(15);
+  expect(sent.length).toBeLessThanOrEqual(20);
+});
+
+test("an answer that never comes does not hold up the next one for ever", () => {
+  queue.ask(1);
+  queue.ask(2);
+  timers.pass(1000);
+  expect(sent).toEqual([1, 2]);
+});
+
+test("what waits is forgotten with the flight", () => {
+  queue.ask(1);
+  queue.ask(2);
+  queue.clear();
+  timers.pass(5000);
+  expect(sent).toEqual([1]);
+});
