@@ -208,6 +208,7 @@ export function createPage(world: World): {
     timers: world.timers,
     connection,
     openFlight: playback.openFlight,
+    onGone: (flight) => playback.store.getState().flight === flight && playback.now(),
   });
   const parts = new Parts()
     .with(PLAYBACK, playback)

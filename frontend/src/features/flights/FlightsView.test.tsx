@@ -201,6 +201,7 @@ describe("a flight that is chosen", () => {
     }),
     aFlightEvent({ kind: "mark", id: "m1", at_s: 20, data: { text: "viraje raro" } }),
     aFlightEvent({ kind: "gap", name: "silence", at_s: 30 }),
+    aFlightEvent({ kind: "link", at_s: 31, data: { board: "open", simulator: "closed" } }),
   ];
 
   beforeEach(async () => {
@@ -215,6 +216,7 @@ describe("a flight that is chosen", () => {
       expect.stringContaining("Batería baja: 9.8 V"),
       "0:20.0Marca: viraje raro",
       "0:30.0Sin datos",
+      "0:31.0Enlaces: placa conectado, X-Plane cerrado",
     ]);
     await user.click(events[1] as HTMLElement);
     expect(station.replay.place).toEqual({ flight: ID, at_s: 12.5 });
@@ -223,7 +225,7 @@ describe("a flight that is chosen", () => {
   test("hides the kinds of events that are not wanted", async () => {
     await user.click(button("Órdenes (1)"));
     const events = within(screen.getByRole("list", { name: "Qué pasó" })).getAllByRole("button");
-    expect(events).toHaveLength(3);
+    expect(events).toHaveLength(4);
   });
 
   test("stays chosen when the past is opened, with the focus on it, and can still be edited and deleted", async () => {

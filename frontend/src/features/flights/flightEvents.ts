@@ -52,11 +52,16 @@ export function eventMessage(event: FlightEvent): Message {
     case "console":
       return info("flightEvent.console", { text: textOf(data["text"] ?? data["line"], name) });
     case "control":
-      return info("flightEvent.control", { name });
+      return name === "" ? info("flightEvent.nobody") : info("flightEvent.control", { name });
     case "parameter":
       return info("flightEvent.parameter", { names: parameterNames(data) });
     case "link":
-      return { ...info(`flightLink.${name}`), fallback: name };
+      return name === ""
+        ? info("flightEvent.lines", {
+            board: linkWord(data["board"]),
+            simulator: linkWord(data["simulator"]),
+          })
+        : { ...info(`flightLink.${name}`), fallback: name };
     case "lost":
       return info("flightEvent.lost", {
         bytes: numberOf(data["bytes"]),
@@ -98,6 +103,11 @@ function parameterNames(data: FlightEvent["data"]): string {
 
 function objectOf(value: unknown): Readonly<Record<string, unknown>> {
   return typeof value === "object" && value !== null ? (value as Record<string, unknown>) : {};
+}
+
+/** A line's state, by its name in the catalogue. */
+function linkWord(state: unknown): string {
+  return `@link.${textOf(state, "unknown")}`;
 }
 
 function textOf(value: unknown, otherwise: string): string {

@@ -31,6 +31,8 @@ interface Parts extends AskingParts {
   /** The present. */
   readonly connection: ConnectionStore;
   readonly openFlight: (flight: string, at_s: number) => void;
+  /** The flight is gone: whoever looks at it goes back to now. */
+  readonly onGone: (flight: string) => void;
 }
 
 /** The requests about flights, with their outcome in the library's store. */
@@ -38,7 +40,7 @@ export function createFlights(parts: Parts): {
   readonly flights: Flights;
   readonly takeFlightEvent: (event: StreamEvent) => void;
 } {
-  const { rest, timers, connection, openFlight } = parts;
+  const { rest, timers, connection, openFlight, onGone } = parts;
   const { run } = createAsking(parts);
   const store = createLibrary();
   let asked = 0;
@@ -216,6 +218,7 @@ export function createFlights(parts: Parts): {
           compared: compared.filter((one) => one !== id),
           ...(selected === id ? { selected: null, story: null } : { selected, story }),
         }));
+        onGone(id);
         void read();
         return { state: "confirmed", message: info("flights.saidDeleted") };
       }),
