@@ -41,7 +41,7 @@ export function DiskPanel({ disk: { free_bytes, hours_left, policy } }: { readon
       />
       <NumberField
         label={t("flights.keepFree")}
-        unit="GB"
+        unit={t("flights.gigabytes")}
         value={keep_gb}
         minimum={1}
         maximum={10_000}

@@ -1,7 +1,7 @@
 import { useState } from "react";
 import { useTranslation } from "react-i18next";
 import type { Flight } from "../../protocol/guards.gen";
-import { usePart } from "../../store/hooks";
+import { usePart, useSettings } from "../../store/hooks";
 import { Button } from "../../ui/Button";
 import { Checkbox } from "../../ui/Checkbox";
 import { Dialog } from "../../ui/Dialog";
@@ -12,6 +12,7 @@ import { flightName, useLibraryUnreachable } from "./useFlights";
 /** What to turn a flight into: the format, with what it is for, and which stretch. */
 export function ExportDialog({ flight, onClose }: { readonly flight: Flight; readonly onClose: () => void }) {
   const { t } = useTranslation();
+  const lang = useSettings(({ language }) => language);
   const flights = usePart(FLIGHTS);
   const whole_s = Math.ceil(flight.duration_s ?? 0);
   const [format, setFormat] = useState<ExportFormat>(EXPORT_FORMATS[0]);
@@ -22,7 +23,7 @@ export function ExportDialog({ flight, onClose }: { readonly flight: Flight; rea
   const wrong = isPart && from_s >= to_s ? t("flights.emptyStretch") : undefined;
 
   function start(): void {
-    const wish = isPart ? { format, from_s, to_s } : { format, from_s: null, to_s: null };
+    const wish = isPart ? { format, lang, from_s, to_s } : { format, lang, from_s: null, to_s: null };
     void flights.export(flight.id, wish, { control: "flights.export" });
     onClose();
   }
@@ -62,7 +63,7 @@ export function ExportDialog({ flight, onClose }: { readonly flight: Flight; rea
         <div className="flights-stretch">
           <NumberField
             label={t("flights.fromSecond")}
-            unit="s"
+            unit={t("unit.s")}
             value={from_s}
             minimum={0}
             maximum={whole_s}
@@ -71,7 +72,7 @@ export function ExportDialog({ flight, onClose }: { readonly flight: Flight; rea
           />
           <NumberField
             label={t("flights.toSecond")}
-            unit="s"
+            unit={t("unit.s")}
             value={to_s}
             minimum={0}
             maximum={whole_s}

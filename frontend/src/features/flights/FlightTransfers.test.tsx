@@ -109,7 +109,7 @@ describe("an export", () => {
     await user.click(screen.getByRole("button", { name: "Exportar" }));
     const wish = newest("POST", /exports$/);
     expect(wish.path).toBe(`/api/v1/flights/${FIRST.id}/exports`);
-    expect(wish.body).toEqual({ format: "csv", topics: null, from_s: 100, to_s: 754 });
+    expect(wish.body).toEqual({ format: "csv", lang: "es", topics: null, from_s: 100, to_s: 754 });
     await wish.answer({ job: "0123456789ab" }, 202);
     tell({ progress: 0.75 });
     expect(within(transfers()).getByRole("progressbar").getAttribute("value")).toBe("0.75");

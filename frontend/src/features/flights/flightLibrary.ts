@@ -11,6 +11,7 @@ import type { Asker } from "../../requests/asking";
 import type { ConnectionStore } from "../../store/connection";
 import type { Message } from "../../store/messages";
 import { partName } from "../../store/parts";
+import type { Language } from "../../store/settings";
 import { ALL_FLIGHTS, type FlightQuery } from "./flightQuery";
 
 /** The files that hold a recording. */
@@ -78,6 +79,8 @@ export type FlightWords = Partial<Pick<Flight, "title" | "notes" | "pinned" | "t
 
 export interface ExportWish {
   readonly format: ExportFormat;
+  /** Language of the names in it. */
+  readonly lang: Language;
   /** Seconds since the flight's start; null: the whole flight. */
   readonly from_s: number | null;
   readonly to_s: number | null;

@@ -71,11 +71,12 @@ export function createFlightTransfers({
       forget(key);
     },
 
-    export: (flight, { format, from_s, to_s }, asker) =>
+    export: (flight, { format, lang, from_s, to_s }, asker) =>
       run(
         asker,
         rest.ask("POST", `/api/v1/flights/${flight}/exports`, isJobStarted, {
           format,
+          lang,
           topics: null,
           from_s,
           to_s,
