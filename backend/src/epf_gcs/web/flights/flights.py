@@ -22,7 +22,7 @@ from epf_gcs.web.flights.about import About
 from epf_gcs.web.flights.folder import Deleted, FlightFolder
 from epf_gcs.web.flights.jobs import Job, Jobs
 from epf_gcs.web.flights.library import Library, Row, Wanted
-from epf_gcs.web.flights.policy import Policy, read_policy, write_policy
+from epf_gcs.web.flights.policy import Policy, PolicyChoice
 
 # How often the folder is looked at for what other programs put there or took away.
 _LOOK_EVERY_S: Final = 30.0
@@ -46,6 +46,7 @@ class Flights:
         places: Places,
         jobs: Jobs,
         clock: Clock,
+        policy: PolicyChoice,
         growing: Callable[[], str | None],
         is_known: Callable[[], bool],
         report: Callable[[GatewayError], None],
@@ -53,6 +54,7 @@ class Flights:
         self.places = places
         self.jobs = jobs
         self._clock = clock
+        self._policy = policy
         self._growing = growing
         self._is_known = is_known
         self._report = report
@@ -169,11 +171,11 @@ class Flights:
 
     async def policy(self) -> Policy:
         """What happens when the disk fills."""
-        return await self.in_thread(read_policy, self.places.policy)
+        return await self._policy.now()
 
     async def set_policy(self, policy: Policy) -> None:
-        """Choose what happens when the disk fills. Raises ConflictError where the disk refuses."""
-        await self._writing(write_policy, self.places.policy, policy)
+        """Choose what happens when the disk fills. Raises GatewayError while the flight process is away."""
+        await self._policy.choose(policy)
         self._room_at_s = 0.0
         self.wake()
 
