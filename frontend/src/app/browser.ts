@@ -1,6 +1,7 @@
 import { browserSounder, browserSpeaker } from "../features/alarms/browserAlarms";
 import { browserGamepads } from "../features/gamepad/browserGamepads";
 import type { BrowserStorage } from "../store/settings";
+import type { Wire, WireListener } from "../transport/socket";
 import type { World } from "./page";
 
 /** How often the page is painted at most, in hertz. */
@@ -17,21 +18,11 @@ export function browserWorld(window: Window & typeof globalThis): World {
       },
     },
     wall_ms: () => Date.now(),
-    dial: (client, { onMessage, onClose }) => {
-      const address = new URL("/api/v1/stream", window.location.href);
-      address.protocol = address.protocol === "https:" ? "wss:" : "ws:";
-      address.searchParams.set("rate", String(RATE_HZ));
-      if (client !== null) {
-        address.searchParams.set("client", client);
-      }
-      const socket = new WebSocket(address);
-      socket.addEventListener("message", ({ data }) => onMessage(data));
-      socket.addEventListener("close", onClose);
-      return {
-        send: (text) => socket.send(text),
-        unsent_bytes: () => socket.bufferedAmount,
-        close: () => socket.close(),
-      };
+    dial: (client, listener) => dial(window, client === null ? {} : { client }, listener),
+    dialFlight: ({ flight, at_s }, listener) => dial(window, { flight, at_s: at_s.toFixed(3) }, listener),
+    address: {
+      read: () => window.location.href,
+      replace: (address) => window.history.replaceState(null, "", address),
     },
     fetch: (path, init) => window.fetch(path, init),
     animationFrames: {
@@ -54,6 +45,27 @@ export function browserWorld(window: Window & typeof globalThis): World {
     tabStorage: storageOf(() => window.sessionStorage),
     sounder: browserSounder(window),
     speaker: browserSpeaker(window),
+  };
+}
+
+function dial(
+  window: Window & typeof globalThis,
+  query: Readonly<Record<string, string>>,
+  { onMessage, onClose }: WireListener,
+): Wire {
+  const address = new URL("/api/v1/stream", window.location.href);
+  address.search = "";
+  address.protocol = address.protocol === "https:" ? "wss:" : "ws:";
+  for (const [name, value] of Object.entries({ rate: String(RATE_HZ), ...query })) {
+    address.searchParams.set(name, value);
+  }
+  const socket = new WebSocket(address);
+  socket.addEventListener("message", ({ data }) => onMessage(data));
+  socket.addEventListener("close", onClose);
+  return {
+    send: (text) => socket.send(text),
+    unsent_bytes: () => socket.bufferedAmount,
+    close: () => socket.close(),
   };
 }
 

@@ -20,6 +20,8 @@ import messagesEn from "../features/messages/messages.en.json";
 import messagesEs from "../features/messages/messages.es.json";
 import parametersEn from "../features/parameters/parameters.en.json";
 import parametersEs from "../features/parameters/parameters.es.json";
+import playbackEn from "../features/playback/playback.en.json";
+import playbackEs from "../features/playback/playback.es.json";
 import servosEn from "../features/servos/servos.en.json";
 import servosEs from "../features/servos/servos.es.json";
 import setupEn from "../features/setup/setup.en.json";
@@ -52,6 +54,7 @@ export const CATALOGUES = {
     ...mapEs,
     ...messagesEs,
     ...parametersEs,
+    ...playbackEs,
     ...servosEs,
     ...setupEs,
     ...sixEs,
@@ -73,6 +76,7 @@ export const CATALOGUES = {
     ...mapEn,
     ...messagesEn,
     ...parametersEn,
+    ...playbackEn,
     ...servosEn,
     ...setupEn,
     ...sixEn,

@@ -5,6 +5,8 @@ export interface RestOptions {
   readonly fetch: (path: string, init: RequestInit) => Promise<Response>;
   /** Id of this page's stream connection, sent with its requests. */
   readonly client: () => string | null;
+  /** Why this request may not be sent now; null if it may. */
+  readonly refuse?: (method: string, path: string) => Problem | null;
 }
 
 /** Longer than any command with its repetition takes on the slowest link. */
@@ -72,6 +74,10 @@ export class Rest {
     body: object | undefined,
     patience_ms: number,
   ): Promise<Answer<Response>> {
+    const refused = this.#options.refuse?.(method, path) ?? null;
+    if (refused !== null) {
+      return { ok: false, problem: refused };
+    }
     const client = this.#options.client();
     const isRaw = body instanceof Blob;
     let response: Response;
