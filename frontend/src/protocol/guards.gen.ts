@@ -258,7 +258,7 @@ export const isFlightBin = shape({
 export type FlightBin = Checked<typeof isFlightBin>;
 
 /** What happens when the disk fills: with `delete_oldest` the oldest flights that are not pinned are deleted
- * until `keep_free_bytes` are free. */
+ * until `keep_free_bytes` are free; without, recording stops there. */
 export const isFlightPolicy = shape({
   delete_oldest: isFlag,
   keep_free_bytes: isNumber,
@@ -707,13 +707,15 @@ export const isRecordingList = shape({
 });
 export type RecordingList = Checked<typeof isRecordingList>;
 
-/** The file being written. */
+/** The file being written. `hours_left`: how long the disk's room lasts at its rate; null while not known. */
 export const isRecordingState = shape({
   active: isFlag,
   bytes: isNumber,
   bytes_lost: isNumber,
   failure: nullable(isText),
   file: nullable(isText),
+  free_bytes: nullable(isNumber),
+  hours_left: nullable(isNumber),
 });
 export type RecordingState = Checked<typeof isRecordingState>;
 
@@ -733,10 +735,12 @@ export const isSignal = shape({
 });
 export type Signal = Checked<typeof isSignal>;
 
-/** The stretch, cut to the flight's, and its signals in the order they were asked for. */
+/** The stretch, cut to the flight's, and its signals in the order they were asked for. `starts_s` is the Unix time
+ * of the flight's start. */
 export const isSignals = shape({
   from_s: isNumber,
   signals: list(isSignal),
+  starts_s: isNumber,
   to_s: isNumber,
 });
 export type Signals = Checked<typeof isSignals>;

@@ -10,8 +10,9 @@ from typing import Any, Final
 import numpy as np
 import pyarrow as pa
 
+from epf_gcs.flights.derived import find
 from epf_gcs.flights.fields import fields_of
-from epf_gcs.flights.flight_data import FlightData, PeriodCache, split_name, unknown_signal
+from epf_gcs.flights.flight_data import FlightData, PeriodCache
 from epf_gcs.flights.signals import Array, gaps_of, thin
 from epf_gcs.formats.track_points import points_header
 from epf_gcs.recordings import notes
@@ -36,25 +37,21 @@ def duration_s(flight: FlightData) -> float:
 def signals(
     flight: FlightData, periods: PeriodCache, names: list[str], from_s: float | None, to_s: float | None, points: int
 ) -> dict[str, Any]:
-    """The stretch and its signals, each thinned to about `points` steps. Raises NotFoundError.
+    """The stretch and its signals, each thinned to about `points` steps. Raises NotFoundError, InvalidInputError.
 
     A signal that the definition has and this flight has not is empty.
     """
     whole_s = duration_s(flight)
     first_s = min(max(0.0, from_s or 0.0), whole_s)
     last_s = whole_s if to_s is None else min(max(first_s, to_s), whole_s)
-    there = {span.name for span in flight.topics()}
     found = []
     for name in names:
-        topic, field = split_name(name)
-        if topic not in there:
-            raise unknown_signal(name)
-        t_s, values = flight.samples(topic, field)
-        thinned = thin(t_s, values, first_s, last_s, points, periods.of(topic, t_s))
+        signal = find(flight, periods, name)
+        thinned = thin(signal.t_s, signal.values, first_s, last_s, points, signal.period_s)
         found.append(
             {
                 "name": name,
-                "unit": fields_of(topic)[field].unit,
+                "unit": signal.unit,
                 "at_s": np.round(thinned.at_s, 6),
                 "min": thinned.low,
                 "max": thinned.high,
@@ -62,7 +59,7 @@ def signals(
                 "count": thinned.known,
             }
         )
-    return {"from_s": first_s, "to_s": last_s, "signals": found}
+    return {"starts_s": flight.start_ns * _NS, "from_s": first_s, "to_s": last_s, "signals": found}
 
 
 def as_arrow(found: dict[str, Any]) -> bytes:
