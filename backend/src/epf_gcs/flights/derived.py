@@ -1,7 +1,8 @@
 """Signals as a question names them: a recorded one, or one that is computed from recorded ones.
 
-`rate(a)` is the change of `a` in a second, from one sample to the next. `diff(a,b)` is `a` less `b`: at each sample of
-`a` the newest of `b`, as a controller compares a target with what it measures. Angles go the short way round.
+`rate(a)` is the change of `a` in a second, from one sample to the next. `diff(a,b)` is `a` less `b`, taken at each
+sample of `a` from the newest of `b`; `error(a,target)` is the target less `a`, taken in the same way. Angles go the
+short way round.
 """
 
 from __future__ import annotations
@@ -17,8 +18,8 @@ from epf_gcs.flights.flight_data import FlightData, PeriodCache, split_name, unk
 from epf_gcs.flights.signals import Array, longest_step_s
 
 _RECORDED: Final = r"[A-Za-z0-9_]+\.[A-Za-z0-9_]+"
-_ONE: Final = rf"(?:{_RECORDED}|rate\({_RECORDED}\)|diff\({_RECORDED},{_RECORDED}\))"
-_ARGUMENTS: Final = re.compile(r"(rate|diff)\((.*)\)")
+_ONE: Final = rf"(?:{_RECORDED}|rate\({_RECORDED}\)|(?:diff|error)\({_RECORDED},{_RECORDED}\))"
+_ARGUMENTS: Final = re.compile(r"(rate|diff|error)\((.*)\)")
 _ANGLE: Final = "deg"
 # One of the first in the second.
 _FACTORS: Final = {
@@ -54,7 +55,10 @@ def find(flight: FlightData, periods: PeriodCache, name: str) -> Found:
     if derived is None:
         return _recorded(flight, periods, name)
     operands = [_recorded(flight, periods, one) for one in derived[2].split(",")]
-    return _rate(operands[0]) if derived[1] == "rate" else _difference(name, *operands)
+    if derived[1] == "rate":
+        return _rate(operands[0])
+    found = _difference(name, *operands)
+    return found if derived[1] == "diff" else found._replace(values=-found.values)
 
 
 def _recorded(flight: FlightData, periods: PeriodCache, name: str) -> Found:

@@ -25,7 +25,7 @@ ARROW: Final = "application/vnd.apache.arrow.stream"
 _JSON: Final = "application/json"
 _MOST_NAMES: Final = 32
 _RECORDED: Final = r"[A-Za-z0-9_]+\.[A-Za-z0-9_]+"
-_SIGNAL: Final = rf"({_RECORDED}|rate\({_RECORDED}\)|diff\({_RECORDED},{_RECORDED}\))"
+_SIGNAL: Final = rf"({_RECORDED}|rate\({_RECORDED}\)|(diff|error)\({_RECORDED},{_RECORDED}\))"
 _NAMES: Final = rf"^{_SIGNAL}(,{_SIGNAL}){{0,{_MOST_NAMES - 1}}}$"
 _BINARY: Final[dict[str, Any]] = {"schema": {"type": "string", "format": "binary"}}
 
@@ -68,7 +68,8 @@ async def get_flight_signals(
             max_length=2000,
             pattern=_NAMES,
             description=f"Up to {_MOST_NAMES} signals, separated by commas: topic.field, rate(topic.field) for the "
-            "change in a second, or diff(topic.field,topic.field) for the first less the second.",
+            "change in a second, diff(topic.field,topic.field) for the first less the second, or "
+            "error(topic.field,topic.field) for the second, a target, less the first.",
             examples=["ahrs.roll_deg,rate(gps.speed_kt)"],
         ),
     ],
