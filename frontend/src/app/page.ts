@@ -24,6 +24,7 @@ import { createParameterActions, takeParameterEvent } from "../features/paramete
 import { createParameters, forget, PARAMETER_REQUESTS } from "../features/parameters/parameterValues";
 import { type AddressLine, createFlightAddress, type PlaceInTime } from "../features/playback/flightAddress";
 import { createPlayback, PLAYBACK, type Playback } from "../features/playback/playbackRequests";
+import { createPlots, PLOTS } from "../features/plots/plots";
 import { SERVO_SLIDERS } from "../features/servos/servoPositions";
 import { createServoSliders } from "../features/servos/servoSliders";
 import { BOARD_CONSOLE } from "../features/setup/consoleLog";
@@ -47,6 +48,7 @@ import { Rest } from "../transport/rest";
 import { StreamSocket, type Wire, type WireListener } from "../transport/socket";
 import { eventMessage, linkMessages } from "./announcements";
 import { createPasts, SHOWN } from "./past";
+import { plotTimeline } from "./plotTimeline";
 import { createVehicle } from "./vehicle";
 
 /** What the page needs from outside: given by a browser's window, or by a test. */
@@ -88,12 +90,7 @@ export function createPage(world: World): {
   const plans = createPlans(world.storage);
   const sourceReturn = createSourceReturn();
   const now_ms = world.timers.now_ms;
-  const pump = new Pump(
-    world.animationFrames,
-    () => telemetry.revision + pasts.revision(),
-    now_ms(),
-    fail,
-  );
+  const pump = new Pump(world.animationFrames, () => telemetry.revision + pasts.revision(), now_ms(), fail);
   const client = (): string | null => connection.getState().client;
   const tell = (message: Message): void => say(messages, message, world.wall_ms());
 
@@ -217,6 +214,7 @@ export function createPage(world: World): {
     .with(SERVO_SLIDERS, servos.sliders)
     .with(GAMEPADS, gamepads.gamepads)
     .with(BOARD_CONSOLE, boardConsole)
+    .with(PLOTS, createPlots({ rest, timers: world.timers, timeline: plotTimeline(playback) }))
     .with(INSPECTOR, createInspector(rest))
     .with(EMULATION, createEmulation(asking))
     .with(ABOUT, createAbout(asking));
