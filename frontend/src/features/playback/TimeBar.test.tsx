@@ -88,7 +88,15 @@ describe("the present", () => {
 
   test("says why there is nothing to look back at while nothing is recorded", () => {
     const station = new Station();
-    const recording = { active: false, failure: null, file: null, bytes: 0, bytes_lost: 0 };
+    const recording = {
+      active: false,
+      failure: null,
+      file: null,
+      bytes: 0,
+      bytes_lost: 0,
+      free_bytes: null,
+      hours_left: null,
+    };
     station.greet(aStatus({ recording }));
     expect(screen.getByText("Sin grabación en marcha: no hay nada que mirar atrás.")).toBeTruthy();
     expect(screen.queryByRole("slider", { name: "Momento del vuelo" })).toBeNull();

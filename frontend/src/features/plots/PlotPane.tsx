@@ -9,7 +9,7 @@ import { Button } from "../../ui/Button";
 import { PLOT_DASHES, plotColour } from "../../ui/plotColours";
 import { Chart, type ChartListener } from "./chart";
 import type { Drawn } from "./drawn";
-import { valueText } from "./figures";
+import { isFresh, valueText } from "./figures";
 import { isThere } from "./plotFeed";
 import { PLOTS } from "./plots";
 import { formatAt, stretchOf } from "./plotView";
@@ -143,14 +143,11 @@ function useChart(
       }
       const moment_s = isLive ? null : at_s;
       chart.current?.showMoment(moment_s);
-      for (const [index, { key }] of newest.current.entries()) {
-        const element = values.get(key);
+      paintValues(newest.current, values, dash, ({ drawn: { name }, isOther }, index) => {
         const drawn = shown[index];
-        const text = (drawn && valueText(drawn, hover_s.current ?? moment_s)) ?? dash;
-        if (element && element.textContent !== text) {
-          element.textContent = text;
-        }
-      }
+        const isOld = isLive && hover_s.current === null && (isOther || !isFresh(received, name, now_ms));
+        return drawn === undefined || isOld ? null : valueText(drawn, hover_s.current ?? moment_s);
+      });
     },
     [plots, view, values, dash],
   );
@@ -203,6 +200,22 @@ function useChart(
       handles.delete(number);
     };
   }, [paint, telemetry, pump, lines, charts, number]);
+}
+
+/** Each line's value into its cell of the table. */
+function paintValues(
+  lines: readonly Line[],
+  cells: ReadonlyMap<string, HTMLElement>,
+  none: string,
+  textOf: (line: Line, index: number) => string | null,
+): void {
+  for (const [index, line] of lines.entries()) {
+    const cell = cells.get(line.key);
+    const text = textOf(line, index) ?? none;
+    if (cell !== undefined && cell.textContent !== text) {
+      cell.textContent = text;
+    }
+  }
 }
 
 interface FiguresProps extends Props {

@@ -1,4 +1,4 @@
-import { FIELD_KINDS, type TopicName } from "../../protocol/topics";
+import { isTopic } from "../../protocol/topics";
 import type { TelemetryStore } from "../../store/telemetry";
 import { type Drawn, lastBefore, reachOf } from "./drawn";
 import { parseSignal } from "./signalNames";
@@ -110,10 +110,6 @@ export class LiveTail {
 }
 
 const NONE: Samples = { t_s: [], values: [] };
-
-function isTopic(name: string): name is TopicName {
-  return FIELD_KINDS.has(name);
-}
 
 function ratesOf({ t_s, values }: Samples, isAngle: boolean): Array<number | null> {
   const reach_s = reachOf(t_s);

@@ -4,9 +4,9 @@ import type { TelemetryStore } from "../../store/telemetry";
 import { usePaint } from "../../store/usePaint";
 import { type Panes, signalsOf } from "./plotLayouts";
 import { PLOTS, type Plots } from "./plots";
-import { stretchOf } from "./plotView";
+import { type Stretch, stretchOf, type View } from "./plotView";
 import { parseSignal } from "./signalNames";
-import { usePlotsState } from "./usePlots";
+import { useFeed, usePlotsState } from "./usePlots";
 
 /** The gateway cuts a stretch where the flight ends. */
 const END_S = 10_000_000;
@@ -26,6 +26,21 @@ export function edgeOf(plots: Plots, telemetry: TelemetryStore, now_ms: number):
   return Math.max(to_s, starts_s === null || clock_s === null ? 0 : clock_s - starts_s);
 }
 
+/** The stretch to ask for of the shown flight, and of the one that is laid over it. */
+function questions(
+  view: View,
+  edge_s: number,
+  isBegun: boolean,
+): { readonly mine: Stretch; readonly other: Stretch } {
+  // Before the first answer nobody knows how far the flight goes.
+  if (view.kind === "all" || (view.kind === "last" && !isBegun)) {
+    const whole = { from_s: 0, to_s: END_S };
+    return { mine: whole, other: edge_s > 0 ? { from_s: 0, to_s: edge_s } : whole };
+  }
+  const stretch = stretchOf(view, edge_s);
+  return { mine: view.kind === "last" ? { ...stretch, to_s: END_S } : stretch, other: stretch };
+}
+
 /** Keep asking for what the panes show: at once when it changes, and again and again while the flight grows. */
 export function useAsking(subject: string | null, panes: Panes, points: number): void {
   const plots = usePart(PLOTS);
@@ -33,32 +48,21 @@ export function useAsking(subject: string | null, panes: Panes, points: number):
   const view = usePlotsState((state) => state.view);
   const compared = usePlotsState((state) => state.compared);
   const shift_s = usePlotsState((state) => state.shift_s);
+  const isBegun = useFeed("feed", (state) => state.starts_s !== null);
   const asked_ms = useRef(0);
   const names = signalsOf(panes).join(" ");
 
   const ask = useCallback(
     (anew: boolean) => {
       asked_ms.current = pump.now_ms;
-      const { starts_s } = plots.feed.store.getState();
       const edge_s = edgeOf(plots, telemetry, pump.now_ms);
-      // Before the first answer nobody knows how far the flight goes.
-      const isOpen = view.kind === "all" || (view.kind === "last" && starts_s === null);
-      const { from_s, to_s } = isOpen ? { from_s: 0, to_s: END_S } : stretchOf(view, edge_s);
-      const list = names === "" ? [] : names.split(" ");
-      const wanted = { names: list, from_s, points };
-      plots.feed.want(
-        subject === null
-          ? null
-          : { ...wanted, flight: subject, to_s: view.kind === "last" ? END_S : to_s, shift_s: 0 },
-        anew,
-      );
-      plots.other.want(
-        subject === null || compared === null
-          ? null
-          : { ...wanted, flight: compared, to_s: isOpen && edge_s > 0 ? edge_s : to_s, shift_s },
-      );
+      const { mine, other } = questions(view, edge_s, isBegun);
+      const wanted = { names: names === "" ? [] : names.split(" "), points };
+      plots.feed.want(subject === null ? null : { ...wanted, ...mine, flight: subject, shift_s: 0 }, anew);
+      const isOver = subject !== null && compared !== null;
+      plots.other.want(isOver ? { ...wanted, ...other, flight: compared, shift_s } : null);
     },
-    [plots, telemetry, pump, view, compared, shift_s, names, points, subject],
+    [plots, telemetry, pump, view, compared, shift_s, names, points, subject, isBegun],
   );
   useEffect(() => ask(false), [ask]);
 

@@ -22,9 +22,8 @@ export function useFeed<T>(which: "feed" | "other", select: (state: FeedState) =
 /** The flight whose signals are drawn: the one that is shown, or that is being recorded; null: none. */
 export function useSubject(): string | null {
   const flight = useShownTime((time) => time.flight);
-  const isRecording = useConnection(
-    ({ status, phase }) => phase === "open" && status?.recording.active === true,
-  );
+  // A line that broke leaves what was drawn: the next answer says why there is nothing new.
+  const isRecording = useConnection(({ status }) => status?.recording.active === true);
   return flight ?? (isRecording ? CURRENT : null);
 }
 
