@@ -63,6 +63,7 @@ export function createPlotFeed(rest: Gateway): PlotFeed {
   let wanted: Wanted | null = null;
   let asked = "";
   let isBusy = false;
+  let isAnew = false;
 
   async function ask(): Promise<void> {
     if (isBusy) {
@@ -115,10 +116,12 @@ export function createPlotFeed(rest: Gateway): PlotFeed {
     });
   }
 
-  /** What the flight has; asked again while something is missing, because a flight under way gets more. */
+  /** What the flight has; when asked anew and something is missing, again: a flight under way gets more. */
   async function topicsFor({ flight, names }: Wanted) {
     const { topics } = store.getState();
-    if (topics !== null && names.every((name) => isThere(topics, name))) {
+    const isNews = isAnew;
+    isAnew = false;
+    if (topics !== null && (!isNews || names.every((name) => isThere(topics, name)))) {
       return { ok: true, value: topics } as const;
     }
     const answer = await rest.ask("GET", `/api/v1/flights/${flight}/topics`, isFlightTopics);
@@ -132,6 +135,7 @@ export function createPlotFeed(rest: Gateway): PlotFeed {
     }
     wanted = next;
     if (anew) {
+      isAnew = true;
       asked = "";
     }
     void ask();
