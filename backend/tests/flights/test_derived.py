@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -20,7 +22,7 @@ START_NS = 1_769_860_800_000_000_000
 class Given:
     """A flight with these samples; every topic has times of its own."""
 
-    def __init__(self, **fields: tuple[Array, Array]) -> None:
+    def __init__(self, **fields: tuple[Any, Any]) -> None:
         self._fields = {name.replace("__", "."): Samples(*one) for name, one in fields.items()}
         self.start_ns = START_NS
         self.end_ns = START_NS + int(max(one.t_s[-1] for one in self._fields.values()) * 1e9)
