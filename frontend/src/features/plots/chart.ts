@@ -30,6 +30,10 @@ export interface ChartLine {
 const SYNC = "plots";
 const DRAG_PX = 4;
 const MOST_FILL = "55";
+/** Distances of times on the axis. */
+const ROUND_S = [
+  0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 900, 1800, 3600, 7200,
+];
 
 /** One plot by uPlot: of each signal the least and the greatest value of each step, with the ground between them. */
 export class Chart {
@@ -201,6 +205,7 @@ function options(
         ...axis,
         size: 2 * fontSize_px,
         space: 7 * fontSize_px,
+        incrs: ROUND_S,
         values: (_, splits) => {
           const step_s = (splits[1] ?? 1) - (splits[0] ?? 0);
           return splits.map((split) => formatAt(split, 4 * step_s));
@@ -213,7 +218,10 @@ function options(
           side: index % 2 === 0 ? 3 : 1,
           size: (_, values) => axisWidth(values, fontSize_px),
           ...(index === 0 ? {} : { grid: { show: false } }),
-          ...(unit === "" ? {} : { label: unit, labelSize: 1.5 * fontSize_px, labelGap: 0 }),
+          // Also without a unit, so that the charts below each other line up.
+          label: unit === "" ? " " : unit,
+          labelSize: 1.5 * fontSize_px,
+          labelGap: 0,
         }),
       ),
     ],
