@@ -184,6 +184,20 @@ export const SCREENS: readonly Screen[] = [
   { tab: "Mensajes", sub: "X-Plane", parts: [{ role: "tabpanel", name: "X-Plane" }] },
   { tab: "Mensajes", sub: "Enlace", parts: [{ role: "tabpanel", name: "Enlace", reads: ["RX", "TX", "p50", "p99"] }] },
   {
+    tab: "Gráficas",
+    parts: [
+      { role: "toolbar", name: "Gráficas", reads: ["Disposición", "Comparar con"] },
+      { role: "region", name: "Señales", reads: ["Señal calculada"] },
+      ...[1, 2, 3].map((number): Part => ({ role: "region", name: `Gráfica ${number}`, reads: ["Mín.", "Media", "Máx."] })),
+      ...["Acercar", "Alejar", "Todo el vuelo", "Último minuto", "Añadir una gráfica"].map(
+        (name): Part => ({ role: "button", name }),
+      ),
+      ...["Guardar lo que se ve como CSV", "Guardar lo que se ve como imagen"].map(
+        (name): Part => ({ role: "button", name }),
+      ),
+    ],
+  },
+  {
     tab: "Alarmas",
     parts: [
       { role: "region", name: "Activas" },

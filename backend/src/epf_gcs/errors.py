@@ -131,6 +131,7 @@ ErrorCode = Literal[
     "recording_two_boards",
     "recording_unknown",
     "recording_unreadable",
+    "signal_units_differ",
     "signal_unknown",
     "simulator_unknown_host",
     "source_not_taken",

@@ -27,6 +27,7 @@ import { createParameterActions, takeParameterEvent } from "../features/paramete
 import { createParameters, forget, PARAMETER_REQUESTS } from "../features/parameters/parameterValues";
 import { type AddressLine, createFlightAddress, type PlaceInTime } from "../features/playback/flightAddress";
 import { createPlayback, PLAYBACK, type Playback } from "../features/playback/playbackRequests";
+import { createPlots, PLOTS } from "../features/plots/plots";
 import { SERVO_SLIDERS } from "../features/servos/servoPositions";
 import { createServoSliders } from "../features/servos/servoSliders";
 import { BOARD_CONSOLE } from "../features/setup/consoleLog";
@@ -50,6 +51,7 @@ import { Rest, type UploadInit } from "../transport/rest";
 import { StreamSocket, type Wire, type WireListener } from "../transport/socket";
 import { eventMessage, linkMessages } from "./announcements";
 import { createPasts, SHOWN } from "./past";
+import { plotTimeline } from "./plotTimeline";
 import { createVehicle } from "./vehicle";
 
 /** What the page needs from outside: given by a browser's window, or by a test. */
@@ -227,6 +229,7 @@ export function createPage(world: World): {
     .with(BOARD_CONSOLE, boardConsole)
     .with(FLIGHTS, flights)
     .with(FLIGHT_COMPARISON, createFlightComparison())
+    .with(PLOTS, createPlots({ rest, timers: world.timers, timeline: plotTimeline(playback) }))
     .with(INSPECTOR, createInspector(rest))
     .with(EMULATION, createEmulation(asking))
     .with(ABOUT, createAbout(asking));

@@ -28,6 +28,8 @@ export interface Asked {
   readonly answer: (value: unknown, status?: number) => Promise<void>;
 }
 
+// uPlot asks for the display's density when it is loaded.
+installCanvas();
 // Tests examine what is shown, not how it was loaded.
 await loadParts();
 

@@ -241,8 +241,10 @@ class Signal(Output):
 
 
 class Signals(Output):
-    """The stretch, cut to the flight's, and its signals in the order they were asked for."""
+    """The stretch, cut to the flight's, and its signals in the order they were asked for. `starts_s` is the Unix time
+    of the flight's start."""
 
+    starts_s: float
     from_s: float
     to_s: float
     signals: list[Signal]
