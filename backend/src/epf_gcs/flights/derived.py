@@ -50,7 +50,9 @@ def split_names(names: str) -> list[str]:
 
 
 def find(flight: FlightData, periods: PeriodCache, name: str) -> Found:
-    """One signal by its name, empty if the flight does not have it. Raises NotFoundError for an unknown name, and InvalidInputError for a difference of unlike units."""
+    """One signal, empty if the flight does not have it. Raises NotFoundError for a name that the definition does not
+    have, and InvalidInputError for a difference of unlike units.
+    """
     derived = _ARGUMENTS.fullmatch(name)
     if derived is None:
         return _recorded(flight, periods, name)
