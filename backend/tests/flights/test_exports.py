@@ -1,4 +1,4 @@
-"""Exports of one flight: the values that were recorded, whole or not at all, in memory that the length does not change."""
+"""Exports of one flight: the values that were recorded, whole or not at all, in memory of one size."""
 
 from __future__ import annotations
 
