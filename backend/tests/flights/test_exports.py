@@ -1,4 +1,4 @@
-"""Exports of one flight: the values that were recorded, whole or not at all, in memory that the length does not change."""
+"""Exports of one flight: the values that were recorded, whole or not at all, in memory of one size."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ from epf_gcs.flights.export.verb import run
 from epf_gcs.flights.importing import run as import_run
 from epf_gcs.recordings.notes import IDENTITY, PLAN
 from epf_gcs.recordings.packing import pack
-from epf_gcs.recordings.reading import notes_of, read_file, walk
+from epf_gcs.recordings.reading import Message, notes_of, read_file, walk
 from tests.codec.streams import mixed_frames
 from tests.flights.flown_flights import FLIGHT, indexed, quiet, recording
 from tests.flights.test_columns import recording as recording_of
@@ -88,18 +88,12 @@ def test_a_stretch_of_the_recording_has_its_bytes_and_what_was_known_before_it(
         source = tmp_path / "recordings" / flight.name
         source.parent.mkdir()
         pack(flight, source)
-    found = read_file(export(source, "mcap", "--from-s", "10", "--to-s", "20.5"))
-    expected = [
-        (one.channel, one.t_ns, one.data)
-        for one in walk(flight)
-        if hasattr(one, "data") and START_NS + 10 * 10**9 <= one.t_ns <= START_NS + 20.5 * 10**9
-    ]
+    target = export(source, "mcap", "--from-s", "10", "--to-s", "20.5")
+    begin_ns, end_ns = START_NS + 10 * 10**9, START_NS + 20_500_000_000
+    expected = [one for one in walk(flight) if isinstance(one, Message) and begin_ns <= one.t_ns <= end_ns]
+    found = read_file(target)
     assert found.is_whole
-    assert [
-        (one.channel, one.t_ns, one.data)
-        for one in walk(export(source, "mcap", "--from-s", "10", "--to-s", "20.5"))
-        if hasattr(one, "data")
-    ] == expected
+    assert [one for one in walk(target) if isinstance(one, Message)] == expected
     assert [note.name for note in found.notes] == [IDENTITY, PLAN]
 
 

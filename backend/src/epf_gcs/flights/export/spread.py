@@ -87,4 +87,5 @@ def _evened(t_ns: Times, starts: npt.NDArray[np.int64], before_ns: int | None, p
     behind = np.repeat(ends - 1, counts) - np.arange(len(t_ns))
     evened = np.repeat(last, counts) - np.ceil(behind * np.repeat(steps, counts)).astype(np.int64)
     # Those of a burst that did not all come at once are no later than they came.
-    return np.minimum(evened, t_ns)
+    none_later: Times = np.minimum(evened, t_ns)
+    return none_later

@@ -36,7 +36,7 @@ def run(arguments: list[str], say: Say) -> dict[str, Any]:
     target.parent.mkdir(parents=True, exist_ok=True)
     part, aside = target.with_name(f".{target.name}.part"), target.with_name(f".{target.name}.aside")
     try:
-        aside.mkdir()
+        aside.mkdir(exist_ok=True)
         progress.at(0.0)
         # Loaded here, so that no format pays for the libraries of another.
         write: Write = import_module(f"epf_gcs.flights.export.{_MODULES[asked.format]}").write
