@@ -20,6 +20,7 @@ MODULES = (
     "strangers",
     "besieged",
     "kill",
+    "plots",
     "page",
     "globe",
     "flight",

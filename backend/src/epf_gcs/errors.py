@@ -33,7 +33,6 @@ ErrorCode = Literal[
     "flight_import_incomplete",
     "flight_known",
     "flight_not_indexed",
-    "flight_not_recorded",
     "flight_not_written",
     "flight_recording",
     "flight_unknown",

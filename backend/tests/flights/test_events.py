@@ -56,7 +56,7 @@ def found(flight: MadeFlight) -> list[tuple[str, str, float, float | None]]:
             (event["t_ns"] - START_NS) * 1e-9,
             None if event["until_ns"] is None else (event["until_ns"] - START_NS) * 1e-9,
         )
-        for event in find_events(flight, [])
+        for event in find_events(flight, [], [])
     ]
 
 
@@ -70,7 +70,7 @@ def test_a_command_and_its_outcome_are_one_event() -> None:
         ],
     )
     assert found(flight) == [("command", "ahrs_on", 1.0, 3.0), ("command", "ahrs_off", 2.0, None)]
-    assert [event["data"]["state"] for event in find_events(flight, [])] == ["confirmed", "pending"]
+    assert [event["data"]["state"] for event in find_events(flight, [], [])] == ["confirmed", "pending"]
 
 
 def test_an_alarm_lasts_from_its_coming_to_its_going_also_when_it_is_acknowledged() -> None:
@@ -100,12 +100,20 @@ def test_modes_and_waypoints_are_found_in_the_samples() -> None:
         ("waypoint", "hil", 3.0, None),
         ("mode", "autopilot_hil", 4.0, None),
     ]
-    assert [event["data"] for event in find_events(flight, [])] == [{"on": True}, {"from": 0, "to": 1}, {"on": False}]
+    assert [event["data"] for event in find_events(flight, [], [])] == [
+        {"on": True},
+        {"from": 0, "to": 1},
+        {"on": False},
+    ]
 
 
 def test_events_are_the_same_after_they_were_written(tmp_path: Path) -> None:
     mark = Note(START_NS + 10**9, notes.MARK, {"text": "¡aquí!", "by": "Ana", "id": "m1"})
-    events = find_events(MadeFlight({}, [mark, noted(2, "console", direction="sent", text="ls")]), [[3.0, 4.0]])
+    events = find_events(
+        MadeFlight({}, [mark, noted(2, "console", direction="sent", text="ls")]),
+        [(START_NS + 3 * 10**9, START_NS + 4 * 10**9)],
+        [],
+    )
     write_events(tmp_path / "events.parquet", events)
     assert read_events(tmp_path / "events.parquet") == events
     first, _, last = as_answer(events, START_NS)["events"]

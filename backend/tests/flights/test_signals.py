@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from epf_gcs.flights.signals import gaps_of, thin, usual_period_s
 
-TWO_HOURS = np.arange(360_000) * 0.02
+TWO_HOURS = np.arange(360_000, dtype=np.float64) * 0.02
 
 
 @given(
@@ -39,7 +39,7 @@ def test_few_samples_are_given_as_they_are() -> None:
 
 
 def test_a_value_that_the_board_did_not_have_hides_no_other_in_its_step() -> None:
-    t_s = np.arange(1000) * 0.1
+    t_s = np.arange(1000, dtype=np.float64) * 0.1
     values = np.full(1000, np.nan)
     values[501] = 3.0
     found = thin(t_s, values, 0.0, 100.0, 10, 0.1)
@@ -49,7 +49,7 @@ def test_a_value_that_the_board_did_not_have_hides_no_other_in_its_step() -> Non
 
 
 def test_a_gap_breaks_the_line_however_many_points_are_drawn() -> None:
-    t_s = np.concatenate((np.arange(500) * 0.1, 100.0 + np.arange(500) * 0.1))
+    t_s = np.concatenate((np.arange(500, dtype=np.float64) * 0.1, 100.0 + np.arange(500, dtype=np.float64) * 0.1))
     for points in (50, 5000):
         found = thin(t_s, np.ones(1000), 0.0, 150.0, points, usual_period_s(t_s))
         (place,) = np.flatnonzero(np.isnan(found.low))
@@ -59,7 +59,7 @@ def test_a_gap_breaks_the_line_however_many_points_are_drawn() -> None:
 
 
 def test_the_mean_is_that_of_the_stretch_and_not_of_the_steps() -> None:
-    t_s = np.concatenate((np.arange(900) * 0.01, 9.0 + np.arange(10)))
+    t_s = np.concatenate((np.arange(900, dtype=np.float64) * 0.01, 9.0 + np.arange(10)))
     values = np.concatenate((np.zeros(900), np.ones(10)))
     assert thin(t_s, values, 0.0, 20.0, 10, None).mean == 10 / 910
     assert thin(t_s, values, 9.0, 20.0, 10, None).mean == 1.0

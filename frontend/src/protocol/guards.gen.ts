@@ -258,7 +258,7 @@ export const isFlightBin = shape({
 export type FlightBin = Checked<typeof isFlightBin>;
 
 /** What happens when the disk fills: with `delete_oldest` the oldest flights that are not pinned are deleted
- * until `keep_free_bytes` are free. */
+ * until `keep_free_bytes` are free; without, recording stops there. */
 export const isFlightPolicy = shape({
   delete_oldest: isFlag,
   keep_free_bytes: isNumber,

@@ -10,8 +10,9 @@ from typing import Any, Final
 import numpy as np
 import pyarrow as pa
 
+from epf_gcs.errors import NotFoundError
 from epf_gcs.flights.fields import fields_of
-from epf_gcs.flights.flight_data import FlightData, PeriodCache, split_name, unknown_signal
+from epf_gcs.flights.flight_data import FlightData, PeriodCache, Samples, split_name
 from epf_gcs.flights.signals import Array, gaps_of, thin
 from epf_gcs.formats.track_points import points_header
 from epf_gcs.recordings import notes
@@ -26,6 +27,7 @@ _ALTITUDES: Final = (
 )
 _POINT: Final = np.dtype([("t_ms", "<u4"), ("latitude_e7", "<i4"), ("longitude_e7", "<i4"), ("altitude_mm", "<i4")])
 _MOST_POINTS: Final = 720_000
+_NOTHING: Final = Samples(np.empty(0), np.empty(0))
 
 
 def duration_s(flight: FlightData) -> float:
@@ -36,20 +38,20 @@ def duration_s(flight: FlightData) -> float:
 def signals(
     flight: FlightData, periods: PeriodCache, names: list[str], from_s: float | None, to_s: float | None, points: int
 ) -> dict[str, Any]:
-    """The stretch and its signals, each thinned to about `points` steps. Raises NotFoundError.
+    """The stretch and its signals, each thinned to about `points` steps.
 
-    A signal that the definition has and this flight has not is empty.
+    A signal that this flight does not have is empty. Raises NotFoundError for one that the definition does not have.
     """
     whole_s = duration_s(flight)
     first_s = min(max(0.0, from_s or 0.0), whole_s)
     last_s = whole_s if to_s is None else min(max(first_s, to_s), whole_s)
-    there = {span.name for span in flight.topics()}
     found = []
     for name in names:
         topic, field = split_name(name)
-        if topic not in there:
-            raise unknown_signal(name)
-        t_s, values = flight.samples(topic, field)
+        try:
+            t_s, values = flight.samples(topic, field)
+        except NotFoundError:
+            t_s, values = _NOTHING
         thinned = thin(t_s, values, first_s, last_s, points, periods.of(topic, t_s))
         found.append(
             {

@@ -9,7 +9,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import Any, Final
+from typing import Any, Final, Protocol
 
 import numpy as np
 import pyarrow as pa
@@ -82,18 +82,31 @@ class Written:
     notes: list[Note]
 
 
-def write_columns(path: Path, root: Path, say: Say, limits: Limits = LIMITS) -> Written:
+class Sink(Protocol):
+    """Where the tables go."""
+
+    def add(self, topic: str, table: pa.Table) -> None:
+        """Take rows of a topic; all its tables have one schema. Raises OSError."""
+
+
+def write_columns(
+    path: Path, root: Path, say: Say, limits: Limits = LIMITS, *, watch: Callable[[Messages], None] | None = None
+) -> Written:
     """Write the tables of a recording below `root`, in place of earlier ones of the same flight, whole or not at all.
 
-    `say` is told the progress (0..1). Raises RecordingError and OSError.
+    `say` is told the progress (0..1), `watch` all messages in file order. Raises RecordingError and OSError.
     """
     root.mkdir(parents=True, exist_ok=True)
     work = root / f".{path.stem}.part"
     shutil.rmtree(work, ignore_errors=True)
     work.mkdir()
     try:
-        making = _Making(work, path, limits)
-        making.run(say)
+        tables = Tables(work)
+        try:
+            making = Making(tables, path, limits)
+            making.run(say, watch)
+        finally:
+            tables.close()
         folder = root / _partition(making.notes, making.counts, path.stem)
         folder.parent.mkdir(parents=True, exist_ok=True)
         for old in root.glob(f"vehicle=*/date=*/flight={path.stem}"):
@@ -129,38 +142,44 @@ class _Line:
         return self._prefix + message.name
 
 
-class _Making:
-    def __init__(self, folder: Path, path: Path, limits: Limits) -> None:
+class Making:
+    """Makes tables of what a recording has, and of what it has more at each `advance`."""
+
+    def __init__(self, tables: Sink, path: Path, limits: Limits = LIMITS) -> None:
         self.counts = Counts()
         self.notes: list[Note] = []
         self._size = max(1, path.stat().st_size)
         self._reader = Reader(path, limits=limits)
-        self._tables = Tables(folder)
+        self._tables = tables
         self._lines = {BOARD_RECEIVED: _Line(FROM_BOARD, ""), BOARD_SENT: _Line(TO_BOARD, SENT)}
         self._datagrams = Datagrams()
         self._keys = KeyFrames()
         self._rates = Rates()
         self._made: dict[str, list[pa.Table]] = {}
 
-    def run(self, say: Say) -> None:
-        try:
-            for part in self._reader.parts():
-                self._take(part)
-                say(self._reader.place / self._size, "columns")
-            for channel in self._lines:
-                self._decoded(channel, self._lines[channel].decoder.finish())
-            for topic, tables in self._made.items():
-                for one in tables:
-                    self._tables.add(topic, one)
-            rates = self._rates.table()
-            if rates.num_rows:
-                self._tables.add("link", rates)
-        finally:
-            self._tables.close()
-        say(1.0, "columns")
-        self.counts.gaps = self._rates.gaps
+    def run(self, say: Say, watch: Callable[[Messages], None] | None = None) -> None:
+        """Read all of it, to its end. Raises RecordingError, OSError."""
+        self.advance(say, watch)
+        for channel in self._lines:
+            self._decoded(channel, self._lines[channel].decoder.finish())
+        for topic, tables in self._made.items():
+            for one in tables:
+                self._tables.add(topic, one)
+        rates = self._rates.table()
+        if rates.num_rows:
+            self._tables.add("link", rates)
         self.counts.is_whole = self._reader.is_whole
         self.counts.damage = self._reader.damage
+
+    def advance(self, say: Say | None = None, watch: Callable[[Messages], None] | None = None) -> None:
+        """Read what the file has more than before; frames that are not whole yet wait. Raises as `run`."""
+        for part in self._reader.parts():
+            if watch is not None:
+                watch(part.messages)
+            self._take(part)
+            if say is not None:
+                say(self._reader.place / self._size, "columns")
+        self.counts.gaps = self._rates.gaps
 
     def _take(self, part: Part) -> None:
         """Everything of one part: between two notes that a line was opened or closed, all at once."""

@@ -11,7 +11,7 @@ import pyarrow as pa
 import pyarrow.parquet as pq
 
 from epf_gcs.errors import NotFoundError
-from epf_gcs.flights.flight_data import FlightData
+from epf_gcs.flights.flight_data import Damage, FlightData
 from epf_gcs.recordings import notes
 from epf_gcs.recordings.notes import Note
 
@@ -32,22 +32,23 @@ _KINDS: Final = {
 }
 _NAMES: Final = {"alarm": "id", "command": "name", "console": "direction", "mission": "plan", "control": "name"}
 # A burst of damaged frames with no longer pause than this is one event.
-_DAMAGE_PAUSE_S: Final = 2.0
+_DAMAGE_PAUSE_NS: Final = 2_000_000_000
+# Kinds of damage that are no frame.
+_NO_FRAMES: Final = ("noise", "remains", "text")
 # A restart or a broken file may leave a command or alarm without its end; one flight has no more events than this.
 MOST_EVENTS: Final = 100_000
 
 Event = dict[str, Any]
 
 
-def find_events(flight: FlightData, silences: list[list[float]]) -> list[Event]:
-    """All events in order of time; `silences` are the stretches without data, in seconds since the start.
+def find_events(flight: FlightData, silences: list[tuple[int, int]], damaged: list[Damage]) -> list[Event]:
+    """All events in order of time; `silences`: from and to (Unix ns) of the stretches without a byte of the board.
 
     An event is {"t_ns", "kind", "name", "id", "data", "until_ns"}. Raises OSError, RecordingError.
     """
-    found = [*_noted(flight.notes()), *_modes(flight), *_waypoints(flight)]
-    for from_s, to_s in silences:
-        begin, end = (flight.start_ns + round(at_s * 1e9) for at_s in (from_s, to_s))
-        found.append(_event(begin, "gap", "silence", {"duration_s": to_s - from_s}, until_ns=end))
+    found = [*_noted(flight.notes()), *_modes(flight), *_waypoints(flight), *_bursts(damaged)]
+    for begin, end in silences:
+        found.append(_event(begin, "gap", "silence", {"duration_s": (end - begin) * 1e-9}, until_ns=end))
     found.sort(key=lambda event: event["t_ns"])
     return found[:MOST_EVENTS]
 
@@ -161,6 +162,22 @@ def _waypoints(flight: FlightData) -> list[Event]:
         if topic in there:
             for t_ns, before, after in _changes(flight, topic, "waypoint"):
                 found.append(_event(t_ns, "waypoint", plan, {"from": int(before), "to": int(after)}))
+    return found
+
+
+def _bursts(damaged: list[Damage]) -> list[Event]:
+    """Damaged frames that came shortly after one another are one event."""
+    found: list[Event] = []
+    for t_ns, kind in damaged:
+        if kind in _NO_FRAMES:
+            continue
+        last = found[-1] if found else None
+        if last is None or t_ns - last["until_ns"] > _DAMAGE_PAUSE_NS:
+            last = _event(t_ns, "damage", "frames", {"frames": 0, "kinds": {}}, until_ns=t_ns)
+            found.append(last)
+        last["until_ns"] = t_ns
+        last["data"]["frames"] += 1
+        last["data"]["kinds"][kind] = last["data"]["kinds"].get(kind, 0) + 1
     return found
 
 

@@ -24,6 +24,10 @@ class TopicSpan(NamedTuple):
     last_ns: int
 
 
+Damage = tuple[int, str]
+"""Unix time (ns) and kind of what the line damaged."""
+
+
 class Samples(NamedTuple):
     """One field: times in seconds since the flight's start, in order, and values (NaN: no value), both (n,)."""
 

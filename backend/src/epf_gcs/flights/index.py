@@ -1,17 +1,50 @@
-"""`index FILE`: makes the columns of a recording of this data folder; says what it counted."""
+"""`index FILE`: makes the columns of a recording of this data folder, its events and the figures of its row."""
 
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
+from typing import Any, Final
 
-from epf_gcs.flights.columns import Say, write_columns
+from epf_gcs.errors import InvalidInputError
+from epf_gcs.flights.columns import DAMAGE, Written, write_columns
+from epf_gcs.flights.events import FILE, find_events, write_events
+from epf_gcs.flights.fingerprint import Fingerprint
+from epf_gcs.flights.indexed import Columns, IndexedFlight
+from epf_gcs.flights.summary import summarise, write_summary
+from epf_gcs.flights.worker import Say
+from epf_gcs.recordings.places import stamp_of
 
-_COLUMNS = "columns"
+_COLUMNS: Final = "columns"
+# The share of the columns in the time that the whole takes.
+_SHARE: Final = 0.9
 
 
 def run(arguments: list[str], say: Say) -> dict[str, Any]:
-    """The columns go beside the folder that holds the recording. Raises RecordingError, OSError."""
+    """The columns go beside the folder that holds the recording. Raises RecordingError, InvalidInputError, OSError."""
     (path,) = (Path(argument).resolve() for argument in arguments)
-    written = write_columns(path, path.parent.parent / _COLUMNS, say)
-    return {"folder": str(written.folder), **written.counts.as_dict()}
+    # Before the file is read: if it changes meanwhile, what is made of it is stale at once.
+    stamp = stamp_of(path)
+    fingerprint = Fingerprint()
+    written = write_columns(
+        path,
+        path.parent.parent / _COLUMNS,
+        lambda progress, doing: say(progress * _SHARE, doing),
+        watch=fingerprint.add,
+    )
+    counts = written.counts
+    if counts.first_ns is None or counts.last_ns is None:
+        raise InvalidInputError("recording_empty", "This recording holds no message.")
+    say(_SHARE, "events")
+    flight = IndexedFlight(written.folder, written.notes, counts.first_ns, counts.last_ns, Columns(), "")
+    events = find_events(flight, counts.gaps, flight.damage(DAMAGE))
+    write_events(written.folder / FILE, events)
+    say(0.97, "figures")
+    write_summary(
+        written.folder, stamp, {**summarise(flight, events), **_counted(written), "fingerprint": fingerprint.text()}
+    )
+    return {"folder": str(written.folder), **counts.as_dict()}
+
+
+def _counted(written: Written) -> dict[str, Any]:
+    found = written.counts.as_dict()
+    return {name: found[name] for name in ("frames", "frames_damaged", "gaps", "is_whole", "damage")}

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import OrderedDict
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any, Final
 
@@ -12,7 +13,7 @@ import orjson
 
 from epf_gcs.errors import ConflictError
 from epf_gcs.flights.fields import fields_of
-from epf_gcs.flights.flight_data import PeriodCache, Samples, TopicSpan, in_order, unknown_signal
+from epf_gcs.flights.flight_data import Damage, Samples, TopicSpan, in_order, unknown_signal
 from epf_gcs.recordings.notes import Note
 from epf_gcs.recordings.places import SUMMARY
 from epf_gcs.recordings.reading import notes_of
@@ -46,6 +47,16 @@ class Columns:
             self._bytes -= old.nbytes
         return found
 
+    def damage(self, file: Path) -> list[Damage]:
+        """Time (Unix ns) and kind of each damage that came from the board. Raises OSError."""
+        try:
+            rows = self._database.execute(
+                "SELECT t_ns, kind FROM read_parquet(?) WHERE direction = 'received' ORDER BY t_ns", [str(file)]
+            ).fetchall()
+        except duckdb.Error as error:
+            raise OSError(f"{file.name} cannot be read: {error}") from error
+        return [(int(t_ns), str(kind)) for t_ns, kind in rows]
+
     def _read(self, file: Path, name: str) -> Any:
         as_is = name == "t_ns"
         column = '"t_ns"' if as_is else f'CAST("{name}" AS DOUBLE)'
@@ -60,29 +71,28 @@ class Columns:
 
 
 class IndexedFlight:
-    """`folder` holds the columns, `recording` is the file itself (for its notes)."""
+    """`folder` holds the columns; the times of the first and last message are Unix ns.
 
-    def __init__(self, folder: Path, recording: Path, columns: Columns) -> None:
-        try:
-            self.summary: dict[str, Any] = orjson.loads((folder / SUMMARY).read_bytes())
-        except (OSError, ValueError) as error:
-            raise not_indexed(recording.stem) from error
+    `notes` are the recording's, or a function that reads them when they are asked for. `stamp` tells columns that were
+    made at another time from those that are cached.
+    """
+
+    def __init__(
+        self,
+        folder: Path,
+        noted: list[Note] | Callable[[], list[Note]],
+        start_ns: int,
+        end_ns: int,
+        columns: Columns,
+        stamp: str,
+    ) -> None:
+        self.start_ns = start_ns
+        self.end_ns = end_ns
         self._folder = folder
-        self._recording = recording
+        self._noted = noted
         self._columns = columns
-        self._stamp = f"{(folder / SUMMARY).stat().st_mtime_ns}"
+        self._stamp = stamp
         self._times: dict[str, Any] = {}
-        self.periods = PeriodCache()
-
-    @property
-    def start_ns(self) -> int:
-        """Unix time of the first message."""
-        return int(self.summary["started_ns"])
-
-    @property
-    def end_ns(self) -> int:
-        """Unix time of the last message."""
-        return int(self.summary["ended_ns"])
 
     def topics(self) -> list[TopicSpan]:
         """The topics that have samples."""
@@ -106,7 +116,25 @@ class IndexedFlight:
 
     def notes(self) -> list[Note]:
         """All notes. Raises RecordingError, OSError."""
-        return notes_of(self._recording)
+        if not isinstance(self._noted, list):
+            self._noted = self._noted()
+        return self._noted
+
+    def damage(self, table: str) -> list[Damage]:
+        """What the line damaged, in the order of the file; `table` is the name of its table. Raises OSError."""
+        file = self._folder / f"{table}.parquet"
+        return self._columns.damage(file) if file.exists() else []
+
+
+def open_indexed(folder: Path, recording: Path, columns: Columns) -> IndexedFlight:
+    """A flight whose columns were made. Raises ConflictError where they are not whole yet."""
+    try:
+        summary = orjson.loads((folder / SUMMARY).read_bytes())
+        stamp = str((folder / SUMMARY).stat().st_mtime_ns)
+        start_ns, end_ns = int(summary["started_ns"]), int(summary["ended_ns"])
+    except (OSError, ValueError, LookupError, TypeError) as error:
+        raise not_indexed(recording.stem) from error
+    return IndexedFlight(folder, lambda: notes_of(recording), start_ns, end_ns, columns, stamp)
 
 
 def not_indexed(flight: str) -> ConflictError:

@@ -13,15 +13,16 @@ from collections import OrderedDict
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, BinaryIO, Final
+from typing import Any, BinaryIO, Final, cast
 
 import orjson
 
 from epf_gcs.errors import GatewayError
 from epf_gcs.flights import answers
 from epf_gcs.flights.events import FILE, as_answer, find_events, read_events
-from epf_gcs.flights.flight_data import FlightData, PeriodCache
-from epf_gcs.flights.indexed import Columns, IndexedFlight, not_indexed
+from epf_gcs.flights.flight_data import PeriodCache
+from epf_gcs.flights.growing import GrowingFlight
+from epf_gcs.flights.indexed import Columns, IndexedFlight, not_indexed, open_indexed
 from epf_gcs.flights.worker import be_modest
 from epf_gcs.recordings.places import Places, is_id
 from epf_gcs.worker_pipe import receive, send
@@ -31,12 +32,12 @@ _MOST_OPEN: Final = 8
 
 @dataclass(slots=True)
 class _Open:
-    """A flight that was asked for lately. `made` is when its columns were made."""
+    """A flight that was asked for lately. `made` is when its columns were made; 0 while it is recorded."""
 
-    data: FlightData
+    data: IndexedFlight | GrowingFlight
     made: int
-    periods: PeriodCache = field(default_factory=PeriodCache)
     folder: Path | None = None
+    periods: PeriodCache = field(default_factory=PeriodCache)
 
 
 class Flights:
@@ -49,23 +50,32 @@ class Flights:
 
     def answer(self, asked: dict[str, Any]) -> bytes:
         """The answer's bytes. Raises GatewayError, OSError."""
-        opened = self._opened(asked["flight"], growing=asked["growing"])
-        return _ANSWERS[asked["do"]](opened, asked)
-
-    def _opened(self, flight: str, *, growing: bool) -> _Open:
+        flight = asked["flight"]
         if not is_id(flight):
             raise not_indexed(flight)
-        folder = self._places.made_of(flight)
-        if folder is None:
-            raise not_indexed(flight)
-        made = folder.stat().st_mtime_ns
-        found = self._open.get(flight)
-        if found is None or found.made != made:
-            data = IndexedFlight(folder, self._places.recording(flight), self._columns)
-            found = self._open[flight] = _Open(data, made, folder=folder)
+        opened = self._growing(flight) if asked["growing"] else self._indexed(flight)
         self._open.move_to_end(flight)
         while len(self._open) > _MOST_OPEN:
             self._open.popitem(last=False)
+        return _ANSWERS[asked["do"]](opened, asked)
+
+    def _indexed(self, flight: str) -> _Open:
+        folder = self._places.made_of(flight)
+        if folder is None:
+            raise not_indexed(flight)
+        found = self._open.get(flight)
+        made = folder.stat().st_mtime_ns
+        if found is None or found.made != made:
+            data = open_indexed(folder, self._places.recording(flight), self._columns)
+            found = self._open[flight] = _Open(data, made, folder)
+        return found
+
+    def _growing(self, flight: str) -> _Open:
+        found = self._open.get(flight)
+        if found is None or not isinstance(found.data, GrowingFlight):
+            found = self._open[flight] = _Open(GrowingFlight(self._places.recording(flight)), 0)
+        if isinstance(found.data, GrowingFlight):
+            found.data.advance()
         return found
 
 
@@ -110,11 +120,12 @@ def _topics(opened: _Open, _asked: dict[str, Any]) -> bytes:
 
 
 def _events(opened: _Open, _asked: dict[str, Any]) -> bytes:
-    if opened.folder is not None and (opened.folder / FILE).exists():
-        events = read_events(opened.folder / FILE)
+    data = opened.data
+    if isinstance(data, GrowingFlight):
+        events = find_events(data, data.silences, data.damage())
     else:
-        events = find_events(opened.data, answers.silence(opened.data, opened.periods))
-    return _json(as_answer(events, opened.data.start_ns))
+        events = read_events(cast(Path, opened.folder) / FILE)
+    return _json(as_answer(events, data.start_ns))
 
 
 def _overview(opened: _Open, asked: dict[str, Any]) -> bytes:

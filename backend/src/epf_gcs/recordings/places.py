@@ -47,11 +47,6 @@ class Places:
         return self.data_dir / "library.sqlite"
 
     @property
-    def policy(self) -> Path:
-        """What happens when the disk fills."""
-        return self.data_dir / "flights.json"
-
-    @property
     def incoming(self) -> Path:
         """Uploads on their way."""
         return self.data_dir / "incoming"

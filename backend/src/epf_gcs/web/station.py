@@ -23,6 +23,7 @@ from epf_gcs.web.access.control import Control
 from epf_gcs.web.flights.flights import Flights
 from epf_gcs.web.flights.imports import FlightImports
 from epf_gcs.web.flights.jobs import Jobs
+from epf_gcs.web.flights.policy import PolicyChoice
 from epf_gcs.web.flights.queries import Queries
 from epf_gcs.web.flights.replays import Replays
 from epf_gcs.web.inspector.shared import SharedInspector
@@ -55,7 +56,13 @@ class Station:
         self.tracks = Tracks(self.mirror, self.hub, self.clock, data_dir / "track", errors.report)
         self.maps = Maps(data_dir, self.hub, self.clock, errors.report)
         self.flights = Flights(
-            Places(data_dir), Jobs(self.hub), self.clock, self._growing, lambda: self.mirror.is_here, errors.report
+            Places(data_dir),
+            Jobs(self.hub),
+            self.clock,
+            PolicyChoice(self.vehicle.request),
+            self._growing,
+            lambda: self.mirror.is_here,
+            errors.report,
         )
         self.queries = Queries(data_dir)
         self.replays = Replays(data_dir, errors, self._growing)

@@ -6,6 +6,7 @@ import os
 from pathlib import Path
 from typing import Any, cast
 
+import pyarrow as pa
 import pytest
 
 from epf_gcs.recordings.mcap_file import Tally, closing, data_end, message_record, opening
@@ -21,7 +22,7 @@ def flown(gateway: Gateway, board: FakeBoard) -> str:
     """Record a flight and end it; its id."""
     gateway.open_board(board.url)
     gateway.http.post("/commands/ahrs_on").raise_for_status()
-    eventually(lambda: gateway.status()["recording"]["bytes"] > 2000, "it records")
+    eventually(lambda: gateway.status()["topics"].get("ahrs", {"count": 0})["count"] > 5, "attitudes come")
     file = gateway.status()["recording"]["file"]
     gateway.http.delete("/links/board").raise_for_status()
     eventually(lambda: not gateway.status()["recording"]["active"], "the session ends")
@@ -160,3 +161,139 @@ def test_the_bin_and_jobs_refuse_what_they_do_not_know(gateway: Gateway) -> None
     assert gateway.http.get("/jobs/0123456789ab").json()["code"] == "job_unknown"
     assert gateway.http.get("/flights/20200101T000000Z").json()["code"] == "flight_unknown"
     assert gateway.http.get("/flights/current/topics").json()["code"] == "flight_unknown"
+
+
+def indexed(gateway: Gateway, flight: str) -> dict[str, Any]:
+    """Wait until the workers have prepared a flight; its row."""
+    path = f"/flights/{flight}"
+    eventually(lambda: gateway.http.get(path).json()["state"] in ("indexed", "damaged"), "it is prepared")
+    found = gateway.http.get(path).raise_for_status().json()
+    assert found["state"] == "indexed", found["fault"]
+    return cast(dict[str, Any], found)
+
+
+def asked(gateway: Gateway, path: str, **query: Any) -> dict[str, Any]:
+    return cast(dict[str, Any], gateway.http.get(path, params=query).raise_for_status().json())
+
+
+def test_a_flight_is_prepared_by_itself_and_answers_what_is_in_it(gateway: Gateway, board: FakeBoard) -> None:
+    flight = flown(gateway, board)
+    row = indexed(gateway, flight)
+    assert row["frames"] > 0
+    assert row["duration_s"] > 0
+    path = f"/flights/{flight}"
+    topics = {one["name"]: one for one in asked(gateway, f"{path}/topics")["topics"]}
+    assert {field["name"]: field["unit"] for field in topics["ahrs"]["fields"]}["roll_deg"] == "deg"
+    found = asked(gateway, f"{path}/signals", names="ahrs.roll_deg,heartbeat.ahrs")
+    roll, switch = found["signals"]
+    assert (roll["name"], roll["unit"], roll["count"]) == ("ahrs.roll_deg", "deg", topics["ahrs"]["count"])
+    assert 0.0 <= roll["at_s"][0] <= roll["at_s"][-1] <= row["duration_s"]
+    assert set(switch["max"]) <= {0.0, 1.0}
+    assert asked(gateway, f"{path}/overview", points=20)["duration_s"] == pytest.approx(row["duration_s"])
+    assert asked(gateway, f"{path}/known", at_s=1)["at_s"] == 1.0
+    kinds = [(event["kind"], event["name"]) for event in asked(gateway, f"{path}/events")["events"]]
+    assert all(kind in ("link", "command", "parameter", "mode", "gap", "alarm", "control") for kind, _ in kinds)
+    track = gateway.http.get(f"{path}/track", params={"source": "flight"}).raise_for_status().content
+    assert track[:4] == b"EPT1"
+    arrow = gateway.http.get(
+        f"{path}/signals",
+        params={"names": "ahrs.roll_deg"},
+        headers={"Accept": "application/vnd.apache.arrow.stream"},
+    ).raise_for_status()
+    with pa.ipc.open_stream(arrow.content) as reader:
+        table = reader.read_all()
+    assert table.column("max").to_pylist() == roll["max"]
+    assert asked(gateway, f"{path}/signals", names="servos_in.channel_11")["signals"][0]["at_s"] == []
+    for wrong in ("ahrs.nothing", "nothing.roll_deg", "capabilities.firmware_name"):
+        refused = gateway.http.get(f"{path}/signals", params={"names": wrong})
+        assert (refused.status_code, refused.json()["code"]) == (404, "signal_unknown")
+
+
+def test_the_flight_in_the_air_gives_the_answers_that_it_gives_when_it_is_over(
+    gateway: Gateway, board: FakeBoard
+) -> None:
+    gateway.open_board(board.url)
+    gateway.http.post("/commands/ahrs_on").raise_for_status()
+    path = "/flights/current"
+    eventually(lambda: gateway.http.get(f"{path}/topics").status_code == 200, "a message is on the disk")
+    eventually(
+        lambda: any(one["name"] == "ahrs" for one in asked(gateway, f"{path}/topics")["topics"]), "attitudes are in it"
+    )
+    live = asked(gateway, f"{path}/signals", names="ahrs.roll_deg", points=20_000)["signals"][0]
+    eventually(
+        lambda: asked(gateway, f"{path}/signals", names="ahrs.roll_deg")["signals"][0]["count"] > live["count"],
+        "it grows",
+    )
+    flight = gateway.status()["recording"]["file"].removesuffix(".mcap")
+    assert asked(gateway, f"/flights/{flight}/overview", points=10)["duration_s"] > 0
+    gateway.http.delete("/links/board").raise_for_status()
+    indexed(gateway, flight)
+    after = asked(gateway, f"/flights/{flight}/signals", names="ahrs.roll_deg", points=20_000)["signals"][0]
+    count = live["count"]
+    assert after["at_s"][:count] == live["at_s"]
+    assert after["min"][:count] == live["min"]
+
+
+def test_a_mark_is_set_changed_and_removed_and_survives_a_new_index(gateway: Gateway, board: FakeBoard) -> None:
+    flight = flown(gateway, board)
+    indexed(gateway, flight)
+    path = f"/flights/{flight}"
+
+    def marks(found: dict[str, Any]) -> list[tuple[str, float]]:
+        return [(one["data"]["text"], one["at_s"]) for one in found["events"] if one["kind"] == "mark"]
+
+    set_now = gateway.http.post(f"{path}/marks", json={"text": " aquí ", "at_s": 0.5}).raise_for_status().json()
+    assert marks(set_now) == [("aquí", 0.5)]
+    assert gateway.http.get(path).json()["marks"] == 1
+    mark = next(one["id"] for one in set_now["events"] if one["kind"] == "mark")
+    gateway.http.patch(f"{path}/marks/{mark}", json={"text": "allí"}).raise_for_status()
+    gateway.http.post(f"{path}/index").raise_for_status()
+    indexed(gateway, flight)
+    assert marks(asked(gateway, f"{path}/events")) == [("allí", 0.5)]
+    assert marks(gateway.http.delete(f"{path}/marks/{mark}").raise_for_status().json()) == []
+    assert gateway.http.delete(f"{path}/marks/{mark}").json()["code"] == "mark_unknown"
+    assert gateway.http.post(f"{path}/marks", json={"text": "jetzt"}).status_code == 422
+
+
+def test_a_mark_set_in_flight_stands_in_the_recording_and_can_be_worded_anew(
+    gateway: Gateway, board: FakeBoard
+) -> None:
+    gateway.open_board(board.url)
+    eventually(lambda: gateway.http.get("/flights/current/topics").status_code == 200, "it is recorded")
+    gateway.http.post("/flights/current/marks", json={"text": "ahora"}).raise_for_status()
+
+    def marks(flight: str) -> list[str]:
+        found = asked(gateway, f"/flights/{flight}/events")["events"]
+        return [one["data"]["text"] for one in found if one["kind"] == "mark"]
+
+    eventually(lambda: marks("current") == ["ahora"], "the mark is in the file")
+    flight = gateway.status()["recording"]["file"].removesuffix(".mcap")
+    gateway.http.delete("/links/board").raise_for_status()
+    assert indexed(gateway, flight)["marks"] == 1
+    events = asked(gateway, f"/flights/{flight}/events")["events"]
+    mark = next(one["id"] for one in events if one["kind"] == "mark")
+    gateway.http.patch(f"/flights/{flight}/marks/{mark}", json={"text": "entonces"}).raise_for_status()
+    assert (marks(flight), gateway.http.get(f"/flights/{flight}").json()["marks"]) == (["entonces"], 1)
+    gateway.http.delete(f"/flights/{flight}/marks/{mark}").raise_for_status()
+    assert (marks(flight), gateway.http.get(f"/flights/{flight}").json()["marks"]) == ([], 0)
+
+
+def test_the_same_recording_is_taken_once(gateway: Gateway, board: FakeBoard) -> None:
+    flight = flown(gateway, board)
+    content = gateway.http.get(f"/recordings/{flight}/export").raise_for_status().content
+    indexed(gateway, flight)
+    job = upload(gateway, content)
+    assert (job["state"], job["fault"]["code"], job["fault"]["params"]) == (
+        "failed",
+        "flight_known",
+        {"flight": flight},
+    )
+    assert listed(gateway)["total"] == 1
+
+
+def test_a_question_about_a_flight_that_is_not_prepared_says_so(gateway: Gateway) -> None:
+    data_dir = Path(gateway.flight_thread.data_dir)
+    (data_dir / "recordings").mkdir(exist_ok=True)
+    (data_dir / "recordings" / "20260101T100000Z.mcap").write_bytes(b"no recording at all")
+    refused = gateway.http.get("/flights/20260101T100000Z/topics")
+    assert (refused.status_code, refused.json()["code"]) == (409, "flight_not_indexed")

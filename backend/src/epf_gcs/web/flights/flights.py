@@ -22,7 +22,7 @@ from epf_gcs.web.flights.about import About
 from epf_gcs.web.flights.folder import Deleted, FlightFolder
 from epf_gcs.web.flights.jobs import Job, Jobs
 from epf_gcs.web.flights.library import Library, Row, Wanted
-from epf_gcs.web.flights.policy import Policy, read_policy, write_policy
+from epf_gcs.web.flights.policy import Policy, PolicyChoice
 
 # How often the folder is looked at for what other programs put there or took away.
 _LOOK_EVERY_S: Final = 30.0
@@ -46,6 +46,7 @@ class Flights:
         places: Places,
         jobs: Jobs,
         clock: Clock,
+        policy: PolicyChoice,
         growing: Callable[[], str | None],
         is_known: Callable[[], bool],
         report: Callable[[GatewayError], None],
@@ -53,6 +54,7 @@ class Flights:
         self.places = places
         self.jobs = jobs
         self._clock = clock
+        self._policy = policy
         self._growing = growing
         self._is_known = is_known
         self._report = report
@@ -61,7 +63,7 @@ class Flights:
         self._thread = ThreadPoolExecutor(1, thread_name_prefix="flights")
         self._loop = asyncio.get_running_loop()
         self._awake = asyncio.Event()
-        self._was_growing: str | None = None
+        self._was: tuple[bool, str | None] = (False, None)
         self._left_alone: set[str] = set()
         self._room_at_s = 0.0
         self._preparing: Job | None = None
@@ -95,9 +97,10 @@ class Flights:
         self._awake.set()
 
     def status_changed(self) -> None:
-        """Look at the recordings when one began or ended."""
-        if self._growing() != self._was_growing:
-            self._was_growing = self._growing()
+        """Look at the recordings when one began or ended, and when the flight process came or went."""
+        now = (self._is_known(), self._growing())
+        if now != self._was:
+            self._was = now
             self.wake()
 
     async def search(self, wanted: Wanted) -> tuple[list[Row], int]:
@@ -169,11 +172,11 @@ class Flights:
 
     async def policy(self) -> Policy:
         """What happens when the disk fills."""
-        return await self.in_thread(read_policy, self.places.policy)
+        return await self._policy.now()
 
     async def set_policy(self, policy: Policy) -> None:
-        """Choose what happens when the disk fills. Raises ConflictError where the disk refuses."""
-        await self._writing(write_policy, self.places.policy, policy)
+        """Choose what happens when the disk fills. Raises GatewayError while the flight process is away."""
+        await self._policy.choose(policy)
         self._room_at_s = 0.0
         self.wake()
 

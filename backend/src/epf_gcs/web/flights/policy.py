@@ -1,39 +1,48 @@
-"""What happens when the disk fills, as the person chose it: by default nothing is deleted."""
+"""What happens when the disk fills, as the person chose it. The flight process keeps the choice, for it records."""
 
 from __future__ import annotations
 
+from collections.abc import Awaitable, Callable
 from dataclasses import asdict, dataclass
-from pathlib import Path
-from typing import Final
+from typing import Any, Final
 
-import orjson
+from epf_gcs.errors import GatewayError
 
-from epf_gcs.disk import replace_file
+_KEEP_FREE_BYTES: Final = 1_000_000_000
 
-_KEEP_FREE_BYTES: Final = 5_000_000_000
+Ask = Callable[..., Awaitable[Any]]
+"""Asks the flight process: a request's name and its arguments. Raises GatewayError."""
 
 
 @dataclass(frozen=True, slots=True)
 class Policy:
     """With `delete_oldest`, the bin and then the oldest flights that are not pinned are deleted for good until
-    `keep_free_bytes` are free."""
+    `keep_free_bytes` are free; without, recording stops there."""
 
     delete_oldest: bool = False
     keep_free_bytes: int = _KEEP_FREE_BYTES
 
 
-def read_policy(path: Path) -> Policy:
-    """The choice; the default, which deletes nothing, where there is none or it cannot be read."""
-    try:
-        found = orjson.loads(path.read_bytes())
-        delete_oldest, keep_free_bytes = found["delete_oldest"], found["keep_free_bytes"]
-    except (OSError, ValueError, LookupError, TypeError):
-        return Policy()
-    is_right = isinstance(delete_oldest, bool) and type(keep_free_bytes) is int
-    return Policy(delete_oldest, keep_free_bytes) if is_right else Policy()
+class PolicyChoice:
+    """The choice, asked for once; until the flight process has answered it is the default, which deletes nothing."""
+
+    def __init__(self, ask: Ask) -> None:
+        self._ask = ask
+        self._known: Policy | None = None
+
+    async def now(self) -> Policy:
+        """The choice."""
+        if self._known is None:
+            try:
+                self._known = _policy(await self._ask("recording.policy", None))
+            except GatewayError:
+                return Policy()
+        return self._known
+
+    async def choose(self, policy: Policy) -> None:
+        """Change it. Raises GatewayError while the flight process is away."""
+        self._known = _policy(await self._ask("recording.policy", None, **asdict(policy)))
 
 
-def write_policy(path: Path, policy: Policy) -> None:
-    """Keep the choice. Raises OSError."""
-    path.parent.mkdir(parents=True, exist_ok=True)
-    replace_file(path, orjson.dumps(asdict(policy)))
+def _policy(answer: Any) -> Policy:
+    return Policy(answer["delete_oldest"], answer["keep_free_bytes"])

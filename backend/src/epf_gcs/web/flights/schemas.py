@@ -128,7 +128,7 @@ class Flight(Output):
 
 class FlightPolicy(Output):
     """What happens when the disk fills: with `delete_oldest` the oldest flights that are not pinned are deleted
-    until `keep_free_bytes` are free."""
+    until `keep_free_bytes` are free; without, recording stops there."""
 
     delete_oldest: bool
     keep_free_bytes: int
