@@ -39,6 +39,9 @@ class MadeFlight:
             raise NotFoundError("signal_unknown", "no such field")
         return Samples(np.asarray(t_s, dtype=float), np.asarray(fields[field], dtype=float))
 
+    def replace(self, topic: str, t_s: Any, fields: dict[str, Any]) -> None:
+        self._samples[topic] = (t_s, fields)
+
     def notes(self) -> list[Note]:
         return self._notes
 
