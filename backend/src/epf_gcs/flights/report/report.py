@@ -1,4 +1,4 @@
-"""`report FILE [--compare FILE2]`: the report of an indexed flight, made once and kept beside its columns."""
+"""`report FILE [--compare FILE2] [--page LANGUAGE]`: the report of an indexed flight, kept beside its columns."""
 
 from __future__ import annotations
 
@@ -8,7 +8,6 @@ from typing import Any, Final
 
 import orjson
 
-from epf_gcs.errors import InvalidInputError
 from epf_gcs.flights.worker import Say
 from epf_gcs.recordings.places import SUMMARY, Places
 
@@ -20,17 +19,19 @@ Report = dict[str, Any]
 
 
 def run(arguments: list[str], say: Say) -> Report:
-    """The report, with the earlier flight's manoeuvres beside its own. Raises GatewayError, OSError."""
-    match arguments:
-        case [file]:
-            return report_of(Path(file).resolve(), say, 1.0)
-        case [file, "--compare", other]:
-            found = report_of(Path(file).resolve(), say, 0.5)
-            earlier = report_of(Path(other).resolve(), say, 1.0)
-            from epf_gcs.flights.report.compare import compare  # noqa: PLC0415 - loads numpy
+    """{"report"}, or {"page"} as HTML; the earlier flight stands beside its own. Raises GatewayError, OSError."""
+    file, options = arguments[0], dict(zip(arguments[1::2], arguments[2::2], strict=True))
+    found = report_of(Path(file).resolve(), say, 0.5)
+    if "--compare" in options:
+        earlier = report_of(Path(options["--compare"]).resolve(), say, 0.9)
+        from epf_gcs.flights.report.compare import compare  # noqa: PLC0415 - loads numpy
 
-            return compare(found, earlier)
-    raise InvalidInputError("recording_unreadable", "report FILE [--compare FILE2]", reason="report FILE")
+        found = compare(found, earlier)
+    if "--page" in options:
+        from epf_gcs.flights.report.page import page  # noqa: PLC0415 - only where it is asked for
+
+        return {"page": page(found, options["--page"])}
+    return {"report": found}
 
 
 def report_of(recording: Path, say: Say, share: float) -> Report:
