@@ -1,8 +1,11 @@
 import { useEffect, useMemo, useRef } from "react";
 import { useTranslation } from "react-i18next";
+import { useStore } from "zustand";
 import { AhrsTestBanner } from "../features/ahrs/AhrsTestBanner";
 import { AlarmBar } from "../features/alarms/AlarmBar";
-import { useSettings } from "../store/hooks";
+import { PresentStrip } from "../features/playback/PresentStrip";
+import { TimeBar } from "../features/playback/TimeBar";
+import { PageContext, usePage, usePart, useSettings } from "../store/hooks";
 import { applyTheme } from "../theme/theme";
 import { WordsProvider } from "../ui/words";
 import "./app.css";
@@ -13,7 +16,9 @@ import { Header } from "./Header";
 import { LeftPanel } from "./LeftPanel";
 import { MainTabs } from "./MainTabs";
 import { motionOf } from "./motion";
+import { SHOWN } from "./past";
 import { StatusBar } from "./StatusBar";
+import { areKeysOn } from "./shortcuts/choice";
 import { Shortcuts } from "./shortcuts/Shortcuts";
 import { Tuning } from "./Tuning";
 import { Dock } from "./toolbars/Dock";
@@ -21,8 +26,14 @@ import { MovedContext } from "./toolbars/MovableToolbar";
 import { useLeaveWarning } from "./useLeaveWarning";
 import { useTitle } from "./useTitle";
 
-/** The whole window: header, toolbars, alarms, left panel and main tabs, status bar. */
+/**
+ * The whole window: header, toolbars, alarms, left panel and main tabs, time bar, status bar. Alarms, the time bar and
+ * the strip of the present are always of the present; all else reads the page that is shown.
+ */
 export function App() {
+  const present = usePage();
+  const shown = useStore(usePart(SHOWN), ({ page }) => page);
+  const isPast = shown.past !== null;
   const { t, i18n } = useTranslation();
   const language = useSettings((settings) => settings.language);
   const theme = useSettings((settings) => settings.theme);
@@ -36,11 +47,12 @@ export function App() {
     document.documentElement.dataset["motion"] = motion;
   }, [motion]);
   useTitle();
+  const hasKeys = useSettings(areKeysOn);
   useLeaveWarning();
   const moved = useRef<string | null>(null);
   const words = useMemo(
     () => ({
-      live: t("words.live"),
+      live: t(isPast ? "words.past" : "words.live"),
       stale: t("words.stale"),
       noData: t("words.noData"),
       pending: t("words.pending"),
@@ -62,41 +74,50 @@ export function App() {
       stillIs: (value: string) => t("words.stillIs", { value }),
       refusedEdit: (text: string, why: string) => t("words.refusedEdit", { text, why }),
     }),
-    [t],
+    [t, isPast],
   );
   return (
     <WordsProvider words={words}>
-      <DialogsProvider>
-        <MovedContext value={moved}>
-          <div className="app">
-            <header className="app-top">
-              <Header />
-            </header>
-            <Dock edge="top" />
-            <div className="app-warnings">
-              <EmulationBanner />
-              <AhrsTestBanner />
-              <SourceBanner />
-              <AlarmBar />
-            </div>
-            <div className="app-middle">
-              <Dock edge="left" />
-              <div className="app-body">
-                <LeftPanel />
-                <main className="app-main">
-                  <MainTabs />
-                  <Tuning />
-                </main>
+      <PageContext value={shown}>
+        <DialogsProvider>
+          <MovedContext value={moved}>
+            <div className="app" data-past={isPast}>
+              <header className="app-top">
+                <PageContext value={present}>{isPast && <PresentStrip />}</PageContext>
+                <Header present={present} />
+              </header>
+              <Dock edge="top" />
+              <div className="app-warnings">
+                <EmulationBanner />
+                <AhrsTestBanner />
+                <SourceBanner />
+                <PageContext value={present}>
+                  <AlarmBar />
+                </PageContext>
               </div>
-              <Dock edge="right" />
+              <div className="app-middle">
+                <Dock edge="left" />
+                {/* Another page, other components: nothing that one of them remembers is of the other page. */}
+                <div className="app-body" key={shown.key}>
+                  <LeftPanel />
+                  <main className="app-main">
+                    <MainTabs />
+                    <Tuning />
+                  </main>
+                </div>
+                <Dock edge="right" />
+              </div>
+              <Dock edge="bottom" />
+              <PageContext value={present}>
+                <TimeBar hasKeys={hasKeys} />
+              </PageContext>
+              <StatusBar />
+              <Dock edge="floating" />
             </div>
-            <Dock edge="bottom" />
-            <StatusBar />
-            <Dock edge="floating" />
-          </div>
-          <Shortcuts />
-        </MovedContext>
-      </DialogsProvider>
+            <Shortcuts />
+          </MovedContext>
+        </DialogsProvider>
+      </PageContext>
     </WordsProvider>
   );
 }

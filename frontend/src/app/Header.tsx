@@ -1,7 +1,8 @@
 import { useTranslation } from "react-i18next";
+import { usePlayback } from "../features/playback/usePlayback";
 import { ACTIONS } from "../requests/actions";
 import { useAsked } from "../requests/useAsked";
-import { useConnection, usePage, usePart, useSettings } from "../store/hooks";
+import { type Page, PageContext, useConnection, usePage, usePart, useSettings } from "../store/hooks";
 import { LANGUAGES } from "../store/settings";
 import { THEMES } from "../theme/theme";
 import { Button } from "../ui/Button";
@@ -9,8 +10,8 @@ import { SegmentedSwitch } from "../ui/SegmentedSwitch";
 import { Select } from "../ui/Select";
 import { Menus } from "./menu/Menus";
 
-/** Top row: title, menus, who has control, language and theme. */
-export function Header() {
+/** Top row: title, menus, who has control now, language and theme. */
+export function Header({ present }: { present: Page }) {
   const { t } = useTranslation();
   return (
     <div className="app-header">
@@ -20,7 +21,9 @@ export function Header() {
       </h1>
       <Menus />
       <div className="app-header-right">
-        <ControlHolder />
+        <PageContext value={present}>
+          <ControlHolder />
+        </PageContext>
         <LanguageSwitch />
         <ThemeSelect />
       </div>
@@ -33,6 +36,8 @@ function ControlHolder() {
   const { t } = useTranslation();
   const actions = usePart(ACTIONS);
   const { state, stateText } = useAsked("control");
+  const isPast = usePlayback(({ flight }) => flight !== null);
+  const past = isPast ? t("blocked.past") : undefined;
   const isOpen = useConnection(({ phase }) => phase === "open");
   const control = useConnection(({ status }) => status?.control ?? null);
   const client = useConnection((connection) => connection.client);
@@ -47,6 +52,7 @@ function ControlHolder() {
           onPress={() => void actions.releaseControl({ control: "control" })}
           state={state}
           stateText={stateText}
+          disabledReason={past}
         >
           {t("control.release")}
         </Button>
@@ -61,7 +67,7 @@ function ControlHolder() {
         onPress={() => void actions.takeControl({ control: "control" })}
         state={state}
         stateText={stateText}
-        disabledReason={holder === null ? undefined : t("blocked.held", { name: holder })}
+        disabledReason={past ?? (holder === null ? undefined : t("blocked.held", { name: holder }))}
       >
         {t("control.take")}
       </Button>

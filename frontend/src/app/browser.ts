@@ -1,6 +1,8 @@
 import { browserSounder, browserSpeaker } from "../features/alarms/browserAlarms";
 import { browserGamepads } from "../features/gamepad/browserGamepads";
 import type { BrowserStorage } from "../store/settings";
+import type { UploadInit } from "../transport/rest";
+import type { Wire, WireListener } from "../transport/socket";
 import type { World } from "./page";
 
 /** How often the page is painted at most, in hertz. */
@@ -17,23 +19,14 @@ export function browserWorld(window: Window & typeof globalThis): World {
       },
     },
     wall_ms: () => Date.now(),
-    dial: (client, { onMessage, onClose }) => {
-      const address = new URL("/api/v1/stream", window.location.href);
-      address.protocol = address.protocol === "https:" ? "wss:" : "ws:";
-      address.searchParams.set("rate", String(RATE_HZ));
-      if (client !== null) {
-        address.searchParams.set("client", client);
-      }
-      const socket = new WebSocket(address);
-      socket.addEventListener("message", ({ data }) => onMessage(data));
-      socket.addEventListener("close", onClose);
-      return {
-        send: (text) => socket.send(text),
-        unsent_bytes: () => socket.bufferedAmount,
-        close: () => socket.close(),
-      };
+    dial: (client, listener) => dial(window, client === null ? {} : { client }, listener),
+    dialFlight: ({ flight, at_s }, listener) => dial(window, { flight, at_s: at_s.toFixed(3) }, listener),
+    address: {
+      read: () => window.location.href,
+      replace: (address) => window.history.replaceState(null, "", address),
     },
     fetch: (path, init) => window.fetch(path, init),
+    upload: (path, init) => upload(window, path, init),
     animationFrames: {
       request: (callback) => window.requestAnimationFrame(callback),
       cancel: (handle) => window.cancelAnimationFrame(handle),
@@ -54,6 +47,51 @@ export function browserWorld(window: Window & typeof globalThis): World {
     tabStorage: storageOf(() => window.sessionStorage),
     sounder: browserSounder(window),
     speaker: browserSpeaker(window),
+  };
+}
+
+/** By the older interface: `fetch` does not tell how much of a body is sent. */
+function upload(
+  window: Window & typeof globalThis,
+  path: string,
+  { headers, body, onSent, signal }: UploadInit,
+): Promise<Response> {
+  return new Promise((resolve, reject) => {
+    const request = new window.XMLHttpRequest();
+    request.open("POST", path);
+    for (const [name, value] of Object.entries(headers)) {
+      request.setRequestHeader(name, value);
+    }
+    request.upload.addEventListener("progress", ({ loaded }) => onSent(loaded));
+    request.addEventListener("load", () =>
+      resolve(new Response(request.responseText, { status: request.status })),
+    );
+    for (const end of ["error", "abort", "timeout"]) {
+      request.addEventListener(end, () => reject(new TypeError(end)));
+    }
+    signal.addEventListener("abort", () => request.abort());
+    request.send(body);
+  });
+}
+
+function dial(
+  window: Window & typeof globalThis,
+  query: Readonly<Record<string, string>>,
+  { onMessage, onClose }: WireListener,
+): Wire {
+  const address = new URL("/api/v1/stream", window.location.href);
+  address.search = "";
+  address.protocol = address.protocol === "https:" ? "wss:" : "ws:";
+  for (const [name, value] of Object.entries({ rate: String(RATE_HZ), ...query })) {
+    address.searchParams.set(name, value);
+  }
+  const socket = new WebSocket(address);
+  socket.addEventListener("message", ({ data }) => onMessage(data));
+  socket.addEventListener("close", onClose);
+  return {
+    send: (text) => socket.send(text),
+    unsent_bytes: () => socket.bufferedAmount,
+    close: () => socket.close(),
   };
 }
 

@@ -10,6 +10,8 @@ import emulationEn from "../features/emulation/emulation.en.json";
 import emulationEs from "../features/emulation/emulation.es.json";
 import flightEn from "../features/flight/flight.en.json";
 import flightEs from "../features/flight/flight.es.json";
+import flightsEn from "../features/flights/flights.en.json";
+import flightsEs from "../features/flights/flights.es.json";
 import gamepadEn from "../features/gamepad/gamepad.en.json";
 import gamepadEs from "../features/gamepad/gamepad.es.json";
 import guideEn from "../features/guide/guide.en.json";
@@ -20,6 +22,8 @@ import messagesEn from "../features/messages/messages.en.json";
 import messagesEs from "../features/messages/messages.es.json";
 import parametersEn from "../features/parameters/parameters.en.json";
 import parametersEs from "../features/parameters/parameters.es.json";
+import playbackEn from "../features/playback/playback.en.json";
+import playbackEs from "../features/playback/playback.es.json";
 import servosEn from "../features/servos/servos.en.json";
 import servosEs from "../features/servos/servos.es.json";
 import setupEn from "../features/setup/setup.en.json";
@@ -47,11 +51,13 @@ export const CATALOGUES = {
     ...controlsEs,
     ...emulationEs,
     ...flightEs,
+    ...flightsEs,
     ...gamepadEs,
     ...guideEs,
     ...mapEs,
     ...messagesEs,
     ...parametersEs,
+    ...playbackEs,
     ...servosEs,
     ...setupEs,
     ...sixEs,
@@ -68,11 +74,13 @@ export const CATALOGUES = {
     ...controlsEn,
     ...emulationEn,
     ...flightEn,
+    ...flightsEn,
     ...gamepadEn,
     ...guideEn,
     ...mapEn,
     ...messagesEn,
     ...parametersEn,
+    ...playbackEn,
     ...servosEn,
     ...setupEn,
     ...sixEn,

@@ -11,6 +11,9 @@ import {
   takeHeartbeats,
 } from "../features/controls/sourceReturn";
 import { createEmulation, EMULATION } from "../features/emulation/emulationRequests";
+import { createFlightComparison, FLIGHT_COMPARISON } from "../features/flights/flightComparison";
+import { FLIGHTS } from "../features/flights/flightLibrary";
+import { createFlights } from "../features/flights/flightRequests";
 import { createGamepadInput, type GamepadReader } from "../features/gamepad/gamepadInput";
 import { GAMEPADS } from "../features/gamepad/gamepadList";
 import { MAP_LAYERS } from "../features/map/layers/layerList";
@@ -22,6 +25,8 @@ import { createTrackLog } from "../features/map/trackRequests";
 import { createInspector, INSPECTOR } from "../features/messages/inspectorRequests";
 import { createParameterActions, takeParameterEvent } from "../features/parameters/parameterRequests";
 import { createParameters, forget, PARAMETER_REQUESTS } from "../features/parameters/parameterValues";
+import { type AddressLine, createFlightAddress, type PlaceInTime } from "../features/playback/flightAddress";
+import { createPlayback, PLAYBACK, type Playback } from "../features/playback/playbackRequests";
 import { SERVO_SLIDERS } from "../features/servos/servoPositions";
 import { createServoSliders } from "../features/servos/servoSliders";
 import { BOARD_CONSOLE } from "../features/setup/consoleLog";
@@ -34,26 +39,28 @@ import { BOARD_RESTARTED } from "../protocol/boardRestart";
 import type { StreamEvent, StreamMessage } from "../protocol/envelope";
 import type { Status } from "../protocol/status";
 import { ACTIONS, createActions } from "../requests/actions";
+import { refusedInPast } from "../requests/pastGuard";
 import { createCommands } from "../store/commands";
-import { createConnection } from "../store/connection";
-import { DamageRate } from "../store/damage";
 import type { Page } from "../store/hooks";
 import { createMessages, type Message, say } from "../store/messages";
 import { Parts } from "../store/parts";
 import { Pump } from "../store/pump";
-import { StreamRates } from "../store/rates";
 import { type BrowserStorage, createSettings } from "../store/settings";
-import { TelemetryStore } from "../store/telemetry";
-import { Rest } from "../transport/rest";
+import { Rest, type UploadInit } from "../transport/rest";
 import { StreamSocket, type Wire, type WireListener } from "../transport/socket";
 import { eventMessage, linkMessages } from "./announcements";
+import { createPasts, SHOWN } from "./past";
+import { createVehicle } from "./vehicle";
 
 /** What the page needs from outside: given by a browser's window, or by a test. */
 export interface World {
   readonly timers: Timers;
   readonly wall_ms: () => number;
   readonly dial: (client: string | null, listener: WireListener) => Wire;
+  /** Connects to the stream of a flight of the past, from a moment on. */
+  readonly dialFlight: (place: PlaceInTime, listener: WireListener) => Wire;
   readonly fetch: (path: string, init: RequestInit) => Promise<Response>;
+  readonly upload: (path: string, init: UploadInit) => Promise<Response>;
   readonly animationFrames: AnimationFrames;
   /** `storage` outlives the browser; `tabStorage` lasts until this browser tab is closed. */
   readonly storage: BrowserStorage | null;
@@ -61,6 +68,7 @@ export interface World {
   readonly sounder: Sounder;
   readonly speaker: Speaker;
   readonly gamepads: GamepadReader;
+  readonly address: AddressLine;
   /** Saves a file on the user's computer. */
   readonly saveFile: (name: string, content: Blob) => void;
   /** Reports an exception in the page's own code: to the browser's console. */
@@ -75,18 +83,16 @@ export function createPage(world: World): {
   readonly start: () => void;
   readonly stop: () => void;
 } {
-  const telemetry = new TelemetryStore();
-  const connection = createConnection();
+  const vehicle = createVehicle();
+  const { telemetry, connection } = vehicle;
   const commands = createCommands();
   const messages = createMessages();
   const settings = createSettings(world.storage);
   const parameterValues = createParameters();
   const plans = createPlans(world.storage);
   const sourceReturn = createSourceReturn();
-  const damage = new DamageRate();
-  const rates = new StreamRates();
   const now_ms = world.timers.now_ms;
-  const pump = new Pump(world.animationFrames, () => telemetry.revision, now_ms(), fail);
+  const pump = new Pump(world.animationFrames, () => telemetry.revision + pasts.revision(), now_ms(), fail);
   const client = (): string | null => connection.getState().client;
   const tell = (message: Message): void => say(messages, message, world.wall_ms());
 
@@ -96,26 +102,20 @@ export function createPage(world: World): {
     world.report(error);
   }
 
-  function takeStatus(status: Status, at_ms: number): void {
-    telemetry.heard(at_ms);
+  function malformed(): void {
+    connection.setState((before) => ({ malformed: before.malformed + 1 }));
+    tell({ level: "error", key: "said.malformed", params: {} });
+  }
+
+  /** Called before the vehicle takes the status: what changed is found by comparing. */
+  function followStatus(status: Status): void {
+    const before = connection.getState().status;
     servos.takeStatus(status);
-    linkMessages(connection.getState().status, status).forEach(tell);
-    const board = connection.getState().status?.board ?? null;
-    takePlanStatus(plans, board, status.board);
-    if (board !== null && board.url !== status.board.url) {
+    linkMessages(before, status).forEach(tell);
+    takePlanStatus(plans, before?.board ?? null, status.board);
+    if (before !== null && before.board.url !== status.board.url) {
       sourceReturn.setState(NOTHING_LEFT_OFF);
     }
-    telemetry.setStaleAfter(
-      Object.entries(status.topics).map(([topic, { stale_after_s }]) => [topic, stale_after_s]),
-    );
-    const counts = Object.fromEntries(
-      Object.entries(status.topics).map(([topic, { count }]) => [topic, count]),
-    );
-    connection.setState({
-      status,
-      damagedLastSecond: damage.observe(status.board.frames_damaged, at_ms),
-      rates_hz: rates.observe(status.server_time_s, counts),
-    });
   }
 
   function takeEvent(message: StreamEvent): void {
@@ -125,6 +125,7 @@ export function createPage(world: World): {
     takePlanEvent(plans, message, client());
     takeMapEvent(message);
     takeTrackEvent(message);
+    takeFlightEvent(message);
     gamepads.takeEvent(message);
     takeAlarmEvent(alarmLog.store, message);
     if (message.event === BOARD_RESTARTED) {
@@ -138,26 +139,17 @@ export function createPage(world: World): {
   }
 
   function take(message: StreamMessage, at_ms: number): void {
-    switch (message.type) {
-      case "batch":
-        telemetry.apply(message.t_s, message.samples, at_ms);
-        takeHeartbeats(sourceReturn, message.samples);
-        if (message.rows !== null) {
-          telemetry.applyRows(message.rows);
-        }
-        return;
-      case "status":
-        takeStatus(message.data, at_ms);
-        return;
-      case "event":
-        telemetry.heard(at_ms);
-        takeEvent(message);
-        return;
-      case "hello":
-        telemetry.greet(message.server_time_s, at_ms);
-        connection.setState({ client: message.client });
-        remember(world.tabStorage, message.client);
-        takeStatus(message.status, at_ms);
+    if (message.type === "status") {
+      followStatus(message.data);
+    } else if (message.type === "hello") {
+      followStatus(message.status);
+      remember(world.tabStorage, message.client);
+    }
+    vehicle.take(message, at_ms);
+    if (message.type === "batch") {
+      takeHeartbeats(sourceReturn, message.samples);
+    } else if (message.type === "event") {
+      takeEvent(message);
     }
   }
 
@@ -167,17 +159,19 @@ export function createPage(world: World): {
     onMessage: take,
     onState: ({ kind }) => {
       if (kind !== "open") {
-        telemetry.silence();
         forget(parameterValues);
       }
-      connection.setState({ phase: kind });
+      vehicle.become(kind);
     },
-    onMalformed: () => {
-      connection.setState(({ malformed }) => ({ malformed: malformed + 1 }));
-      tell({ level: "error", key: "said.malformed", params: {} });
-    },
+    onMalformed: malformed,
   });
-  const rest = new Rest({ fetch: world.fetch, client });
+  const rest = new Rest({
+    fetch: world.fetch,
+    upload: world.upload,
+    client,
+    refuse: (method, path) =>
+      playback.store.getState().flight === null ? null : refusedInPast(method, path),
+  });
   const asking = { rest, commands, messages, now_ms, wall_ms: world.wall_ms };
   const servos = createServoSliders({ rest, timers: world.timers, client, tell });
   const { boardConsole, takeEvent: takeConsole } = createBoardConsole({ rest, wall_ms: world.wall_ms });
@@ -202,7 +196,21 @@ export function createPage(world: World): {
   });
   const { mapLayers, takeMapEvent } = createMapLayerActions({ ...asking, timers: world.timers });
   const { trackLog, takeTrackEvent } = createTrackLog({ rest, timers: world.timers, report: fail });
+  const address = createFlightAddress(world.address, world.timers);
+  const playback: Playback = createPlayback({
+    rest,
+    timers: world.timers,
+    address,
+    open: (place, listener) => pasts.open(place, listener),
+  });
+  const { flights, takeFlightEvent } = createFlights({
+    ...asking,
+    timers: world.timers,
+    connection,
+    openFlight: playback.openFlight,
+  });
   const parts = new Parts()
+    .with(PLAYBACK, playback)
     .with(ACTIONS, actions)
     .with(ALARM_LOG, alarmLog)
     .with(PARAMETER_REQUESTS, createParameterActions(parameterValues, asking))
@@ -216,25 +224,45 @@ export function createPage(world: World): {
     .with(SERVO_SLIDERS, servos.sliders)
     .with(GAMEPADS, gamepads.gamepads)
     .with(BOARD_CONSOLE, boardConsole)
+    .with(FLIGHTS, flights)
+    .with(FLIGHT_COMPARISON, createFlightComparison())
     .with(INSPECTOR, createInspector(rest))
     .with(EMULATION, createEmulation(asking))
     .with(ABOUT, createAbout(asking));
+  const page: Page = {
+    telemetry,
+    pump,
+    connection,
+    commands,
+    messages,
+    settings,
+    parts,
+    past: null,
+    key: 0,
+    saveFile: world.saveFile,
+  };
+  const pasts = createPasts({
+    present: page,
+    asking,
+    timers: world.timers,
+    playback,
+    dial: world.dialFlight,
+    onMalformed: malformed,
+    report: fail,
+  });
+  parts.with(SHOWN, pasts.shown);
   return {
-    page: {
-      telemetry,
-      pump,
-      connection,
-      commands,
-      messages,
-      settings,
-      parts,
-      saveFile: world.saveFile,
-    },
+    page,
     start: () => {
       socket.start();
       gamepads.start();
+      const opened = address.opened();
+      if (opened !== null) {
+        playback.openFlight(opened.flight, opened.at_s);
+      }
     },
     stop: () => {
+      playback.now();
       gamepads.stop();
       socket.stop();
     },

@@ -1,9 +1,12 @@
 import { useEffect } from "react";
 import { useTranslation } from "react-i18next";
+import { moment_s } from "../features/playback/playbackState";
+import { usePlayback } from "../features/playback/usePlayback";
+import { formatDateTime } from "../lib/moment";
 import type { Status } from "../protocol/status";
 import { useConnection } from "../store/hooks";
 
-/** Shows the state of the board's link in the window's title, where it is seen from other windows too. */
+/** Shows that the past is shown and which, or the state of the board's link in the window's title, with the number of alarms of the present, where it is seen from other windows too. */
 export function useTitle(): void {
   const { t } = useTranslation();
   const state = useConnection(({ status, phase }) =>
@@ -11,9 +14,17 @@ export function useTitle(): void {
   );
   const alarms = useConnection(({ status, phase }) => (phase === "open" ? lasting(status) : 0));
   const title = t("window.title", { state: t(`link.${state}`), name: t("app.name") });
+  // Whole seconds: the title must not change with every message of a flight that plays.
+  const past_s = usePlayback((playback) =>
+    playback.flight === null ? null : Math.floor(moment_s(playback) ?? 0),
+  );
+  const shown =
+    past_s === null
+      ? title
+      : t("time.title", { clock: past_s === 0 ? "" : formatDateTime(past_s), title: t("app.name") });
   useEffect(() => {
-    document.title = alarms === 0 ? title : `(${alarms}) ${title}`;
-  }, [alarms, title]);
+    document.title = alarms === 0 ? shown : `(${alarms}) ${shown}`;
+  }, [alarms, shown]);
 }
 
 /** Number of active alarms; the gateway also lists the recovered ones. */

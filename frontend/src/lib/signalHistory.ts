@@ -36,6 +36,12 @@ export class SignalHistory {
     this.#count = Math.min(this.#count + 1, this.#capacity);
   }
 
+  /** Forget every row. */
+  clear(): void {
+    this.#next = 0;
+    this.#count = 0;
+  }
+
   /** The rows of the last `window_s` before `now_s`: seconds relative to now (zero or less), and each signal's values. */
   window(now_s: number, window_s: number): HistoryWindow {
     const before_s: number[] = [];

@@ -1,5 +1,5 @@
 import { dictionary, isNumber, isObject, isText, list, nullable, oneOf } from "../lib/check";
-import { isStatus, type Status } from "./guards.gen";
+import { isPlayback, isStatus, type Playback, type Status } from "./guards.gen";
 import { FIELD_KINDS } from "./topics";
 
 /** One message of a topic: when the gateway had it (Unix seconds of its clock) and what it said; null is "no data". */
@@ -23,6 +23,13 @@ export interface Hello {
   readonly role: "operator" | "viewer";
   readonly server_time_s: number;
   readonly status: Status;
+  /** The flight that is played back; null on the live stream. */
+  readonly flight: { readonly id: string; readonly starts_s: number; readonly duration_s: number } | null;
+}
+
+export interface PlaybackMessage {
+  readonly type: "playback";
+  readonly position: Playback;
 }
 
 export interface Batch {
@@ -46,7 +53,7 @@ export interface StreamEvent {
   readonly data: Readonly<Record<string, unknown>>;
 }
 
-export type StreamMessage = Hello | Batch | StatusMessage | StreamEvent;
+export type StreamMessage = Hello | Batch | StatusMessage | StreamEvent | PlaybackMessage;
 
 /** What a text off the socket says, or null when any part of it is not as agreed. */
 export function parseMessage(text: string): StreamMessage | null {
@@ -66,6 +73,8 @@ export function parseMessage(text: string): StreamMessage | null {
         return event(value);
       case "hello":
         return hello(value);
+      case "playback":
+        return isPlayback(value) ? { type: "playback", position: value } : null;
       default:
         return null;
     }
@@ -89,9 +98,25 @@ const isRole = oneOf("operator", "viewer");
 
 function hello(value: Json): Hello | null {
   const { version, client, role, server_time_s, status } = value;
-  return isText(version) && isText(client) && isRole(role) && isNumber(server_time_s) && isStatus(status)
-    ? { type: "hello", version, client, role, server_time_s, status }
+  const flight = flightOf(value);
+  return isText(version) &&
+    isText(client) &&
+    isRole(role) &&
+    isNumber(server_time_s) &&
+    isStatus(status) &&
+    flight !== undefined
+    ? { type: "hello", version, client, role, server_time_s, status, flight }
     : null;
+}
+
+/** The flight of a hello; null if it names none, undefined if it is malformed. */
+function flightOf({ flight, starts_s, duration_s }: Json): Hello["flight"] | undefined {
+  if (flight == null) {
+    return null;
+  }
+  return isText(flight) && isNumber(starts_s) && isNumber(duration_s)
+    ? { id: flight, starts_s, duration_s }
+    : undefined;
 }
 
 function event(value: Json): StreamEvent | null {

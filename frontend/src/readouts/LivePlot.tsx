@@ -71,8 +71,8 @@ export function LivePlot({ signals, window_s = 30, height, label }: Props) {
   );
 
   const paint = useCallback(
-    (_: TelemetryStore, now_ms: number) => {
-      const window = (isPaused ? frozen.current : null) ?? recording(now_ms);
+    (telemetry: TelemetryStore, now_ms: number) => {
+      const window = (isPaused ? frozen.current : null) ?? recording(telemetry, now_ms);
       frozen.current = window;
       // A paused plot is redrawn only when its signals change.
       if (plot.current !== null && !(isPaused && drawn.current === shown)) {
@@ -137,7 +137,7 @@ function identity(signals: readonly Signal[]): string {
 }
 
 /** The signals' values in the window that ends now. */
-type Recording = (now_ms: number) => HistoryWindow;
+type Recording = (telemetry: TelemetryStore, now_ms: number) => HistoryWindow;
 
 /**
  * Records the signals' values in each animation frame. Signals that stay keep their past when others are added or
@@ -151,11 +151,18 @@ function useRecording(signals: readonly Signal[], window_s: number): Recording {
     history.current = history.current?.withKeys(keys, capacity) ?? new SignalHistory(keys, capacity);
   }, [keys, capacity]);
 
-  const last = useRef({ at_ms: Number.NEGATIVE_INFINITY, values: "" });
+  const last = useRef({ at_ms: Number.NEGATIVE_INFINITY, values: "", jumps: 0 });
   const keep = useCallback(
-    (telemetry: TelemetryStore, now_ms: number) => {
+    (telemetry: TelemetryStore, page_ms: number) => {
+      const now_ms = telemetry.axis_s(page_ms) * 1000;
+      const { jumps } = telemetry;
+      if (jumps !== last.current.jumps) {
+        // A playback went back: what was recorded lies after what comes.
+        last.current = { at_ms: Number.NEGATIVE_INFINITY, values: "", jumps };
+        history.current?.clear();
+      }
       const values = new Map(
-        signals.map((signal) => [signalKey(signal), liveSignal(telemetry, signal, now_ms)]),
+        signals.map((signal) => [signalKey(signal), liveSignal(telemetry, signal, page_ms)]),
       );
       const text = [...values.values()].join();
       const since_ms = now_ms - last.current.at_ms;
@@ -163,7 +170,7 @@ function useRecording(signals: readonly Signal[], window_s: number): Recording {
         if (since_ms > LAPSE_MS) {
           history.current?.append(now_ms / 1000, () => null);
         }
-        last.current = { at_ms: now_ms, values: text };
+        last.current = { at_ms: now_ms, values: text, jumps };
         history.current?.append(now_ms / 1000, (name) => values.get(name) ?? null);
       }
     },
@@ -172,7 +179,8 @@ function useRecording(signals: readonly Signal[], window_s: number): Recording {
   usePaint("movement", keep);
 
   return useCallback(
-    (now_ms) => history.current?.window(now_ms / 1000, window_s) ?? { before_s: [], values: new Map() },
+    (telemetry, now_ms) =>
+      history.current?.window(telemetry.axis_s(now_ms), window_s) ?? { before_s: [], values: new Map() },
     [window_s],
   );
 }

@@ -1,7 +1,7 @@
 import { useTranslation } from "react-i18next";
-import { useConnection } from "../store/hooks";
+import { useConnection, useIsPast } from "../store/hooks";
 
-/** Why no request can be sent to the gateway now; undefined if it can. */
+/** Why no request can be sent to the gateway now; undefined if it can. While one looks at the past, nobody commands. */
 export function useGatewayBlocked(): string | undefined {
   const { t } = useTranslation();
   const isOpen = useConnection(({ phase }) => phase === "open");
@@ -9,6 +9,9 @@ export function useGatewayBlocked(): string | undefined {
     const control = status?.control;
     return control?.client == null || control.client === client ? null : (control.name ?? control.client);
   });
+  if (useIsPast()) {
+    return t("blocked.past");
+  }
   if (!isOpen) {
     return t("blocked.gateway");
   }

@@ -18,6 +18,10 @@ export interface Page {
   readonly settings: SettingsStore;
   /** Each feature's own part, read only by that feature and app. */
   readonly parts: Parts;
+  /** The flight of the past that these stores show; null: they show the present. */
+  readonly past: string | null;
+  /** Another number for each vehicle that is shown: components with a memory are made anew. */
+  readonly key: number;
   /** Saves a file on the user's computer. */
   readonly saveFile: (name: string, content: Blob) => void;
 }
@@ -35,6 +39,11 @@ export function usePage(): Page {
 /** The part of the page with this name. */
 export function usePart<T>(name: PartName<T>): T {
   return usePage().parts.get(name);
+}
+
+/** Whether what is shown here is the past. */
+export function useIsPast(): boolean {
+  return usePage().past !== null;
 }
 
 /** One value of a slow store; the component renders again when it changes. */

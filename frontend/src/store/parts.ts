@@ -18,6 +18,15 @@ export class Parts {
     return this;
   }
 
+  /** A copy in which some parts can be replaced. */
+  but(): Parts {
+    const copy = new Parts();
+    for (const [name, part] of this.#parts) {
+      copy.#parts.set(name, part);
+    }
+    return copy;
+  }
+
   get<T>(name: PartName<T>): T {
     if (!this.#parts.has(name)) {
       throw new Error(`the page was put together without its ${name.name}`);

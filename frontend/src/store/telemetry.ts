@@ -1,6 +1,6 @@
 import type { Sample, SimulatorRows } from "../protocol/envelope";
 import type { FlagField, NumberField, TopicName } from "../protocol/topics";
-import { ServerClock } from "./clock";
+import { FlightClock, ServerClock, type VehicleClock } from "./clock";
 
 /** `live`: recent. `stale`: received too long ago. `none`: never received. */
 export type DataState = "live" | "stale" | "none";
@@ -28,9 +28,36 @@ export class TelemetryStore {
   readonly #newest = new Map<string, Sample>();
   readonly #staleAfter_s = new Map<string, number>();
   readonly #rows = new Map<number, HeardRow>();
-  readonly #clock = new ServerClock();
+  readonly #clock: VehicleClock;
   #heard_ms = Number.NEGATIVE_INFINITY;
   #revision = 0;
+  #jumps = 0;
+  #made_s = Number.NEGATIVE_INFINITY;
+
+  /** `clock` is a `FlightClock` for a flight that is played back. */
+  constructor(clock: VehicleClock = new ServerClock()) {
+    this.#clock = clock;
+  }
+
+  /** Whether the samples are those of a flight that is played back. */
+  get isPast(): boolean {
+    return this.#clock instanceof FlightClock;
+  }
+
+  /** Changes whenever a playback went back in time: what was gathered before does not lead to what comes. */
+  get jumps(): number {
+    return this.#jumps;
+  }
+
+  /** The vehicle's time, Unix seconds: the gateway's now, or the moment of the flight; null before anything was heard. */
+  clock_s(now_ms: number): number | null {
+    return this.#clock.now_s(now_ms / 1000);
+  }
+
+  /** Seconds that a plot's time axis counts: the flight's in the past, else the page's own. */
+  axis_s(now_ms: number): number {
+    return this.isPast ? (this.#clock.now_s(now_ms / 1000) ?? 0) : now_ms / 1000;
+  }
 
   /** Changes whenever something new arrives. */
   get revision(): number {
@@ -58,6 +85,13 @@ export class TelemetryStore {
 
   /** A batch made at `made_s` of the gateway's clock. */
   apply(made_s: number, samples: readonly Sample[], now_ms: number): void {
+    if (this.isPast && made_s < this.#made_s) {
+      // Of the moment that was left nothing may stay: it had not happened yet.
+      this.#newest.clear();
+      this.#rows.clear();
+      this.#jumps += 1;
+    }
+    this.#made_s = made_s;
     this.#clock.observe(made_s, now_ms / 1000);
     this.heard(now_ms);
     for (const sample of samples) {
@@ -122,6 +156,11 @@ export class TelemetryStore {
   newestNumberOf(topic: TopicName, field: string): number | null {
     const value = this.#newest.get(topic)?.values[field];
     return typeof value === "number" ? value : null;
+  }
+
+  /** A value of a topic's newest sample, whatever its kind; null if there is none. */
+  newestValueOf(topic: TopicName, field: string): number | boolean | null {
+    return this.#newest.get(topic)?.values[field] ?? null;
   }
 
   /** `liveNumber` of a field whose name is only known at run time; null if the topic has no such field. */

@@ -5,6 +5,7 @@ import { App } from "../app/App";
 import { CATALOGUES } from "../app/catalogues";
 import { loadParts } from "../app/loadParts";
 import { createPage, type World } from "../app/page";
+import { SHOWN } from "../app/past";
 import { createI18n } from "../i18n/i18n";
 import type { Sample } from "../protocol/envelope";
 import type { Status } from "../protocol/status";
@@ -15,6 +16,7 @@ import { ManualAnimationFrames } from "./animationFrames";
 import { aStatus } from "./aStatus";
 import { installCanvas } from "./canvas";
 import { ManualGamepads } from "./gamepads";
+import { FakeReplay } from "./replay";
 import { ManualSounder, ManualSpeaker } from "./sound";
 import { ManualTimers, ManualWire } from "./wire";
 
@@ -49,6 +51,12 @@ export class Station {
   readonly wires: ManualWire[] = [];
   readonly asked: Asked[] = [];
   readonly clients: Array<string | null> = [];
+  /** Streams of flights of the past, and where each was asked to begin. */
+  readonly replays: FakeReplay[] = [];
+  /** The address of the page. */
+  url: string;
+  /** Files that the page sends; each is answered as the request of its path. */
+  readonly uploads: Array<{ readonly path: string; readonly onSent: (bytes: number) => void }> = [];
   /** The files that the page saved for the user. */
   readonly saved: Array<{ readonly name: string; readonly content: Blob }> = [];
   /** Exceptions in the page's own code. */
@@ -57,7 +65,8 @@ export class Station {
   #seq = 0;
 
   /** Shows the whole page, or the part of it that a test is about. */
-  constructor(shown: ReactElement = <App />) {
+  constructor(shown: ReactElement = <App />, url = "http://station/") {
+    this.url = url;
     installCanvas();
     const world: World = {
       timers: this.timers,
@@ -68,7 +77,24 @@ export class Station {
         this.clients.push(client);
         return wire;
       },
+      dialFlight: (place, listener) => {
+        const replay = new FakeReplay(place, listener);
+        this.replays.push(replay);
+        return replay.wire;
+      },
+      address: {
+        read: () => this.url,
+        replace: (address) => {
+          this.url = address;
+        },
+      },
       fetch: (path, init) => this.#ask(path, init),
+      upload: (path, { signal, onSent }) =>
+        new Promise((resolve, reject) => {
+          this.uploads.push({ path, onSent: (bytes) => act(() => onSent(bytes)) });
+          signal.addEventListener("abort", () => reject(new TypeError("abort")));
+          void this.#ask(path, { method: "POST" }).then(resolve, reject);
+        }),
       animationFrames: this.animationFrames,
       storage: new MemoryStorage(),
       tabStorage: new MemoryStorage(),
@@ -127,6 +153,26 @@ export class Station {
 
   deliver(message: unknown): void {
     act(() => this.wires.at(-1)?.deliver(message));
+    this.show();
+  }
+
+  /** The stream of the flight that was opened last. */
+  get replay(): FakeReplay {
+    const newest = this.replays.at(-1);
+    if (newest === undefined) {
+      throw new Error("no flight of the past was opened");
+    }
+    return newest;
+  }
+
+  /** The page that the tabs read: the present one, or that of the past. */
+  shown(): Page {
+    return this.page.parts.get(SHOWN).getState().page;
+  }
+
+  /** Let the replay say something, and show it. */
+  replayed(run: (replay: FakeReplay) => void): void {
+    act(() => run(this.replay));
     this.show();
   }
 

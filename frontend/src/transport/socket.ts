@@ -77,6 +77,15 @@ export class StreamSocket {
     }
   }
 
+  /** Send a request; false if the line is not well, and nothing was sent. */
+  ask(text: string): boolean {
+    if (this.#wire === null || this.#state.kind !== "open") {
+      return false;
+    }
+    this.#wire.send(text);
+    return true;
+  }
+
   #dial(): void {
     this.#become({ kind: "connecting" });
     this.#heard_ms = this.#options.timers.now_ms();

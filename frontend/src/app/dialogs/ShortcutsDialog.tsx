@@ -1,4 +1,6 @@
+import type { TFunction } from "i18next";
 import { useTranslation } from "react-i18next";
+import { TIME_KEYS } from "../../features/playback/timeKeys";
 import { useSentence } from "../../i18n/useSentence";
 import { useSettings } from "../../store/hooks";
 import { Notice } from "../../ui/Notice";
@@ -25,9 +27,29 @@ export function ShortcutsContent() {
             </dl>
           </section>
         ))}
+        <section aria-label={t("shortcutGroup.time")}>
+          <h3>{t("shortcutGroup.time")}</h3>
+          <dl className="keys-list">
+            {TIME_KEYS.map(({ keys, words }) => (
+              <div key={words} className="keys-row">
+                <dt>
+                  {keys.map((key) => (
+                    <kbd key={key}>{keyWord(t, key)}</kbd>
+                  ))}
+                </dt>
+                <dd>{t(`timeKey.${words}`)}</dd>
+              </div>
+            ))}
+          </dl>
+        </section>
       </div>
     </div>
   );
+}
+
+/** Keys that have a name of their own in a language. */
+function keyWord(t: TFunction, key: string): string {
+  return key === "Shift" ? t("shortcut.shift") : key === "Space" ? t("shortcut.space") : key;
 }
 
 function Key({ shortcut }: { shortcut: Shortcut }) {

@@ -2,6 +2,7 @@ import { useEffect, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useSentence } from "../../i18n/useSentence";
 import { usePage, useSettings } from "../../store/hooks";
+import { say } from "../../store/messages";
 import { useDialogs } from "../dialogs/dialogs";
 import { areKeysOn } from "./choice";
 import { nextStep } from "./keys";
@@ -27,17 +28,29 @@ export function Shortcuts() {
     }
     function press(event: KeyboardEvent): void {
       const step = nextStep(event, armed);
-      if (step !== null) {
+      if (step === null) {
+        return;
+      }
+      const wanted = step.run ?? step.armed;
+      if (page.past !== null && wanted?.group === "flight") {
+        // Nothing is armed either: Enter would come when the present is back.
+        setArmed(null);
+        say(page.messages, { level: "warning", key: "blocked.past", params: {} }, Date.now());
+      } else {
         setArmed(step.armed);
         step.run?.run({ page, open });
-        // Enter must not also press the button that has the focus.
-        event.preventDefault();
-        event.stopPropagation();
       }
+      // Enter must not also press the button that has the focus.
+      event.preventDefault();
+      event.stopPropagation();
     }
     window.addEventListener("keydown", press, { capture: true });
     return () => window.removeEventListener("keydown", press, { capture: true });
   }, [armed, isOn, open, page]);
+
+  // A key that was armed in the present must not wait for its Enter in the past, nor the other way round.
+  // biome-ignore lint/correctness/useExhaustiveDependencies: each vehicle that is shown
+  useEffect(() => setArmed(null), [page]);
 
   useEffect(() => {
     if (armed === null) {

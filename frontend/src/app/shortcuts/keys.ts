@@ -1,21 +1,5 @@
+import { isTyping } from "../../lib/typing";
 import { SHORTCUTS, type Shortcut } from "./table";
-
-/** Elements that use keys themselves: menus find entries by letter, dialogs have their own keys. */
-const TAKEN =
-  '[role="menubar"], [role="menu"], [role="dialog"], [role="alertdialog"], [contenteditable="true"], select, textarea';
-
-/** Input types without text entry. */
-const NOT_TYPED: ReadonlySet<string> = new Set(["radio", "checkbox", "range", "button"]);
-
-/** Whether the focused element uses the key itself, so that it is no shortcut. */
-export function isTyping(target: EventTarget | null): boolean {
-  if (!(target instanceof Element)) {
-    return false;
-  }
-  return (
-    target.closest(TAKEN) !== null || (target instanceof HTMLInputElement && !NOT_TYPED.has(target.type))
-  );
-}
 
 /** The result of a key: the shortcut that now waits for its second key, and the one to run. */
 export interface Step {

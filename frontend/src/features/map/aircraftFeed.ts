@@ -65,9 +65,16 @@ export class AircraftMotion {
     flight: new Playout(between),
     hil: new Playout(between),
   };
+  #jumps = 0;
 
   /** Take new samples: called often enough to miss none. */
   take(telemetry: TelemetryStore, now_ms: number): void {
+    if (telemetry.jumps !== this.#jumps) {
+      this.#jumps = telemetry.jumps;
+      for (const playout of [...Object.values(this.#places), ...Object.values(this.#turns)]) {
+        playout.clear();
+      }
+    }
     for (const aircraft of ["flight", "hil"] as const) {
       push(this.#places[aircraft], telemetry, PLACE_TOPIC[aircraft], placeOf(telemetry, aircraft), now_ms);
       const attitude = attitudeNow(telemetry, aircraft);

@@ -31,6 +31,8 @@ export interface ServoSlidersEnds {
   /** Handles another browser's moves, and commands that make the servos' positions unknown. */
   readonly takeEvent: (event: StreamEvent) => void;
   readonly takeStatus: (status: Status) => void;
+  /** No position is known any more. */
+  readonly forget: () => void;
 }
 
 const isDone = oneOf("confirmed", "sent");
@@ -119,6 +121,7 @@ export function createServoSliders({ rest, timers, client, tell }: Parts): Servo
         forgetServos(store);
       }
     },
+    forget: () => forgetServos(store),
     takeStatus: ({ board: { state, url, reopened } }) => {
       const now = `${state} ${url} ${reopened}`;
       if (now !== board) {

@@ -105,6 +105,14 @@ export class TrackLayer {
     }
   }
 
+  /** A track that is not needed any more. */
+  remove(points: TrackPoints): void {
+    this.#drawn.get(points)?.destroy();
+    if (this.#drawn.delete(points)) {
+      this.#globe.requestRender();
+    }
+  }
+
   /** Number of points that are drawn. */
   get drawnPoints(): number {
     return [...this.#drawn.values()].reduce((sum, { count }) => sum + count, 0);

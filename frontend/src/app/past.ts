@@ -1,0 +1,193 @@
+import { createStore, type StoreApi } from "zustand/vanilla";
+import { createAhrs3d } from "../features/ahrs/ahrsRequests";
+import { AHRS } from "../features/ahrs/alignment";
+import { ALARM_LOG } from "../features/alarms/alarmLog";
+import { createPastAlarmLog } from "../features/alarms/pastAlarmLog";
+import { createSourceReturn, SOURCE_RETURN } from "../features/controls/sourceReturn";
+import { createMapSelection, MAP_SELECTION } from "../features/map/mapSelection";
+import { createPastTrack } from "../features/map/pastTrack";
+import { TRACK_LOG } from "../features/map/trackLog";
+import { INSPECTOR } from "../features/messages/inspectorRequests";
+import { createPastInspector } from "../features/messages/pastInspector";
+import { PARAMETER_REQUESTS } from "../features/parameters/parameterValues";
+import { createPastParameters } from "../features/parameters/pastParameters";
+import type { PlaceInTime } from "../features/playback/flightAddress";
+import type { FlightListener, FlightStream, Playback } from "../features/playback/playbackRequests";
+import { SERVO_SLIDERS } from "../features/servos/servoPositions";
+import { createServoSliders } from "../features/servos/servoSliders";
+import { BOARD_CONSOLE } from "../features/setup/consoleLog";
+import { createBoardConsole } from "../features/setup/consoleRequests";
+import type { Timers } from "../lib/timers";
+import { createPastPlans } from "../missions/pastPlans";
+import { MISSIONS } from "../missions/planDrafts";
+import type { StreamMessage } from "../protocol/envelope";
+import type { AskingParts } from "../requests/asking";
+import { createKnownAt } from "../requests/knownAt";
+import { FlightClock } from "../store/clock";
+import { createCommands } from "../store/commands";
+import type { Page } from "../store/hooks";
+import { partName } from "../store/parts";
+import { StreamSocket, type Wire, type WireListener } from "../transport/socket";
+import { createVehicle, type Vehicle } from "./vehicle";
+
+/** The page that the tabs read: the present one, or that of the past. */
+export const SHOWN = partName<StoreApi<{ readonly page: Page }>>("shown page");
+
+interface PastParts {
+  readonly present: Page;
+  readonly asking: AskingParts;
+  readonly timers: Timers;
+  readonly playback: Playback;
+  readonly dial: (place: PlaceInTime, listener: WireListener) => Wire;
+  readonly onMalformed: () => void;
+  readonly report: (error: unknown) => void;
+}
+
+export interface Pasts {
+  readonly shown: StoreApi<{ readonly page: Page }>;
+  /** Make a vehicle of the past, show it on every tab, and fill it from a stream of its own. */
+  readonly open: (place: () => PlaceInTime, listener: FlightListener) => FlightStream;
+  /** Changes whenever something new arrives for the shown vehicle of the past. */
+  readonly revision: () => number;
+}
+
+/**
+ * The past is a second page object: stores and parts of its own, made anew for each flight that is opened. The tabs
+ * read the one that is shown, so a value of theirs comes from one of the two and never from both; the present one
+ * goes on all the time, and is shown again as it is.
+ */
+export function createPasts(parts: PastParts): Pasts {
+  const { present } = parts;
+  const shown = createStore<{ readonly page: Page }>(() => ({ page: present }));
+  let seen: Vehicle | null = null;
+  let revision = 0;
+  let made_count = 0;
+
+  function open(place: () => PlaceInTime, listener: FlightListener): FlightStream {
+    const made = createPast(parts, place, ++made_count);
+    const { vehicle } = made;
+    const socket = new StreamSocket({
+      dial: (wire) => parts.dial(place(), wire),
+      timers: parts.timers,
+      onMessage: (message, at_ms) => {
+        made.take(message, at_ms);
+        if (message.type === "hello" && message.flight !== null) {
+          listener.onOpened(message.flight);
+        } else if (message.type === "playback") {
+          listener.onPosition(message.position);
+        }
+      },
+      onState: ({ kind }) => {
+        vehicle.become(kind);
+        if (kind !== "open") {
+          listener.onLost();
+        }
+      },
+      onMalformed: parts.onMalformed,
+    });
+    seen = vehicle;
+    shown.setState({ page: made.page });
+    socket.start();
+    return {
+      ask: (text) => socket.ask(text),
+      close: () => {
+        socket.stop();
+        made.stop();
+        if (seen === vehicle) {
+          // What the pump painted last is of the past: the present must be painted even if nothing new arrives.
+          revision += vehicle.telemetry.revision + 1;
+          seen = null;
+          shown.setState({ page: present });
+        }
+      },
+    };
+  }
+
+  return { shown, open, revision: () => revision + (seen?.telemetry.revision ?? 0) };
+}
+
+interface Past {
+  readonly page: Page;
+  readonly vehicle: Vehicle;
+  readonly take: (message: StreamMessage, at_ms: number) => void;
+  readonly stop: () => void;
+}
+
+function createPast(
+  { present, asking, timers, playback, report }: PastParts,
+  place: () => PlaceInTime,
+  key: number,
+): Past {
+  const { rest } = asking;
+  const vehicle = createVehicle(new FlightClock());
+  const client = (): string | null => present.connection.getState().client;
+  const moment_ms = (): number => (vehicle.telemetry.clock_s(asking.now_ms()) ?? 0) * 1000;
+  const pastAsking: AskingParts = { ...asking, commands: createCommands() };
+  const servos = createServoSliders({ rest, timers, client, tell: () => undefined });
+  const console_ = createBoardConsole({ rest, wall_ms: moment_ms });
+  const known = createKnownAt({ rest, timers, place });
+  const parameters = createPastParameters(known, pastAsking);
+  const plans = createPastPlans(known, present.saveFile, pastAsking);
+  const track = createPastTrack({ rest, place, report });
+  const { store: position } = playback;
+  const alarmLog = createPastAlarmLog({
+    facts: playback.facts,
+    live: present.parts.get(ALARM_LOG),
+    wall_s: () => moment_ms() / 1000,
+  });
+  const ends = [
+    position.subscribe((now, before) => {
+      if (now.moves !== before.moves) {
+        known.leave();
+      }
+    }),
+  ];
+  let { jumps } = vehicle.telemetry;
+
+  function take(message: StreamMessage, at_ms: number): void {
+    vehicle.take(message, at_ms);
+    if (vehicle.telemetry.jumps !== jumps) {
+      jumps = vehicle.telemetry.jumps;
+      console_.boardConsole.clear();
+      servos.forget();
+    }
+    if (message.type === "event") {
+      servos.takeEvent(message);
+      console_.takeEvent(message);
+      parameters.takeEvent(message);
+      plans.takeEvent(message);
+    }
+  }
+
+  const page: Page = {
+    ...present,
+    telemetry: vehicle.telemetry,
+    connection: vehicle.connection,
+    commands: pastAsking.commands,
+    past: place().flight,
+    key,
+    parts: present.parts
+      .but()
+      .with(ALARM_LOG, alarmLog)
+      .with(PARAMETER_REQUESTS, parameters.actions)
+      .with(MISSIONS, plans.actions)
+      .with(AHRS, createAhrs3d(pastAsking))
+      .with(SOURCE_RETURN, createSourceReturn())
+      .with(MAP_SELECTION, createMapSelection())
+      .with(TRACK_LOG, track)
+      .with(SERVO_SLIDERS, servos.sliders)
+      .with(BOARD_CONSOLE, console_.boardConsole)
+      .with(INSPECTOR, createPastInspector(vehicle, asking.now_ms)),
+  };
+  return {
+    page,
+    vehicle,
+    take,
+    stop: () => {
+      for (const end of ends) {
+        end();
+      }
+      known.stop();
+    },
+  };
+}

@@ -1,0 +1,105 @@
+import { createStore, type StoreApi } from "zustand/vanilla";
+import type { Timers } from "../../lib/timers";
+import {
+  type FlightEvent,
+  type FlightOverview,
+  isFlightEvents,
+  isFlightOverview,
+} from "../../protocol/guards.gen";
+import type { Gateway } from "../../requests/asking";
+import type { PlaybackStore } from "./playbackState";
+
+/** What is known of the flight in the time bar: the one that is shown, or the one that is being recorded. */
+export interface FlightFactsState {
+  readonly flight: string | null;
+  readonly overview: FlightOverview | null;
+  /** Oldest first. */
+  readonly events: readonly FlightEvent[];
+  /** How far the recording went when it was read last, seconds since its start, and when that was by the page's clock. */
+  readonly edge_s: number;
+  readonly read_ms: number | null;
+}
+
+export type FlightFactsStore = StoreApi<FlightFactsState>;
+
+export interface FlightFacts {
+  readonly store: FlightFactsStore;
+  /** Reads again while somebody looks, until the returned function is called. */
+  readonly watch: () => () => void;
+  readonly refresh: () => void;
+}
+
+const NOTHING: FlightFactsState = { flight: null, overview: null, events: [], edge_s: 0, read_ms: null };
+/** A flight that is being recorded grows. */
+const EVERY_MS = 10_000;
+/** Points of the altitude: about as many as the bar has pixels. */
+const POINTS = 1000;
+const CURRENT = "current";
+
+interface Parts {
+  readonly rest: Gateway;
+  readonly timers: Timers;
+  readonly playback: PlaybackStore;
+}
+
+export function createFlightFacts({ rest, timers, playback }: Parts): FlightFacts {
+  const store = createStore<FlightFactsState>(() => NOTHING);
+  let watchers = 0;
+  let asked = 0;
+  let cancel: () => void = () => undefined;
+
+  async function read(): Promise<void> {
+    cancel();
+    asked += 1;
+    const mine = asked;
+    const flight = playback.getState().flight ?? CURRENT;
+    const [overview, events] = await Promise.all([
+      rest.ask("GET", `/api/v1/flights/${flight}/overview?points=${POINTS}`, isFlightOverview),
+      rest.ask("GET", `/api/v1/flights/${flight}/events`, isFlightEvents),
+    ]);
+    if (mine !== asked) {
+      return;
+    }
+    store.setState({
+      flight,
+      overview: overview.ok ? overview.value : null,
+      events: events.ok ? events.value.events : [],
+      edge_s: overview.ok ? overview.value.duration_s : 0,
+      read_ms: overview.ok ? timers.now_ms() : null,
+    });
+    if (watchers > 0) {
+      cancel = timers.after(EVERY_MS, () => void read());
+    }
+  }
+
+  playback.subscribe(({ flight }, before) => {
+    if (flight !== before.flight && watchers > 0) {
+      if (before.flight !== CURRENT && !(before.flight === null && flight === CURRENT)) {
+        // Another flight: what is known of the last one must not stay under the new one's time.
+        store.setState(NOTHING);
+      }
+      void read();
+    }
+  });
+
+  return {
+    store,
+    refresh: () => void read(),
+    watch: () => {
+      watchers += 1;
+      if (watchers === 1) {
+        void read();
+      }
+      let isDone = false;
+      return () => {
+        if (!isDone) {
+          isDone = true;
+          watchers -= 1;
+          if (watchers === 0) {
+            cancel();
+          }
+        }
+      };
+    },
+  };
+}

@@ -1,0 +1,65 @@
+import type { Timers } from "../../lib/timers";
+
+/** A dragged handle asks at most so often. */
+const SPACING_MS = 50;
+/** Without an answer in this time, the next one is sent. */
+const PATIENCE_MS = 1000;
+
+/** Sends the moments that somebody drags to: at most one is under way, and of those that wait only the newest counts. */
+export class SeekQueue {
+  readonly #send: (at_s: number) => void;
+  readonly #timers: Timers;
+  #isUnderWay = false;
+  #sent_ms = Number.NEGATIVE_INFINITY;
+  #waiting_s: number | null = null;
+  #cancel: () => void = () => undefined;
+
+  constructor(send: (at_s: number) => void, timers: Timers) {
+    this.#send = send;
+    this.#timers = timers;
+  }
+
+  /** A moment was asked for and is not shown yet. */
+  get isBusy(): boolean {
+    return this.#isUnderWay || this.#waiting_s !== null;
+  }
+
+  ask(at_s: number): void {
+    this.#waiting_s = at_s;
+    this.#next();
+  }
+
+  /** The gateway answered the one that is under way. */
+  answered(): void {
+    if (this.#isUnderWay) {
+      this.#isUnderWay = false;
+      this.#cancel();
+      this.#next();
+    }
+  }
+
+  /** Forget what is under way and what waits. */
+  clear(): void {
+    this.#cancel();
+    this.#isUnderWay = false;
+    this.#waiting_s = null;
+  }
+
+  #next(): void {
+    const at_s = this.#waiting_s;
+    if (at_s === null || this.#isUnderWay) {
+      return;
+    }
+    this.#cancel();
+    const wait_ms = this.#sent_ms + SPACING_MS - this.#timers.now_ms();
+    if (wait_ms > 0) {
+      this.#cancel = this.#timers.after(wait_ms, () => this.#next());
+      return;
+    }
+    this.#waiting_s = null;
+    this.#isUnderWay = true;
+    this.#sent_ms = this.#timers.now_ms();
+    this.#cancel = this.#timers.after(PATIENCE_MS, () => this.answered());
+    this.#send(at_s);
+  }
+}
