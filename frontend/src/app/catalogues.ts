@@ -24,6 +24,8 @@ import parametersEn from "../features/parameters/parameters.en.json";
 import parametersEs from "../features/parameters/parameters.es.json";
 import playbackEn from "../features/playback/playback.en.json";
 import playbackEs from "../features/playback/playback.es.json";
+import reportEn from "../features/report/report.en.json";
+import reportEs from "../features/report/report.es.json";
 import servosEn from "../features/servos/servos.en.json";
 import servosEs from "../features/servos/servos.es.json";
 import setupEn from "../features/setup/setup.en.json";
@@ -58,6 +60,7 @@ export const CATALOGUES = {
     ...messagesEs,
     ...parametersEs,
     ...playbackEs,
+    ...reportEs,
     ...servosEs,
     ...setupEs,
     ...sixEs,
@@ -81,6 +84,7 @@ export const CATALOGUES = {
     ...messagesEn,
     ...parametersEn,
     ...playbackEn,
+    ...reportEn,
     ...servosEn,
     ...setupEn,
     ...sixEn,

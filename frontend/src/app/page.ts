@@ -27,6 +27,7 @@ import { createParameterActions, takeParameterEvent } from "../features/paramete
 import { createParameters, forget, PARAMETER_REQUESTS } from "../features/parameters/parameterValues";
 import { type AddressLine, createFlightAddress, type PlaceInTime } from "../features/playback/flightAddress";
 import { createPlayback, PLAYBACK, type Playback } from "../features/playback/playbackRequests";
+import { addressedReport, createReports, keepReport, REPORTS } from "../features/report/reportRequests";
 import { SERVO_SLIDERS } from "../features/servos/servoPositions";
 import { createServoSliders } from "../features/servos/servoSliders";
 import { BOARD_CONSOLE } from "../features/setup/consoleLog";
@@ -45,7 +46,7 @@ import type { Page } from "../store/hooks";
 import { createMessages, type Message, say } from "../store/messages";
 import { Parts } from "../store/parts";
 import { Pump } from "../store/pump";
-import { type BrowserStorage, createSettings } from "../store/settings";
+import { type BrowserStorage, choose, createSettings } from "../store/settings";
 import { Rest, type UploadInit } from "../transport/rest";
 import { StreamSocket, type Wire, type WireListener } from "../transport/socket";
 import { eventMessage, linkMessages } from "./announcements";
@@ -203,11 +204,22 @@ export function createPage(world: World): {
     address,
     open: (place, listener) => pasts.open(place, listener),
   });
+  const reports = createReports(rest, (flight, compare) => keepReport(world.address, flight, compare));
   const { flights, takeFlightEvent } = createFlights({
     ...asking,
     timers: world.timers,
     connection,
     openFlight: playback.openFlight,
+    openReport: (flight) => reports.open(flight),
+  });
+  const comparison = createFlightComparison();
+  comparison.register({
+    words: "report.open",
+    open: (first, second) => {
+      // Ids begin with the time: the later flight is compared with the earlier one.
+      const [earlier, later] = [first, second].sort();
+      reports.open(later ?? second, earlier);
+    },
   });
   const parts = new Parts()
     .with(PLAYBACK, playback)
@@ -225,7 +237,8 @@ export function createPage(world: World): {
     .with(GAMEPADS, gamepads.gamepads)
     .with(BOARD_CONSOLE, boardConsole)
     .with(FLIGHTS, flights)
-    .with(FLIGHT_COMPARISON, createFlightComparison())
+    .with(FLIGHT_COMPARISON, comparison)
+    .with(REPORTS, reports)
     .with(INSPECTOR, createInspector(rest))
     .with(EMULATION, createEmulation(asking))
     .with(ABOUT, createAbout(asking));
@@ -256,6 +269,11 @@ export function createPage(world: World): {
     start: () => {
       socket.start();
       gamepads.start();
+      const report = addressedReport(world.address.read());
+      if (report !== null) {
+        choose(settings, "tab", "flights");
+        reports.open(report.flight, report.compare);
+      }
       const opened = address.opened();
       if (opened !== null) {
         playback.openFlight(opened.flight, opened.at_s);

@@ -31,6 +31,7 @@ interface Parts extends AskingParts {
   /** The present. */
   readonly connection: ConnectionStore;
   readonly openFlight: (flight: string, at_s: number) => void;
+  readonly openReport: (flight: string) => void;
 }
 
 /** The requests about flights, with their outcome in the library's store. */
@@ -38,7 +39,7 @@ export function createFlights(parts: Parts): {
   readonly flights: Flights;
   readonly takeFlightEvent: (event: StreamEvent) => void;
 } {
-  const { rest, timers, connection, openFlight } = parts;
+  const { rest, timers, connection, openFlight, openReport } = parts;
   const { run } = createAsking(parts);
   const store = createLibrary();
   let asked = 0;

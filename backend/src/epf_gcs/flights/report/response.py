@@ -23,6 +23,9 @@ _GOOD_FIT: Final = 0.97
 _GOOD_REST: Final = 0.05
 # With less of the step reached there is nothing to judge.
 _LEAST_REACHED: Final = 0.3
+# The last and the one but last eighth of the samples: while they differ by more than the band, it is on its way.
+_ENDS: Final = ((0.875, 1.0), (0.75, 0.875))
+_NEARLY: Final = 0.25
 _MOST_FITTED: Final = 900
 # How much a dead time as long as the rise must improve the fit, in deviations of the noise.
 _DOUBT: Final = 4.0
@@ -77,9 +80,11 @@ def respond(t_s: Array, values: Array, start: float, target: float) -> Response:
         course, final, method = _answer(grid_s, model), model.final, "model"
     else:
         grid_s, course = _smoothed(t_s, share)
-        quarter = course[grid_s >= 0.75 * grid_s[-1]]
-        final, method = float(np.mean(quarter)), "measured"
-    if abs(final) < _LEAST_REACHED:
+        last, before = (course[(grid_s >= a * grid_s[-1]) & (grid_s <= b * grid_s[-1])] for a, b in _ENDS)
+        if abs(float(np.mean(last)) - float(np.mean(before))) > SETTLED:
+            return Response("none")
+        final, method = float(np.mean(np.concatenate((before, last)))), "measured"
+    if final < _LEAST_REACHED:
         return Response("none")
     found = _read_off(grid_s, course / final)
     overshoot = found.overshoot_percent
@@ -164,7 +169,8 @@ def _fit(t_s: Array, share: Array) -> _Model | None:
     rest = share - _answer(t_s, model)
     variance = float(np.var(share))
     left = float(np.var(rest))
-    reaches = model.frequency_rad_s * span_s > 2.0 * max(1.0, model.damping)
+    # Where it is still on its way, its final value is a guess.
+    reaches = abs(float(_answer(t_s[-1:], model)[0]) - model.final) < _NEARLY * abs(model.final)
     is_good = left <= (1.0 - _GOOD_FIT) * variance and left**0.5 <= _GOOD_REST * max(1.0, abs(model.final))
     return model if is_good and reaches and 0.02 < model.damping < 8.0 and model.final > 0 else None
 
