@@ -1,4 +1,6 @@
+import { useEffect } from "react";
 import { useStore } from "zustand";
+import { FLIGHTS } from "../../features/flights/flightLibrary";
 import { FlightsView } from "../../features/flights/FlightsView";
 import { flightName, useLibrary } from "../../features/flights/useFlights";
 import { ReportView } from "../../features/report/ReportView";
@@ -7,6 +9,8 @@ import { usePart } from "../../store/hooks";
 
 /** The library of flights, or the report that is open in its place. */
 export function FlightsTab() {
+  const { watch } = usePart(FLIGHTS);
+  useEffect(() => watch(), [watch]);
   const report = useStore(usePart(REPORTS).store, (open) => open?.flight ?? null);
   const flights = useLibrary(({ list }) => list?.flights);
   if (report === null) {

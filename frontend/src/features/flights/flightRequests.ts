@@ -200,6 +200,8 @@ export function createFlights(parts: Parts): {
       openFlight(flight, at_s);
     },
 
+    openReport,
+
     change: (flight, words, asker) =>
       run(asker, rest.ask("PATCH", `${FLIGHTS_PATH}/${flight}`, isFlight, words), (changed) => {
         replace(changed);
