@@ -1,7 +1,7 @@
 import { useEffect } from "react";
 import { useStore } from "zustand";
-import { FLIGHTS } from "../../features/flights/flightLibrary";
 import { FlightsView } from "../../features/flights/FlightsView";
+import { FLIGHTS } from "../../features/flights/flightLibrary";
 import { flightName, useLibrary } from "../../features/flights/useFlights";
 import { ReportView } from "../../features/report/ReportView";
 import { REPORTS } from "../../features/report/reportRequests";

@@ -153,7 +153,7 @@ function Section({ title, children }: { readonly title: string; readonly childre
 function Figures({ report, rows }: { readonly report: FlightReport; readonly rows: readonly Row[] }) {
   const { t } = useTranslation();
   const { earlier } = report;
-  const say: Say = (key, values) => t(`report.${key}`, values as never);
+  const say: Say = (key, values) => String(t(`report.${key}`, values as never));
   return (
     <table className="report-table">
       {earlier !== null && (

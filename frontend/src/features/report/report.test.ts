@@ -23,7 +23,10 @@ describe.each([
         title === (language === "es" ? "El informe de vuelo" : "The flight report")
           ? blocks.flatMap((block) =>
               block.kind === "table"
-                ? block.rows.map(([name, meaning]) => [name?.[0]?.text, meaning?.map(({ text: piece }) => piece).join("")] as const)
+                ? block.rows.map(
+                    ([name, meaning]) =>
+                      [name?.[0]?.text, meaning?.map(({ text: piece }) => piece).join("")] as const,
+                  )
                 : [],
             )
           : [],
@@ -96,5 +99,9 @@ describe("an open report", () => {
 });
 
 test("what is not known is a dash, and nothing is minus nought", () => {
-  expect([shown(null, 1, "s"), shown(-0.01, 1, "s"), withUnit(-2.138, "kt")]).toEqual(["—", "0.0 s", "-2.14 kt"]);
+  expect([shown(null, 1, "s"), shown(-0.01, 1, "s"), withUnit(-2.138, "kt")]).toEqual([
+    "—",
+    "0.0 s",
+    "-2.14 kt",
+  ]);
 });

@@ -5,8 +5,13 @@ from __future__ import annotations
 from html import escape
 from typing import Any, Final
 
-_WIDTH: Final, _HEIGHT: Final = 300.0, 130.0
-_LEFT: Final, _RIGHT: Final, _TOP: Final, _BOTTOM: Final = 40.0, 6.0, 6.0, 18.0
+_WIDTH: Final = 300.0
+_HEIGHT: Final = 130.0
+_LEFT: Final = 40.0
+_RIGHT: Final = 6.0
+_TOP: Final = 6.0
+_BOTTOM: Final = 18.0
+_LINES: Final = (("target", 'stroke="#666" stroke-dasharray="4 3"'), ("value", 'stroke="#000" stroke-width="1.6"'))
 
 
 def picture(one: dict[str, Any], label: str) -> str:
@@ -41,7 +46,7 @@ def picture(one: dict[str, Any], label: str) -> str:
         drawn.append(_dotted(f"M{x(one['settling_s']):.1f} {_TOP}V{floor}"))
     if one["final"] is not None:
         drawn.append(_dotted(f"M{x(0):.1f} {y(one['final']):.1f}H{x(until_s):.1f}"))
-    for name, style in (("target", 'stroke="#666" stroke-dasharray="4 3"'), ("value", 'stroke="#000" stroke-width="1.6"')):
+    for name, style in _LINES:
         path, is_down = "", False
         for at_s, value in zip(trace["at_s"], trace[name], strict=True):
             if value is not None:
