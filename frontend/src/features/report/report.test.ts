@@ -85,7 +85,12 @@ describe("an open report", () => {
 
   test("stands in the page's address, and is read from it", () => {
     let address = "http://station/?at=3";
-    const line = { read: () => address, replace: (next: string) => void (address = next) };
+    const line = {
+      read: () => address,
+      replace: (next: string) => {
+        address = next;
+      },
+    };
     keepReport(line, FLIGHT, OTHER);
     expect(addressedReport(address)).toEqual({ flight: FLIGHT, compare: OTHER });
     keepReport(line, null, null);

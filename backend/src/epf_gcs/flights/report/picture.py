@@ -47,16 +47,23 @@ def picture(one: dict[str, Any], label: str) -> str:
     if one["final"] is not None:
         drawn.append(_dotted(f"M{x(0):.1f} {y(one['final']):.1f}H{x(until_s):.1f}"))
     for name, style in _LINES:
-        path, is_down = "", False
-        for at_s, value in zip(trace["at_s"], trace[name], strict=True):
-            if value is not None:
-                path += f"{'L' if is_down else 'M'}{x(at_s):.1f} {y(value):.1f}"
-            is_down = value is not None
+        pairs = zip(trace["at_s"], trace[name], strict=True)
+        path = _path([(x(at_s), None if value is None else y(value)) for at_s, value in pairs])
         drawn.append(f'<path d="{path}" fill="none" {style}/>')
     if one["peak"] is not None and one["peak_s"] is not None and one["peak_s"] <= until_s:
         drawn.append(f'<circle cx="{x(one["peak_s"]):.1f}" cy="{y(one["peak"]):.1f}" r="3" fill="none" stroke="#000"/>')
     title = escape(label)
     return f'<svg viewBox="0 0 {_WIDTH} {_HEIGHT}" role="img" aria-label="{title}">{"".join(drawn)}</svg>'
+
+
+def _path(points: list[tuple[float, float | None]]) -> str:
+    """A line that is broken where a value is missing."""
+    path, is_down = "", False
+    for x, y in points:
+        if y is not None:
+            path += f"{'L' if is_down else 'M'}{x:.1f} {y:.1f}"
+        is_down = y is not None
+    return path
 
 
 def _text(x: float, y: float, anchor: str, text: str) -> str:
