@@ -3,7 +3,6 @@ import { join } from "node:path";
 import { describe, expect, test } from "vitest";
 import type { FlightReport } from "../../protocol/guards.gen";
 import type { Gateway } from "../../requests/asking";
-import { readChapters } from "../guide/markdown";
 import { shown, withUnit } from "./figures";
 import english from "./report.en.json";
 import spanish from "./report.es.json";
@@ -19,18 +18,7 @@ describe.each([
   test("define each figure as the guide does", () => {
     const text = readFileSync(join(import.meta.dirname, `../guide/${language}.md`), "utf8");
     const rows = new Map(
-      readChapters(text).flatMap(({ title, blocks }) =>
-        title === (language === "es" ? "El informe de vuelo" : "The flight report")
-          ? blocks.flatMap((block) =>
-              block.kind === "table"
-                ? block.rows.map(
-                    ([name, meaning]) =>
-                      [name?.[0]?.text, meaning?.map(({ text: piece }) => piece).join("")] as const,
-                  )
-                : [],
-            )
-          : [],
-      ),
+      [...text.matchAll(/^\| (.+?) \| (.+?) \|$/gm)].map(([, name, meaning]) => [name, meaning] as const),
     );
     const { figures, definitions }: { figures: Record<string, string>; definitions: Record<string, string> } =
       words.report;
