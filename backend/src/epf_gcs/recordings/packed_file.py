@@ -1,7 +1,8 @@
-"""The bytes of an MCAP file of zstd chunks, with an index of messages, chunks and notes at its end.
+"""The bytes of an MCAP file of zstd chunks, with an index of chunks and notes at its end.
 
 The library's own writer takes one message at a time; an hour of a full line has a million of them. Here a chunk is
-made of records that are already bytes, and its index of arrays.
+made of records that are already bytes. There is no index of messages: it would be a third of the file, for it is not
+compressed, and who looks for a time finds the chunk and its messages in their order.
 """
 
 from __future__ import annotations
@@ -20,15 +21,22 @@ from epf_gcs.recordings.parts import Messages
 from epf_gcs.recordings.scan import Bytes, Places
 from epf_gcs.recordings.topics import TOPICS
 
-# Larger chunks pack better, smaller ones are quicker to search; gains above this are below a hundredth.
+# What repeats lies near: the same message a few records before. So neither a longer window nor a longer chunk packs
+# better, while short matches do: the next value of a slow float differs from the one before it in its last bytes.
 _CHUNK_BYTES: Final = 4 << 20
-_LEVEL: Final = 12
+_SEARCH: Final = zstandard.ZstdCompressionParameters(
+    strategy=zstandard.STRATEGY_BTULTRA,
+    window_log=16,
+    chain_log=16,
+    hash_log=16,
+    search_log=2,
+    min_match=3,
+    target_length=256,
+)
 _PACKING: Final = "zstd"
 
 _CHUNK_HEAD: Final = Struct("<BQQQQII")
 _SIZE: Final = Struct("<Q")
-_INDEX_HEAD: Final = Struct("<BQHI")
-_ENTRY: Final = np.dtype([("t_ns", "<u8"), ("at", "<u8")])
 
 
 class PackedFile:
@@ -43,9 +51,8 @@ class PackedFile:
         self._records: list[Bytes] = []
         self._channel: list[Places] = []
         self._t_ns: list[Places] = []
-        self._at: list[Places] = []
         self._gathered = 0
-        self._compressor = zstandard.ZstdCompressor(level=_LEVEL)
+        self._compressor = zstandard.ZstdCompressor(compression_params=_SEARCH)
         self._put(opening(library, TOPICS))
 
     def put(self, records: Bytes, at: Places, messages: Messages) -> None:
@@ -62,7 +69,6 @@ class PackedFile:
                 self._records.append(records[begin:stop])
                 self._channel.append(messages.channel[first:end].astype(np.int64))
                 self._t_ns.append(messages.t_ns[first:end])
-                self._at.append(at[first:end] - begin + self._gathered)
                 self._gathered += stop - begin
                 first = end
             if first < len(at):
@@ -87,32 +93,25 @@ class PackedFile:
         if not self._gathered:
             return
         content = np.concatenate(self._records).tobytes()
-        channel, t_ns, at = (np.concatenate(arrays) for arrays in (self._channel, self._t_ns, self._at))
-        self._records, self._channel, self._t_ns, self._at, self._gathered = [], [], [], [], 0
+        channel, t_ns = np.concatenate(self._channel), np.concatenate(self._t_ns)
+        self._records, self._channel, self._t_ns, self._gathered = [], [], [], 0
         packed = self._compressor.compress(content)
         start_ns, end_ns = int(t_ns.min()), int(t_ns.max())
         place, name = self._place, _PACKING.encode()
         length = _CHUNK_HEAD.size - 9 + len(name) + _SIZE.size + len(packed)
         head = _CHUNK_HEAD.pack(Opcode.CHUNK, length, start_ns, end_ns, len(content), zlib.crc32(content), len(name))
         self._put(head + name + _SIZE.pack(len(packed)) + packed)
-        index_place, offsets = self._place, {}
         for number in np.unique(channel).tolist():
-            offsets[number] = self._place
-            chosen = np.flatnonzero(channel == number)
-            entries = np.empty(len(chosen), dtype=_ENTRY)
-            entries["t_ns"], entries["at"] = t_ns[chosen], at[chosen]
-            self._put(_INDEX_HEAD.pack(Opcode.MESSAGE_INDEX, 6 + entries.nbytes, number, entries.nbytes))
-            self._put(entries.tobytes())
-            self._tally.add_all(number, t_ns[chosen])
+            self._tally.add_all(number, t_ns[channel == number])
         self._chunks.append(
             ChunkIndex(
-                chunk_length=index_place - place,
+                chunk_length=self._place - place,
                 chunk_start_offset=place,
                 compression=_PACKING,
                 compressed_size=len(packed),
                 message_end_time=end_ns,
-                message_index_length=self._place - index_place,
-                message_index_offsets=offsets,
+                message_index_length=0,
+                message_index_offsets={},
                 message_start_time=start_ns,
                 uncompressed_size=len(content),
             )
