@@ -9,7 +9,6 @@ import pytest
 from epf_gcs.flight.line_clock import LineClock
 from epf_gcs.recordings.topics import BOARD_RECEIVED, BOARD_SENT, SIMULATOR_RECEIVED, SIMULATOR_SENT
 
-
 TICK_NS = 1024
 
 

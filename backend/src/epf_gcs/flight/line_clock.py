@@ -1,4 +1,5 @@
-"""The flight's clock, of about a microsecond. While the bytes of a read are decoded it stands at the time that the recording has for them.
+"""The flight's clock, which ticks about once a microsecond. While the bytes of a read are decoded it stands at the time
+that the recording has for them.
 
 So a replay of the recording, told the record's time, gives each sample and event the very time that it had live.
 """
