@@ -1,4 +1,4 @@
-"""Run the measurements and print one table: `python -m bench [name ...]`."""
+"""Run the measurements and print one table: `python -m bench [name ...]`; `besieged:pings` runs one part of one."""
 
 from __future__ import annotations
 
@@ -36,13 +36,15 @@ def main(arguments: Sequence[str]) -> int:
     parser = argparse.ArgumentParser(prog="bench", description=__doc__)
     parser.add_argument("names", nargs="*", metavar="name", help=f"which to run: {', '.join(MODULES)} (default: all)")
     chosen = parser.parse_args(arguments).names or MODULES
-    unknown = sorted(set(chosen) - set(MODULES))
+    unknown = sorted({name.partition(":")[0] for name in chosen} - set(MODULES))
     if unknown:
         parser.error(f"there is no measurement {', '.join(unknown)}; there are {', '.join(MODULES)}")
     rows: list[Row] = []
     for name in chosen:
         print(f"measuring {name} ...", file=sys.stderr, flush=True)
-        rows += importlib.import_module(f"bench.{name}").run()
+        module, _, part = name.partition(":")
+        run = importlib.import_module(f"bench.{module}").run
+        rows += run(part) if part else run()
     print(table(rows))
     return 0
 

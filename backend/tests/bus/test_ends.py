@@ -127,6 +127,53 @@ async def test_a_station_hears_how_everything_stands_and_then_what_happens(tmp_p
 
 
 @pytest.mark.anyio
+async def test_samples_are_gathered_for_a_station_that_looks_seldom_and_none_is_lost(tmp_path: Path) -> None:
+    vehicle, heard = Vehicle(tmp_path), Heard()
+    async with connected(tmp_path, heard) as station:
+        await eventually_async(lambda: heard.ends == 1, "the snapshot arrives")
+        station.pace(1)
+        await eventually_async(lambda: vehicle.broadcast.gathers, "the vehicle knows the pace")
+        for number in range(9):
+            vehicle.broadcast.sample("gps", float(number), {"n": number})
+            vehicle.broadcast.flush()
+        vehicle.broadcast.status({"first": True})
+        await eventually_async(lambda: bool(heard.statuses), "the status arrives")
+        assert [sample.t_s for sample in heard.samples[1:]] == [float(number) for number in range(9)]
+        # One group at once, the other just before the status: neither one for each sample, nor after the status.
+        assert heard.ends <= 3
+        vehicle.broadcast.sample("gps", 9.0, {"n": 9})
+        vehicle.broadcast.flush()
+        await station.request("echo")
+        assert heard.samples[-1].t_s == 9.0, "an answer does not overtake the samples before it"
+        vehicle.broadcast.sample("gps", 10.0, {"n": 10})
+        vehicle.broadcast.flush()
+        vehicle.broadcast.playback({"at_s": 1.0})
+        await eventually_async(lambda: bool(heard.playbacks), "the replay's position arrives")
+        assert heard.samples[-1].t_s == 10.0, "nor does a replay's position"
+        vehicle.broadcast.sample("gps", 11.0, {"n": 11})
+        vehicle.broadcast.flush()
+        station.pace(0)
+        await eventually_async(lambda: heard.samples[-1].t_s == 11.0, "what was gathered is sent when the pace changes")
+        assert not vehicle.broadcast.gathers
+    await vehicle.stop()
+
+
+@pytest.mark.anyio
+async def test_one_station_that_wants_each_sample_at_once_is_enough(tmp_path: Path) -> None:
+    vehicle, seldom, always = Vehicle(tmp_path), Heard(), Heard()
+    async with connected(tmp_path, seldom) as station:
+        await eventually_async(lambda: seldom.ends == 1, "it is connected")
+        station.pace(1)
+        await eventually_async(lambda: vehicle.broadcast.gathers, "its pace is known")
+        async with connected(tmp_path, always):
+            await eventually_async(lambda: always.ends == 1, "the other is connected")
+            assert not vehicle.broadcast.gathers
+        await eventually_async(lambda: vehicle.broadcast.gathers, "the other has gone")
+    assert not [name for name, _ in vehicle.notices if name == "pace"], "the pace is the stream's own matter"
+    await vehicle.stop()
+
+
+@pytest.mark.anyio
 async def test_a_request_brings_the_result_or_the_very_error(tmp_path: Path) -> None:
     vehicle, heard = Vehicle(tmp_path), Heard()
     async with connected(tmp_path, heard) as station:

@@ -12,6 +12,7 @@ import orjson
 from epf_gcs.bus.address import connect
 from epf_gcs.bus.channel import Channel
 from epf_gcs.bus.definition import (
+    PACE,
     Asker,
     BusError,
     Decoder,
@@ -116,6 +117,10 @@ class StationEnd:
         """Send something that needs no answer; dropped if not connected."""
         if self._channel is not None:
             self._channel.send(pack(Kind.NOTICE, orjson.dumps({"name": name, "arguments": arguments})))
+
+    def pace(self, rate_hz: int) -> None:
+        """Say how many times a second samples are looked at: the vehicle may gather them; 0: each at once."""
+        self.notice(PACE, rate_hz=rate_hz)
 
     def _on_data(self, data: bytes) -> None:
         try:

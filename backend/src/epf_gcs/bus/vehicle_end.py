@@ -32,6 +32,8 @@ _MOST_UNSENT_SAMPLES: Final = 1_000_000
 # With this many it counts as hung: it is disconnected, and may connect again.
 _MOST_UNSENT: Final = 8_000_000
 _MOST_REQUESTS: Final = 256
+# Gathered samples may leave this share of a period early, with others that arrive just then: one wake-up less.
+_EARLY: Final = 0.25
 
 log = structlog.get_logger("flight")
 
@@ -40,63 +42,112 @@ Handler = Callable[[Asker, dict[str, Any]], Awaitable[Any]]
 
 
 class Broadcast:
-    """Sends samples, events and status to every listener; costs nothing while there is none. Implements `Outlet`."""
+    """Sends samples, events and status to every listener; costs nothing while there is none. Implements `Outlet`.
+
+    Samples leave at once if any listener wants that; else they are gathered at the pace of the fastest one.
+    """
 
     def __init__(self, now_s: Callable[[], float]) -> None:
         self._now_s = now_s
-        self._channels: set[Channel] = set()
+        self._rates_hz: dict[Channel, int] = {}
         self._samples: list[bytes] = []
+        self._gather_s = 0.0
+        self._due_s = 0.0
+        self._timer: asyncio.TimerHandle | None = None
 
     @property
     def has_listeners(self) -> bool:
         """Whether any listener is connected."""
-        return bool(self._channels)
+        return bool(self._rates_hz)
+
+    @property
+    def gathers(self) -> bool:
+        """Whether samples wait: there are listeners, and none wants each sample at once."""
+        return self._gather_s > 0.0
 
     def sample(self, topic: str, t_s: float, values: Any) -> None:
-        """The newest values of a topic; sent with the next `flush`."""
-        if self._channels:
+        """The newest values of a topic; sent with the next `flush`, or gathered."""
+        if self._rates_hz:
             self._samples.append(pack_sample(topic, t_s, values))
 
     def flush(self) -> None:
-        """Send the samples taken since the last `flush`."""
-        if self._samples:
-            data = b"".join(self._samples)
-            self._samples.clear()
-            for channel in tuple(self._channels):
-                if channel.unsent_bytes < _MOST_UNSENT_SAMPLES:
-                    channel.send(data)
+        """Send the samples taken since the last `flush`, or have them sent when their time has come."""
+        if not self._samples:
+            return
+        if self._gather_s:
+            loop = asyncio.get_running_loop()
+            now_s = loop.time()
+            if now_s < self._due_s - _EARLY * self._gather_s:
+                if self._timer is None:
+                    self._timer = loop.call_at(self._due_s, self._send_due)
+                return
+            self._plan(now_s)
+        self.send_gathered()
 
     def event(self, kind: str, data: Mapping[str, Any]) -> None:
         """Something happened."""
-        if self._channels:
-            self.flush()
+        if self._rates_hz:
+            self.send_gathered()
             self._send(pack_event(kind, self._now_s(), data))
 
     def status(self, status: Mapping[str, Any]) -> None:
         """The state of links, HIL, recording, alarms, errors and topics."""
-        if self._channels:
+        if self._rates_hz:
+            self.send_gathered()
             self._send(pack(Kind.STATUS, orjson.dumps(status)))
 
     def playback(self, playback: Mapping[str, Any], *, with_samples: bool = False) -> None:
         """Where a replay is, and whether it plays; sent at once, or before the samples of the next `flush`."""
-        if not self._channels:
-            return
-        data = pack(Kind.PLAYBACK, orjson.dumps(playback))
-        if with_samples:
-            self._samples.insert(0, data)
-        else:
-            self._send(data)
+        if self._rates_hz:
+            data = pack(Kind.PLAYBACK, orjson.dumps(playback))
+            if with_samples:
+                self._samples.append(data)
+            else:
+                self.send_gathered()
+                self._send(data)
 
     def add(self, channel: Channel) -> None:
-        """Send everything to this listener from now on."""
-        self._channels.add(channel)
+        """Send everything to this listener from now on, each sample at once until it tells its pace."""
+        self.pace(channel, 0)
+
+    def pace(self, channel: Channel, rate_hz: int) -> None:
+        """This listener looks at samples so many times a second; 0: each at once."""
+        self.send_gathered()
+        self._rates_hz[channel] = rate_hz
+        self._choose_pace()
 
     def remove(self, channel: Channel) -> None:
         """This listener has gone."""
-        self._channels.discard(channel)
+        if self._rates_hz.pop(channel, None) is not None:
+            self._choose_pace()
+
+    def send_gathered(self) -> None:
+        """Send the gathered samples now: what follows them must not overtake them."""
+        if self._timer is not None:
+            self._timer.cancel()
+            self._timer = None
+        if self._samples:
+            data = b"".join(self._samples)
+            self._samples.clear()
+            for channel in tuple(self._rates_hz):
+                if channel.unsent_bytes < _MOST_UNSENT_SAMPLES:
+                    channel.send(data)
+
+    def _choose_pace(self) -> None:
+        rates_hz = self._rates_hz.values()
+        self._gather_s = 1.0 / max(rates_hz) if rates_hz and min(rates_hz) > 0 else 0.0
+        self._due_s = 0.0
+
+    def _plan(self, now_s: float) -> None:
+        # Due times lie on a fixed grid, so that the mean rate is exact; after a pause the grid starts anew.
+        self._due_s = max(self._due_s + self._gather_s, now_s + 0.5 * self._gather_s)
+
+    def _send_due(self) -> None:
+        self._plan(asyncio.get_running_loop().time())
+        self.send_gathered()
 
     def _send(self, data: bytes) -> None:
-        for channel in tuple(self._channels):
+        for channel in tuple(self._rates_hz):
             if channel.unsent_bytes > _MOST_UNSENT:
                 channel.lose()
             else:
@@ -152,10 +203,14 @@ class VehicleEnd:
         self._broadcast.remove(channel)
         self._on_gone()
 
-    def notice(self, body: bytes) -> None:
-        """Pass on the body of a NOTICE. Raises BusError."""
+    def notice(self, channel: Channel, body: bytes) -> None:
+        """Take the body of a listener's NOTICE: its pace, or pass it on. Raises BusError."""
         said = unpack_object(body)
-        self._on_notice(str(said.get("name")), dict(said.get("arguments") or {}))
+        match said.get("name"), said.get("arguments") or {}:
+            case "pace", {"rate_hz": int(rate_hz)} if rate_hz >= 0:
+                self._broadcast.pace(channel, rate_hz)
+            case name, arguments:
+                self._on_notice(str(name), dict(arguments))
 
     async def answer(self, asked: dict[str, Any]) -> dict[str, Any]:
         """Handle a request; returns its result or its fault, as ANSWER holds it."""
@@ -171,6 +226,11 @@ class VehicleEnd:
             log.exception("a request failed", request=name)
             failed = GatewayError("internal", f"'{name}' failed in the flight process ({type(error).__name__}).")
             return {"fault": fault_of(failed)}
+
+    def send_answer(self, channel: Channel, number: int, answer: dict[str, Any]) -> None:
+        """Send an answer, after all samples before it."""
+        self._broadcast.send_gathered()
+        channel.send(pack_numbered(Kind.ANSWER, number, answer))
 
     def _close(self, channel: Channel) -> None:
         self._open.discard(channel)
@@ -200,20 +260,19 @@ class _Conversation:
 
     def _take(self, record: Record) -> None:
         if record.kind == Kind.NOTICE:
-            self._end.notice(record.body)
+            self._end.notice(self._channel, record.body)
         elif record.kind == Kind.REQUEST:
             number, asked = unpack_numbered(record.body)
             if self._under_way >= _MOST_REQUESTS:
                 busy = GatewayError("internal", "Too much is asked of the flight process at once: try again.")
-                self._channel.send(pack_numbered(Kind.ANSWER, number, {"fault": fault_of(busy)}))
+                self._end.send_answer(self._channel, number, {"fault": fault_of(busy)})
                 return
             self._under_way += 1
             self._tasks.create_task(self._answer(number, asked))
 
     async def _answer(self, number: int, asked: dict[str, Any]) -> None:
         try:
-            answer = await self._end.answer(asked)
-            self._channel.send(pack_numbered(Kind.ANSWER, number, answer))
+            self._end.send_answer(self._channel, number, await self._end.answer(asked))
         finally:
             self._under_way -= 1
 

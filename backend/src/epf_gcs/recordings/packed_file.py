@@ -1,8 +1,8 @@
 """The bytes of an MCAP file of zstd chunks, with an index of chunks and notes at its end.
 
 The library's own writer takes one message at a time; an hour of a full line has a million of them. Here a chunk is
-made of records that are already bytes. There is no index of messages: it would be a third of the file, for it is not
-compressed, and who looks for a time finds the chunk and its messages in their order.
+made of records that are already bytes, and its index of arrays. Only viewers of other makers need an index of messages:
+it is not compressed, so it would be a third of a recording, and who looks for a time finds its chunk without.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ import zstandard
 from mcap.opcode import Opcode
 from mcap.records import ChunkIndex, MetadataIndex
 
-from epf_gcs.recordings.mcap_file import Tally, closing, data_end, encoded, opening
+from epf_gcs.recordings.mcap_file import Contents, Tally, closing, data_end, encoded, opening
 from epf_gcs.recordings.parts import Messages
 from epf_gcs.recordings.scan import Bytes, Places
 from epf_gcs.recordings.topics import TOPICS
@@ -24,7 +24,7 @@ from epf_gcs.recordings.topics import TOPICS
 # What repeats lies near: the same message a few records before. So neither a longer window nor a longer chunk packs
 # better, while short matches do: the next value of a slow float differs from the one before it in its last bytes.
 _CHUNK_BYTES: Final = 4 << 20
-_SEARCH: Final = zstandard.ZstdCompressionParameters(
+_SMALLEST: Final = zstandard.ZstdCompressionParameters(
     strategy=zstandard.STRATEGY_BTULTRA,
     window_log=16,
     chain_log=16,
@@ -37,12 +37,19 @@ _PACKING: Final = "zstd"
 
 _CHUNK_HEAD: Final = Struct("<BQQQQII")
 _SIZE: Final = Struct("<Q")
+_INDEX_HEAD: Final = Struct("<BQHI")
+_ENTRY: Final = np.dtype([("t_ns", "<u8"), ("at", "<u8")])
 
 
 class PackedFile:
-    """Writes into an empty file. Raises OSError."""
+    """Writes into an empty file; without `contents` it has the topics of a recording. Raises OSError.
 
-    def __init__(self, file: BinaryIO, library: str) -> None:
+    With a zstd `level` it is quickly written and for viewers, with an index of messages; without one it is small.
+    """
+
+    def __init__(
+        self, file: BinaryIO, library: str, contents: Contents | None = None, level: int | None = None
+    ) -> None:
         self._file = file
         self._place = 0
         self._tally = Tally()
@@ -51,9 +58,16 @@ class PackedFile:
         self._records: list[Bytes] = []
         self._channel: list[Places] = []
         self._t_ns: list[Places] = []
+        self._at: list[Places] = []
         self._gathered = 0
-        self._compressor = zstandard.ZstdCompressor(compression_params=_SEARCH)
-        self._put(opening(library, TOPICS))
+        self._has_index = level is not None
+        self._compressor = (
+            zstandard.ZstdCompressor(compression_params=_SMALLEST)
+            if level is None
+            else zstandard.ZstdCompressor(level=level)
+        )
+        self._topics = TOPICS if contents is None else contents
+        self._put(opening(library, self._topics))
 
     def put(self, records: Bytes, at: Places, messages: Messages) -> None:
         """Append message records; `at` (shape (n,)) is where each of the n messages begins in them."""
@@ -69,6 +83,7 @@ class PackedFile:
                 self._records.append(records[begin:stop])
                 self._channel.append(messages.channel[first:end].astype(np.int64))
                 self._t_ns.append(messages.t_ns[first:end])
+                self._at.append(at[first:end] - begin + self._gathered)
                 self._gathered += stop - begin
                 first = end
             if first < len(at):
@@ -86,36 +101,47 @@ class PackedFile:
         self._end_chunk()
         end = data_end()
         indexes = b"".join([encoded(index) for index in (*self._chunks, *self._notes)])
-        summary = closing(TOPICS, self._tally, self._place + len(end), indexes, len(self._chunks))
+        summary = closing(self._topics, self._tally, self._place + len(end), indexes, len(self._chunks))
         self._put(end + summary)
 
     def _end_chunk(self) -> None:
         if not self._gathered:
             return
         content = np.concatenate(self._records).tobytes()
-        channel, t_ns = np.concatenate(self._channel), np.concatenate(self._t_ns)
-        self._records, self._channel, self._t_ns, self._gathered = [], [], [], 0
+        channel, t_ns, at = (np.concatenate(arrays) for arrays in (self._channel, self._t_ns, self._at))
+        self._records, self._channel, self._t_ns, self._at, self._gathered = [], [], [], [], 0
         packed = self._compressor.compress(content)
         start_ns, end_ns = int(t_ns.min()), int(t_ns.max())
         place, name = self._place, _PACKING.encode()
         length = _CHUNK_HEAD.size - 9 + len(name) + _SIZE.size + len(packed)
         head = _CHUNK_HEAD.pack(Opcode.CHUNK, length, start_ns, end_ns, len(content), zlib.crc32(content), len(name))
         self._put(head + name + _SIZE.pack(len(packed)) + packed)
+        index_place, offsets = self._place, {}
         for number in np.unique(channel).tolist():
-            self._tally.add_all(number, t_ns[channel == number])
+            chosen = np.flatnonzero(channel == number)
+            self._tally.add_all(number, t_ns[chosen])
+            if self._has_index:
+                offsets[number] = self._place
+                self._put_index(number, t_ns[chosen], at[chosen])
         self._chunks.append(
             ChunkIndex(
-                chunk_length=self._place - place,
+                chunk_length=index_place - place,
                 chunk_start_offset=place,
                 compression=_PACKING,
                 compressed_size=len(packed),
                 message_end_time=end_ns,
-                message_index_length=0,
-                message_index_offsets={},
+                message_index_length=self._place - index_place,
+                message_index_offsets=offsets,
                 message_start_time=start_ns,
                 uncompressed_size=len(content),
             )
         )
+
+    def _put_index(self, channel: int, t_ns: Places, at: Places) -> None:
+        entries = np.empty(len(at), dtype=_ENTRY)
+        entries["t_ns"], entries["at"] = t_ns, at
+        self._put(_INDEX_HEAD.pack(Opcode.MESSAGE_INDEX, 6 + entries.nbytes, channel, entries.nbytes))
+        self._put(entries.tobytes())
 
     def _put(self, data: bytes) -> None:
         self._file.write(data)

@@ -47,7 +47,7 @@ class Station:
         self._errors = errors
         self._here = asyncio.Event()
         self.clock = Clock()
-        self.hub = Hub(loop, self.clock.now_s)
+        self.hub = Hub(loop, self.clock.now_s, on_rate=self._rate_changed)
         errors.tell_viewers(self.clock.steady_s, self.hub.event)
         self.mirror = VehicleMirror(self.hub, self.clock, on_change=self._status_changed, on_here=self._vehicle_here)
         self.vehicle = StationEnd(data_dir, self.mirror)
@@ -130,6 +130,9 @@ class Station:
         recording = self.mirror.status["recording"]
         return str(recording["file"]).removesuffix(".mcap") if recording["active"] else None
 
+    def _rate_changed(self, rate_hz: int) -> None:
+        self.vehicle.pace(rate_hz)
+
     def _status_changed(self) -> None:
         self.tracks.status_changed()
         self.flights.status_changed()
@@ -140,6 +143,7 @@ class Station:
         if holder is not None and self.control.holder is None:
             self.control.restore(Client(holder["client"], holder["name"]))
         self._tell_vehicle(self.control.holder)
+        self.vehicle.pace(self.hub.rate_hz)
         self._here.set()
 
     def _on_control(self, holder: Client | None) -> None:

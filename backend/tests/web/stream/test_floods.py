@@ -6,9 +6,11 @@ import os
 import socket
 import struct
 import threading
+import time
 from collections.abc import Iterator
 from contextlib import ExitStack, closing, contextmanager
 
+import orjson
 import pytest
 from websockets.sync.client import connect
 
@@ -142,3 +144,48 @@ def _after_head(stream: socket.socket) -> Iterator[tuple[int, bytes]]:
     while not head.endswith(b"\r\n\r\n"):
         head += stream.recv(1)
     return frames(stream)
+
+
+def masked(opcode: int, content: bytes) -> bytes:
+    """A browser's frame, which is always masked."""
+    mask = b"\x5a\x01\xf0\x33"
+    return (
+        bytes((0x80 | opcode, 0x80 | len(content)))
+        + mask
+        + bytes(letter ^ mask[place % 4] for place, letter in enumerate(content))
+    )
+
+
+def test_however_messages_are_cut_and_mixed_with_pings_each_is_understood(gateway: Gateway) -> None:
+    asked = [b'{"type":"rate","rate":%d}' % number for number in range(1001, 1007)]
+    first, second, third, fourth, fifth, sixth = (masked(1, text) for text in asked)
+    ping = masked(9, b"hello")
+    with closing(raw_stream(gateway)) as stream:
+        heard = _after_head(stream)
+        for piece in (
+            first + second,
+            third + ping,
+            ping,
+            *(fourth[place : place + 1] for place in range(len(fourth))),
+            fifth + sixth[:9],
+            sixth[9:],
+            # A text whose second part looks like a message of its own.
+            bytes((0x81, 0x80 | len(first))) + bytes(4),
+            first,
+        ):
+            stream.sendall(piece)
+            time.sleep(0.01)  # so that pieces arrive apart; together they would only prove less
+        answers: list[bytes] = []
+        pongs = 0
+        for opcode, content in heard:
+            pongs += opcode == 10 and content == b"hello"
+            if content.startswith(b'{"type":"event","event":"error"'):
+                answers.append(content)
+            elif content.startswith(b'{"type":"batch"'):
+                # Without acknowledgements what follows would be held back.
+                stream.sendall(masked(1, b'{"type":"ack","seq":%d}' % orjson.loads(content)["seq"]))
+            if len(answers) == len(asked) + 1 and pongs == 2:
+                break
+    assert sum(b"rate must be" in answer for answer in answers) == len(asked)
+    assert sum(b"not JSON" in answer for answer in answers) == 1
+    assert pongs == 2

@@ -192,6 +192,21 @@ async def test_the_rate_can_be_changed_and_a_viewer_can_go(hub: Hub) -> None:
     assert screen.values("ahrs")[-1] == 4
 
 
+async def test_samples_are_wanted_at_the_rate_of_the_fastest_viewer() -> None:
+    rates_hz: list[int] = []
+    hub = Hub(asyncio.get_running_loop(), lambda: 1000.0, on_rate=rates_hz.append)
+    unseen_hz = hub.rate_hz
+    assert unseen_hz > 0
+    slow = a_screen(hub, 1)
+    assert hub.rate_hz == unseen_hz, "the track needs more than a slow viewer"
+    fast = a_screen(hub, 60)
+    every = a_screen(hub, 0)
+    hub.remove(every.viewer)
+    hub.remove(fast.viewer)
+    hub.remove(slow.viewer)
+    assert rates_hz == [60, 0, 60, unseen_hz]
+
+
 async def test_an_acknowledgement_of_nothing_is_refused(hub: Hub) -> None:
     screen = a_screen(hub)
     assert not screen.viewer.acknowledge(1)

@@ -15,6 +15,11 @@ from epf_gcs.web.stream.viewer import Viewer
 # Viewers served in one turn of the event loop. Between turns the loop handles all other input, so that fifty viewers
 # delay it by the time of a few, not of all.
 _VIEWERS_PER_TURN: Final = 4
+# The least rate at which samples are wanted, also while nobody is on the stream: for the track, Google Earth and single
+# requests. A sample must not grow stale while it waits.
+_LEAST_HZ: Final = 20
+# A batch may leave this share of a period early: samples that come at the same rate are not held until the next.
+_EARLY: Final = 0.25
 
 
 class _Pacer:
@@ -28,14 +33,24 @@ class _Pacer:
 
 
 class Hub:
-    """Owned by the event loop. Put any number of samples into `state`, then `flush` once."""
+    """Owned by the event loop. Put any number of samples into `state`, then `flush` once.
+
+    `rate_hz`: how many times a second samples are wanted, by the fastest viewer; 0: each at once. `on_rate` is called
+    with it when it changes.
+    """
 
     def __init__(
-        self, loop: asyncio.AbstractEventLoop, now_s: Callable[[], float], state: HubState | None = None
+        self,
+        loop: asyncio.AbstractEventLoop,
+        now_s: Callable[[], float],
+        state: HubState | None = None,
+        on_rate: Callable[[int], None] = lambda _: None,
     ) -> None:
         self.state = state or HubState()
+        self.rate_hz = _LEAST_HZ
         self._loop = loop
         self._now_s = now_s
+        self._on_rate = on_rate
         self._pacers: dict[int, _Pacer] = {}
         self._every_sample: list[Viewer] = []
         self._queue: deque[Viewer] = deque()
@@ -55,7 +70,7 @@ class Hub:
             for pacer in self._pacers.values():
                 if pacer.armed:
                     continue
-                if now >= pacer.due_s:
+                if now >= pacer.due_s - _EARLY * pacer.period_s:
                     self._release(pacer, now)
                 else:
                     pacer.armed = True
@@ -88,6 +103,7 @@ class Hub:
         else:
             self._every_sample.append(viewer)
             self.state.keep_all = True
+        self._choose_rate()
         self.serve(viewer)
 
     def remove(self, viewer: Viewer) -> None:
@@ -101,6 +117,7 @@ class Hub:
             self._every_sample.remove(viewer)
             if not self._every_sample:
                 self.state.drop_log()
+        self._choose_rate()
 
     def change_rate(self, viewer: Viewer, rate_hz: int) -> None:
         """From now on this viewer gets `rate_hz` batches a second; 0: every sample."""
@@ -116,6 +133,12 @@ class Hub:
         if not self._turn_due:
             self._turn_due = True
             self._loop.call_soon(self._turn)
+
+    def _choose_rate(self) -> None:
+        rate_hz = 0 if self._every_sample else max((_LEAST_HZ, *self._pacers))
+        if rate_hz != self.rate_hz:
+            self.rate_hz = rate_hz
+            self._on_rate(rate_hz)
 
     def _timer(self, pacer: _Pacer) -> None:
         pacer.armed = False
