@@ -138,6 +138,20 @@ def test_a_packed_recording_is_the_same_flight(recording: Path, tmp_path: Path) 
     assert state_of(from_key) == state_of(from_start), "key frames hold before and after packing"
 
 
+def test_a_recording_that_is_packed_while_it_is_replayed_plays_on(tmp_path: Path) -> None:
+    path = write(tmp_path / "a.mcap", flight(12.0))
+    outlet, expected = KeptOutlet(), KeptOutlet()
+    Playhead(Timeline(path), expected).advance(STARTS_NS + 12 * SECOND_NS)
+    timeline = Timeline(path)
+    head = Playhead(timeline, outlet)
+    head.advance(STARTS_NS + SECOND_NS)
+    pack(path)
+    head.advance(STARTS_NS + 12 * SECOND_NS)
+    assert outlet.samples == expected.samples
+    again = Timeline(path)
+    assert (again.starts_ns, again.edge_ns, again.is_whole) == (timeline.starts_ns, timeline.edge_ns, True)
+
+
 def test_a_growing_recording_is_followed_to_its_edge(tmp_path: Path) -> None:
     data = write(tmp_path / "whole.mcap", flight(6.0)).read_bytes()
     path = tmp_path / "growing.mcap"
