@@ -14,7 +14,7 @@ from typing import BinaryIO, Final, NamedTuple
 import numpy as np
 
 from epf_gcs.recordings.limits import RecordingError
-from epf_gcs.recordings.notes import Note
+from epf_gcs.recordings.notes import EVENT, IDENTITY, Note
 from epf_gcs.recordings.reading import Messages, Part, Reader
 from epf_gcs.recordings.skim import ChunkAt, skim
 
@@ -24,6 +24,7 @@ _BLOCK_BYTES: Final = 1 << 19
 _PIECES_AT_HAND: Final = 3
 _PARTS_AT_HAND: Final = 4
 # Pieces have numbers: this many times the place in the list, plus which piece of the chunk it is.
+_TELLING: Final = frozenset({EVENT, IDENTITY})
 _OF_ONE: Final = 1 << 20
 
 
@@ -98,6 +99,11 @@ class Timeline:
             else:
                 self._pieces.append(_Piece(0, True, 0, 0, self.edge_ns, [(0, one)]))
             self._latest.append(self.edge_ns)
+
+    @property
+    def has_event_notes(self) -> bool:
+        """Whether this recording tells the events of its flight: those of now begin with such a note."""
+        return any(note.name in _TELLING for piece in self._pieces for _, note in piece.notes)
 
     def look(self) -> bool:
         """Take in what was written since the last look. True if that was anything."""
@@ -279,11 +285,12 @@ class Cursor:
         if items is not None and len(items) > self._place:
             self._items = items
             return items[self._place]
-        number: int | None = self._number
-        while (number := self._timeline.following(number)) is not None:
+        number = self._timeline.following(self._number)
+        while number is not None:
             if following := self._timeline.items(number):
                 self._number, self._place, self._items = number, 0, following
                 return following[0]
+            number = self._timeline.following(number)
         return None
 
     def take(self) -> None:
