@@ -184,6 +184,20 @@ export const SCREENS: readonly Screen[] = [
   { tab: "Mensajes", sub: "X-Plane", parts: [{ role: "tabpanel", name: "X-Plane" }] },
   { tab: "Mensajes", sub: "Enlace", parts: [{ role: "tabpanel", name: "Enlace", reads: ["RX", "TX", "p50", "p99"] }] },
   {
+    tab: "Gráficas",
+    parts: [
+      { role: "toolbar", name: "Gráficas", reads: ["Disposición", "Comparar con"] },
+      { role: "region", name: "Señales", reads: ["Señal calculada"] },
+      ...[1, 2, 3].map((number): Part => ({ role: "region", name: `Gráfica ${number}`, reads: ["Mín.", "Media", "Máx."] })),
+      ...["Acercar", "Alejar", "Todo el vuelo", "Último minuto", "Añadir una gráfica"].map(
+        (name): Part => ({ role: "button", name }),
+      ),
+      ...["Guardar lo que se ve como CSV", "Guardar lo que se ve como imagen"].map(
+        (name): Part => ({ role: "button", name }),
+      ),
+    ],
+  },
+  {
     tab: "Alarmas",
     parts: [
       { role: "region", name: "Activas" },
@@ -210,6 +224,16 @@ export const SCREENS: readonly Screen[] = [
       { role: "textbox", name: "Línea para la placa" },
       { role: "button", name: "Enviar" },
       { role: "region", name: "Tramas de X-Plane en vivo" },
+    ],
+  },
+  // Beyond the old station: after its tabs.
+  {
+    tab: "Vuelos",
+    parts: [
+      ...["Importar…", "Papelera"].map((name): Part => ({ role: "button", name })),
+      ...["Etiqueta", "Placa", "Ordenar por"].map((name): Part => ({ role: "combobox", name })),
+      { role: "region", name: "Grabándose ahora", reads: ["B", "Ver desde el principio"] },
+      { role: "region", name: "Disco", reads: ["Si falta sitio, borrar los vuelos más antiguos"] },
     ],
   },
 ];

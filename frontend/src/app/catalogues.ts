@@ -10,6 +10,8 @@ import emulationEn from "../features/emulation/emulation.en.json";
 import emulationEs from "../features/emulation/emulation.es.json";
 import flightEn from "../features/flight/flight.en.json";
 import flightEs from "../features/flight/flight.es.json";
+import flightsEn from "../features/flights/flights.en.json";
+import flightsEs from "../features/flights/flights.es.json";
 import gamepadEn from "../features/gamepad/gamepad.en.json";
 import gamepadEs from "../features/gamepad/gamepad.es.json";
 import guideEn from "../features/guide/guide.en.json";
@@ -22,6 +24,8 @@ import parametersEn from "../features/parameters/parameters.en.json";
 import parametersEs from "../features/parameters/parameters.es.json";
 import playbackEn from "../features/playback/playback.en.json";
 import playbackEs from "../features/playback/playback.es.json";
+import plotsEn from "../features/plots/plots.en.json";
+import plotsEs from "../features/plots/plots.es.json";
 import servosEn from "../features/servos/servos.en.json";
 import servosEs from "../features/servos/servos.es.json";
 import setupEn from "../features/setup/setup.en.json";
@@ -49,12 +53,14 @@ export const CATALOGUES = {
     ...controlsEs,
     ...emulationEs,
     ...flightEs,
+    ...flightsEs,
     ...gamepadEs,
     ...guideEs,
     ...mapEs,
     ...messagesEs,
     ...parametersEs,
     ...playbackEs,
+    ...plotsEs,
     ...servosEs,
     ...setupEs,
     ...sixEs,
@@ -71,12 +77,14 @@ export const CATALOGUES = {
     ...controlsEn,
     ...emulationEn,
     ...flightEn,
+    ...flightsEn,
     ...gamepadEn,
     ...guideEn,
     ...mapEn,
     ...messagesEn,
     ...parametersEn,
     ...playbackEn,
+    ...plotsEn,
     ...servosEn,
     ...setupEn,
     ...sixEn,

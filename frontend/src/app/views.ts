@@ -11,8 +11,10 @@ export const TABS = [
   "map",
   "ahrs3d",
   "messages",
+  "plots",
   "alarms",
   "setup",
+  "flights",
 ] as const;
 export type TabName = (typeof TABS)[number];
 
@@ -27,8 +29,10 @@ export const VIEWS: Readonly<Record<TabName, LazyPart>> = {
   map: lazyPart(async () => (await import("../features/map/MapView")).MapView),
   ahrs3d: lazyPart(async () => (await import("../features/ahrs/Ahrs3dView")).Ahrs3dView),
   messages: lazyPart(async () => (await import("../features/messages/MessagesView")).MessagesView),
+  plots: lazyPart(async () => (await import("../features/plots/PlotsView")).PlotsView),
   alarms: lazyPart(async () => (await import("../features/alarms/AlarmsView")).AlarmsView),
   setup: lazyPart(async () => (await import("./tabs/SetupTab")).SetupTab),
+  flights: lazyPart(async () => (await import("../features/flights/FlightsView")).FlightsView),
 };
 
 /** The tuning view, which stays open under any tab. */

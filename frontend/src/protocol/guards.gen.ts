@@ -735,10 +735,12 @@ export const isSignal = shape({
 });
 export type Signal = Checked<typeof isSignal>;
 
-/** The stretch, cut to the flight's, and its signals in the order they were asked for. */
+/** The stretch, cut to the flight's, and its signals in the order they were asked for. `starts_s` is the Unix time
+ * of the flight's start. */
 export const isSignals = shape({
   from_s: isNumber,
   signals: list(isSignal),
+  starts_s: isNumber,
   to_s: isNumber,
 });
 export type Signals = Checked<typeof isSignals>;

@@ -28,6 +28,8 @@ export interface Asked {
   readonly answer: (value: unknown, status?: number) => Promise<void>;
 }
 
+// uPlot asks for the display's density when it is loaded.
+installCanvas();
 // Tests examine what is shown, not how it was loaded.
 await loadParts();
 
@@ -57,6 +59,8 @@ export class Station {
   readonly replays: FakeReplay[] = [];
   /** The address of the page. */
   url: string;
+  /** Files that the page sends; each is answered as the request of its path. */
+  readonly uploads: Array<{ readonly path: string; readonly onSent: (bytes: number) => void }> = [];
   /** The files that the page saved for the user. */
   readonly saved: Array<{ readonly name: string; readonly content: Blob }> = [];
   /** Exceptions in the page's own code. */
@@ -89,6 +93,12 @@ export class Station {
         },
       },
       fetch: (path, init) => this.#ask(path, init),
+      upload: (path, { signal, onSent }) =>
+        new Promise((resolve, reject) => {
+          this.uploads.push({ path, onSent: (bytes) => act(() => onSent(bytes)) });
+          signal.addEventListener("abort", () => reject(new TypeError("abort")));
+          void this.#ask(path, { method: "POST" }).then(resolve, reject);
+        }),
       animationFrames: this.animationFrames,
       storage: new MemoryStorage(),
       tabStorage: new MemoryStorage(),

@@ -3,6 +3,7 @@ import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
 import "./Plot.css";
 import { PLOT_DASHES, plotColour } from "./plotColours";
+import { axisWidth, type Look, lookOf, MOST_AXES, roomy, scaleOf, sizeOf } from "./plotLook";
 
 /** Times in seconds relative to now (zero or less), and each series' values; null is a gap. */
 export type PlotData = readonly [readonly number[], ...ReadonlyArray<ReadonlyArray<number | null>>];
@@ -27,11 +28,6 @@ interface Props {
   /** Called with the index of the row under the pointer; null when it leaves. */
   onPoint?: ((index: number | null) => void) | undefined;
 }
-
-/** Width of a digit in the number font. */
-const EM_PER_FIGURE = 0.65;
-/** Greatest number of units with their own axis; there is no room for more. */
-const MOST_AXES = 4;
 
 /**
  * A plot of series over the last seconds, by uPlot; painted by its handle, without a render. A canvas is silent for
@@ -95,10 +91,6 @@ export function Plot({ ref, series, window_s, secondsUnit, onPoint }: Props) {
   return <div ref={box} className="ui-plot" aria-hidden="true" />;
 }
 
-function sizeOf(element: HTMLElement): { width: number; height: number } {
-  return { width: Math.max(1, element.clientWidth), height: Math.max(1, element.clientHeight) };
-}
-
 /** The last drawn data, if it has the same number of series. */
 function fitting(data: PlotData | null, count: number): PlotData {
   return data !== null && data.length === count + 1
@@ -109,27 +101,6 @@ function fitting(data: PlotData | null, count: number): PlotData {
 /** uPlot's type demands mutable arrays, but it does not change them. */
 function aligned(data: PlotData): uPlot.AlignedData {
   return data as unknown as uPlot.AlignedData;
-}
-
-interface Look {
-  readonly colour: (token: string) => string;
-  readonly fontSize_px: number;
-  readonly fontFamily: string;
-}
-
-/** The theme's colours, read once and not per drawing: each query makes the browser compute styles. */
-function lookOf(element: HTMLElement): Look {
-  const style = getComputedStyle(element);
-  const known = new Map<string, string>();
-  return {
-    colour: (token) => {
-      const colour = known.get(token) ?? style.getPropertyValue(token).trim();
-      known.set(token, colour);
-      return colour;
-    },
-    fontSize_px: Number.parseFloat(style.fontSize) || 12,
-    fontFamily: style.getPropertyValue("--font-number").trim() || "monospace",
-  };
 }
 
 interface Wanted extends Look {
@@ -190,24 +161,4 @@ function options(wanted: Wanted): uPlot.Options {
     ],
     hooks: { setCursor: [({ cursor }) => onPoint(cursor.idx ?? null)] },
   };
-}
-
-function scaleOf(unit: string): string {
-  return `y ${unit}`;
-}
-
-/** Margins above and below; a constant signal is drawn in the middle. */
-function roomy(_: uPlot, min: number | null, max: number | null): uPlot.Range.MinMax {
-  if (min === null || max === null) {
-    return [-1, 1];
-  }
-  const least = Math.max(1e-3, Math.abs(max) * 1e-3);
-  const pad = max - min < least ? least : (max - min) * 0.08;
-  return [min - pad, max + pad];
-}
-
-/** Wide enough for the longest number, and for at least five digits, so that the plot does not jump. */
-function axisWidth(values: readonly string[] | null, fontSize_px: number): number {
-  const longest = Math.max(5, ...(values ?? []).map((text) => text.length));
-  return Math.ceil(longest * EM_PER_FIGURE * fontSize_px) + 10;
 }

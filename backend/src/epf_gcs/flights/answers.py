@@ -10,9 +10,9 @@ from typing import Any, Final
 import numpy as np
 import pyarrow as pa
 
-from epf_gcs.errors import NotFoundError
+from epf_gcs.flights.derived import find
 from epf_gcs.flights.fields import fields_of
-from epf_gcs.flights.flight_data import FlightData, PeriodCache, Samples, split_name
+from epf_gcs.flights.flight_data import FlightData, PeriodCache
 from epf_gcs.flights.signals import Array, gaps_of, thin
 from epf_gcs.formats.track_points import points_header
 from epf_gcs.recordings import notes
@@ -27,7 +27,6 @@ _ALTITUDES: Final = (
 )
 _POINT: Final = np.dtype([("t_ms", "<u4"), ("latitude_e7", "<i4"), ("longitude_e7", "<i4"), ("altitude_mm", "<i4")])
 _MOST_POINTS: Final = 720_000
-_NOTHING: Final = Samples(np.empty(0), np.empty(0))
 
 
 def duration_s(flight: FlightData) -> float:
@@ -38,25 +37,21 @@ def duration_s(flight: FlightData) -> float:
 def signals(
     flight: FlightData, periods: PeriodCache, names: list[str], from_s: float | None, to_s: float | None, points: int
 ) -> dict[str, Any]:
-    """The stretch and its signals, each thinned to about `points` steps.
+    """The stretch and its signals, each thinned to about `points` steps. Raises NotFoundError, InvalidInputError.
 
-    A signal that this flight does not have is empty. Raises NotFoundError for one that the definition does not have.
+    A signal that this flight does not have is empty; one that the definition does not have is not found.
     """
     whole_s = duration_s(flight)
     first_s = min(max(0.0, from_s or 0.0), whole_s)
     last_s = whole_s if to_s is None else min(max(first_s, to_s), whole_s)
     found = []
     for name in names:
-        topic, field = split_name(name)
-        try:
-            t_s, values = flight.samples(topic, field)
-        except NotFoundError:
-            t_s, values = _NOTHING
-        thinned = thin(t_s, values, first_s, last_s, points, periods.of(topic, t_s))
+        signal = find(flight, periods, name)
+        thinned = thin(signal.t_s, signal.values, first_s, last_s, points, signal.period_s)
         found.append(
             {
                 "name": name,
-                "unit": fields_of(topic)[field].unit,
+                "unit": signal.unit,
                 "at_s": np.round(thinned.at_s, 6),
                 "min": thinned.low,
                 "max": thinned.high,
@@ -64,7 +59,7 @@ def signals(
                 "count": thinned.known,
             }
         )
-    return {"from_s": first_s, "to_s": last_s, "signals": found}
+    return {"starts_s": flight.start_ns * _NS, "from_s": first_s, "to_s": last_s, "signals": found}
 
 
 def as_arrow(found: dict[str, Any]) -> bytes:

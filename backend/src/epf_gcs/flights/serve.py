@@ -19,6 +19,7 @@ import orjson
 
 from epf_gcs.errors import GatewayError
 from epf_gcs.flights import answers
+from epf_gcs.flights.derived import split_names
 from epf_gcs.flights.events import FILE, as_answer, find_events, read_events
 from epf_gcs.flights.flight_data import PeriodCache
 from epf_gcs.flights.growing import GrowingFlight
@@ -109,9 +110,8 @@ def serve(flights: Flights, requests: BinaryIO, replies: BinaryIO) -> None:
 
 
 def _signals(opened: _Open, asked: dict[str, Any]) -> bytes:
-    found = answers.signals(
-        opened.data, opened.periods, asked["names"], asked["from_s"], asked["to_s"], asked["points"]
-    )
+    names = split_names(asked["names"])
+    found = answers.signals(opened.data, opened.periods, names, asked["from_s"], asked["to_s"], asked["points"])
     return answers.as_arrow(found) if asked["arrow"] else _json(found)
 
 

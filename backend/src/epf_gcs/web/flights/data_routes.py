@@ -24,6 +24,9 @@ router = APIRouter(prefix="/flights", tags=["flights"])
 ARROW: Final = "application/vnd.apache.arrow.stream"
 _JSON: Final = "application/json"
 _MOST_NAMES: Final = 32
+_RECORDED: Final = r"[A-Za-z0-9_]+\.[A-Za-z0-9_]+"
+_SIGNAL: Final = rf"({_RECORDED}|rate\({_RECORDED}\)|(diff|error)\({_RECORDED},{_RECORDED}\))"
+_NAMES: Final = rf"^{_SIGNAL}(,{_SIGNAL}){{0,{_MOST_NAMES - 1}}}$"
 _BINARY: Final[dict[str, Any]] = {"schema": {"type": "string", "format": "binary"}}
 
 FlightName = Annotated[
@@ -63,9 +66,11 @@ async def get_flight_signals(
         Query(
             min_length=1,
             max_length=2000,
-            pattern=r"^[a-z0-9_]+\.[a-z0-9_]+(,[a-z0-9_]+\.[a-z0-9_]+){0,31}$",
-            description=f"Up to {_MOST_NAMES} signals, as topic.field, separated by commas.",
-            examples=["ahrs.roll_deg,gps.speed_kt"],
+            pattern=_NAMES,
+            description=f"Up to {_MOST_NAMES} signals, separated by commas: topic.field, rate(topic.field) for the "
+            "change in a second, diff(topic.field,topic.field) for the first less the second, or "
+            "error(topic.field,topic.field) for the second, a target, less the first.",
+            examples=["ahrs.roll_deg,rate(gps.speed_kt)"],
         ),
     ],
     from_s: AtS = None,
@@ -76,7 +81,7 @@ async def get_flight_signals(
     an Arrow stream with the columns name, at_s, min and max."""
     flight, growing = await which(flight_id, flights)
     arrow = ARROW in request.headers.get("accept", "")
-    wanted = {"names": names.split(","), "from_s": from_s, "to_s": to_s, "points": points, "arrow": arrow}
+    wanted = {"names": names, "from_s": from_s, "to_s": to_s, "points": points, "arrow": arrow}
     body = await queries.ask("signals", flight, growing=growing, **wanted)
     return Response(body, media_type=ARROW if arrow else _JSON)
 
