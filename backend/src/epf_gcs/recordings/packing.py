@@ -70,8 +70,9 @@ class RecordReader(Reader):
                 first = before
             yield _block(part.messages, first, len(part.messages.channel), None)
 
-    def _learn(self, data: Bytes, other: Other) -> list[Note]:
-        found = super()._learn(data, other)
+    def learn(self, data: Bytes, other: Other) -> list[Note]:
+        """As its base does; keeps the bytes of a note's record, which are written as they are."""
+        found = super().learn(data, other)
         if found:
             self._records.append(data[other.start - HEAD.size : other.start + other.length].tobytes())
         return found
