@@ -9,36 +9,39 @@ import pytest
 from epf_gcs.flight.line_clock import LineClock
 from epf_gcs.recordings.topics import BOARD_RECEIVED, BOARD_SENT, SIMULATOR_RECEIVED, SIMULATOR_SENT
 
+TICK_NS = 1024
+
 
 class SteadyClock:
-    """The system's steady clock in the test's hand."""
+    """The system's steady clock in the test's hand; it and the system's time begin at a tick."""
 
     def __init__(self) -> None:
-        self.ns = 5_000_000_000
+        self.ns = 5_000_000 * TICK_NS
 
     def __call__(self) -> int:
         return self.ns
 
-    def wait_us(self, microseconds: int) -> None:
-        self.ns += 1000 * microseconds
+    def wait(self, ticks: int) -> None:
+        self.ns += TICK_NS * ticks
 
 
 @pytest.fixture
 def steady(monkeypatch: pytest.MonkeyPatch) -> SteadyClock:
     clock = SteadyClock()
     monkeypatch.setattr(time, "monotonic_ns", clock)
+    monkeypatch.setattr(time, "time_ns", lambda: 1_700_000_000_000_000 * TICK_NS)
     return clock
 
 
 def test_reads_within_a_millisecond_of_the_first_have_its_time(steady: SteadyClock) -> None:
     clock = LineClock()
     first = clock.received(BOARD_RECEIVED)
-    steady.wait_us(600)
+    steady.wait(600)
     assert clock.received(BOARD_RECEIVED) == first
-    steady.wait_us(399)
+    steady.wait(376)
     assert clock.received(BOARD_RECEIVED) == first
-    steady.wait_us(1)
-    assert clock.received(BOARD_RECEIVED) == first + 1_000_000, "counted from the first, not from the one before"
+    steady.wait(1)
+    assert clock.received(BOARD_RECEIVED) == first + 977 * TICK_NS, "counted from the first, not from the one before"
 
 
 @pytest.mark.parametrize("between", [BOARD_SENT, SIMULATOR_RECEIVED, SIMULATOR_SENT])
@@ -46,16 +49,16 @@ def test_another_topic_in_between_parts_them(steady: SteadyClock, between: int) 
     clock = LineClock()
     stamps = [clock.received(BOARD_RECEIVED)]
     for topic in (between, BOARD_RECEIVED):
-        steady.wait_us(10)
+        steady.wait(10)
         stamps.append(clock.sent(topic))
-    assert stamps == [stamps[0], stamps[0] + 10_000, stamps[0] + 20_000]
+    assert stamps == [stamps[0], stamps[0] + 10 * TICK_NS, stamps[0] + 20 * TICK_NS]
 
 
 def test_each_datagram_has_its_own_time(steady: SteadyClock) -> None:
     clock = LineClock()
     first = clock.received(SIMULATOR_RECEIVED)
-    steady.wait_us(1)
-    assert clock.received(SIMULATOR_RECEIVED) == first + 1000
+    steady.wait(1)
+    assert clock.received(SIMULATOR_RECEIVED) == first + TICK_NS
 
 
 def test_while_a_read_is_decoded_the_time_is_its_and_afterwards_the_present(steady: SteadyClock) -> None:
@@ -63,16 +66,16 @@ def test_while_a_read_is_decoded_the_time_is_its_and_afterwards_the_present(stea
     seen: list[tuple[bytes, int, float]] = []
 
     def take(data: bytes) -> None:
-        steady.wait_us(100)
+        steady.wait(100)
         clock.sent(SIMULATOR_SENT)
         seen.append((data, clock.now_ns(), clock.now_s()))
 
     decode = clock.decoding(take)
     stamp = clock.received(BOARD_RECEIVED)
-    steady.wait_us(200)
+    steady.wait(200)
     decode(b"one")
     assert seen == [(b"one", stamp, stamp * 1e-9)]
-    assert clock.now_ns() == stamp + 300_000
+    assert clock.now_ns() == stamp + 300 * TICK_NS
 
 
 def test_a_decoder_that_fails_does_not_stop_the_time(steady: SteadyClock) -> None:
@@ -84,5 +87,16 @@ def test_a_decoder_that_fails_does_not_stop_the_time(steady: SteadyClock) -> Non
     stamp = clock.received(BOARD_RECEIVED)
     with pytest.raises(ValueError, match="damaged"):
         clock.decoding(fail)(b"")
-    steady.wait_us(50)
-    assert clock.now_ns() == stamp + 50_000
+    steady.wait(50)
+    assert clock.now_ns() == stamp + 50 * TICK_NS
+
+
+def test_no_time_has_noise_in_its_last_bits_and_none_is_earlier_than_one_before(steady: SteadyClock) -> None:
+    clock = LineClock()
+    times: list[int] = []
+    for _ in range(20):
+        steady.ns += 300
+        times += [clock.received(SIMULATOR_RECEIVED), clock.now_ns()]
+    assert times == sorted(times)
+    assert {time_ns % TICK_NS for time_ns in times} == {0}
+    assert times[-1] + TICK_NS > clock.offset_ns + steady.ns

@@ -11,6 +11,8 @@ from pathlib import Path
 
 import pytest
 from mcap.reader import make_reader
+from mcap.records import Message, MessageIndex
+from mcap.stream_reader import StreamReader
 
 from epf_gcs.recordings import packed_file
 from epf_gcs.recordings.limits import RecordingError
@@ -85,6 +87,13 @@ def test_the_library_reads_it_by_its_indexes(raw: Path) -> None:
     from_ns, to_ns = START_NS + 1_500_000_000, START_NS + 1_600_000_000
     found = [message.log_time for _, _, message in reader.iter_messages(starting_at=from_ns, ending_before=to_ns)]
     assert found == list(range(from_ns, to_ns, 1_000_000))
+
+
+def test_nothing_is_stored_that_the_order_says_already(raw: Path) -> None:
+    pack(raw)
+    records = list(StreamReader(BytesIO(raw.read_bytes())).records)
+    assert {record.sequence for record in records if isinstance(record, Message)} == {0}
+    assert not [record for record in records if isinstance(record, MessageIndex)]
 
 
 class _Read:

@@ -9,6 +9,7 @@ from typing import Any
 
 import pytest
 
+from epf_gcs.recordings import notes
 from epf_gcs.recordings.packing import pack
 from epf_gcs.replay.keys import Keys
 from epf_gcs.replay.outlet import Silence
@@ -136,6 +137,50 @@ def test_a_packed_recording_is_the_same_flight(recording: Path, tmp_path: Path) 
     for head in (from_key, from_start):
         head.advance(STARTS_NS + 21 * SECOND_NS)
     assert state_of(from_key) == state_of(from_start), "key frames hold before and after packing"
+
+
+def test_a_recording_without_notes_of_events_has_the_alarms_of_its_bytes(tmp_path: Path) -> None:
+    items = [one for one in flight(24.0, gap=(10.0, 14.0)) if one[1] != notes.EVENT]
+    path = write(tmp_path / "old.mcap", items)
+    timeline, outlet = Timeline(path), KeptOutlet()
+    head = Playhead(timeline, outlet)
+    head.advance(STARTS_NS + 9 * SECOND_NS)
+    before = {alarm["id"] for alarm in head.alarms}
+    head.advance(STARTS_NS + 13 * SECOND_NS)
+    assert {alarm["id"] for alarm in head.alarms if alarm["until_s"] is None} - before == {"heartbeat_lost"}
+    head.advance(STARTS_NS + 20 * SECOND_NS)
+    (silence,) = [alarm for alarm in head.alarms if alarm["id"] == "heartbeat_lost"]
+    assert STARTS_NS * 1e-9 + 14 < silence["until_s"] < STARTS_NS * 1e-9 + 15
+    told = [event for event in outlet.events if event[0] == "alarm" and event[-1]["id"] == "heartbeat_lost"]
+    assert [event[-1]["active"] for event in told] == [True, False]
+    for at_s in (13, 20):
+        key = keyed(timeline).before(STARTS_NS + at_s * SECOND_NS)
+        assert key is not None
+        sought, played = Playhead(timeline, Silence(), *key), Playhead(timeline, Silence())
+        for one in (sought, played):
+            one.advance(STARTS_NS + at_s * SECOND_NS)
+        assert (sought.alarms, state_of(sought)) == (played.alarms, state_of(played))
+
+
+def test_alarms_that_were_noted_are_not_judged_again(tmp_path: Path) -> None:
+    path = write(tmp_path / "new.mcap", flight(24.0, gap=(10.0, 14.0)))
+    outlet = KeptOutlet()
+    head = Playhead(Timeline(path), outlet)
+    head.advance(STARTS_NS + 13 * SECOND_NS)
+    assert {alarm["id"] for alarm in head.alarms} <= {"gps_lost"}
+
+
+def test_a_recording_that_is_packed_while_it_is_replayed_plays_on(tmp_path: Path) -> None:
+    path = write(tmp_path / "a.mcap", flight(12.0))
+    outlet, expected = KeptOutlet(), KeptOutlet()
+    Playhead(Timeline(path), expected).advance(STARTS_NS + 12 * SECOND_NS)
+    timeline = Timeline(path)
+    pack(path)
+    head = Playhead(timeline, outlet)
+    head.advance(STARTS_NS + 12 * SECOND_NS)
+    assert outlet.samples == expected.samples
+    again = Timeline(path)
+    assert (again.starts_ns, again.edge_ns, again.is_whole) == (timeline.starts_ns, timeline.edge_ns, True)
 
 
 def test_a_growing_recording_is_followed_to_its_edge(tmp_path: Path) -> None:

@@ -309,12 +309,14 @@ class Flight:
     def _on_opened(self) -> None:
         # At once and not in the re-arming task, which may be busy: it would discard values that were loaded meanwhile.
         self._known.identity()
+        self._known.forget_plans()
         self.parameters.forget()
         self.rearming.board_opened()
 
     def _on_restarted(self, restart: Restart) -> None:
         """The board lost what was not stored on its card: report what that was."""
         self._log.board_restarted(restart.uptime_ms)
+        self._known.forget_plans()
         lost = {"parameters": list(self.parameters.take_unstored()), "plans": list(self.missions.take_known())}
         self.outlet.event("board_restarted", {"silent_s": None, "uptime_ms": restart.uptime_ms, **lost})
 
@@ -327,6 +329,7 @@ class Flight:
         self._known.lines()
         if not self.board.is_open:
             self.parameters.forget()
+            self._known.forget_plans()
         self.commands.link_changed()
         self._housekeeping.log_links()
         self.outlet.event("link", {"board": self.supervisor.state, "simulator": self.simulator.state})

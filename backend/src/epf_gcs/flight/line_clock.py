@@ -1,4 +1,5 @@
-"""The flight's clock. While the bytes of a read are decoded it stands at the time that the recording has for them.
+"""The flight's clock, which ticks about once a microsecond. While the bytes of a read are decoded it stands at the time
+that the recording has for them.
 
 So a replay of the recording, told the record's time, gives each sample and event the very time that it had live.
 """
@@ -13,6 +14,8 @@ from epf_gcs.recordings.topics import STREAMS
 
 # Reads of a byte stream that begin within this time of the first share its time, and so a record.
 _TOGETHER_NS: Final = 1_000_000
+# This clock ticks every 1024 ns: no read can be timed better, and noise in the last bits of a time does not pack.
+_TICK: Final = ~0x3FF
 
 R = TypeVar("R")
 
@@ -29,7 +32,7 @@ class LineClock(Clock):
 
     def now_ns(self) -> int:
         """Unix nanoseconds; of the read whose bytes are being decoded, if any."""
-        return super().now_ns() if self._held_ns is None else self._held_ns
+        return super().now_ns() & _TICK if self._held_ns is None else self._held_ns
 
     def now_s(self) -> float:
         """Unix seconds; of the read whose bytes are being decoded, if any."""
@@ -41,7 +44,7 @@ class LineClock(Clock):
         A topic's bytes share the time of the first if nothing of another topic came in between, so that what is
         recorded in the order of the stamps keeps cause before effect.
         """
-        now_ns = super().now_ns()
+        now_ns = super().now_ns() & _TICK
         if topic == self._topic and topic in STREAMS and now_ns - self._stamp_ns < _TOGETHER_NS:
             return self._stamp_ns
         self._topic, self._stamp_ns = topic, now_ns

@@ -11,23 +11,16 @@ from epf_gcs.flight.hil.simulator import Simulator
 from epf_gcs.flight.recording.recorder import Recorder
 from epf_gcs.vehicle.board import Board
 from epf_gcs.vehicle.judges import (
-    BatteryJudge,
-    CpuJudge,
-    DamageJudge,
     Finding,
-    GpsJudge,
     Line,
     Loop,
     StrangersJudge,
-    judge_card,
-    judge_heartbeat,
-    judge_hil,
     judge_parameters,
     judge_recording,
     judge_stick,
 )
-from epf_gcs.vehicle.outside import Values
 from epf_gcs.vehicle.telemetry import Telemetry
+from epf_gcs.vehicle.watch import VehicleWatch
 
 
 class Watch:
@@ -56,40 +49,28 @@ class Watch:
         self._steady_s = steady_s
         self._wants = wants
         self._wanted_since_s: float | None = None
-        self._battery = BatteryJudge()
-        self._cpu = CpuJudge()
-        self._gps = GpsJudge()
-        self._damage = DamageJudge(steady_s())
+        self._vehicle = VehicleWatch(board, telemetry, steady_s())
         self._strangers = StrangersJudge(steady_s())
 
     @property
     def damaged_percent(self) -> float:
         """Share of damaged frames in the last ten seconds, in percent; 0 if there are too few frames."""
-        return self._damage.percent
+        return self._vehicle.damaged_percent
 
     def __call__(self, limits: Mapping[str, float]) -> list[Finding]:
         """All alarm conditions that hold now, the most urgent kinds first."""
         now_s = self._steady_s()
         recorder = self._recorder
+        if self._supervisor.address is None:
+            self._vehicle.forget_gps()
         found = (
-            judge_heartbeat(self._line(now_s), limits["heartbeat_lost_s"]),
-            judge_hil(self._loop(now_s), limits["hil_lost_s"]),
+            *self._vehicle.look(now_s, limits, self._line(now_s), self._loop(now_s), wants_gps=self._wants("gps")),
             self._strangers.look(now_s, self._simulator.dropped["stranger"], self._simulator.last_stranger),
             judge_stick(self._hil.stick.gamepad, self._hil.stick.state, flies=self._hil.source != "rc"),
-            self._battery.look(now_s, self._live("analog"), limits["battery_low_v"]),
-            self._look_at_gps(now_s),
-            self._cpu.look(now_s, self._live("statistics"), limits["cpu_high_percent"]),
-            self._damage.look(
-                now_s, self._board.frames_received, self._board.frames_damaged, limits["frames_damaged_percent"]
-            ),
             judge_parameters(self._parameters.unconfirmed),
-            judge_card(self._board.capabilities()),
             judge_recording(None if recorder is None else recorder.failure),
         )
         return [finding for finding in found if finding is not None]
-
-    def _live(self, topic: str) -> Values | None:
-        return self._telemetry.newest(topic) if self._telemetry.is_live(topic) else None
 
     def _line(self, now_s: float) -> Line | None:
         supervisor = self._supervisor
@@ -120,15 +101,3 @@ class Watch:
             is_simulator_open=self._simulator.state == "open",
             missing_rows=hil.missing_rows,
         )
-
-    def _look_at_gps(self, now_s: float) -> Finding | None:
-        """Judge the GPS only while heartbeats arrive: a silent board has its own alarm."""
-        if self._supervisor.address is None:
-            self._gps.forget()
-            return None
-        heartbeat = self._live("heartbeat")
-        if heartbeat is None:
-            self._gps.wait()
-            return None
-        is_wanted = self._wants("gps") or heartbeat.get("gps") is True
-        return self._gps.look(now_s, self._live("gps"), is_wanted=is_wanted)

@@ -1,7 +1,8 @@
-"""The bytes of an MCAP file of zstd chunks, with an index of messages, chunks and notes at its end.
+"""The bytes of an MCAP file of zstd chunks, with an index of chunks and notes at its end.
 
 The library's own writer takes one message at a time; an hour of a full line has a million of them. Here a chunk is
-made of records that are already bytes, and its index of arrays.
+made of records that are already bytes, and its index of arrays. Only viewers of other makers need an index of messages:
+it is not compressed, so it would be a third of a recording, and who looks for a time finds its chunk without.
 """
 
 from __future__ import annotations
@@ -20,9 +21,18 @@ from epf_gcs.recordings.parts import Messages
 from epf_gcs.recordings.scan import Bytes, Places
 from epf_gcs.recordings.topics import TOPICS
 
-# Larger chunks pack better, smaller ones are quicker to search; gains above this are below a hundredth.
+# What repeats lies near: the same message a few records before. So neither a longer window nor a longer chunk packs
+# better, while short matches do: the next value of a slow float differs from the one before it in its last bytes.
 _CHUNK_BYTES: Final = 4 << 20
-_LEVEL: Final = 12
+_SMALLEST: Final = zstandard.ZstdCompressionParameters(
+    strategy=zstandard.STRATEGY_BTULTRA,
+    window_log=16,
+    chain_log=16,
+    hash_log=16,
+    search_log=2,
+    min_match=3,
+    target_length=256,
+)
 _PACKING: Final = "zstd"
 
 _CHUNK_HEAD: Final = Struct("<BQQQQII")
@@ -32,9 +42,14 @@ _ENTRY: Final = np.dtype([("t_ns", "<u8"), ("at", "<u8")])
 
 
 class PackedFile:
-    """Writes into an empty file; without `contents` it has the topics of a recording. Raises OSError."""
+    """Writes into an empty file; without `contents` it has the topics of a recording. Raises OSError.
 
-    def __init__(self, file: BinaryIO, library: str, contents: Contents | None = None, level: int = _LEVEL) -> None:
+    With a zstd `level` it is quickly written and for viewers, with an index of messages; without one it is small.
+    """
+
+    def __init__(
+        self, file: BinaryIO, library: str, contents: Contents | None = None, level: int | None = None
+    ) -> None:
         self._file = file
         self._place = 0
         self._tally = Tally()
@@ -45,7 +60,12 @@ class PackedFile:
         self._t_ns: list[Places] = []
         self._at: list[Places] = []
         self._gathered = 0
-        self._compressor = zstandard.ZstdCompressor(level=level)
+        self._has_index = level is not None
+        self._compressor = (
+            zstandard.ZstdCompressor(compression_params=_SMALLEST)
+            if level is None
+            else zstandard.ZstdCompressor(level=level)
+        )
         self._topics = TOPICS if contents is None else contents
         self._put(opening(library, self._topics))
 
@@ -98,13 +118,11 @@ class PackedFile:
         self._put(head + name + _SIZE.pack(len(packed)) + packed)
         index_place, offsets = self._place, {}
         for number in np.unique(channel).tolist():
-            offsets[number] = self._place
             chosen = np.flatnonzero(channel == number)
-            entries = np.empty(len(chosen), dtype=_ENTRY)
-            entries["t_ns"], entries["at"] = t_ns[chosen], at[chosen]
-            self._put(_INDEX_HEAD.pack(Opcode.MESSAGE_INDEX, 6 + entries.nbytes, number, entries.nbytes))
-            self._put(entries.tobytes())
             self._tally.add_all(number, t_ns[chosen])
+            if self._has_index:
+                offsets[number] = self._place
+                self._put_index(number, t_ns[chosen], at[chosen])
         self._chunks.append(
             ChunkIndex(
                 chunk_length=index_place - place,
@@ -118,6 +136,12 @@ class PackedFile:
                 uncompressed_size=len(content),
             )
         )
+
+    def _put_index(self, channel: int, t_ns: Places, at: Places) -> None:
+        entries = np.empty(len(at), dtype=_ENTRY)
+        entries["t_ns"], entries["at"] = t_ns, at
+        self._put(_INDEX_HEAD.pack(Opcode.MESSAGE_INDEX, 6 + entries.nbytes, channel, entries.nbytes))
+        self._put(entries.tobytes())
 
     def _put(self, data: bytes) -> None:
         self._file.write(data)

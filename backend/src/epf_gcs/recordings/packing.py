@@ -2,6 +2,7 @@
 
 Every message and note stays what it was and where it was, which is read back and compared before the new file takes
 the old one's place. Until then the old file is untouched: a kill at any moment leaves one or the other.
+Only the sequence numbers go, which count the messages of a channel and say nothing that their order does not.
 """
 
 from __future__ import annotations
@@ -20,7 +21,7 @@ from epf_gcs.recordings.notes import Note
 from epf_gcs.recordings.packed_file import PackedFile
 from epf_gcs.recordings.parts import Messages
 from epf_gcs.recordings.reading import Reader
-from epf_gcs.recordings.scan import HEAD, PAYLOAD_AT, Bytes, Other, Places
+from epf_gcs.recordings.scan import HEAD, PAYLOAD_AT, SEQUENCE_AT, Bytes, Other, Places
 
 _TEMPORARY: Final = ".packing"
 # Of the work, how much is packing; the rest is reading back.
@@ -69,8 +70,9 @@ class RecordReader(Reader):
                 first = before
             yield _block(part.messages, first, len(part.messages.channel), None)
 
-    def _learn(self, data: Bytes, other: Other) -> list[Note]:
-        found = super()._learn(data, other)
+    def learn(self, data: Bytes, other: Other) -> list[Note]:
+        """As its base does; keeps the bytes of a note's record, which are written as they are."""
+        found = super().learn(data, other)
         if found:
             self._records.append(data[other.start - HEAD.size : other.start + other.length].tobytes())
         return found
@@ -186,7 +188,7 @@ class _Digest:
         self.notes = 0
 
     def add(self, block: Block) -> None:
-        # A record has its length, channel, sequence, time and bytes: two different rows of them never look alike.
+        # A record has its length, channel, time and bytes: two different rows of them never look alike.
         self._hash.update(block.records)
         self.messages += len(block.at)
         if block.note is not None:
@@ -199,7 +201,7 @@ class _Digest:
 
 
 def _block(messages: Messages, first: int, end: int, note: tuple[str, bytes] | None) -> Block:
-    """The records of the messages from `first` to `end`, with our channel numbers."""
+    """The records of the messages from `first` to `end`, with our channel numbers and no sequence numbers."""
     part = slice(first, end)
     chosen = Messages(
         messages.channel[part], messages.t_ns[part], messages.start[part], messages.length[part], messages.data
@@ -219,4 +221,6 @@ def _block(messages: Messages, first: int, end: int, note: tuple[str, bytes] | N
     if len(at):
         records[at + HEAD.size] = chosen.channel & 0xFF
         records[at + HEAD.size + 1] = chosen.channel >> 8
+        # MCAP's word for "no sequence": a number that grows would cost a byte or two of each message.
+        records[(at + SEQUENCE_AT)[:, np.newaxis] + np.arange(4)] = 0
     return Block(records, at, chosen, note)

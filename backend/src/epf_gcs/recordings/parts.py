@@ -69,6 +69,8 @@ class Parts:
 
     def __init__(self, path: Path, *, limits: Limits = LIMITS, place: int = 0, with_chunks: bool = True) -> None:
         self.path = path
+        # An open file is read in place of the one that has this name now: packing may have replaced that meanwhile.
+        self.file: BinaryIO | None = None
         self.limits = limits
         self.place = 0
         # What is read at once; a reader that jumps about sets less.
@@ -107,11 +109,22 @@ class Parts:
             self.is_whole = False
         self.place = place
 
+    def passed(self, t_ns: int) -> None:
+        """Messages up to this time (Unix ns) lie before what is read next."""
+        self._last_ns = t_ns
+
+    def end_at(self, place: int) -> None:
+        """Nothing more is to be read of the file, whose data end at `place`."""
+        self.place, self.is_whole = place, True
+
     def parts(self) -> Iterator[Part]:
         """The parts from `place` to the end that the file has now; `place` moves on with each."""
         try:
-            with self.path.open("rb") as file:
-                yield from self._parts(file)
+            if self.file is not None:
+                yield from self._parts(self.file)
+            else:
+                with self.path.open("rb") as file:
+                    yield from self._parts(file)
         except OSError as fault:
             raise RecordingError(
                 "recording_unreadable",
@@ -150,6 +163,7 @@ class Parts:
                 return
 
     def _begins(self, file: BinaryIO) -> bool:
+        file.seek(0)
         magic = file.read(len(MAGIC))
         if not MAGIC.startswith(magic):
             raise RecordingError("recording_foreign", "This file is no recording: it does not begin as an MCAP file.")
@@ -181,7 +195,7 @@ class Parts:
                     near = found.messages[max(0, before - 1) : before + 1][:1]
                     times = times_of(data, near).tolist() or _chunk_begins(data, found.others)
                     self._last_ns = int(min([*times, _LATEST_NS]))
-                notes += [(before - first, note) for note in self._learn(data, other)]
+                notes += [(before - first, note) for note in self.learn(data, other)]
         yield from self._plain(data, found.messages[first:], notes, begun)
         return False
 
@@ -251,7 +265,7 @@ class Parts:
             self._last_ns = int(t_ns[-1])
         return Messages(channel, t_ns, at + PAYLOAD_AT, lengths_of(data, at), data), chosen
 
-    def _learn(self, data: Bytes, other: Other) -> list[Note]:
+    def learn(self, data: Bytes, other: Other) -> list[Note]:
         """Take a record that is neither message nor chunk; returns the note in it, if there is one."""
         if other.opcode == Opcode.CHANNEL:
             self._learn_channel(data, other)

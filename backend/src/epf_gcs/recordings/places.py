@@ -65,6 +65,10 @@ class Places:
         """What people say of this flight."""
         return self.recordings / f"{flight}.json"
 
+    def keyframes(self, flight: str) -> Path:
+        """The key frames that the replays of this flight share; made again when they are gone."""
+        return self.data_dir / "keyframes" / f"{flight}.keys"
+
     def made(self) -> dict[str, Path]:
         """The folders of all flights that have columns, by id."""
         return {path.name.removeprefix("flight="): path for path in self._folders("*")}

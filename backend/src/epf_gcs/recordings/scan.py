@@ -22,6 +22,7 @@ HEAD: Final = Struct("<BQ")
 MESSAGE_FIELDS: Final = 22
 PAYLOAD_AT: Final = HEAD.size + MESSAGE_FIELDS
 _CHANNEL_AT: Final = HEAD.size
+SEQUENCE_AT: Final = HEAD.size + 2
 _TIME_AT: Final = HEAD.size + 6
 # A message at least this long is stepped over by hand. Ours are datagrams and reads of a line: all are shorter.
 _LONG: Final = 1 << 16

@@ -22,7 +22,7 @@ if sys.platform != "win32":
     import fcntl
 
 EVERY_NS: Final = 2_000_000_000
-_FORMAT: Final = 1
+_FORMAT: Final = 2
 # Time of the key frame in Unix ns, and bytes of its packed state.
 _HEAD: Final = Struct("<qI")
 _LONGEST: Final = 4_000_000

@@ -17,8 +17,10 @@ from epf_gcs.recordings.notes import Note
 from epf_gcs.recordings.topics import BOARD_RECEIVED, BOARD_SENT, SIMULATOR_RECEIVED, SIMULATOR_SENT
 from epf_gcs.replay.ahrs_test import RecordedAhrsTest
 from epf_gcs.replay.clock import RecordedClock
+from epf_gcs.replay.judged import JudgedAlarms
 from epf_gcs.replay.known import Known
 from epf_gcs.replay.timeline import Cursor, Item, Timeline
+from epf_gcs.vehicle.judges import Line, Loop
 from epf_gcs.vehicle.outside import Outlet
 from epf_gcs.vehicle.rates import ByteRate
 from epf_gcs.vehicle.simulator_samples import Reading
@@ -74,11 +76,19 @@ class Playhead:
         self.datagrams_dropped = 0
         self.board_in, self.board_out, self.simulator_in = ByteRate(), ByteRate(), ByteRate()
         self._tick_ns = 0
+        self._attached_s = 0.0
+        self._to_board_s: float | None = None
         self.clock.t_ns = self._heard_ns = self._frame_ns = timeline.starts_ns or 0
+        self._judged = None if timeline.has_event_notes else JudgedAlarms(self.vehicle, outlet, self._line, self._loop)
         if kept is None:
             self._begin(from_ns)
         else:
             self._restore(kept)
+
+    @property
+    def alarms(self) -> list[dict[str, Any]]:
+        """The alarms listed at the moment, oldest first: as they were noted, or judged anew if nothing was noted."""
+        return self.known.alarms() if self._judged is None else self._judged.listed()
 
     @property
     def next_ns(self) -> int | None:
@@ -135,6 +145,8 @@ class Playhead:
                 "counts": [self.bytes_sent, self.frames_to_board, self.frames_to_simulator, self.datagrams_dropped],
                 "rates": [rate.kept() for rate in (self.board_in, self.board_out, self.simulator_in)],
                 "errors": dict(self.errors.counts),
+                "lines": [self._attached_s, self._to_board_s],
+                "judged": None if self._judged is None else self._judged.kept(),
             },
             separators=(",", ":"),
         )
@@ -165,6 +177,7 @@ class Playhead:
             baud = board["baud"]
             line = RecordedLine(baud if isinstance(baud, int) else _DEFAULT_BAUD)
             self.vehicle.board.attach(line, is_emulated=board["emulated"])
+            self._attached_s = self.clock.now_s()
 
     def _restore(self, kept: dict[str, Any]) -> None:
         self.clock.t_ns, self._tick_ns, self._heard_ns = kept["t_ns"], kept["tick_ns"], kept["heard_ns"]
@@ -177,6 +190,9 @@ class Playhead:
         for rate, held in zip((self.board_in, self.board_out, self.simulator_in), kept["rates"], strict=True):
             rate.restore(held)
         self.errors.counts.update(kept["errors"])
+        self._attached_s, self._to_board_s = kept["lines"]
+        if self._judged is not None and kept["judged"] is not None:
+            self._judged.restore(kept["judged"])
 
     def _take(self, item: Item) -> None:
         topic, data = item.topic, item.data
@@ -187,7 +203,10 @@ class Playhead:
         elif topic == BOARD_SENT:
             self.bytes_sent += len(data)
             self._ahrs_test.sent(data)
-            self.frames_to_board += len(self._told_in(data, self._sent))
+            count = len(self._told_in(data, self._sent))
+            if count:
+                self.frames_to_board += count
+                self._to_board_s = self.clock.now_s()
         elif topic == SIMULATOR_SENT:
             self.frames_to_simulator += 1
         elif item.note is not None:
@@ -235,7 +254,12 @@ class Playhead:
         elif note.name == "simulator_link" and isinstance(content, dict):
             # A note of the first recordings.
             self._begin_simulator(content.get("profile"))
-        elif note.name == notes.EVENT and isinstance(content, dict) and isinstance(content.get("data"), dict):
+        elif (
+            note.name == notes.EVENT
+            and isinstance(content, dict)
+            and content.get("event") != "hil"
+            and isinstance(content.get("data"), dict)
+        ):
             # In its place in the file, with the time that it has.
             here_ns, self.clock.t_ns = self.clock.t_ns, note.t_ns
             self._outlet.event(str(content.get("event")), content["data"])
@@ -264,8 +288,38 @@ class Playhead:
             self.board_in.note(now_s, self.vehicle.board.bytes_in)
             self.board_out.note(now_s, self.bytes_sent)
             self.simulator_in.note(now_s, self.vehicle.simulator.bytes_in)
+            if self._judged is not None:
+                self._judged.look()
             self._tick_ns += _TICK_NS
         self._tick_ns = max(self._tick_ns, self._after(t_ns - 1))
+
+    def _line(self) -> Line | None:
+        """What is known of the board's line, for the alarms that are judged."""
+        board, now_s = self.vehicle.board, self.clock.now_s()
+        if board.link is None or board.exclusive_user is not None:
+            return None
+        was_heard = board.session.heartbeat_s is not None
+        return Line(
+            target=self.known.lines["board"]["url"] or "",
+            wanted_for_s=now_s - self._attached_s,
+            is_lost=was_heard and not board.is_open,
+            was_heard=was_heard,
+            heartbeat_age_s=self.vehicle.telemetry.age_s("heartbeat"),
+            stale_after_s=self.vehicle.telemetry.stale_after_s("heartbeat"),
+            failure=None,
+        )
+
+    def _loop(self) -> Loop | None:
+        if self._to_board_s is None or self.vehicle.board.exclusive_user is not None:
+            return None
+        now_s, simulator = self.clock.now_s(), self.vehicle.simulator
+        return Loop(
+            to_board_age_s=now_s - self._to_board_s,
+            surfaces_age_s=self.vehicle.telemetry.age_s("hil_surfaces"),
+            is_board_open=self.vehicle.board.is_open,
+            is_simulator_open=bool(simulator.rows(now_s)),
+            missing_rows=simulator.missing_rows(now_s),
+        )
 
     def _count(self) -> int:
         return self.vehicle.board.frames_received + self.vehicle.simulator.datagrams

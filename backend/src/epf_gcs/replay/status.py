@@ -30,7 +30,7 @@ def build_status(head: Playhead, file: str, size: int) -> dict[str, Any]:
             "free_bytes": None,
             "hours_left": None,
         },
-        "alarms": known.alarms(),
+        "alarms": head.alarms,
         "errors": dict(head.errors.counts),
         "topics": head.vehicle.telemetry.summary(),
     }

@@ -3,21 +3,29 @@
 from __future__ import annotations
 
 import copy
+import weakref
 from bisect import bisect_left
 from collections import OrderedDict
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Final, NamedTuple
+from typing import BinaryIO, Final, NamedTuple
 
-from epf_gcs.recordings.notes import Note
+import numpy as np
+
+from epf_gcs.recordings.limits import RecordingError
+from epf_gcs.recordings.notes import EVENT, IDENTITY, Note
 from epf_gcs.recordings.reading import Messages, Part, Reader
+from epf_gcs.recordings.skim import ChunkAt, skim
 
 # A piece has at most so many messages: a seek makes objects of no more than one.
 _PIECE_MESSAGES: Final = 2000
 _BLOCK_BYTES: Final = 1 << 19
 _PIECES_AT_HAND: Final = 3
 _PARTS_AT_HAND: Final = 4
+# Pieces have numbers: this many times the place in the list, plus which piece of the chunk it is.
+_TELLING: Final = frozenset({EVENT, IDENTITY})
+_OF_ONE: Final = 1 << 20
 
 
 class Item(NamedTuple):
@@ -33,13 +41,14 @@ class Item(NamedTuple):
 class _Piece:
     """Messages of the part of the file at `place`: how many are before them in it, how many they are, and their notes.
 
-    Each note comes with the number of messages of the piece before it.
+    Each note comes with the number of messages of the piece before it. A chunk that was not unpacked yet has `count`
+    None: it is one entry of many pieces, and has no notes.
     """
 
     place: int
     is_chunk: bool
     skipped: int
-    count: int
+    count: int | None
     latest_ns: int
     notes: list[tuple[int, Note]] = field(default_factory=list)
 
@@ -50,6 +59,10 @@ class Timeline:
     def __init__(self, path: Path) -> None:
         self._reader = Reader(path)
         self._reader.block_bytes = _BLOCK_BYTES
+        # Held open: packing puts another file in its place, and what is known of its places is of this one.
+        self._file = _opened(path)
+        self._reader.file = self._file
+        weakref.finalize(self, self._file.close)
         self._loader: Reader | None = None
         self._pieces: list[_Piece] = []
         self._latest: list[int] = []
@@ -57,6 +70,7 @@ class Timeline:
         self._parts: OrderedDict[int, Messages] = OrderedDict()
         self.starts_ns: int | None = None
         self.edge_ns = 0
+        self._skim()
         self.look()
 
     @property
@@ -68,6 +82,28 @@ class Timeline:
     def is_whole(self) -> bool:
         """The file is finished: nothing more will come."""
         return self._reader.is_whole
+
+    def _skim(self) -> None:
+        """Of a packed file only where its chunks are is read: each is unpacked when something in it is needed."""
+        found = skim(self._reader, self._file)
+        if found is None:
+            self._reader.place = 0
+            return
+        self._loader = copy.copy(self._reader)
+        for one in found:
+            if isinstance(one, ChunkAt):
+                if self.starts_ns is None:
+                    self.starts_ns = one.start_ns
+                self.edge_ns = max(self.edge_ns, one.end_ns)
+                self._pieces.append(_Piece(one.place, True, 0, None, self.edge_ns))
+            else:
+                self._pieces.append(_Piece(0, True, 0, 0, self.edge_ns, [(0, one)]))
+            self._latest.append(self.edge_ns)
+
+    @property
+    def has_event_notes(self) -> bool:
+        """Whether this recording tells the events of its flight: those of now begin with such a note."""
+        return any(note.name in _TELLING for piece in self._pieces for _, note in piece.notes)
 
     def look(self) -> bool:
         """Take in what was written since the last look. True if that was anything."""
@@ -105,7 +141,7 @@ class Timeline:
         """
         last = self._pieces[-1]
         count = len(part.messages.t_ns)
-        if part.is_chunk or last.is_chunk or last.skipped or last.count + count > _PIECE_MESSAGES:
+        if part.is_chunk or last.is_chunk or last.skipped or last.count is None or last.count + count > _PIECE_MESSAGES:
             return 0
         last.notes += [(last.count + before, note) for before, note in part.notes]
         last.count += count
@@ -122,10 +158,15 @@ class Timeline:
 
     def items(self, number: int) -> list[Item] | None:
         """The messages and notes of a piece in their order; None if there is no such piece yet."""
-        if number >= len(self._pieces):
+        index, part = divmod(number, _OF_ONE)
+        if index >= len(self._pieces):
             return None
-        piece = self._pieces[number]
-        count = piece.count + len(piece.notes)
+        piece = self._pieces[index]
+        if piece.count is None:
+            skipped = part * _PIECE_MESSAGES
+            count = min(_PIECE_MESSAGES, len(self._part(piece.place, 0).t_ns) - skipped)
+            piece = _Piece(piece.place, True, skipped, count, piece.latest_ns)
+        count = (piece.count or 0) + len(piece.notes)
         held = self._loaded.get(number)
         if held is None or held[0] != count:
             held = self._loaded[number] = (count, self._load(piece))
@@ -134,12 +175,30 @@ class Timeline:
         self._loaded.move_to_end(number)
         return held[1]
 
+    def following(self, number: int) -> int | None:
+        """The number of the piece after this one; None if there is none yet."""
+        index, part = divmod(number, _OF_ONE)
+        piece = self._pieces[index] if index < len(self._pieces) else None
+        if (
+            piece is not None
+            and piece.count is None
+            and len(self._part(piece.place, 0).t_ns) > (part + 1) * _PIECE_MESSAGES
+        ):
+            return number + 1
+        return (index + 1) * _OF_ONE if index + 1 < len(self._pieces) else None
+
     def first_at(self, t_ns: int) -> tuple[int, int]:
         """Piece and place in it of the first message at or after `t_ns`; the end if there is none."""
-        number = bisect_left(self._latest, t_ns)
+        index = bisect_left(self._latest, t_ns)
+        number = index * _OF_ONE
+        if index < len(self._pieces) and self._pieces[index].count is None:
+            late = np.flatnonzero(self._part(self._pieces[index].place, 0).t_ns >= t_ns)
+            number += (int(late[0]) if len(late) else 0) // _PIECE_MESSAGES
         items = self.items(number)
         if items is None:
-            last = max(0, len(self._pieces) - 1)
+            last = max(0, len(self._pieces) - 1) * _OF_ONE
+            while last % _OF_ONE + 1 < _OF_ONE and (after := self.following(last)) is not None:
+                last = after
             return last, len(self.items(last) or ())
         for place, item in enumerate(items):
             if item.topic and item.t_ns >= t_ns:
@@ -148,7 +207,7 @@ class Timeline:
 
     def notes_before(self, number: int, place: int) -> Iterator[Note]:
         """All notes before that place of a piece, in their order."""
-        for piece in self._pieces[:number]:
+        for piece in self._pieces[: number // _OF_ONE]:
             yield from (note for _, note in piece.notes)
         yield from (item.note for item in (self.items(number) or ())[:place] if item.note is not None)
 
@@ -161,11 +220,11 @@ class Timeline:
             done = max(done, index)
             # In its place in the file, whatever time it claims.
             latest_ns = messages[done][1] if done < len(messages) else piece.latest_ns
-            found.append(Item(min(note.t_ns, latest_ns), 0, b"", note))
+            found.append(Item(min(note.t_ns, latest_ns) if latest_ns else note.t_ns, 0, b"", note))
         return found + [Item(t_ns, topic, data, None) for topic, t_ns, data in messages[done:]]
 
     def _read(self, piece: _Piece) -> list[tuple[int, int, bytes]]:
-        stretch = slice(piece.skipped, piece.skipped + piece.count)
+        stretch = slice(piece.skipped, piece.skipped + (piece.count or 0))
         channels, times, starts, lengths, data = self._part(piece.place, stretch.stop)
         view = data.data
         return [
@@ -195,6 +254,15 @@ class Timeline:
         return held
 
 
+def _opened(path: Path) -> BinaryIO:
+    """The file. Raises RecordingError."""
+    try:
+        return path.open("rb")
+    except OSError as fault:
+        why = fault.strerror or str(fault)
+        raise RecordingError("recording_unreadable", f"The recording cannot be read: {why}.", reason=why) from fault
+
+
 class Cursor:
     """Goes along a timeline, item by item."""
 
@@ -217,11 +285,13 @@ class Cursor:
         if items is not None and len(items) > self._place:
             self._items = items
             return items[self._place]
-        following = self._timeline.items(self._number + 1)
-        if not following:
-            return None
-        self._number, self._place, self._items = self._number + 1, 0, following
-        return following[0]
+        number = self._timeline.following(self._number)
+        while number is not None:
+            if following := self._timeline.items(number):
+                self._number, self._place, self._items = number, 0, following
+                return following[0]
+            number = self._timeline.following(number)
+        return None
 
     def take(self) -> None:
         """Go to the item after the one that `peek` gave."""

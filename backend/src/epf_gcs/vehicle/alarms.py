@@ -41,6 +41,12 @@ class Alarm:
             "acknowledged": self.acknowledged,
         }
 
+    @staticmethod
+    def from_dict(values: Mapping[str, Any]) -> Alarm:
+        """The alarm that `as_dict` gave."""
+        finding = Finding(values["id"], values["level"], values["text"], dict(values["params"]))
+        return Alarm(finding, values["since_s"], values["acknowledged"], values["until_s"])
+
 
 class Alarms:
     """Asks `watch` at each `look`, and announces each alarm that comes, goes or is acknowledged.
@@ -102,6 +108,12 @@ class Alarms:
             self._keep(alarm)
             self._tell(alarm, "went")
         return bool(news or gone)
+
+    def restore(self, listed: Iterable[Mapping[str, Any]]) -> None:
+        """Go on with these alarms (as `Alarm.as_dict` gives them) in place of all others; nothing is announced."""
+        alarms = [Alarm.from_dict(one) for one in listed]
+        self._active = {alarm.finding.id: alarm for alarm in alarms if alarm.until_s is None}
+        self._recovered = {alarm.finding.id: alarm for alarm in alarms if alarm.until_s is not None}
 
     def acknowledge(self, name: str) -> Alarm:
         """The operator has seen it: an active alarm is shown quietly until it ends, a recovered one is removed.

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import asdict, dataclass, field
 from typing import Any, Final, Literal
 
 AlarmId = Literal[
@@ -79,6 +79,14 @@ class Lasting:
             self._other_since_s = None
         return self.holds
 
+    def kept(self) -> list[Any]:
+        """Plain values for `restore`; so with all rules that remember something."""
+        return [self._other_since_s, self._unknown_since_s, self.holds]
+
+    def restore(self, kept: Sequence[Any]) -> None:
+        """Go on from what `kept` gave."""
+        self._other_since_s, self._unknown_since_s, self.holds = kept
+
     def reset(self) -> None:
         """Set `holds` to False at once."""
         self.holds = False
@@ -91,6 +99,15 @@ class BatteryJudge:
     def __init__(self) -> None:
         self._low = Lasting(LASTS_S)
         self._said_v = 0.0
+
+    def kept(self) -> list[Any]:
+        """Plain values for `restore`."""
+        return [self._low.kept(), self._said_v]
+
+    def restore(self, kept: Sequence[Any]) -> None:
+        """Go on from what `kept` gave."""
+        low, self._said_v = kept
+        self._low.restore(low)
 
     def look(self, now_s: float, live: Values | None, low_v: float) -> Finding | None:
         """`live` is the newest sample of analog, None while it is not live."""
@@ -111,6 +128,15 @@ class CpuJudge:
         self._high = Lasting(LASTS_S)
         self._said_percent = 0
 
+    def kept(self) -> list[Any]:
+        """Plain values for `restore`."""
+        return [self._high.kept(), self._said_percent]
+
+    def restore(self, kept: Sequence[Any]) -> None:
+        """Go on from what `kept` gave."""
+        high, self._said_percent = kept
+        self._high.restore(high)
+
     def look(self, now_s: float, live: Values | None, high_percent: float) -> Finding | None:
         """`live` is the newest sample of statistics, None while it is not live."""
         loads = [] if live is None else [load for load in live.values() if load is not None]
@@ -130,6 +156,16 @@ class GpsJudge:
         self._lost = Lasting(_GPS_LASTS_S)
         self._said: Finding | None = None
         self._was_valid = False
+
+    def kept(self) -> list[Any]:
+        """Plain values for `restore`."""
+        return [self._lost.kept(), None if self._said is None else asdict(self._said), self._was_valid]
+
+    def restore(self, kept: Sequence[Any]) -> None:
+        """Go on from what `kept` gave."""
+        lost, said, self._was_valid = kept
+        self._lost.restore(lost)
+        self._said = None if said is None else Finding(**said)
 
     def forget(self) -> None:
         """No board is wanted: forget that there was a position."""
@@ -170,6 +206,15 @@ class DamageJudge:
     def __init__(self, now_s: float) -> None:
         self._counts = deque([(now_s, 0, 0)])
         self.percent = 0.0
+
+    def kept(self) -> list[Any]:
+        """Plain values for `restore`."""
+        return [list(self._counts), self.percent]
+
+    def restore(self, kept: Sequence[Any]) -> None:
+        """Go on from what `kept` gave."""
+        counts, self.percent = kept
+        self._counts = deque((now_s, good, damaged) for now_s, good, damaged in counts)
 
     def look(self, now_s: float, good: int, damaged: int, limit_percent: float) -> Finding | None:
         """`good` and `damaged` are counters that only grow."""

@@ -8,10 +8,11 @@ from typing import Any
 
 import pytest
 
-from epf_gcs.bus.definition import Asker
+from epf_gcs.bus.definition import Asker, Client
 from epf_gcs.bus.vehicle_end import Broadcast
 from epf_gcs.errors import ConflictError
 from epf_gcs.flight.flight import Flight
+from epf_gcs.flight.recording.recorder import DiskPolicy
 from epf_gcs.link.address import parse_address
 from epf_gcs.recordings.notes import EVENT, IDENTITY, LINE, MARK, PARAMETERS, PLAN
 from epf_gcs.recordings.reading import notes_of
@@ -47,7 +48,8 @@ async def test_a_flight_is_told_by_its_notes(tmp_path: Path, board: FakeBoard, m
     notes = notes_of(file)
     newest = {note.name: note.content for note in notes}
     assert newest[IDENTITY]["board"]["firmware_name"]
-    assert newest[PLAN] == {"plan": "flight", "waypoints": []}
+    plans = [note.content for note in notes if note.name == PLAN]
+    assert plans == [{"plan": "flight", "waypoints": []}, {"plan": "flight", "waypoints": None}], "unknown once closed"
     lines = [note.content for note in notes if note.name == LINE and note.content["line"] == "board"]
     assert [line["open"] for line in lines][-2:] == [True, False]
     assert board.url in [line["url"] for line in lines]
@@ -60,5 +62,43 @@ async def test_a_flight_is_told_by_its_notes(tmp_path: Path, board: FakeBoard, m
     assert marked.content == {"text": "aquí", "by": "Ana", "id": mark["id"]}
     assert marked.t_ns * 1e-9 == mark["t_s"]
     events = [(note.content["event"], note.t_ns * 1e-9) for note in notes if note.name == EVENT]
+    hil = [note.content["data"] for note in notes if note.name == EVENT and note.content["event"] == "hil"]
+    assert [one["path"] for one in hil] == ["manual"], "each file begins with it"
+    events = [one for one in events if one[0] != "hil"]
     assert set(events) <= set(told), "at the very time that the stations were told"
     assert ("mark", mark["t_s"]) not in events, "it has a note of its own"
+
+
+async def test_the_person_in_control_is_noted_as_the_operator(tmp_path: Path, board: FakeBoard) -> None:
+    flight = Flight(tmp_path)
+    async with flight.running():
+        await flight.lines.open_board(parse_address(board.url))
+        await eventually_async(lambda: flight.supervisor.state == "open", "the board opens")
+        await eventually_async(lambda: flight.recorder is not None and flight.recorder.file is not None, "it records")
+        flight.stick.control_changed(Client("1", "Ana"))
+        flight.stick.control_changed(None)
+    (file,) = (tmp_path / "recordings").glob("*.mcap")
+    notes = notes_of(file)
+    assert [note.content["operator"] for note in notes if note.name == IDENTITY][-2:] == ["Ana", None]
+    control = [note.content["data"] for note in notes if note.name == EVENT and note.content["event"] == "control"]
+    assert [one["name"] for one in control] == ["Ana", None]
+
+
+async def test_the_disks_policy_is_the_recorders_and_is_remembered(tmp_path: Path) -> None:
+    async with Flight(tmp_path).running():
+        pass
+    flight = Flight(tmp_path)
+    async with flight.running():
+        ask = flight._requests["recording.policy"]
+        assert flight.recorder is not None
+        assert await ask(Asker(), {}) == {"delete_oldest": False, "keep_free_bytes": 1_000_000_000}
+        assert await ask(Asker(), {"keep_free_bytes": 5}) == {"delete_oldest": False, "keep_free_bytes": 5}
+        chosen = await ask(Asker(), {"delete_oldest": True})
+        assert chosen == {"delete_oldest": True, "keep_free_bytes": 5}, "what is not given stays"
+        assert flight.recorder.policy == DiskPolicy(delete_oldest=True, keep_free_bytes=5)
+        nonsense = await ask(Asker(), {"keep_free_bytes": -1})
+        assert nonsense["keep_free_bytes"] == 1_000_000_000
+        await ask(Asker(), {"keep_free_bytes": 7})
+    again = Flight(tmp_path)
+    assert again.recorder is not None
+    assert again.recorder.policy == DiskPolicy(delete_oldest=True, keep_free_bytes=7)

@@ -15,6 +15,8 @@ from mcap.stream_reader import StreamReader
 
 from epf_gcs.flight.recording.repair import BeyondRepairError, recordings_in, repair, repair_all
 from epf_gcs.recordings.mcap_file import Tally, closing, data_end, message_record, metadata_record, opening
+from epf_gcs.recordings.packing import pack
+from epf_gcs.recordings.reading import read_file
 
 TOPICS = {1: "board/received", 2: "board/sent"}
 NAME = "20260101T000000Z.mcap"
@@ -124,3 +126,19 @@ def test_it_stops_where_the_flight_ends(tmp_path: Path) -> None:
     assert repair(path, lambda: True) is None
     repair_all([path], lambda: True)
     assert path.read_bytes() == data
+
+
+@pytest.mark.parametrize("cut", [0, 1, 30, 300])
+def test_a_packed_file_is_never_touched(tmp_path: Path, cut: int) -> None:
+    data, end, _ = a_recording([b"one", b"two"] * 100)
+    path = tmp_path / NAME
+    path.write_bytes(data + end)
+    pack(path)
+    whole = path.read_bytes()
+    content = whole[: len(whole) - cut]
+    path.write_bytes(content)
+    with structlog.testing.capture_logs() as logged:
+        repair_all([path])
+    assert path.read_bytes() == content
+    assert [line["event"] for line in logged] == ([] if cut == 0 else ["recording damaged, left as it is"])
+    assert len(read_file(path).messages.t_ns) == 200, "all its messages can be read all the same"

@@ -121,34 +121,35 @@ async def test_without_a_recorder_samples_have_the_time_of_their_read_too(
 def test_reads_of_a_millisecond_are_one_record_and_cause_stays_before_effect(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    now_ns = 1_000_000_000
+    tick_ns = 1024  # of the flight's clock
+    now_ns = start_ns = 1_000_000 * tick_ns
     monkeypatch.setattr(time, "monotonic_ns", lambda: now_ns)
+    monkeypatch.setattr(time, "time_ns", lambda: now_ns)
     clock = LineClock()
     recorder = Recorder(tmp_path, clock, "test")
     board, simulator = recorder.board_tap, recorder.simulator_tap
-    for wait_us, take, data in (
+    for ticks, take, data in (
         (0, board.received, b"a"),
         (400, board.received, b"b"),
         (400, board.sent, b"answer"),
         (100, board.received, b"c"),
-        (999, board.received, b"d"),
+        (976, board.received, b"d"),
         (1, board.received, b"e"),
         (10, simulator.received, b"DATA1"),
         (10, simulator.received, b"DATA2"),
         (10, board.received, b"f"),
         (900, board.received, b"g"),
     ):
-        now_ns += 1000 * wait_us
+        now_ns += tick_ns * ticks
         take(data)
     recorder.start()
     recorder.stop()
-    start_ns = clock.offset_ns + 1_000_000_000
-    assert [(topic, (t_ns - start_ns) // 1000, data) for topic, t_ns, data in records(tmp_path)] == [
+    assert [(topic, (t_ns - start_ns) // tick_ns, data) for topic, t_ns, data in records(tmp_path)] == [
         (BOARD_RECEIVED, 0, b"ab"),
         (BOARD_SENT, 800, b"answer"),
         (BOARD_RECEIVED, 900, b"cd"),
-        (BOARD_RECEIVED, 1900, b"e"),
-        (SIMULATOR_RECEIVED, 1910, b"DATA1"),
-        (SIMULATOR_RECEIVED, 1920, b"DATA2"),
-        (BOARD_RECEIVED, 1930, b"fg"),
+        (BOARD_RECEIVED, 1877, b"e"),
+        (SIMULATOR_RECEIVED, 1887, b"DATA1"),
+        (SIMULATOR_RECEIVED, 1897, b"DATA2"),
+        (BOARD_RECEIVED, 1907, b"fg"),
     ]

@@ -39,7 +39,7 @@ def station(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Gateway]:
 
 def replays() -> list[int]:
     """Process numbers of the replays that run."""
-    return [pid for pid in children_of(os.getpid()) if b"epf_gcs.replay" in Path(f"/proc/{pid}/cmdline").read_bytes()]
+    return [pid for pid in children_of(os.getpid()) if b"epf_gcs.replay" in _words(pid)]
 
 
 def samples_until(stream: Stream, wanted: Any) -> list[dict[str, Any]]:
@@ -194,4 +194,8 @@ def test_a_replay_ends_when_the_web_process_is_killed(tmp_path: Path) -> None:
 
 
 def _words(pid: int) -> bytes:
-    return Path(f"/proc/{pid}/cmdline").read_bytes()
+    """The command line of a process; empty if it has ended."""
+    try:
+        return Path(f"/proc/{pid}/cmdline").read_bytes()
+    except (FileNotFoundError, ProcessLookupError):
+        return b""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import time
 from pathlib import Path
 from typing import Any, cast
 
@@ -261,13 +262,16 @@ def test_a_mark_set_in_flight_stands_in_the_recording_and_can_be_worded_anew(
 ) -> None:
     gateway.open_board(board.url)
     eventually(lambda: gateway.http.get("/flights/current/topics").status_code == 200, "it is recorded")
-    gateway.http.post("/flights/current/marks", json={"text": "ahora"}).raise_for_status()
+    set_s = time.time()
+    gateway.http.post("/flights/current/marks", json={"text": "ahora", "ago_s": 0.2}).raise_for_status()
 
     def marks(flight: str) -> list[str]:
         found = asked(gateway, f"/flights/{flight}/events")["events"]
         return [one["data"]["text"] for one in found if one["kind"] == "mark"]
 
     eventually(lambda: marks("current") == ["ahora"], "the mark is in the file")
+    (mark,) = [one for one in asked(gateway, "/flights/current/events")["events"] if one["kind"] == "mark"]
+    assert mark["t_s"] < set_s, "it is of the moment when the key was pressed"
     flight = gateway.status()["recording"]["file"].removesuffix(".mcap")
     gateway.http.delete("/links/board").raise_for_status()
     assert indexed(gateway, flight)["marks"] == 1

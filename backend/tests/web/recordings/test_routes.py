@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import contextlib
 from io import BytesIO
 from pathlib import Path
 
 import pytest
+from mcap.reader import make_reader
 from mcap.records import Message
 from mcap.stream_reader import StreamReader
 
+from epf_gcs.recordings.limits import RecordingError
 from epf_gcs.recordings.mcap_file import Tally, closing, data_end
+from epf_gcs.recordings.packing import pack
 from tests.support.fake_board import FakeBoard
 from tests.support.gateway import Gateway
 from tests.support.waiting import eventually
@@ -36,6 +40,30 @@ def test_a_flight_is_recorded_listed_and_downloaded(gateway: Gateway, board: Fak
     received = b"".join(message.data for message in messages if message.channel_id == 1)
     assert sent == board.raw
     assert len(received) == gateway.status()["board"]["bytes_in"]
+
+
+def test_a_recording_that_was_packed_is_listed_and_downloaded_as_it_is(gateway: Gateway, board: FakeBoard) -> None:
+    gateway.open_board(board.url)
+    eventually(lambda: gateway.status()["recording"]["active"], "it records")
+    gateway.http.delete("/links/board")
+    eventually(lambda: not gateway.status()["recording"]["active"], "it ended")
+    (file,) = (gateway.flight_thread.data_dir / "recordings").glob("*.mcap")
+    with contextlib.suppress(RecordingError):  # the station may be packing it itself
+        pack(file)
+
+    def is_packed() -> bool:
+        summary = make_reader(BytesIO(file.read_bytes())).get_summary()
+        return summary is not None and summary.chunk_indexes != []
+
+    eventually(is_packed, "it is packed")
+    (listed,) = gateway.http.get("/recordings").json()["recordings"]
+    assert listed["bytes"] == file.stat().st_size
+    path = f"/recordings/{listed['id']}/export"
+    answer = gateway.http.get(path).raise_for_status()
+    assert answer.content == file.read_bytes()
+    assert gateway.http.get(path, headers={"Range": "bytes=100-199"}).content == answer.content[100:200]
+    found = list(make_reader(BytesIO(answer.content), validate_crcs=True).iter_messages())
+    assert b"".join(message.data for _, channel, message in found if channel.topic == "board/sent") == board.raw
 
 
 def test_a_recording_is_downloaded_again_and_again_while_it_grows(gateway: Gateway, board: FakeBoard) -> None:

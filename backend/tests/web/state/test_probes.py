@@ -110,6 +110,7 @@ def test_without_the_flight_process_or_a_disk_it_is_not_well(status: dict[str, A
 def test_the_figures_are_those_of_the_status(status: dict[str, Any]) -> None:
     status["simulator"]["hil_round_trip_ms"] = {"newest": 9.0, "p50": 9.5, "p99": 12.0}
     status["errors"] = {"internal": 2, 'odd"\\\n': 1}
+    status["recording"]["hours_left"] = 41.5
     web = WebFigures(answers={200: 7, 404: 1}, connections=3, sockets=2, refused={"socket": 4})
     found = read(metrics(status, ROOM, web))
     assert found["epf_flight_up", ""] == 1
@@ -126,6 +127,7 @@ def test_the_figures_are_those_of_the_status(status: dict[str, Any]) -> None:
     assert found["epf_http_refused_total", "socket"] == 4
     assert found["epf_disk_free_bytes", ""] == ROOM.free_bytes
     assert found["epf_recording_active", ""] == 1
+    assert found["epf_recording_hours_left", ""] == 41.5
 
 
 def test_what_is_not_known_is_left_out(gateway: Gateway) -> None:

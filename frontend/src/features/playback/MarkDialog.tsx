@@ -13,12 +13,13 @@ import { PLAYBACK } from "./playbackRequests";
 /** As many letters as the gateway takes. */
 const MOST_LETTERS = 500;
 
-/** Asks for the words of a mark at the moment that is shown; in the present, at the moment it is set. */
+/** Asks for the words of a mark at the moment that is shown; in the present, at the moment the key was pressed. */
 export function MarkDialog({ onClose }: { readonly onClose: () => void }) {
   const { t } = useTranslation();
   const sentence = useSentence();
   const playback = usePart(PLAYBACK);
   const [shown] = useState(() => playback.store.getState());
+  const [pressed_ms] = useState(() => performance.now());
   const [text, setText] = useState("");
   const [failure, setFailure] = useState<Message | null>(null);
   const isSending = useRef(false);
@@ -29,7 +30,7 @@ export function MarkDialog({ onClose }: { readonly onClose: () => void }) {
       return;
     }
     isSending.current = true;
-    const refused = await playback.mark(words);
+    const refused = await playback.mark(words, (performance.now() - pressed_ms) / 1000);
     isSending.current = false;
     if (refused === null) {
       onClose();

@@ -19,6 +19,8 @@ import { SeekQueue } from "./seekQueue";
 
 /** The flight that is being recorded. */
 export const CURRENT = "current";
+/** As long ago as the gateway takes a live mark. */
+const LONGEST_AGO_S = 600;
 
 /** The second stream of the page, which brings a flight of the past. */
 export interface FlightStream {
@@ -58,8 +60,8 @@ export interface Playback {
   readonly loop: (stretch: Stretch | null) => void;
   /** To the next event, or the one before. */
   readonly jump: (direction: 1 | -1) => void;
-  /** Set a mark at the moment that is shown; in the present, now. Null if it was set, else why not. */
-  readonly mark: (text: string) => Promise<Message | null>;
+  /** Set a mark at the moment that is shown; in the present, `ago_s` before now. Null if it was set, else why not. */
+  readonly mark: (text: string, ago_s?: number) => Promise<Message | null>;
   /** The address that shows the same moment to somebody else. */
   readonly address: () => string;
 }
@@ -202,10 +204,11 @@ export function createPlayback({ rest, timers, address, open }: PlaybackParts): 
         direction === 1 ? eventAfter(events, at_s + BESIDE_S) : eventBefore(events, at_s - BESIDE_S);
       seek(found?.at_s ?? (direction === 1 ? edge_s : 0));
     },
-    mark: async (text) => {
+    mark: async (text, ago_s = 0) => {
       const { flight, at_s } = store.getState();
       const path = `/api/v1/flights/${flight ?? CURRENT}/marks`;
-      const answer = await rest.ask("POST", path, isDone, flight === null ? { text } : { text, at_s });
+      const when = flight === null ? { ago_s: Math.min(LONGEST_AGO_S, Math.max(0, ago_s)) } : { at_s };
+      const answer = await rest.ask("POST", path, isDone, { text, ...when });
       if (!answer.ok) {
         return failureMessage(answer.problem);
       }

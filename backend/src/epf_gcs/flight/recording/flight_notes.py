@@ -33,9 +33,9 @@ class FlightNotes:
         if self._recorder is not None:
             self._recorder.note(EVENT, self._clock.now_ns() if t_ns is None else t_ns, {"event": kind, "data": data})
 
-    def mark(self, text: str, by: str | None) -> dict[str, Any]:
-        """Note a person's words. Returns the mark; its `t_s` is Unix time."""
-        t_ns = self._clock.now_ns()
+    def mark(self, text: str, by: str | None, ago_s: float = 0.0) -> dict[str, Any]:
+        """Note a person's words for the moment `ago_s` before now. Returns the mark; its `t_s` is Unix time."""
+        t_ns = self._clock.now_ns() - round(ago_s * 1e9)
         content = {"text": text, "by": by, "id": uuid4().hex}
         if self._recorder is not None:
             self._recorder.note(MARK, t_ns, content)

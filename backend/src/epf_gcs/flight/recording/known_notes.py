@@ -35,6 +35,7 @@ class KnownNotes:
         self._stick = stick
         self._supervisor = supervisor
         self._simulator = simulator
+        self._plans: set[str] = set()
 
     def listen(self, outlet: NotedBroadcast, missions: Missions) -> None:
         """Be called for each change from now on, but for `identity` and `lines`; and note who begins."""
@@ -52,7 +53,7 @@ class KnownNotes:
             "station": __version__,
             "board": capabilities,
             "firmware": firmware,
-            "aircraft": None,
+            "aircraft": None,  # no line names it, and nobody tells the station
             "operator": None if holder is None else holder.name,
             "emulated": self._board.is_emulated,
         }
@@ -63,9 +64,17 @@ class KnownNotes:
         self._notes.know(PARAMETERS, {name: as_values(name, one) for name, one in self._parameters.held.items()})
 
     def plan(self, plan: str, waypoints: list[Waypoint] | None) -> None:
-        """A plan that was read from the board."""
+        """A plan that was read from the board; None where it is not known any more."""
         found = None if waypoints is None else [asdict(waypoint) for waypoint in waypoints]
+        if found is not None:
+            self._plans.add(plan)
         self._notes.know(PLAN, {"plan": plan, "waypoints": found}, plan)
+
+    def forget_plans(self) -> None:
+        """The board closed, or began anew: nobody knows which plans it has."""
+        for plan in sorted(self._plans):
+            self.plan(plan, None)
+        self._plans.clear()
 
     def holder(self) -> None:
         """Another browser, or none, has control."""

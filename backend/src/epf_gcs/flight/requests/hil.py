@@ -14,6 +14,7 @@ from epf_gcs.flight.memory import Memory
 from epf_gcs.flight.recording.flight_notes import FlightNotes
 from epf_gcs.flight.requests.client_names import Table
 from epf_gcs.flight.status import hil_state
+from epf_gcs.recordings.notes import EVENT
 from epf_gcs.vehicle.board import Board
 
 
@@ -36,6 +37,7 @@ class HilSwitches:
         self._memory = memory
         self._notes = notes
         self._on_change = on_change
+        self.note()
 
     async def choose_source(self, source: str, client: str | None) -> None:
         """Set the board's control source and wait for its confirmation. Raises BoardError."""
@@ -54,8 +56,13 @@ class HilSwitches:
         """Set the path; it is kept across restarts."""
         self._hil.path = "assisted" if path == "assisted" else "manual"
         self._memory.update(hil_path=self._hil.path)
-        self._notes.event("hil", {"path": self._hil.path})
+        self.note()
         self._on_change()
+
+    def note(self) -> None:
+        """Path and source in the recording: now, and at the start of each later file."""
+        data = {"path": self._hil.path, "source": self._hil.source}
+        self._notes.know(EVENT, {"event": "hil", "data": data}, "hil")
 
     async def choose_stick(self, stick: str, gamepad: str, client: str | None) -> None:
         """Choose simulator or gamepad. Raises ConflictError if that gamepad cannot be used."""

@@ -25,7 +25,7 @@ def policy_of(remembered: Mapping[str, Any]) -> DiskPolicy:
 
 
 def recording_requests(recorder: Recorder | None, notes: FlightNotes, memory: Memory, outlet: Outlet) -> Table:
-    """recording.mark {text, by}: puts a mark into the recording and answers it: {id, text, by, t_s}.
+    """recording.mark {text, by, ago_s}: puts a mark into the recording and answers it: {id, text, by, t_s}.
 
     recording.policy {delete_oldest, keep_free_bytes}: changes what is given, keeps it, and answers the whole policy.
     """
@@ -39,7 +39,8 @@ def recording_requests(recorder: Recorder | None, notes: FlightNotes, memory: Me
                 "flight_not_recorded", "The mark was not set because nothing is recorded: open a line first."
             )
         by = arguments.get("by")
-        made = notes.mark(str(arguments["text"]), None if by is None else str(by))
+        ago_s = float(arguments.get("ago_s") or 0.0)
+        made = notes.mark(str(arguments["text"]), None if by is None else str(by), ago_s)
         outlet.event("mark", made)
         return made
 

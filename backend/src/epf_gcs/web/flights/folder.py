@@ -89,6 +89,7 @@ class FlightFolder:
 
     def drop_made(self, flight: str) -> None:
         """Remove what was made of a flight, and the folders that are empty then."""
+        self._places.keyframes(flight).unlink(missing_ok=True)
         for folder in self._places.columns.glob(f"vehicle=*/date=*/flight={flight}"):
             shutil.rmtree(folder, ignore_errors=True)
             for parent in (folder.parent, folder.parent.parent):

@@ -42,7 +42,7 @@ async def set_mark(
             raise InvalidInputError(
                 "invalid_request", "A mark in a finished flight needs its moment: send 'at_s'.", field="at_s"
             )
-        await vehicle.request("recording.mark", Asker(x_client, by), text=mark.text, by=by)
+        await vehicle.request("recording.mark", Asker(x_client, by), text=mark.text, by=by, ago_s=mark.ago_s)
         return await _events(flight, flights, queries)
     span = orjson.loads(await queries.ask("span", flight, growing=growing))
     mark_id, at_s, t_s = secrets.token_hex(6), mark.at_s, span["start_s"] + mark.at_s

@@ -28,7 +28,6 @@ class Replays:
 
     def __init__(self, data_dir: Path, errors: ErrorLog, growing: Callable[[], str | None]) -> None:
         self._places = Places(data_dir)
-        self._keys = data_dir / "keyframes"
         self._errors = errors
         self._growing = growing
         self._hosts: Counter[str] = Counter()
@@ -60,7 +59,7 @@ class Replays:
         def leave() -> None:
             self._hosts[host] -= 1
 
-        process = ReplayProcess(file, self._keys / f"{file.stem}.keys", at_s)
+        process = ReplayProcess(file, self._places.keyframes(file.stem), at_s)
         return ReplayConversation(connection, process, rate_hz, query.get("name") or peer, self._start, leave)
 
     async def close(self) -> None:

@@ -217,10 +217,12 @@ class MarkInput(Input):
 
 
 class MarkAtInput(Input):
-    """A mark. Without `at_s` it is set now, in the flight that is being recorded; with it at that moment."""
+    """A mark. Without `at_s` it is set in the flight that is being recorded, `ago_s` before now: words take time, and
+    the mark is of the moment at which somebody pressed the key. With `at_s` it is set at that moment of the flight."""
 
     text: MarkText
     at_s: Annotated[float, Field(ge=0, le=10_000_000)] | None = None
+    ago_s: Annotated[float, Field(ge=0, le=600)] = 0.0
 
 
 class Signal(Output):

@@ -1,0 +1,48 @@
+"""The alarms of a recording that has no notes of them: judged anew from its bytes, by the rules of the live flight."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from epf_gcs.vehicle.alarms import Alarms
+from epf_gcs.vehicle.judges import Finding, Line, Loop
+from epf_gcs.vehicle.outside import Outlet
+from epf_gcs.vehicle.vehicle import Vehicle
+from epf_gcs.vehicle.watch import VehicleWatch
+
+
+class JudgedAlarms:
+    """`line` and `loop` give what is known of the board's line and the HIL loop. The thresholds are the defaults."""
+
+    def __init__(
+        self, vehicle: Vehicle, outlet: Outlet, line: Callable[[], Line | None], loop: Callable[[], Loop | None]
+    ) -> None:
+        self._clock = vehicle.clock
+        self._line = line
+        self._loop = loop
+        self._watch = VehicleWatch(vehicle.board, vehicle.telemetry, vehicle.clock.now_s())
+        self._alarms = Alarms(self._find, outlet, {}, lambda _: None)
+
+    def look(self) -> None:
+        """Judge this moment; alarms that come and go are events."""
+        self._alarms.look(self._clock.now_s())
+
+    def listed(self) -> list[dict[str, Any]]:
+        """What is or was wrong, oldest first. Nobody acknowledged anything."""
+        return [alarm.as_dict() for alarm in self._alarms.active]
+
+    def kept(self) -> dict[str, Any]:
+        """Plain values for `restore`."""
+        return {"watch": self._watch.kept(), "alarms": self.listed()}
+
+    def restore(self, kept: Mapping[str, Any]) -> None:
+        """Go on from what `kept` gave."""
+        self._watch.restore(kept["watch"])
+        self._alarms.restore(kept["alarms"])
+
+    def _find(self, limits: Mapping[str, float]) -> list[Finding]:
+        line = self._line()
+        if line is None:
+            self._watch.forget_gps()
+        return self._watch.look(self._clock.now_s(), limits, line, self._loop(), wants_gps=False)

@@ -1,0 +1,86 @@
+"""The alarms that the board's own bytes tell, live as in a replay."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from epf_gcs.vehicle.board import Board
+from epf_gcs.vehicle.judges import (
+    BatteryJudge,
+    CpuJudge,
+    DamageJudge,
+    Finding,
+    GpsJudge,
+    Line,
+    Loop,
+    judge_card,
+    judge_heartbeat,
+    judge_hil,
+)
+from epf_gcs.vehicle.outside import Values
+from epf_gcs.vehicle.telemetry import Telemetry
+
+
+class VehicleWatch:
+    """Told the time of the clock by which the vehicle's ages count, in seconds."""
+
+    def __init__(self, board: Board, telemetry: Telemetry, now_s: float) -> None:
+        self._board = board
+        self._telemetry = telemetry
+        self._battery = BatteryJudge()
+        self._cpu = CpuJudge()
+        self._gps = GpsJudge()
+        self._damage = DamageJudge(now_s)
+
+    @property
+    def damaged_percent(self) -> float:
+        """Share of damaged frames in the last ten seconds, in percent; 0 if there are too few frames."""
+        return self._damage.percent
+
+    def look(
+        self, now_s: float, limits: Mapping[str, float], line: Line | None, loop: Loop | None, *, wants_gps: bool
+    ) -> list[Finding]:
+        """All that is wrong now, the most urgent kinds first. `line` None: no board is wanted; `loop` None: no HIL."""
+        board = self._board
+        found = (
+            judge_heartbeat(line, limits["heartbeat_lost_s"]),
+            judge_hil(loop, limits["hil_lost_s"]),
+            self._battery.look(now_s, self._live("analog"), limits["battery_low_v"]),
+            self._look_at_gps(now_s, is_wanted=wants_gps),
+            self._cpu.look(now_s, self._live("statistics"), limits["cpu_high_percent"]),
+            self._damage.look(now_s, board.frames_received, board.frames_damaged, limits["frames_damaged_percent"]),
+            judge_card(board.capabilities()),
+        )
+        return [finding for finding in found if finding is not None]
+
+    def forget_gps(self) -> None:
+        """No board is wanted: forget that there was a position."""
+        self._gps.forget()
+
+    def kept(self) -> dict[str, Any]:
+        """What the rules remember, as plain values for `restore`."""
+        return {
+            "battery": self._battery.kept(),
+            "cpu": self._cpu.kept(),
+            "gps": self._gps.kept(),
+            "damage": self._damage.kept(),
+        }
+
+    def restore(self, kept: Mapping[str, Any]) -> None:
+        """Go on from what `kept` gave."""
+        self._battery.restore(kept["battery"])
+        self._cpu.restore(kept["cpu"])
+        self._gps.restore(kept["gps"])
+        self._damage.restore(kept["damage"])
+
+    def _live(self, topic: str) -> Values | None:
+        return self._telemetry.newest(topic) if self._telemetry.is_live(topic) else None
+
+    def _look_at_gps(self, now_s: float, *, is_wanted: bool) -> Finding | None:
+        """Judge the GPS only while heartbeats arrive: a silent board has its own alarm."""
+        heartbeat = self._live("heartbeat")
+        if heartbeat is None:
+            self._gps.wait()
+            return None
+        return self._gps.look(now_s, self._live("gps"), is_wanted=is_wanted or heartbeat.get("gps") is True)
