@@ -88,13 +88,14 @@ function Opened({ name, others, open }: Props & { readonly open: OpenReport }) {
 }
 
 function Report({ name, report }: { readonly name: string; readonly report: FlightReport }) {
+  const begun = formatDateTime(report.times.started_s);
   const { t } = useTranslation();
-  const { identity, times, battery, alarms, marks } = report;
+  const { identity, battery, alarms, marks } = report;
   const facts = [identity.aircraft, identity.board, identity.firmware, identity.operator, report.flight];
   return (
     <article className="report-sheet">
       <h2>{t("report.title")}</h2>
-      <p className="report-name">{`${name} · ${formatDateTime(times.started_s)}`}</p>
+      <p className="report-name">{name === begun ? begun : `${name} · ${begun}`}</p>
       <p className="report-quiet">{facts.filter((fact) => fact !== null).join(" · ")}</p>
       <Section title={t("report.times")}>
         <Figures report={report} rows={TIMES} />
