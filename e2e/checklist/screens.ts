@@ -212,4 +212,14 @@ export const SCREENS: readonly Screen[] = [
       { role: "region", name: "Tramas de X-Plane en vivo" },
     ],
   },
+  // Beyond the old station: after its tabs.
+  {
+    tab: "Vuelos",
+    parts: [
+      ...["Importar…", "Papelera"].map((name): Part => ({ role: "button", name })),
+      ...["Etiqueta", "Placa", "Ordenar por"].map((name): Part => ({ role: "combobox", name })),
+      { role: "region", name: "Grabándose ahora", reads: ["B", "Ver desde el principio"] },
+      { role: "region", name: "Disco", reads: ["Si falta sitio, borrar los vuelos más antiguos"] },
+    ],
+  },
 ];

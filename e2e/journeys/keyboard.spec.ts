@@ -48,8 +48,8 @@ async function walk(page: Page, tab: string): Promise<void> {
   ).toBe(true);
 }
 
-/** The row of digits, from its left end to the key behind the naught: one for each tab. */
-const TAB_KEYS = "1234567890-";
+/** The row of digits, from its left end to the key behind the naught, then letters: one for each tab. */
+const TAB_KEYS = "1234567890-f";
 
 test("a pilot without a mouse reaches every tab, switches the autopilot, writes a gain and knows of an alarm", async ({
   page,

@@ -145,6 +145,7 @@ const MAIN_TABS = [
   "Mensajes",
   "Alarmas",
   "Setup",
+  "Vuelos",
 ];
 
 describe("the tabs", () => {

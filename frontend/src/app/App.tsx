@@ -111,7 +111,7 @@ export function App() {
               <PageContext value={present}>
                 <TimeBar hasKeys={hasKeys} />
               </PageContext>
-              <StatusBar />
+              <StatusBar present={present} />
               <Dock edge="floating" />
             </div>
             <Shortcuts />

@@ -3,15 +3,15 @@ import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useSentence } from "../i18n/useSentence";
 import { formatAge, formatBytes } from "../lib/format";
-import { useConnection, usePage, useTelemetry } from "../store/hooks";
+import { type Page, PageContext, useConnection, usePage, useTelemetry } from "../store/hooks";
 import type { TelemetryStore } from "../store/telemetry";
 import { usePaint } from "../store/usePaint";
 import { MessageLine } from "../ui/MessageLine";
 import { Meter, type MeterHandle } from "../ui/Meter";
 import { SteadyText, type SteadyTextHandle } from "../ui/SteadyText";
 
-/** Bottom row: last message, health of the links, recording. */
-export function StatusBar() {
+/** Bottom row: last message, health of the links of the vehicle that is shown, recording of the present one. */
+export function StatusBar({ present }: { present: Page }) {
   const { t } = useTranslation();
   return (
     <footer className="app-status">
@@ -21,7 +21,9 @@ export function StatusBar() {
       <Use label={t("status.tx")} read="tx" />
       <Use label={t("status.xplane")} read="xplane" />
       <Link />
-      <Recording />
+      <PageContext value={present}>
+        <Recording />
+      </PageContext>
     </footer>
   );
 }

@@ -19,7 +19,7 @@ async function violations(): Promise<string[]> {
   );
 }
 
-test.each(["Datos de vuelo", "Standard Six", "HIL", "Mensajes", "Alarmas", "Setup"])(
+test.each(["Datos de vuelo", "Standard Six", "HIL", "Mensajes", "Alarmas", "Setup", "Vuelos"])(
   "the whole page with %s open has nothing that keeps people out",
   async (tab) => {
     document.documentElement.lang = "es";

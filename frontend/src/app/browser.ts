@@ -1,6 +1,7 @@
 import { browserSounder, browserSpeaker } from "../features/alarms/browserAlarms";
 import { browserGamepads } from "../features/gamepad/browserGamepads";
 import type { BrowserStorage } from "../store/settings";
+import type { UploadInit } from "../transport/rest";
 import type { Wire, WireListener } from "../transport/socket";
 import type { World } from "./page";
 
@@ -25,6 +26,7 @@ export function browserWorld(window: Window & typeof globalThis): World {
       replace: (address) => window.history.replaceState(null, "", address),
     },
     fetch: (path, init) => window.fetch(path, init),
+    upload: (path, init) => upload(window, path, init),
     animationFrames: {
       request: (callback) => window.requestAnimationFrame(callback),
       cancel: (handle) => window.cancelAnimationFrame(handle),
@@ -46,6 +48,30 @@ export function browserWorld(window: Window & typeof globalThis): World {
     sounder: browserSounder(window),
     speaker: browserSpeaker(window),
   };
+}
+
+/** By the older interface: `fetch` does not tell how much of a body is sent. */
+function upload(
+  window: Window & typeof globalThis,
+  path: string,
+  { headers, body, onSent, signal }: UploadInit,
+): Promise<Response> {
+  return new Promise((resolve, reject) => {
+    const request = new window.XMLHttpRequest();
+    request.open("POST", path);
+    for (const [name, value] of Object.entries(headers)) {
+      request.setRequestHeader(name, value);
+    }
+    request.upload.addEventListener("progress", ({ loaded }) => onSent(loaded));
+    request.addEventListener("load", () =>
+      resolve(new Response(request.responseText, { status: request.status })),
+    );
+    for (const end of ["error", "abort", "timeout"]) {
+      request.addEventListener(end, () => reject(new TypeError(end)));
+    }
+    signal.addEventListener("abort", () => request.abort());
+    request.send(body);
+  });
 }
 
 function dial(

@@ -10,6 +10,8 @@ import emulationEn from "../features/emulation/emulation.en.json";
 import emulationEs from "../features/emulation/emulation.es.json";
 import flightEn from "../features/flight/flight.en.json";
 import flightEs from "../features/flight/flight.es.json";
+import flightsEn from "../features/flights/flights.en.json";
+import flightsEs from "../features/flights/flights.es.json";
 import gamepadEn from "../features/gamepad/gamepad.en.json";
 import gamepadEs from "../features/gamepad/gamepad.es.json";
 import guideEn from "../features/guide/guide.en.json";
@@ -49,6 +51,7 @@ export const CATALOGUES = {
     ...controlsEs,
     ...emulationEs,
     ...flightEs,
+    ...flightsEs,
     ...gamepadEs,
     ...guideEs,
     ...mapEs,
@@ -71,6 +74,7 @@ export const CATALOGUES = {
     ...controlsEn,
     ...emulationEn,
     ...flightEn,
+    ...flightsEn,
     ...gamepadEn,
     ...guideEn,
     ...mapEn,

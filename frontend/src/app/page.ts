@@ -11,6 +11,9 @@ import {
   takeHeartbeats,
 } from "../features/controls/sourceReturn";
 import { createEmulation, EMULATION } from "../features/emulation/emulationRequests";
+import { createFlightComparison, FLIGHT_COMPARISON } from "../features/flights/flightComparison";
+import { FLIGHTS } from "../features/flights/flightLibrary";
+import { createFlights } from "../features/flights/flightRequests";
 import { createGamepadInput, type GamepadReader } from "../features/gamepad/gamepadInput";
 import { GAMEPADS } from "../features/gamepad/gamepadList";
 import { MAP_LAYERS } from "../features/map/layers/layerList";
@@ -43,7 +46,7 @@ import { createMessages, type Message, say } from "../store/messages";
 import { Parts } from "../store/parts";
 import { Pump } from "../store/pump";
 import { type BrowserStorage, createSettings } from "../store/settings";
-import { Rest } from "../transport/rest";
+import { Rest, type UploadInit } from "../transport/rest";
 import { StreamSocket, type Wire, type WireListener } from "../transport/socket";
 import { eventMessage, linkMessages } from "./announcements";
 import { createPasts, SHOWN } from "./past";
@@ -57,6 +60,7 @@ export interface World {
   /** Connects to the stream of a flight of the past, from a moment on. */
   readonly dialFlight: (place: PlaceInTime, listener: WireListener) => Wire;
   readonly fetch: (path: string, init: RequestInit) => Promise<Response>;
+  readonly upload: (path: string, init: UploadInit) => Promise<Response>;
   readonly animationFrames: AnimationFrames;
   /** `storage` outlives the browser; `tabStorage` lasts until this browser tab is closed. */
   readonly storage: BrowserStorage | null;
@@ -121,6 +125,7 @@ export function createPage(world: World): {
     takePlanEvent(plans, message, client());
     takeMapEvent(message);
     takeTrackEvent(message);
+    takeFlightEvent(message);
     gamepads.takeEvent(message);
     takeAlarmEvent(alarmLog.store, message);
     if (message.event === BOARD_RESTARTED) {
@@ -162,6 +167,7 @@ export function createPage(world: World): {
   });
   const rest = new Rest({
     fetch: world.fetch,
+    upload: world.upload,
     client,
     refuse: (method, path) =>
       playback.store.getState().flight === null ? null : refusedInPast(method, path),
@@ -197,6 +203,13 @@ export function createPage(world: World): {
     address,
     open: (place, listener) => pasts.open(place, listener),
   });
+  const { flights, takeFlightEvent } = createFlights({
+    ...asking,
+    timers: world.timers,
+    connection,
+    openFlight: playback.openFlight,
+    onGone: (flight) => playback.store.getState().flight === flight && playback.now(),
+  });
   const parts = new Parts()
     .with(PLAYBACK, playback)
     .with(ACTIONS, actions)
@@ -212,6 +225,8 @@ export function createPage(world: World): {
     .with(SERVO_SLIDERS, servos.sliders)
     .with(GAMEPADS, gamepads.gamepads)
     .with(BOARD_CONSOLE, boardConsole)
+    .with(FLIGHTS, flights)
+    .with(FLIGHT_COMPARISON, createFlightComparison())
     .with(INSPECTOR, createInspector(rest))
     .with(EMULATION, createEmulation(asking))
     .with(ABOUT, createAbout(asking));

@@ -79,9 +79,7 @@ export function createPasts(parts: PastParts): Pasts {
       },
       onState: ({ kind }) => {
         vehicle.become(kind);
-        if (kind !== "open") {
-          listener.onLost();
-        }
+        listener.onLine(kind === "open");
       },
       onMalformed: parts.onMalformed,
     });

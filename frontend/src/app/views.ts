@@ -13,6 +13,7 @@ export const TABS = [
   "messages",
   "alarms",
   "setup",
+  "flights",
 ] as const;
 export type TabName = (typeof TABS)[number];
 
@@ -29,6 +30,7 @@ export const VIEWS: Readonly<Record<TabName, LazyPart>> = {
   messages: lazyPart(async () => (await import("../features/messages/MessagesView")).MessagesView),
   alarms: lazyPart(async () => (await import("../features/alarms/AlarmsView")).AlarmsView),
   setup: lazyPart(async () => (await import("./tabs/SetupTab")).SetupTab),
+  flights: lazyPart(async () => (await import("../features/flights/FlightsView")).FlightsView),
 };
 
 /** The tuning view, which stays open under any tab. */

@@ -17,7 +17,7 @@ export const isMissionEvent = shape({
 });
 
 /** The form in which other programs keep plans. */
-export const PLAN_FORMATS = ["kml", "gpx", "csv", "plan"] as const;
+export const PLAN_FORMATS = ["kml", "kmz", "gpx", "csv", "plan"] as const;
 export type PlanFormat = (typeof PLAN_FORMATS)[number];
 
 /** What the board takes, out of the definition of its commands. */

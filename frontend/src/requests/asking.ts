@@ -15,6 +15,16 @@ export interface Gateway {
   ) => Promise<Answer<T>>;
   readonly file: (path: string, body: object) => Promise<Answer<Blob>>;
   readonly bytes: (path: string, patience_ms?: number) => Promise<Answer<ArrayBuffer>>;
+  /** Send a file, with the bytes sent so far; an abort ends it with the problem `cancelled`. */
+  readonly upload: <T>(
+    path: string,
+    check: Check<T>,
+    file: {
+      readonly body: Blob;
+      readonly onSent: (bytes: number) => void;
+      readonly signal: AbortSignal;
+    },
+  ) => Promise<Answer<T>>;
 }
 
 /** The control that made the request, so that it can show the outcome; `asked` is the requested position. */

@@ -50,11 +50,15 @@ export class Station {
   readonly gamepads = new ManualGamepads();
   readonly wires: ManualWire[] = [];
   readonly asked: Asked[] = [];
+  /** What the time bar asks by itself about the flight that it shows. */
+  readonly askedByBar: Asked[] = [];
   readonly clients: Array<string | null> = [];
   /** Streams of flights of the past, and where each was asked to begin. */
   readonly replays: FakeReplay[] = [];
   /** The address of the page. */
   url: string;
+  /** Files that the page sends; each is answered as the request of its path. */
+  readonly uploads: Array<{ readonly path: string; readonly onSent: (bytes: number) => void }> = [];
   /** The files that the page saved for the user. */
   readonly saved: Array<{ readonly name: string; readonly content: Blob }> = [];
   /** Exceptions in the page's own code. */
@@ -87,6 +91,12 @@ export class Station {
         },
       },
       fetch: (path, init) => this.#ask(path, init),
+      upload: (path, { signal, onSent }) =>
+        new Promise((resolve, reject) => {
+          this.uploads.push({ path, onSent: (bytes) => act(() => onSent(bytes)) });
+          signal.addEventListener("abort", () => reject(new TypeError("abort")));
+          void this.#ask(path, { method: "POST" }).then(resolve, reject);
+        }),
       animationFrames: this.animationFrames,
       storage: new MemoryStorage(),
       tabStorage: new MemoryStorage(),
@@ -194,7 +204,8 @@ export class Station {
 
   #ask(path: string, init: RequestInit): Promise<Response> {
     return new Promise((resolve) => {
-      this.asked.push({
+      const isOfBar = /^\/api\/v1\/flights\/[^/]+\/(overview|events)/.test(path);
+      (isOfBar ? this.askedByBar : this.asked).push({
         method: init.method ?? "GET",
         path,
         body: typeof init.body === "string" ? JSON.parse(init.body) : undefined,

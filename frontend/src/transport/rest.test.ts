@@ -11,11 +11,16 @@ interface Sent {
 
 function restThat(answer: () => Response | Promise<Response>, client: string | null = "c1") {
   const sent: Sent[] = [];
+  const fetch = async (path: string, init: RequestInit): Promise<Response> => {
+    sent.push({ path, init });
+    return answer();
+  };
   const rest = new Rest({
     client: () => client,
-    fetch: async (path, init) => {
-      sent.push({ path, init });
-      return answer();
+    fetch,
+    upload: async (path, { headers, body, onSent }) => {
+      onSent(body.size);
+      return fetch(path, { headers, body });
     },
   });
   return { rest, sent };

@@ -1,8 +1,19 @@
 import { type Check, faultIn, isObject, isText } from "../lib/check";
 import type { Answer, Problem, Refused } from "../protocol/answers";
 
+/** A file under way to the gateway. */
+export interface UploadInit {
+  readonly headers: Readonly<Record<string, string>>;
+  readonly body: Blob;
+  /** Called while it is sent, with the bytes so far. */
+  readonly onSent: (bytes: number) => void;
+  readonly signal: AbortSignal;
+}
+
 export interface RestOptions {
   readonly fetch: (path: string, init: RequestInit) => Promise<Response>;
+  /** POSTs a file and tells how much of it is sent, which `fetch` cannot. Rejects like `fetch`. */
+  readonly upload: (path: string, init: UploadInit) => Promise<Response>;
   /** Id of this page's stream connection, sent with its requests. */
   readonly client: () => string | null;
   /** Why this request may not be sent now; null if it may. */
@@ -65,6 +76,35 @@ export class Rest {
     } catch {
       return unreachable();
     }
+  }
+
+  /** Send a file, with its progress; an abort of `signal` ends it as a problem `cancelled`. */
+  async upload<T>(
+    path: string,
+    check: Check<T>,
+    { body, onSent, signal }: Omit<UploadInit, "headers">,
+  ): Promise<Answer<T>> {
+    const refused = this.#options.refuse?.("POST", path) ?? null;
+    if (refused !== null) {
+      return { ok: false, problem: refused };
+    }
+    const client = this.#options.client();
+    const headers = {
+      accept: "application/json",
+      "content-type": "application/octet-stream",
+      ...(client === null ? {} : { "x-client": client }),
+    };
+    let response: Response;
+    try {
+      response = await this.#options.upload(path, { headers, body, onSent, signal });
+    } catch {
+      return signal.aborted ? failed("cancelled", "You cancelled it.") : unreachable();
+    }
+    const value = await jsonOf(response);
+    if (!response.ok) {
+      return { ok: false, problem: problemOf(value, response.status) };
+    }
+    return check(value) ? { ok: true, value } : misfit(faultIn(check, value) ?? "");
   }
 
   async #send(

@@ -13,6 +13,7 @@ from typing import Final
 from epf_gcs.flights.worker import work
 
 VERBS: Final = {
+    "export": "epf_gcs.flights.export.verb",
     "import": "epf_gcs.flights.importing",
     "index": "epf_gcs.flights.index",
     "pack": "epf_gcs.flights.pack",

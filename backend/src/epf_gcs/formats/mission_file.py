@@ -14,6 +14,8 @@ from epf_gcs.codec.values import argument_fault
 from epf_gcs.errors import ErrorCode, Params
 
 Format = Literal["kml", "gpx", "csv", "plan"]
+FileFormat = Literal["kml", "kmz", "gpx", "csv", "plan"]
+"""What a file is written as: KMZ is KML, packed."""
 NoteCode = Literal[
     "altitude_above_ground",
     "altitude_clamped",

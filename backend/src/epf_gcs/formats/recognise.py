@@ -15,7 +15,8 @@ from epf_gcs.errors import InvalidInputError
 from epf_gcs.formats.csv_plan import read_csv, write_csv
 from epf_gcs.formats.gpx_plan import read_gpx, write_gpx
 from epf_gcs.formats.kml_plan import read_kml, write_kml
-from epf_gcs.formats.mission_file import FileFault, Format, MissionFile
+from epf_gcs.formats.kmz import DOCUMENT, kmz_pieces
+from epf_gcs.formats.mission_file import FileFault, FileFormat, MissionFile
 from epf_gcs.formats.qgc_plan import read_plan, write_plan
 from epf_gcs.formats.xml_tree import local, parse_xml
 
@@ -24,8 +25,9 @@ MAX_FILE_BYTES: Final = 1_000_000
 
 _ZIP: Final = b"PK\x03\x04"
 
-WRITERS: Final[Mapping[Format, Callable[[str, Sequence[Waypoint]], bytes]]] = {
+WRITERS: Final[Mapping[FileFormat, Callable[[str, Sequence[Waypoint]], bytes]]] = {
     "kml": write_kml,
+    "kmz": lambda name, waypoints: b"".join(kmz_pieces([(DOCUMENT, [write_kml(name, waypoints)])])),
     "gpx": write_gpx,
     "csv": lambda _, waypoints: write_csv(waypoints),
     "plan": lambda _, waypoints: write_plan(waypoints),

@@ -23,6 +23,15 @@ _MESSAGE: Final = Struct("<BQHIQQ")
 _MESSAGE_FIELDS: Final = _MESSAGE.size - 9
 
 
+@dataclass(frozen=True)
+class Contents:
+    """The channels of a file, and their schemas before them, as records; and how many of each there are."""
+
+    records: bytes
+    channels: int
+    schemas: int
+
+
 def message_record(channel: int, sequence: int, time_ns: int, data: bytes) -> bytes:
     """One message; its publish time is its log time, for the bytes carry no clock of their own."""
     length = _MESSAGE_FIELDS + len(data)
@@ -34,9 +43,9 @@ def metadata_record(name: str, values: Mapping[str, str]) -> bytes:
     return encoded(Metadata(name=name, metadata=dict(values)))
 
 
-def opening(library: str, topics: Mapping[int, str]) -> bytes:
-    """The records before the first message. Messages are raw bytes, so there is no schema."""
-    return MAGIC + encoded(Header(profile="", library=library)) + _channels(topics)
+def opening(library: str, topics: Mapping[int, str] | Contents) -> bytes:
+    """The records before the first message. Topics given by name alone hold raw bytes, so they have no schema."""
+    return MAGIC + encoded(Header(profile="", library=library)) + _contents(topics).records
 
 
 @dataclass
@@ -66,25 +75,30 @@ class Tally:
 
 
 def closing(
-    topics: Mapping[int, str], tally: Tally, summary_start: int, indexes: bytes = b"", chunk_count: int = 0
+    topics: Mapping[int, str] | Contents,
+    tally: Tally,
+    summary_start: int,
+    indexes: bytes = b"",
+    chunk_count: int = 0,
 ) -> bytes:
     """The records after DataEnd; `summary_start` is the offset of the byte after DataEnd.
 
     A packed file also has `indexes`: the index records of its chunks and notes.
     """
+    contents = _contents(topics)
     statistics = Statistics(
         attachment_count=0,
-        channel_count=len(topics),
+        channel_count=contents.channels,
         channel_message_counts=dict(tally.counts),
         chunk_count=chunk_count,
         message_count=sum(tally.counts.values()),
         message_end_time=tally.last_ns,
         message_start_time=tally.first_ns,
         metadata_count=tally.metadata_count,
-        schema_count=0,
+        schema_count=contents.schemas,
     )
     footer = Footer(summary_start=summary_start, summary_offset_start=0, summary_crc=0)
-    return _channels(topics) + encoded(statistics) + indexes + encoded(footer) + MAGIC
+    return contents.records + encoded(statistics) + indexes + encoded(footer) + MAGIC
 
 
 def data_end() -> bytes:
@@ -92,11 +106,14 @@ def data_end() -> bytes:
     return encoded(DataEnd(data_section_crc=0))
 
 
-def _channels(topics: Mapping[int, str]) -> bytes:
-    return b"".join(
+def _contents(topics: Mapping[int, str] | Contents) -> Contents:
+    if isinstance(topics, Contents):
+        return topics
+    records = b"".join(
         encoded(Channel(id=number, topic=topic, message_encoding="application/octet-stream", metadata={}, schema_id=0))
         for number, topic in topics.items()
     )
+    return Contents(records, len(topics), 0)
 
 
 def encoded(record: McapRecord) -> bytes:

@@ -15,7 +15,7 @@ import zstandard
 from mcap.opcode import Opcode
 from mcap.records import ChunkIndex, MetadataIndex
 
-from epf_gcs.recordings.mcap_file import Tally, closing, data_end, encoded, opening
+from epf_gcs.recordings.mcap_file import Contents, Tally, closing, data_end, encoded, opening
 from epf_gcs.recordings.parts import Messages
 from epf_gcs.recordings.scan import Bytes, Places
 from epf_gcs.recordings.topics import TOPICS
@@ -32,9 +32,9 @@ _ENTRY: Final = np.dtype([("t_ns", "<u8"), ("at", "<u8")])
 
 
 class PackedFile:
-    """Writes into an empty file. Raises OSError."""
+    """Writes into an empty file; without `contents` it has the topics of a recording. Raises OSError."""
 
-    def __init__(self, file: BinaryIO, library: str) -> None:
+    def __init__(self, file: BinaryIO, library: str, contents: Contents | None = None, level: int = _LEVEL) -> None:
         self._file = file
         self._place = 0
         self._tally = Tally()
@@ -45,8 +45,9 @@ class PackedFile:
         self._t_ns: list[Places] = []
         self._at: list[Places] = []
         self._gathered = 0
-        self._compressor = zstandard.ZstdCompressor(level=_LEVEL)
-        self._put(opening(library, TOPICS))
+        self._compressor = zstandard.ZstdCompressor(level=level)
+        self._topics = TOPICS if contents is None else contents
+        self._put(opening(library, self._topics))
 
     def put(self, records: Bytes, at: Places, messages: Messages) -> None:
         """Append message records; `at` (shape (n,)) is where each of the n messages begins in them."""
@@ -80,7 +81,7 @@ class PackedFile:
         self._end_chunk()
         end = data_end()
         indexes = b"".join([encoded(index) for index in (*self._chunks, *self._notes)])
-        summary = closing(TOPICS, self._tally, self._place + len(end), indexes, len(self._chunks))
+        summary = closing(self._topics, self._tally, self._place + len(end), indexes, len(self._chunks))
         self._put(end + summary)
 
     def _end_chunk(self) -> None:

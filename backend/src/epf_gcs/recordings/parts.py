@@ -71,6 +71,8 @@ class Parts:
         self.path = path
         self.limits = limits
         self.place = 0
+        # What is read at once; a reader that jumps about sets less.
+        self.block_bytes = _BLOCK_BYTES
         self.is_whole = False
         self.topics: dict[int, str] = {}
         self._with_chunks = with_chunks
@@ -128,14 +130,14 @@ class Parts:
         need = 0
         while not self.is_whole:
             file.seek(self.place)
-            data = file.read(max(_BLOCK_BYTES, need))
+            data = file.read(max(self.block_bytes, need))
             found = scan(np.frombuffer(data, dtype=np.uint8), max(self.limits.record_bytes, self.limits.chunk_bytes))
             begun = self.place
             if (yield from self._stretch(np.frombuffer(data, dtype=np.uint8), found, begun)):
                 self._check_end(file)
                 break
             self.place = begun + found.end
-            at_end = len(data) < max(_BLOCK_BYTES, need)
+            at_end = len(data) < max(self.block_bytes, need)
             if found.stop == "damage":
                 self._tell(f"byte {self.place} begins no record, what follows it was not read")
                 return

@@ -14,6 +14,7 @@ from typing import Final
 
 ID_PATTERN: Final = r"^[0-9]{8}T[0-9]{6}Z(-[0-9]{1,4})?$"
 _ID: Final = re.compile(ID_PATTERN)
+_TRIES: Final = 5
 SUMMARY: Final = "summary.json"
 
 Stamp = tuple[int, int]
@@ -66,12 +67,20 @@ class Places:
 
     def made(self) -> dict[str, Path]:
         """The folders of all flights that have columns, by id."""
-        found = self.columns.glob("vehicle=*/date=*/flight=*")
-        return {path.name.removeprefix("flight="): path for path in found}
+        return {path.name.removeprefix("flight="): path for path in self._folders("*")}
 
     def made_of(self, flight: str) -> Path | None:
         """The folder of this flight's columns; None while there is none."""
-        return next(self.columns.glob(f"vehicle=*/date=*/flight={flight}"), None)
+        return next(iter(self._folders(flight)), None)
+
+    def _folders(self, flight: str) -> list[Path]:
+        """Looked for again where a folder goes meanwhile, for a flight may be indexed anew just now."""
+        for _ in range(_TRIES):
+            try:
+                return list(self.columns.glob(f"vehicle=*/date=*/flight={flight}"))
+            except FileNotFoundError:
+                continue
+        return []
 
 
 def is_id(text: str) -> bool:

@@ -27,6 +27,8 @@ def build_status(head: Playhead, file: str, size: int) -> dict[str, Any]:
             "bytes": size,
             "bytes_lost": known.now["lost_bytes"],
             "failure": None,
+            "free_bytes": None,
+            "hours_left": None,
         },
         "alarms": known.alarms(),
         "errors": dict(head.errors.counts),

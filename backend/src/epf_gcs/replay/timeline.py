@@ -15,8 +15,9 @@ from epf_gcs.recordings.reading import Messages, Part, Reader
 
 # A piece has at most so many messages: a seek makes objects of no more than one.
 _PIECE_MESSAGES: Final = 2000
+_BLOCK_BYTES: Final = 1 << 19
 _PIECES_AT_HAND: Final = 3
-_PARTS_AT_HAND: Final = 2
+_PARTS_AT_HAND: Final = 4
 
 
 class Item(NamedTuple):
@@ -48,6 +49,7 @@ class Timeline:
 
     def __init__(self, path: Path) -> None:
         self._reader = Reader(path)
+        self._reader.block_bytes = _BLOCK_BYTES
         self._loader: Reader | None = None
         self._pieces: list[_Piece] = []
         self._latest: list[int] = []

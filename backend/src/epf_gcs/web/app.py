@@ -21,6 +21,7 @@ from epf_gcs.web.commands import ahrs_test_routes as ahrs_test
 from epf_gcs.web.commands import routes as commands
 from epf_gcs.web.earth import routes as earth
 from epf_gcs.web.flights import data_routes as flight_data
+from epf_gcs.web.flights import export_routes as flight_exports
 from epf_gcs.web.flights import job_routes as jobs
 from epf_gcs.web.flights import mark_routes as flight_marks
 from epf_gcs.web.flights import routes as flights
@@ -92,6 +93,7 @@ def create_app(settings: Settings, visitors: Visitors | None = None) -> FastAPI:
         recordings,
         flights,
         flight_data,
+        flight_exports,
         flight_marks,
         jobs,
         about,

@@ -23,6 +23,7 @@ def flown(gateway: Gateway, board: FakeBoard) -> str:
     gateway.open_board(board.url)
     gateway.http.post("/commands/ahrs_on").raise_for_status()
     eventually(lambda: gateway.status()["topics"].get("ahrs", {"count": 0})["count"] > 5, "attitudes come")
+    eventually(lambda: gateway.status()["recording"]["file"] is not None, "the recorder's thread has opened its file")
     file = gateway.status()["recording"]["file"]
     gateway.http.delete("/links/board").raise_for_status()
     eventually(lambda: not gateway.status()["recording"]["active"], "the session ends")

@@ -39,8 +39,8 @@ function command(key: string, name: CommandName, control: string, asked?: string
   };
 }
 
-/** The keys of the digit row, from left to right. */
-const TAB_KEYS = "1234567890-";
+/** The keys of the digit row, from left to right, then a letter each. */
+const TAB_KEYS = "1234567890-f";
 
 /** The one list of shortcuts: the keys are bound and the help sheet is written from it. */
 export const SHORTCUTS: readonly Shortcut[] = [

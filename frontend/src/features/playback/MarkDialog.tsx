@@ -1,13 +1,13 @@
 import { useRef, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useSentence } from "../../i18n/useSentence";
+import { formatFlightTime } from "../../lib/moment";
 import { usePart } from "../../store/hooks";
 import type { Message } from "../../store/messages";
 import { Button } from "../../ui/Button";
 import { Dialog } from "../../ui/Dialog";
 import { Notice } from "../../ui/Notice";
 import { TextField } from "../../ui/TextField";
-import { formatFlightTime } from "./barGeometry";
 import { PLAYBACK } from "./playbackRequests";
 
 /** As many letters as the gateway takes. */

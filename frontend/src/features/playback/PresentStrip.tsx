@@ -45,7 +45,7 @@ function PastWords() {
   const { t } = useTranslation();
   const { store } = usePart(PLAYBACK);
   const clock = useRef<SteadyTextHandle>(null);
-  const isLost = usePlayback(({ state }) => state === "opening");
+  const isLost = usePlayback(({ state, isLost }) => isLost || state === "opening");
   useEffect(() => {
     const write = (): void => {
       const at_s = moment_s(store.getState());

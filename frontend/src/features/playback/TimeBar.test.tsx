@@ -5,11 +5,9 @@ import { FLIGHT, FLIGHT_STARTS_S } from "../../test/replay";
 import { type Asked, Station } from "../../test/station";
 import { PLAYBACK } from "./playbackRequests";
 
-const FLIGHT_PATH = /^\/api\/v1\/flights\//;
-
 /** Answers what the page asks about flights and has not been answered yet. */
 async function answerFlights(station: Station, edge_s = 600): Promise<void> {
-  const open = station.asked.filter(({ path }) => FLIGHT_PATH.test(path) && !answered.has(path + edge_s));
+  const open = station.askedByBar.filter(({ path }) => !answered.has(path + edge_s));
   for (const asked of open) {
     answered.add(asked.path + edge_s);
     await answerOne(asked, edge_s);
@@ -335,6 +333,7 @@ describe("the playback", () => {
     expect(station.replay.place).toEqual({ flight: FLIGHT, at_s: 150 });
     station.replayed((replay) => replay.greet());
     expect(station.replay.asked).toEqual([{ type: "play", rate: 1 }]);
+    expect(screen.queryByText("Abriendo el vuelo…")).toBeNull();
   });
 
   test("sets a mark with words at the moment that is shown", async () => {

@@ -11,13 +11,13 @@ import {
 } from "lucide-react";
 import { useEffect, useRef, useState } from "react";
 import { useTranslation } from "react-i18next";
+import { formatFlightTime } from "../../lib/moment";
 import { usePage, usePart } from "../../store/hooks";
 import { say } from "../../store/messages";
 import { Button } from "../../ui/Button";
 import { copyText } from "../../ui/copyText";
 import { Select } from "../../ui/Select";
 import { SteadyText, type SteadyTextHandle } from "../../ui/SteadyText";
-import { formatFlightTime } from "./barGeometry";
 import { PLAYBACK } from "./playbackRequests";
 import { RATES } from "./playbackState";
 import { usePlayback } from "./usePlayback";

@@ -1,9 +1,9 @@
 import type { TFunction } from "i18next";
 import { type KeyboardEvent, type RefObject, useEffect, useMemo, useRef, useState } from "react";
 import { useTranslation } from "react-i18next";
-import { formatDateTime } from "../../lib/moment";
+import { formatDateTime, formatFlightTime } from "../../lib/moment";
 import { usePart } from "../../store/hooks";
-import { type BarView, formatFlightTime, showing, wholeFlight, xOf } from "./barGeometry";
+import { type BarView, showing, wholeFlight, xOf } from "./barGeometry";
 import { CURRENT, PLAYBACK } from "./playbackRequests";
 import { moment_s, type PlaybackState } from "./playbackState";
 import { enterPast, runInPast, timeAction } from "./timeKeys";

@@ -1,15 +1,6 @@
 import { describe, expect, test } from "vitest";
-import {
-  atOf,
-  formatFlightTime,
-  LEAST_SPAN_S,
-  panned,
-  showing,
-  ticks,
-  wholeFlight,
-  xOf,
-  zoomed,
-} from "./barGeometry";
+import { formatFlightTime } from "../../lib/moment";
+import { atOf, LEAST_SPAN_S, panned, showing, ticks, wholeFlight, xOf, zoomed } from "./barGeometry";
 
 describe("the view", () => {
   test("of a flight that has just begun is longer than the flight", () => {

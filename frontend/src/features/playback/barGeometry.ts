@@ -63,16 +63,3 @@ export function ticks(view: BarView, width: number, least_px: number): readonly 
   const last = Math.floor(view.to_s / step_s);
   return Array.from({ length: Math.max(0, last - first + 1) }, (_, index) => (first + index) * step_s);
 }
-
-/** Time of a flight: "1:02:03", "2:03", "2:03.4". */
-export function formatFlightTime(at_s: number, decimals: 0 | 1 | 2 = 0): string {
-  const units = Math.max(0, Math.round(at_s * 10 ** decimals));
-  const whole_s = Math.floor(units / 10 ** decimals);
-  const hours = Math.floor(whole_s / 3600);
-  const minutes = Math.floor(whole_s / 60) % 60;
-  const seconds = String(whole_s % 60).padStart(2, "0");
-  const fraction = decimals === 0 ? "" : `.${String(units % 10 ** decimals).padStart(decimals, "0")}`;
-  return hours > 0
-    ? `${hours}:${String(minutes).padStart(2, "0")}:${seconds}${fraction}`
-    : `${minutes}:${seconds}${fraction}`;
-}

@@ -1,5 +1,6 @@
+import { formatFlightTime } from "../../lib/moment";
 import type { FlightEvent, FlightOverview } from "../../protocol/guards.gen";
-import { type BarView, formatFlightTime, ticks, xOf } from "./barGeometry";
+import { type BarView, ticks, xOf } from "./barGeometry";
 import { LANES, type Lane, laneOf } from "./flightLanes";
 
 /** The colours of the bar by the role that they have in it. */

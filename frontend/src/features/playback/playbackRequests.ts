@@ -36,8 +36,8 @@ export interface FlightListener {
     readonly duration_s: number;
   }) => void;
   readonly onPosition: (position: PlaybackPosition) => void;
-  /** The line broke or is silent. */
-  readonly onLost: () => void;
+  /** Whether the line is well, or broke or is silent. */
+  readonly onLine: (isWell: boolean) => void;
 }
 
 /** Looks at flights of the past; nothing here throws. Times are seconds since the flight's start. */
@@ -151,7 +151,7 @@ export function createPlayback({ rest, timers, address, open }: PlaybackParts): 
     stream = open(() => placeOf() ?? { flight, at_s: from_s }, {
       onOpened: opened,
       onPosition: heard,
-      onLost: () => store.setState({ state: "opening" }),
+      onLine: (isWell) => store.setState({ isLost: !isWell }),
     });
   }
 

@@ -21,6 +21,8 @@ export interface PlaybackState {
   /** Changes when somebody goes to another moment; a flight that is played on does not change it. */
   readonly moves: number;
   readonly state: "opening" | PlaybackPosition["state"];
+  /** Its line is broken or silent: what is shown does not move. */
+  readonly isLost: boolean;
   readonly rate: number;
   readonly loop: Stretch | null;
   readonly duration_s: number;
@@ -38,6 +40,7 @@ export const PRESENT: PlaybackState = {
   at_s: 0,
   moves: 0,
   state: "opening",
+  isLost: false,
   rate: 1,
   loop: null,
   duration_s: 0,

@@ -44,28 +44,34 @@ export function useBarPicture(
     const element = canvas.current;
     const context = element?.getContext("2d") ?? null;
     if (element === null || context === null || width === 0 || height === 0) {
-      return;
+      return undefined;
     }
-    const ratio = window.devicePixelRatio || 1;
-    element.width = Math.round(width * ratio);
-    element.height = Math.round(height * ratio);
-    context.setTransform(ratio, 0, 0, ratio, 0, 0);
-    const style = getComputedStyle(element);
-    const fontSize_px = Number.parseFloat(style.fontSize) || 12;
-    paintBar(context, {
-      width,
-      height,
-      view,
-      edge_s,
-      overview,
-      events,
-      starts_s,
-      loop,
-      isThin,
-      colours: coloursOf(style),
-      fontSize_px,
-      font: `${fontSize_px}px ${style.getPropertyValue("--font-number").trim() || "monospace"}`,
-    });
+    // Not before the next animation frame: another theme is applied after the effects of what is inside of the page.
+    const waiting = requestAnimationFrame(() => paint(element, context));
+    return () => cancelAnimationFrame(waiting);
+
+    function paint(element: HTMLCanvasElement, context: CanvasRenderingContext2D): void {
+      const ratio = window.devicePixelRatio || 1;
+      element.width = Math.round(width * ratio);
+      element.height = Math.round(height * ratio);
+      context.setTransform(ratio, 0, 0, ratio, 0, 0);
+      const style = getComputedStyle(element);
+      const fontSize_px = Number.parseFloat(style.fontSize) || 12;
+      paintBar(context, {
+        width,
+        height,
+        view,
+        edge_s,
+        overview,
+        events,
+        starts_s,
+        loop,
+        isThin,
+        colours: coloursOf(style),
+        fontSize_px,
+        font: `${fontSize_px}px ${style.getPropertyValue("--font-number").trim() || "monospace"}`,
+      });
+    }
   }, [canvas, width, height, view, edge_s, overview, events, starts_s, loop, isThin, theme]);
 }
 

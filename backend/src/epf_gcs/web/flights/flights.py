@@ -166,6 +166,12 @@ class Flights:
         self.wake()
         return await self.get(flight)
 
+    async def cancel(self, job: Job) -> None:
+        """Stop a job; a flight that it was to prepare is left alone until somebody asks for its index again."""
+        if job.kind in ("pack", "index") and job.flight is not None and not job.is_over:
+            self._left_alone.add(job.flight)
+        await self.jobs.cancel(job)
+
     async def with_fingerprint(self, fingerprint: str) -> str | None:
         """The flight with this content; None if there is none."""
         return await self.in_thread(self._library.with_fingerprint, fingerprint)
@@ -252,8 +258,6 @@ class Flights:
         job = self._preparing = self.jobs.start(kind, [path], flight=flight)
         await job.ended.wait()
         await self._refresh()
-        if job.state == "cancelled":
-            self._left_alone.add(flight)
         return job
 
     async def _stop_work_on(self, flight: str) -> None:

@@ -33,7 +33,7 @@ async def get_job(job_id: JobId, flights: FlightsDep) -> Job:
 async def cancel_job(job_id: JobId, flights: FlightsDep) -> Job:
     """Stop a job: nothing of what it made is kept. One that is over stays as it is."""
     job = flights.jobs.get(job_id)
-    await flights.jobs.cancel(job)
+    await flights.cancel(job)
     return Job(**job.as_dict())
 
 

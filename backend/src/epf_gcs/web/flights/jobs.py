@@ -143,6 +143,10 @@ class Jobs:
             job.task.cancel()
             await job.ended.wait()
 
+    def drop(self, job: Job) -> None:
+        """Delete the file that a job made: it was fetched."""
+        _drop(job)
+
     async def close(self) -> None:
         """Stop all of them, and forget their results."""
         await asyncio.gather(*(self.cancel(job) for job in self._jobs.values()))

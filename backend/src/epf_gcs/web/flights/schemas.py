@@ -10,6 +10,8 @@ from typing import Annotated, Any, Literal
 from pydantic import Field, StringConstraints
 
 from epf_gcs.errors import ErrorCode
+from epf_gcs.formats.kml_words import Language
+from epf_gcs.recordings.export_names import ExportFormat
 from epf_gcs.web.missions.schemas import WaypointModel
 from epf_gcs.web.parameters.schemas import ParameterState
 from epf_gcs.web.schemas import Input, Output, ParamValue, PlanName
@@ -34,6 +36,7 @@ EventKind = Literal[
     "waypoint",
 ]
 Tag = Annotated[str, Field(min_length=1, max_length=40)]
+TopicName = Annotated[str, StringConstraints(pattern=r"^[a-z0-9_]{1,64}$")]
 MarkText = Annotated[str, StringConstraints(strip_whitespace=True, min_length=1, max_length=500)]
 
 
@@ -311,6 +314,20 @@ class FlightOverview(Output):
     signal: str | None
     altitude_ft: list[float | None]
     gaps: list[list[float]]
+
+
+class ExportInput(Input):
+    """What becomes a file. Without `topics` all of them, without times the whole flight.
+
+    Only mcap-decoded, csv and parquet have topics; a single topic of csv and parquet is one file and no archive.
+    `lang` is the language of the names in KML, KMZ, GPX and CZML.
+    """
+
+    format: ExportFormat
+    topics: Annotated[list[TopicName], Field(min_length=1, max_length=100)] | None = None
+    from_s: Annotated[float, Field(ge=0, le=10_000_000)] | None = None
+    to_s: Annotated[float, Field(ge=0, le=10_000_000)] | None = None
+    lang: Language = "es"
 
 
 class Playback(Output):

@@ -10,7 +10,8 @@ from fastapi import APIRouter, Query, Request, Response
 
 from epf_gcs.codec.tables import Waypoint
 from epf_gcs.formats.kml import MEDIA_TYPE as KML_MEDIA_TYPE
-from epf_gcs.formats.mission_file import Format
+from epf_gcs.formats.kmz import MEDIA_TYPE as KMZ_MEDIA_TYPE
+from epf_gcs.formats.mission_file import FileFormat
 from epf_gcs.formats.recognise import MAX_FILE_BYTES, WRITERS, read_mission_file
 from epf_gcs.formats.xml_tree import plain
 from epf_gcs.web.missions.file_schemas import MissionExport, MissionImport, MissionNote
@@ -20,8 +21,9 @@ from epf_gcs.web.problems import problems
 router = APIRouter(prefix="/missions", tags=["missions"])
 
 IMPORT_PATH: Final = "/missions/import"
-_MEDIA_TYPES: Final[dict[Format, str]] = {
+_MEDIA_TYPES: Final[dict[FileFormat, str]] = {
     "kml": KML_MEDIA_TYPE,
+    "kmz": KMZ_MEDIA_TYPE,
     "gpx": "application/gpx+xml",
     "csv": "text/csv; charset=utf-8",
     "plan": "application/octet-stream",
@@ -41,7 +43,7 @@ FileName = Annotated[str, Query(min_length=1, max_length=255, description="The f
         **problems(),
     },
 )
-async def export_mission(body: MissionExport, format: Format) -> Response:  # noqa: A002 - the query parameter's name
+async def export_mission(body: MissionExport, format: FileFormat) -> Response:  # noqa: A002 - the query parameter's name
     """A plan as a file."""
     waypoints = [Waypoint(**waypoint.model_dump()) for waypoint in body.waypoints]
     return Response(

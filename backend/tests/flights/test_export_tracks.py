@@ -1,0 +1,217 @@
+"""Tracks as files of other programs: valid, with the times of the flight, and no speed that nobody flew."""
+
+from __future__ import annotations
+
+import io
+import math
+import zipfile
+from datetime import UTC, datetime
+from itertools import pairwise
+from pathlib import Path
+from typing import Any
+
+import fastkml
+import numpy as np
+import orjson
+import pytest
+from fastkml.validator import get_schema_parser
+from lxml import etree
+
+from epf_gcs.errors import GatewayError
+from epf_gcs.flights.export.verb import run
+from epf_gcs.formats.recognise import read_mission_file
+from epf_gcs.recordings.mcap_file import Tally, closing, data_end, message_record, opening
+from epf_gcs.recordings.topics import BOARD_RECEIVED, TOPICS
+from tests.flights.flown_flights import M_PER_DEG, SPEED_M_S, WAYPOINTS, gps, indexed, place, quiet, recording
+from tests.recordings.files import START_NS
+
+GPX = "{http://www.topografix.com/GPX/1/1}"
+KML = "{http://www.opengis.net/kml/2.2}"
+GX = "{http://www.google.com/kml/ext/2.2}"
+# One of 11.4 s, in which 114 positions of the board come at once; short ones; two that follow each other closely.
+STALLS = ((10.0, 21.4), (30.0, 30.5), (40.0, 40.6), (40.62, 41.0), (45.0, 45.06))
+Point = tuple[float, float, float, float]
+
+
+@pytest.fixture(scope="module")
+def flight(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return indexed(tmp_path_factory.mktemp("tracks"), recording(60, STALLS))
+
+
+def exported(flight: Path, kind: str, *options: str) -> bytes:
+    target = flight.parent.parent / "exports" / "one"
+    target.unlink(missing_ok=True)
+    run([str(flight), kind, str(target), *options], quiet)
+    return target.read_bytes()
+
+
+def unix_s(text: str) -> float:
+    return datetime.fromisoformat(text).astimezone(UTC).timestamp()
+
+
+def gpx_lines(data: bytes) -> list[list[Point]]:
+    return [
+        [
+            (
+                unix_s(point.findtext(f"{GPX}time")),
+                float(point.get("lat")),
+                float(point.get("lon")),
+                float(point.findtext(f"{GPX}ele")),
+            )
+            for point in segment
+        ]
+        for segment in etree.fromstring(data).iter(f"{GPX}trkseg")
+    ]
+
+
+def kml_lines(data: bytes) -> list[list[Point]]:
+    lines = []
+    for track in etree.fromstring(data).iter(f"{GX}Track"):
+        whens = [unix_s(found.text) for found in track.iter(f"{KML}when")]
+        places = [[float(one) for one in found.text.split()] for found in track.iter(f"{GX}coord")]
+        lines.append([(t_s, at[1], at[0], at[2]) for t_s, at in zip(whens, places, strict=True)])
+    return lines
+
+
+def czml_lines(data: bytes) -> list[list[Point]]:
+    lines = []
+    for packet in orjson.loads(data)[1:]:
+        epoch_s = unix_s(packet["position"]["epoch"])
+        rows = np.array(packet["position"]["cartographicDegrees"]).reshape(-1, 4)
+        lines.append([(epoch_s + row[0], row[2], row[1], row[3]) for row in rows])
+    return lines
+
+
+def speed_m_s(one: Point, other: Point) -> float:
+    north = (other[1] - one[1]) * M_PER_DEG
+    east = (other[2] - one[2]) * M_PER_DEG * math.cos(math.radians(one[1]))
+    return math.hypot(north, east) / (other[0] - one[0])
+
+
+READERS: dict[str, Any] = {"gpx": gpx_lines, "kml": kml_lines, "czml": czml_lines}
+
+
+@pytest.mark.parametrize("kind", list(READERS))
+def test_no_two_points_share_a_time_and_no_speed_is_absurd_however_late_they_were_read(flight: Path, kind: str) -> None:
+    lines = READERS[kind](exported(flight, kind))
+    assert [len(line) for line in lines] == [600, 3000], "none is lost, neither of GPS nor of the simulator"
+    for line in lines:
+        assert all(one[0] < other[0] for one, other in pairwise(line))
+        speeds = [speed_m_s(one, other) for one, other in pairwise(line)]
+        assert max(speeds) < 2.2 * SPEED_M_S
+        for t_s, *found in line:
+            flown = place(t_s - START_NS * 1e-9)
+            assert found == pytest.approx(flown, abs=2.0)
+            assert math.hypot(found[0] - flown[0], found[1] - flown[1]) * M_PER_DEG < 0.6 * SPEED_M_S
+
+
+def test_the_recorded_times_alone_would_have_been_absurd() -> None:
+    read = [min((end for begin, end in STALLS if begin <= at_s < end), default=at_s) for at_s in np.arange(600) / 10]
+    assert sum(one == other for one, other in pairwise(read)) > 110
+
+
+def test_the_times_are_those_of_the_flight_and_can_be_cut(flight: Path) -> None:
+    lines = gpx_lines(exported(flight, "gpx", "--from-s", "22", "--to-s", "29.5"))
+    for line in lines:
+        assert line[0][0] - START_NS * 1e-9 == pytest.approx(22.0, abs=0.11)
+        assert line[-1][0] - START_NS * 1e-9 == pytest.approx(29.5, abs=0.11)
+
+
+def test_kml_fits_the_schema_with_googles_extension_and_has_the_plan(flight: Path) -> None:
+    data = exported(flight, "kml", "--language", "en")
+    schema = get_schema_parser(Path(fastkml.__file__).parent / "schema" / "kml22gx.xsd")
+    schema.validate(etree.fromstring(data))
+    assert [str(fault.message) for fault in schema.error_log] == []
+    names = [found.text for found in etree.fromstring(data).iter(f"{KML}name")]
+    assert names[0] == "EPF GCS: Track, 2026-01-31 12:00:00 UTC"
+    assert {"Track", "HIL track", "HIL flight plan"} <= set(names)
+    begins = [unix_s(found.text) for found in etree.fromstring(data).iter(f"{KML}begin")]
+    assert begins == pytest.approx([START_NS * 1e-9] * 2, abs=0.001)
+
+
+def test_kmz_holds_the_same_document_and_its_plan_can_be_read_back(flight: Path) -> None:
+    kmz = exported(flight, "kmz")
+    with zipfile.ZipFile(io.BytesIO(kmz)) as archive:
+        assert archive.testzip() is None
+        document = archive.read("doc.kml")
+    assert document == exported(flight, "kml")
+    placemarks = [
+        found for found in etree.fromstring(document).iter(f"{KML}Placemark") if found.find(f"{KML}Point") is not None
+    ]
+    assert len(placemarks) == len(WAYPOINTS)
+
+
+def test_gpx_has_the_structure_of_its_schema(flight: Path) -> None:
+    root = etree.fromstring(exported(flight, "gpx"))
+    assert (root.tag, root.get("version"), bool(root.get("creator"))) == (f"{GPX}gpx", "1.1", True)
+    assert [child.tag for child in root] == [f"{GPX}trk"] * 2
+    for track in root:
+        assert [child.tag for child in track] == [f"{GPX}name", f"{GPX}trkseg"]
+        for point in track.iter(f"{GPX}trkpt"):
+            assert [child.tag for child in point] == [f"{GPX}ele", f"{GPX}time"]
+            assert -90 <= float(point.get("lat")) <= 90
+            assert -180 <= float(point.get("lon")) < 180
+
+
+def test_czml_has_the_attitude_and_a_clock_over_the_flight(flight: Path) -> None:
+    document, board, simulator = orjson.loads(exported(flight, "czml"))
+    assert (document["id"], document["version"]) == ("document", "1.0")
+    begin, end = document["clock"]["interval"].split("/")
+    assert unix_s(begin) == pytest.approx(START_NS * 1e-9, abs=0.001)
+    assert unix_s(end) - unix_s(begin) == pytest.approx(59.98, abs=0.01)
+    for packet, count in ((board, 600), (simulator, 3000)):
+        quaternions = np.array(packet["orientation"]["unitQuaternion"]).reshape(-1, 5)
+        assert len(quaternions) >= 0.97 * count
+        assert np.hypot.reduce(quaternions[:, 1:], axis=1) == pytest.approx(1.0, abs=1e-6)
+
+
+def of_positions(frames: list[tuple[float, bytes]]) -> bytes:
+    """A recording of the receiver alone: a frame at each of these seconds."""
+    tally, body = Tally(), opening("test", TOPICS)
+    for at_s, data in frames:
+        t_ns = START_NS + round(at_s * 1e9)
+        body += message_record(BOARD_RECEIVED, tally.add(BOARD_RECEIVED, t_ns), t_ns, data)
+    body += data_end()
+    return body + closing(TOPICS, tally, len(body))
+
+
+def test_a_receiver_slower_than_its_messages_gives_one_point_a_place(tmp_path: Path) -> None:
+    """Each place is sent ten times: as points they would be a second of rest and a tenth of 350 m/s."""
+    frames = [(index / 10, gps(float(index // 10))) for index in range(600)]
+    (line,) = gpx_lines(exported(indexed(tmp_path, of_positions(frames)), "gpx"))
+    assert len(line) == 60
+    assert max(speed_m_s(one, other) for one, other in pairwise(line)) < 1.1 * SPEED_M_S
+
+
+def test_without_a_fix_there_is_no_point_and_a_gap_or_a_jump_breaks_the_line(tmp_path: Path) -> None:
+    frames = [(index / 10, gps(index / 10, b"V" if 20 <= index < 30 else b"A")) for index in range(100)]
+    frames += [(60 + index / 10, gps(60 + index / 10)) for index in range(50)]
+    # Put to the other side of the circle at once.
+    opposite = math.pi * 400.0 / SPEED_M_S
+    frames += [(65 + index / 10, gps(65 + opposite + index / 10)) for index in range(50)]
+    lines = gpx_lines(exported(indexed(tmp_path, of_positions(frames)), "gpx"))
+    assert [len(line) for line in lines] == [90, 50, 50]
+
+
+def test_one_wrong_position_is_left_out(tmp_path: Path) -> None:
+    frames = [(index / 10, gps(index / 10 + (2.0 if index == 50 else 0.0))) for index in range(100)]
+    (line,) = gpx_lines(exported(indexed(tmp_path, of_positions(frames)), "gpx"))
+    assert len(line) == 99
+    assert max(speed_m_s(one, other) for one, other in pairwise(line)) < 2.2 * SPEED_M_S
+
+
+def test_a_flight_without_a_position_says_so(tmp_path: Path) -> None:
+    flight = indexed(tmp_path, of_positions([(index / 10, gps(index / 10, b"V")) for index in range(20)]))
+    for kind in ("kml", "kmz", "gpx", "czml"):
+        with pytest.raises(GatewayError) as fault:
+            exported(flight, kind)
+        assert fault.value.code == "export_no_position"
+    assert list((tmp_path / "exports").iterdir()) == []
+
+
+def test_a_plan_of_a_recording_is_a_plan_file(flight: Path) -> None:
+    """The KML of a flight without its tracks is read as a plan; of the whole, the plan's own placemarks are taken."""
+    found = read_mission_file("flight.kml", exported(flight, "kml", "--from-s", "22", "--to-s", "22.5"))
+    assert [(one.latitude_deg, one.longitude_deg, one.speed_kt) for one in found.waypoints] == [
+        (one["latitude_deg"], one["longitude_deg"], one["speed_kt"]) for one in WAYPOINTS
+    ]

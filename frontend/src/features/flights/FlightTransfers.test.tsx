@@ -1,0 +1,159 @@
+import { fireEvent, screen, within } from "@testing-library/react";
+import userEvent from "@testing-library/user-event";
+import { act } from "react";
+import { beforeEach, describe, expect, test } from "vitest";
+import type { Job } from "../../protocol/guards.gen";
+import { aFlight, aFlightList, aJob } from "../../test/flights";
+import { type Asked, Station } from "../../test/station";
+import { FLIGHT_COMPARISON } from "./flightComparison";
+
+const user = userEvent.setup();
+const FIRST = aFlight();
+const SECOND = aFlight({ id: "20231113T090000Z", started_s: 1_699_866_000, title: "Segunda" });
+const FILE = new File(["x".repeat(1000)], "ajena.mcap");
+const LIST = /\/flights\?.*sort=/;
+
+let station: Station;
+
+function newest(method: string, path: RegExp): Asked {
+  const found = station.asked
+    .filter((question) => question.method === method && path.test(question.path))
+    .at(-1);
+  if (found === undefined) {
+    throw new Error(`nothing was asked with ${method} ${path}`);
+  }
+  return found;
+}
+
+function tell(parts: Partial<Job>): void {
+  station.deliver({ type: "event", event: "job", t_s: 1, data: aJob(parts) });
+}
+
+function transfers(): HTMLElement {
+  return screen.getByRole("region", { name: "Archivos que entran y salen" });
+}
+
+function input(): HTMLInputElement {
+  return document.querySelector('input[type="file"]') as HTMLInputElement;
+}
+
+beforeEach(async () => {
+  station = new Station();
+  station.greet();
+  await user.click(screen.getByRole("tab", { name: "Vuelos" }));
+  station.show();
+  await newest("GET", LIST).answer(aFlightList({ flights: [FIRST, SECOND] }));
+});
+
+describe("a recording from another machine", () => {
+  test("is sent with its progress, then checked with its own, and is chosen in the list", async () => {
+    await user.upload(input(), FILE);
+    expect(station.uploads[0]?.path).toBe("/api/v1/flights?name=ajena.mcap");
+    station.uploads[0]?.onSent(400);
+    expect(within(transfers()).getByRole("progressbar").getAttribute("value")).toBe("400");
+    expect(transfers().textContent).toContain("Enviando ajena.mcap: 400 B de 1.00 kB");
+    await newest("POST", /name=/).answer({ job: "0123456789ab" }, 202);
+    tell({ kind: "import", flight: null, progress: 0.5 });
+    expect(transfers().textContent).toContain("Comprobando ajena.mcap");
+    expect(within(transfers()).getByRole("progressbar").getAttribute("value")).toBe("0.5");
+    tell({ kind: "import", state: "done", progress: 1, flight: SECOND.id });
+    expect(transfers().textContent).toContain("ajena.mcap ya está en la biblioteca.");
+    expect(screen.getByRole("region", { name: "Vuelo Segunda" })).toBeTruthy();
+  });
+
+  test("comes in by being dropped, and the refusal is said clearly until it is dismissed", async () => {
+    const tab = screen.getByRole("tabpanel", { name: "Vuelos" }).firstElementChild as HTMLElement;
+    const dataTransfer = { types: ["Files"], files: [FILE] };
+    fireEvent.dragOver(tab, { dataTransfer });
+    expect(tab.textContent).toContain("Suelta aquí la grabación");
+    fireEvent.drop(tab, { dataTransfer });
+    await newest("POST", /name=/).answer({ job: "0123456789ab" }, 202);
+    tell({
+      kind: "import",
+      flight: null,
+      state: "failed",
+      fault: { code: "recording_empty", detail: "x", params: {} },
+    });
+    const refusal = within(transfers()).getByRole("alert");
+    expect(refusal.textContent).toContain("No se ha importado ajena.mcap.");
+    expect(refusal.textContent).toContain("no contiene ningún mensaje");
+    await user.click(within(refusal).getByRole("button"));
+    expect(screen.queryByRole("region", { name: "Archivos que entran y salen" })).toBeNull();
+  });
+
+  test("that is refused at once says why", async () => {
+    await user.upload(input(), FILE);
+    await newest("POST", /name=/).answer({ code: "jobs_busy", detail: "x", params: { limit: 20 } }, 409);
+    expect(within(transfers()).getByRole("alert").textContent).toContain("Ya hay 20 trabajos en espera");
+  });
+
+  test("can be stopped while it is sent, and nothing is said of it then", async () => {
+    await user.upload(input(), FILE);
+    await user.click(screen.getByRole("button", { name: "Cancelar ajena.mcap" }));
+    expect(screen.queryByRole("region", { name: "Archivos que entran y salen" })).toBeNull();
+  });
+});
+
+describe("an export", () => {
+  beforeEach(async () => {
+    await user.click(screen.getByRole("button", { name: /^Primera vuelta/ }));
+    await user.click(screen.getByRole("button", { name: "Exportar…" }));
+  });
+
+  test("of a stretch starts as it was chosen, shows its progress, and is there to be fetched", async () => {
+    await user.click(screen.getByRole("radio", { name: /^CSV/ }));
+    await user.click(screen.getByRole("checkbox", { name: "Solo un tramo del vuelo" }));
+    const from = screen.getByRole("textbox", { name: "Desde el segundo" });
+    await user.clear(from);
+    await user.type(from, "100{Enter}");
+    await user.click(screen.getByRole("button", { name: "Exportar" }));
+    const wish = newest("POST", /exports$/);
+    expect(wish.path).toBe(`/api/v1/flights/${FIRST.id}/exports`);
+    expect(wish.body).toEqual({ format: "csv", lang: "es", topics: null, from_s: 100, to_s: 754 });
+    await wish.answer({ job: "0123456789ab" }, 202);
+    tell({ progress: 0.75 });
+    expect(within(transfers()).getByRole("progressbar").getAttribute("value")).toBe("0.75");
+    tell({ state: "done", progress: 1, result: { name: "vuelo.zip", bytes: 4_200_000 } });
+    // The answer to the first question of how far it is comes late.
+    await newest("GET", /jobs\/0123456789ab$/).answer(aJob({ progress: 0.1 }));
+    const link = within(transfers()).getByRole("link", { name: "Descargar vuelo.zip (4.20 MB)" });
+    expect(link.getAttribute("href")).toBe("/api/v1/jobs/0123456789ab/result");
+    expect(link.getAttribute("download")).toBe("vuelo.zip");
+  });
+
+  test("of the whole flight says so, and is cancelled", async () => {
+    await user.click(screen.getByRole("button", { name: "Exportar" }));
+    expect(newest("POST", /exports$/).body).toMatchObject({ format: "mcap", from_s: null, to_s: null });
+    tell({});
+    await user.click(screen.getByRole("button", { name: `Cancelar ${FIRST.id}` }));
+    await newest("DELETE", /jobs\/0123456789ab$/).answer(aJob({ state: "cancelled" }));
+    expect(screen.queryByRole("region", { name: "Archivos que entran y salen" })).toBeNull();
+  });
+});
+
+test("a flight that is being prepared shows how far that is, and is read again when it is ready", async () => {
+  tell({ kind: "index", flight: FIRST.id, progress: 0.4 });
+  const [bar] = within(screen.getByRole("list", { name: "Vuelos grabados" })).getAllByRole("progressbar");
+  expect(bar?.getAttribute("value")).toBe("0.4");
+  const before = station.asked.filter(({ path }) => LIST.test(path)).length;
+  tell({ kind: "index", flight: FIRST.id, state: "done" });
+  expect(screen.queryByRole("progressbar")).toBeNull();
+  expect(station.asked.filter(({ path }) => LIST.test(path)).length).toBe(before + 1);
+});
+
+test("two flights can be compared only where a view for it has registered itself, and it gets both", async () => {
+  expect(screen.queryByRole("checkbox", { name: /^Comparar/ })).toBeNull();
+  const opened: string[][] = [];
+  act(() =>
+    station.page.parts
+      .get(FLIGHT_COMPARISON)
+      .register({ words: "flights.compare", open: (...both) => opened.push(both) }),
+  );
+  const compare = screen.getByRole("button", { name: "Comparar" });
+  await user.click(screen.getByRole("checkbox", { name: "Comparar Segunda" }));
+  await user.click(compare);
+  expect(opened).toEqual([]);
+  await user.click(screen.getByRole("checkbox", { name: "Comparar Primera vuelta" }));
+  await user.click(compare);
+  expect(opened).toEqual([[SECOND.id, FIRST.id]]);
+});

@@ -1,0 +1,119 @@
+import type { FlightEvent } from "../../protocol/guards.gen";
+import { resultMessage } from "../../requests/actions";
+import { info } from "../../requests/asking";
+import { type Message, wordsOf } from "../../store/messages";
+
+/** The groups by which events are chosen, in the order of the switches. */
+export const EVENT_GROUPS = ["command", "alarm", "mode", "waypoint", "mark", "trouble"] as const;
+export type EventGroup = (typeof EVENT_GROUPS)[number];
+
+const GROUP_OF: Readonly<Record<string, EventGroup>> = {
+  command: "command",
+  parameter: "command",
+  plan: "command",
+  console: "command",
+  alarm: "alarm",
+  mode: "mode",
+  control: "mode",
+  waypoint: "waypoint",
+  mark: "mark",
+};
+
+/** What is of no other group went wrong: gaps, damage, lines and recordings that were lost, restarts. */
+export function groupOf({ kind }: Pick<FlightEvent, "kind">): EventGroup {
+  return GROUP_OF[kind] ?? "trouble";
+}
+
+/** What happened, as a sentence. */
+export function eventMessage(event: FlightEvent): Message {
+  const { kind, name, data } = event;
+  switch (kind) {
+    case "command":
+      return commandMessage(event);
+    case "alarm":
+      return {
+        ...info(`alarm.${name}`, wordsOf(objectOf(data["params"]))),
+        fallback: textOf(data["text"], name),
+      };
+    case "mark":
+      return info("flightEvent.mark", { text: textOf(data["text"], "") });
+    case "mode":
+      return info(data["on"] === true ? "flightEvent.modeOn" : "flightEvent.modeOff", {
+        mode: `@flightMode.${name}`,
+      });
+    case "waypoint":
+      return info("flightEvent.waypoint", {
+        plan: `@flightPlan.${name}`,
+        from: numberOf(data["from"]),
+        to: numberOf(data["to"]),
+      });
+    case "plan":
+      return info("flightEvent.plan", { plan: `@flightPlan.${name}` });
+    case "console":
+      return info("flightEvent.console", { text: textOf(data["text"] ?? data["line"], name) });
+    case "control":
+      return name === "" ? info("flightEvent.nobody") : info("flightEvent.control", { name });
+    case "parameter":
+      return info("flightEvent.parameter", { names: parameterNames(data) });
+    case "link":
+      return name === ""
+        ? info("flightEvent.lines", {
+            board: linkWord(data["board"]),
+            simulator: linkWord(data["simulator"]),
+          })
+        : { ...info(`flightLink.${name}`), fallback: name };
+    case "lost":
+      return info("flightEvent.lost", {
+        bytes: numberOf(data["bytes"]),
+        reason: textOf(data["reason"], name),
+      });
+    default:
+      return { ...info(`flightEvent.${kind}`), fallback: `${kind} ${name}` };
+  }
+}
+
+function commandMessage({ name, data }: FlightEvent): Message {
+  const what = `@command.${name}`;
+  const { state, by, reason, ms } = data;
+  switch (state) {
+    case "confirmed":
+    case "sent":
+    case "rejected":
+    case "timed_out":
+      return resultMessage(what, {
+        state,
+        by: textOf(by, "acknowledgement"),
+        reason: reason === null || reason === undefined ? null : textOf(reason, ""),
+        ms: numberOf(ms),
+      });
+    default:
+      // The recording ends before the board answered.
+      return info("flightEvent.pending", { what });
+  }
+}
+
+/** An event of gains lists each that changed. */
+function parameterNames(data: FlightEvent["data"]): string {
+  const listed = data["parameters"];
+  const names = (Array.isArray(listed) ? listed : [data])
+    .map((one: unknown) => objectOf(one)["name"])
+    .filter((name) => typeof name === "string");
+  return names.length === 0 ? "?" : names.join(", ");
+}
+
+function objectOf(value: unknown): Readonly<Record<string, unknown>> {
+  return typeof value === "object" && value !== null ? (value as Record<string, unknown>) : {};
+}
+
+/** A line's state, by its name in the catalogue. */
+function linkWord(state: unknown): string {
+  return `@link.${textOf(state, "unknown")}`;
+}
+
+function textOf(value: unknown, otherwise: string): string {
+  return typeof value === "string" ? value : otherwise;
+}
+
+function numberOf(value: unknown): number {
+  return typeof value === "number" ? value : 0;
+}

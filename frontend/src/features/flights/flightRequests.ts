@@ -1,0 +1,261 @@
+import type { Timers } from "../../lib/timers";
+import type { StreamEvent } from "../../protocol/envelope";
+import {
+  isFlight,
+  isFlightBin,
+  isFlightDisk,
+  isFlightEvents,
+  isFlightList,
+  isJob,
+  isJobList,
+  type Job,
+} from "../../protocol/guards.gen";
+import { type AskingParts, createAsking, info } from "../../requests/asking";
+import type { ConnectionStore } from "../../store/connection";
+import { failureMessage } from "../../store/messages";
+import { createLibrary, type Flights, isOver, type LibraryState } from "./flightLibrary";
+import { flightsPath } from "./flightQuery";
+import { createFlightTransfers } from "./flightTransfers";
+import { runningFlight } from "./runningFlight";
+
+const FLIGHTS_PATH = "/api/v1/flights";
+/** What other people change is seen this late. */
+const EVERY_MS = 30_000;
+/** Long enough not to ask with each letter. */
+const TYPING_MS = 300;
+/** Flights deleted here that are offered to be brought back at once; all others are in the bin. */
+const MOST_DELETED = 3;
+
+interface Parts extends AskingParts {
+  readonly timers: Timers;
+  /** The present. */
+  readonly connection: ConnectionStore;
+  readonly openFlight: (flight: string, at_s: number) => void;
+  /** The flight is gone: whoever looks at it goes back to now. */
+  readonly onGone: (flight: string) => void;
+}
+
+/** The requests about flights, with their outcome in the library's store. */
+export function createFlights(parts: Parts): {
+  readonly flights: Flights;
+  readonly takeFlightEvent: (event: StreamEvent) => void;
+} {
+  const { rest, timers, connection, openFlight, onGone } = parts;
+  const { run } = createAsking(parts);
+  const store = createLibrary();
+  let asked = 0;
+  let watchers = 0;
+  let cancelNext: () => void = () => undefined;
+  let cancelTyping: () => void = () => undefined;
+
+  async function read(): Promise<void> {
+    cancelNext();
+    asked += 1;
+    const mine = asked;
+    const answer = await rest.ask("GET", flightsPath(store.getState().query), isFlightList);
+    if (mine !== asked) {
+      return;
+    }
+    if (answer.ok) {
+      const { indexing } = answer.value;
+      store.setState(({ jobs }) => ({ list: answer.value, failure: null, jobs: withJobs(jobs, indexing) }));
+    } else {
+      store.setState({ failure: failureMessage(answer.problem) });
+    }
+    if (watchers > 0) {
+      cancelNext();
+      cancelNext = timers.after(EVERY_MS, () => void read());
+    }
+  }
+
+  /** After a change that can bring or take away flights. */
+  function readAgain(): void {
+    if (watchers > 0) {
+      void read();
+    }
+  }
+
+  async function readJobs(): Promise<void> {
+    const answer = await rest.ask("GET", "/api/v1/jobs", isJobList);
+    if (answer.ok) {
+      store.setState(({ jobs }) => ({ jobs: withJobs(jobs, answer.value.jobs) }));
+    }
+  }
+
+  async function readStory(flight: string): Promise<void> {
+    const answer = await rest.ask("GET", `${FLIGHTS_PATH}/${flight}/events`, isFlightEvents);
+    if (store.getState().selected === flight) {
+      store.setState({
+        story: answer.ok
+          ? { flight, events: answer.value.events, failure: null }
+          : { flight, events: null, failure: failureMessage(answer.problem) },
+      });
+    }
+  }
+
+  function select(flight: string | null): void {
+    if (flight !== store.getState().selected) {
+      store.setState({
+        selected: flight,
+        story: flight === null ? null : { flight, events: null, failure: null },
+      });
+    }
+    if (flight !== null) {
+      void readStory(flight);
+    }
+  }
+
+  async function readBin(): Promise<void> {
+    const answer = await rest.ask("GET", `${FLIGHTS_PATH}/bin`, isFlightBin);
+    store.setState(
+      answer.ok
+        ? { bin: answer.value.flights, binFailure: null }
+        : { binFailure: failureMessage(answer.problem) },
+    );
+  }
+
+  /** Put one flight as the gateway has it now into the list. */
+  function replace(flight: NonNullable<LibraryState["list"]>["flights"][number]): void {
+    store.setState(({ list }) => ({
+      list: list && {
+        ...list,
+        flights: list.flights.map((before) => (before.id === flight.id ? flight : before)),
+      },
+    }));
+  }
+
+  function takeFlightEvent({ event, data }: StreamEvent): void {
+    if (event === "job" && isJob(data)) {
+      takeJob(data);
+    }
+  }
+
+  function takeJob(job: Job): void {
+    const before = store.getState().jobs[job.id];
+    // An answer may be older than an event that came before it.
+    if (before === undefined || !isOver(before)) {
+      store.setState(({ jobs }) => ({ jobs: { ...jobs, [job.id]: job } }));
+    }
+    if (isOver(job)) {
+      ended(job);
+    }
+  }
+
+  function ended({ id, kind, state, flight }: Job): void {
+    if (kind === "import" && state === "done" && flight !== null && id in store.getState().files) {
+      select(flight);
+    }
+    if (kind === "index" && flight !== null && flight === store.getState().selected) {
+      void readStory(flight);
+    }
+    if (kind !== "export" && kind !== "report") {
+      readAgain();
+    }
+  }
+
+  // The recording that ended becomes a flight of the list.
+  connection.subscribe((now, before) => {
+    if (runningFlight(now)?.id !== runningFlight(before)?.id) {
+      readAgain();
+    }
+  });
+
+  const flights: Flights = {
+    store,
+    connection,
+    read,
+    select,
+    readBin,
+
+    watch: () => {
+      watchers += 1;
+      if (watchers === 1) {
+        void read();
+        void readJobs();
+      }
+      let isWatching = true;
+      return () => {
+        if (isWatching) {
+          isWatching = false;
+          watchers -= 1;
+          if (watchers === 0) {
+            cancelNext();
+          }
+        }
+      };
+    },
+
+    ask: (change) => {
+      store.setState(({ query }) => ({ query: { ...query, page: 1, ...change } }));
+      void read();
+    },
+
+    search: (text) => {
+      store.setState(({ query }) => ({ query: { ...query, text, page: 1 } }));
+      cancelTyping();
+      cancelTyping = timers.after(TYPING_MS, () => void read());
+    },
+
+    open: (flight, at_s) => {
+      store.setState(({ selected }) => ({ returnsTo: selected }));
+      openFlight(flight, at_s);
+    },
+
+    change: (flight, words, asker) =>
+      run(asker, rest.ask("PATCH", `${FLIGHTS_PATH}/${flight}`, isFlight, words), (changed) => {
+        replace(changed);
+        if (words.tags !== undefined) {
+          readAgain();
+        }
+        return { state: "confirmed", message: info("flights.saidChanged") };
+      }),
+
+    remove: ({ id, title, started_s }, asker) =>
+      run(asker, rest.ask("DELETE", `${FLIGHTS_PATH}/${id}?confirm=${id}`, isFlightBin), (bin) => {
+        store.setState(({ selected, story, compared, deleted }) => ({
+          bin: bin.flights,
+          deleted: [{ id, title, started_s }, ...deleted].slice(0, MOST_DELETED),
+          compared: compared.filter((one) => one !== id),
+          ...(selected === id ? { selected: null, story: null } : { selected, story }),
+        }));
+        onGone(id);
+        void read();
+        return { state: "confirmed", message: info("flights.saidDeleted") };
+      }),
+
+    restore: (flight, asker) =>
+      run(asker, rest.ask("POST", `${FLIGHTS_PATH}/${flight}/restore`, isFlight), ({ id }) => {
+        store.setState(({ deleted, bin }) => ({
+          deleted: deleted.filter((one) => one.id !== id),
+          bin: bin?.filter((one) => one.id !== id) ?? null,
+        }));
+        void read();
+        return { state: "confirmed", message: info("flights.saidRestored") };
+      }),
+
+    indexAgain: (flight, asker) =>
+      run(asker, rest.ask("POST", `${FLIGHTS_PATH}/${flight}/index`, isFlight), (changed) => {
+        replace(changed);
+        return { state: "confirmed", message: info("flights.saidIndexing") };
+      }),
+
+    setPolicy: (policy, asker) =>
+      run(asker, rest.ask("PUT", `${FLIGHTS_PATH}/policy`, isFlightDisk, policy), (disk) => {
+        store.setState(({ list }) => ({ list: list && { ...list, disk } }));
+        return { state: "confirmed", message: info("flights.saidPolicy") };
+      }),
+
+    compare: (flight, isChosen) =>
+      store.setState(({ compared }) => {
+        const others = compared.filter((one) => one !== flight);
+        return { compared: isChosen ? [...others, flight].slice(-2) : others };
+      }),
+
+    ...createFlightTransfers({ rest, store, run, onJob: takeJob }),
+  };
+  return { flights, takeFlightEvent };
+}
+
+function withJobs(jobs: LibraryState["jobs"], newer: readonly Job[]): LibraryState["jobs"] {
+  return { ...jobs, ...Object.fromEntries(newer.map((job) => [job.id, job])) };
+}

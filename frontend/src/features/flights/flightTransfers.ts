@@ -1,0 +1,98 @@
+import { isJob, isJobStarted, type Job } from "../../protocol/guards.gen";
+import { type Asking, type Gateway, info } from "../../requests/asking";
+import { failureMessage } from "../../store/messages";
+import type { Flights, LibraryStore, Upload } from "./flightLibrary";
+
+interface Parts {
+  readonly rest: Gateway;
+  readonly store: LibraryStore;
+  readonly run: Asking["run"];
+  /** A job as the gateway has it now. */
+  readonly onJob: (job: Job) => void;
+}
+
+/** Files to and from the library: sending recordings, exports and their jobs. */
+export function createFlightTransfers({
+  rest,
+  store,
+  run,
+  onJob,
+}: Parts): Pick<Flights, "importFile" | "cancelUpload" | "export" | "cancelJob" | "dismissJob"> {
+  const cancels = new Map<number, AbortController>();
+  let next = 0;
+
+  function change(key: number, part: Partial<Upload>): void {
+    store.setState(({ uploads }) => ({
+      uploads: uploads.map((upload) => (upload.key === key ? { ...upload, ...part } : upload)),
+    }));
+  }
+
+  async function readJob(id: string): Promise<void> {
+    const answer = await rest.ask("GET", `/api/v1/jobs/${id}`, isJob);
+    if (answer.ok) {
+      onJob(answer.value);
+    }
+  }
+
+  function forget(key: number): void {
+    cancels.delete(key);
+    store.setState(({ uploads }) => ({ uploads: uploads.filter((upload) => upload.key !== key) }));
+  }
+
+  return {
+    importFile: async (file) => {
+      next += 1;
+      const key = next;
+      const controller = new AbortController();
+      cancels.set(key, controller);
+      const { name, size } = file;
+      const begun: Upload = { key, name, bytes: size, sent_bytes: 0, failure: null };
+      store.setState(({ uploads }) => ({ uploads: [begun, ...uploads] }));
+      const path = `/api/v1/flights?name=${encodeURIComponent(name)}`;
+      const answer = await rest.upload(path, isJobStarted, {
+        body: file,
+        onSent: (sent_bytes) => change(key, { sent_bytes }),
+        signal: controller.signal,
+      });
+      if (answer.ok) {
+        forget(key);
+        store.setState(({ files }) => ({ files: { ...files, [answer.value.job]: name } }));
+        // The job may have ended before its name was known here.
+        await readJob(answer.value.job);
+      } else if (controller.signal.aborted) {
+        forget(key);
+      } else {
+        change(key, { failure: failureMessage(answer.problem) });
+      }
+    },
+
+    cancelUpload: (key) => {
+      cancels.get(key)?.abort();
+      forget(key);
+    },
+
+    export: (flight, { format, lang, from_s, to_s }, asker) =>
+      run(
+        asker,
+        rest.ask("POST", `/api/v1/flights/${flight}/exports`, isJobStarted, {
+          format,
+          lang,
+          topics: null,
+          from_s,
+          to_s,
+        }),
+        ({ job }) => {
+          void readJob(job);
+          return { state: "confirmed", message: info("flights.saidExporting") };
+        },
+      ),
+
+    cancelJob: (id, asker) =>
+      run(asker, rest.ask("DELETE", `/api/v1/jobs/${id}`, isJob), (job) => {
+        onJob(job);
+        return { state: "confirmed", message: info("flights.saidCancelled") };
+      }),
+
+    dismissJob: (id) => store.setState(({ dismissed }) => ({ dismissed: [...dismissed, id] })),
+  };
+}
