@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 
@@ -25,6 +26,25 @@ expected = {"real-time": [(True, False)] * 2, "raised": [(False, True)] * 2, "no
 assert found == expected, (told, found)
 """
 
+_REPAIR = """
+import os, sys, threading
+from pathlib import Path
+from epf_gcs.flight.priority import go_first
+from epf_gcs.flight.recording.repair import repair_all
+def mine():
+    return os.sched_getscheduler(0), os.getpriority(os.PRIO_PROCESS, threading.get_native_id())
+go_first()
+before, found = mine(), []
+def look():
+    found.append(mine())
+    return False
+thread = threading.Thread(target=repair_all, args=([Path(sys.argv[1])], look))
+thread.start()
+thread.join()
+assert found[0] == (os.SCHED_OTHER, 19), found
+assert mine() == before, "the thread that flies keeps its own"
+"""
+
 
 def _refuse(*_: object) -> None:
     raise PermissionError
@@ -32,6 +52,10 @@ def _refuse(*_: object) -> None:
 
 def test_what_it_says_is_what_the_process_and_its_threads_have() -> None:
     subprocess.run([sys.executable, "-c", _SAY_ALL], check=True, timeout=20)
+
+
+def test_the_repair_of_old_recordings_gives_way_to_everything(tmp_path: Path) -> None:
+    subprocess.run([sys.executable, "-c", _REPAIR, str(tmp_path / "absent.mcap")], check=True, timeout=20)
 
 
 def test_without_the_permission_for_real_time_it_is_raised(monkeypatch: pytest.MonkeyPatch) -> None:
