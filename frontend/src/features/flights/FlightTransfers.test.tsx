@@ -5,6 +5,7 @@ import { beforeEach, describe, expect, test } from "vitest";
 import type { Job } from "../../protocol/guards.gen";
 import { aFlight, aFlightList, aJob } from "../../test/flights";
 import { type Asked, Station } from "../../test/station";
+import { PLOTS } from "../plots/plots";
 import { FLIGHT_COMPARISON } from "./flightComparison";
 
 const user = userEvent.setup();
@@ -141,8 +142,9 @@ test("a flight that is being prepared shows how far that is, and is read again w
   expect(station.asked.filter(({ path }) => LIST.test(path)).length).toBe(before + 1);
 });
 
-test("two flights can be compared only where a view for it has registered itself, and it gets both", async () => {
-  expect(screen.queryByRole("checkbox", { name: /^Comparar/ })).toBeNull();
+test("two flights can be compared by every view that has registered itself, and it gets both", async () => {
+  expect(screen.getByRole("button", { name: "Informe" })).toBeTruthy();
+  expect(screen.getByRole("button", { name: "Gráficas de ambos" })).toBeTruthy();
   const opened: string[][] = [];
   act(() =>
     station.page.parts
@@ -156,4 +158,16 @@ test("two flights can be compared only where a view for it has registered itself
   await user.click(screen.getByRole("checkbox", { name: "Comparar Primera vuelta" }));
   await user.click(compare);
   expect(opened).toEqual([[SECOND.id, FIRST.id]]);
+});
+
+test("the plots of two flights open on their tab, and the page of the past can compare as well", async () => {
+  await user.click(screen.getByRole("checkbox", { name: "Comparar Segunda" }));
+  await user.click(screen.getByRole("checkbox", { name: "Comparar Primera vuelta" }));
+  await user.click(screen.getByRole("button", { name: "Gráficas de ambos" }));
+  station.replayed((replay) => replay.greet());
+  expect(screen.getByRole("tab", { name: "Gráficas" }).getAttribute("aria-selected")).toBe("true");
+  expect(station.shown().past).toBe(SECOND.id);
+  const { parts } = station.shown();
+  expect(parts.get(PLOTS).store.getState().compared).toBe(FIRST.id);
+  expect(parts.get(FLIGHT_COMPARISON).views.getState()).toHaveLength(2);
 });
