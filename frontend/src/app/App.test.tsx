@@ -143,6 +143,7 @@ const MAIN_TABS = [
   "Mapa 3D",
   "AHRS 3D",
   "Mensajes",
+  "Gráficas",
   "Alarmas",
   "Setup",
   "Vuelos",

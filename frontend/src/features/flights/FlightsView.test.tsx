@@ -15,7 +15,11 @@ const ID = FIRST.id;
 let station: Station;
 
 function asked(method: string, path: RegExp): Asked[] {
-  return station.asked.filter((question) => question.method === method && path.test(question.path));
+  // The bar asks about the flight being recorded; what is asked of another flight is the tab's question.
+  const ofOthers = station.askedByBar.filter((question) => !question.path.includes("/flights/current/"));
+  return [...station.asked, ...ofOthers].filter(
+    (question) => question.method === method && path.test(question.path),
+  );
 }
 
 function newest(method: string, path: RegExp): Asked {
