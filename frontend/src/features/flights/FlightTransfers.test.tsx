@@ -5,7 +5,6 @@ import { beforeEach, describe, expect, test } from "vitest";
 import type { Job } from "../../protocol/guards.gen";
 import { aFlight, aFlightList, aJob } from "../../test/flights";
 import { type Asked, Station } from "../../test/station";
-import { PLOTS } from "../plots/plots";
 import { FLIGHT_COMPARISON } from "./flightComparison";
 
 const user = userEvent.setup();
@@ -158,16 +157,4 @@ test("two flights can be compared by every view that has registered itself, and 
   await user.click(screen.getByRole("checkbox", { name: "Comparar Primera vuelta" }));
   await user.click(compare);
   expect(opened).toEqual([[SECOND.id, FIRST.id]]);
-});
-
-test("the plots of two flights open on their tab, and the page of the past can compare as well", async () => {
-  await user.click(screen.getByRole("checkbox", { name: "Comparar Segunda" }));
-  await user.click(screen.getByRole("checkbox", { name: "Comparar Primera vuelta" }));
-  await user.click(screen.getByRole("button", { name: "Gráficas de ambos" }));
-  station.replayed((replay) => replay.greet());
-  expect(screen.getByRole("tab", { name: "Gráficas" }).getAttribute("aria-selected")).toBe("true");
-  expect(station.shown().past).toBe(SECOND.id);
-  const { parts } = station.shown();
-  expect(parts.get(PLOTS).store.getState().compared).toBe(FIRST.id);
-  expect(parts.get(FLIGHT_COMPARISON).views.getState()).toHaveLength(2);
 });
