@@ -30,6 +30,9 @@ FRAMES: Final = 1500
 VIEWERS: Final = 50
 REACH_MS: Final = 0.5
 _FRAME_BYTES: Final = 76
+# A frame that took longer than this either way is lost: fifty times the slowest ever measured.
+_LOST_S: Final = 1.0
+_MOST_LOST: Final = 20
 _SURFACES: Final = encode_telemetry("hil_surfaces", 0.25, -0.5, 0.125, 0.75)
 _BACKGROUND: Final = (
     encode_telemetry("ahrs", 12.0, 3.0, -4.0)
@@ -97,11 +100,12 @@ def bare_relay() -> Iterator[Loop]:
 
 
 class Loop:
-    """One relay between simulator and line, and the delays in ms of both directions."""
+    """One relay between simulator and line: the delays in ms of both directions, and how many frames were lost."""
 
     def __init__(self, simulator: socket.socket, receive_port: int, line: Line) -> None:
         self.there: list[float] = []
         self.back: list[float] = []
+        self.lost = 0
         self._simulator = simulator
         self._receive_port = receive_port
         self._line = line
@@ -110,16 +114,38 @@ class Loop:
         """Send what a board sends besides."""
         self._line.write(HEARTBEAT + _BACKGROUND if count % 5 == 0 else _BACKGROUND)
 
+    def begin(self) -> None:
+        """Send one datagram, so that this socket is known as the simulator before any other sends."""
+        self._simulator.sendto(_ROWS, ("127.0.0.1", self._receive_port))
+
     def frame(self) -> None:
-        """One datagram in and one out."""
+        """One datagram in and one out. Raises TimeoutError if nothing comes through any more."""
+        self._forget_late()
         begun_s = time.perf_counter()
         self._simulator.sendto(_ROWS, ("127.0.0.1", self._receive_port))
-        _until_frame(self._line)
+        if not _until_frame(self._line):
+            self._lose()
+            return
         arrived_s = time.perf_counter()
         self._line.write(_SURFACES)
+        if not select.select([self._simulator], [], [], _LOST_S)[0]:
+            self._lose()
+            return
         self._simulator.recv(2048)
         self.back.append((time.perf_counter() - arrived_s) * 1000.0)
         self.there.append((arrived_s - begun_s) * 1000.0)
+
+    def _forget_late(self) -> None:
+        """Discard what an earlier frame brought after it was given up: it would pass for this one's answer."""
+        while self._line.read(0.0):
+            pass
+        while select.select([self._simulator], [], [], 0.0)[0]:
+            self._simulator.recv(2048)
+
+    def _lose(self) -> None:
+        self.lost += 1
+        if self.lost > _MOST_LOST:
+            raise TimeoutError(f"{self.lost} of {len(self.there) + self.lost} frames were lost")
 
 
 def fly_loops(*loops: Loop, frames: int = FRAMES) -> None:
@@ -158,11 +184,16 @@ def fly(simulator: socket.socket, receive_port: int, line: Line) -> tuple[list[f
     return loop.there, loop.back
 
 
-def _until_frame(line: Line) -> None:
+def _until_frame(line: Line) -> bool:
+    """Read until a whole frame to the board came; False if none came in time."""
+    give_up_s = time.monotonic() + _LOST_S
     got = b""
     while got.count(TO_BOARD_HEADER) == 0 or len(got) < _FRAME_BYTES:
-        select.select([line.master], [], [], 20.0)
-        got += line.read(20.0)
+        left_s = give_up_s - time.monotonic()
+        if left_s <= 0.0:
+            return False
+        got += line.read(left_s)
+    return True
 
 
 @contextlib.contextmanager
@@ -192,5 +223,4 @@ def simulator_socket() -> tuple[socket.socket, int]:
     """The simulator's end, and its port."""
     simulator = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
     simulator.bind(("127.0.0.1", 0))
-    simulator.settimeout(20.0)
     return simulator, simulator.getsockname()[1]
