@@ -6,7 +6,7 @@ import type { Page } from "../../store/hooks";
 import type { MessageParams } from "../../store/messages";
 import { choose } from "../../store/settings";
 import type { DialogName } from "../dialogs/dialogs";
-import { TABS } from "../views";
+import { TABS, type TabName } from "../views";
 
 /** What a shortcut can use. */
 export interface Reach {
@@ -39,14 +39,28 @@ function command(key: string, name: CommandName, control: string, asked?: string
   };
 }
 
-/** The keys of the digit row, from left to right, then a letter each. */
-const TAB_KEYS = "1234567890-f";
+/** The digit row from left to right; the tabs that came later have a letter, so that no other tab's key changed. */
+const TAB_KEYS: Readonly<Record<TabName, string>> = {
+  flight: "1",
+  six: "2",
+  params: "3",
+  hil: "4",
+  hilSix: "5",
+  plans: "6",
+  map: "7",
+  ahrs3d: "8",
+  messages: "9",
+  alarms: "0",
+  setup: "-",
+  plots: "g",
+  flights: "f",
+};
 
 /** The one list of shortcuts: the keys are bound and the help sheet is written from it. */
 export const SHORTCUTS: readonly Shortcut[] = [
   ...TABS.map(
-    (tab, index): Shortcut => ({
-      key: TAB_KEYS.charAt(index),
+    (tab): Shortcut => ({
+      key: TAB_KEYS[tab],
       group: "tabs",
       words: "shortcut.tab",
       params: { tab: `@tab.${tab}` },
