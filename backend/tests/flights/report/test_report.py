@@ -1,0 +1,54 @@
+"""The whole report of a flight: of one that flew its targets, and of one that is indexed, kept and shown as a page."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from lxml import html
+
+from epf_gcs.flights.index import run as index
+from epf_gcs.flights.report.compare import compare
+from epf_gcs.flights.report.making import report
+from epf_gcs.flights.report.page import page
+from epf_gcs.flights.report.report import run
+from tests.flights.flown_flights import FLIGHT, quiet, recording
+from tests.flights.report.made import make
+
+SUMMARY: dict[str, Any] = {
+    "bytes": 100_000,
+    "frames": 5000,
+    "frames_damaged": 3,
+    "frames_by_name": {"ahrs": 5000},
+    "damaged_by_kind": {"checksum": 3},
+    "gaps": [],
+}
+
+
+def of_made(seed: int) -> dict[str, Any]:
+    times = np.arange(0, 10**9, 20_000_000)
+    return report(FLIGHT, make(seed).flight, SUMMARY, [], times, times + 4_000_000)
+
+
+@pytest.mark.parametrize("language", ["es", "en"])
+def test_the_page_shows_each_manoeuvre_beside_the_earlier_flights(language: str) -> None:
+    both = compare(of_made(1), of_made(2))
+    assert both["earlier"]["flight"] == FLIGHT
+    assert len(both["manoeuvres"]) > 5
+    shown = html.fromstring(page(both, language))
+    assert len(shown.xpath("//svg")) >= len(both["manoeuvres"])
+
+
+def test_a_report_is_made_once_of_an_indexed_flight_and_kept(tmp_path: Path) -> None:
+    file = tmp_path / "recordings" / f"{FLIGHT}.mcap"
+    file.parent.mkdir()
+    file.write_bytes(recording(20))
+    index([str(file)], quiet)
+    first = run([str(file)], quiet)["report"]
+    assert first["times"]["duration_s"] == pytest.approx(20.0, abs=0.5)
+    assert first["distances"]
+    assert run([str(file)], quiet)["report"] == first
+    assert run([str(file), "--compare", str(file)], quiet)["report"]["earlier"]["flight"] == FLIGHT
+    assert "<html" in run([str(file), "--page", "es"], quiet)["page"]
