@@ -28,8 +28,8 @@ SUMMARY: dict[str, Any] = {
 
 
 def of_made(seed: int) -> dict[str, Any]:
-    times = np.arange(0, 10**9, 20_000_000)
-    return report(FLIGHT, make(seed).flight, SUMMARY, [], times, times + 4_000_000)
+    times = np.arange(0.0, 1e9, 2e7)
+    return report(FLIGHT, make(seed).flight, SUMMARY, [], times, times + 4e6)
 
 
 @pytest.mark.parametrize("language", ["es", "en"])
