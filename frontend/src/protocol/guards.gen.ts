@@ -707,13 +707,15 @@ export const isRecordingList = shape({
 });
 export type RecordingList = Checked<typeof isRecordingList>;
 
-/** The file being written. */
+/** The file being written. `hours_left`: how long the disk's room lasts at its rate; null while not known. */
 export const isRecordingState = shape({
   active: isFlag,
   bytes: isNumber,
   bytes_lost: isNumber,
   failure: nullable(isText),
   file: nullable(isText),
+  free_bytes: nullable(isNumber),
+  hours_left: nullable(isNumber),
 });
 export type RecordingState = Checked<typeof isRecordingState>;
 

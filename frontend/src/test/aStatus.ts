@@ -67,6 +67,8 @@ export function aStatus(parts: Partial<Status> = {}): Status {
       file: "data/recordings/flight.mcap",
       bytes: 61_500_000,
       bytes_lost: 0,
+      free_bytes: null,
+      hours_left: null,
     },
     topics: { ahrs: aTopic(), heartbeat: aTopic() },
     alarms: [],

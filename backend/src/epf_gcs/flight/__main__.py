@@ -69,13 +69,14 @@ async def _fly(options: argparse.Namespace) -> None:
 async def _fly_until(ended: asyncio.Event, options: argparse.Namespace) -> None:
     flight = Flight(options.data_dir, record=options.recording, board_url=options.board)
     async with flight.running():
-        log.info("flying", data=str(options.data_dir), pid=os.getpid())
         # All objects made so far live as long as the process. Frozen, they are not scanned again, which would
         # stop the loop for milliseconds.
         gc.collect()
         gc.freeze()
         # Held until the process ends: a loop that hangs while it shuts down is noticed too.
         fed = None if options.watchdog is None else asyncio.create_task(feed(options.watchdog))
+        await asyncio.sleep(0)  # its first sign of life comes before the log says that it flies
+        log.info("flying", data=str(options.data_dir), pid=os.getpid())
         await ended.wait()
     del fed
 

@@ -16,7 +16,7 @@ from typing import Any
 from epf_gcs import __version__
 from epf_gcs.bus.address import Listener
 from epf_gcs.bus.definition import client_fields
-from epf_gcs.bus.vehicle_end import Broadcast, VehicleEnd
+from epf_gcs.bus.vehicle_end import VehicleEnd
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.flight.alarm_history import AlarmHistory
 from epf_gcs.flight.board.ahrs_test import AhrsTestRun
@@ -36,6 +36,8 @@ from epf_gcs.flight.line_clock import LineClock
 from epf_gcs.flight.line_rates import LineRates
 from epf_gcs.flight.lines import Lines, LinkOpener
 from epf_gcs.flight.memory import Memory
+from epf_gcs.flight.recording.flight_notes import FlightNotes, NotedBroadcast
+from epf_gcs.flight.recording.known_notes import KnownNotes
 from epf_gcs.flight.recording.recorder import Recorder
 from epf_gcs.flight.recording.taps import line_taps
 from epf_gcs.flight.requests.client_names import ClientNames
@@ -43,6 +45,7 @@ from epf_gcs.flight.requests.commands import command_requests
 from epf_gcs.flight.requests.hil import HilSwitches, stick_notices
 from epf_gcs.flight.requests.lines import line_requests
 from epf_gcs.flight.requests.parameters import mission_requests, parameter_requests
+from epf_gcs.flight.requests.recording import recording_requests
 from epf_gcs.flight.requests.state import alarm_requests, state_requests
 from epf_gcs.flight.status import StatusSources, build_status
 from epf_gcs.flight.watch import Watch
@@ -64,7 +67,7 @@ class Flight:
 
         # Time, memory, and the outlet to the stations.
         self.clock = LineClock()
-        self.outlet = Broadcast(self.clock.now_s)
+        self.outlet = NotedBroadcast(self.clock)
         self._client_names = ClientNames()
         self._log = FlightLog(self.clock.steady_s)
         self.errors = ErrorLog()
@@ -73,9 +76,8 @@ class Flight:
 
         # The vehicle, recorded before it is decoded.
         self.recorder = Recorder(data_dir / "recordings", self.clock, f"epf-gcs {__version__}") if record else None
-        board_tap, simulator_tap = (
-            (self.recorder.board_tap, self.recorder.simulator_tap) if self.recorder else line_taps(self.clock, None)
-        )
+        self.notes = FlightNotes(self.recorder, self.clock)
+        board_tap, simulator_tap = self.recorder.taps if self.recorder else line_taps(self.clock, None)
         vehicle = Vehicle(self.clock, self.outlet, self.errors, self._commanded_period_s)
         self.telemetry, self.board = vehicle.telemetry, vehicle.board
 
@@ -121,7 +123,7 @@ class Flight:
             commands=self.commands,
             hil=self.hil,
             memory=self.memory,
-            recorder=self.recorder,
+            notes=self.notes,
             on_change=self.changed,
         )
         self.rates = LineRates()
@@ -132,6 +134,8 @@ class Flight:
             flies=self._flies,
             changed=self._on_ahrs_test,
         )
+
+        self._known = KnownNotes(self.notes, self.board, self.parameters, self.stick, self.supervisor, self.simulator)
 
         # Alarms and housekeeping.
         self.watch = Watch(
@@ -207,12 +211,14 @@ class Flight:
                 **mission_requests(self.missions),
                 **self.switches.requests(),
                 **alarm_requests(self.alarms),
+                **recording_requests(self.recorder, self.notes, self.memory, self.outlet),
             }
         )
         self._connect()
 
     def _connect(self) -> None:
         """Connect parts that need each other and so cannot both get the other at construction."""
+        self._known.listen(self.outlet, self.missions)
         self.board.on_urgent = self.hil.on_urgent
         self.board.on_opened = self._on_opened
         self.board.on_restarted = self._on_restarted
@@ -302,6 +308,7 @@ class Flight:
 
     def _on_opened(self) -> None:
         # At once and not in the re-arming task, which may be busy: it would discard values that were loaded meanwhile.
+        self._known.identity()
         self.parameters.forget()
         self.rearming.board_opened()
 
@@ -317,6 +324,7 @@ class Flight:
         self.changed()
 
     def _on_line(self) -> None:
+        self._known.lines()
         if not self.board.is_open:
             self.parameters.forget()
         self.commands.link_changed()

@@ -94,7 +94,6 @@ class Lines:
         if was_emulated:
             self._end_emulation()
         self._memory.update(board_url=address.url, board_identity=self._supervisor.identity)
-        self._note("board_link", {"url": address.url})
 
     async def close_board(self) -> None:
         """End the session with this board and forget what was requested of it.
@@ -118,7 +117,6 @@ class Lines:
         """Listen to a simulator. Raises LinkError; then everything is as it was."""
         await self._simulator.open(address)
         self._memory.update(simulator=address.as_dict())
-        self._note("simulator_link", {name: str(value) for name, value in address.as_dict().items()})
 
     async def close_simulator(self) -> None:
         """Hand the controls back to the simulator and forget its address."""
@@ -131,10 +129,6 @@ class Lines:
         self._parameters.forget()
         if self._simulator.address is None:
             self._hil.begin(None, PROFILE)
-
-    def _note(self, name: str, values: dict[str, str]) -> None:
-        if self._recorder is not None:
-            self._recorder.note(name, values)
 
     def _end_recording_if_idle(self) -> None:
         if self._recorder is not None and self._supervisor.address is None and self._simulator.address is None:

@@ -35,6 +35,8 @@ class Remembered:
     # The choice of online maps of version 0.1.0, which had one process: only carried along until the web process, which
     # keeps its own file since (`web/maps/online_file.py`), has taken it over.
     online: dict[str, Any] = field(default_factory=dict)
+    # The policy of the disk, as `DiskPolicy` has it; empty for the default.
+    recording: dict[str, Any] = field(default_factory=dict)
 
 
 class Memory:
@@ -173,6 +175,7 @@ def _encode(values: Remembered) -> bytes:
             "source": values.wanted.source,
             "thresholds": values.thresholds,
             "online": values.online,
+            "recording": values.recording,
         },
         option=orjson.OPT_INDENT_2,
     )
@@ -193,6 +196,7 @@ def _decode(values: dict[str, Any]) -> Remembered:
         # Not in the files of earlier versions.
         thresholds=dict(values.get("thresholds", {})),
         online=dict(values.get("online", {})),
+        recording=dict(values.get("recording", {})),
     )
 
 

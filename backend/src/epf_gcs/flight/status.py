@@ -150,7 +150,15 @@ def _advice(parts: StatusSources) -> str | None:
 def _recording(parts: StatusSources) -> dict[str, Any]:
     recorder = parts.recorder
     if recorder is None:
-        return {"active": False, "file": None, "bytes": 0, "bytes_lost": 0, "failure": None}
+        return {
+            "active": False,
+            "file": None,
+            "bytes": 0,
+            "bytes_lost": 0,
+            "failure": None,
+            "free_bytes": None,
+            "hours_left": None,
+        }
     file = recorder.file
     return {
         "active": file is not None,
@@ -158,6 +166,8 @@ def _recording(parts: StatusSources) -> dict[str, Any]:
         "bytes": recorder.bytes_written,
         "bytes_lost": recorder.bytes_lost,
         "failure": recorder.failure,
+        "free_bytes": recorder.free_bytes,
+        "hours_left": recorder.hours_left,
     }
 
 

@@ -177,7 +177,8 @@ class Parts:
             else:
                 if other.opcode == Opcode.METADATA and (before > first or not self._last_ns):
                     near = found.messages[max(0, before - 1) : before + 1][:1]
-                    self._last_ns = int(min([*times_of(data, near).tolist(), _LATEST_NS]))
+                    times = times_of(data, near).tolist() or _chunk_begins(data, found.others)
+                    self._last_ns = int(min([*times, _LATEST_NS]))
                 notes += [(before - first, note) for note in self._learn(data, other)]
         yield from self._plain(data, found.messages[first:], notes, begun)
         return False
@@ -305,3 +306,12 @@ class Parts:
                 return
             count += len(block)
         self._tell(f"the file ends in {count} zero bytes")
+
+
+def _chunk_begins(data: Bytes, others: list[Other]) -> list[int]:
+    """The time at which the first of these chunks begins, if there is one."""
+    for other in others:
+        if other.opcode == Opcode.CHUNK:
+            head = read_head(data.data[other.start : other.start + other.length])
+            return [] if head is None else [head.start_ns]
+    return []

@@ -85,6 +85,7 @@ class Server(uvicorn.Server):
             host = f"[{self._settings.host}]" if ":" in self._settings.host else self._settings.host
             if self._settings.watchdog is not None:
                 self._fed = asyncio.create_task(feed(self._settings.watchdog))
+                await asyncio.sleep(0)  # its first sign of life comes before the log says that it listens
             log.info("listening", url=f"http://{host}:{self.port}")
 
     @property

@@ -63,7 +63,7 @@ def test_a_slow_reader_of_a_growing_recording_gets_what_was_there_when_it_asked(
     recorder = gateway.flight.recorder
     assert recorder is not None
     for _ in range(32):  # more than all buffers on the way
-        recorder.board_tap.received(b"x" * 1_000_000)
+        recorder.simulator_tap.received(b"x" * 1_000_000)
     eventually(lambda: gateway.status()["recording"]["bytes"] > 32_000_000, "it is large")
     (running,) = gateway.http.get("/recordings").json()["recordings"]
     with gateway.http.stream("GET", f"/recordings/{running['id']}/export") as answer:

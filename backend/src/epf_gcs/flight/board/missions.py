@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Final
 
 from epf_gcs.codec.frame import Frame
@@ -30,6 +30,8 @@ class Missions:
         self._lock = asyncio.Lock()
         # Plans read from or written to the board since its session opened.
         self._known: dict[Plan, None] = {}
+        # Set by the composition root; called with each plan that was read from the board.
+        self.on_read: Callable[[Plan, list[Waypoint]], None] | None = None
 
     def take_known(self) -> tuple[Plan, ...]:
         """Return the plans known to be on the board, and forget them."""
@@ -99,6 +101,8 @@ class Missions:
                     found = await collector.whole
                 if found:
                     self._known[plan] = None
+                if self.on_read is not None:
+                    self.on_read(plan, found)
                 return found
             except TimeoutError:
                 raise BoardError(

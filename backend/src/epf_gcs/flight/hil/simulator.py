@@ -95,6 +95,11 @@ class Simulator:
         return self._kept.failure
 
     @property
+    def is_listening(self) -> bool:
+        """Whether the socket is open."""
+        return self._kept.link is not None
+
+    @property
     def pinned(self) -> str | None:
         """Host and port of the sender that is heard."""
         link = self._kept.link

@@ -26,6 +26,8 @@ class Stick:
 
     def __init__(self, outlet: Outlet, clock: Clock, on_change: Callable[[], None]) -> None:
         self._event = outlet.event
+        # Set by the composition root: called when another browser, or none, has control.
+        self.on_holder: Callable[[], None] | None = None
         self._clock = clock
         self._on_change = on_change
         self._input = GamepadInput()
@@ -108,6 +110,8 @@ class Stick:
     def control_changed(self, holder: Client | None) -> None:
         """Another browser, or none, has control: a gamepad whose browser lost control is no longer used."""
         self._holder = holder
+        if self.on_holder is not None:
+            self.on_holder()
         if self._pilot is not None and (holder is None or holder.id != self._pilot.id):
             self._end("control_lost")
         if self._pilot is None:

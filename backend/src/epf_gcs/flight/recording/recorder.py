@@ -1,7 +1,7 @@
 """Every byte of both lines, both ways, into one MCAP file a session, before anybody decodes it.
 
-The event loop only appends to a queue; a thread packs and writes what is in it, four times a second, and pushes it
-to the disk twice a second, so that a power cut takes less than a second of the flight.
+The event loop only appends to a queue; a thread packs and writes what is in it and pushes it
+to the disk four times a second, so that a power cut takes less than a second of the flight.
 Whatever the disk does, the flight goes on; bytes that could not be written are counted and reported.
 """
 
@@ -9,16 +9,16 @@ from __future__ import annotations
 
 import contextlib
 import errno
-import os
 import shutil
 import threading
 from collections import deque
 from collections.abc import Iterator
-from itertools import groupby
+from dataclasses import dataclass
+from itertools import dropwhile, groupby
 from operator import itemgetter
 from pathlib import Path
 from time import monotonic, monotonic_ns
-from typing import Final
+from typing import Any, Final
 
 from epf_gcs.flight.flight_log import say
 from epf_gcs.flight.line_clock import LineClock
@@ -26,22 +26,36 @@ from epf_gcs.flight.recording.recording_file import RecordingFile
 from epf_gcs.flight.recording.repair import recordings_in, repair_all
 from epf_gcs.flight.recording.taps import NOTE, Entry, line_taps
 from epf_gcs.recordings.mcap_file import message_record, metadata_record
+from epf_gcs.recordings.notes import LOST, written
 from epf_gcs.recordings.topics import STREAMS, TOPICS
 
 _FLUSH_S: Final = 0.25
-_SYNC_S: Final = 0.5
+_SYNC_S: Final = 0.2
 _RETRY_S: Final = 5.0
 # How long a failure stays reported when the next write already succeeded.
 _TOLD_S: Final = 5.0
-# With less free space than the first no file is begun; below the second the log warns.
+# With less free space than this nothing is recorded, even where older flights are deleted to make room.
 _LEAST_BYTES: Final = 16 * 1024 * 1024
-_LOW_BYTES: Final = 512 * 1024 * 1024
+# How long a file must have been written before its rate is told.
+_RATE_AFTER_S: Final = 5.0
+
+
+@dataclass(frozen=True, slots=True)
+class DiskPolicy:
+    """What happens when the disk fills: recording stops at `keep_free_bytes`, or the library makes room.
+
+    `delete_oldest`: the station's library deletes the oldest flights that nobody pinned; recording then goes on.
+    """
+
+    delete_oldest: bool = False
+    keep_free_bytes: int = 1_000_000_000
 
 
 class Recorder:
     """One session at a time: it begins with its first byte and ends when `end_session` is called.
 
-    With less than `least_bytes` free on the disk no file is begun.
+    With less room on the disk than the policy keeps free (`least_bytes`, where it deletes older flights instead)
+    nothing is recorded, and `failure` says so.
     """
 
     def __init__(
@@ -60,18 +74,25 @@ class Recorder:
         self._retry_s = retry_s
         self._told_s = told_s
         self._least_bytes = least_bytes
+        # Replaced as a whole by the loop.
+        self.policy = DiskPolicy()
         self._queue: deque[Entry] = deque()
+        # Replaced by the loop entry by entry, copied by the writing thread in one step.
+        self._known: dict[tuple[str, str], dict[str, str]] = {}
         self._wake = threading.Event()
         self._stopping = False
         self._thread = threading.Thread(target=self._run, name="recorder", daemon=True)
         self._mending: threading.Thread | None = None
-        self.board_tap, self.simulator_tap = line_taps(clock, self._queue)
+        self.taps = self.board_tap, self.simulator_tap = line_taps(clock, self._queue)
         # Written by the thread alone and read by the loop: single assignments, no lock needed.
         self.file: Path | None = None
         self.bytes_written = 0
         self.failure: str | None = None
         self.free_bytes: int | None = None
         self._bytes_unwritten = 0
+        self._lost_noted = 0
+        self._begun_s = 0.0
+        self._lost_reason: str | None = None
         self._bytes_seen = 0
         self._output: RecordingFile | None = None
         self._retry_at_s = 0.0
@@ -104,9 +125,21 @@ class Recorder:
         if self._mending is not None:
             self._mending.join()
 
-    def note(self, name: str, values: dict[str, str]) -> None:
-        """Put a note into the recording, such as the address of a line that was opened."""
-        self._queue.append((NOTE, 0, metadata_record(name, values)))
+    def note(self, name: str, t_ns: int, content: Any) -> None:
+        """Put a note of Unix time `t_ns` into the recording; without a recording it is dropped."""
+        self._queue.append((NOTE, t_ns, metadata_record(name, written(t_ns, content))))
+
+    def know(self, name: str, about: str, t_ns: int, content: Any) -> None:
+        """The same for what each later file begins with too, in place of an earlier note of this `name` and `about`.
+
+        Nothing is noted if this was known before.
+        """
+        values = written(t_ns, content)
+        before = self._known.get((name, about))
+        if before is not None and before["json"] == values["json"]:
+            return
+        self._known[name, about] = values
+        self._queue.append((NOTE, t_ns, metadata_record(name, values)))
 
     def end_session(self) -> None:
         """Close the file; the next bytes begin a new one."""
@@ -135,9 +168,15 @@ class Recorder:
     def _write(self, batch: list[tuple[int, int, bytes]]) -> None:
         if not batch:
             return
+        if self._output is None:
+            # A file begins with its first byte, and with all that is known by then.
+            batch = list(dropwhile(lambda entry: entry[0] == NOTE, batch))
+            if not batch:
+                return
         try:
-            output = self._output or self._open()
+            output = self._output or self._open(batch[0][1])
             if output is not None:
+                self._note_lost(output, batch[0][1])
                 output.put(b"".join([self._record(output, *entry) for entry in _together(batch)]))
                 self._wrote(output)
                 return
@@ -151,14 +190,26 @@ class Recorder:
             return data
         return message_record(channel, output.tally.add(channel, time_ns), time_ns, data)
 
-    def _open(self) -> RecordingFile | None:
+    def _note_lost(self, output: RecordingFile, t_ns: int) -> None:
+        """Tell in the file how many bytes are missing before what follows."""
+        lost = self.bytes_lost
+        if lost > self._lost_noted:
+            content = {"bytes": lost - self._lost_noted, "reason": self._lost_reason or "the disk did not keep up"}
+            output.put(metadata_record(LOST, written(t_ns, content)))
+            output.tally.metadata_count += 1
+            self._lost_noted, self._lost_reason = lost, None
+
+    def _open(self, t_ns: int) -> RecordingFile | None:
         if monotonic() < self._retry_at_s:
             return None
         self._folder.mkdir(parents=True, exist_ok=True)
-        if self._measure() < self._least_bytes:
-            raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+        self._check_room()
         self._output = RecordingFile(self._folder, self._clock.unix_ns(monotonic_ns()), self._library, TOPICS)
         self._bytes_seen = 0
+        self._begun_s = monotonic()
+        for (name, _), values in list(self._known.items()):
+            self._output.put(metadata_record(name, {**values, "t_ns": str(t_ns)}))
+            self._output.tally.metadata_count += 1
         return self._output
 
     def _wrote(self, output: RecordingFile) -> None:
@@ -181,7 +232,7 @@ class Recorder:
             output.sync()
             if not output.is_gone:
                 self._bytes_seen = output.bytes_written
-                self._measure()
+                self._check_room()
                 return
             self._bytes_unwritten += output.bytes_written - self._bytes_seen
             self._fail(OSError(errno.ENOENT, f"{output.path.name} was removed or moved while it was written"))
@@ -191,9 +242,28 @@ class Recorder:
         except OSError as error:
             self._fail(error)
 
+    @property
+    def hours_left(self) -> float | None:
+        """How long the disk's room lasts at the rate of this file; None while that is not known."""
+        output, free = self._output, self.free_bytes
+        if output is None or free is None:
+            return None
+        lasted_s = monotonic() - self._begun_s
+        if lasted_s < _RATE_AFTER_S or not output.bytes_written:
+            return None
+        return max(0, free - self._needed_bytes) * lasted_s / output.bytes_written / 3600.0
+
+    @property
+    def _needed_bytes(self) -> int:
+        return self._least_bytes if self.policy.delete_oldest else max(self._least_bytes, self.policy.keep_free_bytes)
+
+    def _check_room(self) -> None:
+        if self._measure() < self._needed_bytes:
+            raise OSError(errno.ENOSPC, f"less than {self._needed_bytes // 1_000_000} MB free on the disk")
+
     def _measure(self) -> int:
         free = self.free_bytes = shutil.disk_usage(self._folder).free
-        is_low = free < _LOW_BYTES
+        is_low = free < self._needed_bytes
         if is_low and not self._is_low:
             say("warning", "disk low", folder=str(self._folder), free_megabytes=free // 1_000_000)
         self._is_low = is_low
@@ -213,7 +283,7 @@ class Recorder:
 
     def _fail(self, error: OSError) -> None:
         """Close this file with what it holds, and try a new one after `retry_s`."""
-        failure = self.failure = f"{error.strerror or error}"
+        failure = self.failure = self._lost_reason = f"{error.strerror or error}"
         self._retry_at_s = monotonic() + self._retry_s
         output, self._output = self._output, None
         self.file = None

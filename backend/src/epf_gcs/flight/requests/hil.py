@@ -11,7 +11,7 @@ from epf_gcs.flight.board.commands import Commands
 from epf_gcs.flight.hil.hil import Hil
 from epf_gcs.flight.hil.stick import Stick
 from epf_gcs.flight.memory import Memory
-from epf_gcs.flight.recording.recorder import Recorder
+from epf_gcs.flight.recording.flight_notes import FlightNotes
 from epf_gcs.flight.requests.client_names import Table
 from epf_gcs.flight.status import hil_state
 from epf_gcs.vehicle.board import Board
@@ -27,14 +27,14 @@ class HilSwitches:
         commands: Commands,
         hil: Hil,
         memory: Memory,
-        recorder: Recorder | None,
+        notes: FlightNotes,
         on_change: Callable[[], None],
     ) -> None:
         self._board = board
         self._commands = commands
         self._hil = hil
         self._memory = memory
-        self._recorder = recorder
+        self._notes = notes
         self._on_change = on_change
 
     async def choose_source(self, source: str, client: str | None) -> None:
@@ -54,18 +54,15 @@ class HilSwitches:
         """Set the path; it is kept across restarts."""
         self._hil.path = "assisted" if path == "assisted" else "manual"
         self._memory.update(hil_path=self._hil.path)
+        self._notes.event("hil", {"path": self._hil.path})
         self._on_change()
 
     async def choose_stick(self, stick: str, gamepad: str, client: str | None) -> None:
         """Choose simulator or gamepad. Raises ConflictError if that gamepad cannot be used."""
-        note = {"source": stick}
         if stick == "gamepad":
             await self._hil.stick.choose_gamepad(client, gamepad)
-            note["gamepad"] = gamepad
         else:
             self._hil.stick.choose_simulator()
-        if self._recorder is not None:
-            self._recorder.note("stick", note)
 
     def requests(self) -> Table:
         """hil.read and hil.set {source, path, stick, gamepad}, null for no change; both answer with the HIL state."""

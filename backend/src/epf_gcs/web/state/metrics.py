@@ -77,6 +77,8 @@ def _of_simulator(simulator: Status) -> Iterable[_Family]:
 def _of_recording(recording: Status) -> Iterable[_Family]:
     yield _one("epf_recording_active", "gauge", "Whether a recording is being written.", float(recording["active"]))
     yield _one("epf_recording_bytes_total", "counter", "Bytes of the recording being written.", recording["bytes"])
+    left = recording["hours_left"]
+    yield _one("epf_recording_hours_left", "gauge", "Hours that the disk's room lasts at this rate.", left)
     lost = recording["bytes_lost"]
     yield _one("epf_recording_lost_bytes_total", "counter", "Bytes that could not be recorded.", lost)
 

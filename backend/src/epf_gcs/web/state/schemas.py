@@ -140,13 +140,15 @@ class ControlState(Output):
 
 
 class RecordingState(Output):
-    """The file being written."""
+    """The file being written. `hours_left`: how long the disk's room lasts at its rate; null while not known."""
 
     active: bool
     file: str | None
     bytes: int
     bytes_lost: int
     failure: str | None
+    free_bytes: int | None
+    hours_left: float | None
 
 
 class AlarmState(Output):

@@ -1,0 +1,66 @@
+"""What is known and done in a flight, as notes in its recording: all that is known at the start of each file, then
+each change and event at its time."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Any, Final
+from uuid import uuid4
+
+from epf_gcs.bus.vehicle_end import Broadcast
+from epf_gcs.flight.line_clock import LineClock
+from epf_gcs.flight.recording.recorder import Recorder
+from epf_gcs.recordings.notes import EVENT, MARK
+
+# Events that say more than the bytes of the lines do.
+_NOTED: Final = frozenset({"command", "alarm", "link", "parameter", "mission", "board_restarted", "stick"})
+
+
+class FlightNotes:
+    """Belongs to the event loop. Without a recorder it does nothing."""
+
+    def __init__(self, recorder: Recorder | None, clock: LineClock) -> None:
+        self._recorder = recorder
+        self._clock = clock
+
+    def know(self, name: str, content: Mapping[str, Any], about: str = "") -> None:
+        """This is known from now on, until it is said anew for the same `name` and `about`."""
+        if self._recorder is not None:
+            self._recorder.know(name, about, self._clock.now_ns(), content)
+
+    def event(self, kind: str, data: Mapping[str, Any], t_ns: int | None = None) -> None:
+        """Note an event; at Unix time `t_ns`, or now."""
+        if self._recorder is not None:
+            self._recorder.note(EVENT, self._clock.now_ns() if t_ns is None else t_ns, {"event": kind, "data": data})
+
+    def mark(self, text: str, by: str | None) -> dict[str, Any]:
+        """Note a person's words. Returns the mark; its `t_s` is Unix time."""
+        t_ns = self._clock.now_ns()
+        content = {"text": text, "by": by, "id": uuid4().hex}
+        if self._recorder is not None:
+            self._recorder.note(MARK, t_ns, content)
+        return {**content, "t_s": t_ns * 1e-9}
+
+
+class NotedBroadcast(Broadcast):
+    """Sends to the stations, and notes each event at the very time that the stations are told."""
+
+    def __init__(self, clock: LineClock) -> None:
+        super().__init__(self._event_s)
+        self._clock = clock
+        self._event_ns = 0
+        # Set by the composition root, which makes the recorder later.
+        self.notes: FlightNotes | None = None
+        self.on_parameters: Callable[[], None] | None = None
+
+    def event(self, kind: str, data: Mapping[str, Any]) -> None:
+        """Something happened."""
+        self._event_ns = self._clock.now_ns()
+        if self.notes is not None and (kind in _NOTED or (kind == "console" and data.get("direction") == "sent")):
+            self.notes.event(kind, data, self._event_ns)
+        if kind == "parameter" and self.on_parameters is not None:
+            self.on_parameters()
+        super().event(kind, data)
+
+    def _event_s(self) -> float:
+        return self._event_ns * 1e-9

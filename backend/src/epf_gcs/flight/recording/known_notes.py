@@ -1,0 +1,103 @@
+"""Notes what is known of a flight whenever it changes: identity, gains, plans, both lines."""
+
+from __future__ import annotations
+
+from dataclasses import asdict
+
+from epf_gcs import __version__
+from epf_gcs.codec.tables import Waypoint
+from epf_gcs.flight.board.board_link import Supervisor
+from epf_gcs.flight.board.missions import Missions
+from epf_gcs.flight.board.parameters import Parameters
+from epf_gcs.flight.hil.simulator import Simulator
+from epf_gcs.flight.hil.stick import Stick
+from epf_gcs.flight.recording.flight_notes import FlightNotes, NotedBroadcast
+from epf_gcs.recordings.notes import IDENTITY, LINE, PARAMETERS, PLAN
+from epf_gcs.vehicle.board import Board
+from epf_gcs.vehicle.parameters import as_values
+
+
+class KnownNotes:
+    """Each method is called when what it notes may have changed; what stayed the same is not noted again."""
+
+    def __init__(
+        self,
+        notes: FlightNotes,
+        board: Board,
+        parameters: Parameters,
+        stick: Stick,
+        supervisor: Supervisor,
+        simulator: Simulator,
+    ) -> None:
+        self._notes = notes
+        self._board = board
+        self._parameters = parameters
+        self._stick = stick
+        self._supervisor = supervisor
+        self._simulator = simulator
+
+    def listen(self, outlet: NotedBroadcast, missions: Missions) -> None:
+        """Be called for each change from now on, but for `identity` and `lines`; and note who begins."""
+        outlet.notes = self._notes
+        outlet.on_parameters = self.parameters
+        missions.on_read = self.plan
+        self._stick.on_holder = self.holder
+        self.identity()
+
+    def identity(self) -> None:
+        """Whose board and station it is, and who has control."""
+        capabilities, holder = self._board.capabilities(), self._stick.holder
+        firmware = f"{capabilities['firmware_name']} {capabilities['firmware_version']}" if capabilities else None
+        identity = {
+            "station": __version__,
+            "board": capabilities,
+            "firmware": firmware,
+            "aircraft": None,
+            "operator": None if holder is None else holder.name,
+            "emulated": self._board.is_emulated,
+        }
+        self._notes.know(IDENTITY, identity)
+
+    def parameters(self) -> None:
+        """The gains, as a viewer is told them."""
+        self._notes.know(PARAMETERS, {name: as_values(name, one) for name, one in self._parameters.held.items()})
+
+    def plan(self, plan: str, waypoints: list[Waypoint] | None) -> None:
+        """A plan that was read from the board."""
+        found = None if waypoints is None else [asdict(waypoint) for waypoint in waypoints]
+        self._notes.know(PLAN, {"plan": plan, "waypoints": found}, plan)
+
+    def holder(self) -> None:
+        """Another browser, or none, has control."""
+        holder = self._stick.holder
+        self._notes.event("control", {"client": holder and holder.id, "name": holder and holder.name})
+        self.identity()
+
+    def lines(self) -> None:
+        """Which devices the bytes of both lines belong to."""
+        board, simulator = self._supervisor.address, self._simulator.address
+        link = self._board.link
+        self._notes.know(
+            LINE,
+            {
+                "line": "board",
+                "open": link is not None,
+                "url": None if board is None else board.url,
+                "baud": None if link is None else link.baud,
+                "profile": None,
+                "emulated": self._board.is_emulated,
+            },
+            "board",
+        )
+        self._notes.know(
+            LINE,
+            {
+                "line": "simulator",
+                "open": self._simulator.is_listening,
+                "url": None if simulator is None else f"udp://{simulator.send_host}:{simulator.send_port}",
+                "baud": None,
+                "profile": None if simulator is None else simulator.profile,
+                "emulated": False,
+            },
+            "simulator",
+        )
