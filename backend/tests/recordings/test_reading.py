@@ -156,14 +156,19 @@ def test_an_index_that_lies_costs_time_and_no_message(path: Path) -> None:
     said = messages(3000)
     whole = packed(said)
     for lie in (0, 100, len(whole) + 5, 2**63):
-        index = whole.rindex(struct.pack("<QQ", *_last_chunk_times(whole)))
+        index = whole.rindex(struct.pack("<QQ", *_chunk_times(whole)[-1]))
         path.write_bytes(whole[: index + 16] + struct.pack("<Q", lie) + whole[index + 24 :])
         assert heard(walk(path, said[-1][1])) == said[-1:]
+    # The first chunk's times at the place of another chunk.
+    earlier = [part.place for part in _parts_of(path, whole)][3]
+    index = whole.rindex(struct.pack("<QQ", *_chunk_times(whole)[0]))
+    path.write_bytes(whole[: index + 16] + struct.pack("<Q", earlier) + whole[index + 24 :])
+    assert heard(walk(path, START_NS + 5 * EVERY_NS)) == said[5:]
 
 
-def _last_chunk_times(whole: bytes) -> tuple[int, int]:
+def _chunk_times(whole: bytes) -> list[tuple[int, int]]:
     found = [record for record in StreamReader(BytesIO(whole)).records if isinstance(record, ChunkIndex)]
-    return found[-1].message_start_time, found[-1].message_end_time
+    return [(one.message_start_time, one.message_end_time) for one in found]
 
 
 def test_each_part_gives_the_place_to_begin_at(path: Path) -> None:

@@ -18,13 +18,13 @@ from epf_gcs.codec.messages_gen import DATAGRAM_MAGIC, NO_VALUE, VALUES_PER_ROW,
 from epf_gcs.flights.convert import T_NS
 from epf_gcs.recordings.parts import Messages
 from epf_gcs.vehicle.simulator_samples import SimulatorSamples
-from epf_gcs.xplane.mapping import INFO_SOURCES, in_our_unit
-from epf_gcs.xplane.whole import WholeFrames
+from epf_gcs.xplane.mapping import INFO_SOURCES, NEEDED_ROWS, TRACK_NAME, TRACK_ROW, in_our_unit
 
 _PREFIX: Final = len(DATAGRAM_MAGIC) + 1
 _RECORD: Final = np.dtype([("row", "<i4"), ("values", "<f4", (VALUES_PER_ROW,))])
 _RAW_EVERY_S: Final = 0.2  # as in vehicle/simulator_samples.py
 _LOOK_AHEAD: Final = 64
+_MOST_ROWS: Final = 64  # as in xplane/whole.py
 _CLAMPED: Final = (8, 11, 25)
 
 Floats = NDArray[np.float64]
@@ -73,12 +73,10 @@ class Datagrams:
     def __init__(self) -> None:
         self._collector = _Collector()
         self._samples = SimulatorSamples(self._collector)
-        self._whole = WholeFrames(self._samples.profile)
 
     def begin(self, profile: str) -> None:
         """A simulator of this profile begins: forget the earlier one's rows."""
         self._samples.begin(profile if profile in XPLANE_ROWS else "xp10")
-        self._whole = WholeFrames(self._samples.profile)
 
     def take(self, messages: Messages) -> Shown:
         """Read datagrams (all of the simulator's channel). Never raises, whatever they hold."""
@@ -101,30 +99,37 @@ class Datagrams:
             records = np.ascontiguousarray(raw[:, _PREFIX:]).view(_RECORD).reshape(end - begin, count)
             usual = (raw[:, : len(DATAGRAM_MAGIC)] == np.frombuffer(DATAGRAM_MAGIC, np.uint8)).all(axis=1)
             usual &= (records["row"] == records["row"][0]).all(axis=1)
-            # The last one goes the live way, so that what is kept for the next datagram is what live keeps.
-            if usual.all() and self._bulk(messages.t_ns[begin : end - 1], records[:-1], pieces):
-                begin = end - 1
+            numbers = records["row"][0].tolist()
+            usual &= self._whole_frames(numbers, records)
+            edges = (np.flatnonzero(np.diff(usual)) + 1).tolist()
+            for first, after in zip([0, *edges], [*edges, end - begin], strict=True):
+                last = first
+                if usual[first] and after - first > 1:
+                    # The last one goes the live way, so that what is kept for the next datagram is what live keeps.
+                    last = after - 1
+                    stretch = slice(begin + first, begin + last)
+                    if not self._bulk(messages.t_ns[stretch], numbers, records[first:last], pieces):
+                        last = first
+                self._one_by_one(messages, begin + last, begin + after, pieces)
+            return
         self._one_by_one(messages, begin, end, pieces)
 
-    def _bulk(self, t_ns: NDArray[np.int64], records: NDArray[Any], pieces: dict[str, list[pa.Table]]) -> bool:
-        """Read datagrams with the same rows together; False if one of them is no whole frame."""
-        numbers = records["row"][0].tolist()
-        infos = [self._whole.read(_datagram(records[index])) for index in (0, -1)]
-        known = set(numbers)
-        if None in infos or len(known) < len(numbers) or self._remains_of_others(known, int(t_ns[0])):
+    def _bulk(
+        self,
+        t_ns: NDArray[np.int64],
+        numbers: list[int],
+        records: NDArray[Any],
+        pieces: dict[str, list[pa.Table]],
+    ) -> bool:
+        """Read whole frames with the same rows together; False if rows of others are shown with them."""
+        # Rows that these datagrams do not have, but that were heard just before.
+        if not set(self._samples.rows(int(t_ns[0]) * 1e-9)) <= set(numbers):
             return False
         columns: dict[str, Floats] = {}
         nulls: dict[str, NDArray[np.bool_]] = {}
         for place, number in enumerate(numbers):
             self._read_row(number, records["values"][:, place], columns, nulls)
-        whole = {
-            field: ("horizontal_path_deg" if field == "yaw_deg" else name) for field, (_, name) in INFO_SOURCES.items()
-        }
-        if any(name not in columns or nulls[name].any() for name in whole.values()):
-            return False
-        inside = self._inside(numbers, records)
-        if not inside:
-            return False
+        whole = {field: (TRACK_NAME if field == "yaw_deg" else name) for field, (_, name) in INFO_SOURCES.items()}
         none = np.zeros(len(t_ns))
         missing = np.ones(len(t_ns), dtype=bool)
         arrays = [pa.array(columns.get(name, none), mask=nulls.get(name, missing)) for name in UNITS]
@@ -136,20 +141,23 @@ class Datagrams:
         self._samples.restore({**state, "shown_s": float(t_ns[-1]) * 1e-9, "raw_shown_s": raw_shown_s})
         return True
 
-    def _remains_of_others(self, numbers: set[int], now_ns: int) -> bool:
-        """Whether rows that these datagrams do not have were heard just before, and are shown with them."""
-        return not set(self._samples.rows(now_ns * 1e-9)) <= numbers
-
-    def _inside(self, numbers: list[int], records: NDArray[Any]) -> bool:
-        """Whether all values that a whole frame needs are within the simulator's limits, as `WholeFrames` asks."""
-        sources = {(18, "horizontal_path_deg"), *(INFO_SOURCES[field] for field in INFO_SOURCES if field != "yaw_deg")}
+    def _whole_frames(self, numbers: list[int], records: NDArray[Any]) -> NDArray[np.bool_]:
+        """Which datagrams have all that the board is told, within the simulator's limits, as `WholeFrames` asks."""
+        good = np.zeros(len(records), dtype=bool)
+        if (
+            len(set(numbers)) < len(numbers)
+            or not NEEDED_ROWS | {TRACK_ROW} <= set(numbers)
+            or len(numbers) > _MOST_ROWS
+        ):
+            return good
+        good[:] = True
+        sources = {(TRACK_ROW, TRACK_NAME), *(source for field, source in INFO_SOURCES.items() if field != "yaw_deg")}
         for number, name in sources:
             for wanted in XPLANE_ROWS[self._samples.profile][number].values:
                 if in_our_unit(wanted)[0] == name:
                     raw = records["values"][:, numbers.index(number), wanted.index]
-                    if not ((raw >= wanted.minimum) & (raw <= wanted.maximum) & (raw != NO_VALUE)).all():
-                        return False
-        return True
+                    good &= (raw >= wanted.minimum) & (raw <= wanted.maximum) & (raw != NO_VALUE)
+        return good
 
     def _read_row(
         self, number: int, eight: NDArray[np.float32], columns: dict[str, Floats], nulls: dict[str, NDArray[np.bool_]]
@@ -229,7 +237,3 @@ class _Collector:
             if rows:
                 pieces[topic].append(pa.Table.from_pylist(rows, schema=_SCHEMAS[topic]))
                 self._rows[topic] = []
-
-
-def _datagram(records: NDArray[Any]) -> bytes:
-    return DATAGRAM_MAGIC + b"@" + records.tobytes()

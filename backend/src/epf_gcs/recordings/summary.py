@@ -25,9 +25,10 @@ def chunk_before(path: Path, t_ns: int, limits: Limits) -> int:
     """The offset of the first chunk that ends at or after `t_ns`; 0 without a usable index."""
     try:
         with path.open("rb") as file:
-            for start_ns, end_ns, offset in _chunks(file, limits):
-                if end_ns >= t_ns:
-                    return offset if _is_chunk(file, offset, start_ns, end_ns) else 0
+            chunks = _chunks(file, limits)
+            # One entry that lies could hide a chunk, so all are looked at.
+            if all(_is_chunk(file, offset, start_ns, end_ns) for start_ns, end_ns, offset in chunks):
+                return next((offset for _, end_ns, offset in chunks if end_ns >= t_ns), 0)
     except OSError:
         pass  # whoever reads the file meets the same error and reports it
     return 0
