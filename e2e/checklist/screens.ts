@@ -10,6 +10,7 @@ export interface Part {
     | "slider"
     | "spinbutton"
     | "tabpanel"
+    | "toolbar"
     | "textbox";
   readonly name: string | RegExp;
   /** Labels, units and ranges in it. */
@@ -188,7 +189,9 @@ export const SCREENS: readonly Screen[] = [
     parts: [
       { role: "toolbar", name: "Gráficas", reads: ["Disposición", "Comparar con"] },
       { role: "region", name: "Señales", reads: ["Señal calculada"] },
-      ...[1, 2, 3].map((number): Part => ({ role: "region", name: `Gráfica ${number}`, reads: ["Mín.", "Media", "Máx."] })),
+      ...[1, 2, 3].map(
+        (number): Part => ({ role: "region", name: `Gráfica ${number}`, reads: ["Mín.", "Media", "Máx."] }),
+      ),
       ...["Acercar", "Alejar", "Todo el vuelo", "Último minuto", "Añadir una gráfica"].map(
         (name): Part => ({ role: "button", name }),
       ),
