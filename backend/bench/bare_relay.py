@@ -1,6 +1,7 @@
 """Relays datagrams to a pseudo-terminal and its bytes back as datagrams, and does nothing else.
 
-`python -m bench.bare_relay PTY RECEIVE_PORT SEND_PORT`. Its writes have the size of the gateway's frames.
+`python -m bench.bare_relay PTY RECEIVE_PORT SEND_PORT`. Its writes have the size of the gateway's frames, its priority
+is that of the flight process: what it takes is the machine's part.
 """
 
 from __future__ import annotations
@@ -11,12 +12,14 @@ import socket
 import sys
 
 from epf_gcs.codec.encode import encode_command
+from epf_gcs.flight.priority import go_first
 
 _FRAME = encode_command("xplane_info", *([0.0] * 15))
 
 
 def main() -> None:
     """Relay forever."""
+    go_first()
     path, receive_port, send_port = sys.argv[1], int(sys.argv[2]), int(sys.argv[3])
     fd = os.open(path, os.O_RDWR | os.O_NOCTTY)
     simulator = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)

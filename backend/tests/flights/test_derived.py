@@ -121,9 +121,15 @@ def test_a_difference_has_no_value_while_the_second_is_silent() -> None:
     assert np.isfinite(values[t_s < 1.4]).all()
 
 
-def test_a_signal_that_the_flight_has_not_is_refused_within_a_derivation_too() -> None:
+def test_what_is_computed_with_a_signal_that_the_flight_has_not_has_no_value() -> None:
+    found = find(Given(ahrs__roll_deg=(T, ROLL)), PeriodCache(), "diff(ahrs.roll_deg,simulator.roll_deg)")
+    assert len(found.values) == len(T)
+    assert np.isnan(found.values).all()
+
+
+def test_a_name_that_the_definition_has_not_is_refused_within_a_computed_signal_too() -> None:
     with pytest.raises(NotFoundError):
-        find(Given(ahrs__roll_deg=(T, ROLL)), PeriodCache(), "diff(ahrs.roll_deg,gps.heading_deg)")
+        find(Given(ahrs__roll_deg=(T, ROLL)), PeriodCache(), "diff(ahrs.roll_deg,ahrs.nothing_deg)")
 
 
 @given(spike=st.integers(1, 359_999), points=st.integers(10, 2000), zoom=st.floats(0, 1))

@@ -14,6 +14,7 @@ from epf_gcs.flights.flight_data import PeriodCache, Samples, TopicSpan
 from epf_gcs.flights.summary import summarise
 from epf_gcs.recordings import notes
 from epf_gcs.recordings.notes import Note
+from epf_gcs.vehicle.parameters import Held, as_values
 
 START_NS = 1_767_261_600_000_000_000
 
@@ -38,6 +39,9 @@ class MadeFlight:
         if field not in fields:
             raise NotFoundError("signal_unknown", "no such field")
         return Samples(np.asarray(t_s, dtype=float), np.asarray(fields[field], dtype=float))
+
+    def replace(self, topic: str, t_s: Any, fields: dict[str, Any]) -> None:
+        self._samples[topic] = (t_s, fields)
 
     def notes(self) -> list[Note]:
         return self._notes
@@ -190,12 +194,15 @@ def test_what_was_known_is_the_newest_note_before_the_moment() -> None:
     def plan(at_s: float, which: str, waypoints: Any) -> Note:
         return Note(START_NS + round(at_s * 1e9), notes.PLAN, {"plan": which, "waypoints": waypoints})
 
+    # As the recorder writes them; two of a stranger's file are of no shape.
+    known = Held(value=2.5, state="confirmed", loaded=1.0)
+    gains = {"k_pitch": as_values("k_pitch", known), "k_roll": 3, "k_VVI": {"value": "x", "state": []}}
     flight = MadeFlight(
         {},
         [
             plan(1, "hil", None),
             plan(5, "hil", [{"latitude_deg": 28.0}]),
-            Note(START_NS + 3 * 10**9, notes.PARAMETERS, {"parameters": [{"name": "kp", "value": 1.0}]}),
+            Note(START_NS + 3 * 10**9, notes.PARAMETERS, gains),
             Note(START_NS + 4 * 10**9, notes.PARAMETERS, "of no shape that we write"),
         ],
     )
@@ -203,4 +210,12 @@ def test_what_was_known_is_the_newest_note_before_the_moment() -> None:
     assert answers.known(flight, 4.9)["missions"]["hil"] == {"plan": "hil", "waypoints": None}
     assert answers.known(flight, 5.0)["missions"]["hil"]["waypoints"] == [{"latitude_deg": 28.0}]
     assert answers.known(flight, 2.0)["parameters"] is None
-    assert answers.known(flight, 9.0)["parameters"] == [{"name": "kp", "value": 1.0}]
+    then = {one["name"]: one for one in answers.known(flight, 9.0)["parameters"]}
+    assert [(then["k_pitch"][key]) for key in ("value", "state", "loaded", "group")] == [
+        2.5,
+        "confirmed",
+        1.0,
+        "altitude",
+    ]
+    assert {then[name]["state"] for name in ("k_roll", "k_VVI", "k_elev")} == {"unknown"}
+    assert then["k_VVI"]["value"] is None

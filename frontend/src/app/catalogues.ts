@@ -26,6 +26,8 @@ import playbackEn from "../features/playback/playback.en.json";
 import playbackEs from "../features/playback/playback.es.json";
 import plotsEn from "../features/plots/plots.en.json";
 import plotsEs from "../features/plots/plots.es.json";
+import reportEn from "../features/report/report.en.json";
+import reportEs from "../features/report/report.es.json";
 import servosEn from "../features/servos/servos.en.json";
 import servosEs from "../features/servos/servos.es.json";
 import setupEn from "../features/setup/setup.en.json";
@@ -61,6 +63,7 @@ export const CATALOGUES = {
     ...parametersEs,
     ...playbackEs,
     ...plotsEs,
+    ...reportEs,
     ...servosEs,
     ...setupEs,
     ...sixEs,
@@ -85,6 +88,7 @@ export const CATALOGUES = {
     ...parametersEn,
     ...playbackEn,
     ...plotsEn,
+    ...reportEn,
     ...servosEn,
     ...setupEn,
     ...sixEn,

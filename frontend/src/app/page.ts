@@ -28,6 +28,7 @@ import { createParameters, forget, PARAMETER_REQUESTS } from "../features/parame
 import { type AddressLine, createFlightAddress, type PlaceInTime } from "../features/playback/flightAddress";
 import { createPlayback, PLAYBACK, type Playback } from "../features/playback/playbackRequests";
 import { createPlots, PLOTS } from "../features/plots/plots";
+import { addressedReport, createReports, keepReport, REPORTS } from "../features/report/reportRequests";
 import { SERVO_SLIDERS } from "../features/servos/servoPositions";
 import { createServoSliders } from "../features/servos/servoSliders";
 import { BOARD_CONSOLE } from "../features/setup/consoleLog";
@@ -46,7 +47,7 @@ import type { Page } from "../store/hooks";
 import { createMessages, type Message, say } from "../store/messages";
 import { Parts } from "../store/parts";
 import { Pump } from "../store/pump";
-import { type BrowserStorage, createSettings } from "../store/settings";
+import { type BrowserStorage, choose, createSettings } from "../store/settings";
 import { Rest, type UploadInit } from "../transport/rest";
 import { StreamSocket, type Wire, type WireListener } from "../transport/socket";
 import { eventMessage, linkMessages } from "./announcements";
@@ -205,12 +206,31 @@ export function createPage(world: World): {
     address,
     open: (place, listener) => pasts.open(place, listener),
   });
+  const reports = createReports(rest, (flight, compare) => keepReport(world.address, flight, compare));
   const { flights, takeFlightEvent } = createFlights({
     ...asking,
     timers: world.timers,
     connection,
     openFlight: playback.openFlight,
     onGone: (flight) => playback.store.getState().flight === flight && playback.now(),
+    openReport: (flight) => reports.open(flight),
+  });
+  const plots = createPlots({ rest, timers: world.timers, timeline: plotTimeline(playback) });
+  const comparison = createFlightComparison();
+  comparison.register({
+    words: "report.open",
+    open: (first, second) => {
+      // Ids begin with the time: the later flight is compared with the earlier one.
+      const [earlier, later] = [first, second].sort();
+      reports.open(later ?? second, earlier);
+    },
+  });
+  comparison.register({
+    words: "plots.compareTwo",
+    open: (flight, other) => {
+      plots.compare(flight, other);
+      choose(settings, "tab", "plots");
+    },
   });
   const parts = new Parts()
     .with(PLAYBACK, playback)
@@ -228,8 +248,9 @@ export function createPage(world: World): {
     .with(GAMEPADS, gamepads.gamepads)
     .with(BOARD_CONSOLE, boardConsole)
     .with(FLIGHTS, flights)
-    .with(FLIGHT_COMPARISON, createFlightComparison())
-    .with(PLOTS, createPlots({ rest, timers: world.timers, timeline: plotTimeline(playback) }))
+    .with(FLIGHT_COMPARISON, comparison)
+    .with(PLOTS, plots)
+    .with(REPORTS, reports)
     .with(INSPECTOR, createInspector(rest))
     .with(EMULATION, createEmulation(asking))
     .with(ABOUT, createAbout(asking));
@@ -260,6 +281,11 @@ export function createPage(world: World): {
     start: () => {
       socket.start();
       gamepads.start();
+      const report = addressedReport(world.address.read());
+      if (report !== null) {
+        choose(settings, "tab", "flights");
+        reports.open(report.flight, report.compare);
+      }
       const opened = address.opened();
       if (opened !== null) {
         playback.openFlight(opened.flight, opened.at_s);

@@ -32,7 +32,7 @@ export const VIEWS: Readonly<Record<TabName, LazyPart>> = {
   plots: lazyPart(async () => (await import("../features/plots/PlotsView")).PlotsView),
   alarms: lazyPart(async () => (await import("../features/alarms/AlarmsView")).AlarmsView),
   setup: lazyPart(async () => (await import("./tabs/SetupTab")).SetupTab),
-  flights: lazyPart(async () => (await import("../features/flights/FlightsView")).FlightsView),
+  flights: lazyPart(async () => (await import("./tabs/FlightsTab")).FlightsTab),
 };
 
 /** The tuning view, which stays open under any tab. */

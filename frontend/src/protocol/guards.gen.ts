@@ -198,6 +198,145 @@ export const isDeletedFlight = shape({
 });
 export type DeletedFlight = Checked<typeof isDeletedFlight>;
 
+/** Volts: the means of the first and the last ten seconds, and the lowest sample. */
+export const isReportBattery = shape({
+  begin_v: isNumber,
+  drop_v_per_hour: nullable(isNumber),
+  end_v: isNumber,
+  lowest_v: isNumber,
+});
+export type ReportBattery = Checked<typeof isReportBattery>;
+
+/** Way over the ground, altitudes above the sea, and the highest rates over two seconds, both positive. */
+export const isReportDistances = shape({
+  climb_most_ft_min: nullable(isNumber),
+  distance_nm: nullable(isNumber),
+  fastest_kt: nullable(isNumber),
+  highest_ft: nullable(isNumber),
+  lowest_ft: nullable(isNumber),
+  sink_most_ft_min: nullable(isNumber),
+});
+export type ReportDistances = Checked<typeof isReportDistances>;
+
+/** A gain that had another value at the end of the earlier flight. */
+export const isGainDifference = shape({
+  after: isNumber,
+  before: isNumber,
+  name: isText,
+});
+export type GainDifference = Checked<typeof isGainDifference>;
+
+/** Milliseconds from a simulator frame sent to the board until its answer. */
+export const isReportRoundTrip = shape({
+  count: isNumber,
+  longest: isNumber,
+  median: isNumber,
+  p99: isNumber,
+});
+export type ReportRoundTrip = Checked<typeof isReportRoundTrip>;
+
+/** What the board's line brought. A gap is a second or more without a byte while the line was open. */
+export const isReportLink = shape({
+  damaged_percent: nullable(isNumber),
+  frames: nullable(isNumber),
+  frames_damaged: nullable(isNumber),
+  gaps: isNumber,
+  gaps_s: isNumber,
+  longest_gap_s: nullable(isNumber),
+  round_trip_ms: nullable(isReportRoundTrip),
+});
+export type ReportLink = Checked<typeof isReportLink>;
+
+/** The medians of one loop over all its manoeuvres that have figures. */
+export const isReportLoop = shape({
+  damping: nullable(isNumber),
+  loop: oneOf("altitude", "heading", "speed"),
+  manoeuvres: isNumber,
+  overshoot_percent: nullable(isNumber),
+  rise_s: nullable(isNumber),
+  settling_s: nullable(isNumber),
+  steady_error: nullable(isNumber),
+  unit: isText,
+});
+export type ReportLoop = Checked<typeof isReportLoop>;
+
+/** The flight to a waypoint. `across`: distance from the straight line; errors are root mean squares of the
+ * leg's second half. */
+export const isReportLeg = shape({
+  across_most_m: nullable(isNumber),
+  across_rms_m: nullable(isNumber),
+  altitude_error_ft: nullable(isNumber),
+  distance_m: nullable(isNumber),
+  duration_s: isNumber,
+  speed_error_kt: nullable(isNumber),
+});
+export type ReportLeg = Checked<typeof isReportLeg>;
+
+/** What the picture of a manoeuvre draws; `at_s` is counted from the manoeuvre's begin. */
+export const isReportTrace = shape({
+  at_s: list(isNumber),
+  target: list(nullable(isNumber)),
+  value: list(nullable(isNumber)),
+});
+export type ReportTrace = Checked<typeof isReportTrace>;
+
+/** A manoeuvre and how the loop answered it. Times are counted from its begin; `size` is the step of the target
+ * (of a leg its seconds), and `start`, `target`, `final`, `peak` and `steady_error` have the unit `unit`.
+ *
+ * `method` says where the figures are from: a second-order model that explains the samples, the smoothed samples
+ * themselves, or nothing, where they can't be judged. `earlier` is the place of the like manoeuvre in
+ * `earlier.manoeuvres`. */
+export const isReportManoeuvre = shape({
+  at_s: isNumber,
+  cause: oneOf("waypoint", "target", "engaged"),
+  damping: nullable(isNumber),
+  earlier: nullable(isNumber),
+  final: nullable(isNumber),
+  frequency_rad_s: nullable(isNumber),
+  kind: oneOf("climb", "descent", "turn_right", "turn_left", "faster", "slower", "leg"),
+  leg: nullable(isReportLeg),
+  method: oneOf("model", "measured", "none"),
+  overshoot_percent: nullable(isNumber),
+  peak: nullable(isNumber),
+  peak_s: nullable(isNumber),
+  plan: oneOf("flight", "hil"),
+  rise_from_s: nullable(isNumber),
+  rise_s: nullable(isNumber),
+  rise_to_s: nullable(isNumber),
+  settling_s: nullable(isNumber),
+  size: isNumber,
+  start: nullable(isNumber),
+  steady_error: nullable(isNumber),
+  target: nullable(isNumber),
+  trace: nullable(isReportTrace),
+  unit: isText,
+  until_s: isNumber,
+  waypoint: nullable(isNumber),
+});
+export type ReportManoeuvre = Checked<typeof isReportManoeuvre>;
+
+/** `airborne_s` is the time faster than 20 kt, `autopilot_s` that with an autopilot on; `started_s` Unix time. */
+export const isReportTimes = shape({
+  airborne_s: nullable(isNumber),
+  autopilot_s: isNumber,
+  duration_s: isNumber,
+  started_s: isNumber,
+});
+export type ReportTimes = Checked<typeof isReportTimes>;
+
+/** The flight that this one is compared with. */
+export const isEarlierFlight = shape({
+  battery: nullable(isReportBattery),
+  distances: isReportDistances,
+  flight: isText,
+  gains: list(isGainDifference),
+  link: isReportLink,
+  loops: list(isReportLoop),
+  manoeuvres: list(isReportManoeuvre),
+  times: isReportTimes,
+});
+export type EarlierFlight = Checked<typeof isEarlierFlight>;
+
 /** Why something could not be done. `code` is stable and translated by the page. */
 export const isFault = shape({
   code: isText,
@@ -398,6 +537,70 @@ export const isFlightOverview = shape({
   signal: nullable(isText),
 });
 export type FlightOverview = Checked<typeof isFlightOverview>;
+
+/** An alarm that sounded; `lasted_s` is null where the recording ended before it did. */
+export const isReportAlarm = shape({
+  at_s: isNumber,
+  lasted_s: nullable(isNumber),
+  level: nullable(isText),
+  name: isText,
+});
+export type ReportAlarm = Checked<typeof isReportAlarm>;
+
+/** How a loop flew in a stretch: medians of the manoeuvres that lie in it whole, and the root mean square of its
+ * error all the time (null for less than ten seconds of it). */
+export const isReportEffect = shape({
+  damping: nullable(isNumber),
+  error_rms: nullable(isNumber),
+  from_s: isNumber,
+  manoeuvres: isNumber,
+  overshoot_percent: nullable(isNumber),
+  rise_s: nullable(isNumber),
+  settling_s: nullable(isNumber),
+  steady_error: nullable(isNumber),
+  to_s: isNumber,
+});
+export type ReportEffect = Checked<typeof isReportEffect>;
+
+/** A gain that was changed in flight, and its loop before and after; null for gains that belong to no loop. */
+export const isReportGain = shape({
+  after: isNumber,
+  at_s: isNumber,
+  before: isNumber,
+  earlier: nullable(isReportEffect),
+  later: nullable(isReportEffect),
+  loop: nullable(oneOf("altitude", "heading", "speed")),
+  name: isText,
+});
+export type ReportGain = Checked<typeof isReportGain>;
+
+/** Words that a person set at a moment. */
+export const isReportMark = shape({
+  at_s: isNumber,
+  text: isText,
+});
+export type ReportMark = Checked<typeof isReportMark>;
+
+/** What a test pilot writes after landing. `unknown` lists what the recording does not say, `no_manoeuvres` why
+ * none was found; `gains_known` are the gains at the end. */
+export const isFlightReport = shape({
+  alarms: list(isReportAlarm),
+  battery: nullable(isReportBattery),
+  distances: isReportDistances,
+  earlier: nullable(isEarlierFlight),
+  flight: isText,
+  gains: list(isReportGain),
+  gains_known: dictionary(isNumber),
+  identity: isFlightIdentity,
+  link: isReportLink,
+  loops: list(isReportLoop),
+  manoeuvres: list(isReportManoeuvre),
+  marks: list(isReportMark),
+  no_manoeuvres: nullable(oneOf("no_targets", "autopilot_off", "no_changes")),
+  times: isReportTimes,
+  unknown: list(oneOf("wind", "battery", "round_trip", "position", "speed", "gains", "gaps", "file", "lost")),
+});
+export type FlightReport = Checked<typeof isFlightReport>;
 
 /** A field of a topic. Numbers and flags can be plotted, as `topic.field`. */
 export const isTopicField = shape({

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
+from functools import lru_cache
 from struct import Struct
 from typing import Any, Final, NamedTuple
 
@@ -72,6 +73,12 @@ def single(value: float) -> float:
 
 def shortest(value: float) -> float:
     """The shortest decimal that is the same single-precision number: 0.6 for 0.6000000238418579."""
+    # Zero is not kept with the others: 0.0 and -0.0 are equal, and would be given for each other.
+    return value if value == 0.0 else _shortest(value)
+
+
+@lru_cache(maxsize=256)  # the board's gains: few values, asked for again and again
+def _shortest(value: float) -> float:
     for digits in _SHORTEST_DIGITS:
         candidate = float(f"{value:.{digits}g}")
         if single(candidate) == value:

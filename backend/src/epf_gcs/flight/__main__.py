@@ -18,6 +18,7 @@ import structlog
 from epf_gcs.errors import ConflictError, GatewayError
 from epf_gcs.flight.data_folder import DataFolder
 from epf_gcs.flight.flight import Flight
+from epf_gcs.flight.priority import Priority, go_first
 from epf_gcs.link.address import parse_address
 from epf_gcs.logs import set_up_logging
 from epf_gcs.watchdog import feed
@@ -36,6 +37,7 @@ def main() -> None:
     options = _options()
     set_up_logging(verbose=options.verbose)
     sys.setswitchinterval(_SWITCH_INTERVAL_S)
+    priority = go_first()
     if options.board is not None:
         try:
             parse_address(options.board)
@@ -44,14 +46,14 @@ def main() -> None:
             sys.exit(2)
     try:
         with asyncio.Runner(loop_factory=_loop_factory()) as runner:
-            runner.run(_fly(options))
+            runner.run(_fly(options, priority))
     except GatewayError as error:
         sys.exit(f"epf-flight: {error.detail}")
     except OSError as error:
         sys.exit(f"epf-flight: {options.data_dir} cannot be used ({error.strerror or error}): correct its permissions.")
 
 
-async def _fly(options: argparse.Namespace) -> None:
+async def _fly(options: argparse.Namespace, priority: Priority) -> None:
     ended = asyncio.Event()
     loop = asyncio.get_running_loop()
     for name in set(_POLITE):
@@ -63,10 +65,10 @@ async def _fly(options: argparse.Namespace) -> None:
         # A daemon thread, not the loop's executor: the loop would wait at its end for a read that blocks.
         threading.Thread(target=_wait_for_parent, args=(loop, ended), daemon=True).start()
     with await _held(options.data_dir):
-        await _fly_until(ended, options)
+        await _fly_until(ended, options, priority)
 
 
-async def _fly_until(ended: asyncio.Event, options: argparse.Namespace) -> None:
+async def _fly_until(ended: asyncio.Event, options: argparse.Namespace, priority: Priority) -> None:
     flight = Flight(options.data_dir, record=options.recording, board_url=options.board)
     async with flight.running():
         # All objects made so far live as long as the process. Frozen, they are not scanned again, which would
@@ -76,7 +78,7 @@ async def _fly_until(ended: asyncio.Event, options: argparse.Namespace) -> None:
         # Held until the process ends: a loop that hangs while it shuts down is noticed too.
         fed = None if options.watchdog is None else asyncio.create_task(feed(options.watchdog))
         await asyncio.sleep(0)  # its first sign of life comes before the log says that it flies
-        log.info("flying", data=str(options.data_dir), pid=os.getpid())
+        log.info("flying", data=str(options.data_dir), pid=os.getpid(), priority=priority)
         await ended.wait()
     del fed
 

@@ -17,6 +17,7 @@ VERBS: Final = {
     "import": "epf_gcs.flights.importing",
     "index": "epf_gcs.flights.index",
     "pack": "epf_gcs.flights.pack",
+    "report": "epf_gcs.flights.report.report",
 }
 
 

@@ -10,6 +10,7 @@ from typing import Any, Final
 import numpy as np
 import pyarrow as pa
 
+from epf_gcs.codec.messages_gen import PARAMETERS
 from epf_gcs.flights.derived import find
 from epf_gcs.flights.fields import fields_of
 from epf_gcs.flights.flight_data import FlightData, PeriodCache
@@ -27,6 +28,8 @@ _ALTITUDES: Final = (
 )
 _POINT: Final = np.dtype([("t_ms", "<u4"), ("latitude_e7", "<i4"), ("longitude_e7", "<i4"), ("altitude_mm", "<i4")])
 _MOST_POINTS: Final = 720_000
+# What is known of a gain (`vehicle/parameters.py`); another word can only come from a stranger's file.
+_STATES: Final = ("unknown", "loaded", "pending", "confirmed", "rejected")
 
 
 def duration_s(flight: FlightData) -> float:
@@ -178,9 +181,38 @@ def known(flight: FlightData, at_s: float) -> dict[str, Any]:
     return {
         "at_s": at_s,
         "identity": identity_of(newest.get(notes.IDENTITY)),
-        "parameters": None if parameters is None else parameters.get("parameters"),
+        "parameters": None if parameters is None else gains_of(parameters),
         "missions": {plan: newest.get(f"{notes.PLAN} {plan}") for plan in ("flight", "hil")},
     }
+
+
+def gains_of(content: dict[str, Any]) -> list[dict[str, Any]]:
+    """The gains from their note ({name: {"value", "state", "loaded"}}), as GET /parameters gives them."""
+    found = []
+    for gain in PARAMETERS:
+        given = content.get(gain.name)
+        held: dict[str, Any] = given if isinstance(given, dict) else {}
+        found.append(
+            {
+                "name": gain.name,
+                "group": gain.group,
+                "value": _number(held.get("value")),
+                "loaded": _number(held.get("loaded")),
+                "state": held["state"] if held.get("state") in _STATES else "unknown",
+                "unit": "1",
+                "minimum": gain.minimum,
+                "maximum": gain.maximum,
+                "step": gain.step,
+                "default": gain.default,
+                "is_integer": gain.is_integer,
+                "doc": gain.doc,
+            }
+        )
+    return found
+
+
+def _number(value: Any) -> float | None:
+    return value if isinstance(value, int | float) and not isinstance(value, bool) else None
 
 
 def identity_of(content: Any) -> dict[str, Any]:

@@ -120,6 +120,11 @@ class IndexedFlight:
             self._noted = self._noted()
         return self._noted
 
+    def times(self, table: str) -> Any:
+        """Unix times (ns) of the rows of any table, sorted; empty where there is none. Raises OSError."""
+        file = self._folder / f"{table}.parquet"
+        return np.sort(self._columns.column(file, "t_ns", self._stamp)) if file.exists() else np.empty(0)
+
     def damage(self, table: str) -> list[Damage]:
         """What the line damaged, in the order of the file; `table` is the name of its table. Raises OSError."""
         file = self._folder / f"{table}.parquet"

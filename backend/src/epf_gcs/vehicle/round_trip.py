@@ -54,6 +54,11 @@ class RoundTrip:
             self.answers += 1
             self._answers_ms.append((now_s - self._asked.popleft()) * 1000.0)
 
+    @property
+    def newest_ms(self) -> float | None:
+        """The newest answer's; None before the first."""
+        return self._answers_ms[-1] if self._answers_ms else None
+
     def clear(self) -> None:
         """The loop was opened: drop the open questions and the statistics."""
         self._asked.clear()

@@ -24,6 +24,7 @@ from epf_gcs.web.flights import data_routes as flight_data
 from epf_gcs.web.flights import export_routes as flight_exports
 from epf_gcs.web.flights import job_routes as jobs
 from epf_gcs.web.flights import mark_routes as flight_marks
+from epf_gcs.web.flights import report_routes as flight_reports
 from epf_gcs.web.flights import routes as flights
 from epf_gcs.web.inspector import routes as inspector
 from epf_gcs.web.links import routes as links
@@ -92,6 +93,7 @@ def create_app(settings: Settings, visitors: Visitors | None = None) -> FastAPI:
         alarms,
         recordings,
         flights,
+        flight_reports,
         flight_data,
         flight_exports,
         flight_marks,

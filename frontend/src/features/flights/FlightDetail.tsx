@@ -1,4 +1,4 @@
-import { ChevronLeft, FileOutput, RefreshCw, Trash2 } from "lucide-react";
+import { ChevronLeft, FileOutput, FileText, RefreshCw, Trash2 } from "lucide-react";
 import { useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useSentence } from "../../i18n/useSentence";
@@ -61,7 +61,7 @@ function Faults({ flight: { fault, damage, state } }: { readonly flight: Flight 
 
 function Tools({ flight }: { readonly flight: Flight }) {
   const { t } = useTranslation();
-  const { remove, indexAgain } = usePart(FLIGHTS);
+  const { remove, indexAgain, openReport } = usePart(FLIGHTS);
   const [asks, setAsks] = useState<"export" | "delete" | null>(null);
   const deleting = { control: `flights.delete.${flight.id}` };
   const indexing = { control: `flights.index.${flight.id}` };
@@ -74,6 +74,13 @@ function Tools({ flight }: { readonly flight: Flight }) {
     <div className="flights-tools">
       <OpenButton flight={flight} />
       <PinButton flight={flight} />
+      <Button
+        onPress={() => openReport(flight.id)}
+        icon={<FileText size={15} aria-hidden="true" />}
+        disabledReason={flight.state === "indexed" ? unreachable : t("flights.notReady")}
+      >
+        {t("report.open")}
+      </Button>
       <Button
         onPress={() => setAsks("export")}
         icon={<FileOutput size={15} aria-hidden="true" />}

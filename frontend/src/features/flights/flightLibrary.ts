@@ -101,6 +101,7 @@ export interface Flights {
   readonly select: (flight: string | null) => void;
   /** Show this moment of a flight on every tab; `at_s` since its start. */
   readonly open: (flight: string, at_s: number) => void;
+  readonly openReport: (flight: string) => void;
   readonly change: (flight: string, words: FlightWords, asker: Asker) => Promise<void>;
   readonly remove: (flight: Pick<Flight, "id" | "title" | "started_s">, asker: Asker) => Promise<void>;
   readonly restore: (flight: string, asker: Asker) => Promise<void>;

@@ -33,6 +33,7 @@ interface Parts extends AskingParts {
   readonly openFlight: (flight: string, at_s: number) => void;
   /** The flight is gone: whoever looks at it goes back to now. */
   readonly onGone: (flight: string) => void;
+  readonly openReport: (flight: string) => void;
 }
 
 /** The requests about flights, with their outcome in the library's store. */
@@ -40,7 +41,7 @@ export function createFlights(parts: Parts): {
   readonly flights: Flights;
   readonly takeFlightEvent: (event: StreamEvent) => void;
 } {
-  const { rest, timers, connection, openFlight, onGone } = parts;
+  const { rest, timers, connection, openFlight, onGone, openReport } = parts;
   const { run } = createAsking(parts);
   const store = createLibrary();
   let asked = 0;
@@ -200,6 +201,8 @@ export function createFlights(parts: Parts): {
       store.setState(({ selected }) => ({ returnsTo: selected }));
       openFlight(flight, at_s);
     },
+
+    openReport,
 
     change: (flight, words, asker) =>
       run(asker, rest.ask("PATCH", `${FLIGHTS_PATH}/${flight}`, isFlight, words), (changed) => {

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import contextlib
 import os
 import re
 import struct
-import threading
 import time
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
@@ -17,6 +15,7 @@ from typing import BinaryIO, Final
 from mcap.opcode import Opcode
 
 from epf_gcs.flight.flight_log import say
+from epf_gcs.flight.priority import go_last
 from epf_gcs.recordings.mcap_file import MAGIC, Tally, closing, data_end
 
 _OURS: Final = re.compile(r"[0-9]{8}T[0-9]{6}Z(-[0-9]+)?\.mcap")
@@ -31,7 +30,6 @@ _FOOTER_BYTES: Final = 9 + 20
 # Scanning shares the interpreter with the flight: pause after each burst of records (about 0.1 ms of work).
 _BURST: Final = 100
 _REST_S: Final = 0.001
-_LOWEST_PRIORITY: Final = 19
 
 
 class BeyondRepairError(Exception):
@@ -57,9 +55,7 @@ def recordings_in(folder: Path) -> list[Path]:
 
 def repair_all(files: Iterable[Path], is_over: Callable[[], bool] = lambda: False) -> None:
     """Repair incomplete recordings in the calling thread, at the lowest priority. Stops early when `is_over()`."""
-    if hasattr(os, "setpriority"):
-        with contextlib.suppress(OSError):  # without the low priority, the pauses must suffice
-            os.setpriority(os.PRIO_PROCESS, threading.get_native_id(), _LOWEST_PRIORITY)
+    go_last()  # where the system refuses, the pauses must suffice
     for path in files:
         if is_over():
             return

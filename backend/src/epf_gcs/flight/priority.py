@@ -1,0 +1,51 @@
+"""Who goes first when the processor is short: the flight process before everything that is not real-time."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import threading
+from typing import Final, Literal
+
+Priority = Literal["real-time", "raised", "normal"]
+
+# The least real-time priority: before all ordinary programs, behind the system's own real-time tasks.
+_REAL_TIME: Final = 1
+_RAISED: Final = -10
+_LOWEST: Final = 19
+
+
+def go_first() -> Priority:
+    """Let this thread and the threads it starts later go first, as far as the system permits; returns what it got.
+
+    Call it before any thread is started: one at normal priority that holds the interpreter when it has to give way to
+    another program would delay the event loop. A program started later would inherit it (Linux's reset on fork is no
+    help: it takes it from later threads too), so the flight process starts none. The system itself keeps a share of the
+    processor for all others. Both need a permission (Linux: CAP_SYS_NICE, or the limits rtprio and nice).
+    """
+    if hasattr(os, "sched_setscheduler"):
+        try:
+            os.sched_setscheduler(0, os.SCHED_RR, os.sched_param(_REAL_TIME))
+        except OSError:
+            pass
+        else:
+            return "real-time"
+    if hasattr(os, "setpriority"):
+        try:
+            os.setpriority(os.PRIO_PROCESS, 0, _RAISED)
+        except OSError:
+            pass
+        else:
+            return "raised"
+    return "normal"
+
+
+def go_last() -> None:
+    """Let the calling thread give way to all others, as far as the system can: no real time, the lowest niceness.
+
+    For work that takes long and that no flight waits for. It must hold the interpreter for moments only.
+    """
+    with contextlib.suppress(AttributeError, OSError):  # not on every system
+        os.sched_setscheduler(0, os.SCHED_OTHER, os.sched_param(0))
+    with contextlib.suppress(AttributeError, OSError):
+        os.setpriority(os.PRIO_PROCESS, threading.get_native_id(), _LOWEST)

@@ -1,0 +1,1 @@
+"""The flight report: figures of a finished flight, the manoeuvres found in it and how the loops answered them."""

@@ -1,0 +1,207 @@
+"""Times, distances, battery, link and alarms of a flight. What the recording does not say is None."""
+
+from __future__ import annotations
+
+from typing import Any, Final
+
+import numpy as np
+
+from epf_gcs.flights.events import Event
+from epf_gcs.flights.flight_data import FlightData
+from epf_gcs.flights.report.manoeuvres import Series
+from epf_gcs.flights.report.sources import first_of, plan_signals, read
+from epf_gcs.flights.signals import Array
+from epf_gcs.recordings import notes
+from epf_gcs.vehicle.round_trip import RoundTrip
+
+_NS: Final = 1e-9
+_AIRBORNE_KT: Final = 20.0
+# Shorter hops over that speed are not flight.
+_LEAST_FLIGHT_S: Final = 3.0
+_CLIMB_SPAN_S: Final = 2.0
+_MOST_ALARMS: Final = 200
+_SPEED: Final = (
+    ("simulator", "indicated_airspeed_kt", 1.0),
+    ("analog", "calibrated_airspeed_kt", 1.0),
+    ("gps", "speed_kt", 1.0),
+)
+_ALTITUDE: Final = (
+    ("simulator", "altitude_msl_ft", 1.0),
+    ("gps", "altitude_m", 1 / 0.3048),
+    ("analog", "altitude_m", 1 / 0.3048),
+)
+
+Figures = dict[str, Any]
+
+
+def times(flight: FlightData) -> Figures:
+    """Durations in s; `airborne_s` counts the time faster than 20 kt, `autopilot_s` that with an autopilot on."""
+    speed = first_of(flight, _SPEED)
+    return {
+        "started_s": flight.start_ns * _NS,
+        "duration_s": max(0.0, (flight.end_ns - flight.start_ns) * _NS),
+        "airborne_s": _longer_than(speed, _AIRBORNE_KT),
+        "autopilot_s": sum(to_s - from_s for from_s, to_s in _autopilot(flight)),
+    }
+
+
+def distances(flight: FlightData, summary: Figures) -> Figures:
+    """Way over the ground, altitudes and speeds; the first three are the library's."""
+    altitude = first_of(flight, _ALTITUDE)
+    lowest = float(np.min(altitude.values)) if len(altitude.values) else None
+    climb, sink = _steepest(altitude)
+    return {
+        "distance_nm": summary.get("distance_nm"),
+        "highest_ft": summary.get("highest_ft"),
+        "fastest_kt": summary.get("fastest_kt"),
+        "lowest_ft": lowest,
+        "climb_most_ft_min": climb,
+        "sink_most_ft_min": sink,
+    }
+
+
+def battery(flight: FlightData) -> Figures | None:
+    """Volts at the beginning and the end (mean of 10 s each) and the lowest; None where no battery was measured."""
+    volts = read(flight, "analog", "battery_V")
+    if not len(volts.t_s) or float(np.max(volts.values)) <= 0.5:
+        return None
+    first, last = float(volts.t_s[0]), float(volts.t_s[-1])
+    begin, end = volts.part(first, first + 10.0), volts.part(last - 10.0, last + 1.0)
+    begin_v, end_v = float(np.mean(begin.values)), float(np.mean(end.values))
+    return {
+        "begin_v": begin_v,
+        "end_v": end_v,
+        "lowest_v": float(np.min(volts.values)),
+        "drop_v_per_hour": (begin_v - end_v) / (last - first) * 3600.0 if last - first > 60.0 else None,
+    }
+
+
+def link(summary: Figures, asked_ns: Array, answered_ns: Array) -> Figures:
+    """Frames, damage, silences and the HIL round trip in ms from the times (Unix ns) of both kinds of frame."""
+    frames, damaged = summary.get("frames"), summary.get("frames_damaged")
+    gaps_s = [(gap[1] - gap[0]) * _NS for gap in summary.get("gaps") or []]
+    total = (frames or 0) + (damaged or 0)
+    return {
+        "frames": frames,
+        "frames_damaged": damaged,
+        "damaged_percent": 100.0 * (damaged or 0) / total if total else None,
+        "gaps": len(gaps_s),
+        "gaps_s": sum(gaps_s),
+        "longest_gap_s": max(gaps_s, default=None),
+        "round_trip_ms": round_trip(asked_ns, answered_ns),
+    }
+
+
+def round_trip(asked_ns: Array, answered_ns: Array) -> Figures | None:
+    """Median and extremes of what the station measured live, from the same pairing; None without answers."""
+    trips = RoundTrip()
+    found: list[float] = []
+    kinds = np.concatenate((np.zeros(len(asked_ns)), np.ones(len(answered_ns))))
+    moments = np.concatenate((asked_ns, answered_ns))
+    for place in np.lexsort((kinds, moments)).tolist():
+        if kinds[place]:
+            before = trips.answers
+            trips.answered(float(moments[place]) * _NS)
+            newest = trips.newest_ms
+            if trips.answers > before and newest is not None:
+                found.append(newest)
+        else:
+            trips.asked(float(moments[place]) * _NS)
+    if not found:
+        return None
+    return {
+        "count": len(found),
+        "median": float(np.median(found)),
+        "p99": float(np.percentile(found, 99)),
+        "longest": max(found),
+    }
+
+
+def alarms(events: list[Event], start_ns: int) -> list[Figures]:
+    """What sounded, in order of time; `lasted_s` is None where the recording ended first."""
+    found = []
+    for event in events:
+        if event["kind"] == "alarm":
+            until_ns = event["until_ns"]
+            level = event["data"].get("level")
+            found.append(
+                {
+                    "name": event["name"],
+                    "level": level if isinstance(level, str) else None,
+                    "at_s": (event["t_ns"] - start_ns) * _NS,
+                    "lasted_s": None if until_ns is None else (until_ns - event["t_ns"]) * _NS,
+                }
+            )
+    return found[:_MOST_ALARMS]
+
+
+def marks(events: list[Event], start_ns: int) -> list[Figures]:
+    """The words that were set as marks in flight."""
+    return [
+        {"at_s": (event["t_ns"] - start_ns) * _NS, "text": str(event["data"].get("text", ""))}
+        for event in events
+        if event["kind"] == "mark"
+    ]
+
+
+def unknown(report: Figures, flight: FlightData, summary: Figures) -> list[str]:
+    """What this report cannot know, as stable words."""
+    found = ["wind"]
+    if report["battery"] is None:
+        found.append("battery")
+    if report["link"]["round_trip_ms"] is None:
+        found.append("round_trip")
+    if report["distances"]["distance_nm"] is None:
+        found.append("position")
+    if report["times"]["airborne_s"] is None:
+        found.append("speed")
+    if not any(note.name == notes.PARAMETERS for note in flight.notes()):
+        found.append("gains")
+    if summary.get("gaps"):
+        found.append("gaps")
+    if summary.get("damage") or not summary.get("is_whole", True):
+        found.append("file")
+    if any(note.name == notes.LOST for note in flight.notes()):
+        found.append("lost")
+    return found
+
+
+def _autopilot(flight: FlightData) -> list[tuple[float, float]]:
+    """The stretches with either autopilot on, joined."""
+    every = sorted(plan_signals(flight, "hil").flown + plan_signals(flight, "flight").flown)
+    joined: list[tuple[float, float]] = []
+    for begin, end in every:
+        if joined and begin <= joined[-1][1]:
+            joined[-1] = (joined[-1][0], max(joined[-1][1], end))
+        else:
+            joined.append((begin, end))
+    return joined
+
+
+def _longer_than(series: Series, least: float) -> float | None:
+    """The time above a value, without short peaks and without gaps."""
+    if len(series.t_s) < 2:
+        return None
+    above = series.values > least
+    edges = np.flatnonzero(np.diff(above.astype(np.int8)) != 0) + 1
+    total = 0.0
+    for part in np.split(np.arange(len(above)), edges):
+        if above[part[0]]:
+            steps_s = np.diff(series.t_s[part[0] : part[-1] + 2])
+            lasted_s = float(steps_s[steps_s < _CLIMB_SPAN_S].sum())
+            total += lasted_s if lasted_s >= _LEAST_FLIGHT_S else 0.0
+    return total
+
+
+def _steepest(altitude: Series) -> tuple[float | None, float | None]:
+    """Highest rate of climb and of descent (ft/min, both positive) over two seconds each."""
+    if len(altitude.t_s) < 2 or altitude.t_s[-1] - altitude.t_s[0] < 2 * _CLIMB_SPAN_S:
+        return None, None
+    even_s = np.arange(altitude.t_s[0], altitude.t_s[-1], _CLIMB_SPAN_S)
+    near = np.searchsorted(altitude.t_s, even_s)
+    has_samples = np.abs(altitude.t_s[np.minimum(near, len(altitude.t_s) - 1)] - even_s) < _CLIMB_SPAN_S / 2
+    rates = np.diff(np.interp(even_s, altitude.t_s, altitude.values)) / _CLIMB_SPAN_S * 60.0
+    rates = rates[has_samples[1:] & has_samples[:-1]]
+    if not len(rates):
+        return None, None
+    return max(0.0, float(rates.max())), max(0.0, float(-rates.min()))

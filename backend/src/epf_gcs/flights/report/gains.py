@@ -1,0 +1,110 @@
+"""Gains that were changed in flight, and how the loop that they belong to flew before and after."""
+
+from __future__ import annotations
+
+from typing import Any, Final
+
+import numpy as np
+
+from epf_gcs.codec.messages_gen import PARAMETERS
+from epf_gcs.flights.flight_data import FlightData
+from epf_gcs.flights.report.found import loop_error
+from epf_gcs.flights.report.manoeuvres import Loop
+from epf_gcs.flights.report.sources import PlanSignals, plan_signals
+from epf_gcs.recordings import notes
+
+_GROUPS: Final = {parameter.name: parameter.group for parameter in PARAMETERS}
+# Groups of gains are named after the loop; the rudder has none of its own.
+_LOOPS: Final[dict[str, Loop]] = {"altitude": "altitude", "heading": "heading", "speed": "speed"}
+KINDS: Final[dict[Loop, tuple[str, ...]]] = {
+    "altitude": ("climb", "descent"),
+    "heading": ("turn_right", "turn_left"),
+    "speed": ("faster", "slower"),
+}
+FIGURES: Final = ("rise_s", "overshoot_percent", "settling_s", "steady_error", "damping")
+# Changes within this time were written together, and share what came before and after.
+_TOGETHER_S: Final = 2.0
+# Less flight than this before or after a change tells nothing of its effect.
+_LEAST_S: Final = 10.0
+
+Values = dict[str, Any]
+
+
+def gain_changes(flight: FlightData, manoeuvres: list[Values]) -> list[Values]:
+    """Changes in order of time, with the loop before (since its last change) and after (until its next)."""
+    changes = _changes(flight)
+    end_s = (flight.end_ns - flight.start_ns) * 1e-9
+    plans = [plan_signals(flight, "hil"), plan_signals(flight, "flight")]
+    flown = next((signals for signals in plans if signals.flown), plans[0])
+    found = []
+    for change in changes:
+        loop = _LOOPS.get(_GROUPS[change["name"]])
+        at_s = change["at_s"]
+        others = [
+            other["at_s"]
+            for other in changes
+            if _GROUPS[other["name"]] == _GROUPS[change["name"]] and abs(other["at_s"] - at_s) > _TOGETHER_S
+        ]
+        from_s = max((other for other in others if other < at_s), default=0.0)
+        to_s = min((other for other in others if other > at_s), default=end_s)
+        found.append(
+            {
+                **change,
+                "loop": loop,
+                "earlier": None if loop is None else effect(loop, flown, manoeuvres, from_s, at_s),
+                "later": None if loop is None else effect(loop, flown, manoeuvres, at_s, to_s),
+            }
+        )
+    return found
+
+
+def effect(loop: Loop, flown: PlanSignals, manoeuvres: list[Values], from_s: float, to_s: float) -> Values:
+    """How a loop flew in a stretch: medians of its manoeuvres that lie in it whole, and its error all the time."""
+    inside = [
+        one
+        for one in manoeuvres
+        if one["kind"] in KINDS[loop] and from_s <= one["at_s"] and one["until_s"] <= to_s and one["method"] != "none"
+    ]
+    medians = {name: median([one[name] for one in inside]) for name in FIGURES}
+    error = loop_error(flown, loop, from_s, to_s) if to_s - from_s >= _LEAST_S else None
+    return {"from_s": from_s, "to_s": to_s, "manoeuvres": len(inside), "error_rms": error, **medians}
+
+
+def median(values: list[float | None]) -> float | None:
+    """The median of those that are known."""
+    known = [value for value in values if value is not None]
+    return float(np.median(known)) if known else None
+
+
+def last_gains(flight: FlightData) -> dict[str, float]:
+    """The gains as they were known at the end."""
+    known: dict[str, float] = {}
+    for _, values in _noted(flight):
+        known.update(values)
+    return known
+
+
+def _changes(flight: FlightData) -> list[Values]:
+    known: dict[str, float] = {}
+    found = []
+    for at_s, values in _noted(flight):
+        for name, value in values.items():
+            before = known.get(name)
+            if before is not None and before != value:
+                found.append({"name": name, "at_s": at_s, "before": before, "after": value})
+            known[name] = value
+    return found
+
+
+def _noted(flight: FlightData) -> list[tuple[float, dict[str, float]]]:
+    """The known gains of each note, and its time."""
+    found = []
+    for note in flight.notes():
+        if note.name == notes.PARAMETERS and isinstance(note.content, dict):
+            values = {
+                name: float(one["value"])
+                for name, one in note.content.items()
+                if name in _GROUPS and isinstance(one, dict) and isinstance(one.get("value"), int | float)
+            }
+            found.append(((note.t_ns - flight.start_ns) * 1e-9, values))
+    return found

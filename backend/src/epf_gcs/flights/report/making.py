@@ -1,0 +1,65 @@
+"""Makes a flight's report from its columns, events, notes and the figures of its row."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import orjson
+
+from epf_gcs.flights.answers import identity_of
+from epf_gcs.flights.events import FILE as EVENTS
+from epf_gcs.flights.events import Event, read_events
+from epf_gcs.flights.flight_data import FlightData
+from epf_gcs.flights.indexed import Columns, not_indexed, open_indexed
+from epf_gcs.flights.report.compare import loops
+from epf_gcs.flights.report.figures import alarms, battery, distances, link, marks, times, unknown
+from epf_gcs.flights.report.found import manoeuvres
+from epf_gcs.flights.report.gains import gain_changes, last_gains
+from epf_gcs.flights.report.report import keep
+from epf_gcs.flights.signals import Array
+from epf_gcs.recordings import notes
+from epf_gcs.recordings.places import SUMMARY
+
+
+def make(recording: Path, folder: Path | None) -> dict[str, Any]:
+    """The report; it is kept in `folder`. Raises ConflictError while there are no columns, OSError, RecordingError."""
+    if folder is None:
+        raise not_indexed(recording.stem)
+    flight = open_indexed(folder, recording, Columns())
+    summary = orjson.loads((folder / SUMMARY).read_bytes())
+    events = read_events(folder / EVENTS)
+    found = report(
+        recording.stem, flight, summary, events, flight.times("sent_xplane_info"), flight.times("hil_surfaces")
+    )
+    keep(folder, found)
+    return found
+
+
+def report(
+    name: str, flight: FlightData, summary: dict[str, Any], events: list[Event], asked_ns: Array, answered_ns: Array
+) -> dict[str, Any]:
+    """The report of one flight, with plain values; `asked_ns` and `answered_ns` are the HIL loop's frames."""
+    identity = identity_of(None)
+    for note in flight.notes():
+        if note.name == notes.IDENTITY:
+            newer = identity_of(note.content)
+            identity = {key: newer[key] or identity[key] for key in identity}
+    moves, reason = manoeuvres(flight)
+    found = {
+        "flight": name,
+        "identity": identity,
+        "times": times(flight),
+        "distances": distances(flight, summary),
+        "battery": battery(flight),
+        "link": link(summary, asked_ns, answered_ns),
+        "alarms": alarms(events, flight.start_ns),
+        "marks": marks(events, flight.start_ns),
+        "manoeuvres": moves,
+        "no_manoeuvres": reason,
+        "loops": loops(moves),
+        "gains": gain_changes(flight, moves),
+        "gains_known": last_gains(flight),
+        "earlier": None,
+    }
+    return {**found, "unknown": unknown(found, flight, summary)}

@@ -1,0 +1,179 @@
+"""Finds the manoeuvres of a flight: steps of the targets while the autopilot flew, and the legs between waypoints."""
+
+from __future__ import annotations
+
+from typing import Final, Literal, NamedTuple
+
+import numpy as np
+
+from epf_gcs.flights.signals import Array
+
+Kind = Literal["climb", "descent", "turn_right", "turn_left", "faster", "slower", "leg"]
+Cause = Literal["waypoint", "target", "engaged"]
+Loop = Literal["altitude", "heading", "speed"]
+
+LEAST: Final[dict[Loop, float]] = {"altitude": 30.0, "heading": 15.0, "speed": 2.0}
+"""The smallest step that counts: ft, deg, kt."""
+_KINDS: Final[dict[Loop, tuple[Kind, Kind]]] = {
+    "altitude": ("climb", "descent"),
+    "heading": ("turn_right", "turn_left"),
+    "speed": ("faster", "slower"),
+}
+# Changes of a target that come within this time are one step.
+_ONE_STEP_S: Final = 1.0
+_LONGEST_S: Final = 120.0
+# The mean of this time before the step is where it began.
+_BEFORE_S: Final = 0.5
+# On the ground no loop can answer.
+_LEAST_SPEED_KT: Final = 20.0
+# Longer without samples, and nothing is said of what happened in between.
+_LONGEST_GAP_S: Final = 2.0
+
+
+class Series(NamedTuple):
+    """One signal: times in s since the flight's start, in order, and values without gaps in them, both (n,)."""
+
+    t_s: Array
+    values: Array
+
+    def at(self, at_s: Array) -> Array:
+        """The newest value at each of these times; NaN before the first."""
+        if not len(self.t_s):
+            return np.full(len(at_s), np.nan)
+        places = np.searchsorted(self.t_s, at_s, side="right") - 1
+        return np.where(places >= 0, self.values[np.maximum(places, 0)], np.nan)
+
+    def part(self, from_s: float, to_s: float) -> Series:
+        """The samples from `from_s` to `to_s`, without the latter."""
+        first, last = np.searchsorted(self.t_s, (from_s, to_s))
+        return Series(self.t_s[first:last], self.values[first:last])
+
+
+class Step(NamedTuple):
+    """A target that changed at `at_s` and stayed until `until_s`. `start` is the signal at that moment.
+
+    For the heading loop `start` is minus the error at the step, and the target 0: the bearing moves on as it flies.
+    """
+
+    kind: Kind
+    loop: Loop
+    cause: Cause
+    at_s: float
+    until_s: float
+    start: float
+    target: float
+
+
+class Leg(NamedTuple):
+    """The flight to one waypoint: `waypoint` is its number in the plan, from 0."""
+
+    waypoint: int
+    at_s: float
+    until_s: float
+
+
+def find_steps(
+    loop: Loop, target: Series, actual: Series, flown: list[tuple[float, float]], waypoints: Array, speed: Series
+) -> list[Step]:
+    """The steps of one loop. `flown`: from and to of each stretch with the autopilot on; `waypoints`: times at which
+    the plan's waypoint changed."""
+    found: list[Step] = []
+    jumps = _jumps(loop, target)
+    for from_s, to_s in flown:
+        inside = [at_s for at_s in jumps if from_s < at_s < to_s]
+        places: list[tuple[float, Cause]] = [(from_s, "engaged")]
+        for at_s in inside:
+            is_waypoint = len(waypoints) > 0 and float(np.min(np.abs(waypoints - at_s))) <= _ONE_STEP_S
+            places.append((at_s, "waypoint" if is_waypoint else "target"))
+        for number, (at_s, cause) in enumerate(places):
+            next_s = places[number + 1][0] if number + 1 < len(places) else to_s
+            step = _step(loop, cause, (at_s, min(next_s, at_s + _LONGEST_S)), target, actual, speed)
+            if step is not None:
+                found.append(step)
+    return found
+
+
+def answer_of(step: Step, target: Series, actual: Series) -> Series:
+    """The signal that answers a step, with times from the step on; of a turn it is minus the heading's error."""
+    part = actual.part(step.at_s, step.until_s)
+    values = part.values
+    if step.loop == "heading":
+        values = -wrapped(target.at(part.t_s) - part.values)
+    return Series(part.t_s - step.at_s, values)
+
+
+def find_legs(waypoint: Series, flown: list[tuple[float, float]]) -> list[Leg]:
+    """Stretches of flight to one waypoint, between two changes of it."""
+    found = []
+    changes = np.flatnonzero(np.diff(waypoint.values) != 0) + 1
+    for place, after in zip(changes[:-1].tolist(), changes[1:].tolist(), strict=True):
+        begin, end = float(waypoint.t_s[place]), float(waypoint.t_s[after])
+        if any(from_s <= begin and end <= to_s for from_s, to_s in flown):
+            found.append(Leg(int(waypoint.values[place]), begin, end))
+    return found
+
+
+def stretches(flag: Series) -> list[tuple[float, float]]:
+    """From and to of each stretch in which a flag is set, cut where no sample came for long."""
+    found: list[tuple[float, float]] = []
+    begin: float | None = None
+    for place, at_s in enumerate(flag.t_s.tolist()):
+        before_s = flag.t_s[place - 1] if place else at_s
+        if begin is not None and at_s - before_s > 2 * _LONGEST_GAP_S:
+            found.append((begin, float(before_s)))
+            begin = None
+        if flag.values[place] and begin is None:
+            begin = at_s
+        elif not flag.values[place] and begin is not None:
+            found.append((begin, at_s))
+            begin = None
+    if begin is not None and float(flag.t_s[-1]) > begin:
+        found.append((begin, float(flag.t_s[-1])))
+    return found
+
+
+def wrapped(angle_deg: Array) -> Array:
+    """Angles as -180 up to 180 deg."""
+    return np.asarray((angle_deg + 180.0) % 360.0 - 180.0)
+
+
+def _jumps(loop: Loop, target: Series) -> list[float]:
+    """When the target stepped. A bearing also drifts as the aircraft passes: only what jumps between two samples."""
+    change = np.diff(target.values)
+    if loop == "heading":
+        places = np.flatnonzero(np.abs(wrapped(change)) >= LEAST[loop] / 2) + 1
+        return [float(at_s) for at_s in target.t_s[places]]
+    places = np.flatnonzero(np.abs(change) > LEAST[loop] / 100) + 1
+    found: list[float] = []
+    last_s = -np.inf
+    for at_s in target.t_s[places].tolist():
+        if at_s - last_s > _ONE_STEP_S:
+            found.append(at_s)
+        last_s = at_s
+    return found
+
+
+def _step(
+    loop: Loop, cause: Cause, span_s: tuple[float, float], target: Series, actual: Series, speed: Series
+) -> Step | None:
+    """The step, if it is one and the signals are there; it ends where the samples do."""
+    at_s, until_s = span_s
+    part = actual.part(at_s, until_s)
+    if len(part.t_s) < 2 or part.t_s[0] - at_s > _LONGEST_GAP_S:
+        return None
+    gaps = np.flatnonzero(np.diff(part.t_s) > _LONGEST_GAP_S)
+    until_s = float(part.t_s[gaps[0]]) if len(gaps) else until_s
+    # Later than the step by what may come in several changes; the mean of what is there just before it.
+    settled_s = min(at_s + _ONE_STEP_S, until_s)
+    wanted = float(target.at(np.array([settled_s if loop != "heading" else at_s]))[0])
+    before = actual.part(at_s - _BEFORE_S, at_s).values
+    before = before if len(before) else part.values[:1]
+    if loop == "heading":
+        start, wanted = -float(np.mean(wrapped(wanted - before))), 0.0
+    else:
+        start = float(np.mean(before))
+    flying = speed.at(np.array([at_s]))[0]
+    size = wanted - start
+    if not np.isfinite(size) or abs(size) < LEAST[loop] or (np.isfinite(flying) and flying < _LEAST_SPEED_KT):
+        return None
+    return Step(_KINDS[loop][0 if size > 0 else 1], loop, cause, at_s, until_s, start, wanted)

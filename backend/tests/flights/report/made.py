@@ -1,0 +1,141 @@
+"""Synthetic flights: loops of known second-order dynamics that answer known steps, with noise and gusts."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tests.flights.test_events import MadeFlight
+
+Array = NDArray[np.float64]
+KINDS = {"altitude": ("climb", "descent"), "heading": ("turn_right", "turn_left"), "speed": ("faster", "slower")}
+# Rates of the streams that the station sees, Hz: the simulator's, the plan's, the heartbeat's.
+SIMULATOR_HZ, PLAN_HZ, HEARTBEAT_HZ = 50.0, 10.0, 5.0
+
+
+@dataclass
+class Dynamics:
+    """What the loop does: `bias` is the steady error as a share of each step."""
+
+    frequency_rad_s: float
+    damping: float
+    bias: float
+
+    def answer(self, t_s: Array) -> Array:
+        """The textbook's unit step answer of a second-order system."""
+        decay = self.damping * self.frequency_rad_s
+        if self.damping < 1.0:
+            turn = self.frequency_rad_s * np.sqrt(1.0 - self.damping**2)
+            swing = np.cos(turn * t_s) + decay / turn * np.sin(turn * t_s)
+        else:
+            turn = self.frequency_rad_s * np.sqrt(self.damping**2 - 1.0)
+            swing = np.cosh(turn * t_s) + decay / turn * np.sinh(turn * t_s)
+        return np.asarray(1.0 - np.exp(-decay * t_s) * swing)
+
+
+@dataclass
+class Truth:
+    kind: str
+    at_s: float
+    size: float
+    rise_s: float
+    overshoot_percent: float
+    damping: float
+    steady_error: float
+
+
+@dataclass
+class Made:
+    flight: MadeFlight
+    truths: list[Truth] = field(default_factory=list)
+
+
+def truth(kind: str, at_s: float, size: float, loop: Dynamics) -> Truth:
+    t_s = np.arange(0.0, 30.0 / (loop.frequency_rad_s * min(1.0, loop.damping)), 0.002)
+    course = loop.answer(t_s)
+    rise_s = float(t_s[np.argmax(course >= 0.9)] - t_s[np.argmax(course >= 0.1)])
+    return Truth(kind, at_s, abs(size), rise_s, 100 * max(0.0, float(course.max()) - 1), loop.damping, loop.bias * size)
+
+
+def make(seed: int, *, steps: int = 4, noise: float = 1.0) -> Made:
+    """One flight of five minutes or so; every loop has its own dynamics and `steps` steps of its target."""
+    rng = np.random.default_rng(seed)
+    spacing_s = 60.0
+    end_s = 40.0 + spacing_s * steps
+    t_s = np.cumsum(rng.normal(1.0, 0.05, int(end_s * SIMULATOR_HZ))) / SIMULATOR_HZ
+    plan_s = np.arange(0.05, t_s[-1], 1 / PLAN_HZ)
+    made = Made(MadeFlight({}))
+    loops = {
+        "altitude": (Dynamics(rng.uniform(0.35, 0.9), rng.uniform(0.3, 1.2), rng.uniform(-0.06, 0.06)), 1000.0, 60.0),
+        "heading": (Dynamics(rng.uniform(0.5, 1.2), rng.uniform(0.35, 1.2), 0.0), 40.0, 25.0),
+        "speed": (Dynamics(rng.uniform(0.35, 0.9), rng.uniform(0.3, 1.2), rng.uniform(-0.06, 0.06)), 55.0, 4.0),
+    }
+    quiet = {"altitude": 0.8, "heading": 0.4, "speed": 0.06}
+    targets, actual = {}, {}
+    for name, (loop, level, least) in loops.items():
+        wanted, flown, reached = np.full(len(plan_s), level), np.full(len(t_s), level), level
+        for number in range(steps):
+            at_s = float(plan_s[int((20.0 + spacing_s * number + rng.uniform(-4, 4)) * PLAN_HZ)])
+            size = rng.uniform(1.0, 3.0) * least * rng.choice([-1.0, 1.0])
+            # The earlier step's answer has ended: this one begins where it came to rest.
+            final = reached + size * (1.0 - loop.bias)
+            wanted[plan_s >= at_s] = reached + size
+            after = t_s >= at_s
+            flown[after] += (final - reached) * loop.answer(t_s[after] - at_s)
+            made.truths.append(truth(KINDS[name][0 if size > 0 else 1], at_s, size, loop))
+            reached = final
+        gust = _gusts(rng, len(t_s)) * 0.4 * quiet[name] * noise
+        actual[name] = flown + gust + rng.normal(0.0, quiet[name] * noise, len(t_s))
+        targets[name] = wanted
+    waypoint = np.searchsorted(sorted(one.at_s for one in made.truths if "turn" in one.kind), plan_s, side="right")
+    beats = np.arange(0.0, t_s[-1], 1 / HEARTBEAT_HZ)
+    made.flight = MadeFlight(
+        {
+            "heartbeat": (beats, {"autopilot_hil": np.ones(len(beats)), "autopilot": np.zeros(len(beats))}),
+            "fms_hil_plan": (
+                plan_s,
+                {
+                    "altitude_ft": targets["altitude"],
+                    "bearing_deg": targets["heading"] % 360.0,
+                    "speed_kt": targets["speed"],
+                    "waypoint": waypoint.astype(float),
+                    "distance_m": np.full(len(plan_s), 1500.0),
+                },
+            ),
+            "simulator": (
+                t_s,
+                {
+                    "altitude_indicated_ft": actual["altitude"],
+                    "horizontal_path_deg": actual["heading"] % 360.0,
+                    "indicated_airspeed_kt": actual["speed"],
+                },
+            ),
+        }
+    )
+    return made
+
+
+def _gusts(rng: np.random.Generator, count: int) -> Array:
+    """Turbulence: noise that lasts about two seconds, of size 1."""
+    keep = np.exp(-1.0 / (2.0 * SIMULATOR_HZ))
+    found = np.empty(count)
+    value = 0.0
+    for number, push in enumerate(rng.normal(0.0, np.sqrt(1 - keep * keep), count)):
+        value = keep * value + push
+        found[number] = value
+    return found
+
+
+def matches(found: list[dict[str, Any]], truths: list[Truth]) -> list[tuple[Truth, dict[str, Any]]]:
+    """What was found rightly: of the same kind, within a second."""
+    left = list(found)
+    pairs = []
+    for truth in truths:
+        one = next((o for o in left if o["kind"] == truth.kind and abs(o["at_s"] - truth.at_s) <= 1.0), None)
+        if one is not None:
+            left.remove(one)
+            pairs.append((truth, one))
+    return pairs

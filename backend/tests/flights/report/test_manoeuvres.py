@@ -1,0 +1,101 @@
+"""Fifty synthetic flights of known dynamics: every manoeuvre is found, and its figures are those of the dynamics."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from epf_gcs.flights.report.found import manoeuvres
+from tests.flights.report.made import Made, make, matches
+from tests.flights.test_events import MadeFlight
+
+FLIGHTS = 50
+WITHIN = 0.05
+
+
+@pytest.fixture(scope="module")
+def flown() -> list[tuple[Made, list[dict[str, Any]]]]:
+    """Each flight with the steps that were found in it."""
+    every = [make(seed, steps=1) for seed in range(FLIGHTS)]
+    return [(made, [one for one in manoeuvres(made.flight)[0] if one["kind"] != "leg"]) for made in every]
+
+
+def test_manoeuvres_of_fifty_flights_are_found(flown: list[tuple[Made, list[dict[str, Any]]]]) -> None:
+    right = sum(len(matches(found, made.truths)) for made, found in flown)
+    wrong = sum(len(found) for _, found in flown) - right
+    missed = sum(len(made.truths) for made, _ in flown) - right
+    f1 = 2 * right / (2 * right + wrong + missed)
+    print(f"F1 {f1:.4f} of {right + missed} manoeuvres")
+    assert f1 >= 0.95
+
+
+def test_figures_of_fifty_flights_are_those_of_their_dynamics(flown: list[tuple[Made, list[dict[str, Any]]]]) -> None:
+    """Rise time and damping as shares of the true ones, overshoot and steady error as shares of the step."""
+    worst: dict[str, float] = {}
+    for made, found in flown:
+        for truth, one in matches(found, made.truths):
+            errors = {
+                "rise_s": one["rise_s"] / truth.rise_s - 1.0,
+                "overshoot": (one["overshoot_percent"] - truth.overshoot_percent) / 100.0,
+                "damping": one["damping"] / truth.damping - 1.0,
+                "steady_error": (one["steady_error"] - truth.steady_error) / truth.size,
+            }
+            worst = {name: max(worst.get(name, 0.0), abs(error)) for name, error in errors.items()}
+    print({name: round(error, 4) for name, error in worst.items()})
+    assert len(worst) == 4
+    assert max(worst.values()) <= WITHIN
+
+
+def test_a_flight_without_manoeuvres_says_so() -> None:
+    assert manoeuvres(make(1, steps=0).flight) == ([], "no_changes")
+
+
+def test_a_flight_without_a_plan_says_so() -> None:
+    t_s = np.arange(0.0, 60.0, 0.1)
+    flight = MadeFlight({"heartbeat": (t_s, {"autopilot": np.ones(len(t_s))})})
+    assert manoeuvres(flight) == ([], "no_targets")
+
+
+def test_what_a_hand_flew_is_no_manoeuvre_of_the_loops() -> None:
+    made = make(2, steps=1)
+    t_s, flags = made.flight.samples("heartbeat", "autopilot_hil")
+    made.flight.replace("heartbeat", t_s, {"autopilot_hil": np.zeros(len(flags))})
+    assert manoeuvres(made.flight) == ([], "autopilot_off")
+
+
+def test_switching_the_autopilot_on_away_from_its_target_is_a_manoeuvre() -> None:
+    made = make(3, steps=1, noise=0.0)
+    climbed = next(one for one in made.truths if one.kind in ("climb", "descent"))
+    t_s = made.flight.samples("heartbeat", "autopilot_hil").t_s
+    made.flight.replace("heartbeat", t_s, {"autopilot_hil": t_s > climbed.at_s + 0.3})
+    (one,) = (one for one in manoeuvres(made.flight)[0] if one["kind"] == climbed.kind)
+    assert (one["cause"], one["size"]) == ("engaged", pytest.approx(climbed.size, rel=0.1))
+
+
+def test_a_gap_in_the_samples_ends_a_manoeuvre() -> None:
+    made = make(4, steps=1)
+    slowed = next(one for one in made.truths if one.kind in ("faster", "slower"))
+    t_s, _ = made.flight.samples("simulator", "indicated_airspeed_kt")
+    kept = (t_s < slowed.at_s + 1.0) | (t_s > slowed.at_s + 6.0)
+    fields = {
+        name: made.flight.samples("simulator", name).values[kept]
+        for name in ("altitude_indicated_ft", "horizontal_path_deg", "indicated_airspeed_kt")
+    }
+    made.flight.replace("simulator", t_s[kept], fields)
+    (one,) = (one for one in manoeuvres(made.flight)[0] if one["kind"] == slowed.kind)
+    assert one["until_s"] == pytest.approx(slowed.at_s + 1.0, abs=0.1)
+    assert one["settling_s"] is None
+
+
+def test_a_heading_through_north_is_the_short_way_round() -> None:
+    made = make(5, steps=1, noise=0.0)
+    for topic, field in (("fms_hil_plan", "bearing_deg"), ("simulator", "horizontal_path_deg")):
+        t_s, values = made.flight.samples(topic, field)
+        values[:] = (values - 40.0 - 5.0) % 360.0
+        assert t_s[0] >= 0.0
+    (truth,) = (one for one in made.truths if one.kind.startswith("turn"))
+    (one,) = (one for one in manoeuvres(made.flight)[0] if one["kind"].startswith("turn"))
+    assert (one["kind"], one["size"]) == (truth.kind, pytest.approx(truth.size, rel=0.01))
+    assert one["damping"] == pytest.approx(truth.damping, rel=0.03)
