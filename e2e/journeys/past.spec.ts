@@ -67,7 +67,7 @@ async function showsItsMoment(page: Page, station: Station, record: LiveRecord, 
 /** Frame, words and title, and nothing that can be commanded. */
 async function looksPast(page: Page, language: Language): Promise<void> {
   const { past, blocked } = WORDS[language];
-  await expect(page.getByRole("status").filter({ hasText: past })).toBeVisible();
+  await expect(page.getByRole("status").filter({ hasText: new RegExp(`^${past}$`) })).toBeVisible();
   await expect(page).toHaveTitle(new RegExp(`^(\\(\\d+\\) )?${past} \\d{4}-\\d\\d-\\d\\d \\d\\d:\\d\\d:\\d\\d`));
   const { width, height } = page.viewportSize() ?? { width: 0, height: 0 };
   for (const [x, y] of [
@@ -101,13 +101,21 @@ async function showsThePresent(page: Page, station: Station, language: Language)
 /** Everything is of the present again. */
 async function isNow(page: Page, station: Station, language: Language): Promise<void> {
   await expect(strip(page, language)).toHaveCount(0);
-  await expect(page.getByRole("status").filter({ hasText: WORDS[language].past })).toHaveCount(0);
+  await expect(page.getByRole("status").filter({ hasText: new RegExp(`^${WORDS[language].past}$`) })).toHaveCount(0);
   await expect(page).not.toHaveTitle(new RegExp(WORDS[language].past));
   expect(new URL(page.url()).search).toBe("");
   await expect(page.getByRole("button", { name: "Read All", exact: true })).toBeEnabled();
   await expect
     .poll(async () => Math.abs((await latitude(page, language)) - (await station.value("gps", "latitude_deg"))))
     .toBeLessThan(NEAR_DEG);
+}
+
+/** The place on the bar of a part of the time flown so far; the bar of a young flight has room for its first 30 seconds. */
+async function placeOn(page: Page, language: Language, part: number): Promise<{ x: number; y: number }> {
+  const box = await bar(page, language).boundingBox();
+  if (box === null) throw new Error("the bar is not there");
+  const edge_s = Number(await bar(page, language).getAttribute("aria-valuemax"));
+  return { x: box.x + (box.width * part * edge_s) / Math.max(30, edge_s), y: box.y + box.height / 2 };
 }
 
 /** Wait until so much of the flight lies behind the page. */
@@ -148,13 +156,11 @@ test("a pilot looks ten seconds back in flight, sees the present beside it, and 
   });
 
   await test.step("to another moment by dragging", async () => {
-    const box = await bar(page, "es").boundingBox();
-    if (box === null) throw new Error("the bar is not there");
-    const middle = box.y + box.height / 2;
+    const [from, to] = [await placeOn(page, "es", 0.9), await placeOn(page, "es", 0.7)];
     const before = await bar(page, "es").getAttribute("aria-valuetext");
-    await page.mouse.move(box.x + box.width * 0.9, middle);
+    await page.mouse.move(from.x, from.y);
     await page.mouse.down();
-    await page.mouse.move(box.x + box.width * 0.7, middle, { steps: 5 });
+    await page.mouse.move(to.x, to.y, { steps: 5 });
     await page.mouse.up();
     await expect(bar(page, "es")).not.toHaveAttribute("aria-valuetext", before ?? "");
     await showsItsMoment(page, flying, record, "es");
@@ -166,7 +172,14 @@ test("a pilot looks ten seconds back in flight, sees the present beside it, and 
     expect(await flying.value("heartbeat", "autopilot_hil"), "the keys of the past commanded nothing").toBe(true);
   });
 
-  await flying.land();
+  await test.step("both lines closed", async () => {
+    await page.getByRole("tab", { name: "Setup", exact: true }).click();
+    for (const line of ["XPlane", "Comunicación con el Piloto Automático"]) {
+      await page.getByRole("region", { name: line, exact: true }).getByRole("button", { name: "Close" }).click();
+    }
+    await expect.poll(async () => (await flying.status()).recording.active).toBe(false);
+    await page.getByRole("tab", { name: "Datos de vuelo", exact: true }).click();
+  });
   const { id, started_s } = await until("the flight's preparation", async () =>
     (await flying.flights()).find(({ state }) => state === "indexed"),
   );
@@ -229,10 +242,9 @@ test.describe("on a tablet", () => {
     const record = new LiveRecord(page);
     await open(page, flying);
     await page.getByRole("group", { name: "Idioma" }).getByText("English").tap();
-    await flown(page, "en", 6);
-    const box = await bar(page, "en").boundingBox();
-    if (box === null) throw new Error("the bar is not there");
-    await page.touchscreen.tap(box.x + box.width / 4, box.y + box.height / 2);
+    await flown(page, "en", 8);
+    const { x, y } = await placeOn(page, "en", 0.6);
+    await page.touchscreen.tap(x, y);
     await looksPast(page, "en");
     await showsItsMoment(page, flying, record, "en");
     await showsThePresent(page, flying, "en");

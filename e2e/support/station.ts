@@ -73,12 +73,6 @@ export class Station {
     await until("the board", async () => ((await this.status()).board.state === "open" ? true : undefined));
   }
 
-  /** Both links closed: nothing comes any more, so the flight's recording ends. */
-  async land(): Promise<void> {
-    await this.request("DELETE", "links/simulator");
-    await this.request("DELETE", "links/board");
-  }
-
   /** The recorded flights, the newest first. */
   // biome-ignore lint/suspicious/noExplicitAny: a journey looks at single members of the public interface
   async flights(): Promise<any[]> {
