@@ -228,6 +228,14 @@ test("a pilot looks ten seconds back in flight, sees the present beside it, and 
     expect((await file).suggestedFilename()).toMatch(/\.gpx$/);
   });
 
+  await test.step("its report", async () => {
+    await page.getByRole("button", { name: "Informe", exact: true }).click();
+    const report = page.getByRole("article").filter({ has: page.getByRole("heading", { name: "Informe de vuelo" }) });
+    await expect(report).toContainText("viraje");
+    await page.getByRole("button", { name: "Cerrar informe", exact: true }).click();
+    await expect(report).toHaveCount(0);
+  });
+
   await test.step("Esc is now, also on the ground", async () => {
     await page.keyboard.press("Escape");
     await expect(strip(page, "es")).toHaveCount(0);
