@@ -229,7 +229,10 @@ test("a pilot looks ten seconds back in flight, sees the present beside it, and 
   });
 
   await test.step("its report", async () => {
-    await page.getByRole("button", { name: "Informe", exact: true }).click();
+    await page
+      .getByRole("region", { name: /^Vuelo / })
+      .getByRole("button", { name: "Informe", exact: true })
+      .click();
     const report = page.getByRole("article").filter({ has: page.getByRole("heading", { name: "Informe de vuelo" }) });
     await expect(report).toContainText("viraje");
     await page.getByRole("button", { name: "Cerrar informe", exact: true }).click();
