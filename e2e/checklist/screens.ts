@@ -10,8 +10,8 @@ export interface Part {
     | "slider"
     | "spinbutton"
     | "tabpanel"
-    | "toolbar"
-    | "textbox";
+    | "textbox"
+    | "toolbar";
   readonly name: string | RegExp;
   /** Labels, units and ranges in it. */
   readonly reads?: readonly (string | RegExp)[];

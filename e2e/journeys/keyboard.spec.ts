@@ -127,7 +127,11 @@ test("a pilot without a mouse reaches every tab, switches the autopilot, writes 
       .getByRole("region", { name: "Alarmas" })
       .getByRole("button", { name: /^Reconocer: Batería/ })
       .press("Enter");
-    await expect.poll(async () => (await flying.status()).alarms[0].acknowledged).toBe(true);
+    const acknowledged = async () =>
+      (await flying.status()).alarms.some(
+        (alarm: { id: string; acknowledged: boolean }) => alarm.id === "battery_low" && alarm.acknowledged,
+      );
+    await expect.poll(acknowledged).toBe(true);
     await expect(page.getByRole("region", { name: "Activas" })).toContainText("reconocida");
   });
 

@@ -11,7 +11,8 @@ type Fixtures = {
 };
 
 /** What a page may say on its console while the journey has taken its gateway away. */
-const GATEWAY_AWAY = /ERR_CONNECTION_REFUSED|ERR_CONNECTION_RESET|ERR_EMPTY_RESPONSE|WebSocket connection to/;
+const GATEWAY_AWAY =
+  /ERR_CONNECTION_REFUSED|ERR_CONNECTION_RESET|ERR_CONTENT_LENGTH_MISMATCH|ERR_EMPTY_RESPONSE|WebSocket connection to/;
 
 /** Without a graphics processor the browser reads each 3D picture back by itself, and complains that this is slow. */
 const READ_BACK = /GPU stall due to ReadPixels/;

@@ -1,6 +1,6 @@
 """The AHRS test stream of text mode."""
 
-from board_tests.line.station import Station
+from board_tests.line.station import VERSION, Station
 from epf_gcs.codec.ahrs_test import BEGIN, QUIT, SYNCHRONISE, SYNCHRONISED, AhrsTest, AhrsTestState
 
 MARK = b"\xaa" * 4
@@ -35,6 +35,9 @@ def test_the_answer_and_the_records_are_the_exact_bytes(text: Station) -> None:
 def test_q_ends_it_and_the_shell_is_back(text: Station) -> None:
     begin(text)
     text.send(QUIT)
+    # Records that were on their way end before the shell's first answer.
+    text.send(b"\nversion\n")
+    text.wait(lambda: text.text.endswith(f"\r{VERSION}\n"))
     assert text.lines("param k_roll")[-1].startswith("k_roll")
     text.received.clear()
     assert text.table("status")["hil plan"] == "none"

@@ -231,7 +231,8 @@ def test_the_flight_in_the_air_gives_the_answers_that_it_gives_when_it_is_over(
     gateway.http.delete("/links/board").raise_for_status()
     indexed(gateway, flight)
     after = asked(gateway, f"/flights/{flight}/signals", names="ahrs.roll_deg", points=20_000)["signals"][0]
-    count = live["count"]
+    # As many as were there, with the breaks that a slow computer made.
+    count = len(live["at_s"])
     assert after["at_s"][:count] == live["at_s"]
     assert after["min"][:count] == live["min"]
 
