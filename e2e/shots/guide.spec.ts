@@ -24,14 +24,6 @@ test("the guide's pictures are taken from the station in flight", async ({ page,
       .getByRole("group", { name: /^(Idioma|Language)$/ })
       .getByText({ es: "Español", en: "English" }[language])
       .click();
-    await page.getByRole("tab", { name: PICTURES.flight[language], exact: true }).click();
-    const bar = page.getByRole("slider", { name: { es: "Momento del vuelo", en: "Moment of the flight" }[language] });
-    await expect.poll(async () => Number(await bar.getAttribute("aria-valuemax"))).toBeGreaterThan(15);
-    await bar.press("Control+ArrowLeft");
-    await expect(page).toHaveTitle({ es: /PASADO \d/, en: /PAST \d/ }[language]);
-    await settled(page);
-    await keepWebp(page, `${ROOT}/frontend/public/guide/${language}/past.webp`);
-    await page.keyboard.press("Escape");
     for (const [name, tab] of Object.entries(PICTURES)) {
       await page.getByRole("tab", { name: tab[language], exact: true }).click();
       if (name === "alarms") await raiseAlarm(page, flying.url, language);
