@@ -9,7 +9,16 @@ export interface Pixels {
 
 /** What is seen of an element at this moment. */
 export async function pixelsOf(page: Page, seen: Locator): Promise<Pixels> {
-  const picture = (await seen.screenshot()).toString("base64");
+  return await decoded(page, await seen.screenshot());
+}
+
+/** The colour at a place of the window. A picture of all of it would keep the test, and so its cable, busy for long. */
+export async function colourAt(page: Page, x: number, y: number): Promise<readonly number[]> {
+  const { rgba } = await decoded(page, await page.screenshot({ clip: { x, y, width: 1, height: 1 } }));
+  return rgba.slice(0, 3);
+}
+
+async function decoded(page: Page, picture: Buffer): Promise<Pixels> {
   return await page.evaluate(async (base64) => {
     const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
     const bitmap = await createImageBitmap(new Blob([bytes], { type: "image/png" }));
@@ -19,7 +28,7 @@ export async function pixelsOf(page: Page, seen: Locator): Promise<Pixels> {
     context.drawImage(bitmap, 0, 0);
     const { data } = context.getImageData(0, 0, bitmap.width, bitmap.height);
     return { width: bitmap.width, height: bitmap.height, rgba: [...data] };
-  }, picture);
+  }, picture.toString("base64"));
 }
 
 /** The part of a picture's pixels for which this holds, 0..1. */

@@ -73,6 +73,18 @@ export class Station {
     await until("the board", async () => ((await this.status()).board.state === "open" ? true : undefined));
   }
 
+  /** The recorded flights, the newest first. */
+  // biome-ignore lint/suspicious/noExplicitAny: a journey looks at single members of the public interface
+  async flights(): Promise<any[]> {
+    return (await this.request("GET", "flights")).flights;
+  }
+
+  /** What is known of one recorded flight; `current` is the one that is being recorded. */
+  // biome-ignore lint/suspicious/noExplicitAny: a journey looks at single members of the public interface
+  async flight(id: string): Promise<any> {
+    return await this.request("GET", `flights/${id}`);
+  }
+
   async command(name: string): Promise<void> {
     const result = await this.request("POST", `commands/${name}`, {});
     if (result.state !== "confirmed") throw new Error(`${name}: ${JSON.stringify(result)}`);

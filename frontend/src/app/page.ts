@@ -204,6 +204,7 @@ export function createPage(world: World): {
     rest,
     timers: world.timers,
     address,
+    isRecording: () => connection.getState().status?.recording.active === true,
     open: (place, listener) => pasts.open(place, listener),
   });
   const reports = createReports(rest, (flight, compare) => keepReport(world.address, flight, compare));

@@ -73,6 +73,16 @@ function inThePast(): Station {
   return station;
 }
 
+const NOT_RECORDING = {
+  active: false,
+  failure: null,
+  file: null,
+  bytes: 0,
+  bytes_lost: 0,
+  free_bytes: null,
+  hours_left: null,
+};
+
 beforeEach(() => answered.clear());
 
 describe("the present", () => {
@@ -84,20 +94,16 @@ describe("the present", () => {
     expect(screen.queryByRole("toolbar", { name: "Mandos de la reproducción" })).toBeNull();
   });
 
-  test("says why there is nothing to look back at while nothing is recorded", () => {
+  test("says why there is nothing to look back at while nothing is recorded, and asks about nothing", () => {
     const station = new Station();
-    const recording = {
-      active: false,
-      failure: null,
-      file: null,
-      bytes: 0,
-      bytes_lost: 0,
-      free_bytes: null,
-      hours_left: null,
-    };
-    station.greet(aStatus({ recording }));
-    expect(screen.getByText("Sin grabación en marcha: no hay nada que mirar atrás.")).toBeTruthy();
+    station.greet(aStatus({ recording: NOT_RECORDING }));
+    const none = "Sin grabación en marcha: no hay nada que mirar atrás.";
+    expect(screen.getByText(none)).toBeTruthy();
     expect(screen.queryByRole("slider", { name: "Momento del vuelo" })).toBeNull();
+    act(() => station.page.parts.get(PLAYBACK).openFlight(FLIGHT, 100));
+    press("Escape");
+    expect(screen.getByText(none)).toBeTruthy();
+    expect(station.askedByBar.filter(({ path }) => path.includes("current"))).toEqual([]);
   });
 
   test("is left by the arrow keys on the bar, ten seconds with Ctrl", async () => {

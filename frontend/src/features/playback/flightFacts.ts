@@ -40,19 +40,30 @@ interface Parts {
   readonly rest: Gateway;
   readonly timers: Timers;
   readonly playback: PlaybackStore;
+  /** Whether a flight is being recorded: without one there is nothing to ask about in the present. */
+  readonly isRecording: () => boolean;
 }
 
-export function createFlightFacts({ rest, timers, playback }: Parts): FlightFacts {
+export function createFlightFacts({ rest, timers, playback, isRecording }: Parts): FlightFacts {
   const store = createStore<FlightFactsState>(() => NOTHING);
   let watchers = 0;
   let asked = 0;
   let cancel: () => void = () => undefined;
 
+  /** The flight that is shown, or that is being recorded; null: none. */
+  function subject(): string | null {
+    return playback.getState().flight ?? (isRecording() ? CURRENT : null);
+  }
+
   async function read(): Promise<void> {
     cancel();
     asked += 1;
     const mine = asked;
-    const flight = playback.getState().flight ?? CURRENT;
+    const flight = subject();
+    if (flight === null) {
+      store.setState(NOTHING);
+      return;
+    }
     const [overview, events] = await Promise.all([
       rest.ask("GET", `/api/v1/flights/${flight}/overview?points=${POINTS}`, isFlightOverview),
       rest.ask("GET", `/api/v1/flights/${flight}/events`, isFlightEvents),

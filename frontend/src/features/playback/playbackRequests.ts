@@ -72,6 +72,7 @@ export interface PlaybackParts {
   readonly rest: Gateway;
   readonly timers: Timers;
   readonly address: FlightAddress;
+  readonly isRecording: () => boolean;
   /** Opens the second stream. `place` tells where to begin, also after a broken line. */
   readonly open: (place: () => PlaceInTime, listener: FlightListener) => FlightStream;
 }
@@ -84,9 +85,9 @@ function stretchOf(loop: readonly number[] | null): Stretch | null {
 /** A moment nearer than this to an event counts as the event's own. */
 const BESIDE_S = 0.25;
 
-export function createPlayback({ rest, timers, address, open }: PlaybackParts): Playback {
+export function createPlayback({ rest, timers, address, isRecording, open }: PlaybackParts): Playback {
   const store = createPlaybackStore();
-  const facts = createFlightFacts({ rest, timers, playback: store });
+  const facts = createFlightFacts({ rest, timers, playback: store, isRecording });
   let stream: FlightStream | null = null;
   /** What a person wants, which is asked for again when a broken line is back. */
   let wantsToPlay = false;
