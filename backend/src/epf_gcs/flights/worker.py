@@ -93,6 +93,8 @@ def _write(message: dict[str, Any]) -> None:
 
 
 def _cancel(_number: int, _frame: object) -> None:
+    # Once: told to stop and left by its parent in the same moment, it would break off its own clearing up.
+    signal.signal(signal.SIGTERM, signal.SIG_IGN)
     raise Cancelled
 
 
