@@ -37,6 +37,8 @@ def _command(deed: str) -> Entry:
 
 _SEES: Final = Entry(_viewer)
 _ANYONE: Final = Entry(OPEN)
+# What these do stands in the log with names; their bodies hold keys.
+_OWNS: Final = Entry(_owner)
 
 _V1: Final[Mapping[tuple[str, str], Entry]] = {
     ("GET", "/about"): _SEES,
@@ -125,6 +127,23 @@ _V1: Final[Mapping[tuple[str, str], Entry]] = {
     ("GET", "/jobs/{job_id}"): _SEES,
     ("GET", "/jobs/{job_id}/result"): _SEES,
     ("DELETE", "/jobs/{job_id}"): Entry(_operator),
+    ("GET", "/access/me"): _ANYONE,
+    ("POST", "/access/enter"): _ANYONE,
+    ("POST", "/access/ask"): _ANYONE,
+    ("POST", "/access/leave"): _ANYONE,
+    ("GET", "/access/people"): _OWNS,
+    ("PATCH", "/access/people/{person_id}"): _OWNS,
+    ("DELETE", "/access/people/{person_id}"): _OWNS,
+    ("GET", "/access/sessions"): _OWNS,
+    ("DELETE", "/access/sessions/{session_id}"): _OWNS,
+    ("GET", "/access/programs"): _OWNS,
+    ("POST", "/access/programs"): _OWNS,
+    ("DELETE", "/access/programs/{program_id}"): _OWNS,
+    ("GET", "/access/invitations"): _OWNS,
+    ("POST", "/access/invitations"): _OWNS,
+    ("DELETE", "/access/invitations/{invitation_id}"): _OWNS,
+    ("GET", "/access/addresses"): _SEES,
+    ("GET", "/access/log"): _OWNS,
     ("GET", "/openapi.json"): _SEES,
 }
 
