@@ -180,6 +180,20 @@ def test_so_many_replays_and_no_more_and_a_live_viewer_beside_them_sees_nothing_
         assert "playback" not in live.next("status")["data"]
 
 
+def test_viewers_of_one_recording_are_each_at_their_own_moment_and_one_may_leave(station: Gateway) -> None:
+    with station.stream(f"?flight={ID}&at_s=2") as stays:
+        with station.stream(f"?flight={ID}&at_s=9") as leaves:
+            leaves.send({"type": "seek", "at_s": 10})
+            while (there := leaves.next("playback"))["jumps"] == leaves.hello["status"]["playback"]["jumps"]:
+                pass
+            assert there["at_s"] == 10.0
+        stays.send({"type": "play", "rate": 100})
+        while (playback := stays.next("playback"))["state"] != "ended":
+            pass
+        assert playback["jumps"] == stays.hello["status"]["playback"]["jumps"], "nobody else's wish moved it"
+        assert len(replays()) == 1
+
+
 def test_a_replay_ends_when_the_web_process_is_killed(tmp_path: Path) -> None:
     (tmp_path / "recordings").mkdir()
     write(tmp_path / "recordings" / f"{ID}.mcap", flight(2.0))
