@@ -12,7 +12,12 @@ const gateway = process.env["GCS_DEV_GATEWAY"] ?? "http://127.0.0.1:8000";
 const LICENCES = "licences.txt";
 
 export default defineConfig({
-  plugins: [react(), globeAssets(import.meta.dirname), globePolicy(), fontLicences(import.meta.dirname, LICENCES)],
+  plugins: [
+    react(),
+    globeAssets(import.meta.dirname),
+    globePolicy(),
+    fontLicences(import.meta.dirname, LICENCES),
+  ],
   // Read when the page is built, so that the about window needs no network and cannot be out of date.
   define: {
     // Where the globe's engine looks for its own files.
