@@ -2,6 +2,7 @@
 
 import sys
 from dataclasses import dataclass
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Final, Self
 
@@ -98,7 +99,15 @@ class Options:
         return [str(program), "--pty", str(self.board_line), "--card", str(card)]
 
     def simulator_command(self, simulator: XPlane) -> list[str]:
-        """The embedded simulator, which listens where the gateway sends and the other way round."""
+        """The embedded simulator, which listens where the gateway sends and the other way round.
+
+        Raises LaunchError if its flight dynamics are not installed.
+        """
+        if find_spec("jsbsim") is None:
+            raise LaunchError(
+                "The embedded simulator needs the package jsbsim, which is not installed: add it with "
+                "pip install 'epf-gcs[sim]', or fly with X-Plane by --xplane."
+            )
         return [
             *(sys.executable, "-m", "epf_gcs.simulator", "--profile", simulator.profile),
             *("--listen", f"{LOOPBACK}:{simulator.port}", "--send-to", f"{LOOPBACK}:{simulator.receive_port}"),
