@@ -63,6 +63,16 @@ def run(
         bool,
         typer.Option("--lan", help="Let other computers of the network open the page; else only this one can."),
     ] = False,
+    tls: Annotated[
+        bool,
+        typer.Option("--tls", help="HTTPS, with an authority and a certificate that are made in DATA/tls and renewed."),
+    ] = False,
+    tls_cert: Annotated[
+        Path | None, typer.Option(help="HTTPS with this certificate and its chain (PEM).", show_default=False)
+    ] = None,
+    tls_key: Annotated[
+        Path | None, typer.Option(help="The certificate's key (PEM), if not beside it.", show_default=False)
+    ] = None,
     data: Annotated[
         Path, typer.Option(help="Folder for recordings, settings, the board's card and the programs' logs.")
     ] = Path("data"),
@@ -90,6 +100,9 @@ def run(
             port=port,
             lan=lan,
             data=data.resolve(),
+            tls=tls,
+            tls_cert=None if tls_cert is None else tls_cert.resolve(),
+            tls_key=None if tls_key is None else tls_key.resolve(),
         )
         demonstration = Demonstration(options, _say, lambda: asked.heard)
         with _alone(options.data):
@@ -97,7 +110,7 @@ def run(
                 demonstration.start()
                 print(options.url, flush=True)
                 if lan and (address := lan_address()) is not None:
-                    _say(f"Other computers of the network: http://{address}:{port}")
+                    _say(f"Other computers of the network: {options.scheme}://{address}:{port}")
                 demonstration.watch()
             except Stopped:
                 pass

@@ -31,7 +31,7 @@ class Demonstration:
         self._options = options
         self._say = say
         self._asked_to_stop = asked_to_stop
-        self._gateway = GatewayClient(options.url)
+        self._gateway = GatewayClient(options.url, options.trusted)
         self._children: list[Child] = []
         self._deaths: deque[float] = deque()
 

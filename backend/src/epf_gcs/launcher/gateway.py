@@ -17,6 +17,7 @@ from typing import Annotated, Final
 import typer
 
 from epf_gcs.errors import GatewayError
+from epf_gcs.launcher.encryption import tls_arguments
 from epf_gcs.listening import listen
 from epf_gcs.watchdog import SILENT_S, wait_for_end
 
@@ -182,13 +183,30 @@ def run(
     recording: Annotated[
         bool, typer.Option(show_envvar=False, envvar="GCS_RECORDING", help="Record every byte of the lines.")
     ] = True,
+    tls: Annotated[
+        bool,
+        typer.Option(
+            "--tls",
+            show_envvar=False,
+            envvar="GCS_TLS",
+            help="HTTPS, with an authority and a certificate that are made here and renewed by themselves.",
+        ),
+    ] = False,
+    tls_cert: Annotated[
+        Path | None,
+        typer.Option(show_envvar=False, envvar="GCS_TLS_CERT", help="HTTPS with this certificate and its chain (PEM)."),
+    ] = None,
+    tls_key: Annotated[
+        Path | None,
+        typer.Option(show_envvar=False, envvar="GCS_TLS_KEY", help="The certificate's key (PEM), if not beside it."),
+    ] = None,
     verbose: Annotated[bool, typer.Option(help="Log more.")] = False,
     print_openapi: Annotated[bool, typer.Option(help="Print the OpenAPI document and end.")] = False,
 ) -> None:
     """The gateway of EPF GCS: connects a board and a flight simulator with browsers.
 
     Without --board it opens the links of its last run. Every option is also a variable: GCS_HOST, GCS_PORT,
-    GCS_BOARD, GCS_DATA_DIR, GCS_PAGE_DIR, GCS_RECORDING; GCS_ALLOWED_HOSTS and GCS_ALLOWED_ORIGINS (JSON lists) let
+    GCS_BOARD, GCS_DATA_DIR, GCS_PAGE_DIR, GCS_RECORDING, GCS_TLS...; GCS_ALLOWED_HOSTS and GCS_ALLOWED_ORIGINS (JSON lists) let
     more names and pages in; GCS_LOCAL_MAPS (a JSON list of host:port) names servers of map tiles in the own network.
 
     It runs as two processes: `epf-flight` owns the lines and flies on when `epf-web`, which serves the page, does not.
@@ -202,7 +220,8 @@ def run(
     except GatewayError as error:
         print(f"epf-gcs: {error.detail}", file=sys.stderr)
         raise typer.Exit(1) from error
-    code = _gateway(listener, host, data_dir, page_dir, board, recording=recording, verbose=verbose).run()
+    encryption = tls_arguments(tls_cert, tls_key, tls=tls)
+    code = _gateway(listener, host, data_dir, page_dir, board, encryption, recording=recording, verbose=verbose).run()
     # Both processes have ended.
     raise typer.Exit(code)
 
@@ -213,6 +232,7 @@ def _gateway(
     data_dir: Path,
     page_dir: Path | None,
     board: str | None,
+    encryption: Sequence[str],
     *,
     recording: bool,
     verbose: bool,
@@ -226,6 +246,7 @@ def _gateway(
     ]
     web = [
         *(sys.executable, "-m", "epf_gcs.web", *common, "--host", host, "--fd", str(listener.fileno())),
+        *encryption,
         *([] if page_dir is None else ["--page-dir", str(page_dir)]),
     ]
     # After a restart the flight process opens what was open when it died, so only its first start gets --board.

@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Final, Self
 
 from epf_gcs.launcher.emulated import EmulatedBoard
+from epf_gcs.launcher.encryption import tls_arguments
 from epf_gcs.launcher.errors import LaunchError
 from epf_gcs.launcher.ports import LOOPBACK
 from epf_gcs.product import BOARD
@@ -48,6 +49,9 @@ class Options:
     port: int = 8000
     lan: bool = False
     data: Path = Path("data")
+    tls: bool = False
+    tls_cert: Path | None = None
+    tls_key: Path | None = None
 
     @property
     def host(self) -> str:
@@ -57,7 +61,17 @@ class Options:
     @property
     def url(self) -> str:
         """Where the page is."""
-        return f"http://{LOOPBACK}:{self.port}"
+        return f"{self.scheme}://{LOOPBACK}:{self.port}"
+
+    @property
+    def scheme(self) -> str:
+        """How the page is asked for."""
+        return "https" if self.tls or self.tls_cert else "http"
+
+    @property
+    def trusted(self) -> Path | None:
+        """The certificate that the gateway is known by, None without TLS."""
+        return self.tls_cert or (self.data / "tls" / "authority.crt" if self.tls else None)
 
     @property
     def board_line(self) -> Path:
@@ -110,5 +124,6 @@ class Options:
         return [
             *(sys.executable, "-m", "epf_gcs.launcher.gateway"),
             *("--host", self.host, "--port", str(self.port), "--data-dir", str(self.data)),
+            *tls_arguments(self.tls_cert, self.tls_key, tls=self.tls),
             *(("--board", self.board_url()) if first else ()),
         ]
