@@ -206,8 +206,9 @@ def run(
     """The gateway of EPF GCS: connects a board and a flight simulator with browsers.
 
     Without --board it opens the links of its last run. Every option is also a variable: GCS_HOST, GCS_PORT,
-    GCS_BOARD, GCS_DATA_DIR, GCS_PAGE_DIR, GCS_RECORDING, GCS_TLS...; GCS_ALLOWED_HOSTS and GCS_ALLOWED_ORIGINS (JSON lists) let
-    more names and pages in; GCS_LOCAL_MAPS (a JSON list of host:port) names servers of map tiles in the own network.
+    GCS_BOARD, GCS_DATA_DIR, GCS_PAGE_DIR, GCS_RECORDING, GCS_TLS, GCS_TLS_CERT, GCS_TLS_KEY;
+    GCS_ALLOWED_HOSTS and GCS_ALLOWED_ORIGINS (JSON lists) let more names and pages in; GCS_LOCAL_MAPS (a JSON list of
+    host:port) names servers of map tiles in the own network.
 
     It runs as two processes: `epf-flight` owns the lines and flies on when `epf-web`, which serves the page, does not.
     """
@@ -252,7 +253,8 @@ def _gateway(
     # After a restart the flight process opens what was open when it died, so only its first start gets --board.
     first = [*flight, *([] if board is None else ["--board", board])]
     # We keep the listening socket open, so that browsers wait during a restart of the web process, and are not refused.
-    return Gateway(Part("flight", first, flight, alive), Part("web", web, web, alive, [listener.fileno()]))
+    parts = Part("flight", first, flight, alive), Part("web", web, [*web, "--again"], alive, [listener.fileno()])
+    return Gateway(*parts)
 
 
 def main() -> None:

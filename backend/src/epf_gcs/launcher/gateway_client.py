@@ -37,7 +37,7 @@ class UnreachableError(LaunchError):
 class GatewayClient:
     """Requests to one gateway. Proxy settings are ignored, because the gateway is on this computer.
 
-    `trusted`: under TLS, the file of the certificate or of the authority that made it; the gateway may make it only now.
+    `trusted`: under TLS, the file of the certificate or of its authority; the gateway may still be making it.
     """
 
     def __init__(self, base_url: str, trusted: Path | None = None) -> None:

@@ -17,7 +17,7 @@ from epf_gcs.web.app import create_app
 from epf_gcs.web.server import Server
 from epf_gcs.web.settings import Settings
 
-_GIVEN: Final = ("host", "port", "data_dir", "page_dir", "tls", "tls_cert", "tls_key", "fd", "watchdog")
+_GIVEN: Final = ("host", "port", "data_dir", "page_dir", "tls", "tls_cert", "tls_key", "fd", "watchdog", "again")
 
 
 def main() -> None:
@@ -56,6 +56,7 @@ def _options() -> argparse.Namespace:
     parser.add_argument("--tls", action="store_true", default=None, help="HTTPS with certificates of its own.")
     parser.add_argument("--tls-cert", type=Path, help="HTTPS with this certificate and its chain, in PEM.")
     parser.add_argument("--tls-key", type=Path, help="The certificate's key, in PEM.")
+    parser.add_argument("--again", action="store_true", default=None, help="It ran before: show an expired one too.")
     parser.add_argument("--with-parent", action="store_true", help="End when standard input closes.")
     parser.add_argument("--verbose", action="store_true", help="Log more.")
     parser.add_argument("--print-openapi", action="store_true", help="Print the OpenAPI document and end.")

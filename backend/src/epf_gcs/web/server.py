@@ -93,7 +93,8 @@ class Server(uvicorn.Server):
 
     def _doorway(self, listener: socket.socket, certificates: Keeper) -> Doorway:
         def factory(config: uvicorn.Config) -> Factory:
-            config.load()
+            if not config.loaded:
+                config.load()
             return lambda arrival: cast(Any, config.http_protocol_class)(
                 config=config, server_state=self.server_state, app_state=self.lifespan.state, arrival=arrival
             )

@@ -41,12 +41,9 @@ class Brought:
                 file=str(self._key_file),
                 certificate=str(self._certificate_file),
             )
-        return Found(
-            certificate,
-            self._certificate_file,
-            self._key_file,
-            fault=_fault_of_time(certificate, self._certificate_file, now),
-        )
+        fault = _fault_of_time(certificate, self._certificate_file, now)
+        is_refused = fault is not None and fault.code != "tls_ends_soon"
+        return Found(certificate, self._certificate_file, self._key_file, fault=fault, is_refused=is_refused)
 
 
 def _certificate(file: Path) -> x509.Certificate:
@@ -94,19 +91,19 @@ def _read(file: Path, option: str) -> bytes:
 
 
 def _fault_of_time(certificate: x509.Certificate, file: Path, now: datetime) -> GatewayError | None:
-    """What its dates say: raises GatewayError if browsers refuse it now."""
+    """What is wrong with its dates."""
     if now < EARLIEST:  # the clock is not set yet
         return None
     ends, begins = certificate.not_valid_after_utc, certificate.not_valid_before_utc
     if now > ends:
-        raise GatewayError(
+        return GatewayError(
             "tls_certificate_expired",
             f"The certificate in {file} ended on {ends:%Y-%m-%d}: bring a new one.",
             file=str(file),
             until=f"{ends:%Y-%m-%d}",
         )
     if now < begins:
-        raise GatewayError(
+        return GatewayError(
             "tls_certificate_early",
             f"The certificate in {file} holds from {begins:%Y-%m-%d %H:%M} UTC on: wait, or set this computer's clock.",
             file=str(file),

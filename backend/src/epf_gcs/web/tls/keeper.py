@@ -56,18 +56,21 @@ def _now() -> datetime:
 
 
 class Keeper:
-    """Raises GatewayError when it is made, if there is no certificate to begin with.
+    """Raises GatewayError when it is made, if there is no certificate to begin with; at a restart (`again`), which may
+    be in flight, one that browsers refuse is better than none: a person can pass their warning.
 
     `context` is replaced as a whole when the certificate changes, so that no connection gets a mixture; those that are
     open stay as they are. `on_fault` hears each new fault.
     """
 
-    def __init__(self, source: Source, now: Callable[[], datetime] = _now) -> None:
+    def __init__(self, source: Source, now: Callable[[], datetime] = _now, *, again: bool = False) -> None:
         self._source = source
         self._now = now
         found = self._find()
         if isinstance(found, GatewayError):
             raise found
+        if found.fault is not None and found.is_refused and not again:
+            raise found.fault
         self.in_use = InUse(source.kind, found)
         self.context = _context(found)
         self.fault: GatewayError | None = found.fault
@@ -82,7 +85,7 @@ class Keeper:
     async def look(self) -> None:
         """Take a new certificate into use if there is one; else keep the old one, and say what is wrong."""
         found = await asyncio.to_thread(self._find)
-        if isinstance(found, Found) and found.certificate != self.in_use.found.certificate:
+        if isinstance(found, Found) and self._is_better(found):
             try:
                 self.context = _context(found)
             except GatewayError as error:
@@ -91,6 +94,9 @@ class Keeper:
                 self.in_use = InUse(self._source.kind, found)
                 log.info("a new certificate is in use", until=str(found.certificate.not_valid_after_utc))
         self._set_fault(found.fault if isinstance(found, Found) else found)
+
+    def _is_better(self, found: Found) -> bool:
+        return found.certificate != self.in_use.found.certificate and not found.is_refused
 
     def _find(self) -> Found | GatewayError:
         try:

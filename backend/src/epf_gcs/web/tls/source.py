@@ -16,7 +16,7 @@ from epf_gcs.errors import GatewayError
 class Found:
     """A certificate that can be used now, in PEM files. `authority` is the one that made it, None if it was brought.
 
-    `fault` says what a person has to do soon, although the certificate can still be used.
+    `fault` says what a person has to do, soon or, where `is_refused`, now: browsers refuse the certificate.
     """
 
     certificate: x509.Certificate
@@ -24,6 +24,7 @@ class Found:
     key_file: Path
     authority: x509.Certificate | None = None
     fault: GatewayError | None = None
+    is_refused: bool = False
 
 
 class Source(Protocol):

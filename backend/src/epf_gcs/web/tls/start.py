@@ -20,7 +20,7 @@ def keeper_of(settings: Settings) -> Keeper | None:
     """The certificate to begin with; None without TLS. Raises GatewayError if there can be none."""
     if settings.tls_cert is not None:
         # One file may hold both.
-        return Keeper(Brought(settings.tls_cert, settings.tls_key or settings.tls_cert))
+        return Keeper(Brought(settings.tls_cert, settings.tls_key or settings.tls_cert), again=settings.again)
     if settings.tls_key is not None:
         raise GatewayError(
             "tls_no_certificate",
