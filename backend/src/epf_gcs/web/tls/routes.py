@@ -18,7 +18,7 @@ MEDIA_TYPE = "application/x-x509-ca-cert"
 router = APIRouter(prefix="/access", tags=["access"])
 
 
-class Fault(Output):
+class CertificateFault(Output):
     """What is wrong with the certificate, or soon will be."""
 
     code: ErrorCode
@@ -26,7 +26,7 @@ class Fault(Output):
     params: dict[str, ParamValue]
 
 
-class Authority(Output):
+class CertificateAuthority(Output):
     """The station's own authority. `fingerprint` is its SHA-256, to compare on the phone that shall trust it."""
 
     name: str
@@ -34,7 +34,7 @@ class Authority(Output):
     until_s: float
 
 
-class Certificate(Output):
+class StationCertificate(Output):
     """`made` by the station or `brought` by its user. Times are Unix seconds, `fingerprint` is SHA-256."""
 
     kind: Literal["made", "brought"]
@@ -48,9 +48,9 @@ class Certificate(Output):
 class Certificates(Output):
     """`certificate` is null while the station speaks plain HTTP; `authority` also while the certificate was brought."""
 
-    certificate: Certificate | None
-    authority: Authority | None
-    fault: Fault | None
+    certificate: StationCertificate | None
+    authority: CertificateAuthority | None
+    fault: CertificateFault | None
 
 
 async def _keeper(request: Request) -> Keeper | None:
@@ -70,7 +70,7 @@ async def get_certificates(keeper: KeeperDep) -> Certificates:
     used, fault = keeper.in_use, keeper.fault
     certificate, authority = used.found.certificate, used.found.authority
     return Certificates(
-        certificate=Certificate(
+        certificate=StationCertificate(
             kind=used.kind,
             names=used.names,
             addresses=used.addresses,
@@ -80,12 +80,12 @@ async def get_certificates(keeper: KeeperDep) -> Certificates:
         ),
         authority=None
         if authority is None
-        else Authority(
+        else CertificateAuthority(
             name=authority.subject.rfc4514_string().removeprefix("CN="),
             fingerprint=fingerprint_of(authority),
             until_s=authority.not_valid_after_utc.timestamp(),
         ),
-        fault=None if fault is None else Fault(code=fault.code, detail=fault.detail, params=fault.params),
+        fault=None if fault is None else CertificateFault(code=fault.code, detail=fault.detail, params=fault.params),
     )
 
 
