@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from datetime import UTC, datetime, timedelta
 from pathlib import Path
+from typing import cast
 
 import uvloop
 from cryptography import x509
@@ -18,14 +19,14 @@ from cryptography.hazmat.primitives.asymmetric import ec, rsa
 from cryptography.x509.oid import NameOID
 
 from epf_gcs.web.tls.doorway import Doorway
+from epf_gcs.web.tls.keeper import Keeper
 from epf_gcs.web.visitors import Limits, Visitor, Visitors
-from tests.support.waiting import DEADLINE_S
+from tests.support.waiting import DEADLINE_S, eventually_async
 
 LOOPS: dict[str, Callable[[], asyncio.AbstractEventLoop]] = {
     "uvloop": uvloop.new_event_loop,
     "asyncio": asyncio.new_event_loop,
 }
-NOW = datetime(2027, 3, 1, 12, tzinfo=UTC)
 
 
 def self_signed(
@@ -36,7 +37,7 @@ def self_signed(
     ends: datetime | None = None,
     name: str = "brought",
 ) -> tuple[Path, Path]:
-    """A certificate as a user brings it, and its key, in two files."""
+    """A certificate as a user brings it, and its key, in two files. `kind` is ec, or the bits of an RSA key."""
     key = ec.generate_private_key(ec.SECP256R1()) if kind == "ec" else rsa.generate_private_key(65537, int(kind))
     now = datetime.now(UTC)
     subject = x509.Name([x509.NameAttribute(NameOID.COMMON_NAME, name)])
@@ -66,6 +67,16 @@ def private_pem(key: ec.EllipticCurvePrivateKey | rsa.RSAPrivateKey, password: b
 def trusting(authority: Path) -> ssl.SSLContext:
     """A browser that trusts this authority alone."""
     return ssl.create_default_context(cafile=authority)
+
+
+def trust_in(keeper: Keeper) -> ssl.SSLContext:
+    """A browser that trusts what this station shows: its authority, or the brought certificate whatever its name."""
+    found = keeper.in_use.found
+    trusted = found.authority or found.certificate
+    context = ssl.create_default_context(cadata=trusted.public_bytes(serialization.Encoding.PEM).decode())
+    context.check_hostname = found.authority is not None
+    context.verify_flags |= ssl.VERIFY_X509_PARTIAL_CHAIN
+    return context
 
 
 def careless() -> ssl.SSLContext:
@@ -122,8 +133,7 @@ class Echo(asyncio.Protocol):
         self._transport: asyncio.Transport | None = None
 
     def connection_made(self, transport: asyncio.BaseTransport) -> None:
-        assert isinstance(transport, asyncio.Transport)
-        self._transport = transport
+        self._transport = cast(asyncio.Transport, transport)
 
     def data_received(self, data: bytes) -> None:
         assert self._transport is not None
@@ -138,20 +148,35 @@ def open_door(
     encrypted: Callable[[], asyncio.Protocol] = lambda: Echo(b"encrypted "),
     plain: Callable[[], asyncio.Protocol] = lambda: Echo(b"plain "),
     limits: Limits | None = None,
+    listener: socket.socket | None = None,
 ) -> Iterator[Door]:
     """A doorway to two protocols on a loop of LOOPS; everything that it reports to its loop fails the test."""
     loop = LOOPS[kind]()
-    listener = socket.create_server(("127.0.0.1", 0), backlog=512)
+    listener = listener or socket.create_server(("127.0.0.1", 0), backlog=512)
     visitors = Visitors(limits or Limits())
     door = Door(loop, listener, visitors)
     faults: list[object] = []
+    open_now: set[asyncio.Protocol] = set()
     loop.set_exception_handler(lambda _, fault: faults.append(fault))
     ready, end = threading.Event(), asyncio.Event()
 
     def handed_over(make: Callable[[], asyncio.Protocol]) -> Callable[[Visitor], asyncio.Protocol]:
         def made(arrival: Visitor) -> asyncio.Protocol:
             visitors.leave(arrival)
-            return make()
+            protocol = make()
+            begun, lost = protocol.connection_made, protocol.connection_lost
+
+            def connection_made(transport: asyncio.BaseTransport) -> None:
+                open_now.add(protocol)
+                begun(transport)
+
+            def connection_lost(exc: Exception | None) -> None:
+                open_now.discard(protocol)
+                lost(exc)
+
+            protocol.connection_made = connection_made  # type: ignore[method-assign]
+            protocol.connection_lost = connection_lost  # type: ignore[method-assign]
+            return protocol
 
         return made
 
@@ -162,6 +187,7 @@ def open_door(
         await end.wait()
         doorway.close()
         await doorway.wait_closed()
+        await eventually_async(lambda: not open_now, "all connections end, for the test has closed its ends")
         await asyncio.sleep(0)
 
     def run() -> None:
@@ -179,4 +205,4 @@ def open_door(
         thread.join(DEADLINE_S)
         listener.close()
     assert not thread.is_alive()
-    assert faults == []
+    assert faults == [], faults
