@@ -162,11 +162,11 @@ def open_door(
 
     def handed_over(make: Callable[[], asyncio.Protocol]) -> Callable[[Visitor], asyncio.Protocol]:
         def made(arrival: Visitor) -> asyncio.Protocol:
-            visitors.leave(arrival)
             protocol = make()
             begun, lost = protocol.connection_made, protocol.connection_lost
 
             def connection_made(transport: asyncio.BaseTransport) -> None:
+                visitors.leave(arrival)
                 open_now.add(protocol)
                 begun(transport)
 
