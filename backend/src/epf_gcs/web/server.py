@@ -39,9 +39,10 @@ class Server(uvicorn.Server):
         self.visitors = Visitors(limits or Limits())
         self._look_every_s = look_every_s
         self.certificates = keeper_of(settings)
-        app = create_app(settings, self.visitors, self.certificates)
-        self._app = app
-        super().__init__(self._config(app, ws=cast(Any, SocketConnection), lifespan="on", headers=self._headers()))
+        self._app = create_app(settings, self.visitors, self.certificates)
+        super().__init__(
+            self._config(self._app, ws=cast(Any, SocketConnection), lifespan="on", headers=self._headers())
+        )
         self._settings = settings
         self._fed: asyncio.Task[None] | None = None
 
@@ -50,6 +51,8 @@ class Server(uvicorn.Server):
         sys.setswitchinterval(_SWITCH_INTERVAL_S)
         self.visitors.limits = fitting(self.visitors.limits, raise_descriptors())
         with self._listener() as listener:
+            secure = self.certificates is not None
+            self._app.state.admission.listen_at(listener.getsockname()[1], secure=secure)
             self.run([listener])
 
     def _listener(self) -> socket.socket:
