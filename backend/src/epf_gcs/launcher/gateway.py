@@ -19,7 +19,7 @@ import typer
 from epf_gcs.errors import GatewayError
 from epf_gcs.launcher.encryption import tls_arguments
 from epf_gcs.listening import listen
-from epf_gcs.watchdog import SILENT_S, wait_for_end
+from epf_gcs.watchdog import REFUSED, SILENT_S, wait_for_end
 
 # The first restart is immediate, because the aircraft may be in flight; repeated ones wait longer, up to this.
 _LONGEST_WAIT_S: Final = 5.0
@@ -61,7 +61,7 @@ class Part:
             if stopping.is_set():
                 return None
             has_lived = time.monotonic() - began_s > _LIVED_S
-            if is_first and code > 0 and not has_lived:
+            if is_first and (code == REFUSED or (code > 0 and not has_lived)):
                 return code
             is_first = False
             how = f"by signal {-code}" if code < 0 else f"with status {code}"

@@ -13,6 +13,7 @@ import orjson
 
 from epf_gcs.errors import GatewayError
 from epf_gcs.logs import set_up_logging
+from epf_gcs.watchdog import REFUSED
 from epf_gcs.web.app import create_app
 from epf_gcs.web.server import Server
 from epf_gcs.web.settings import Settings
@@ -38,7 +39,8 @@ def main() -> None:
     try:
         Server(settings).serve_until_signal()
     except GatewayError as error:
-        sys.exit(f"epf-web: {error.detail}")
+        print(f"epf-web: {error.detail}", file=sys.stderr)
+        sys.exit(REFUSED)
 
 
 def _options() -> argparse.Namespace:
