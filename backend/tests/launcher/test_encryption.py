@@ -40,7 +40,7 @@ def server(certificate: Path, key: Path) -> Iterator[str]:
     """Answers `{}` to everything, as a gateway with this certificate."""
 
     class Handler(BaseHTTPRequestHandler):
-        def do_GET(self) -> None:  # noqa: N802 (http.server's name)
+        def do_GET(self) -> None:
             self.send_response(200)
             self.end_headers()
             self.wfile.write(b"{}")
