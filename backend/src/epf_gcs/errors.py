@@ -18,10 +18,17 @@ ErrorCode = Literal[
     "board_line_full",
     "board_not_open",
     "body_too_large",
+    "client_may_not_command",
+    "client_not_yours",
+    "client_silent",
     "client_unknown",
     "command_link_lost",
     "command_unknown",
     "control_held",
+    "control_not_asked",
+    "control_not_held",
+    "control_refused",
+    "control_unconfirmed",
     "data_folder_taken",
     "datagram_malformed",
     "datagram_stranger",
@@ -131,6 +138,7 @@ ErrorCode = Literal[
     "recording_two_boards",
     "recording_unknown",
     "recording_unreadable",
+    "role_too_low",
     "signal_units_differ",
     "signal_unknown",
     "simulator_unknown_host",
@@ -179,3 +187,11 @@ class LinkError(GatewayError):
 
 class BoardError(GatewayError):
     """The board was asked and did not do it: refused, or no answer in time."""
+
+
+class RoleError(GatewayError):
+    """The caller's role may not do this."""
+
+
+class NotYoursError(GatewayError):
+    """It belongs to somebody else's session."""

@@ -10,6 +10,7 @@ from fastapi import Depends, Header, Request
 from epf_gcs.bus.definition import Asker
 from epf_gcs.bus.station_end import StationEnd
 from epf_gcs.clock import Clock
+from epf_gcs.web.access.caller import LOCAL, Caller
 from epf_gcs.web.access.control import Control
 from epf_gcs.web.flights.flights import Flights
 from epf_gcs.web.flights.imports import FlightImports
@@ -49,16 +50,28 @@ ClockDep = Annotated[Clock, _part("clock")]
 """The flight's clock."""
 
 
+def get_caller(request: Request) -> Caller:
+    """Who asks."""
+    return getattr(request.state, "caller", LOCAL)
+
+
+CallerDep = Annotated[Caller, Depends(get_caller)]
+
 XClient = Annotated[
     str | None,
-    Header(max_length=64, description="Id of the stream's hello; not needed while nobody has control."),
+    Header(max_length=64, description="Id of the caller's own stream (`hello`); not needed while nobody has control."),
 ]
 
 
-def get_operator(control: ControlDep, x_client: XClient = None) -> Asker:
-    """The caller, if it may command now. Raises ConflictError while another has control."""
-    control.check(x_client)
-    return Asker(x_client, None if x_client is None else control.name_of(x_client))
+def get_asker(control: ControlDep, caller: CallerDep, x_client: XClient = None) -> Asker:
+    """The caller, by name. Raises NotYoursError if the id is of another session."""
+    return control.asker(caller, x_client)
 
 
+def get_operator(control: ControlDep, caller: CallerDep, x_client: XClient = None) -> Asker:
+    """The caller, if it may command now. Raises ConflictError while another has control, NotYoursError, RoleError."""
+    return control.command(caller, x_client)
+
+
+AskerDep = Annotated[Asker, Depends(get_asker)]
 OperatorDep = Annotated[Asker, Depends(get_operator)]

@@ -21,7 +21,9 @@ from epf_gcs.errors import (
     InvalidInputError,
     LinkError,
     NotFoundError,
+    NotYoursError,
     Params,
+    RoleError,
 )
 from epf_gcs.web.schemas import Problem
 
@@ -41,6 +43,8 @@ _STATUS: Final[dict[type[GatewayError], HTTPStatus]] = {
     ConflictError: HTTPStatus.CONFLICT,
     LinkError: HTTPStatus.CONFLICT,
     BoardError: HTTPStatus.BAD_GATEWAY,
+    RoleError: HTTPStatus.FORBIDDEN,
+    NotYoursError: HTTPStatus.FORBIDDEN,
     GatewayError: HTTPStatus.INTERNAL_SERVER_ERROR,
 }
 
