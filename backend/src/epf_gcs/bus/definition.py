@@ -5,7 +5,8 @@ Every record is a header (u32 length of the body, u8 kind, little endian) and a 
 From the vehicle:
   HELLO    JSON object: `version`, `vehicle` ("live" or "replay"), `clock_offset_ns` (Unix minus steady clock),
            `control` (the page that has the controls, or had them until just now: {client, name, about} as the NOTICE
-           `control` said, or null) and `status`, which is what STATUS holds; from a replay also `playback`, `flight` (id), `starts_s` (Unix) and `duration_s`
+           `control` said, or null) and `status`, which is what STATUS holds; from a replay also `playback`, `flight`
+           (id), `starts_s` (Unix) and `duration_s`
   SAMPLE   f64 Unix time, u8 length of the topic's name, the name, then the JSON text
            {"topic": ..., "t_s": ..., "values": {...}} as viewers get it
   EVENT    as SAMPLE, with the event's kind as the name and {"type": "event", "event": ..., "t_s": ..., "data": {...}}

@@ -92,8 +92,8 @@ class HilSwitches:
 
 
 def stick_notices(stick: Stick) -> Callable[[str, dict[str, Any]], None]:
-    """stick {client, sample}; stick_gone {client}; control {client, name, about, kept} of the page that has it, or, with
-    `kept`, that has just lost it and may come back; nulls for nobody."""
+    """stick {client, sample}; stick_gone {client}; control {client, name, about, kept} of the page that has it, or that
+    has just lost it and may come back (`kept`); nulls for nobody."""
 
     def notice(name: str, arguments: dict[str, Any]) -> None:
         match name, arguments:

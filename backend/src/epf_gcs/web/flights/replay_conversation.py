@@ -23,6 +23,7 @@ from epf_gcs.web.stream.viewer import MAX_RATE_HZ, Viewer
 
 # With every sample wanted the replay sends ahead, up to some hundred.
 _LOG_SAMPLES: Final = 4096
+_MOST_EARLY: Final = 40
 
 
 class ReplayConversation:
@@ -205,7 +206,7 @@ class ReplayConversation:
         """Pass a wish on to the replay; what is said before it is there, waits for it. Returns no fault."""
         if self._is_greeted:
             self._process.notice(name, **arguments)
-        elif len(self._early) < _MAX_NAME:
+        elif len(self._early) < _MOST_EARLY:
             self._early.append((name, arguments))
         return None
 

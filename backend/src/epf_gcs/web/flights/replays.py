@@ -13,6 +13,7 @@ from typing import Final
 
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.recordings.places import Places, is_id
+from epf_gcs.web.access.caller import Caller
 from epf_gcs.web.flights.replay_conversation import ReplayConversation
 from epf_gcs.web.flights.replay_process import ReplayProcess
 from epf_gcs.web.stream.socket import Refusal, SocketConnection
@@ -47,7 +48,7 @@ class Replays:
         peer: str,
         on_end: Callable[[], None],
     ) -> ReplayConversation:
-        """A replay of `flight` from `at_s` on, for this connection; `on_end` is called when it is over. Raises Refusal."""
+        """A replay of `flight` from `at_s` on, for this connection; `on_end`: it is over. Raises Refusal."""
         flight = query["flight"]
         file = self._file(flight)
         at_s = _read_moment(query.get("at_s", "0"))

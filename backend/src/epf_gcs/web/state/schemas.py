@@ -256,9 +256,9 @@ class Sample(Output):
 class ControlInput(Input):
     """`client` is the id of the caller's own stream (`hello`).
 
-    `take` is for whoever asks while nobody has control; from another page only owners take it, who `confirm`. `ask` opens a
-    request, `withdraw` closes it; the page that has control can `grant` or `refuse` it `to` the one who asks, `hand_over`
-    without being asked, and `release`.
+    `take` is for all while nobody has control; an owner who sends `confirm` takes it from another page. `ask` opens a
+    request, `withdraw` closes it. The page that has control can `grant` or `refuse` it `to` the one who asks,
+    `hand_over` without being asked, and `release`.
     """
 
     client: str = Field(min_length=1, max_length=64)
