@@ -10,7 +10,7 @@ from typing import Any, Final, Protocol
 
 from epf_gcs.bus.definition import Asker
 from epf_gcs.clock import Clock
-from epf_gcs.errors import NotYoursError, RoleError
+from epf_gcs.errors import NotYoursError
 from epf_gcs.web.access.authority import Authority
 from epf_gcs.web.access.caller import LOCAL_SESSION, Caller
 from epf_gcs.web.access.changes import Effect, HolderChanged, KeptOver, Page, RequestClosed, RequestOpened, StickLost
@@ -149,14 +149,7 @@ class Control:
         return Asker(client_id, base_name(caller))
 
     def command(self, caller: Caller, client_id: str | None) -> Asker:
-        """Who commands. Raises ConflictError while another has control, NotYoursError, RoleError."""
-        if caller.role < Role.operator:
-            raise RoleError(
-                "role_too_low",
-                f"This needs the role 'operator', and you are '{caller.role.name}': ask an owner of this station.",
-                least=Role.operator.name,
-                role=caller.role.name,
-            )
+        """Who commands. Raises ConflictError while another has control, NotYoursError."""
         asker = self.asker(caller, client_id)
         if client_id in self._lines:
             self._did(client_id)

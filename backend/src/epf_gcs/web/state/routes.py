@@ -8,7 +8,7 @@ import orjson
 from fastapi import APIRouter, Response
 
 from epf_gcs.errors import InvalidInputError
-from epf_gcs.web.deps import CallerDep, ControlDep, MirrorDep, StatusDep, VehicleDep
+from epf_gcs.web.deps import AdmittedDep, ControlDep, MirrorDep, StatusDep, VehicleDep
 from epf_gcs.web.problems import problems, reading_problems
 from epf_gcs.web.state.schemas import ControlDetails, ControlInput, Sample, Status
 
@@ -39,7 +39,7 @@ async def get_control(control: ControlDep) -> ControlDetails:
 
 
 @router.post("/control", responses=problems(404, 409))
-async def post_control(body: ControlInput, control: ControlDep, caller: CallerDep) -> ControlDetails:
+async def post_control(body: ControlInput, control: ControlDep, caller: AdmittedDep) -> ControlDetails:
     """Take control, give it back, ask for it, answer who asks, or hand it over."""
     client = control.own(caller, body.client)
     if body.to is None and body.action in _TO_ANOTHER:
