@@ -6,9 +6,9 @@ Control is a page's: one stream, opened by one session. Nobody moves the stick b
 
 from __future__ import annotations
 
-from typing import Final, NoReturn
+from typing import Final
 
-from epf_gcs.errors import ConflictError, NotFoundError, RoleError
+from epf_gcs.web.access import refusals
 from epf_gcs.web.access.changes import (
     Effect,
     HolderChanged,
@@ -99,6 +99,19 @@ class Authority:
             self._serve_who_ask(now_s)
         return self._done()
 
+    def change(self, page: Page, now_s: float) -> list[Effect]:
+        """A page that is there has another role or name."""
+        self.pages[page.client] = page
+        holds = self.holder is not None and self.holder.client == page.client
+        if holds:
+            self.holder = page
+        if not page.may_command:
+            self._close(page, "gone")
+            if holds:
+                self._free("ended")
+                self._serve_who_ask(now_s)
+        return self._done()
+
     def silent(self, client: str, now_s: float) -> list[Effect]:
         """Nothing is heard of a page, although its stream is open."""
         self.silent_pages.add(client)
@@ -140,14 +153,9 @@ class Authority:
             self._give(page, "asked", now_s)
         elif self.holder is not page:
             if page.role < Role.owner:
-                self._refuse_held(self.holder)
+                raise refusals.held(self.holder)
             if not confirmed:
-                raise ConflictError(
-                    "control_unconfirmed",
-                    f"{self.holder.name} has control: to take it away send 'confirm': true.",
-                    client=self.holder.client,
-                    name=self.holder.name,
-                )
+                raise refusals.unconfirmed(self.holder)
             self._give(page, "taken", now_s)
         return self._done()
 
@@ -159,12 +167,7 @@ class Authority:
         elif self.holder is not page and client not in self.requests:
             wait_s = self._refused_s.get(_who(page), now_s - REFUSED_S) + REFUSED_S - now_s
             if wait_s > 0.0:
-                raise ConflictError(
-                    "control_refused",
-                    f"{self.holder.name} has just refused: ask again in {wait_s:.0f} s.",
-                    name=self.holder.name,
-                    wait_s=round(wait_s, 1),
-                )
+                raise refusals.refused(self.holder, wait_s)
             self.requests[client] = now_s
             self._effects.append(RequestOpened(page))
         return self._done()
@@ -196,9 +199,7 @@ class Authority:
         holder = self._check_holds(client)
         page = self._connected(to)
         if not page.may_command:
-            raise ConflictError(
-                "client_may_not_command", f"{page.name} only watches: an owner can change that role.", name=page.name
-            )
+            raise refusals.only_watches(page)
         self._check_heard(page)
         if page is not holder:
             self._give(page, "handed_over", now_s)
@@ -229,7 +230,7 @@ class Authority:
     def check(self, client: str | None) -> None:
         """Raise ConflictError unless this page may command now; without a page only while nobody has control."""
         if self.holder is not None and self.holder.client != client:
-            self._refuse_held(self.holder)
+            raise refusals.held(self.holder)
 
     def _give(self, page: Page, reason: Reason, now_s: float) -> None:
         before = self.holder
@@ -294,49 +295,30 @@ class Authority:
     def _connected(self, client: str) -> Page:
         page = self.pages.get(client)
         if page is None:
-            raise NotFoundError(
-                "client_unknown",
-                f"No page with the id '{client}' is on the stream: open the stream and use the id of its hello.",
-                client=client,
-            )
+            raise refusals.unknown(client)
         return page
 
     def _asker(self, client: str) -> Page:
         page = self._connected(client)
         if not page.may_command:
-            raise RoleError(
-                "role_too_low",
-                f"This needs the role 'operator', and you are '{page.role.name}': ask an owner of this station.",
-                least=Role.operator.name,
-                role=page.role.name,
-            )
+            raise refusals.too_low(page)
         return page
 
     def _check_holds(self, client: str) -> Page:
         if self.holder is None:
-            raise ConflictError("control_not_held", "Nobody has control: it can be taken.")
+            raise refusals.not_held()
         if self.holder.client != client:
-            self._refuse_held(self.holder)
+            raise refusals.held(self.holder)
         return self.holder
 
     def _request_of(self, client: str) -> Page:
         if client not in self.requests:
-            raise ConflictError("control_not_asked", "That page does not ask for control any more.", client=client)
+            raise refusals.not_asked(client)
         return self.pages[client]
 
     def _check_heard(self, page: Page) -> None:
         if page.client in self.silent_pages:
-            raise ConflictError(
-                "client_silent", f"Nothing is heard of {page.name} at the moment: try again.", name=page.name
-            )
-
-    def _refuse_held(self, holder: Page) -> NoReturn:
-        raise ConflictError(
-            "control_held",
-            f"{holder.name} has control: ask for it, or wait until it is given back.",
-            client=holder.client,
-            name=holder.name,
-        )
+            raise refusals.silent(page)
 
     def _done(self) -> list[Effect]:
         effects, self._effects = self._effects, []

@@ -20,7 +20,7 @@ Reason = Literal[
     "released",
     "lost",  # the holder's stream is closed
     "silent",  # nothing is heard of the holder
-    "ended",  # the holder's session or key is no longer good
+    "ended",  # the holder's session, key or role is no longer good
 ]
 Result = Literal["given", "refused", "withdrawn", "gone"]
 

@@ -6,11 +6,12 @@ import asyncio
 import secrets
 from collections import OrderedDict
 from collections.abc import Iterable
+from dataclasses import replace
 from typing import Any, Final, Protocol
 
 from epf_gcs.bus.definition import Asker
 from epf_gcs.clock import Clock
-from epf_gcs.errors import NotYoursError
+from epf_gcs.web.access import refusals
 from epf_gcs.web.access.authority import Authority
 from epf_gcs.web.access.caller import LOCAL_SESSION, Caller
 from epf_gcs.web.access.changes import Effect, HolderChanged, KeptOver, Page, RequestClosed, RequestOpened, StickLost
@@ -86,8 +87,8 @@ class Control:
         base = own_name if named else base_name(caller)
         taken = {self._rules.pages[client].number for client, called in self._called.items() if called == base}
         number = next(number for number in range(1, len(taken) + 2) if number not in taken)
-        name = base if number == 1 else f"{base} {number}"
-        page = Page(client_id, caller.session, "program" if named else caller.kind, name, number, caller.role)
+        kind = "program" if named else caller.kind
+        page = Page(client_id, caller.session, kind, _numbered(base, number), number, caller.role)
         self._called[client_id] = base
         self._lines[client_id] = line
         self._belongs(client_id, caller.session)
@@ -97,12 +98,22 @@ class Control:
         self._arm()
         return page
 
-    def disconnect(self, page: Page) -> None:
-        """Its stream is closed. Idempotent, also where another stream has its id by now."""
-        if self._rules.pages.get(page.client) is page:
-            self._apply(self._rules.disconnect(page.client, self._clock.steady_s()))
-            self._told.notice("stick_gone", client=page.client)
-            self._forget(page.client)
+    def disconnect(self, client_id: str, line: Line) -> None:
+        """A stream is closed. Idempotent, also where another stream has its id by now."""
+        if self._lines.get(client_id) is line:
+            self._apply(self._rules.disconnect(client_id, self._clock.steady_s()))
+            self._told.notice("stick_gone", client=client_id)
+            self._forget(client_id)
+
+    def change_session(self, caller: Caller) -> None:
+        """A session or key has another role or name, which holds for its pages from now on."""
+        base = base_name(caller)
+        for page in [page for page in self._rules.pages.values() if page.session == caller.session]:
+            new = replace(page, role=caller.role, name=_numbered(base, page.number))
+            self._called[page.client] = base
+            self._apply(self._rules.change(new, self._clock.steady_s()))
+            self._lines[page.client].renew(new)
+        self._told.changed()
 
     def end_session(self, session: str) -> None:
         """A session or key is no longer good: its pages have no control, from now on."""
@@ -135,11 +146,7 @@ class Control:
     def own(self, caller: Caller, client_id: str) -> str:
         """The id, if it is of the caller's session. Raises NotYoursError."""
         if self._sessions.get(client_id, caller.session) != caller.session:
-            raise NotYoursError(
-                "client_not_yours",
-                "This id is of somebody else's page: use the one of the hello of your own stream.",
-                client=client_id,
-            )
+            raise refusals.not_yours(client_id)
         return client_id
 
     def asker(self, caller: Caller, client_id: str | None) -> Asker:
@@ -278,6 +285,10 @@ def fields(page: Page | None) -> dict[str, Any]:
     if page is None:
         return dict(_NAMELESS)
     return {"client": page.client, "name": page.name, "kind": page.kind, "number": page.number}
+
+
+def _numbered(base: str, number: int) -> str:
+    return base if number == 1 else f"{base} {number}"
 
 
 def base_name(caller: Caller) -> str:

@@ -7,6 +7,8 @@ from __future__ import annotations
 
 from typing import Final, Protocol
 
+from epf_gcs.web.access.changes import Page
+
 LOOK_EVERY_S: Final = 0.1
 _PING_EVERY: Final = 2
 # 0.7 s: with the time until the next look and the way back, control is free a second after a line was cut.
@@ -35,6 +37,9 @@ class Line(Protocol):
 
     def drop(self) -> None:
         """Close it at once: another stream takes its place."""
+
+    def renew(self, page: Page) -> None:
+        """Its page has another role or name."""
 
 
 class Watch:

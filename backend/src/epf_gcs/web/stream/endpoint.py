@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from http import HTTPStatus
 from typing import Any, Final
 
@@ -134,7 +134,7 @@ class StreamConversation:
             "version": __version__,
             **fields(page),
             "role": page.role.name,
-            "has_control": parts.control.holder is page,
+            "has_control": parts.control.holder == page,
             "server_time_s": parts.clock.now_s(),
             "topics": TOPICS,
             "status": orjson.Fragment(parts.status.text()),
@@ -162,6 +162,14 @@ class StreamConversation:
         self._connection.abort()
         self.on_closed()
 
+    def renew(self, page: Page) -> None:
+        """Its page has another role or name: say so to it."""
+        if self._open is not None:
+            self._open = replace(self._open, page=page)
+            event = self._parts.hub.event_text("access", {"role": page.role.name, "name": page.name})
+            self._open.viewer.offer_event(event)
+            self._parts.hub.serve(self._open.viewer)
+
     def on_text(self, text: str) -> None:
         """An acknowledgement, a rate or a stick; anything else is counted and answered with an error event."""
         self.said += 1
@@ -181,7 +189,7 @@ class StreamConversation:
         if opened is not None:
             self._parts.hub.remove(opened.viewer)
             opened.leave()
-            self._parts.control.disconnect(opened.page)
+            self._parts.control.disconnect(opened.page.client, self)
             self._parts.status.changed()
 
     def _take(self, opened: _Open, text: str) -> tuple[ErrorCode, str] | None:
@@ -214,7 +222,7 @@ class StreamConversation:
         if sample is not None and not control.stick(page, sample[0]):
             # Not an error of the page: it learns only from the next status that it lost control.
             self._parts.status.strange_samples += 1
-        elif control.holder is page:
+        elif control.holder == page:
             # The flight process counts even an invalid sample; only this process can answer the sender.
             self._parts.vehicle.notice("stick", client=page.client, sample=message)
         return ("stick_invalid", SAMPLE_FAULT) if sample is None else None

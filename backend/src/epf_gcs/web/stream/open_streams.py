@@ -27,13 +27,9 @@ class OpenStreams:
 
         return leave
 
-    def close_sessions(self, sessions: Iterable[str]) -> int:
-        """These sessions or keys are no longer good, or have another role: their control ends at once, and their
-        streams. Returns how many streams."""
-        closed = 0
+    def close_sessions(self, sessions: Iterable[str]) -> None:
+        """These sessions or keys are no longer good: their control ends at once, and their streams."""
         for session in sessions:
             self._control.end_session(session)
             for connection in tuple(self._of.get(session, ())):
                 connection.dismiss("ended")
-                closed += 1
-        return closed
