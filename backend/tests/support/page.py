@@ -12,7 +12,7 @@ from typing import Any
 import httpx
 import orjson
 from websockets.exceptions import ConnectionClosed
-from websockets.sync.client import connect
+from websockets.sync.client import ClientConnection, connect
 
 from tests.support.waiting import DEADLINE_S
 
@@ -20,17 +20,10 @@ from tests.support.waiting import DEADLINE_S
 class Page:
     """Reads in a thread. `hangs`: what comes is taken, but not acknowledged, as by a page that is stuck."""
 
-    def __init__(
-        self, base: str, path: str = "/api/v1/stream", key: str | None = None, line: int | None = None
-    ) -> None:
-        """`base`: address of the station; `key`: of a program; `line`: port to go through instead of the station's."""
-        port = httpx.URL(base).port if line is None else line
-        host = httpx.URL(base).netloc.decode()
-        headers = {} if key is None else {"Authorization": f"Bearer {key}"}
+    def __init__(self, connection: ClientConnection, base: str, headers: dict[str, str]) -> None:
+        self.connection = connection
         self.hangs = False
         self.closed: tuple[int, str] | None = None
-        self._socket = socket.create_connection(("127.0.0.1", port or 80))
-        self.connection = connect(f"ws://{host}{path}", sock=self._socket, additional_headers=headers, max_size=None)
         self.hello: dict[str, Any] = orjson.loads(self.connection.recv(timeout=DEADLINE_S))
         self.client: str = self.hello["client"]
         self.http = httpx.Client(
@@ -94,12 +87,18 @@ class Page:
 
 @contextmanager
 def page(base: str, path: str = "/api/v1/stream", key: str | None = None, line: int | None = None) -> Iterator[Page]:
-    """A page that is closed at the end."""
-    made = Page(base, path, key, line)
-    try:
-        yield made
-    finally:
-        made.close()
+    """A page that is closed at the end. `base`: address of the station; `key`: of a program; `line`: port to go through
+    in place of the station's own."""
+    url = httpx.URL(base)
+    headers = {} if key is None else {"Authorization": f"Bearer {key}"}
+    through = socket.create_connection(("127.0.0.1", line or url.port or 80))
+    address = f"ws://{url.netloc.decode()}{path}"
+    with connect(address, sock=through, additional_headers=headers, max_size=None) as connection:
+        made = Page(connection, base, headers)
+        try:
+            yield made
+        finally:
+            made.close()
 
 
 class CutLine:
