@@ -64,16 +64,16 @@ def server(certificate: Path, key: Path) -> Iterator[str]:
 def test_the_launcher_trusts_the_certificate_on_its_own_disk_whatever_its_name(tmp_path: Path) -> None:
     certificate, key = self_signed(tmp_path)
     with server(certificate, key) as address:
-        assert GatewayClient(address, certificate).status() == {}
+        assert GatewayClient(address, trusted=certificate).status() == {}
 
 
 def test_and_no_other(tmp_path: Path) -> None:
     certificate, key = self_signed(tmp_path)
     other, _ = self_signed(tmp_path, name="other")
     with server(certificate, key) as address, pytest.raises(UnreachableError, match="CERTIFICATE_VERIFY_FAILED"):
-        GatewayClient(address, other).status()
+        GatewayClient(address, trusted=other).status()
 
 
 def test_a_gateway_that_has_not_made_its_certificate_yet_is_waited_for(tmp_path: Path) -> None:
     with pytest.raises(UnreachableError, match="No such file"):
-        GatewayClient("https://127.0.0.1:9", tmp_path / "authority.crt").status()
+        GatewayClient("https://127.0.0.1:9", trusted=tmp_path / "authority.crt").status()

@@ -37,11 +37,13 @@ class UnreachableError(LaunchError):
 class GatewayClient:
     """Requests to one gateway. Proxy settings are ignored, because the gateway is on this computer.
 
-    `trusted`: under TLS, the file of the certificate or of its authority; the gateway may still be making it.
+    `key`: what the gateway was given by us to know us by. `trusted`: under TLS, the file of the certificate or of its
+    authority; the gateway may still be making it.
     """
 
-    def __init__(self, base_url: str, trusted: Path | None = None) -> None:
+    def __init__(self, base_url: str, key: str | None = None, trusted: Path | None = None) -> None:
         self._base_url = base_url
+        self._headers = {} if key is None else {"Authorization": f"Bearer {key}"}
         self._trusted = trusted
 
     def status(self) -> Status:
@@ -115,7 +117,10 @@ class GatewayClient:
     def _ask(self, method: str, path: str, body: object, headers: dict[str, str]) -> Status:
         data = None if body is None else json.dumps(body).encode()
         request = urllib.request.Request(  # noqa: S310 (the address is made here, from a host and a port)
-            self._base_url + path, data=data, method=method, headers=headers | {"Content-Type": "application/json"}
+            self._base_url + path,
+            data=data,
+            method=method,
+            headers=headers | self._headers | {"Content-Type": "application/json"},
         )
         try:
             with self._opener().open(request, timeout=_REQUEST_TIMEOUT_S) as response:

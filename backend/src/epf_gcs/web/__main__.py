@@ -18,7 +18,10 @@ from epf_gcs.web.app import create_app
 from epf_gcs.web.server import Server
 from epf_gcs.web.settings import Settings
 
-_GIVEN: Final = ("host", "port", "data_dir", "page_dir", "tls", "tls_cert", "tls_key", "fd", "watchdog", "again")
+_GIVEN: Final = (
+    *("host", "port", "data_dir", "page_dir", "fd", "watchdog", "again"),
+    *("trust_this_computer", "allow_anyone_to_fly", "tls", "tls_cert", "tls_key"),
+)
 
 
 def main() -> None:
@@ -59,6 +62,12 @@ def _options() -> argparse.Namespace:
     parser.add_argument("--tls-cert", type=Path, help="HTTPS with this certificate and its chain, in PEM.")
     parser.add_argument("--tls-key", type=Path, help="The certificate's key, in PEM.")
     parser.add_argument("--again", action="store_true", default=None, help="It ran before: show an expired one too.")
+    parser.add_argument(
+        "--trust-this-computer", action=argparse.BooleanOptionalAction, help="Whether this computer needs no key."
+    )
+    parser.add_argument(
+        "--allow-anyone-to-fly", action="store_true", default=None, help="Nobody needs a key to command."
+    )
     parser.add_argument("--with-parent", action="store_true", help="End when standard input closes.")
     parser.add_argument("--verbose", action="store_true", help="Log more.")
     parser.add_argument("--print-openapi", action="store_true", help="Print the OpenAPI document and end.")

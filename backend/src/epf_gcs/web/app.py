@@ -16,6 +16,8 @@ from epf_gcs.formats.recognise import MAX_FILE_BYTES
 from epf_gcs.product import PAGE
 from epf_gcs.web import docs
 from epf_gcs.web.about import routes as about
+from epf_gcs.web.access import routes as access_routes
+from epf_gcs.web.access.addresses import own_names
 from epf_gcs.web.access.admission import Admission, Policy
 from epf_gcs.web.access.guard import Access, Guard
 from epf_gcs.web.access.limits import CallerLimits
@@ -62,15 +64,18 @@ def create_app(settings: Settings, visitors: Visitors | None = None, certificate
 
     `visitors` are the connections of the server around it, for `/metrics`; `certificates` are what it shows under TLS.
     """
-    # Under TLS a page of another name, resolved to this machine, gets no further than its browser's warning.
-    names = [] if certificates is None else certificates.in_use.names
+    policy = Policy.of(settings)
+    names = own_names() if policy.is_reached_by_others else []
+    if certificates is not None:
+        # A page of another name, resolved to this machine, gets no further than its browser's warning.
+        names += certificates.in_use.names
     access = Access((settings.host, *settings.allowed_hosts, *names), settings.allowed_origins)
     errors = ErrorLog()
     if certificates is not None:
         certificates.on_fault = errors.report
     answers: Counter[int] = Counter()
     clock = Clock()
-    admission = Admission(Policy.of(settings), settings.data_dir, errors.report, clock)
+    admission = Admission(policy, settings.data_dir, errors.report, clock)
     admission.listen_at(settings.port)
     limits = CallerLimits(clock.steady_s)
 
@@ -81,6 +86,13 @@ def create_app(settings: Settings, visitors: Visitors | None = None, certificate
             setattr(app.state, name, part)
         station.maps.online.consent = Consent(settings.local_maps)
         async with admission.running(), station.running():
+            admission.sessions.on_ended = station.streams.close_sessions
+
+            def changed(sessions: frozenset[str]) -> None:
+                for caller in filter(None, map(admission.current, sessions)):
+                    station.control.change_session(caller)
+
+            admission.sessions.on_changed = changed
             endpoint = StreamEndpoint(station.stream_parts, access)
             yield {"socket_endpoint": endpoint, "admission": admission, "limits": limits}
 
@@ -118,6 +130,7 @@ def create_app(settings: Settings, visitors: Visitors | None = None, certificate
         about,
         inspector,
         certificate_routes,
+        access_routes,
     ):
         app.include_router(part.router, prefix=_PREFIX)
     app.include_router(docs.router)
