@@ -12,6 +12,7 @@ from typing import Any, Final, cast
 
 import structlog
 import uvicorn
+from uvicorn.server import ServerState
 
 from epf_gcs.kept_alive import keep_alive
 from epf_gcs.listening import listen
@@ -95,15 +96,25 @@ class Server(uvicorn.Server):
             log.info("listening", url=f"{scheme}://{host}:{self.port}")
 
     def _doorway(self, listener: socket.socket, certificates: Keeper) -> Doorway:
-        def factory(config: uvicorn.Config) -> Factory:
+        # Ended together with the others, but without their headers: HSTS must not come in plain text (RFC 6797, 7.2).
+        plain_state = ServerState()
+        plain_state.connections, plain_state.tasks = self.server_state.connections, self.server_state.tasks
+
+        def factory(config: uvicorn.Config, state: ServerState) -> Factory:
             if not config.loaded:
                 config.load()
             return lambda arrival: cast(Any, config.http_protocol_class)(
-                config=config, server_state=self.server_state, app_state=self.lifespan.state, arrival=arrival
+                config=config, server_state=state, app_state=self.lifespan.state, arrival=arrival
             )
 
         plain = self._config(Redirect(self._app.state.access), ws="none", lifespan="off")
-        return Doorway(listener, lambda: certificates.context, factory(self.config), factory(plain), self.visitors)
+        return Doorway(
+            listener,
+            lambda: certificates.context,
+            factory(self.config, self.server_state),
+            factory(plain, plain_state),
+            self.visitors,
+        )
 
     def _config(self, app: Any, **more: Any) -> uvicorn.Config:
         return uvicorn.Config(

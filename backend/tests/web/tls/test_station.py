@@ -164,6 +164,7 @@ def test_a_brought_certificate_is_insisted_on(tmp_path: Path) -> None:
     certificate, key = self_signed(tmp_path)
     with running_gateway(tmp_path / "data", tls_cert=certificate, tls_key=key) as gateway:
         assert gateway.http.get("/status").headers["Strict-Transport-Security"] == "max-age=86400"
+        assert "Strict-Transport-Security" not in plain(gateway, "GET", "/").headers
         told = gateway.http.get("/access/certificates").json()
         assert (told["certificate"]["kind"], told["authority"]) == ("brought", None)
         answer = gateway.http.get("/access/authority")

@@ -201,7 +201,7 @@ def _name(common: str) -> x509.Name:
 def _alternatives(certificate: x509.Certificate) -> x509.SubjectAlternativeName:
     try:
         return certificate.extensions.get_extension_for_class(x509.SubjectAlternativeName).value
-    except x509.ExtensionNotFound:
+    except (x509.ExtensionNotFound, x509.DuplicateExtension, ValueError):  # a brought one may be malformed
         return x509.SubjectAlternativeName([])
 
 
