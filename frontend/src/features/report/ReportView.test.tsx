@@ -10,7 +10,7 @@ import { WordsProvider } from "../../ui/words";
 import { ReportView } from "./ReportView";
 import { REPORTS } from "./reportRequests";
 
-const user = userEvent.setup();
+const user = userEvent.setup({ delay: null });
 const FLIGHT = aReport().flight;
 const OTHER = "20231113T090000Z";
 const OTHERS = [
