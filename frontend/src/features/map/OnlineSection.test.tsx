@@ -110,7 +110,11 @@ describe("maps of the internet", () => {
 
 describe("a source of maps", () => {
   test("that does not answer says why", async () => {
-    const problem = { problem: "x", problem_code: "map_file_damaged", problem_params: { name: "IGN", why: "404" } };
+    const problem = {
+      problem: "x",
+      problem_code: "map_file_damaged",
+      problem_params: { name: "IGN", why: "404" },
+    };
     await read({ ...ONLINE, sources: [{ ...SOURCE, ...problem }] });
     expect(within(screen.getByRole("list")).getByText(/404/)).toBeTruthy();
   });

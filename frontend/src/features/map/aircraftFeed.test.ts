@@ -18,7 +18,11 @@ const SIMULATOR = {
 };
 let telemetry: TelemetryStore;
 
-function sample(topic: string, now_ms: number, values: Readonly<Record<string, number | boolean | null>>): void {
+function sample(
+  topic: string,
+  now_ms: number,
+  values: Readonly<Record<string, number | boolean | null>>,
+): void {
   const t_s = START_S + now_ms / 1000;
   telemetry.apply(t_s, [{ topic, t_s, values }], now_ms);
 }
@@ -56,7 +60,10 @@ describe("an aircraft on the map", () => {
       attitude: null,
       isLive: false,
     });
-    expect(flatAircraft(telemetry, "flight", "Real", 100)).toMatchObject({ heading_deg: null, label: "Real" });
+    expect(flatAircraft(telemetry, "flight", "Real", 100)).toMatchObject({
+      heading_deg: null,
+      label: "Real",
+    });
   });
 
   test("that is heard stands where it is, by its name, with heights of the simulator in metres", () => {
