@@ -16,6 +16,8 @@ from epf_gcs.formats.recognise import MAX_FILE_BYTES
 from epf_gcs.product import PAGE
 from epf_gcs.web import docs
 from epf_gcs.web.about import routes as about
+from epf_gcs.web.access import routes as access_routes
+from epf_gcs.web.access.addresses import own_names
 from epf_gcs.web.access.admission import Admission, Policy
 from epf_gcs.web.access.guard import Access, Guard
 from epf_gcs.web.access.limits import CallerLimits
@@ -60,11 +62,13 @@ def create_app(settings: Settings, visitors: Visitors | None = None) -> FastAPI:
 
     `visitors` are the connections of the server around it, for `/metrics`.
     """
-    access = Access((settings.host, *settings.allowed_hosts), settings.allowed_origins)
+    policy = Policy.of(settings)
+    names = own_names() if policy.is_reached_by_others else []
+    access = Access((settings.host, *settings.allowed_hosts, *names), settings.allowed_origins)
     errors = ErrorLog()
     answers: Counter[int] = Counter()
     clock = Clock()
-    admission = Admission(Policy.of(settings), settings.data_dir, errors.report, clock)
+    admission = Admission(policy, settings.data_dir, errors.report, clock)
     admission.listen_at(settings.port)
     limits = CallerLimits(clock.steady_s)
 
@@ -75,6 +79,13 @@ def create_app(settings: Settings, visitors: Visitors | None = None) -> FastAPI:
             setattr(app.state, name, part)
         station.maps.online.consent = Consent(settings.local_maps)
         async with admission.running(), station.running():
+            admission.sessions.on_ended = station.streams.close_sessions
+
+            def changed(sessions: frozenset[str]) -> None:
+                for caller in filter(None, map(admission.current, sessions)):
+                    station.control.change_session(caller)
+
+            admission.sessions.on_changed = changed
             endpoint = StreamEndpoint(station.stream_parts, access)
             yield {"socket_endpoint": endpoint, "admission": admission, "limits": limits}
 
@@ -109,6 +120,7 @@ def create_app(settings: Settings, visitors: Visitors | None = None) -> FastAPI:
         jobs,
         about,
         inspector,
+        access_routes,
     ):
         app.include_router(part.router, prefix=_PREFIX)
     app.include_router(docs.router)

@@ -139,6 +139,8 @@ class Guard:
 
         try:
             await self._check_and_hand_on(scope, receive, send_guarded)
+        except _Ended:
+            return  # the server closes the connection of an answer that is not whole
         except Exception as error:
             log.exception("a request failed", method=scope["method"], path=path)
             if started:
@@ -168,7 +170,7 @@ class Guard:
             await self._refuse(HTTPStatus.FORBIDDEN, error, scope, receive, send)
             return
         if reading:
-            await self._app(scope, receive, send)
+            await self._app(scope, receive, send if caller is None else self._while_admitted(caller, send))
             return
         if entry is not None and entry.deed is not None and caller is not None:
             deed = _Deed(self._admission, caller, entry.deed, scope, send)
@@ -206,6 +208,16 @@ class Guard:
         state["shown"] = shown
         return caller, entry
 
+    def _while_admitted(self, caller: Caller, send: Send) -> Send:
+        """A long answer ends in the middle once its session has ended."""
+
+        async def send_on(message: Message) -> None:
+            if self._admission.current(caller.session) is None:
+                raise _Ended
+            await send(message)
+
+        return send_on
+
     async def _stream(self, caller: Caller | None, scope: Scope, receive: Receive, send: Send) -> None:
         async def counted() -> Message:
             message = await receive()
@@ -241,6 +253,10 @@ def admitted(caller: Caller | None, least: int) -> Caller:
             role=caller.role.name,
         )
     return caller
+
+
+class _Ended(Exception):  # noqa: N818 - nothing failed
+    """The session ended while its answer was being sent."""
 
 
 class _Deed:
