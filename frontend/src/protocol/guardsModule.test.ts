@@ -105,14 +105,18 @@ export type Plane = Checked<typeof isPlane>;
 });
 
 /** The routes of which the committed table of access was made. */
-const ROUTES = ACCESS_TABLE.reduce<Record<string, Record<string, object>>>(
-  (paths, { path, method, tag, least, control }) => {
-    const operation = { responses: {}, tags: [tag], "x-least-role": least, "x-needs-control": control };
-    const address = `/api/v1${path}`;
-    return { ...paths, [address]: { ...paths[address], [method.toLowerCase()]: operation } };
-  },
-  {},
-);
+const ROUTES: Record<string, Record<string, object>> = {};
+for (const { path, method, tag, least, control } of ACCESS_TABLE) {
+  const address = `/api/v1${path}`;
+  const operations = ROUTES[address] ?? {};
+  ROUTES[address] = operations;
+  operations[method.toLowerCase()] = {
+    responses: {},
+    tags: [tag],
+    "x-least-role": least,
+    "x-needs-control": control,
+  };
+}
 
 describe("the check of what was generated", () => {
   const folder = mkdtempSync(join(tmpdir(), "guards-"));
