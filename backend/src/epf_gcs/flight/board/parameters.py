@@ -41,7 +41,7 @@ class Parameters:
         self.held: Held17 = UNKNOWN
         self.unconfirmed: tuple[str, ...] = ()
         self._unstored: dict[str, None] = {}
-        board.listen(self._on_frame)
+        board.listen("autopilot_parameters", self._on_frame)
 
     def forget(self) -> None:
         """Forget all values and undo steps: the board is gone or was restarted."""
@@ -253,7 +253,7 @@ class Parameters:
                 )
 
     def _on_frame(self, frame: Frame, meant: Meaning) -> None:
-        if frame.message.name == "autopilot_parameters" and not self._is_writing:
+        if not self._is_writing:
             self._replace(gains.after_read(self.held, meant.values))
 
     def _replace(self, held: Held17) -> None:
