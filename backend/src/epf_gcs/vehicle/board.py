@@ -219,20 +219,20 @@ class Board:
         if not found:
             return
         t_s = self._clock.now_s()
-        is_awaited = bool(self._listeners)
         frames: list[Frame] = []
+        others: list[Frame] = []
         for item in found:
             if isinstance(item, Frame):
                 frames.append(item)
-                name = item.message.name
-                if name in _URGENT and self.on_urgent is not None:
+                if item.message.name not in _URGENT:
+                    others.append(item)
+                elif self.on_urgent is not None:
                     self.on_urgent(item)
-                self._telemetry.hear(item, t_s)
-                is_awaited = is_awaited or name == _COUNTED
         if frames:
             self.frames_received += len(frames)
-            self._telemetry.end_read(at_once=is_awaited)
-            self._converse(frames)
+            is_awaited = bool(self._listeners) or any(frame.message.name == _COUNTED for frame in others)
+            self._telemetry.hear(frames, t_s, at_once=is_awaited)
+            self._converse(others)
         if len(frames) < len(found):
             self._take_damages(found, t_s)
 

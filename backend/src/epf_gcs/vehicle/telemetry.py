@@ -7,8 +7,7 @@ they wait until the outlet wants them, or until anybody looks here: what is read
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
-from typing import Any, Final
+from typing import Any, Final, NamedTuple
 
 from epf_gcs.codec.frame import Frame
 from epf_gcs.codec.values import Meaning, meaning
@@ -18,8 +17,7 @@ from epf_gcs.vehicle.outside import Clock, Outlet, Values
 _TASK_TOPICS: Final = frozenset(TASK_OF_TOPIC)
 
 
-@dataclass(frozen=True, slots=True)
-class Sample:
+class Sample(NamedTuple):
     """The newest values of a topic and their Unix time."""
 
     t_s: float
@@ -43,12 +41,10 @@ class Telemetry:
         self.on_decoded: Callable[[Frame, Meaning, float], None] = _nobody
         self.flush = outlet.flush
 
-    def hear(self, frame: Frame, t_s: float) -> None:
-        """Take a frame that came at Unix time `t_s`. Call `end_read` after all frames that came together."""
-        self._waiting.append((frame, t_s))
-
-    def end_read(self, *, at_once: bool) -> None:
-        """Decode the frames now if somebody waits for them, or if the outlet does not let them wait."""
+    def hear(self, frames: list[Frame], t_s: float, *, at_once: bool) -> None:
+        """Take frames that came at Unix time `t_s`. `at_once`: somebody waits for their values."""
+        for frame in frames:
+            self._waiting.append((frame, t_s))
         if at_once or not self._outlet.later(self.catch_up):
             self.catch_up()
 
