@@ -17,6 +17,10 @@ from typing import Annotated, Final
 import typer
 
 from epf_gcs.errors import GatewayError
+from epf_gcs.launcher.access import access_arguments, invite, invite_command, print_invitation
+from epf_gcs.launcher.folder import data_folder
+from epf_gcs.launcher.ports import is_loopback
+from epf_gcs.launcher.upkeep import add_commands
 from epf_gcs.listening import listen
 from epf_gcs.watchdog import SILENT_S, wait_for_end
 
@@ -26,6 +30,8 @@ _LIVED_S: Final = 10.0
 _STOP_S: Final = 8.0
 # A process that was being started when the signal came gets another signal after this time.
 _SIGNAL_AGAIN_S: Final = 2.0
+
+_DATA: Final = data_folder()
 
 app = typer.Typer(add_completion=False, context_settings={"help_option_names": ["-h", "--help"]})
 
@@ -140,15 +146,16 @@ class Gateway:
                 number = signal.SIGKILL
 
 
-@app.command()
+@app.callback(invoke_without_command=True)
 def run(
+    context: typer.Context,
     *,
     host: Annotated[
         str,
         typer.Option(
             show_envvar=False,
             envvar="GCS_HOST",
-            help="Address to listen on. Beyond 127.0.0.1 anybody there can fly the aircraft.",
+            help="Address to listen on. Beyond 127.0.0.1 everybody needs a key, which is printed.",
         ),
     ] = "127.0.0.1",
     port: Annotated[
@@ -175,12 +182,34 @@ def run(
         typer.Option(
             show_envvar=False, envvar="GCS_DATA_DIR", help="Folder of the recordings and the remembered links."
         ),
-    ] = Path("data"),
+    ] = _DATA,
     page_dir: Annotated[
         Path | None, typer.Option(show_envvar=False, envvar="GCS_PAGE_DIR", help="Folder of the built page.")
     ] = None,
     recording: Annotated[
         bool, typer.Option(show_envvar=False, envvar="GCS_RECORDING", help="Record every byte of the lines.")
+    ] = True,
+    trust_this_computer: Annotated[
+        bool | None,
+        typer.Option(
+            show_envvar=False,
+            envvar="GCS_TRUST_THIS_COMPUTER",
+            show_default="yes, but not in a container that others reach",
+            help="Whether programs and browsers of this user on this computer need no key.",
+        ),
+    ] = None,
+    allow_anyone_to_fly: Annotated[
+        bool,
+        typer.Option(
+            "--allow-anyone-to-fly",
+            show_envvar=False,
+            envvar="GCS_ALLOW_ANYONE_TO_FLY",
+            help="Everybody on the network commands the aircraft without a key. The page says so in red.",
+        ),
+    ] = False,
+    print_key: Annotated[
+        bool,
+        typer.Option(help="Print a one-time key with its QR code, where it listens beyond this computer."),
     ] = True,
     verbose: Annotated[bool, typer.Option(help="Log more.")] = False,
     print_openapi: Annotated[bool, typer.Option(help="Print the OpenAPI document and end.")] = False,
@@ -193,6 +222,8 @@ def run(
 
     It runs as two processes: `epf-flight` owns the lines and flies on when `epf-web`, which serves the page, does not.
     """
+    if context.invoked_subcommand is not None:
+        return
     if print_openapi:
         raise typer.Exit(
             subprocess.run([sys.executable, "-m", "epf_gcs.web", "--print-openapi"], check=False).returncode
@@ -202,7 +233,12 @@ def run(
     except GatewayError as error:
         print(f"epf-gcs: {error.detail}", file=sys.stderr)
         raise typer.Exit(1) from error
-    code = _gateway(listener, host, data_dir, page_dir, board, recording=recording, verbose=verbose).run()
+    access = access_arguments(trust_this_computer=trust_this_computer, allow_anyone_to_fly=allow_anyone_to_fly)
+    gateway = _gateway(listener, host, data_dir, page_dir, board, access, recording=recording, verbose=verbose)
+    if print_key and not is_loopback(host):
+        command = invite_command(data_dir, host, listener.getsockname()[1], tls=False)
+        threading.Thread(target=print_invitation, args=(command,), name="invitation", daemon=True).start()
+    code = gateway.run()
     # Both processes have ended.
     raise typer.Exit(code)
 
@@ -213,6 +249,7 @@ def _gateway(
     data_dir: Path,
     page_dir: Path | None,
     board: str | None,
+    access: Sequence[str],
     *,
     recording: bool,
     verbose: bool,
@@ -226,12 +263,17 @@ def _gateway(
     ]
     web = [
         *(sys.executable, "-m", "epf_gcs.web", *common, "--host", host, "--fd", str(listener.fileno())),
+        *access,
         *([] if page_dir is None else ["--page-dir", str(page_dir)]),
     ]
     # After a restart the flight process opens what was open when it died, so only its first start gets --board.
     first = [*flight, *([] if board is None else ["--board", board])]
     # We keep the listening socket open, so that browsers wait during a restart of the web process, and are not refused.
     return Gateway(Part("flight", first, flight, alive), Part("web", web, web, alive, [listener.fileno()]))
+
+
+app.command()(invite)
+add_commands(app)
 
 
 def main() -> None:

@@ -2,9 +2,11 @@
 
 import sys
 from dataclasses import dataclass
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Final, Self
 
+from epf_gcs.launcher.access import access_arguments
 from epf_gcs.launcher.emulated import EmulatedBoard
 from epf_gcs.launcher.errors import LaunchError
 from epf_gcs.launcher.ports import LOOPBACK
@@ -48,6 +50,8 @@ class Options:
     port: int = 8000
     lan: bool = False
     data: Path = Path("data")
+    trust_this_computer: bool | None = None
+    allow_anyone_to_fly: bool = False
 
     @property
     def host(self) -> str:
@@ -95,7 +99,15 @@ class Options:
         return [str(program), "--pty", str(self.board_line), "--card", str(card)]
 
     def simulator_command(self, simulator: XPlane) -> list[str]:
-        """The embedded simulator, which listens where the gateway sends and the other way round."""
+        """The embedded simulator, which listens where the gateway sends and the other way round.
+
+        Raises LaunchError if its flight dynamics are not installed.
+        """
+        if find_spec("jsbsim") is None:
+            raise LaunchError(
+                "The embedded simulator needs the package jsbsim, which is not installed: add it with "
+                "pip install 'epf-gcs[sim]', or fly with X-Plane by --xplane."
+            )
         return [
             *(sys.executable, "-m", "epf_gcs.simulator", "--profile", simulator.profile),
             *("--listen", f"{LOOPBACK}:{simulator.port}", "--send-to", f"{LOOPBACK}:{simulator.receive_port}"),
@@ -110,5 +122,10 @@ class Options:
         return [
             *(sys.executable, "-m", "epf_gcs.launcher.gateway"),
             *("--host", self.host, "--port", str(self.port), "--data-dir", str(self.data)),
+            *access_arguments(
+                trust_this_computer=self.trust_this_computer, allow_anyone_to_fly=self.allow_anyone_to_fly
+            ),
+            # Its output goes to a file: no key is printed there.
+            "--no-print-key",
             *(("--board", self.board_url()) if first else ()),
         ]
