@@ -54,7 +54,7 @@ def data(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.mark.parametrize("growing", [False, True], ids=["indexed", "growing"])
-def test_a_flight_in_the_air_answers_as_one_that_has_landed(data: Path, growing: bool) -> None:  # noqa: FBT001
+def test_a_flight_in_the_air_answers_as_one_that_has_landed(data: Path, growing: bool) -> None:
     topics, signals, overview, track, known, span, events = (
         {"head": head, "body": body}
         for head, body in ask(
