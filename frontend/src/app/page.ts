@@ -1,4 +1,7 @@
 import { ABOUT, createAbout } from "../features/about/aboutRequests";
+import { controlMessage } from "../features/access/controlEvents";
+import { createEntry, ENTRY } from "../features/access/entry";
+import { takeAddressedKey } from "../features/access/keyAddress";
 import { createAhrs3d } from "../features/ahrs/ahrsRequests";
 import { AHRS } from "../features/ahrs/alignment";
 import type { Sounder, Speaker } from "../features/alarms/alarmLog";
@@ -42,6 +45,7 @@ import type { StreamEvent, StreamMessage } from "../protocol/envelope";
 import type { Status } from "../protocol/status";
 import { ACTIONS, createActions } from "../requests/actions";
 import { refusedInPast } from "../requests/pastGuard";
+import { createAdmission } from "../store/admission";
 import { createCommands } from "../store/commands";
 import type { Page } from "../store/hooks";
 import { createMessages, type Message, say } from "../store/messages";
@@ -51,6 +55,7 @@ import { type BrowserStorage, choose, createSettings } from "../store/settings";
 import { Rest, type UploadInit } from "../transport/rest";
 import { StreamSocket, type Wire, type WireListener } from "../transport/socket";
 import { eventMessage, linkMessages } from "./announcements";
+import { rememberClient, rememberedClient } from "./clientMemory";
 import { createPasts, SHOWN } from "./past";
 import { plotTimeline } from "./plotTimeline";
 import { createVehicle } from "./vehicle";
@@ -78,8 +83,6 @@ export interface World {
   readonly report: (error: unknown) => void;
 }
 
-const CLIENT_KEY = "epf-gcs.client";
-
 /** Makes the page's parts and connects them. Only here is a message handed from the transport to the stores. */
 export function createPage(world: World): {
   readonly page: Page;
@@ -87,6 +90,8 @@ export function createPage(world: World): {
   readonly stop: () => void;
 } {
   const vehicle = createVehicle();
+  const admission = createAdmission();
+  const addressed = takeAddressedKey(world.address);
   const { telemetry, connection } = vehicle;
   const commands = createCommands();
   const messages = createMessages();
@@ -108,6 +113,15 @@ export function createPage(world: World): {
   function malformed(): void {
     connection.setState((before) => ({ malformed: before.malformed + 1 }));
     tell({ level: "error", key: "said.malformed", params: {} });
+  }
+
+  /** Not admitted, or no longer: the stream ends, and whoever enters next gets a connection with a name of its own. */
+  function shutOut(): void {
+    playback.now();
+    socket.stop();
+    vehicle.become("connecting");
+    connection.setState({ client: null, status: null });
+    rememberClient(world.tabStorage, null);
   }
 
   /** Called before the vehicle takes the status: what changed is found by comparing. */
@@ -135,7 +149,7 @@ export function createPage(world: World): {
       // Its restart is reported on its own, with all that it switched off.
       sourceReturn.setState(NOTHING_LEFT_OFF);
     }
-    const said = eventMessage(message, client());
+    const said = eventMessage(message, client()) ?? controlMessage(message, client());
     if (said !== null) {
       tell(said);
     }
@@ -146,7 +160,8 @@ export function createPage(world: World): {
       followStatus(message.data);
     } else if (message.type === "hello") {
       followStatus(message.status);
-      remember(world.tabStorage, message.client);
+      rememberClient(world.tabStorage, message.client);
+      review();
     }
     vehicle.take(message, at_ms);
     if (message.type === "batch") {
@@ -157,7 +172,7 @@ export function createPage(world: World): {
   }
 
   const socket = new StreamSocket({
-    dial: (listener) => world.dial(client() ?? remembered(world.tabStorage), listener),
+    dial: (listener) => world.dial(client() ?? rememberedClient(world.tabStorage), listener),
     timers: world.timers,
     onMessage: take,
     onState: ({ kind }) => {
@@ -165,6 +180,9 @@ export function createPage(world: World): {
         forget(parameterValues);
       }
       vehicle.become(kind);
+      if (kind === "waiting") {
+        review();
+      }
     },
     onMalformed: malformed,
   });
@@ -176,6 +194,14 @@ export function createPage(world: World): {
       playback.store.getState().flight === null ? null : refusedInPast(method, path),
   });
   const asking = { rest, commands, messages, now_ms, wall_ms: world.wall_ms };
+  const { entry, begin, review } = createEntry({
+    rest,
+    timers: world.timers,
+    admission,
+    addressed,
+    start: () => socket.start(),
+    stop: shutOut,
+  });
   const servos = createServoSliders({ rest, timers: world.timers, client, tell });
   const { boardConsole, takeEvent: takeConsole } = createBoardConsole({ rest, wall_ms: world.wall_ms });
   const actions = createActions({ ...asking, client });
@@ -235,6 +261,7 @@ export function createPage(world: World): {
   });
   const parts = new Parts()
     .with(PLAYBACK, playback)
+    .with(ENTRY, entry)
     .with(ACTIONS, actions)
     .with(ALARM_LOG, alarmLog)
     .with(PARAMETER_REQUESTS, createParameterActions(parameterValues, asking))
@@ -259,6 +286,7 @@ export function createPage(world: World): {
     telemetry,
     pump,
     connection,
+    admission,
     commands,
     messages,
     settings,
@@ -280,7 +308,10 @@ export function createPage(world: World): {
   return {
     page,
     start: () => {
-      socket.start();
+      begin();
+      if (addressed.tab !== null) {
+        choose(settings, "tab", addressed.tab);
+      }
       gamepads.start();
       const report = addressedReport(world.address.read());
       if (report !== null) {
@@ -298,24 +329,4 @@ export function createPage(world: World): {
       socket.stop();
     },
   };
-}
-
-function remembered(storage: BrowserStorage | null): string | null {
-  try {
-    return storage?.getItem(CLIENT_KEY) ?? null;
-  } catch {
-    return null;
-  }
-}
-
-/**
- * Keep the name of this tab's connection, so that the gateway knows the same client after a reload, which then keeps
- * control.
- */
-function remember(storage: BrowserStorage | null, client: string): void {
-  try {
-    storage?.setItem(CLIENT_KEY, client);
-  } catch {
-    // Storage is forbidden: after a reload the gateway sees a new client.
-  }
 }

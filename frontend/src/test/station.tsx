@@ -54,6 +54,8 @@ export class Station {
   readonly asked: Asked[] = [];
   /** What the time bar asks by itself about the flight that it shows. */
   readonly askedByBar: Asked[] = [];
+  /** What the page asks about who may come in: also by itself, at each connection. */
+  readonly askedAccess: Asked[] = [];
   readonly clients: Array<string | null> = [];
   /** Streams of flights of the past, and where each was asked to begin. */
   readonly replays: FakeReplay[] = [];
@@ -207,7 +209,8 @@ export class Station {
   #ask(path: string, init: RequestInit): Promise<Response> {
     return new Promise((resolve) => {
       const isOfBar = /^\/api\/v1\/flights\/[^/]+\/(overview|events)/.test(path);
-      (isOfBar ? this.askedByBar : this.asked).push({
+      const isOfAccess = path.startsWith("/api/v1/access/");
+      (isOfBar ? this.askedByBar : isOfAccess ? this.askedAccess : this.asked).push({
         method: init.method ?? "GET",
         path,
         body: typeof init.body === "string" ? JSON.parse(init.body) : undefined,
