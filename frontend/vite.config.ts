@@ -3,12 +3,13 @@ import { defineConfig } from "vitest/config";
 import { globeAssets, globeAssetsPath } from "./scripts/globeAssets.ts";
 import { globePolicy } from "./scripts/globePolicy.ts";
 import { pagePackages } from "./scripts/packages.ts";
+import { pageWorker } from "./scripts/pageWorker.ts";
 
 /** Where `npm run dev` finds the gateway. */
 const gateway = process.env["GCS_DEV_GATEWAY"] ?? "http://127.0.0.1:8000";
 
 export default defineConfig({
-  plugins: [react(), globeAssets(import.meta.dirname), globePolicy()],
+  plugins: [react(), globeAssets(import.meta.dirname), globePolicy(), pageWorker()],
   // Read when the page is built, so that the about window needs no network and cannot be out of date.
   define: {
     // Where the globe's engine looks for its own files.

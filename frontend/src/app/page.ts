@@ -2,6 +2,7 @@ import { ABOUT, createAbout } from "../features/about/aboutRequests";
 import { controlMessage } from "../features/access/controlEvents";
 import { createEntry, ENTRY } from "../features/access/entry";
 import { takeAddressedKey } from "../features/access/keyAddress";
+import { createNewVersion, NEW_VERSION } from "../features/access/newVersion";
 import { createAhrs3d } from "../features/ahrs/ahrsRequests";
 import { AHRS } from "../features/ahrs/alignment";
 import type { Sounder, Speaker } from "../features/alarms/alarmLog";
@@ -56,6 +57,7 @@ import { Rest, type UploadInit } from "../transport/rest";
 import { StreamSocket, type Wire, type WireListener } from "../transport/socket";
 import { eventMessage, linkMessages } from "./announcements";
 import { rememberClient, rememberedClient } from "./clientMemory";
+import type { PageVersions } from "./pageVersion";
 import { createPasts, SHOWN } from "./past";
 import { plotTimeline } from "./plotTimeline";
 import { createVehicle } from "./vehicle";
@@ -77,6 +79,7 @@ export interface World {
   readonly speaker: Speaker;
   readonly gamepads: GamepadReader;
   readonly address: AddressLine;
+  readonly versions: PageVersions;
   /** Saves a file on the user's computer. */
   readonly saveFile: (name: string, content: Blob) => void;
   /** Reports an exception in the page's own code: to the browser's console. */
@@ -162,6 +165,7 @@ export function createPage(world: World): {
       followStatus(message.status);
       rememberClient(world.tabStorage, message.client);
       review();
+      world.versions.look();
     }
     vehicle.take(message, at_ms);
     if (message.type === "batch") {
@@ -233,6 +237,7 @@ export function createPage(world: World): {
     isRecording: () => connection.getState().status?.recording.active === true,
     open: (place, listener) => pasts.open(place, listener),
   });
+  const newVersion = createNewVersion();
   const reports = createReports(rest, (flight, compare) => keepReport(world.address, flight, compare));
   const { flights, takeFlightEvent } = createFlights({
     ...asking,
@@ -262,6 +267,7 @@ export function createPage(world: World): {
   const parts = new Parts()
     .with(PLAYBACK, playback)
     .with(ENTRY, entry)
+    .with(NEW_VERSION, newVersion)
     .with(ACTIONS, actions)
     .with(ALARM_LOG, alarmLog)
     .with(PARAMETER_REQUESTS, createParameterActions(parameterValues, asking))
@@ -309,6 +315,7 @@ export function createPage(world: World): {
     page,
     start: () => {
       begin();
+      world.versions.onNewer((load) => newVersion.setState({ load }));
       if (addressed.tab !== null) {
         choose(settings, "tab", addressed.tab);
       }

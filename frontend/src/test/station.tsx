@@ -59,6 +59,8 @@ export class Station {
   readonly clients: Array<string | null> = [];
   /** Streams of flights of the past, and where each was asked to begin. */
   readonly replays: FakeReplay[] = [];
+  /** A newer version of the page is there. */
+  offerVersion: (load: () => void) => void = () => undefined;
   /** The address of the page. */
   url: string;
   /** Files that the page sends; each is answered as the request of its path. */
@@ -94,6 +96,7 @@ export class Station {
           this.url = address;
         },
       },
+      versions: { onNewer: (hear) => (this.offerVersion = hear), look: () => undefined },
       fetch: (path, init) => this.#ask(path, init),
       upload: (path, { signal, onSent }) =>
         new Promise((resolve, reject) => {

@@ -1,13 +1,16 @@
 import { useTranslation } from "react-i18next";
+import { useStore } from "zustand";
 import type { ControlRequest } from "../../protocol/status";
 import { pageName } from "../../requests/useControl";
 import { useAdmission } from "../../requests/useRole";
-import { useConnection } from "../../store/hooks";
+import { useConnection, usePart } from "../../store/hooks";
+import { Button } from "../../ui/Button";
 import { Change } from "./ControlHolder";
+import { NEW_VERSION } from "./newVersion";
 import { useSecondsTo } from "./useSecondsTo";
 
 /**
- * What everybody at the page must see above all tabs: that the door is open, and who asks for control. In the window's
+ * What everybody at the page must see above all tabs: that the door is open, who asks for control, a newer page. In the window's
  * rows, so that they cover nothing, and without taking the focus: a hand may be on the keyboard.
  */
 export function AccessBands() {
@@ -15,6 +18,7 @@ export function AccessBands() {
     <>
       <OpenDoor />
       <Requests />
+      <Newer />
     </>
   );
 }
@@ -28,6 +32,18 @@ function OpenDoor() {
       {t("access.anyoneMayFly")}
     </p>
   ) : null;
+}
+
+/** Offered and never forced: a page that is flying goes on as it is. */
+function Newer() {
+  const { t } = useTranslation();
+  const load = useStore(usePart(NEW_VERSION), (version) => version.load);
+  return load === null ? null : (
+    <div role="status" className="app-new-version">
+      <span>{t("access.newVersion")}</span>
+      <Button onPress={load}>{t("access.loadNew")}</Button>
+    </div>
+  );
 }
 
 const NOBODY: readonly ControlRequest[] = [];
