@@ -17,6 +17,8 @@ from typing import Annotated, Final
 import typer
 
 from epf_gcs.errors import GatewayError
+from epf_gcs.launcher.access import access_arguments, invite_command, print_invitation
+from epf_gcs.launcher.ports import is_loopback
 from epf_gcs.listening import listen
 from epf_gcs.watchdog import SILENT_S, wait_for_end
 
@@ -140,15 +142,16 @@ class Gateway:
                 number = signal.SIGKILL
 
 
-@app.command()
+@app.callback(invoke_without_command=True)
 def run(
+    context: typer.Context,
     *,
     host: Annotated[
         str,
         typer.Option(
             show_envvar=False,
             envvar="GCS_HOST",
-            help="Address to listen on. Beyond 127.0.0.1 anybody there can fly the aircraft.",
+            help="Address to listen on. Beyond 127.0.0.1 everybody needs a key, which is printed.",
         ),
     ] = "127.0.0.1",
     port: Annotated[
@@ -182,6 +185,28 @@ def run(
     recording: Annotated[
         bool, typer.Option(show_envvar=False, envvar="GCS_RECORDING", help="Record every byte of the lines.")
     ] = True,
+    trust_this_computer: Annotated[
+        bool | None,
+        typer.Option(
+            show_envvar=False,
+            envvar="GCS_TRUST_THIS_COMPUTER",
+            show_default="yes, but not in a container that others reach",
+            help="Whether programs and browsers of this user on this computer need no key.",
+        ),
+    ] = None,
+    allow_anyone_to_fly: Annotated[
+        bool,
+        typer.Option(
+            "--allow-anyone-to-fly",
+            show_envvar=False,
+            envvar="GCS_ALLOW_ANYONE_TO_FLY",
+            help="Everybody on the network commands the aircraft without a key. The page says so in red.",
+        ),
+    ] = False,
+    print_key: Annotated[
+        bool,
+        typer.Option(help="Print a one-time key with its QR code, where it listens beyond this computer."),
+    ] = True,
     verbose: Annotated[bool, typer.Option(help="Log more.")] = False,
     print_openapi: Annotated[bool, typer.Option(help="Print the OpenAPI document and end.")] = False,
 ) -> None:
@@ -193,6 +218,8 @@ def run(
 
     It runs as two processes: `epf-flight` owns the lines and flies on when `epf-web`, which serves the page, does not.
     """
+    if context.invoked_subcommand is not None:
+        return
     if print_openapi:
         raise typer.Exit(
             subprocess.run([sys.executable, "-m", "epf_gcs.web", "--print-openapi"], check=False).returncode
@@ -202,9 +229,40 @@ def run(
     except GatewayError as error:
         print(f"epf-gcs: {error.detail}", file=sys.stderr)
         raise typer.Exit(1) from error
-    code = _gateway(listener, host, data_dir, page_dir, board, recording=recording, verbose=verbose).run()
+    access = access_arguments(trust_this_computer=trust_this_computer, allow_anyone_to_fly=allow_anyone_to_fly)
+    gateway = _gateway(listener, host, data_dir, page_dir, board, access, recording=recording, verbose=verbose)
+    if print_key and not is_loopback(host):
+        command = invite_command(data_dir, host, listener.getsockname()[1], tls=False)
+        threading.Thread(target=print_invitation, args=(command,), name="invitation", daemon=True).start()
+    code = gateway.run()
     # Both processes have ended.
     raise typer.Exit(code)
+
+
+@app.command()
+def invite(
+    *,
+    role: Annotated[
+        str,
+        typer.Option(help="viewer, operator or owner.", show_default="operator; owner for the first of a container"),
+    ] = "",
+    minutes: Annotated[float, typer.Option(help="How long the key can be used.")] = 60.0,
+    data_dir: Annotated[
+        Path, typer.Option(show_envvar=False, envvar="GCS_DATA_DIR", help="The station's folder.")
+    ] = Path("data"),
+    host: Annotated[
+        str, typer.Option(show_envvar=False, envvar="GCS_HOST", help="What the station listens on.")
+    ] = "0.0.0.0",  # noqa: S104 - nothing listens here
+    port: Annotated[int, typer.Option(show_envvar=False, envvar="GCS_PORT", help="The station's port.")] = 8000,
+    tls: Annotated[bool, typer.Option("--tls", show_envvar=False, envvar="GCS_TLS", help="It has TLS.")] = False,
+) -> None:
+    """Make a one-time key for a person, and print it with the address and its QR code.
+
+    It is written into the data folder; the station, running or not, takes it once.
+    """
+    more = ["--minutes", str(minutes), *(["--role", role] if role else [])]
+    command = invite_command(data_dir, host, port, tls=tls, more=more)
+    raise typer.Exit(subprocess.run(command, check=False).returncode)
 
 
 def _gateway(
@@ -213,6 +271,7 @@ def _gateway(
     data_dir: Path,
     page_dir: Path | None,
     board: str | None,
+    access: Sequence[str],
     *,
     recording: bool,
     verbose: bool,
@@ -226,6 +285,7 @@ def _gateway(
     ]
     web = [
         *(sys.executable, "-m", "epf_gcs.web", *common, "--host", host, "--fd", str(listener.fileno())),
+        *access,
         *([] if page_dir is None else ["--page-dir", str(page_dir)]),
     ]
     # After a restart the flight process opens what was open when it died, so only its first start gets --board.

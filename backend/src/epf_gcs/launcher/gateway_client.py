@@ -35,8 +35,10 @@ class UnreachableError(LaunchError):
 class GatewayClient:
     """Requests to one gateway. Proxy settings are ignored, because the gateway is on this computer."""
 
-    def __init__(self, base_url: str) -> None:
+    def __init__(self, base_url: str, key: str | None = None) -> None:
+        """`key`: what the gateway was given by us to know us by."""
         self._base_url = base_url
+        self._headers = {} if key is None else {"Authorization": f"Bearer {key}"}
         self._opener = urllib.request.build_opener(urllib.request.ProxyHandler({}))
 
     def status(self) -> Status:
@@ -110,7 +112,10 @@ class GatewayClient:
     def _ask(self, method: str, path: str, body: object, headers: dict[str, str]) -> Status:
         data = None if body is None else json.dumps(body).encode()
         request = urllib.request.Request(  # noqa: S310 (the address is made here, from a host and a port)
-            self._base_url + path, data=data, method=method, headers=headers | {"Content-Type": "application/json"}
+            self._base_url + path,
+            data=data,
+            method=method,
+            headers=headers | self._headers | {"Content-Type": "application/json"},
         )
         try:
             with self._opener.open(request, timeout=_REQUEST_TIMEOUT_S) as response:

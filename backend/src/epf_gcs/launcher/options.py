@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Final, Self
 
+from epf_gcs.launcher.access import access_arguments
 from epf_gcs.launcher.emulated import EmulatedBoard
 from epf_gcs.launcher.errors import LaunchError
 from epf_gcs.launcher.ports import LOOPBACK
@@ -48,6 +49,8 @@ class Options:
     port: int = 8000
     lan: bool = False
     data: Path = Path("data")
+    trust_this_computer: bool | None = None
+    allow_anyone_to_fly: bool = False
 
     @property
     def host(self) -> str:
@@ -110,5 +113,10 @@ class Options:
         return [
             *(sys.executable, "-m", "epf_gcs.launcher.gateway"),
             *("--host", self.host, "--port", str(self.port), "--data-dir", str(self.data)),
+            *access_arguments(
+                trust_this_computer=self.trust_this_computer, allow_anyone_to_fly=self.allow_anyone_to_fly
+            ),
+            # Its output goes to a file: no key is printed there.
+            "--no-print-key",
             *(("--board", self.board_url()) if first else ()),
         ]

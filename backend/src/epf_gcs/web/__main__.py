@@ -7,7 +7,7 @@ import os
 import sys
 import threading
 from pathlib import Path
-from typing import Any
+from typing import Any, Final
 
 import orjson
 
@@ -18,10 +18,16 @@ from epf_gcs.web.server import Server
 from epf_gcs.web.settings import Settings
 
 
+_GIVEN: Final = (
+    *("host", "port", "data_dir", "page_dir", "fd", "watchdog"),
+    *("trust_this_computer", "allow_anyone_to_fly"),
+)
+
+
 def main() -> None:
     """Entry point of `epf-web`."""
     options = _options()
-    given = {name: getattr(options, name) for name in ("host", "port", "data_dir", "page_dir", "fd", "watchdog")}
+    given = {name: getattr(options, name) for name in _GIVEN}
     try:
         settings = Settings(**{name: value for name, value in given.items() if value is not None})
     except ValueError as error:
@@ -51,6 +57,12 @@ def _options() -> argparse.Namespace:
     parser.add_argument("--watchdog", type=int, help="Pipe on which the parent expects signs of life.")
     parser.add_argument("--data-dir", type=Path, help="Folder of the flight process, the recordings and the maps.")
     parser.add_argument("--page-dir", type=Path, help="Folder of the built page.")
+    parser.add_argument(
+        "--trust-this-computer", action=argparse.BooleanOptionalAction, help="Whether this computer needs no key."
+    )
+    parser.add_argument(
+        "--allow-anyone-to-fly", action="store_true", default=None, help="Nobody needs a key to command."
+    )
     parser.add_argument("--with-parent", action="store_true", help="End when standard input closes.")
     parser.add_argument("--verbose", action="store_true", help="Log more.")
     parser.add_argument("--print-openapi", action="store_true", help="Print the OpenAPI document and end.")
