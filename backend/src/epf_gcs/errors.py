@@ -28,10 +28,17 @@ ErrorCode = Literal[
     "board_line_full",
     "board_not_open",
     "body_too_large",
+    "client_may_not_command",
+    "client_not_yours",
+    "client_silent",
     "client_unknown",
     "command_link_lost",
     "command_unknown",
     "control_held",
+    "control_not_asked",
+    "control_not_held",
+    "control_refused",
+    "control_unconfirmed",
     "data_folder_taken",
     "datagram_malformed",
     "datagram_stranger",
@@ -200,6 +207,10 @@ class NotAdmittedError(GatewayError):
 
 class RoleError(GatewayError):
     """The caller's role may not do this."""
+
+
+class NotYoursError(GatewayError):
+    """It belongs to somebody else's session."""
 
 
 class TooManyError(GatewayError):

@@ -13,6 +13,7 @@ from typing import Final
 
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.recordings.places import Places, is_id
+from epf_gcs.web.access.caller import Caller
 from epf_gcs.web.flights.replay_conversation import ReplayConversation
 from epf_gcs.web.flights.replay_process import ReplayProcess
 from epf_gcs.web.stream.socket import Refusal, SocketConnection
@@ -38,8 +39,16 @@ class Replays:
         """How many there are now."""
         return self._hosts.total()
 
-    def open(self, connection: SocketConnection, query: dict[str, str], rate_hz: int, peer: str) -> ReplayConversation:
-        """A replay of `flight` from `at_s` on, for this connection. Raises Refusal."""
+    def open(
+        self,
+        connection: SocketConnection,
+        caller: Caller,
+        query: dict[str, str],
+        rate_hz: int,
+        peer: str,
+        on_end: Callable[[], None],
+    ) -> ReplayConversation:
+        """A replay of `flight` from `at_s` on, for this connection; `on_end`: it is over. Raises Refusal."""
         flight = query["flight"]
         file = self._file(flight)
         at_s = _read_moment(query.get("at_s", "0"))
@@ -58,9 +67,10 @@ class Replays:
 
         def leave() -> None:
             self._hosts[host] -= 1
+            on_end()
 
         process = ReplayProcess(file, self._places.keyframes(file.stem), at_s)
-        return ReplayConversation(connection, process, rate_hz, query.get("name") or peer, self._start, leave)
+        return ReplayConversation(connection, caller, process, rate_hz, self._start, leave)
 
     async def close(self) -> None:
         """End all: the web process ends."""

@@ -33,10 +33,12 @@ PINGS_PER_S: Final = 20
 """Largest rate of a browser's control frames; its pongs to our pings are one in ten seconds."""
 MESSAGES_PER_S: Final = 1000
 """Largest rate of a browser's messages; acknowledgements of every sample and a stick are well below."""
-_TOO_MUCH: Final = 1008  # policy violation
+_TOO_MUCH: Final = 1008  # policy violation: too many frames, or a session or key that is no longer good
 BYTES_PER_TURN: Final = 1024
 """Bytes of one connection handled in one turn of the loop: fewer than two hundred frames."""
 _LAST_WORDS_S: Final = 2.0
+# Less than a second after a session or key was ended nothing of it is left.
+_DISMISSAL_S: Final = 0.5
 # Of a frame's head (RFC 6455, 5.2): final text without extension, control frame, mask bit, least size with more bytes.
 _WHOLE_TEXT: Final = 0x81
 _CONTROL: Final = 0x88
@@ -92,7 +94,7 @@ class SocketConnection(asyncio.Protocol):
         self._is_open = False
         self._conversation: Conversation | None = None
         self._keepalive: asyncio.TimerHandle | None = None
-        self._heard = True
+        self._answered = True
         self._fragments: list[bytes] = []
         # What comes next begins a frame. False for good once the protocol got a part of one.
         self._is_aligned = False
@@ -104,6 +106,8 @@ class SocketConnection(asyncio.Protocol):
         self.on_lost: Callable[[], None] = _nothing
         # Who opened it; set before the handshake, which strangers do not reach.
         self.caller: Caller | None = None
+        self.heard = 0
+        """Pieces of anything that came; it only grows."""
 
     def connection_made(self, transport: asyncio.BaseTransport) -> None:
         """uvicorn hands over the transport of the HTTP connection."""
@@ -112,7 +116,8 @@ class SocketConnection(asyncio.Protocol):
 
     def data_received(self, data: bytes) -> None:
         """Take bytes from the browser: first the handshake, then frames."""
-        self._heard = True
+        self._answered = True
+        self.heard += 1
         if self._given_up:
             return
         if not self._pending and len(data) <= BYTES_PER_TURN:
@@ -161,12 +166,32 @@ class SocketConnection(asyncio.Protocol):
 
     def end(self, reason: str) -> None:
         """Close because what was shown has ended; `reason` is short, for a log of the browser."""
+        self._close_with(_ENDED, reason, _LAST_WORDS_S)
+
+    def dismiss(self, reason: str) -> None:
+        """Close because whoever opened it may not any longer: nothing more is sent, or taken from it."""
+        self._given_up = True
+        self._pending = b""
+        self._close_with(_TOO_MUCH, reason, _DISMISSAL_S)
+
+    def abort(self) -> None:
+        """Close at once and without a word: nothing is heard of the other side."""
+        if self._transport is not None:
+            self._transport.abort()
+
+    def ping(self) -> None:
+        """Make the browser answer."""
+        if self._is_open:
+            self._protocol.send_ping(b"")
+            self._write_protocol_output()
+
+    def _close_with(self, code: int, reason: str, lasts_s: float) -> None:
         if self._transport is None or not self._is_open:
             return
-        self._protocol.send_close(_ENDED, reason)
+        self._protocol.send_close(code, reason)
         self._write_protocol_output()
         self._is_open = False
-        self._loop.call_later(_LAST_WORDS_S, self._transport.abort)
+        self._loop.call_later(lasts_s, self._transport.abort)
 
     def send(self, messages: list[bytes]) -> None:
         """Send texts, all in one write."""
@@ -305,13 +330,11 @@ class SocketConnection(asyncio.Protocol):
         """Close the connection if nothing arrived since the last ping; else ping again."""
         if self._transport is None:
             return
-        if not self._heard:
+        if not self._answered:
             self._transport.abort()
             return
-        self._heard = False
-        if self._is_open:
-            self._protocol.send_ping(b"")
-            self._write_protocol_output()
+        self._answered = False
+        self.ping()
         self._keepalive = self._loop.call_later(_KEEPALIVE_S, self._check_alive)
 
 
