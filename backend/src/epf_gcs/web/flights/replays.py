@@ -16,7 +16,8 @@ from epf_gcs.recordings.places import Places, is_id
 from epf_gcs.web.access.caller import Caller
 from epf_gcs.web.flights.replay_conversation import ReplayConversation
 from epf_gcs.web.flights.replay_process import ReplayProcess
-from epf_gcs.web.stream.socket import Refusal, SocketConnection
+from epf_gcs.web.stream.handshake import Refusal
+from epf_gcs.web.stream.socket import SocketConnection
 
 MOST: Final = 12
 MOST_OF_A_HOST: Final = 10

@@ -23,10 +23,11 @@ from epf_gcs.web.access.roles import Role
 from epf_gcs.web.flights.replay_conversation import ReplayConversation
 from epf_gcs.web.flights.replays import Replays
 from epf_gcs.web.state.whole import WholeStatus
+from epf_gcs.web.stream.handshake import Refusal
 from epf_gcs.web.stream.hub import Hub
 from epf_gcs.web.stream.messages import INVALID, RATE_SENTENCE, TOPICS
 from epf_gcs.web.stream.open_streams import OpenStreams
-from epf_gcs.web.stream.socket import Conversation, Refusal, SocketConnection
+from epf_gcs.web.stream.socket import Conversation, SocketConnection
 from epf_gcs.web.stream.viewer import MAX_RATE_HZ, Viewer
 from epf_gcs.xplane.stick import SAMPLE_FAULT, read_sample
 

@@ -11,11 +11,10 @@ import os
 from collections.abc import Callable
 from http import HTTPStatus
 from typing import Any, Final, Protocol, cast
-from urllib.parse import SplitResult, parse_qsl, urlsplit
+from urllib.parse import parse_qsl
 
 from uvicorn.config import Config
 from uvicorn.server import ServerState
-from websockets.datastructures import Headers
 from websockets.frames import Frame, Opcode
 from websockets.http11 import Request
 from websockets.protocol import State
@@ -24,6 +23,7 @@ from websockets.utils import apply_mask
 
 from epf_gcs.web.access.caller import Caller
 from epf_gcs.web.stream.allowance import Allowance
+from epf_gcs.web.stream.handshake import Refusal, address_parts, only_value
 
 _MAX_MESSAGE_BYTES: Final = 16384
 _KEEPALIVE_S: Final = 10.0
@@ -45,15 +45,6 @@ _CONTROL: Final = 0x88
 _MASKED: Final = 0x80
 _LONG: Final = 126
 _SHORT_HEAD_BYTES: Final = 6
-
-
-class Refusal(Exception):  # noqa: N818 - an answer to the handshake, not a fault
-    """The handshake is refused with this status and sentence."""
-
-    def __init__(self, status: HTTPStatus, text: str) -> None:
-        super().__init__(text)
-        self.status = status
-        self.text = text
 
 
 class Conversation(Protocol):
@@ -283,8 +274,8 @@ class SocketConnection(asyncio.Protocol):
             return
         peer = transport.get_extra_info("peername") or ("", 0)
         try:
-            parts = _parts(request.path)
-            self._endpoint.check(_only(request.headers, "Host"), _only(request.headers, "Origin"))
+            parts = address_parts(request.path)
+            self._endpoint.check(only_value(request.headers, "Host"), only_value(request.headers, "Origin"))
             query = dict(parse_qsl(parts.query, keep_blank_values=True))
             conversation = self._endpoint.open(self, parts.path, query, f"{peer[0]}:{peer[1]}")
         except Refusal as refusal:
@@ -338,22 +329,8 @@ class SocketConnection(asyncio.Protocol):
         self._keepalive = self._loop.call_later(_KEEPALIVE_S, self._check_alive)
 
 
-def _parts(address: str) -> SplitResult:
-    """Path and query. Raises Refusal if this is not a URL."""
-    try:
-        return urlsplit(address)
-    except ValueError as error:
-        raise Refusal(HTTPStatus.BAD_REQUEST, "This is no address.") from error
-
-
 def _nothing() -> None:
     """Default for `on_lost`: do nothing."""
-
-
-def _only(headers: Headers, name: str) -> str | None:
-    """The value of a header; a repeated one gives its values joined, which is never a valid value."""
-    values = headers.get_all(name)
-    return None if not values else ",".join(values)
 
 
 def text_header(size: int) -> bytes:
