@@ -1,5 +1,7 @@
 import { ABOUT, createAbout } from "../features/about/aboutRequests";
+import { ACCESS_ADMIN, createAccessAdmin } from "../features/access/accessAdmin";
 import { controlMessage } from "../features/access/controlEvents";
+import { CONTROL_PAGES, createControlPages } from "../features/access/controlPages";
 import { createEntry, ENTRY } from "../features/access/entry";
 import { takeAddressedKey } from "../features/access/keyAddress";
 import { createNewVersion, NEW_VERSION } from "../features/access/newVersion";
@@ -268,6 +270,8 @@ export function createPage(world: World): {
     .with(PLAYBACK, playback)
     .with(ENTRY, entry)
     .with(NEW_VERSION, newVersion)
+    .with(ACCESS_ADMIN, createAccessAdmin({ ...asking, timers: world.timers, address: world.address.read }))
+    .with(CONTROL_PAGES, createControlPages(rest, world.timers))
     .with(ACTIONS, actions)
     .with(ALARM_LOG, alarmLog)
     .with(PARAMETER_REQUESTS, createParameterActions(parameterValues, asking))
@@ -316,9 +320,7 @@ export function createPage(world: World): {
     start: () => {
       begin();
       world.versions.onNewer((load) => newVersion.setState({ load }));
-      if (addressed.tab !== null) {
-        choose(settings, "tab", addressed.tab);
-      }
+      openAddressedTab(settings, addressed.tab);
       gamepads.start();
       const report = addressedReport(world.address.read());
       if (report !== null) {

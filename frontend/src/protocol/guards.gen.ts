@@ -28,6 +28,13 @@ export const isAbout = shape({
 });
 export type About = Checked<typeof isAbout>;
 
+/** Where browsers of other machines reach this station; empty where it listens on this computer alone. */
+export const isAddresses = shape({
+  addresses: list(isText),
+  tls: isFlag,
+});
+export type Addresses = Checked<typeof isAddresses>;
+
 /** Something to do about what does not go well. */
 export const isAdviceState = shape({
   code: isText,
@@ -186,6 +193,25 @@ export const isControlState = shape({
   name: nullable(isText),
 });
 export type ControlState = Checked<typeof isControlState>;
+
+/** Something that somebody did; `role` null: a stranger. */
+export const isDeedState = shape({
+  address: isText,
+  deed: isText,
+  kind: oneOf("local", "person", "program", "stranger"),
+  name: isText,
+  result: isText,
+  role: nullable(oneOf("viewer", "operator", "owner")),
+  t_s: isNumber,
+  what: isText,
+});
+export type DeedState = Checked<typeof isDeedState>;
+
+/** Newest first. */
+export const isDeeds = shape({
+  deeds: list(isDeedState),
+});
+export type Deeds = Checked<typeof isDeeds>;
 
 /** A flight in the bin; from `gone_s` on it may be removed for good. */
 export const isDeletedFlight = shape({
@@ -710,6 +736,21 @@ export const isInspector = shape({
 });
 export type Inspector = Checked<typeof isInspector>;
 
+/** A one-time key that can still be used. */
+export const isInvitationState = shape({
+  id: isText,
+  role: oneOf("viewer", "operator", "owner"),
+  since_s: isNumber,
+  until_s: isNumber,
+});
+export type InvitationState = Checked<typeof isInvitationState>;
+
+/** All of them, oldest first. */
+export const isInvitationList = shape({
+  invitations: list(isInvitationState),
+});
+export type InvitationList = Checked<typeof isInvitationList>;
+
 /** Jobs under way and the last that ended, newest first. */
 export const isJobList = shape({
   jobs: list(isJob),
@@ -793,6 +834,16 @@ export const isMapLayers = shape({
 });
 export type MapLayers = Checked<typeof isMapLayers>;
 
+/** Who the station takes the caller for; `kind`, `role` and `name` are null for a stranger. */
+export const isMe = shape({
+  anyone_may_fly: isFlag,
+  kind: nullable(oneOf("local", "person", "program", "anyone")),
+  name: nullable(isText),
+  role: nullable(oneOf("viewer", "operator", "owner")),
+  state: oneOf("stranger", "waiting", "in"),
+});
+export type Me = Checked<typeof isMe>;
+
 /** The plan that the board has. */
 export const isMission = shape({
   plan: oneOf("flight", "hil"),
@@ -820,6 +871,32 @@ export const isMissionImport = shape({
   waypoints: list(isWaypointModel),
 });
 export type MissionImport = Checked<typeof isMissionImport>;
+
+/** Its key, which is shown this once; `address` has the key in it, and `qr_svg` is a picture of it. */
+export const isNewInvitation = shape({
+  address: isText,
+  invitation: isInvitationState,
+  key: isText,
+  qr_svg: isText,
+});
+export type NewInvitation = Checked<typeof isNewInvitation>;
+
+/** A program with a key; `seen_s` null: never used. */
+export const isProgramState = shape({
+  id: isText,
+  name: isText,
+  role: oneOf("viewer", "operator", "owner"),
+  seen_s: nullable(isNumber),
+  since_s: isNumber,
+});
+export type ProgramState = Checked<typeof isProgramState>;
+
+/** Its key, which is shown this once. */
+export const isNewProgram = shape({
+  key: isText,
+  program: isProgramState,
+});
+export type NewProgram = Checked<typeof isNewProgram>;
 
 /** A source, and whether it gives anything now. Its layer has the id `online-` and this one. */
 export const isOnlineSource = shape({
@@ -865,6 +942,27 @@ export const isParameterList = shape({
 });
 export type ParameterList = Checked<typeof isParameterList>;
 
+/** Somebody who came in, waits to, or was ended. */
+export const isPersonState = shape({
+  address: isText,
+  id: isText,
+  is_you: isFlag,
+  name: isText,
+  place: isText,
+  role: oneOf("viewer", "operator", "owner"),
+  seen_s: isNumber,
+  sessions: isNumber,
+  since_s: isNumber,
+  state: oneOf("waiting", "in", "ended"),
+});
+export type PersonState = Checked<typeof isPersonState>;
+
+/** All people, oldest first. */
+export const isPeople = shape({
+  people: list(isPersonState),
+});
+export type People = Checked<typeof isPeople>;
+
 /** Where a replay is: on the stream as the message `playback` and in the status of a replayed flight.
  *
  * `edge_s` is how far the recording reaches; it grows for the flight that is being recorded. `loop` is [from_s, to_s]. */
@@ -895,6 +993,12 @@ export const isPorts = shape({
 });
 export type Ports = Checked<typeof isPorts>;
 
+/** All programs, oldest first. */
+export const isProgramList = shape({
+  programs: list(isProgramState),
+});
+export type ProgramList = Checked<typeof isProgramList>;
+
 /** A file with everything that went over the lines. */
 export const isRecordingInfo = shape({
   active: isFlag,
@@ -921,6 +1025,24 @@ export const isRecordingState = shape({
   hours_left: nullable(isNumber),
 });
 export type RecordingState = Checked<typeof isRecordingState>;
+
+/** One browser of a person. */
+export const isSessionState = shape({
+  address: isText,
+  id: isText,
+  is_you: isFlag,
+  name: isText,
+  person: isText,
+  seen_s: isNumber,
+  since_s: isNumber,
+});
+export type SessionState = Checked<typeof isSessionState>;
+
+/** All sessions, oldest first. */
+export const isSessionList = shape({
+  sessions: list(isSessionState),
+});
+export type SessionList = Checked<typeof isSessionList>;
 
 /** One signal of the stretch that was asked for.
  *

@@ -1,10 +1,17 @@
-import { type Checked, isFlag, isText, nullable, oneOf, shape } from "../../lib/check";
+import { type Checked, isNumber, isObject, isText, list, nullable, oneOf, shape } from "../../lib/check";
 
-export const isMe = shape({
-  state: oneOf("stranger", "waiting", "in"),
-  kind: nullable(oneOf("local", "person", "program", "anyone")),
-  role: nullable(oneOf("viewer", "operator", "owner")),
-  name: nullable(isText),
-  anyone_may_fly: isFlag,
+const isCertificate = shape({
+  kind: oneOf("made", "brought"),
+  names: list(isText),
+  addresses: list(isText),
+  fingerprint: isText,
+  since_s: isNumber,
+  until_s: isNumber,
 });
-export type Me = Checked<typeof isMe>;
+const isAuthority = shape({ name: isText, fingerprint: isText, until_s: isNumber });
+export const isCertificates = shape({
+  certificate: nullable(isCertificate),
+  authority: nullable(isAuthority),
+  fault: nullable(shape({ code: isText, detail: isText, params: isObject })),
+});
+export type Certificates = Checked<typeof isCertificates>;

@@ -2,11 +2,12 @@ import { createStore, type StoreApi } from "zustand/vanilla";
 import { isNumber } from "../../lib/check";
 import type { Timers } from "../../lib/timers";
 import type { Problem } from "../../protocol/answers";
+import { isMe, type Me } from "../../protocol/guards.gen";
 import type { Gateway } from "../../requests/asking";
 import { type Admission, type AdmissionStore, NOT_HEARD } from "../../store/admission";
 import { failureMessage, type Message } from "../../store/messages";
 import { partName } from "../../store/parts";
-import { isMe, type Me } from "./answers";
+
 import type { AddressedKey } from "./keyAddress";
 
 /** What the entry page shows besides who the station takes the user for. */
