@@ -58,6 +58,7 @@ import { type BrowserStorage, choose, createSettings } from "../store/settings";
 import { Rest, type UploadInit } from "../transport/rest";
 import { StreamSocket, type Wire, type WireListener } from "../transport/socket";
 import { eventMessage, linkMessages } from "./announcements";
+import { openAddressedTab } from "./addressedTab";
 import { rememberClient, rememberedClient } from "./clientMemory";
 import type { PageVersions } from "./pageVersion";
 import { createPasts, SHOWN } from "./past";

@@ -187,10 +187,63 @@ export const isConsoleLine = shape({
 });
 export type ConsoleLine = Checked<typeof isConsoleLine>;
 
-/** The one browser that may command, null while nobody has control. */
+/** A page on the live stream. */
+export const isStreamPage = shape({
+  client: isText,
+  kind: oneOf("local", "person", "program"),
+  name: isText,
+  number: isNumber,
+  role: oneOf("viewer", "operator", "owner"),
+});
+export type StreamPage = Checked<typeof isStreamPage>;
+
+/** Somebody asks for control since then; it is given by time alone if the holder does nothing until `given_at_s`. */
+export const isControlRequest = shape({
+  client: isText,
+  given_at_s: isNumber,
+  kind: oneOf("local", "person", "program"),
+  name: isText,
+  number: isNumber,
+  role: oneOf("viewer", "operator", "owner"),
+  since_s: isNumber,
+});
+export type ControlRequest = Checked<typeof isControlRequest>;
+
+/** Who has just lost control; it comes back without asking until then, while nobody else has asked for it. */
+export const isControlReserved = shape({
+  client: isText,
+  kind: oneOf("local", "person", "program"),
+  name: isText,
+  number: isNumber,
+  until_s: isNumber,
+});
+export type ControlReserved = Checked<typeof isControlReserved>;
+
+/** The same, and all pages on the live stream, the longest first: control can be handed over to those that are no
+ * viewers. */
+export const isControlDetails = shape({
+  client: nullable(isText),
+  kind: nullable(oneOf("local", "person", "program")),
+  name: nullable(isText),
+  number: nullable(isNumber),
+  pages: list(isStreamPage),
+  requests: list(isControlRequest),
+  reserved: nullable(isControlReserved),
+  since_s: nullable(isNumber),
+});
+export type ControlDetails = Checked<typeof isControlDetails>;
+
+/** The one page that may command, null while nobody has control, and who asks for it, the longest first.
+ *
+ * `name` is ready to show; `number` tells pages of one name apart. Times are Unix seconds. */
 export const isControlState = shape({
   client: nullable(isText),
+  kind: nullable(oneOf("local", "person", "program")),
   name: nullable(isText),
+  number: nullable(isNumber),
+  requests: list(isControlRequest),
+  reserved: nullable(isControlReserved),
+  since_s: nullable(isNumber),
 });
 export type ControlState = Checked<typeof isControlState>;
 

@@ -7,8 +7,8 @@ import { useConnection } from "../store/hooks";
 export interface NamedPage {
   readonly client: string | null;
   readonly name: string | null;
-  readonly kind?: "local" | "person" | "program" | null | undefined;
-  readonly number?: number | null | undefined;
+  readonly kind: "local" | "person" | "program" | null;
+  readonly number: number | null;
 }
 
 /** "Ana · tableta"; a page on the station's own computer is called so in the user's language. */
@@ -16,7 +16,7 @@ export function pageName(t: TFunction, { client, name, kind, number }: NamedPage
   if (kind !== "local") {
     return name ?? client ?? "";
   }
-  return number == null || number < 2 ? t("control.station") : t("control.stationPage", { number });
+  return number === null || number < 2 ? t("control.station") : t("control.stationPage", { number });
 }
 
 /** The page that has control, if another one has it. */

@@ -59,8 +59,6 @@ export class Station {
   readonly clients: Array<string | null> = [];
   /** Streams of flights of the past, and where each was asked to begin. */
   readonly replays: FakeReplay[] = [];
-  /** A newer version of the page is there. */
-  offerVersion: (load: () => void) => void = () => undefined;
   /** The address of the page. */
   url: string;
   /** Files that the page sends; each is answered as the request of its path. */
@@ -71,6 +69,7 @@ export class Station {
   readonly reported: unknown[] = [];
   readonly page: Page;
   #seq = 0;
+  #offered: (load: () => void) => void = () => undefined;
 
   /** Shows the whole page, or the part of it that a test is about. */
   constructor(shown: ReactElement = <App />, url = "http://station/") {
@@ -96,7 +95,7 @@ export class Station {
           this.url = address;
         },
       },
-      versions: { onNewer: (hear) => (this.offerVersion = hear), look: () => undefined },
+      versions: { onNewer: (hear) => (this.#offered = hear), look: () => undefined },
       fetch: (path, init) => this.#ask(path, init),
       upload: (path, { signal, onSent }) =>
         new Promise((resolve, reject) => {
@@ -183,6 +182,11 @@ export class Station {
   replayed(run: (replay: FakeReplay) => void): void {
     act(() => run(this.replay));
     this.show();
+  }
+
+  /** A newer version of the page is there. */
+  offer(load: () => void): void {
+    act(() => this.#offered(load));
   }
 
   breakOff(): void {

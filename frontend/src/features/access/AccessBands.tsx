@@ -1,6 +1,6 @@
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
-import type { ControlRequest } from "../../protocol/status";
+import type { ControlRequest } from "../../protocol/guards.gen";
 import { pageName } from "../../requests/useControl";
 import { useAdmission } from "../../requests/useRole";
 import { useConnection, usePart } from "../../store/hooks";
@@ -53,7 +53,7 @@ function Requests() {
   const { t } = useTranslation();
   const requests = useConnection(({ phase, status, client }) =>
     phase === "open" && client !== null && status?.control.client === client
-      ? (status.control.requests ?? NOBODY)
+      ? status.control.requests
       : NOBODY,
   );
   return (
