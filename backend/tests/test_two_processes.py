@@ -122,9 +122,9 @@ def test_a_page_that_had_control_has_it_again_after_the_web_process_died(flying:
         os.kill(flying.pid("web"), signal.SIGKILL)
     eventually(lambda: flying.status() is not None, "the web process is back")
     with connect(stream) as stranger, connect(f"{stream}?client={client}") as page:
-        assert orjson.loads(stranger.recv(DEADLINE_S))["role"] == "viewer"
+        assert not orjson.loads(stranger.recv(DEADLINE_S))["has_control"]
         hello = orjson.loads(page.recv(DEADLINE_S))
-        assert (hello["client"], hello["role"]) == (client, "operator")
+        assert (hello["client"], hello["has_control"]) == (client, True)
 
 
 def test_the_loss_of_the_flight_process_is_said_at_once_and_it_flies_again(flying: Flying) -> None:

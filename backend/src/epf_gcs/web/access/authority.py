@@ -302,6 +302,7 @@ class Authority:
         page = self._connected(client)
         if not page.may_command:
             raise refusals.too_low(page)
+        self.silent_pages.discard(client)
         return page
 
     def _check_holds(self, client: str) -> Page:

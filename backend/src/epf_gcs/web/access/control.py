@@ -239,6 +239,7 @@ class Control:
         self._called.pop(client_id, None)
 
     def _apply(self, effects: Iterable[Effect]) -> None:
+        gone: list[str] = []
         for effect in effects:
             match effect:
                 case HolderChanged(page, reason, before):
@@ -250,12 +251,15 @@ class Control:
                     self.tell_flight()
                 case StickLost(client):
                     self._stick_at = None
-                    self._told.notice("stick_gone", client=client)
+                    gone.append(client)
                 case RequestOpened(page):
                     self._told.event("control_request", self._request(page))
                 case RequestClosed(page, result):
                     self._told.event("control_request_closed", {**fields(page), "result": result})
             self._told.changed()
+        # After the holder, which says whether the choice of that gamepad has ended or only its samples.
+        for client in gone:
+            self._told.notice("stick_gone", client=client)
 
     def _arm(self) -> None:
         if self._timer is None:

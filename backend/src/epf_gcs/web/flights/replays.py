@@ -1,4 +1,4 @@
-"""Replays for viewers: one process each, at most so many, ended when the viewer goes."""
+"""Replays for viewers: at most so many, those of one recording in one process, which ends with its last viewer."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from epf_gcs.error_log import ErrorLog
 from epf_gcs.recordings.places import Places, is_id
 from epf_gcs.web.access.caller import Caller
 from epf_gcs.web.flights.replay_conversation import ReplayConversation
-from epf_gcs.web.flights.replay_process import ReplayProcess
+from epf_gcs.web.flights.replay_process import ReplayProcess, ViewersReplay
 from epf_gcs.web.stream.handshake import Refusal
 from epf_gcs.web.stream.socket import SocketConnection
 
@@ -34,6 +34,7 @@ class Replays:
         self._growing = growing
         self._hosts: Counter[str] = Counter()
         self._running: set[asyncio.Task[None]] = set()
+        self._processes: dict[Path, ReplayProcess] = {}
 
     @property
     def count(self) -> int:
@@ -70,8 +71,8 @@ class Replays:
             self._hosts[host] -= 1
             on_end()
 
-        process = ReplayProcess(file, self._places.keyframes(file.stem), at_s)
-        return ReplayConversation(connection, caller, process, rate_hz, self._start, leave)
+        replay = ViewersReplay(file.stem, lambda: self._process(file), at_s)
+        return ReplayConversation(connection, caller, replay, rate_hz, self._start, leave)
 
     async def close(self) -> None:
         """End all: the web process ends."""
@@ -80,6 +81,18 @@ class Replays:
         for task in tuple(self._running):
             with contextlib.suppress(asyncio.CancelledError):
                 await task
+
+    def _process(self, file: Path) -> ReplayProcess:
+        """The one that replays this recording, or a new one."""
+        process = self._processes.get(file)
+        if process is None:
+            keys = self._places.keyframes(file.stem)
+
+            def forget() -> None:
+                self._processes.pop(file, None)
+
+            process = self._processes[file] = ReplayProcess(file, keys, forget)
+        return process
 
     def _start(self, task: asyncio.Task[None]) -> None:
         self._running.add(task)
