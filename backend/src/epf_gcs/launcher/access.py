@@ -7,10 +7,17 @@ import subprocess
 import sys
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Final
+from typing import Annotated, Final
+
+import typer
+
+from epf_gcs.launcher.folder import data_folder
 
 LAUNCHER_KEY: Final = "GCS_LAUNCHER_KEY"
 """The variable by which the gateway knows the program that started it. Others of this machine cannot read it."""
+
+
+_DATA: Final = data_folder()
 
 
 def new_launcher_key() -> str:
@@ -37,3 +44,28 @@ def invite_command(data: Path, host: str, port: int, *, tls: bool, more: Sequenc
 def print_invitation(command: Sequence[str]) -> None:
     """Run it, with our standard output. A station that cannot print a key runs all the same."""
     subprocess.run(command, check=False, stdin=subprocess.DEVNULL)
+
+
+def invite(
+    *,
+    role: Annotated[
+        str,
+        typer.Option(help="viewer, operator or owner.", show_default="operator; owner for the first of a container"),
+    ] = "",
+    minutes: Annotated[float, typer.Option(help="How long the key can be used.")] = 60.0,
+    data_dir: Annotated[
+        Path, typer.Option(show_envvar=False, envvar="GCS_DATA_DIR", help="The station's folder.")
+    ] = _DATA,
+    host: Annotated[
+        str, typer.Option(show_envvar=False, envvar="GCS_HOST", help="What the station listens on.")
+    ] = "0.0.0.0",  # noqa: S104 - nothing listens here
+    port: Annotated[int, typer.Option(show_envvar=False, envvar="GCS_PORT", help="The station's port.")] = 8000,
+    tls: Annotated[bool, typer.Option("--tls", show_envvar=False, envvar="GCS_TLS", help="It has TLS.")] = False,
+) -> None:
+    """Make a one-time key for a person, and print it with the address and its QR code.
+
+    It is written into the data folder; the station, running or not, takes it once.
+    """
+    more = ["--minutes", str(minutes), *(["--role", role] if role else [])]
+    command = invite_command(data_dir, host, port, tls=tls, more=more)
+    raise typer.Exit(subprocess.run(command, check=False).returncode)

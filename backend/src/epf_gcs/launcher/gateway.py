@@ -17,8 +17,10 @@ from typing import Annotated, Final
 import typer
 
 from epf_gcs.errors import GatewayError
-from epf_gcs.launcher.access import access_arguments, invite_command, print_invitation
+from epf_gcs.launcher.access import access_arguments, invite, invite_command, print_invitation
+from epf_gcs.launcher.folder import data_folder
 from epf_gcs.launcher.ports import is_loopback
+from epf_gcs.launcher.upkeep import add_commands
 from epf_gcs.listening import listen
 from epf_gcs.watchdog import SILENT_S, wait_for_end
 
@@ -28,6 +30,8 @@ _LIVED_S: Final = 10.0
 _STOP_S: Final = 8.0
 # A process that was being started when the signal came gets another signal after this time.
 _SIGNAL_AGAIN_S: Final = 2.0
+
+_DATA: Final = data_folder()
 
 app = typer.Typer(add_completion=False, context_settings={"help_option_names": ["-h", "--help"]})
 
@@ -178,7 +182,7 @@ def run(
         typer.Option(
             show_envvar=False, envvar="GCS_DATA_DIR", help="Folder of the recordings and the remembered links."
         ),
-    ] = Path("data"),
+    ] = _DATA,
     page_dir: Annotated[
         Path | None, typer.Option(show_envvar=False, envvar="GCS_PAGE_DIR", help="Folder of the built page.")
     ] = None,
@@ -239,32 +243,6 @@ def run(
     raise typer.Exit(code)
 
 
-@app.command()
-def invite(
-    *,
-    role: Annotated[
-        str,
-        typer.Option(help="viewer, operator or owner.", show_default="operator; owner for the first of a container"),
-    ] = "",
-    minutes: Annotated[float, typer.Option(help="How long the key can be used.")] = 60.0,
-    data_dir: Annotated[
-        Path, typer.Option(show_envvar=False, envvar="GCS_DATA_DIR", help="The station's folder.")
-    ] = Path("data"),
-    host: Annotated[
-        str, typer.Option(show_envvar=False, envvar="GCS_HOST", help="What the station listens on.")
-    ] = "0.0.0.0",  # noqa: S104 - nothing listens here
-    port: Annotated[int, typer.Option(show_envvar=False, envvar="GCS_PORT", help="The station's port.")] = 8000,
-    tls: Annotated[bool, typer.Option("--tls", show_envvar=False, envvar="GCS_TLS", help="It has TLS.")] = False,
-) -> None:
-    """Make a one-time key for a person, and print it with the address and its QR code.
-
-    It is written into the data folder; the station, running or not, takes it once.
-    """
-    more = ["--minutes", str(minutes), *(["--role", role] if role else [])]
-    command = invite_command(data_dir, host, port, tls=tls, more=more)
-    raise typer.Exit(subprocess.run(command, check=False).returncode)
-
-
 def _gateway(
     listener: socket.socket,
     host: str,
@@ -292,6 +270,10 @@ def _gateway(
     first = [*flight, *([] if board is None else ["--board", board])]
     # We keep the listening socket open, so that browsers wait during a restart of the web process, and are not refused.
     return Gateway(Part("flight", first, flight, alive), Part("web", web, web, alive, [listener.fileno()]))
+
+
+app.command()(invite)
+add_commands(app)
 
 
 def main() -> None:

@@ -17,7 +17,6 @@ from epf_gcs.web.app import create_app
 from epf_gcs.web.server import Server
 from epf_gcs.web.settings import Settings
 
-
 _GIVEN: Final = (
     *("host", "port", "data_dir", "page_dir", "fd", "watchdog"),
     *("trust_this_computer", "allow_anyone_to_fly"),

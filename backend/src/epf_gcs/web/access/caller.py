@@ -115,7 +115,7 @@ def socket_owner(host: str, port: int, own_port: int, tables: Path = Path("/proc
     is_told = False
     for row in rows:
         fields = row.split()
-        is_told = is_told or fields[1].endswith(own)
+        is_told = is_told or fields[1].endswith(own) or fields[2].endswith(own)
         if fields[1] == wanted and fields[2].endswith(own) and fields[3] == _ESTABLISHED:
             return int(fields[7])
     return NOBODY if is_told else UNTOLD
