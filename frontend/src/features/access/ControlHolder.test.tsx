@@ -81,7 +81,7 @@ test("a viewer's buttons say that the role does not allow it", async () => {
   await admitted("viewer", heldBy(null, null));
   const take = screen.getByRole("button", { name: "Tomar el control" });
   expect(take.getAttribute("aria-disabled")).toBe("true");
-  const autopilot = screen.getByRole("radiogroup", { name: "Autopilot" });
+  const autopilot = screen.getByRole("group", { name: "Autopilot" });
   expect(within(autopilot).getByText(/Tu papel es mirar/)).toBeTruthy();
 });
 
