@@ -7,7 +7,10 @@ export function aTopic(parts: Partial<Status["topics"][string]> = {}): Status["t
 
 /** Control as this page has it; with nulls nobody has it. */
 export function heldBy(client: string | null, name: string | null): Status["control"] {
-  const page = client === null ? { kind: null, number: null, since_s: null } : { kind: "person" as const, number: 1, since_s: 1 };
+  const page =
+    client === null
+      ? { kind: null, number: null, since_s: null }
+      : { kind: "person" as const, number: 1, since_s: 1 };
   return { client, name, ...page, reserved: null, requests: [] };
 }
 

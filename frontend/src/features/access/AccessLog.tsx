@@ -61,7 +61,11 @@ export function AccessLog() {
   );
 }
 
-function Deed({ deed: { t_s, name, kind, role, address, deed, what, result } }: { readonly deed: DeedState }) {
+function Deed({
+  deed: { t_s, name, kind, role, address, deed, what, result },
+}: {
+  readonly deed: DeedState;
+}) {
   const { t } = useTranslation();
   const sentence = useSentence();
   const who = kind === "local" ? t("control.station") : kind === "stranger" ? t("access.stranger") : name;

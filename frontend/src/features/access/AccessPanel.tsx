@@ -72,7 +72,11 @@ function ForOwners() {
     ({ people }) => people?.filter(({ state }) => state === "waiting").length ?? 0,
   );
   const sections: ReadonlyArray<readonly [string, string, ReactNode]> = [
-    ["people", waiting === 0 ? t("access.people") : t("access.peopleWaiting", { count: waiting }), <People key="p" />],
+    [
+      "people",
+      waiting === 0 ? t("access.people") : t("access.peopleWaiting", { count: waiting }),
+      <People key="p" />,
+    ],
     ["invite", t("access.invite"), <Invite key="i" />],
     ["programs", t("access.programs"), <Programs key="g" />],
     ["station", t("access.station"), <StationAddresses key="s" />],

@@ -23,7 +23,15 @@ function newest(station: Station): Asked {
 }
 
 function asking(client: string, name: string, given_at_s: number) {
-  return { client, name, kind: "person" as const, number: 1, role: "operator" as const, since_s: 1, given_at_s };
+  return {
+    client,
+    name,
+    kind: "person" as const,
+    number: 1,
+    role: "operator" as const,
+    since_s: 1,
+    given_at_s,
+  };
 }
 
 test("an operator asks whoever has control, sees the seconds that are left, and may withdraw", async () => {

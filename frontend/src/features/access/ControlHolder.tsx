@@ -57,8 +57,7 @@ export function ControlHolder({ blocked }: Props) {
 function Asking({ blocked }: Props) {
   const { t } = useTranslation();
   const given_at_s = useConnection(
-    ({ status, client }) =>
-      status?.control.requests.find((one) => one.client === client)?.given_at_s ?? null,
+    ({ status, client }) => status?.control.requests.find((one) => one.client === client)?.given_at_s ?? null,
   );
   const left_s = useSecondsTo(given_at_s);
   if (given_at_s === null) {

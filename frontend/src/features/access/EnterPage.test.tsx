@@ -54,7 +54,11 @@ test("a key in the address leaves the address bar, and only name and place are a
   await newest(station, "me").answer(STRANGER);
   await sayWho();
   await user.click(screen.getByRole("button", { name: "Entrar" }));
-  expect(newest(station, "enter").body).toEqual({ key: "7K2Q-AAAA-BBBB-CCCC", name: "Ana", place: "tableta" });
+  expect(newest(station, "enter").body).toEqual({
+    key: "7K2Q-AAAA-BBBB-CCCC",
+    name: "Ana",
+    place: "tableta",
+  });
   await newest(station, "enter").answer(ANA);
   expect(station.wires.length).toBe(1);
   station.greet();
@@ -75,7 +79,10 @@ test("a wrong key says so and can be typed again", async () => {
   const problem = { code: "access_key_wrong", detail: "Not right.", params: {} };
   await newest(station, "enter").answer(problem, 401);
   expect(screen.getByRole("alert").textContent).toMatch(/Not right|no es correcta/);
-  await user.type(screen.getByRole("textbox", { name: "Clave de un solo uso" }), "aaaa bbbb cccc dddd{Enter}");
+  await user.type(
+    screen.getByRole("textbox", { name: "Clave de un solo uso" }),
+    "aaaa bbbb cccc dddd{Enter}",
+  );
   expect(newest(station, "enter").body).toMatchObject({ key: "AAAA-BBBB-CCCC-DDDD" });
 });
 

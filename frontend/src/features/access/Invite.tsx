@@ -53,7 +53,12 @@ export function InviteForm({ tab }: { readonly tab?: string }) {
   const address = addresses.find((one) => one === wanted) ?? addresses[0];
 
   function invite(): void {
-    const wish = { role, minutes, ...(address === undefined ? {} : { address }), ...(tab === undefined ? {} : { tab }) };
+    const wish = {
+      role,
+      minutes,
+      ...(address === undefined ? {} : { address }),
+      ...(tab === undefined ? {} : { tab }),
+    };
     void admin.invite(wish, { control: "access.invite" });
   }
 
@@ -64,7 +69,10 @@ export function InviteForm({ tab }: { readonly tab?: string }) {
         <RoleSelect label={t("access.role")} value={role} onChange={setRole} />
         <Select
           label={t("access.minutes")}
-          options={MINUTES.map((count) => ({ value: String(count), label: t("access.minutesOf", { count }) }))}
+          options={MINUTES.map((count) => ({
+            value: String(count),
+            label: t("access.minutesOf", { count }),
+          }))}
           value={String(minutes)}
           onChange={(value) => setMinutes(Number(value))}
           placeholder={t("access.minutes")}

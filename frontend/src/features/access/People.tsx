@@ -30,7 +30,13 @@ export function People() {
       {people !== null && others.length === 0 && <p>{t("access.nobody")}</p>}
       {others.length > 0 && (
         <Rows
-          head={[t("access.name"), t("access.role"), t("access.lastSeen"), t("access.from"), t("access.actions")]}
+          head={[
+            t("access.name"),
+            t("access.role"),
+            t("access.lastSeen"),
+            t("access.from"),
+            t("access.actions"),
+          ]}
         >
           {others.map((person) => (
             <PersonRow key={person.id} person={person} />

@@ -20,7 +20,10 @@ export function Programs() {
       <p>{t("access.programsHint")}</p>
       <NewProgramForm />
       {made !== null && "program" in made && (
-        <section className="access-made" aria-label={t("access.programMade", { name: made.program.program.name })}>
+        <section
+          className="access-made"
+          aria-label={t("access.programMade", { name: made.program.program.name })}
+        >
           <div className="access-made-words">
             <h3>{t("access.programMade", { name: made.program.program.name })}</h3>
             <p>{t("access.shownOnce")}</p>

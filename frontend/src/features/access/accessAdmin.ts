@@ -98,7 +98,11 @@ export function createAccessAdmin(parts: AdminParts): AccessAdmin {
     made: null,
   }));
 
-  async function read<T>(path: string, check: Check<T>, take: (value: T) => Partial<AccessLists>): Promise<void> {
+  async function read<T>(
+    path: string,
+    check: Check<T>,
+    take: (value: T) => Partial<AccessLists>,
+  ): Promise<void> {
     const answer = await rest.ask("GET", `${ROOT}/${path}`, check);
     store.setState(answer.ok ? take(answer.value) : { failure: failureMessage(answer.problem) });
   }
@@ -155,7 +159,11 @@ export function createAccessAdmin(parts: AdminParts): AccessAdmin {
       ),
     forgetPerson: (id, asker) =>
       change(
-        simply(asker, ["DELETE", `${ROOT}/people/${id}`], info("access.removed", { name: nameOf("people", id) })),
+        simply(
+          asker,
+          ["DELETE", `${ROOT}/people/${id}`],
+          info("access.removed", { name: nameOf("people", id) }),
+        ),
       ),
     endSession: (id, asker) =>
       change(simply(asker, ["DELETE", `${ROOT}/sessions/${id}`], info("access.sessionEnded"))),
@@ -168,7 +176,11 @@ export function createAccessAdmin(parts: AdminParts): AccessAdmin {
       ),
     endProgram: (id, asker) =>
       change(
-        simply(asker, ["DELETE", `${ROOT}/programs/${id}`], info("access.removed", { name: nameOf("programs", id) })),
+        simply(
+          asker,
+          ["DELETE", `${ROOT}/programs/${id}`],
+          info("access.removed", { name: nameOf("programs", id) }),
+        ),
       ),
     invite: (wish, asker) =>
       change(
