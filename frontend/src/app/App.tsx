@@ -11,6 +11,7 @@ import { PageContext, usePage, usePart, useSettings } from "../store/hooks";
 import { applyTheme } from "../theme/theme";
 import { WordsProvider } from "../ui/words";
 import "./app.css";
+import "./phone.css";
 import { SourceBanner } from "../features/controls/SourceBanner";
 import { EmulationBanner } from "../features/emulation/EmulationBanner";
 import { DialogsProvider, LoadFailure } from "./dialogs/dialogs";

@@ -8,7 +8,7 @@ import { createNewVersion, NEW_VERSION } from "../features/access/newVersion";
 import { createAhrs3d } from "../features/ahrs/ahrsRequests";
 import { AHRS } from "../features/ahrs/alignment";
 import type { Sounder, Speaker } from "../features/alarms/alarmLog";
-import { ALARM_LOG, takeAlarmEvent } from "../features/alarms/alarmLog";
+import { ALARM_LOG, forgetOwnAlarm, takeAlarmEvent } from "../features/alarms/alarmLog";
 import { createAlarmLog } from "../features/alarms/alarmRequests";
 import {
   createSourceReturn,
@@ -125,8 +125,9 @@ export function createPage(world: World): {
   function shutOut(): void {
     playback.now();
     socket.stop();
-    vehicle.become("connecting");
     connection.setState({ client: null, status: null });
+    vehicle.become("connecting");
+    forgetOwnAlarm(alarmLog.store);
     rememberClient(world.tabStorage, null);
   }
 

@@ -31,7 +31,7 @@ export function People() {
       {others.length > 0 && (
         <Rows
           head={[
-            t("access.name"),
+            t("access.person"),
             t("access.role"),
             t("access.lastSeen"),
             t("access.from"),
@@ -219,7 +219,7 @@ function SessionRows() {
   return (
     <section aria-label={t("access.pages")} className="access-section">
       <h3>{t("access.pages")}</h3>
-      <Rows head={[t("access.name"), t("access.lastSeen"), t("access.from"), t("access.actions")]}>
+      <Rows head={[t("access.person"), t("access.lastSeen"), t("access.from"), t("access.actions")]}>
         {sessions.map(({ id, name, seen_s, address }) => (
           <tr key={id}>
             <td>{name}</td>
