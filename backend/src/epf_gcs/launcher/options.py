@@ -8,6 +8,7 @@ from typing import Final, Self
 
 from epf_gcs.launcher.access import access_arguments
 from epf_gcs.launcher.emulated import EmulatedBoard
+from epf_gcs.launcher.encryption import tls_arguments
 from epf_gcs.launcher.errors import LaunchError
 from epf_gcs.launcher.ports import LOOPBACK
 from epf_gcs.product import BOARD
@@ -50,6 +51,9 @@ class Options:
     port: int = 8000
     lan: bool = False
     data: Path = Path("data")
+    tls: bool = False
+    tls_cert: Path | None = None
+    tls_key: Path | None = None
     trust_this_computer: bool | None = None
     allow_anyone_to_fly: bool = False
 
@@ -61,7 +65,17 @@ class Options:
     @property
     def url(self) -> str:
         """Where the page is."""
-        return f"http://{LOOPBACK}:{self.port}"
+        return f"{self.scheme}://{LOOPBACK}:{self.port}"
+
+    @property
+    def scheme(self) -> str:
+        """How the page is asked for."""
+        return "https" if self.tls or self.tls_cert else "http"
+
+    @property
+    def trusted(self) -> Path | None:
+        """The certificate that the gateway is known by, None without TLS."""
+        return self.tls_cert or (self.data / "tls" / "authority.crt" if self.tls else None)
 
     @property
     def board_line(self) -> Path:
@@ -122,6 +136,7 @@ class Options:
         return [
             *(sys.executable, "-m", "epf_gcs.launcher.gateway"),
             *("--host", self.host, "--port", str(self.port), "--data-dir", str(self.data)),
+            *tls_arguments(self.tls_cert, self.tls_key, tls=self.tls),
             *access_arguments(
                 trust_this_computer=self.trust_this_computer, allow_anyone_to_fly=self.allow_anyone_to_fly
             ),
