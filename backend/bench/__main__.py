@@ -17,6 +17,7 @@ MODULES = (
     "cpu",
     "line",
     "hil",
+    "control",
     "strangers",
     "besieged",
     "kill",

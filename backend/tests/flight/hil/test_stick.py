@@ -31,7 +31,7 @@ class Seat:
         self.reasons: list[str] = []
         self.holders: list[str | None] = []
         self.stick = Stick(self, self, lambda: None)
-        self.stick.on_holder = lambda: self.holders.append(self.stick.holder and self.stick.holder.name)
+        self.stick.on_holder = lambda: self.holders.append(self.stick.holder.name if self.stick.holder else None)
         self.notice = stick_notices(self.stick)
 
     def steady_s(self) -> float:
