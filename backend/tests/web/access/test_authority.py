@@ -52,7 +52,9 @@ class Desk:
 def reasons(effects: list[Effect]) -> list[tuple[str | None, Reason]]:
     """Who has control after each change, and why."""
     return [
-        (effect.page.client if effect.page else None, effect.reason) for effect in effects if isinstance(effect, HolderChanged)
+        (effect.page.client if effect.page else None, effect.reason)
+        for effect in effects
+        if isinstance(effect, HolderChanged)
     ]
 
 
