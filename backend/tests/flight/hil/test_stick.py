@@ -44,7 +44,7 @@ class Seat:
         assert kind == "stick"
         self.reasons.append(data["reason"])
 
-    def sample(self, *_: Any, **__: Any) -> None:
+    def sample(self, topic: str, t_s: float, values: Any) -> None:
         raise AssertionError("the stick sends no samples")
 
     def flush(self) -> None:
