@@ -56,6 +56,9 @@ class Seat:
     def move(self, client: str, position: Surfaces = TURN) -> None:
         self.notice("stick", {"client": client, "sample": {**position._asdict(), "t_ms": self.time_s * 1000.0}})
 
+    def later(self, decode: Any) -> bool:
+        raise AssertionError("the stick puts nothing off")
+
     def flies(self, after_s: float = 0.0) -> Surfaces | None:
         """What replaces the simulator's stick so many seconds later."""
         self.time_s += after_s
