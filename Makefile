@@ -18,7 +18,7 @@ PORT ?= 8000
 ARGS ?=
 MINUTES ?= 30
 
-.PHONY: help setup images generate check test test-backend test-protocol test-firmware test-frontend e2e soak fuzz mutate mutate-page run board bench clean tools browser
+.PHONY: help setup images generate check test test-backend test-protocol test-firmware test-frontend e2e soak fuzz mutate mutate-page run board wheel bench clean tools browser
 
 help: ## list the verbs
 	@awk -F':.*## ' '/^[a-z-]+:.*## / { printf "  make %-14s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -83,6 +83,11 @@ frontend/dist/index.html: $(frontend_sources) $(DONE)/frontend
 board: $(DONE)/tools ## build the board's firmware for this machine
 	@$(MAKE) --no-print-directory -C firmware board
 
+wheel: $(DONE)/venv frontend/dist/index.html board ## one file in dist/ that installs the whole station, without Node and without a compiler
+	@$(MAKE) --no-print-directory -C firmware board-static
+	@$(BIN)/python .ci/wheel.py . dist
+	@ls dist/*.whl
+
 images: $(DONE)/tools $(DONE)/arm ## build the board's firmware for its processors (STM32F405, MPS2)
 	@$(MAKE) --no-print-directory -C firmware images
 
@@ -118,6 +123,7 @@ check: $(DONE)/venv-dev $(DONE)/frontend $(DONE)/e2e ## format, lint, types, imp
 	$(BIN)/ruff format --check --config backend/pyproject.toml .ci
 	$(BIN)/ruff check --config backend/pyproject.toml .ci
 	$(BIN)/python .ci/one_version.py .
+	$(BIN)/python .ci/licences.py .
 	cd backend && ../$(BIN)/mypy
 	cd backend && ../$(BIN)/lint-imports
 	$(FIRMWARE) format-check layers-check
@@ -141,9 +147,10 @@ test-firmware: $(DONE)/venv-dev $(DONE)/arm $(DONE)/clang
 	@if [ -n "$$(bash .ci/clang --name)" ]; then $(FIRMWARE) -j 2 fuzz-test analyse-clang; fi
 	@if command -v arm-none-eabi-gcc >/dev/null; then $(MAKE) --no-print-directory -C firmware images size; fi
 
+# More workers than cores: half of the time they wait for lines, processes and clocks.
 test-backend: $(DONE)/venv-dev $(DONE)/arm board frontend/dist/index.html
 	$(MAKE) --no-print-directory -C firmware flight-lib
-	cd backend && ../$(BIN)/pytest -q -n 2 --dist worksteal --junitxml=../$(RESULTS)/backend.xml --cov --cov-report=
+	cd backend && ../$(BIN)/pytest -q -n 4 --dist worksteal --junitxml=../$(RESULTS)/backend.xml --cov --cov-report=
 	cd backend && ../$(BIN)/coverage report --format=total --fail-under=$(COVERED)
 	cd backend && ../$(BIN)/coverage report --format=total --fail-under=$(COVERED_CORE) --include='$(CORE)'
 

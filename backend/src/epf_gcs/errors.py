@@ -8,6 +8,16 @@ Params = dict[str, str | int | float | bool | None]
 
 # Every code there is. The interface describes them, so that the page cannot forget to translate one.
 ErrorCode = Literal[
+    "access_key_wrong",
+    "access_last_owner",
+    "access_not_written",
+    "access_too_many_programs",
+    "access_too_many_requests",
+    "access_too_many_sessions",
+    "access_too_many_tries",
+    "access_too_many_waiting",
+    "access_unknown",
+    "access_upload_limit",
     "ahrs_test_in_flight",
     "ahrs_test_lost",
     "ahrs_test_running",
@@ -18,10 +28,17 @@ ErrorCode = Literal[
     "board_line_full",
     "board_not_open",
     "body_too_large",
+    "client_may_not_command",
+    "client_not_yours",
+    "client_silent",
     "client_unknown",
     "command_link_lost",
     "command_unknown",
     "control_held",
+    "control_not_asked",
+    "control_not_held",
+    "control_refused",
+    "control_unconfirmed",
     "data_folder_taken",
     "datagram_malformed",
     "datagram_stranger",
@@ -81,11 +98,11 @@ ErrorCode = Literal[
     "map_kind_unknown",
     "map_layer_unknown",
     "map_name_invalid",
+    "map_not_written",
     "map_raster_converting",
     "map_raster_failed",
     "map_raster_no_place",
     "map_raster_not_height",
-    "map_not_written",
     "map_source_invalid",
     "map_source_local",
     "map_source_refused",
@@ -112,12 +129,14 @@ ErrorCode = Literal[
     "mission_not_read",
     "mission_refused",
     "no_such_address",
+    "not_admitted",
     "not_supported",
     "nothing_to_redo",
     "nothing_to_undo",
     "parameter_out_of_range",
     "parameter_unknown",
     "parameters_not_read",
+    "people_log_not_written",
     "port_taken",
     "rate_invalid",
     "recording_changed",
@@ -131,6 +150,7 @@ ErrorCode = Literal[
     "recording_two_boards",
     "recording_unknown",
     "recording_unreadable",
+    "role_too_low",
     "signal_units_differ",
     "signal_unknown",
     "simulator_unknown_host",
@@ -141,6 +161,17 @@ ErrorCode = Literal[
     "stream_message_invalid",
     "threshold_out_of_range",
     "threshold_unknown",
+    "tls_certificate_early",
+    "tls_certificate_expired",
+    "tls_certificate_refused",
+    "tls_ends_soon",
+    "tls_file_unreadable",
+    "tls_key_differs",
+    "tls_key_locked",
+    "tls_no_authority",
+    "tls_no_certificate",
+    "tls_no_key",
+    "tls_not_renewed",
     "track_not_kept",
     "track_not_written",
     "value_not_allowed",
@@ -179,3 +210,19 @@ class LinkError(GatewayError):
 
 class BoardError(GatewayError):
     """The board was asked and did not do it: refused, or no answer in time."""
+
+
+class NotAdmittedError(GatewayError):
+    """Nobody may ask this without a key, and none, a wrong or an ended one was shown."""
+
+
+class RoleError(GatewayError):
+    """The caller's role may not do this."""
+
+
+class NotYoursError(GatewayError):
+    """It belongs to somebody else's session."""
+
+
+class TooManyError(GatewayError):
+    """Too much was asked; `retry_after_s` is a parameter and says when to come back."""

@@ -10,12 +10,18 @@ from typing import Any, Final
 from fastapi import APIRouter, FastAPI
 
 from epf_gcs import __version__
+from epf_gcs.clock import Clock
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.formats.recognise import MAX_FILE_BYTES
 from epf_gcs.product import PAGE
 from epf_gcs.web import docs
 from epf_gcs.web.about import routes as about
+from epf_gcs.web.access import routes as access_routes
+from epf_gcs.web.access.addresses import own_names
+from epf_gcs.web.access.admission import Admission, Policy
 from epf_gcs.web.access.guard import Access, Guard
+from epf_gcs.web.access.limits import CallerLimits
+from epf_gcs.web.access.table import Gate
 from epf_gcs.web.alarms import routes as alarms
 from epf_gcs.web.commands import ahrs_test_routes as ahrs_test
 from epf_gcs.web.commands import routes as commands
@@ -44,6 +50,8 @@ from epf_gcs.web.state.probes import disk_of, probe_router
 from epf_gcs.web.state.whole import WholeStatus
 from epf_gcs.web.station import Station
 from epf_gcs.web.stream.endpoint import StreamEndpoint
+from epf_gcs.web.tls import routes as certificate_routes
+from epf_gcs.web.tls.keeper import Keeper
 from epf_gcs.web.track import routes as track
 from epf_gcs.web.vehicle.mirror import VehicleMirror
 from epf_gcs.web.visitors import Limits, Visitors
@@ -51,23 +59,42 @@ from epf_gcs.web.visitors import Limits, Visitors
 _PREFIX: Final = "/api/v1"
 
 
-def create_app(settings: Settings, visitors: Visitors | None = None) -> FastAPI:
+def create_app(settings: Settings, visitors: Visitors | None = None, certificates: Keeper | None = None) -> FastAPI:
     """The web process as an ASGI application; the stream needs `web.server`, which hands it the transports.
 
-    `visitors` are the connections of the server around it, for `/metrics`.
+    `visitors` are the connections of the server around it, for `/metrics`; `certificates` are what it shows under TLS.
     """
-    access = Access((settings.host, *settings.allowed_hosts), settings.allowed_origins)
+    policy = Policy.of(settings)
+    names = own_names() if policy.is_reached_by_others else []
+    if certificates is not None:
+        # A page of another name, resolved to this machine, gets no further than its browser's warning.
+        names += certificates.in_use.names
+    access = Access((settings.host, *settings.allowed_hosts, *names), settings.allowed_origins)
     errors = ErrorLog()
+    if certificates is not None:
+        certificates.on_fault = errors.report
     answers: Counter[int] = Counter()
+    clock = Clock()
+    admission = Admission(policy, settings.data_dir, errors.report, clock)
+    admission.listen_at(settings.port)
+    limits = CallerLimits(clock.steady_s)
 
     @contextlib.asynccontextmanager
     async def lifespan(app: FastAPI) -> AsyncIterator[dict[str, Any]]:
-        station = Station(settings.data_dir, errors)
+        station = Station(settings.data_dir, errors, clock)
         for name, part in station.parts.items():
             setattr(app.state, name, part)
         station.maps.online.consent = Consent(settings.local_maps)
-        async with station.running():
-            yield {"socket_endpoint": StreamEndpoint(station.stream_parts, access)}
+        async with admission.running(), station.running():
+            admission.sessions.on_ended = station.streams.close_sessions
+
+            def changed(sessions: frozenset[str]) -> None:
+                for caller in filter(None, map(admission.current, sessions)):
+                    station.control.change_session(caller)
+
+            admission.sessions.on_changed = changed
+            endpoint = StreamEndpoint(station.stream_parts, access)
+            yield {"socket_endpoint": endpoint, "admission": admission, "limits": limits}
 
     app = FastAPI(
         title="EPF GCS gateway",
@@ -77,6 +104,8 @@ def create_app(settings: Settings, visitors: Visitors | None = None) -> FastAPI:
         docs_url=None,
         redoc_url=None,
     )
+    app.state.access = access
+    app.state.certificates = certificates
     app.openapi = lambda: docs.describe(app)  # type: ignore[method-assign]
     for part in (
         state,
@@ -100,15 +129,22 @@ def create_app(settings: Settings, visitors: Visitors | None = None) -> FastAPI:
         jobs,
         about,
         inspector,
+        certificate_routes,
+        access_routes,
     ):
         app.include_router(part.router, prefix=_PREFIX)
     app.include_router(docs.router)
     install_error_handlers(app, errors)
     app.include_router(_probes(app, settings, visitors or Visitors(Limits()), answers))
     install_page(app, settings.page_dir or PAGE.folder)
+    app.state.admission = admission
+    app.state.limits = limits
     app.add_middleware(
         Guard,
         access=access,
+        admission=admission,
+        gate=Gate(app),
+        limits=limits,
         errors=errors,
         max_body_bytes=settings.max_body_bytes,
         longer_bodies={_PREFIX + mission_files.IMPORT_PATH: MAX_FILE_BYTES},

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from pydantic import Field
+from pydantic import Field, SecretStr
 from pydantic_settings import BaseSettings, SettingsConfigDict
 
 
@@ -13,17 +13,32 @@ class Settings(BaseSettings):
 
     model_config = SettingsConfigDict(env_prefix="GCS_", frozen=True)
 
-    host: str = Field(default="127.0.0.1", description="Address to listen on; beyond 127.0.0.1 anyone can fly.")
+    host: str = Field(default="127.0.0.1", description="Address to listen on; beyond 127.0.0.1 everybody needs a key.")
     port: int = Field(default=8000, ge=0, le=65535, description="TCP port to listen on; 0 takes any free one.")
     data_dir: Path = Field(default=Path("data"), description="Where recordings and the remembered links live.")
     page_dir: Path | None = Field(
         default=None, description="The built page; by default the one that ships with the gateway."
     )
     fd: int | None = Field(default=None, description="An inherited listening socket, in place of host and port.")
+    tls: bool = Field(default=False, description="HTTPS, with an authority and a certificate of the station's own.")
+    tls_cert: Path | None = Field(default=None, description="HTTPS with this certificate and its chain (PEM).")
+    tls_key: Path | None = Field(default=None, description="Its key (PEM), where it is in a file of its own.")
+    again: bool = Field(
+        default=False, description="A restart, perhaps in flight: an expired certificate is shown rather than no page."
+    )
     watchdog: int | None = Field(default=None, description="An inherited pipe for signs of life to the parent.")
     allowed_hosts: tuple[str, ...] = Field(default=(), description="More names under which browsers may ask.")
     allowed_origins: tuple[str, ...] = Field(default=(), description="More web origins which may command.")
     local_maps: tuple[str, ...] = Field(
         default=(), description="Servers of map tiles in the own network that may be asked, as host or host:port."
     )
+    trust_this_computer: bool | None = Field(
+        default=None,
+        description="Whether processes of this user and computer need no key; by default they do not, except in a "
+        "container that listens beyond the loopback.",
+    )
+    allow_anyone_to_fly: bool = Field(
+        default=False, description="Lets everybody on the network command the aircraft without a key."
+    )
+    launcher_key: SecretStr | None = Field(default=None, description="The key of the program that started this one.")
     max_body_bytes: int = Field(default=65536, ge=1024, description="Largest request body.")
