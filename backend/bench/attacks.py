@@ -22,6 +22,7 @@ from pathlib import Path
 from typing import Final
 from urllib.parse import quote
 
+from bench.lookers import exporting, indexing, rewinding
 from bench.station import WebSocket
 
 LONGEST_S: Final = 120.0
@@ -205,6 +206,9 @@ ATTACKS: Final[dict[str, Callable[[int, int, float], None]]] = {
     "idle": _idle,
     "uploads": _uploads,
     TLS_HALF_OPEN: _tls_half_open,
+    "rewinding": lambda *where: rewinding(_ready, *where),
+    "indexing": lambda *where: indexing(_ready, *where),
+    "exporting": lambda *where: exporting(_ready, *where),
     "viewers50": _viewers(50),
     "viewers200": _viewers(200),
 }
