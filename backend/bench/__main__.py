@@ -14,6 +14,7 @@ MODULES = (
     "damaged",
     "flights",
     "latency",
+    "tls",
     "cpu",
     "line",
     "hil",

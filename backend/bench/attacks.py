@@ -29,6 +29,9 @@ _SOCKETS: Final = 4
 _PINGS: Final = b"\x89\x80\0\0\0\0" * 2000
 _DATAGRAMS_PER_S: Final = 10_000
 _IDLE: Final = 2000
+TLS_HALF_OPEN: Final = "tls-half-open"
+_HALF_OPEN: Final = 500
+_HELLO: Final = b"\x16\x03\x01\x02\x00\x01\x00\x01\xfc"  # the beginning of a handshake
 _UPLOADS: Final = 3
 _BEGIN_S: Final = 30.0
 _EVERY_S: Final = 1.0
@@ -134,6 +137,28 @@ def _idle(port: int, _udp_port: int, until_s: float) -> None:
             count -= 1
 
 
+def _tls_half_open(port: int, _udp_port: int, until_s: float) -> None:
+    """500 connections that begin a TLS handshake, or say nothing, and wait; those that are ended come again at once."""
+    waiting = selectors.DefaultSelector()
+    count = 0
+    while time.monotonic() < until_s:
+        while count < _HALF_OPEN:
+            try:
+                made = socket.create_connection(("127.0.0.1", port), timeout=1.0)
+                made.send(_HELLO if count % 2 else b"\x16")
+            except OSError:
+                break
+            waiting.register(made, selectors.EVENT_READ)
+            count += 1
+        _ready()
+        time.sleep(0.05)
+        for key, _ in waiting.select(0.0):
+            waiting.unregister(key.fileobj)
+            with contextlib.suppress(OSError):
+                key.fileobj.close()  # type: ignore[union-attr]
+            count -= 1
+
+
 def _uploads(port: int, _udp_port: int, until_s: float) -> None:
     """Three uploads of a few bytes a second that never complete."""
     sending: dict[int, socket.socket] = {}
@@ -176,6 +201,7 @@ ATTACKS: Final[dict[str, Callable[[int, int, float], None]]] = {
     "bombs": _bombs,
     "idle": _idle,
     "uploads": _uploads,
+    TLS_HALF_OPEN: _tls_half_open,
     "viewers50": _viewers(50),
     "viewers200": _viewers(200),
 }

@@ -21,7 +21,9 @@ for (const { file, size_px, isMasked } of ICONS) {
     const svg = isMasked ? drawn.replace('viewBox="0 0 32 32"', 'viewBox="-2 -2 36 36"') : drawn;
     expect(svg === drawn).toBe(!isMasked);
     await page.setViewportSize({ width: size_px, height: size_px });
-    await page.setContent(`<style>body{margin:0;background:${isMasked ? GROUND : "none"}}svg{display:block;width:${size_px}px;height:${size_px}px}</style>${svg}`);
+    await page.setContent(
+      `<style>body{margin:0;background:${isMasked ? GROUND : "none"}}svg{display:block;width:${size_px}px;height:${size_px}px}</style>${svg}`,
+    );
     const path = `${ROOT}/frontend/public/icons/${file}`;
     await page.screenshot({ path, omitBackground: !isMasked });
   });

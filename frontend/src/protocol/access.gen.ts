@@ -17,6 +17,8 @@ export const ACCESS_TABLE: readonly AccessRow[] = [
   { path: "/about", method: "GET", tag: "state", least: "viewer", control: false },
   { path: "/access/addresses", method: "GET", tag: "access", least: "viewer", control: false },
   { path: "/access/ask", method: "POST", tag: "access", least: "anyone", control: false },
+  { path: "/access/authority", method: "GET", tag: "access", least: "anyone", control: false },
+  { path: "/access/certificates", method: "GET", tag: "access", least: "owner", control: false },
   { path: "/access/enter", method: "POST", tag: "access", least: "anyone", control: false },
   { path: "/access/invitations", method: "GET", tag: "access", least: "owner", control: false },
   { path: "/access/invitations", method: "POST", tag: "access", least: "owner", control: false },

@@ -155,6 +155,41 @@ export const isBoardStatus = shape({
 });
 export type BoardStatus = Checked<typeof isBoardStatus>;
 
+/** The station's own authority. `fingerprint` is its SHA-256, to compare on the phone that shall trust it. */
+export const isCertificateAuthority = shape({
+  fingerprint: isText,
+  name: isText,
+  until_s: isNumber,
+});
+export type CertificateAuthority = Checked<typeof isCertificateAuthority>;
+
+/** What is wrong with the certificate, or soon will be. */
+export const isCertificateFault = shape({
+  code: oneOf("access_key_wrong", "access_last_owner", "access_not_written", "access_too_many_programs", "access_too_many_requests", "access_too_many_sessions", "access_too_many_tries", "access_too_many_waiting", "access_unknown", "access_upload_limit", "ahrs_test_in_flight", "ahrs_test_lost", "ahrs_test_running", "alarm_not_active", "alarms_not_written", "alarms_unreadable", "bad_json", "board_line_full", "board_not_open", "body_too_large", "client_may_not_command", "client_not_yours", "client_silent", "client_unknown", "command_link_lost", "command_unknown", "control_held", "control_not_asked", "control_not_held", "control_refused", "control_unconfirmed", "data_folder_taken", "datagram_malformed", "datagram_stranger", "emulation_running", "export_no_position", "export_stretch_empty", "export_topic_unknown", "export_topics_unused", "flight_away", "flight_delete_unconfirmed", "flight_disk_full", "flight_exists", "flight_import_incomplete", "flight_known", "flight_not_indexed", "flight_not_recorded", "flight_not_written", "flight_recording", "flight_unknown", "foreign_host", "foreign_origin", "http_error", "internal", "invalid_request", "job_failed", "job_over", "job_unknown", "jobs_busy", "journal_not_written", "journal_unreadable", "line_garbage", "link_address_invalid", "link_busy", "link_failed", "link_lost", "link_no_device", "link_not_serial", "link_permission", "link_refused", "link_timeout", "link_unknown_host", "link_unreachable", "listen_failed", "listen_unknown_host", "map_cache_not_written", "map_disk_full", "map_exists", "map_file_damaged", "map_file_empty", "map_file_no_layer_json", "map_file_not_mesh", "map_file_vector", "map_folder_unreadable", "map_import_incomplete", "map_import_unknown", "map_imports_busy", "map_kind_unknown", "map_layer_unknown", "map_name_invalid", "map_not_written", "map_raster_converting", "map_raster_failed", "map_raster_no_place", "map_raster_not_height", "map_source_invalid", "map_source_local", "map_source_refused", "map_source_silent", "map_tile_missing", "mark_unknown", "memory_not_written", "memory_unreadable", "method_not_allowed", "mission_differs", "mission_file_archive", "mission_file_damaged", "mission_file_empty", "mission_file_forbidden", "mission_file_frame", "mission_file_header", "mission_file_no_home", "mission_file_no_waypoints", "mission_file_out_of_range", "mission_file_too_long", "mission_file_unknown", "mission_file_unreadable", "mission_invalid", "mission_not_read", "mission_refused", "no_such_address", "not_admitted", "not_supported", "nothing_to_redo", "nothing_to_undo", "parameter_out_of_range", "parameter_unknown", "parameters_not_read", "people_log_not_written", "port_taken", "rate_invalid", "recording_changed", "recording_clock_wrong", "recording_empty", "recording_foreign", "recording_not_packed", "recording_not_whole", "recording_packing_unknown", "recording_too_large", "recording_two_boards", "recording_unknown", "recording_unreadable", "role_too_low", "signal_units_differ", "signal_unknown", "simulator_unknown_host", "source_not_taken", "stick_invalid", "stick_needs_control", "stick_silent", "stream_message_invalid", "threshold_out_of_range", "threshold_unknown", "tls_certificate_early", "tls_certificate_expired", "tls_certificate_refused", "tls_ends_soon", "tls_file_unreadable", "tls_key_differs", "tls_key_locked", "tls_no_authority", "tls_no_certificate", "tls_no_key", "tls_not_renewed", "track_not_kept", "track_not_written", "value_not_allowed"),
+  detail: isText,
+  params: dictionary(nullable(either(isText, isNumber, isFlag))),
+});
+export type CertificateFault = Checked<typeof isCertificateFault>;
+
+/** `made` by the station or `brought` by its user. Times are Unix seconds, `fingerprint` is SHA-256. */
+export const isStationCertificate = shape({
+  addresses: list(isText),
+  fingerprint: isText,
+  kind: oneOf("made", "brought"),
+  names: list(isText),
+  since_s: isNumber,
+  until_s: isNumber,
+});
+export type StationCertificate = Checked<typeof isStationCertificate>;
+
+/** `certificate` is null while the station speaks plain HTTP; `authority` also while the certificate was brought. */
+export const isCertificates = shape({
+  authority: nullable(isCertificateAuthority),
+  certificate: nullable(isStationCertificate),
+  fault: nullable(isCertificateFault),
+});
+export type Certificates = Checked<typeof isCertificates>;
+
 /** A command; `supported` is null while no board is connected. */
 export const isCommandInfo = shape({
   arguments: list(isArgument),
@@ -363,28 +398,33 @@ export type ReportTrace = Checked<typeof isReportTrace>;
  * (of a leg its seconds), and `start`, `target`, `final`, `peak` and `steady_error` have the unit `unit`.
  *
  * `method` says where the figures are from: a second-order model that explains the samples, the smoothed samples
- * themselves, or nothing, where they can't be judged. `earlier` is the place of the like manoeuvre in
+ * themselves, or nothing, where they can't be judged. A figure lies within its doubt of the true one in 95 of 100
+ * cases; without a model it has none. `earlier` is the place of the like manoeuvre in
  * `earlier.manoeuvres`. */
 export const isReportManoeuvre = shape({
   at_s: isNumber,
   cause: oneOf("waypoint", "target", "engaged"),
   damping: nullable(isNumber),
+  damping_doubt: nullable(isNumber),
   earlier: nullable(isNumber),
   final: nullable(isNumber),
   frequency_rad_s: nullable(isNumber),
   kind: oneOf("climb", "descent", "turn_right", "turn_left", "faster", "slower", "leg"),
   leg: nullable(isReportLeg),
   method: oneOf("model", "measured", "none"),
+  overshoot_doubt_percent: nullable(isNumber),
   overshoot_percent: nullable(isNumber),
   peak: nullable(isNumber),
   peak_s: nullable(isNumber),
   plan: oneOf("flight", "hil"),
+  rise_doubt_s: nullable(isNumber),
   rise_from_s: nullable(isNumber),
   rise_s: nullable(isNumber),
   rise_to_s: nullable(isNumber),
   settling_s: nullable(isNumber),
   size: isNumber,
   start: nullable(isNumber),
+  steady_doubt: nullable(isNumber),
   steady_error: nullable(isNumber),
   target: nullable(isNumber),
   trace: nullable(isReportTrace),

@@ -79,6 +79,16 @@ def run(
             help="With --lan: everybody on the network commands the aircraft without a key. The page says so in red.",
         ),
     ] = False,
+    tls: Annotated[
+        bool,
+        typer.Option("--tls", help="HTTPS, with an authority and a certificate that are made in DATA/tls and renewed."),
+    ] = False,
+    tls_cert: Annotated[
+        Path | None, typer.Option(help="HTTPS with this certificate and its chain (PEM).", show_default=False)
+    ] = None,
+    tls_key: Annotated[
+        Path | None, typer.Option(help="The certificate's key (PEM), if not beside it.", show_default=False)
+    ] = None,
     data: Annotated[
         Path, typer.Option(help="Folder for recordings, settings, the board's card and the programs' logs.")
     ] = Path("data"),
@@ -106,6 +116,9 @@ def run(
             port=port,
             lan=lan,
             data=data.resolve(),
+            tls=tls,
+            tls_cert=None if tls_cert is None else tls_cert.resolve(),
+            tls_key=None if tls_key is None else tls_key.resolve(),
             trust_this_computer=trust_this_computer,
             allow_anyone_to_fly=allow_anyone_to_fly,
         )
@@ -115,7 +128,7 @@ def run(
                 demonstration.start()
                 print(options.url, flush=True)
                 if lan:
-                    print_invitation(invite_command(options.data, options.host, port, tls=False))
+                    print_invitation(invite_command(options.data, options.host, port, tls=options.scheme == "https"))
                 demonstration.watch()
             except Stopped:
                 pass

@@ -33,7 +33,7 @@ class Demonstration:
         self._say = say
         self._asked_to_stop = asked_to_stop
         self._key = new_launcher_key()
-        self._gateway = GatewayClient(options.url, self._key)
+        self._gateway = GatewayClient(options.url, self._key, options.trusted)
         self._children: list[Child] = []
         self._deaths: deque[float] = deque()
 

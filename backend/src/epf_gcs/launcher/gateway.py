@@ -18,11 +18,12 @@ import typer
 
 from epf_gcs.errors import GatewayError
 from epf_gcs.launcher.access import access_arguments, invite, invite_command, print_invitation
+from epf_gcs.launcher.encryption import tls_arguments
 from epf_gcs.launcher.folder import data_folder
 from epf_gcs.launcher.ports import is_loopback
 from epf_gcs.launcher.upkeep import add_commands
 from epf_gcs.listening import listen
-from epf_gcs.watchdog import SILENT_S, wait_for_end
+from epf_gcs.watchdog import REFUSED, SILENT_S, wait_for_end
 
 # The first restart is immediate, because the aircraft may be in flight; repeated ones wait longer, up to this.
 _LONGEST_WAIT_S: Final = 5.0
@@ -66,7 +67,7 @@ class Part:
             if stopping.is_set():
                 return None
             has_lived = time.monotonic() - began_s > _LIVED_S
-            if is_first and code > 0 and not has_lived:
+            if is_first and (code == REFUSED or (code > 0 and not has_lived)):
                 return code
             is_first = False
             how = f"by signal {-code}" if code < 0 else f"with status {code}"
@@ -189,6 +190,23 @@ def run(
     recording: Annotated[
         bool, typer.Option(show_envvar=False, envvar="GCS_RECORDING", help="Record every byte of the lines.")
     ] = True,
+    tls: Annotated[
+        bool,
+        typer.Option(
+            "--tls",
+            show_envvar=False,
+            envvar="GCS_TLS",
+            help="HTTPS, with an authority and a certificate that are made here and renewed by themselves.",
+        ),
+    ] = False,
+    tls_cert: Annotated[
+        Path | None,
+        typer.Option(show_envvar=False, envvar="GCS_TLS_CERT", help="HTTPS with this certificate and its chain (PEM)."),
+    ] = None,
+    tls_key: Annotated[
+        Path | None,
+        typer.Option(show_envvar=False, envvar="GCS_TLS_KEY", help="The certificate's key (PEM), if not beside it."),
+    ] = None,
     trust_this_computer: Annotated[
         bool | None,
         typer.Option(
@@ -217,8 +235,9 @@ def run(
     """The gateway of EPF GCS: connects a board and a flight simulator with browsers.
 
     Without --board it opens the links of its last run. Every option is also a variable: GCS_HOST, GCS_PORT,
-    GCS_BOARD, GCS_DATA_DIR, GCS_PAGE_DIR, GCS_RECORDING; GCS_ALLOWED_HOSTS and GCS_ALLOWED_ORIGINS (JSON lists) let
-    more names and pages in; GCS_LOCAL_MAPS (a JSON list of host:port) names servers of map tiles in the own network.
+    GCS_BOARD, GCS_DATA_DIR, GCS_PAGE_DIR, GCS_RECORDING, GCS_TLS, GCS_TLS_CERT, GCS_TLS_KEY;
+    GCS_ALLOWED_HOSTS and GCS_ALLOWED_ORIGINS (JSON lists) let more names and pages in; GCS_LOCAL_MAPS (a JSON list of
+    host:port) names servers of map tiles in the own network.
 
     It runs as two processes: `epf-flight` owns the lines and flies on when `epf-web`, which serves the page, does not.
     """
@@ -233,10 +252,12 @@ def run(
     except GatewayError as error:
         print(f"epf-gcs: {error.detail}", file=sys.stderr)
         raise typer.Exit(1) from error
+    encryption = tls_arguments(tls_cert, tls_key, tls=tls)
     access = access_arguments(trust_this_computer=trust_this_computer, allow_anyone_to_fly=allow_anyone_to_fly)
-    gateway = _gateway(listener, host, data_dir, page_dir, board, access, recording=recording, verbose=verbose)
+    more = [*encryption, *access]
+    gateway = _gateway(listener, host, data_dir, page_dir, board, more, recording=recording, verbose=verbose)
     if print_key and not is_loopback(host):
-        command = invite_command(data_dir, host, listener.getsockname()[1], tls=False)
+        command = invite_command(data_dir, host, listener.getsockname()[1], tls=bool(encryption))
         threading.Thread(target=print_invitation, args=(command,), name="invitation", daemon=True).start()
     code = gateway.run()
     # Both processes have ended.
@@ -249,7 +270,7 @@ def _gateway(
     data_dir: Path,
     page_dir: Path | None,
     board: str | None,
-    access: Sequence[str],
+    more: Sequence[str],
     *,
     recording: bool,
     verbose: bool,
@@ -263,13 +284,14 @@ def _gateway(
     ]
     web = [
         *(sys.executable, "-m", "epf_gcs.web", *common, "--host", host, "--fd", str(listener.fileno())),
-        *access,
+        *more,
         *([] if page_dir is None else ["--page-dir", str(page_dir)]),
     ]
     # After a restart the flight process opens what was open when it died, so only its first start gets --board.
     first = [*flight, *([] if board is None else ["--board", board])]
     # We keep the listening socket open, so that browsers wait during a restart of the web process, and are not refused.
-    return Gateway(Part("flight", first, flight, alive), Part("web", web, web, alive, [listener.fileno()]))
+    parts = Part("flight", first, flight, alive), Part("web", web, [*web, "--again"], alive, [listener.fileno()])
+    return Gateway(*parts)
 
 
 app.command()(invite)

@@ -6,8 +6,10 @@ import time
 import urllib.error
 import urllib.request
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any, Final
 
+from epf_gcs.launcher.encryption import trusting
 from epf_gcs.launcher.errors import LaunchError
 from epf_gcs.launcher.options import XPlane
 
@@ -33,13 +35,16 @@ class UnreachableError(LaunchError):
 
 
 class GatewayClient:
-    """Requests to one gateway. Proxy settings are ignored, because the gateway is on this computer."""
+    """Requests to one gateway. Proxy settings are ignored, because the gateway is on this computer.
 
-    def __init__(self, base_url: str, key: str | None = None) -> None:
-        """`key`: what the gateway was given by us to know us by."""
+    `key`: what the gateway was given by us to know us by. `trusted`: under TLS, the file of the certificate or of its
+    authority; the gateway may still be making it.
+    """
+
+    def __init__(self, base_url: str, key: str | None = None, trusted: Path | None = None) -> None:
         self._base_url = base_url
         self._headers = {} if key is None else {"Authorization": f"Bearer {key}"}
-        self._opener = urllib.request.build_opener(urllib.request.ProxyHandler({}))
+        self._trusted = trusted
 
     def status(self) -> Status:
         """State of links, recording and control."""
@@ -118,13 +123,20 @@ class GatewayClient:
             headers=headers | self._headers | {"Content-Type": "application/json"},
         )
         try:
-            with self._opener.open(request, timeout=_REQUEST_TIMEOUT_S) as response:
+            with self._opener().open(request, timeout=_REQUEST_TIMEOUT_S) as response:
                 answer: Status = json.loads(response.read() or b"{}")
                 return answer
         except urllib.error.HTTPError as error:
             raise RefusedError(f"{method} {path}", _problem(error)) from error
         except OSError as error:
             raise UnreachableError(f"The gateway does not answer at {self._base_url} ({error}).") from error
+
+    def _opener(self) -> urllib.request.OpenerDirector:
+        """Raises OSError while the gateway has no certificate yet."""
+        handlers: list[urllib.request.BaseHandler] = [urllib.request.ProxyHandler({})]
+        if self._trusted is not None:
+            handlers.append(urllib.request.HTTPSHandler(context=trusting(self._trusted)))
+        return urllib.request.build_opener(*handlers)
 
 
 def _problem(error: urllib.error.HTTPError) -> Problem:

@@ -194,7 +194,7 @@ class SocketConnection(asyncio.Protocol):
             data = b"".join([text_header(len(text)) + text for text in messages])
         # The transport would send at the end of the loop's turn; writing to the socket directly is 0.1 ms sooner on
         # a busy machine. What the system does not take at once goes to the transport.
-        if self._transport.get_write_buffer_size() == 0:
+        if self._fd >= 0 and self._transport.get_write_buffer_size() == 0:
             try:
                 written = os.write(self._fd, data)
             except BlockingIOError:
@@ -290,7 +290,9 @@ class SocketConnection(asyncio.Protocol):
         self._conversation = conversation
         self._is_open = True
         self._is_aligned = not self._protocol.reader.buffer
-        self._fd = transport.get_extra_info("socket").fileno()
+        # Under TLS -1: the transport alone may write, or plain text would get between the records.
+        is_tls = transport.get_extra_info("sslcontext") is not None
+        self._fd = -1 if is_tls else transport.get_extra_info("socket").fileno()
         self._keepalive = self._loop.call_later(_KEEPALIVE_S, self._check_alive)
         self._endpoint.opened(conversation)
 
