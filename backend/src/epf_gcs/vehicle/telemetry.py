@@ -1,7 +1,7 @@
 """Where all samples pass: keeps the newest of each topic, measures how well it arrives, sends it to the viewers.
 
-Frames come some 280 times a second, and a few decoded together cost less than as many decoded one at a time. So they wait
-until the outlet wants them, or until anybody looks here: what is read is always the newest.
+Frames come some 280 times a second, and a few decoded together cost less than as many decoded one at a time. So they
+wait until the outlet wants them, or until anybody looks here: what is read is always the newest.
 """
 
 from __future__ import annotations

@@ -54,8 +54,7 @@ class Connection(HttpToolsProtocol):
         """Accept the connection, or answer that there are too many."""
         super().connection_made(transport)
         self.host = self.client[0] if self.client is not None else ""
-        own_port = (self.server[1] or 0) if self.server is not None else 0
-        self._peer = Peer(self.host, self.client[1] if self.client is not None else 0, own_port)
+        self._peer = Peer(self.client, self.server)
         self._enter_head()
         if self._arrival is not None:
             self._visitors.leave(self._arrival)

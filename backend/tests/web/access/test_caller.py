@@ -5,14 +5,16 @@ from __future__ import annotations
 import os
 import socket
 import sys
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
 from epf_gcs.clock import Clock
+from epf_gcs.web.access import caller as caller_module
+from epf_gcs.web.access import socket_owner
 from epf_gcs.web.access.admission import Admission, Policy, bearer_key
-from epf_gcs.web.access.caller import NOBODY, UNTOLD, Peer, Shown, is_in_container, is_loopback, socket_owner
+from epf_gcs.web.access.caller import Peer, Shown, is_in_container, is_loopback
+from epf_gcs.web.access.socket_owner import NOBODY, UNTOLD, Connection, owner_of
 from epf_gcs.web.settings import Settings
 from tests.support.callers import stranger
 from tests.support.gateway import Gateway
@@ -20,25 +22,26 @@ from tests.support.gateway import Gateway
 HEAD = b"  sl  local_address rem_address   st tx_queue rx_queue tr tm->when retrnsmt   uid  timeout inode\n"
 
 
-@pytest.fixture
-def connection() -> Iterator[tuple[socket.socket, socket.socket]]:
-    """Both ends of a connection of the loopback: the server's and the client's."""
-    with socket.create_server(("127.0.0.1", 0)) as server:
-        client = socket.create_connection(server.getsockname())
-        accepted, _ = server.accept()
-        with client, accepted:
-            yield accepted, client
+def seen_from(accepted: socket.socket) -> Connection:
+    return Connection(*accepted.getpeername()[:2], *accepted.getsockname()[:2])
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="only Linux says whose a socket is")
-def test_the_system_says_whose_the_other_end_is(connection: tuple[socket.socket, socket.socket]) -> None:
-    accepted, client = connection
-    port, own_port = client.getsockname()[1], accepted.getsockname()[1]
-    assert socket_owner("127.0.0.1", port, own_port) == os.getuid()
-    assert socket_owner("127.0.0.1", port + 1, own_port) == NOBODY
-    client.close()
-    # The system calls what is left of a closed socket root's.
-    assert socket_owner("127.0.0.1", port, own_port) == NOBODY
+@pytest.mark.parametrize("way", ["asked", "read"])
+@pytest.mark.parametrize("host", ["127.0.0.1", "::1"])
+def test_the_system_says_whose_the_other_end_is(monkeypatch: pytest.MonkeyPatch, way: str, host: str) -> None:
+    other = "_in_table" if way == "asked" else "_asked"
+    monkeypatch.setattr(socket_owner, other, lambda _: None if way == "read" else 4711)
+    family = socket.AF_INET6 if ":" in host else socket.AF_INET
+    with socket.create_server((host, 0), family=family) as server:
+        client = socket.create_connection(server.getsockname()[:2])
+        accepted, _ = server.accept()
+        with client, accepted:
+            connection = seen_from(accepted)
+            assert owner_of(connection) == os.getuid()
+            client.close()
+            # The system calls what is left of a closed socket root's.
+            assert owner_of(connection) == NOBODY
 
 
 @pytest.mark.parametrize(
@@ -55,20 +58,20 @@ def test_the_system_says_whose_the_other_end_is(connection: tuple[socket.socket,
 @pytest.mark.skipif(sys.byteorder != "little", reason="the rows are of such a machine")
 def test_a_row_counts_only_if_it_is_the_other_end_and_open(tmp_path: Path, rows: bytes, owner: int) -> None:
     (tmp_path / "tcp").write_bytes(HEAD + rows)
-    assert socket_owner("127.0.0.1", 50000, 8000, tmp_path) == owner
-    assert socket_owner("::1", 50000, 8000, tmp_path) == UNTOLD
+    assert socket_owner._in_table(Connection("127.0.0.1", 50000, "127.0.0.1", 8000), tmp_path) == owner
+    assert socket_owner._in_table(Connection("::1", 50000, "::1", 8000), tmp_path) == UNTOLD
 
 
+@pytest.mark.parametrize(
+    ("owner", "is_ours"), [(4711, False), (os.getuid(), True), (0, True), (UNTOLD, True), (NOBODY, False)]
+)
 def test_another_user_of_this_computer_is_a_stranger(
-    connection: tuple[socket.socket, socket.socket], monkeypatch: pytest.MonkeyPatch
+    monkeypatch: pytest.MonkeyPatch, owner: int, *, is_ours: bool
 ) -> None:
-    accepted, client = connection
-    port, own_port = client.getsockname()[1], accepted.getsockname()[1]
-    monkeypatch.setattr("epf_gcs.web.access.caller.socket_owner", lambda *_: 4711)
-    assert not Peer("127.0.0.1", port, own_port).is_ours
-    monkeypatch.setattr("epf_gcs.web.access.caller.socket_owner", lambda *_: os.getuid())
-    assert Peer("127.0.0.1", port, own_port).is_ours
-    assert not Peer("192.0.2.1", port, own_port).is_ours
+    monkeypatch.setattr(caller_module, "owner_of", lambda _: owner)
+    assert Peer(("127.0.0.1", 50000), ("127.0.0.1", 8000)).is_ours is is_ours
+    assert not Peer(("192.0.2.1", 50000), ("192.0.2.2", 8000)).is_ours
+    assert not Peer(None, ("127.0.0.1", 8000)).is_ours
 
 
 @pytest.mark.parametrize("header", ["Forwarded", "X-Forwarded-For", "X-Forwarded-Proto", "X-Real-IP", "Via"])
@@ -136,10 +139,10 @@ def test_a_key_is_read_from_its_header(header: str, key: str | None) -> None:
 
 
 def test_a_repeated_header_is_no_key() -> None:
-    shown = Shown.of([(b"authorization", b"Bearer a"), (b"authorization", b"Bearer b")], Peer("", 0, 0))
+    shown = Shown.of([(b"authorization", b"Bearer a"), (b"authorization", b"Bearer b")], Peer(None, None))
     assert bearer_key(shown.authorization or "") == "a,Bearer b"
 
 
 def test_nobody_is_in_before_the_lists_were_read(tmp_path: Path) -> None:
     admission = Admission(Policy(True, True, "127.0.0.1"), tmp_path, lambda _: None, Clock())
-    assert admission.resolve(Shown(Peer("127.0.0.1", 1, 1), "", None, False)) is None
+    assert admission.resolve(Shown(Peer(("127.0.0.1", 1), ("127.0.0.1", 1)), "", None, False)) is None

@@ -127,7 +127,8 @@ export const ANSWER: readonly ManoeuvreRow[] = [
   ["rise", ({ rise_s, rise_doubt_s }) => doubted(rise_s, rise_doubt_s, 1, "s")],
   [
     "overshoot",
-    ({ overshoot_percent, overshoot_doubt_percent }) => doubted(overshoot_percent, overshoot_doubt_percent, 1, "%"),
+    ({ overshoot_percent, overshoot_doubt_percent }) =>
+      doubted(overshoot_percent, overshoot_doubt_percent, 1, "%"),
   ],
   ["settling", ({ settling_s }) => shown(settling_s, 1, "s")],
   ["steady", ({ steady_error, unit }) => withUnit(steady_error, unit)],

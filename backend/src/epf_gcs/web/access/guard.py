@@ -195,7 +195,7 @@ class Guard:
     async def _admit(self, scope: Scope) -> tuple[Caller | None, Entry | None]:
         """Who asks, and the row of the table. Raises NotAdmittedError, RoleError, TooManyError."""
         state = scope.setdefault("state", {})
-        shown = Shown.of(scope["headers"], state.get("peer") or _peer(scope))
+        shown = Shown.of(scope["headers"], state.get("peer") or Peer(scope.get("client"), scope.get("server")))
         caller = self._admission.resolve(shown)
         if caller is None and shown.authorization is not None:
             caller = await self._admission.prove(shown)
@@ -277,11 +277,6 @@ class _Deed:
             what = f"{self._what} {self.body[:_MOST_SAID].decode('utf-8', 'replace')}".rstrip()
             self._admission.log.note(self._caller, self._address, self._name, what, str(message["status"]))
         await self._send(message)
-
-
-def _peer(scope: Scope) -> Peer:
-    host, port = scope.get("client") or ("", 0)
-    return Peer(host, port, (scope.get("server") or ("", 0))[1] or 0)
 
 
 async def _read_body(receive: Receive, most_bytes: int) -> bytes | None:
