@@ -36,7 +36,7 @@ test.describe("a station that trusts nobody without a key", () => {
       "true",
     );
     expect(phone.url(), "the key has left the address bar").toBe(`${network.url}/`);
-    await expect(phone.getByText("El control lo tiene Luis · portátil")).toBeVisible();
+    await expect(phone.getByText("El control lo tiene Luis · portátil", { exact: true })).toBeVisible();
 
     // Whoever flies keeps the keyboard while somebody asks.
     await laptop.getByRole("tab", { name: "Setup", exact: true }).focus();
@@ -49,7 +49,9 @@ test.describe("a station that trusts nobody without a key", () => {
 
     network.cut();
     await expect(laptop.getByText("Nadie tiene el control", { exact: true })).toBeVisible();
-    await expect(laptop.getByText("Se ha perdido a Ana · teléfono: nadie tiene el control.")).toBeVisible();
+    await expect(
+      laptop.getByText("Se ha perdido a Ana · teléfono: nadie tiene el control.", { exact: true }),
+    ).toBeVisible();
     network.mend();
     // Who lost it has it back on returning, while nobody else wanted it.
     await expect(mine(phone)).toBeVisible();
@@ -57,7 +59,7 @@ test.describe("a station that trusts nobody without a key", () => {
     await laptop.getByRole("button", { name: "Tomar el control ya" }).click();
     await laptop.getByRole("alertdialog").getByRole("button", { name: "Tomar el control" }).click();
     await expect(mine(laptop)).toBeVisible();
-    await expect(phone.getByText("El control lo tiene Luis · portátil")).toBeVisible();
+    await expect(phone.getByText("El control lo tiene Luis · portátil", { exact: true })).toBeVisible();
 
     await laptop.getByRole("tab", { name: "Setup", exact: true }).click();
     const access = laptop.getByRole("region", { name: "Acceso", exact: true });

@@ -28,7 +28,9 @@ test("a subject says who sees it and every different way to change it, the least
 });
 
 test.each(["es", "en"])("each subject of the interface has a name for people (%s)", (language) => {
-  const { roleSubject } = JSON.parse(readFileSync(join(import.meta.dirname, `guide.${language}.json`), "utf8")) as {
+  const { roleSubject } = JSON.parse(
+    readFileSync(join(import.meta.dirname, `guide.${language}.json`), "utf8"),
+  ) as {
     roleSubject: Readonly<Record<string, string>>;
   };
   expect(subjectRows().map(({ subject }) => subject)).toEqual(Object.keys(roleSubject).sort());
