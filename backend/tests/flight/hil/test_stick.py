@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import pytest
@@ -31,7 +32,9 @@ class Seat:
         self.reasons: list[str] = []
         self.holders: list[str | None] = []
         self.stick = Stick(self, self, lambda: None)
-        self.stick.on_holder = lambda: self.holders.append(self.stick.holder and self.stick.holder.name)
+        self.stick.on_holder = lambda: self.holders.append(
+            None if self.stick.holder is None else self.stick.holder.name
+        )
         self.notice = stick_notices(self.stick)
 
     def steady_s(self) -> float:
@@ -39,6 +42,9 @@ class Seat:
 
     def now_s(self) -> float:
         return self.time_s
+
+    def later(self, decode: Callable[[], None]) -> bool:
+        return False
 
     def event(self, kind: str, data: Any) -> None:
         assert kind == "stick"
