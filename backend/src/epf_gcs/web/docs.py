@@ -48,6 +48,11 @@ the header `X-Client: <client of the hello>`.
 the place of the simulator's rows 8 and 25. A sample is used for 0.3 s; without a newer one the surfaces are centred
 then, and the throttle is closed after 2 s. The choice ends with that page's control.
 
+**Recordings**: `/api/v1/stream?flight=ID&at_s=SECONDS` speaks the same of a recording, with `playback` messages beside;
+send `play`, `pause`, `seek`, `step` or `loop`. `{"type": "ask", "about": "inspector"}` is answered with `{"type":
+"answer", "about": "inspector", "data": as GET /inspector gives it}` of the moment that is shown; `known` as
+`GET /flights/{id}/known`.
+
 **Events**: `alarm` (an alarm that came, went or was acknowledged), `command` (pending, and what became of it),
 `console`, `control`, `error`, `flight` (the flight process: `state` is `lost` or `back`), `job` (as `GET /jobs/{id}`,
 at most four a second), `journal` (a new entry, and what undo and redo would write now), `link`, `map_import` (as `GET

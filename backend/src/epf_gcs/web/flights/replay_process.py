@@ -8,9 +8,10 @@ import shutil
 import sys
 import tempfile
 from pathlib import Path
-from typing import Final
+from typing import Any, Final
 
 from epf_gcs.bus.station_end import Listener, StationEnd
+from epf_gcs.errors import ConflictError
 
 _POLITE_S: Final = 2.0
 _MOST_WORDS: Final = 2000
@@ -35,6 +36,12 @@ class ReplayProcess:
         """Tell the replay; dropped before it is there."""
         if self._end is not None:
             self._end.notice(name, **arguments)
+
+    async def request(self, name: str) -> Any:
+        """Ask the replay about the moment that it shows. Raises ConflictError if it is not there."""
+        if self._end is None:
+            raise ConflictError("flight_away", "The replay is not there.")
+        return await self._end.request(name)
 
     async def run(self, listener: Listener) -> str:
         """Run until the process ends by itself; returns its last words. `listener` gets what it sends."""
