@@ -673,11 +673,13 @@ export const isRoundTripMs = shape({
 });
 export type RoundTripMs = Checked<typeof isRoundTripMs>;
 
-/** What the lines carry against what they can; null while no board's link is open, and 73,000 for the simulator. */
+/** What the lines carry against what they can; null while no board's link is open, and 73,000 for the simulator.
+ *
+ * A recording does not tell the round trips: null. */
 export const isInspectedLink = shape({
   capacity_bytes_per_s: nullable(isNumber),
   round_trip_ms: isRoundTripMs,
-  round_trips: isNumber,
+  round_trips: nullable(isNumber),
   rx_bytes_per_s: isNumber,
   rx_percent: nullable(isNumber),
   simulator_bytes_per_s: isNumber,
@@ -867,12 +869,14 @@ export type ParameterList = Checked<typeof isParameterList>;
 
 /** Where a replay is: on the stream as the message `playback` and in the status of a replayed flight.
  *
- * `edge_s` is how far the recording reaches; it grows for the flight that is being recorded. `loop` is [from_s, to_s]. */
+ * `edge_s` is how far the recording reaches; it grows for the flight that is being recorded. `loop` is [from_s, to_s].
+ * `jumps` counts how often it went to another moment: values from before one are of no use. */
 export const isPlayback = shape({
   at_s: isNumber,
   duration_s: isNumber,
   edge_s: isNumber,
   flight: isText,
+  jumps: isNumber,
   loop: nullable(list(isNumber)),
   rate: isNumber,
   state: oneOf("playing", "paused", "ended"),
