@@ -18,7 +18,7 @@ PORT ?= 8000
 ARGS ?=
 MINUTES ?= 30
 
-.PHONY: help setup images generate check test test-backend test-protocol test-firmware test-frontend e2e soak fuzz mutate mutate-page run board bench clean tools browser
+.PHONY: help setup images generate check test test-backend test-protocol test-firmware test-frontend e2e soak fuzz mutate mutate-page run board wheel bench clean tools browser
 
 help: ## list the verbs
 	@awk -F':.*## ' '/^[a-z-]+:.*## / { printf "  make %-14s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -82,6 +82,11 @@ frontend/dist/index.html: $(frontend_sources) $(DONE)/frontend
 
 board: $(DONE)/tools ## build the board's firmware for this machine
 	@$(MAKE) --no-print-directory -C firmware board
+
+wheel: $(DONE)/venv frontend/dist/index.html board ## one file in dist/ that installs the whole station, without Node and without a compiler
+	@$(MAKE) --no-print-directory -C firmware board-static
+	@$(BIN)/python .ci/wheel.py . dist
+	@ls dist/*.whl
 
 images: $(DONE)/tools $(DONE)/arm ## build the board's firmware for its processors (STM32F405, MPS2)
 	@$(MAKE) --no-print-directory -C firmware images

@@ -1,5 +1,6 @@
 import react from "@vitejs/plugin-react";
 import { defineConfig } from "vitest/config";
+import { fontLicences } from "./scripts/fontLicences.ts";
 import { globeAssets, globeAssetsPath } from "./scripts/globeAssets.ts";
 import { globePolicy } from "./scripts/globePolicy.ts";
 import { pagePackages } from "./scripts/packages.ts";
@@ -7,8 +8,16 @@ import { pagePackages } from "./scripts/packages.ts";
 /** Where `npm run dev` finds the gateway. */
 const gateway = process.env["GCS_DEV_GATEWAY"] ?? "http://127.0.0.1:8000";
 
+/** Beside the page; the about window links it. */
+const LICENCES = "licences.txt";
+
 export default defineConfig({
-  plugins: [react(), globeAssets(import.meta.dirname), globePolicy()],
+  plugins: [
+    react(),
+    globeAssets(import.meta.dirname),
+    globePolicy(),
+    fontLicences(import.meta.dirname, LICENCES),
+  ],
   // Read when the page is built, so that the about window needs no network and cannot be out of date.
   define: {
     // Where the globe's engine looks for its own files.
@@ -22,6 +31,8 @@ export default defineConfig({
     // module preload helper would be an inline script.
     assetsInlineLimit: 0,
     modulePreload: { polyfill: false },
+    // The licence texts of all packages whose code is in the page, beside the page.
+    license: { fileName: LICENCES },
     rolldownOptions: {
       output: {
         // What changes least is kept longest by the browser: the framework, then the words.

@@ -1,6 +1,6 @@
 /**
- * Writes what the page has of the gateway's OpenAPI document: the guards of its answers, and their schemas for the
- * tests. With --check only compares. Usage: npm run generate -- <openapi.json>
+ * Writes what the page has of the gateway's OpenAPI document: the guards of its answers, their schemas for the
+ * tests, and who may ask what. With --check only compares. Usage: npm run generate -- <openapi.json>
  */
 import { readFile, writeFile } from "node:fs/promises";
 import { fileURLToPath } from "node:url";
@@ -14,11 +14,13 @@ if (source === undefined) {
 }
 
 // Node runs no TypeScript of its own before version 22.18.
-const { module } = await runnerImport(fileURLToPath(new URL("guards.ts", import.meta.url)), {
-  configFile: false,
-});
+const load = async (name) =>
+  (await runnerImport(fileURLToPath(new URL(name, import.meta.url)), { configFile: false })).module;
+const module = await load("guards.ts");
+const access = await load("accessTable.ts");
 const document = JSON.parse(await readFile(source, "utf8"));
 const texts = {
+  "src/protocol/access.gen.ts": access.accessModule(document),
   "src/protocol/guards.gen.ts": module.guardsModule(document),
   "src/test/schemas.gen.ts": module.schemasModule(document),
 };

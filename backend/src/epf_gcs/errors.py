@@ -8,6 +8,16 @@ Params = dict[str, str | int | float | bool | None]
 
 # Every code there is. The interface describes them, so that the page cannot forget to translate one.
 ErrorCode = Literal[
+    "access_key_wrong",
+    "access_last_owner",
+    "access_not_written",
+    "access_too_many_programs",
+    "access_too_many_requests",
+    "access_too_many_sessions",
+    "access_too_many_tries",
+    "access_too_many_waiting",
+    "access_unknown",
+    "access_upload_limit",
     "ahrs_test_in_flight",
     "ahrs_test_lost",
     "ahrs_test_running",
@@ -81,11 +91,11 @@ ErrorCode = Literal[
     "map_kind_unknown",
     "map_layer_unknown",
     "map_name_invalid",
+    "map_not_written",
     "map_raster_converting",
     "map_raster_failed",
     "map_raster_no_place",
     "map_raster_not_height",
-    "map_not_written",
     "map_source_invalid",
     "map_source_local",
     "map_source_refused",
@@ -112,12 +122,14 @@ ErrorCode = Literal[
     "mission_not_read",
     "mission_refused",
     "no_such_address",
+    "not_admitted",
     "not_supported",
     "nothing_to_redo",
     "nothing_to_undo",
     "parameter_out_of_range",
     "parameter_unknown",
     "parameters_not_read",
+    "people_log_not_written",
     "port_taken",
     "rate_invalid",
     "recording_changed",
@@ -131,6 +143,7 @@ ErrorCode = Literal[
     "recording_two_boards",
     "recording_unknown",
     "recording_unreadable",
+    "role_too_low",
     "signal_units_differ",
     "signal_unknown",
     "simulator_unknown_host",
@@ -179,3 +192,15 @@ class LinkError(GatewayError):
 
 class BoardError(GatewayError):
     """The board was asked and did not do it: refused, or no answer in time."""
+
+
+class NotAdmittedError(GatewayError):
+    """Nobody may ask this without a key, and none, a wrong or an ended one was shown."""
+
+
+class RoleError(GatewayError):
+    """The caller's role may not do this."""
+
+
+class TooManyError(GatewayError):
+    """Too much was asked; `retry_after_s` is a parameter and says when to come back."""

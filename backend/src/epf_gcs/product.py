@@ -25,9 +25,8 @@ class Part:
     @property
     def folder(self) -> Path:
         """Where it is; where it should be if it is nowhere."""
-        package = Path(str(files("epf_gcs")))
-        packaged = package / _IN_PACKAGE / self.in_package
-        tree = next((parent for parent in package.parents if (parent / _TREE_MARK).is_file()), None)
+        packaged = _package() / _IN_PACKAGE / self.in_package
+        tree = source_tree()
         return packaged if tree is None or packaged.is_dir() else tree / self.in_tree
 
     def file(self, name: str) -> Path:
@@ -39,6 +38,15 @@ class Part:
                 "otherwise install epf-gcs again."
             )
         return path
+
+
+def source_tree() -> Path | None:
+    """The root of the source tree that this package runs from; None where it was installed from a wheel."""
+    return next((parent for parent in _package().parents if (parent / _TREE_MARK).is_file()), None)
+
+
+def _package() -> Path:
+    return Path(str(files("epf_gcs")))
 
 
 PAGE: Final = Part("The page", "page", "frontend/dist", "make run")

@@ -231,3 +231,9 @@ def test_two_replays_share_key_frames_and_one_of_them_writes(recording: Path, tm
     second.look()
     assert second.latest_ns == first.latest_ns
     assert second.before(STARTS_NS + 9 * SECOND_NS) == first.before(STARTS_NS + 9 * SECOND_NS)
+    first.close()
+    third = Keys(tmp_path / "a.keys", "a", timeline.starts_ns or 0)
+    assert third.is_writer
+    third.close()
+    second.look()
+    assert second.is_writer, "whoever looks next goes on with the key frames of one that has ended"

@@ -1,7 +1,7 @@
 # The board as a process of this computer: build/posix/epf-board, and build/posix-asan/epf-board with the address and
 # undefined-behaviour sanitizers. Included by the Makefile, whose warnings and flags it uses.
 
-.PHONY: board-asan
+.PHONY: board-asan board-static
 
 kernel_folder := third_party/freertos
 kernel_sources := $(addprefix $(kernel_folder)/,tasks.c queue.c list.c portable/ThirdParty/GCC/Posix/port.c \
@@ -17,6 +17,8 @@ board_link := -pthread -Wl,--wrap=usleep -Wl,--wrap=ulPortGetRunTime -lm
 
 board: $(BUILD)/posix/epf-board
 board-asan: $(BUILD)/posix-asan/epf-board
+# Needs no library of the computer it runs on: for packages that are installed on any Linux.
+board-static: $(BUILD)/static/epf-board
 
 # $(1): folder, $(2): its flags
 define board_flavour
@@ -43,3 +45,8 @@ $(BUILD)/$(1)/epf-board: $(patsubst %.c,$(BUILD)/$(1)/object/%.o,$(board_sources
 endef
 $(eval $(call board_flavour,posix,$(OPTIMISED)))
 $(eval $(call board_flavour,posix-asan,$(SANITIZED)))
+
+$(BUILD)/static/epf-board: $(BUILD)/posix/epf-board
+	@mkdir -p $(@D)
+	@echo "  LD $@"
+	@$(CC) $(OPTIMISED) -static -o $@ $(patsubst %.c,$(BUILD)/posix/object/%.o,$(board_sources) $(kernel_sources) $(littlefs_sources)) $(board_link)

@@ -1,4 +1,4 @@
-"""`epf-replay`: one recording as a vehicle that speaks the stream; nothing can be commanded through it."""
+"""`epf-replay`: one recording as a vehicle, once for each viewer; nothing can be commanded through it."""
 
 from __future__ import annotations
 
@@ -16,7 +16,8 @@ from typing import Final
 # Before numpy comes with the reader: its threads would cost memory, and nothing here uses them.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
-from epf_gcs.bus.address import Listener
+import orjson
+
 from epf_gcs.errors import GatewayError
 from epf_gcs.logs import set_up_logging
 from epf_gcs.replay.vehicle_process import VehicleProcess
@@ -45,16 +46,17 @@ async def _replay(options: argparse.Namespace) -> None:
     for name in _POLITE:
         with contextlib.suppress(NotImplementedError):
             loop.add_signal_handler(name, ended.set)
+    process = VehicleProcess(options.recording, options.keys)
+    if options.folder is not None:
+        process.open(options.folder, options.at)
     if options.with_parent:
-        threading.Thread(target=_wait_for_parent, args=(loop, ended), daemon=True).start()
-    process = VehicleProcess(options.recording, options.keys, at_s=options.at)
-    listener = Listener(options.folder)
+        threading.Thread(target=_listen_to_parent, args=(loop, process, ended), daemon=True).start()
     try:
         gc.collect()
         gc.freeze()
         # What is decoded has no cycles: look for some now and then, not all the time.
         gc.set_threshold(50_000, 20, 50)
-        running = asyncio.ensure_future(process.run(listener))
+        running = asyncio.ensure_future(process.run())
         waiting = asyncio.ensure_future(ended.wait())
         await asyncio.wait({running, waiting}, return_when=asyncio.FIRST_COMPLETED)
         for task in (running, waiting):
@@ -63,7 +65,6 @@ async def _replay(options: argparse.Namespace) -> None:
             await running
     finally:
         process.close()
-        listener.close()
 
 
 def _be_modest() -> None:
@@ -76,10 +77,17 @@ def _be_modest() -> None:
         resource.setrlimit(resource.RLIMIT_AS, (_MEMORY_BYTES, _MEMORY_BYTES))
 
 
-def _wait_for_parent(loop: asyncio.AbstractEventLoop, ended: asyncio.Event) -> None:
-    """Set `ended` when the parent dies, even if it was killed: it holds the other end of our standard input."""
-    while os.read(0, 1):
-        pass
+def _listen_to_parent(loop: asyncio.AbstractEventLoop, process: VehicleProcess, ended: asyncio.Event) -> None:
+    """Open a replay for each line of standard input, `{"folder": ..., "at_s": ...}`.
+
+    Set `ended` when the parent dies, even if it was killed: it holds the other end.
+    """
+    held = b""
+    while more := os.read(0, 65536):
+        *lines, held = (held + more).split(b"\n")
+        for line in lines:
+            asked = orjson.loads(line)
+            loop.call_soon_threadsafe(process.open, Path(asked["folder"]), float(asked["at_s"]))
     loop.call_soon_threadsafe(ended.set)
 
 
@@ -94,14 +102,18 @@ def _loop_factory() -> type[asyncio.AbstractEventLoop] | None:
 def _options() -> argparse.Namespace:
     parser = argparse.ArgumentParser(
         prog="epf-replay",
-        description="A recording of EPF GCS as a vehicle: a station finds it in its folder and plays, pauses and seeks "
-        "by notices of the stream.",
+        description="A recording of EPF GCS as a vehicle, for any number of viewers: a station finds it in a folder, "
+        "and plays, pauses and seeks by notices of the stream.",
     )
     parser.add_argument("--recording", type=Path, required=True, help="The MCAP file; it may still be growing.")
-    parser.add_argument("--folder", type=Path, required=True, help="Where its socket is made; one folder for each.")
-    parser.add_argument("--at", type=float, default=0.0, help="Seconds after the start of the flight.")
+    parser.add_argument("--folder", type=Path, default=None, help="Where a viewer's socket is made.")
+    parser.add_argument("--at", type=float, default=0.0, help="Seconds after the start of the flight, for that viewer.")
     parser.add_argument("--keys", type=Path, default=None, help="File of key frames, shared by replays of a recording.")
-    parser.add_argument("--with-parent", action="store_true", help="End when standard input closes.")
+    parser.add_argument(
+        "--with-parent",
+        action="store_true",
+        help="Open a replay for each line of standard input, and end when it closes.",
+    )
     return parser.parse_args()
 
 

@@ -49,9 +49,13 @@ class Keys:
         return self._times[-1] if self._times else None
 
     def look(self) -> None:
-        """Take in what another replay has written."""
+        """Take in what another replay has written, and go on with it if that one has ended."""
         if self._file is None:
             return
+        with contextlib.suppress(OSError):
+            if not self.is_writer:
+                fcntl.flock(self._file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+                self.is_writer = True
         with contextlib.suppress(OSError):
             self._read_on(self._file)
 

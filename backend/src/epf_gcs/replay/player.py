@@ -5,6 +5,7 @@ No thread, no timer and no socket in here: what it does at a moment depends on t
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from typing import Any, Final, Literal, Protocol
 
@@ -23,6 +24,8 @@ _PAUSED_STATUS_S: Final = 1.0
 # A file that is being written is looked at this often while the replay is near its edge.
 _LOOK_S: Final = 0.25
 _NEAR_NS: Final = 1_000_000_000
+# A timer may wake so much early.
+_GRAIN_S: Final = 0.001
 # Items fed in one turn: a few milliseconds, so that what a viewer asks is heard between turns.
 _TURN: Final = 400
 # With every sample wanted: samples given away before the viewer has been sent them.
@@ -258,15 +261,14 @@ class Player:
         if self._target_ns is not None:
             return 0.0
         is_playing = self._pace.is_playing
-        is_given = not self._outlet.every and now_s >= self._give_at_s
+        is_given = not self._outlet.every and now_s >= self._give_at_s - _GRAIN_S
         # What is due soon goes with the samples, for each thing sent alone wakes three processes.
         soon_s = now_s + 0.5 * self._period_s if is_given and is_playing else now_s
         if soon_s >= self._tell_at_s:
             self._tell_at_s = max(self._tell_at_s, now_s - _TOLD_S) + _TOLD_S if is_playing else float("inf")
             self._audience.playback(self.playback(), with_samples=is_given)
         if is_given:
-            # On a grid, so that the mean rate is exact; after a pause the grid begins anew.
-            self._give_at_s = max(self._give_at_s + self._period_s, now_s + 0.5 * self._period_s)
+            self._give_at_s = self._on_grid(now_s + 0.5 * self._period_s)
             self._outlet.give()
             self._audience.flush()
         if soon_s >= self._status_at_s:
@@ -283,7 +285,11 @@ class Player:
             return float("inf")
         next_ns = self._head.next_ns
         coming_s = float("inf") if next_ns is None else now_s + self._pace.wait_s(now_s, next_ns)
-        return coming_s if self._outlet.every else max(self._give_at_s, coming_s)
+        return coming_s if self._outlet.every else self._on_grid(max(self._give_at_s - _GRAIN_S, coming_s))
+
+    def _on_grid(self, now_s: float) -> float:
+        """The next moment at which samples are given: the mean rate is exact, and all replays wake together."""
+        return now_s if math.isinf(now_s) else math.ceil(now_s / self._period_s) * self._period_s
 
     def _look(self, now_s: float) -> None:
         """See what the file has got, if it is being written."""

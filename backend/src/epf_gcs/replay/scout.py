@@ -33,17 +33,19 @@ class Scout:
             return edge_ns - latest_ns > EVERY_NS
         return edge_ns > self._next_ns
 
-    def work(self) -> None:
-        """Decode a little further, and keep the state where a key frame is due."""
+    def work(self) -> bool:
+        """Decode a little further, and keep the state where a key frame is due. True if it was."""
         head = self._head or self._begin()
         if not head.advance(self._next_ns - 1, _SLICE):
-            return
+            return False
         at_ns = head.next_ns
         if at_ns is None:
-            return
-        if head.can_be_kept:
+            return False
+        is_kept = head.can_be_kept
+        if is_kept:
             self._keys.add(at_ns, head.kept())
         self._next_ns = max(self._next_ns, at_ns) + EVERY_NS
+        return is_kept
 
     def _begin(self) -> Playhead:
         latest_ns = self._keys.latest_ns

@@ -21,8 +21,9 @@ from epf_gcs.recordings.skim import ChunkAt, skim
 # A piece has at most so many messages: a seek makes objects of no more than one.
 _PIECE_MESSAGES: Final = 2000
 _BLOCK_BYTES: Final = 1 << 19
-_PIECES_AT_HAND: Final = 3
-_PARTS_AT_HAND: Final = 4
+# For each reader.
+_PIECES_AT_HAND: Final = 2
+_PARTS_AT_HAND: Final = 2
 # Pieces have numbers: this many times the place in the list, plus which piece of the chunk it is.
 _TELLING: Final = frozenset({EVENT, IDENTITY})
 _OF_ONE: Final = 1 << 20
@@ -68,6 +69,8 @@ class Timeline:
         self._latest: list[int] = []
         self._loaded: OrderedDict[int, tuple[int, list[Item]]] = OrderedDict()
         self._parts: OrderedDict[int, Messages] = OrderedDict()
+        # How many go along it, each at another place: what they read is kept at hand.
+        self.readers = 2
         self.starts_ns: int | None = None
         self.edge_ns = 0
         self._skim()
@@ -170,7 +173,7 @@ class Timeline:
         held = self._loaded.get(number)
         if held is None or held[0] != count:
             held = self._loaded[number] = (count, self._load(piece))
-            while len(self._loaded) > _PIECES_AT_HAND:
+            while len(self._loaded) > _PIECES_AT_HAND * self.readers:
                 self._loaded.popitem(last=False)
         self._loaded.move_to_end(number)
         return held[1]
@@ -248,7 +251,7 @@ class Timeline:
             reader.place = place
             reader.is_whole = False
             held = self._parts[place] = next(part.messages for part in reader.parts())
-            while len(self._parts) > _PARTS_AT_HAND:
+            while len(self._parts) > _PARTS_AT_HAND * self.readers:
                 self._parts.popitem(last=False)
         self._parts.move_to_end(place)
         return held

@@ -10,12 +10,16 @@ from typing import Any, Final
 from fastapi import APIRouter, FastAPI
 
 from epf_gcs import __version__
+from epf_gcs.clock import Clock
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.formats.recognise import MAX_FILE_BYTES
 from epf_gcs.product import PAGE
 from epf_gcs.web import docs
 from epf_gcs.web.about import routes as about
+from epf_gcs.web.access.admission import Admission, Policy
 from epf_gcs.web.access.guard import Access, Guard
+from epf_gcs.web.access.limits import CallerLimits
+from epf_gcs.web.access.table import Gate
 from epf_gcs.web.alarms import routes as alarms
 from epf_gcs.web.commands import ahrs_test_routes as ahrs_test
 from epf_gcs.web.commands import routes as commands
@@ -59,15 +63,20 @@ def create_app(settings: Settings, visitors: Visitors | None = None) -> FastAPI:
     access = Access((settings.host, *settings.allowed_hosts), settings.allowed_origins)
     errors = ErrorLog()
     answers: Counter[int] = Counter()
+    clock = Clock()
+    admission = Admission(Policy.of(settings), settings.data_dir, errors.report, clock)
+    admission.listen_at(settings.port)
+    limits = CallerLimits(clock.steady_s)
 
     @contextlib.asynccontextmanager
     async def lifespan(app: FastAPI) -> AsyncIterator[dict[str, Any]]:
-        station = Station(settings.data_dir, errors)
+        station = Station(settings.data_dir, errors, clock)
         for name, part in station.parts.items():
             setattr(app.state, name, part)
         station.maps.online.consent = Consent(settings.local_maps)
-        async with station.running():
-            yield {"socket_endpoint": StreamEndpoint(station.stream_parts, access)}
+        async with admission.running(), station.running():
+            endpoint = StreamEndpoint(station.stream_parts, access)
+            yield {"socket_endpoint": endpoint, "admission": admission, "limits": limits}
 
     app = FastAPI(
         title="EPF GCS gateway",
@@ -106,9 +115,14 @@ def create_app(settings: Settings, visitors: Visitors | None = None) -> FastAPI:
     install_error_handlers(app, errors)
     app.include_router(_probes(app, settings, visitors or Visitors(Limits()), answers))
     install_page(app, settings.page_dir or PAGE.folder)
+    app.state.admission = admission
+    app.state.limits = limits
     app.add_middleware(
         Guard,
         access=access,
+        admission=admission,
+        gate=Gate(app),
+        limits=limits,
         errors=errors,
         max_body_bytes=settings.max_body_bytes,
         longer_bodies={_PREFIX + mission_files.IMPORT_PATH: MAX_FILE_BYTES},

@@ -6,11 +6,19 @@ uvicorn parses and answers but has none of these limits; `watch` enforces them o
 from __future__ import annotations
 
 import asyncio
+from http import HTTPStatus
 from typing import Any, Final, Literal, cast
 
 import structlog
 from uvicorn.protocols.http.httptools_impl import HttpToolsProtocol, RequestResponseCycle
 
+from epf_gcs.errors import GatewayError
+from epf_gcs.web.access.admission import Admission
+from epf_gcs.web.access.caller import Caller, Peer, Shown
+from epf_gcs.web.access.guard import admitted
+from epf_gcs.web.access.limits import CallerLimits
+from epf_gcs.web.access.table import STREAMS
+from epf_gcs.web.problems import problem_of
 from epf_gcs.web.stream.socket import SocketConnection
 from epf_gcs.web.visitors import Visitors
 
@@ -38,11 +46,14 @@ class Connection(HttpToolsProtocol):
         self._is_refused = False
         self._was_asked = False
         self._is_between = False
+        self._proof: asyncio.Task[None] | None = None
 
     def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
         """Accept the connection, or answer that there are too many."""
         super().connection_made(transport)
         self.host = self.client[0] if self.client is not None else ""
+        own_port = (self.server[1] or 0) if self.server is not None else 0
+        self._peer = Peer(self.host, self.client[1] if self.client is not None else 0, own_port)
         self._enter_head()
         if not self._visitors.come_in(self):
             log.warning("a connection was refused", host=self.host)
@@ -66,6 +77,7 @@ class Connection(HttpToolsProtocol):
     def on_message_begin(self) -> None:
         """A request begins."""
         super().on_message_begin()
+        cast(Any, self.scope)["state"]["peer"] = self._peer
         if self._stage == "head":
             # The time for the head starts with the connection, or for later requests with their first byte.
             if self._was_asked:
@@ -102,13 +114,46 @@ class Connection(HttpToolsProtocol):
         super().on_response_complete()
 
     def handle_websocket_upgrade(self) -> None:
-        """Hand the transport to a WebSocket, which keeps this connection's place."""
-        if not self._visitors.become_socket(self):
-            log.warning("a stream was refused", host=self.host)
-            self._end(*_BUSY)
-            return
+        """Hand the transport to a WebSocket, if its caller may open one."""
         self.idle_since_s = None
         self._stage = "answer"
+        shown = Shown.of(self.scope["headers"], self._peer)
+        if self._admission.needs_proof(shown):
+            self.transport.pause_reading()
+            self._proof = self.loop.create_task(self._prove_and_upgrade(shown))
+        else:
+            self._upgrade(self._admission.resolve(shown))
+
+    @property
+    def _admission(self) -> Admission:
+        return cast(Admission, self.app_state["admission"])
+
+    async def _prove_and_upgrade(self, shown: Shown) -> None:
+        """The same for a key that has to be held against its hash first."""
+        try:
+            caller = await self._admission.prove(shown)
+        except GatewayError as error:
+            self._refuse(error)
+            return
+        if self._is_up():
+            self._upgrade(caller)
+            self.transport.resume_reading()
+
+    def _upgrade(self, caller: Caller | None) -> None:
+        """The WebSocket keeps this connection's place."""
+        entry = STREAMS["/stream?flight" if b"flight=" in self.url else "/stream"]
+        limits = cast(CallerLimits, self.app_state["limits"])
+        try:
+            asker = admitted(caller, entry.least)
+            limits.socket_opened(asker)
+        except GatewayError as error:
+            self._refuse(error)
+            return
+        if not self._visitors.become_socket(self):
+            log.warning("a stream was refused", host=self.host)
+            limits.socket_closed(asker)
+            self._end(*_BUSY)
+            return
         self.connections.discard(self)
         head = [self.scope["method"].encode(), b" ", self.url, b" HTTP/1.1\r\n"]
         for name, value in self.scope["headers"]:
@@ -120,10 +165,24 @@ class Connection(HttpToolsProtocol):
                 config=self.config, server_state=self.server_state, app_state=self.app_state
             ),
         )
-        stream.on_lost = lambda: self._visitors.leave(self)
+        stream.caller = asker
+
+        def lost() -> None:
+            limits.socket_closed(asker)
+            self._visitors.leave(self)
+
+        stream.on_lost = lost
         stream.connection_made(self.transport)
         stream.data_received(b"".join(head))
         self.transport.set_protocol(stream)
+
+    def _refuse(self, error: GatewayError) -> None:
+        """Answer a handshake with a problem document."""
+        answer = problem_of(error)
+        headers = b"".join(b"%b: %b\r\n" % header for header in answer.raw_headers)
+        self._answer_and_close(
+            b"%d %b" % (answer.status_code, HTTPStatus(answer.status_code).phrase.encode()), headers, bytes(answer.body)
+        )
 
     def make_room(self) -> None:
         """Close an idle connection without an answer; the browser opens a new one when it needs it."""
@@ -174,14 +233,15 @@ class Connection(HttpToolsProtocol):
         return not self.transport.is_closing()
 
     def _end(self, status: bytes, words: bytes) -> None:
+        headers = b"Content-Type: text/plain; charset=utf-8\r\nContent-Length: %d\r\nRetry-After: 5\r\n" % len(words)
+        self._answer_and_close(status, headers, words)
+
+    def _answer_and_close(self, status: bytes, headers: bytes, words: bytes) -> None:
         self._is_refused = True
         self._visitors.leave(self)
         answer = cast(RequestResponseCycle | None, self.cycle)
         if answer is None or not answer.response_started or answer.response_complete:
-            self.transport.write(
-                b"HTTP/1.1 %b\r\nContent-Type: text/plain; charset=utf-8\r\nContent-Length: %d\r\n"
-                b"Retry-After: 5\r\nConnection: close\r\n\r\n%b" % (status, len(words), words)
-            )
+            self.transport.write(b"HTTP/1.1 %b\r\n%bConnection: close\r\n\r\n%b" % (status, headers, words))
         self.transport.close()
 
 

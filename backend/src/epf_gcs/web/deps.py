@@ -10,6 +10,8 @@ from fastapi import Depends, Header, Request
 from epf_gcs.bus.definition import Asker
 from epf_gcs.bus.station_end import StationEnd
 from epf_gcs.clock import Clock
+from epf_gcs.web.access.admission import Admission
+from epf_gcs.web.access.caller import Caller, Shown
 from epf_gcs.web.access.control import Control
 from epf_gcs.web.flights.flights import Flights
 from epf_gcs.web.flights.imports import FlightImports
@@ -47,6 +49,23 @@ InspectorDep = Annotated[SharedInspector, _part("inspector")]
 RecordingsDirDep = Annotated[Path, _part("recordings_dir")]
 ClockDep = Annotated[Clock, _part("clock")]
 """The flight's clock."""
+AdmissionDep = Annotated[Admission, _part("admission")]
+
+
+def get_caller(request: Request) -> Caller | None:
+    """Who asks, as the guard found it; None: a stranger, who reaches only what is open to all."""
+    caller: Caller | None = request.state.caller
+    return caller
+
+
+def get_shown(request: Request) -> Shown:
+    """What the request shows of its caller."""
+    shown: Shown = request.state.shown
+    return shown
+
+
+CallerDep = Annotated[Caller | None, Depends(get_caller)]
+ShownDep = Annotated[Shown, Depends(get_shown)]
 
 
 XClient = Annotated[

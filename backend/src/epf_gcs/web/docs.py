@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from importlib.resources import files
 from typing import Any, Final
 
@@ -11,6 +12,8 @@ from fastapi.responses import HTMLResponse, Response
 from pydantic.json_schema import models_json_schema
 
 from epf_gcs import __version__
+from epf_gcs.web.access.roles import OPEN, Role
+from epf_gcs.web.access.table import MESSAGES, ROUTES, STREAMS, Entry
 from epf_gcs.web.flights import schemas as flights
 from epf_gcs.web.problems import MEDIA_TYPE
 from epf_gcs.web.schemas import Output, Problem
@@ -36,6 +39,12 @@ _PAGE: Final = """<!doctype html>
 _START: Final = f'SwaggerUIBundle({{url: "{OPENAPI_PATH}", dom_id: "#docs", deepLinking: true, validatorUrl: null}});\n'
 _DESCRIPTION: Final = """
 The gateway of EPF GCS. Errors are problem documents (RFC 9457) whose `code` is stable.
+
+**Who may**: on the computer itself nobody needs a key. From elsewhere everybody does: a browser enters with a one-time
+key and gets a cookie, a program sends `Authorization: Bearer epf_...`. Each route says the least role that it needs
+(`x-least-role`: `anyone`, `viewer`, `operator`, `owner`) and whether the caller must also have control, or nobody
+(`x-needs-control`). Without a key the answer is 401, with a lower role 403, and 429 says in `Retry-After` when to come
+back.
 
 **Stream**: WebSocket `/api/v1/stream?rate=60` sends `hello`, then `batch`, `event` and `status` messages as JSON.
 Answer each batch with `{"type": "ack", "seq": n}`: at most four are under way, and a viewer which stalled gets the
@@ -64,6 +73,18 @@ loaded value), `recording`, `stick` (where the stick comes from, whether it is `
 # Shapes that no route answers with: of messages on the stream. They stand under `x-shapes`, from which
 # the page's checks are generated as from the answers.
 SHAPES: Final[tuple[type[Output], ...]] = (flights.Playback,)
+
+_SECURITY: Final = {
+    "session": {
+        "type": "apiKey",
+        "in": "cookie",
+        "name": "epf_8000",
+        "description": "Of a person that has entered by `POST /access/enter`; named after the port, `__Host-epf` with "
+        "TLS.",
+    },
+    "key": {"type": "http", "scheme": "bearer", "description": "The key of a program."},
+    "password": {"type": "http", "scheme": "basic", "description": "The same key as the password, with any name."},
+}
 
 router = APIRouter(include_in_schema=False)
 
@@ -95,9 +116,12 @@ def describe(app: FastAPI) -> dict[str, Any]:
         schema = get_openapi(
             title="EPF GCS gateway", version=__version__, description=_DESCRIPTION.strip(), routes=app.routes
         )
-        for path in schema["paths"].values():
-            for operation in path.values():
+        for path, operations in schema["paths"].items():
+            for method, operation in operations.items():
                 _name_problems(operation["responses"])
+                _say_who_may(operation, ROUTES[method.upper(), path])
+        schema["components"]["securitySchemes"] = _SECURITY
+        schema["x-stream"] = {"opening": _least(STREAMS), "messages": _least(MESSAGES)}
         schemas = schema["components"]["schemas"]
         schemas.pop("HTTPValidationError", None)
         schemas.pop("ValidationError", None)
@@ -108,6 +132,22 @@ def describe(app: FastAPI) -> dict[str, Any]:
             schemas.setdefault(name, part)
         app.openapi_schema = schema
     return app.openapi_schema
+
+
+def _say_who_may(operation: dict[str, Any], entry: Entry) -> None:
+    operation["x-least-role"] = _name_of(entry)
+    operation["x-needs-control"] = entry.control
+    operation["security"] = [] if entry.least == OPEN else [{name: []} for name in _SECURITY]
+
+
+def _least(entries: Mapping[str, Entry]) -> dict[str, dict[str, Any]]:
+    return {
+        name: {"x-least-role": _name_of(entry), "x-needs-control": entry.control} for name, entry in entries.items()
+    }
+
+
+def _name_of(entry: Entry) -> str:
+    return "anyone" if entry.least == OPEN else Role(entry.least).name
 
 
 def _name_problems(responses: dict[str, Any]) -> None:

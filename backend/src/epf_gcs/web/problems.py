@@ -20,8 +20,11 @@ from epf_gcs.errors import (
     GatewayError,
     InvalidInputError,
     LinkError,
+    NotAdmittedError,
     NotFoundError,
     Params,
+    RoleError,
+    TooManyError,
 )
 from epf_gcs.web.schemas import Problem
 
@@ -41,15 +44,20 @@ _STATUS: Final[dict[type[GatewayError], HTTPStatus]] = {
     ConflictError: HTTPStatus.CONFLICT,
     LinkError: HTTPStatus.CONFLICT,
     BoardError: HTTPStatus.BAD_GATEWAY,
+    NotAdmittedError: HTTPStatus.UNAUTHORIZED,
+    RoleError: HTTPStatus.FORBIDDEN,
+    TooManyError: HTTPStatus.TOO_MANY_REQUESTS,
     GatewayError: HTTPStatus.INTERNAL_SERVER_ERROR,
 }
 
 _DESCRIPTIONS: Final = {
     400: "The body is not JSON.",
-    403: "The request came from a page or under a name that may not command.",
+    401: "It needs a key: none, a wrong one or an ended one was shown.",
+    403: "The request came from a page or under a name that may not command, or the caller's role is too low.",
     404: "There is no such thing.",
     409: "It cannot be done now: another has control, no link, not supported, or the device cannot be opened.",
     413: "The body is too large.",
+    429: "Too much was asked: `Retry-After` says when to come back.",
     422: "A value is missing, misspelt or out of range.",
     502: "The board was asked and refused, or did not answer.",
 }
@@ -58,13 +66,16 @@ _DESCRIPTIONS: Final = {
 def problems(*statuses: int) -> dict[int | str, dict[str, Any]]:
     """Documentation of the problems that a route can answer with."""
     return {
-        status: {"model": Problem, "description": _DESCRIPTIONS[status]} for status in (400, 403, 413, 422, *statuses)
+        status: {"model": Problem, "description": _DESCRIPTIONS[status]}
+        for status in (400, 401, 403, 413, 422, 429, *statuses)
     }
 
 
 def reading_problems(*statuses: int) -> dict[int | str, dict[str, Any]]:
     """The same for a route that only reads."""
-    return {status: {"model": Problem, "description": _DESCRIPTIONS[status]} for status in (403, 422, *statuses)}
+    return {
+        status: {"model": Problem, "description": _DESCRIPTIONS[status]} for status in (401, 403, 422, 429, *statuses)
+    }
 
 
 def problem_response(
@@ -82,14 +93,24 @@ def problem_response(
     return Response(orjson.dumps(body), status, headers=headers, media_type=MEDIA_TYPE)
 
 
+def problem_of(error: GatewayError) -> Response:
+    """The problem document of an error, with the headers that its status asks for."""
+    status = next(status for kind, status in _STATUS.items() if isinstance(error, kind))
+    headers = {}
+    if status == HTTPStatus.TOO_MANY_REQUESTS:
+        headers["Retry-After"] = str(error.params["retry_after_s"])
+    elif status == HTTPStatus.UNAUTHORIZED:
+        headers["WWW-Authenticate"] = 'Bearer realm="EPF GCS"'
+    return problem_response(status, error.code, error.detail, error.params, headers)
+
+
 def install_error_handlers(app: FastAPI, errors: ErrorLog) -> None:
     """Every failure becomes a problem document, and is counted by its code."""
 
     async def expected(_: Request, error: Exception) -> Response:
         known = error if isinstance(error, GatewayError) else GatewayError("internal", str(error))
         errors.count(known.code)
-        status = next(status for kind, status in _STATUS.items() if isinstance(known, kind))
-        return problem_response(status, known.code, known.detail, known.params)
+        return problem_of(known)
 
     async def invalid(_: Request, error: Exception) -> Response:
         first = error.errors()[0] if isinstance(error, RequestValidationError) else {"type": "", "msg": str(error)}

@@ -33,9 +33,10 @@ class Server(uvicorn.Server):
     def __init__(self, settings: Settings, limits: Limits | None = None, look_every_s: float = 1.0) -> None:
         self.visitors = Visitors(limits or Limits())
         self._look_every_s = look_every_s
+        self._app = create_app(settings, self.visitors)
         super().__init__(
             uvicorn.Config(
-                create_app(settings, self.visitors),
+                self._app,
                 loop="auto",
                 http=cast(Any, partial(Connection, self.visitors)),
                 ws=cast(Any, SocketConnection),
@@ -56,6 +57,7 @@ class Server(uvicorn.Server):
         sys.setswitchinterval(_SWITCH_INTERVAL_S)
         self.visitors.limits = fitting(self.visitors.limits, raise_descriptors())
         with self._listener() as listener:
+            self._app.state.admission.listen_at(listener.getsockname()[1])
             self.run([listener])
 
     def _listener(self) -> socket.socket:

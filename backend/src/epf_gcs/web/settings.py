@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from pydantic import Field
+from pydantic import Field, SecretStr
 from pydantic_settings import BaseSettings, SettingsConfigDict
 
 
@@ -13,7 +13,7 @@ class Settings(BaseSettings):
 
     model_config = SettingsConfigDict(env_prefix="GCS_", frozen=True)
 
-    host: str = Field(default="127.0.0.1", description="Address to listen on; beyond 127.0.0.1 anyone can fly.")
+    host: str = Field(default="127.0.0.1", description="Address to listen on; beyond 127.0.0.1 everybody needs a key.")
     port: int = Field(default=8000, ge=0, le=65535, description="TCP port to listen on; 0 takes any free one.")
     data_dir: Path = Field(default=Path("data"), description="Where recordings and the remembered links live.")
     page_dir: Path | None = Field(
@@ -26,4 +26,13 @@ class Settings(BaseSettings):
     local_maps: tuple[str, ...] = Field(
         default=(), description="Servers of map tiles in the own network that may be asked, as host or host:port."
     )
+    trust_this_computer: bool | None = Field(
+        default=None,
+        description="Whether processes of this user and computer need no key; by default they do not, except in a "
+        "container that listens beyond the loopback.",
+    )
+    allow_anyone_to_fly: bool = Field(
+        default=False, description="Lets everybody on the network command the aircraft without a key."
+    )
+    launcher_key: SecretStr | None = Field(default=None, description="The key of the program that started this one.")
     max_body_bytes: int = Field(default=65536, ge=1024, description="Largest request body.")

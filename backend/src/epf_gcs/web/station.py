@@ -42,11 +42,11 @@ _STATUS_S: Final = 0.5
 class Station:
     """Constructed on the running loop. `parts` are what routes get by name (`deps.py`)."""
 
-    def __init__(self, data_dir: Path, errors: ErrorLog) -> None:
+    def __init__(self, data_dir: Path, errors: ErrorLog, clock: Clock) -> None:
         loop = asyncio.get_running_loop()
         self._errors = errors
         self._here = asyncio.Event()
-        self.clock = Clock()
+        self.clock = clock
         self.hub = Hub(loop, self.clock.now_s, on_rate=self._rate_changed)
         errors.tell_viewers(self.clock.steady_s, self.hub.event)
         self.mirror = VehicleMirror(self.hub, self.clock, on_change=self._status_changed, on_here=self._vehicle_here)

@@ -77,19 +77,16 @@ def row_meaning(row: int, eight: Eight, profile: str) -> RowMeaning:
     "No value" (-999) becomes None; a value that is not finite or outside its range becomes None and is listed as
     implausible.
     """
-    definition = XPLANE_ROWS[profile].get(row)
     values: dict[str, float | None] = {}
     implausible: list[str] = []
-    for wanted in definition.values if definition else ():
-        name, scale = in_our_unit(wanted)
-        raw = eight[wanted.index]
+    for name, place, scale, minimum, maximum, is_clamped in _PLANS[profile].get(row, ()):
+        raw = eight[place]
         if raw == NO_VALUE:
             values[name] = None
-            continue
-        if row in _CLAMPED_ROWS and math.isfinite(raw):
-            raw = min(wanted.maximum, max(wanted.minimum, raw))
-        if wanted.minimum <= raw <= wanted.maximum:
-            values[name] = raw * scale if scale != 1.0 else raw
+        elif minimum <= raw <= maximum:
+            values[name] = raw * scale
+        elif is_clamped and math.isfinite(raw):
+            values[name] = (minimum if raw < minimum else maximum) * scale
         else:
             values[name] = None
             implausible.append(name)
@@ -117,3 +114,28 @@ def in_our_unit(wanted: RowValue) -> tuple[str, float]:
     if wanted.unit == "deg/s":
         return wanted.name.removesuffix("_deg_s") + "_rad_s", _RAD_PER_DEG
     return wanted.name, 1.0
+
+
+class _Step(NamedTuple):
+    """How one value of a row is read: its place, the factor to our unit, and its range in the simulator's unit."""
+
+    name: str
+    place: int
+    scale: float
+    minimum: float
+    maximum: float
+    is_clamped: bool
+
+
+def _step(wanted: RowValue, *, is_clamped: bool) -> _Step:
+    name, scale = in_our_unit(wanted)
+    return _Step(name, wanted.index, scale, wanted.minimum, wanted.maximum, is_clamped)
+
+
+_PLANS: Final[Mapping[str, Mapping[int, tuple[_Step, ...]]]] = {
+    profile: {
+        number: tuple(_step(wanted, is_clamped=number in _CLAMPED_ROWS) for wanted in definition.values)
+        for number, definition in rows.items()
+    }
+    for profile, rows in XPLANE_ROWS.items()
+}

@@ -167,7 +167,7 @@ def test_so_many_replays_and_no_more_and_a_live_viewer_beside_them_sees_nothing_
         eventually(lambda: not replays(), "earlier ones have ended")
         streams = [station.stream(f"?flight={ID}&at_s={number}") for number in range(MOST_OF_A_HOST)]
         opened = [stream.__enter__() for stream in streams]
-        assert len(replays()) == MOST_OF_A_HOST
+        assert len(replays()) == 1, "those of one recording share a process"
         with pytest.raises(InvalidStatus) as refused, station.stream(f"?flight={ID}"):
             pass
         assert refused.value.response.status_code == 503
@@ -180,6 +180,20 @@ def test_so_many_replays_and_no_more_and_a_live_viewer_beside_them_sees_nothing_
         assert live.hello["status"]["viewers"] == 0
         assert live.next("status")["data"]["viewers"] == 1
         assert "playback" not in live.next("status")["data"]
+
+
+def test_viewers_of_one_recording_are_each_at_their_own_moment_and_one_may_leave(station: Gateway) -> None:
+    with station.stream(f"?flight={ID}&at_s=2") as stays:
+        with station.stream(f"?flight={ID}&at_s=9") as leaves:
+            leaves.send({"type": "seek", "at_s": 10})
+            while (there := leaves.next("playback"))["jumps"] == leaves.hello["status"]["playback"]["jumps"]:
+                pass
+            assert there["at_s"] == 10.0
+        stays.send({"type": "play", "rate": 100})
+        while (playback := stays.next("playback"))["state"] != "ended":
+            pass
+        assert playback["jumps"] == stays.hello["status"]["playback"]["jumps"], "nobody else's wish moved it"
+        assert len(replays()) == 1
 
 
 def test_a_replay_ends_when_the_web_process_is_killed(tmp_path: Path) -> None:

@@ -11,6 +11,7 @@ import httpx
 import pytest
 from fastapi import FastAPI
 
+from epf_gcs.web.access.caller import LOCAL
 from epf_gcs.web.state.figures import Disk, WebFigures
 from epf_gcs.web.state.health import LEAST_FREE_BYTES, health
 from epf_gcs.web.state.metrics import MEDIA_TYPE, metrics
@@ -141,7 +142,7 @@ def test_what_is_not_known_is_left_out(gateway: Gateway) -> None:
 @pytest.mark.anyio
 async def test_both_are_at_their_addresses() -> None:
     app = FastAPI()
-    app.include_router(probe_router(lambda: None, WebFigures, lambda: ROOM))
+    app.include_router(probe_router(lambda: None, WebFigures, lambda: ROOM, lambda _: LOCAL))
     async with httpx.AsyncClient(transport=httpx.ASGITransport(app), base_url="http://station") as client:
         answer = await client.get("/health")
         assert (answer.status_code, answer.json()["parts"]["flight"]["state"]) == (503, "failed")

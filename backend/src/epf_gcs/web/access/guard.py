@@ -1,4 +1,7 @@
-"""Checks of each request (Host, Origin, length of the body), and the security headers of the answers."""
+"""Checks of each request (Host, Origin, who asks, length of the body), and the security headers of the answers.
+
+Who asks is found before the request is routed, and held against the table of access: what is not in it is refused.
+"""
 
 from __future__ import annotations
 
@@ -15,9 +18,21 @@ from starlette.datastructures import Headers, MutableHeaders
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from epf_gcs.error_log import ErrorLog
-from epf_gcs.errors import ConflictError, GatewayError, InvalidInputError
+from epf_gcs.errors import (
+    ConflictError,
+    GatewayError,
+    InvalidInputError,
+    NotAdmittedError,
+    RoleError,
+    TooManyError,
+)
+from epf_gcs.web.access.admission import Admission
+from epf_gcs.web.access.caller import Caller, Peer, Shown
+from epf_gcs.web.access.limits import CallerLimits
+from epf_gcs.web.access.roles import OPEN, Role
+from epf_gcs.web.access.table import API, Entry, Gate
 from epf_gcs.web.access.uploads import Uploads
-from epf_gcs.web.problems import problem_response
+from epf_gcs.web.problems import problem_of, problem_response
 
 _READING: Final = frozenset({"GET", "HEAD", "OPTIONS"})
 _CONTENT_POLICY: Final = (
@@ -27,6 +42,7 @@ _CONTENT_POLICY: Final = (
 # Swagger UI writes style attributes into its markup.
 _DOCS_CONTENT_POLICY: Final = _CONTENT_POLICY.replace("style-src 'self'", "style-src 'self' 'unsafe-inline'")
 _DOCS_PATH: Final = "/api/docs"
+_MOST_SAID: Final = 400
 
 log = structlog.get_logger("gateway")
 
@@ -82,6 +98,9 @@ class Guard:
         self,
         app: ASGIApp,
         access: Access,
+        admission: Admission,
+        gate: Gate,
+        limits: CallerLimits,
         errors: ErrorLog,
         max_body_bytes: int,
         longer_bodies: Mapping[str, int] = MappingProxyType({}),
@@ -92,6 +111,9 @@ class Guard:
         routes read the body themselves and limit it. `answers`: counts the answers of each status."""
         self._app = app
         self._access = access
+        self._admission = admission
+        self._gate = gate
+        self._limits = limits
         self._errors = errors
         self._max_body_bytes = max_body_bytes
         self._longer_bodies = longer_bodies
@@ -134,8 +156,13 @@ class Guard:
             self._access.check_host(headers.get("host"))
             if not reading:
                 self._access.check_origin(headers.get("origin"), headers.get("host"))
+            caller, entry = await self._admit(scope)
         except InvalidInputError as error:
             await self._refuse(HTTPStatus.BAD_REQUEST, error, scope, receive, send)
+            return
+        except (NotAdmittedError, TooManyError) as error:
+            self._errors.count(error.code)
+            await problem_of(error)(scope, receive, send)
             return
         except GatewayError as error:
             await self._refuse(HTTPStatus.FORBIDDEN, error, scope, receive, send)
@@ -143,8 +170,13 @@ class Guard:
         if reading:
             await self._app(scope, receive, send)
             return
+        if entry is not None and entry.deed is not None and caller is not None:
+            deed = _Deed(self._admission, caller, entry.deed, scope, send)
+            send = deed.send
+        else:
+            deed = None
         if scope["path"] in self._streamed_bodies:
-            await self._stream(scope, receive, send)
+            await self._stream(caller, scope, receive, send)
             return
         most_bytes = self._longer_bodies.get(scope["path"], self._max_body_bytes)
         body = await _read_body(receive, most_bytes)
@@ -154,12 +186,36 @@ class Guard:
             )
             await self._refuse(HTTPStatus.REQUEST_ENTITY_TOO_LARGE, too_large, scope, receive, send)
             return
+        if deed is not None:
+            deed.body = body
         await self._app(scope, _replay(body, receive), send)
 
-    async def _stream(self, scope: Scope, receive: Receive, send: Send) -> None:
+    async def _admit(self, scope: Scope) -> tuple[Caller | None, Entry | None]:
+        """Who asks, and the row of the table. Raises NotAdmittedError, RoleError, TooManyError."""
+        state = scope.setdefault("state", {})
+        shown = Shown.of(scope["headers"], state.get("peer") or _peer(scope))
+        caller = self._admission.resolve(shown)
+        if caller is None and shown.authorization is not None:
+            caller = await self._admission.prove(shown)
+        entry = self._gate.entry(scope["method"], scope["path"])
+        least = Role.viewer if entry is None else entry.least
+        if least != OPEN:
+            admitted(caller, least)
+        self._limits.request(caller, shown.peer.host)
+        state["caller"] = caller
+        state["shown"] = shown
+        return caller, entry
+
+    async def _stream(self, caller: Caller | None, scope: Scope, receive: Receive, send: Send) -> None:
+        async def counted() -> Message:
+            message = await receive()
+            if caller is not None:
+                self._limits.upload(caller, len(message.get("body", b"")))
+            return message
+
         try:
             with self._uploads.one_more(scope["client"][0] if scope.get("client") else ""):
-                await self._app(scope, receive, send)
+                await self._app(scope, counted, send)
         except ConflictError as error:
             await self._refuse(HTTPStatus.CONFLICT, error, scope, receive, send)
 
@@ -168,6 +224,48 @@ class Guard:
     ) -> None:
         self._errors.count(error.code)
         await problem_response(status, error.code, error.detail, error.params)(scope, receive, send)
+
+
+def admitted(caller: Caller | None, least: int) -> Caller:
+    """The caller, if the role suffices. Raises NotAdmittedError for a stranger, RoleError if the role is too low."""
+    if caller is None:
+        raise NotAdmittedError(
+            "not_admitted", "This station answers only to those who were let in: enter a key, or ask to be let in."
+        )
+    if caller.role < least:
+        needed = Role(least).name
+        raise RoleError(
+            "role_too_low",
+            f"This needs the role '{needed}', and you are '{caller.role.name}': ask an owner of this station.",
+            least=needed,
+            role=caller.role.name,
+        )
+    return caller
+
+
+class _Deed:
+    """Notes a request in the log of people's deeds as soon as its answer begins."""
+
+    def __init__(self, admission: Admission, caller: Caller, name: str, scope: Scope, send: Send) -> None:
+        self._admission = admission
+        self._caller = caller
+        self._name = name
+        self._what = f"{scope['method']} {scope['path'].removeprefix(API)}"
+        self._address = scope["client"][0] if scope.get("client") else ""
+        self._send = send
+        self.body = b""
+
+    async def send(self, message: Message) -> None:
+        """Pass the answer on."""
+        if message["type"] == "http.response.start":
+            what = f"{self._what} {self.body[:_MOST_SAID].decode('utf-8', 'replace')}".rstrip()
+            self._admission.log.note(self._caller, self._address, self._name, what, str(message["status"]))
+        await self._send(message)
+
+
+def _peer(scope: Scope) -> Peer:
+    host, port = scope.get("client") or ("", 0)
+    return Peer(host, port, (scope.get("server") or ("", 0))[1] or 0)
 
 
 async def _read_body(receive: Receive, most_bytes: int) -> bytes | None:

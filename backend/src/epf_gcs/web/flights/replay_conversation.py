@@ -13,7 +13,7 @@ import orjson
 from epf_gcs import __version__
 from epf_gcs.bus.definition import Named
 from epf_gcs.errors import GatewayError
-from epf_gcs.web.flights.replay_process import ReplayProcess
+from epf_gcs.web.flights.replay_process import ViewersReplay
 from epf_gcs.web.stream.hub import Hub
 from epf_gcs.web.stream.hub_state import HubState
 from epf_gcs.web.stream.messages import INVALID, RATE_SENTENCE, TOPICS
@@ -30,13 +30,13 @@ _NOBODY: Final = {"client": None, "name": None}
 class ReplayConversation:
     """Implements `epf_gcs.web.stream.socket.Conversation` and `epf_gcs.bus.station_end.Listener`.
 
-    `on_start` gets the task that runs the process; `on_end` is called once, when the viewer has gone.
+    `on_start` gets the task that runs the replay; `on_end` is called once, when the viewer has gone.
     """
 
     def __init__(
         self,
         connection: SocketConnection,
-        process: ReplayProcess,
+        replay: ViewersReplay,
         rate_hz: int,
         name: str,
         on_start: Callable[[asyncio.Task[None]], None],
@@ -44,7 +44,7 @@ class ReplayConversation:
     ) -> None:
         self._loop = asyncio.get_running_loop()
         self._connection = connection
-        self._process = process
+        self._replay = replay
         self._on_start = on_start
         self._on_end: Callable[[], None] | None = on_end
         self._client = secrets.token_hex(8)
@@ -63,7 +63,7 @@ class ReplayConversation:
 
     def greet(self) -> None:
         """Start the replay; the hello follows when it is there."""
-        self._task = self._loop.create_task(self._run(), name=f"replay of {self._process.flight}")
+        self._task = self._loop.create_task(self._run(), name=f"replay of {self._replay.flight}")
         self._on_start(self._task)
 
     def on_text(self, text: str) -> None:
@@ -103,9 +103,9 @@ class ReplayConversation:
         }
         self._viewer.greet(orjson.dumps(said))
         self._hub.add(self._viewer)
-        self._process.notice("want", rate_hz=self._viewer.rate_hz)
+        self._replay.notice("want", rate_hz=self._viewer.rate_hz)
         for name, arguments in self._early:
-            self._process.notice(name, **arguments)
+            self._replay.notice(name, **arguments)
 
     def on_sample(self, sample: Named) -> None:
         """A sample of the moment that is shown."""
@@ -151,7 +151,7 @@ class ReplayConversation:
         """The replay has gone; `_run` says why."""
 
     async def _run(self) -> None:
-        words = await self._process.run(self)
+        words = await self._replay.run(self)
         sentence = words.rpartition("\n")[2].removeprefix("epf-replay: ") or "The replay ended unexpectedly."
         self._tell_error("recording_unreadable", sentence)
         await asyncio.sleep(0)
@@ -210,7 +210,7 @@ class ReplayConversation:
     def _tell(self, name: str, **arguments: Any) -> str | None:
         """Pass a wish on to the replay; what is said before it is there, waits for it. Returns no fault."""
         if self._is_greeted:
-            self._process.notice(name, **arguments)
+            self._replay.notice(name, **arguments)
         elif len(self._early) < _MAX_NAME:
             self._early.append((name, arguments))
         return None
@@ -228,14 +228,14 @@ class ReplayConversation:
     async def _answer(self, about: str) -> None:
         # A replay that has gone says so itself.
         with contextlib.suppress(GatewayError):
-            data = await self._process.request(about)
+            data = await self._replay.request(about)
             self._viewer.offer_event(orjson.dumps({"type": "answer", "about": about, "data": data}))
             self._hub.serve(self._viewer)
 
     def _tell_taken(self) -> None:
         """A viewer of every sample has been sent all there is: the replay may go on."""
         if self._untold and not self._viewer.rate_hz and not self._viewer.waiting and not self._viewer.queued:
-            self._process.notice("taken", count=self._untold)
+            self._replay.notice("taken", count=self._untold)
             self._untold = 0
 
     def _tell_jump(self) -> None:

@@ -1,4 +1,4 @@
-"""Replays for viewers: one process each, at most so many, ended when the viewer goes."""
+"""Replays for viewers: at most so many, those of one recording in one process, which ends with its last viewer."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from typing import Final
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.recordings.places import Places, is_id
 from epf_gcs.web.flights.replay_conversation import ReplayConversation
-from epf_gcs.web.flights.replay_process import ReplayProcess
+from epf_gcs.web.flights.replay_process import ReplayProcess, ViewersReplay
 from epf_gcs.web.stream.socket import Refusal, SocketConnection
 
 MOST: Final = 12
@@ -32,6 +32,7 @@ class Replays:
         self._growing = growing
         self._hosts: Counter[str] = Counter()
         self._running: set[asyncio.Task[None]] = set()
+        self._processes: dict[Path, ReplayProcess] = {}
 
     @property
     def count(self) -> int:
@@ -59,8 +60,8 @@ class Replays:
         def leave() -> None:
             self._hosts[host] -= 1
 
-        process = ReplayProcess(file, self._places.keyframes(file.stem), at_s)
-        return ReplayConversation(connection, process, rate_hz, query.get("name") or peer, self._start, leave)
+        replay = ViewersReplay(file.stem, lambda: self._process(file), at_s)
+        return ReplayConversation(connection, replay, rate_hz, query.get("name") or peer, self._start, leave)
 
     async def close(self) -> None:
         """End all: the web process ends."""
@@ -69,6 +70,18 @@ class Replays:
         for task in tuple(self._running):
             with contextlib.suppress(asyncio.CancelledError):
                 await task
+
+    def _process(self, file: Path) -> ReplayProcess:
+        """The one that replays this recording, or a new one."""
+        process = self._processes.get(file)
+        if process is None:
+            keys = self._places.keyframes(file.stem)
+
+            def forget() -> None:
+                self._processes.pop(file, None)
+
+            process = self._processes[file] = ReplayProcess(file, keys, forget)
+        return process
 
     def _start(self, task: asyncio.Task[None]) -> None:
         self._running.add(task)

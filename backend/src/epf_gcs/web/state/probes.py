@@ -7,9 +7,11 @@ from collections.abc import Callable
 from pathlib import Path
 
 import orjson
-from fastapi import APIRouter
+from fastapi import APIRouter, Request
 from fastapi.responses import Response
 
+from epf_gcs.web.access.caller import Caller
+from epf_gcs.web.deps import get_caller
 from epf_gcs.web.state.figures import Disk, Status, WebFigures
 from epf_gcs.web.state.health import health
 from epf_gcs.web.state.metrics import MEDIA_TYPE, metrics
@@ -18,15 +20,20 @@ _FRESH = {"Cache-Control": "no-store"}
 
 
 def probe_router(
-    status: Callable[[], Status | None], web: Callable[[], WebFigures], disk: Callable[[], Disk | None]
+    status: Callable[[], Status | None],
+    web: Callable[[], WebFigures],
+    disk: Callable[[], Disk | None],
+    caller: Callable[[Request], Caller | None] = get_caller,
 ) -> APIRouter:
     """`status` returns None if the flight process does not answer. Include this router before the page."""
     router = APIRouter(include_in_schema=False)
 
     @router.get("/health")
-    async def get_health() -> Response:
-        """Whether each part is well: 200, or 503 where one failed."""
+    async def get_health(request: Request) -> Response:
+        """Whether each part is well: 200, or 503 where one failed. A stranger hears that alone."""
         code, body = health(status(), disk())
+        if caller(request) is None:
+            body = {"status": body["status"]}
         return Response(orjson.dumps(body), code, media_type="application/json", headers=_FRESH)
 
     @router.get("/metrics")

@@ -12,12 +12,12 @@ class Allowance:
         self._left = at_once
         self._looked_s: float | None = None
 
-    def take(self, now_s: float) -> bool:
-        """Take one token at this time (any steady clock, in s); False if none is left."""
+    def take(self, now_s: float, count: float = 1.0) -> bool:
+        """Take so many tokens at this time (any steady clock, in s); False if fewer are left."""
         if self._looked_s is not None:
             self._left = min(self._at_once, self._left + (now_s - self._looked_s) * self._per_s)
         self._looked_s = now_s
-        if self._left < 1.0:
+        if self._left < count:
             return False
-        self._left -= 1.0
+        self._left -= count
         return True

@@ -22,6 +22,7 @@ from websockets.protocol import State
 from websockets.server import ServerProtocol
 from websockets.utils import apply_mask
 
+from epf_gcs.web.access.caller import Caller
 from epf_gcs.web.stream.allowance import Allowance
 
 _MAX_MESSAGE_BYTES: Final = 16384
@@ -101,6 +102,8 @@ class SocketConnection(asyncio.Protocol):
         self._pings = Allowance(PINGS_PER_S, 2 * PINGS_PER_S)
         self._messages = Allowance(MESSAGES_PER_S, 2 * MESSAGES_PER_S)
         self.on_lost: Callable[[], None] = _nothing
+        # Who opened it; set before the handshake, which strangers do not reach.
+        self.caller: Caller | None = None
 
     def connection_made(self, transport: asyncio.BaseTransport) -> None:
         """uvicorn hands over the transport of the HTTP connection."""

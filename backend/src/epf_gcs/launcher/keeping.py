@@ -1,0 +1,182 @@
+"""`epf-gcs backup` and `epf-gcs restore`: the data folder as one file, proven whole before anything is replaced.
+
+The file is a tar archive. Its last member lists all others with their sizes and SHA-256, so a file that was cut off, or
+changed, is refused. What the station makes again by itself is left out.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import hashlib
+import io
+import os
+import sqlite3
+import tarfile
+import tempfile
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path, PurePosixPath
+from typing import Any, BinaryIO, Final
+
+import orjson
+
+from epf_gcs import __version__
+from epf_gcs.disk import sync_folder
+from epf_gcs.launcher.errors import LaunchError
+
+LIST: Final = "epf-gcs-backup.json"
+# Made again from the recordings, or of this run alone.
+_LEFT_OUT: Final = frozenset({"columns", "exports", "logs", "library.sqlite", ".lock", "run.lock", "board.pty"})
+_DATABASE_MARKS: Final = ("-journal", "-wal", "-shm")
+_BLOCK_BYTES: Final = 1 << 20
+_MOST_LIST_BYTES: Final = 50_000_000
+
+Say = Callable[[str], None]
+
+
+def backup(data: Path, target: Path, say: Say) -> int:
+    """Write everything worth keeping of the data folder to a new file; returns the number of files in it.
+
+    The station may run meanwhile: a recording that grows is kept as far as it was when its turn came. The file is
+    whole or not there. Raises LaunchError if the folder is not one or the target is there already, OSError.
+    """
+    if not data.is_dir():
+        raise LaunchError(f"{data} is no folder: name the station's data folder with --data-dir.")
+    if target.exists():
+        raise LaunchError(f"{target} is there already: choose another name.")
+    part = target.with_name(f".{target.name}.part")
+    listed: dict[str, dict[str, Any]] = {}
+    try:
+        with part.open("wb") as file:
+            with tarfile.open(fileobj=file, mode="w", format=tarfile.PAX_FORMAT) as archive:
+                for path in _worth_keeping(data, part):
+                    name = path.relative_to(data).as_posix()
+                    say(name)
+                    listed[name] = _add(archive, path, name)
+                _add_list(archive, listed)
+            file.flush()
+            os.fsync(file.fileno())
+        part.replace(target)
+        sync_folder(target.parent)
+    finally:
+        part.unlink(missing_ok=True)
+    return len(listed)
+
+
+def restore(source: Path, data: Path, say: Say) -> Path | None:
+    """Make the data folder what it was. Returns where the folder that was there before is kept, None if none was.
+
+    Everything is unpacked beside the folder and proven first; then both change places. Raises LaunchError if the
+    file is not a whole backup, OSError. No station may run with this folder (the caller sees to it).
+    """
+    data.parent.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory(dir=data.parent, prefix=f".{data.name}-restored-") as made:
+        fresh = Path(made) / "data"
+        fresh.mkdir()
+        try:
+            with tarfile.open(source, mode="r:") as archive:
+                archive.extractall(fresh, members=_named(archive, say), filter="data")
+        except (tarfile.TarError, EOFError) as error:
+            raise _not_whole(source, str(error)) from error
+        _prove(source, fresh)
+        (fresh / LIST).unlink()
+        if hasattr(os, "sync"):
+            os.sync()  # what takes the old folder's place survives a power cut
+        kept = None
+        if data.exists() and any(data.iterdir()):
+            kept = data.with_name(f"{data.name}-before-{time.strftime('%Y%m%dT%H%M%SZ', time.gmtime())}")
+            data.rename(kept)
+        elif data.exists():
+            data.rmdir()
+        fresh.rename(data)
+        sync_folder(data.parent)
+    return kept
+
+
+def _worth_keeping(data: Path, part: Path) -> Iterator[Path]:
+    for path in sorted(data.rglob("*")):
+        names = path.relative_to(data).parts
+        if names[0] in _LEFT_OUT or path == part or path.is_symlink() or not path.is_file():
+            continue
+        if not path.name.endswith(_DATABASE_MARKS) and not path.name.endswith((".new", ".part")):
+            yield path
+
+
+def _add(archive: tarfile.TarFile, path: Path, name: str) -> dict[str, Any]:
+    """Add a file as it is now; returns its line in the list."""
+    if path.suffix == ".sqlite":
+        with tempfile.TemporaryDirectory() as folder:
+            return _add_file(archive, _still(path, Path(folder) / "still.sqlite"), name)
+    return _add_file(archive, path, name)
+
+
+def _still(path: Path, copy: Path) -> Path:
+    """A copy of a database that is whole even while somebody writes to it."""
+    with contextlib.closing(sqlite3.connect(path)) as source, contextlib.closing(sqlite3.connect(copy)) as target:
+        source.backup(target)
+    copy.chmod(path.stat().st_mode & 0o777)
+    return copy
+
+
+def _add_file(archive: tarfile.TarFile, path: Path, name: str) -> dict[str, Any]:
+    with path.open("rb") as file:
+        entry = archive.gettarinfo(arcname=name, fileobj=file)
+        reader = _Hashing(file, entry.size)
+        archive.addfile(entry, reader)
+    return {"bytes": entry.size, "sha256": reader.digest.hexdigest()}
+
+
+class _Hashing:
+    """Reads as many bytes as were announced, and hashes them."""
+
+    def __init__(self, file: BinaryIO, size: int) -> None:
+        self._file = file
+        self._left = size
+        self.digest = hashlib.sha256()
+
+    def read(self, size: int = -1) -> bytes:
+        data = self._file.read(self._left if size < 0 else min(size, self._left))
+        self._left -= len(data)
+        self.digest.update(data)
+        return data
+
+
+def _add_list(archive: tarfile.TarFile, listed: dict[str, dict[str, Any]]) -> None:
+    text = orjson.dumps({"version": __version__, "made_t_s": int(time.time()), "files": listed})
+    entry = tarfile.TarInfo(LIST)
+    entry.size, entry.mtime = len(text), int(time.time())
+    archive.addfile(entry, io.BytesIO(text))
+
+
+def _named(archive: tarfile.TarFile, say: Say) -> Iterator[tarfile.TarInfo]:
+    for member in archive:
+        if not member.isreg():
+            raise tarfile.TarError(f"{member.name} is no file")
+        say(member.name)
+        yield member
+
+
+def _prove(source: Path, fresh: Path) -> None:
+    """Raises LaunchError unless the folder holds exactly what its list says."""
+    try:
+        if (fresh / LIST).stat().st_size > _MOST_LIST_BYTES:
+            raise _not_whole(source, "its list is too long")
+        files = orjson.loads((fresh / LIST).read_bytes())["files"]
+        listed = {str(PurePosixPath(name)): (int(one["bytes"]), str(one["sha256"])) for name, one in files.items()}
+    except (OSError, ValueError, KeyError, TypeError, AttributeError) as error:
+        raise _not_whole(source, "its list of files is missing") from error
+    there = {path.relative_to(fresh).as_posix() for path in fresh.rglob("*") if path.is_file()} - {LIST}
+    if there != set(listed):
+        raise _not_whole(source, "files are missing or too many")
+    for name, (size, digest) in listed.items():
+        if (fresh / name).stat().st_size != size or _digest(fresh / name) != digest:
+            raise _not_whole(source, f"{name} is damaged")
+
+
+def _digest(path: Path) -> str:
+    with path.open("rb") as file:
+        return hashlib.file_digest(file, "sha256").hexdigest()
+
+
+def _not_whole(source: Path, why: str) -> LaunchError:
+    return LaunchError(f"{source} is not a whole backup of a station ({why}): nothing was changed.")

@@ -1,0 +1,82 @@
+"""The commands of `epf-gcs` for the time between flights: version, doctor, backup, restore."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import Annotated, Final
+
+import typer
+
+from epf_gcs import __version__
+from epf_gcs.launcher.doctor import findings, report
+from epf_gcs.launcher.errors import LaunchError
+from epf_gcs.launcher.folder import data_folder, is_in_use
+from epf_gcs.launcher.keeping import backup as write_backup
+from epf_gcs.launcher.keeping import restore as read_backup
+
+_Folder = Annotated[
+    Path,
+    typer.Option(show_envvar=False, envvar="GCS_DATA_DIR", help="The station's data folder."),
+]
+_DATA: Final = data_folder()
+
+
+def add_commands(app: typer.Typer) -> None:
+    """Add them to a program."""
+    for command in (version, doctor, backup, restore):
+        app.command()(command)
+
+
+def version() -> None:
+    """Print the version."""
+    print(f"epf-gcs {__version__}")
+
+
+def doctor(
+    *,
+    data_dir: _Folder = _DATA,
+    port: Annotated[int, typer.Option(show_envvar=False, envvar="GCS_PORT", help="The page's TCP port.")] = 8000,
+) -> None:
+    """Look for what keeps the station from working here, and say what mends it. Ends with 1 if something does."""
+    found = list(findings(data_dir, port))
+    print(report(found))
+    raise typer.Exit(any(one.state == "fault" for one in found))
+
+
+def backup(
+    file: Annotated[Path, typer.Argument(help="The new file, for example station.tar.")],
+    *,
+    data_dir: _Folder = _DATA,
+) -> None:
+    """Keep everything of the data folder that cannot be made again in one file. The station may run meanwhile."""
+    try:
+        count = write_backup(data_dir, file, _say)
+    except (LaunchError, OSError) as error:
+        raise _failed(error) from error
+    print(f"{count} files are in {file} ({file.stat().st_size / 1e6:.1f} MB).")
+
+
+def restore(
+    file: Annotated[Path, typer.Argument(help="A file made by `epf-gcs backup`.")],
+    *,
+    data_dir: _Folder = _DATA,
+) -> None:
+    """Make the data folder what it was. The folder that is there now is kept beside it."""
+    try:
+        if is_in_use(data_dir):
+            raise LaunchError(f"A station is running with {data_dir}: stop it first.")
+        kept = read_backup(file, data_dir, _say)
+    except (LaunchError, OSError) as error:
+        raise _failed(error) from error
+    print(f"{data_dir} is as it was." + ("" if kept is None else f" What was there before is in {kept}."))
+
+
+def _say(name: str) -> None:
+    if sys.stderr.isatty():
+        print(f"\r\x1b[K{name}", end="", file=sys.stderr, flush=True)
+
+
+def _failed(error: Exception) -> typer.Exit:
+    print(f"epf-gcs: {error}", file=sys.stderr)
+    return typer.Exit(1)

@@ -1,0 +1,252 @@
+"""Who comes in: puts sessions, programs, invitations, the store and the log together.
+
+`resolve` answers for a request or a handshake from memory alone; what needs the disk or a hash is awaited.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import base64
+import binascii
+import contextlib
+import sqlite3
+import time
+from collections.abc import AsyncIterator, Callable
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+from typing import Final
+
+from epf_gcs.clock import Clock
+from epf_gcs.errors import GatewayError, NotAdmittedError
+from epf_gcs.web.access.caller import LOCAL, LOCAL_SESSION, Caller, Shown, is_in_container, is_loopback
+from epf_gcs.web.access.invitations import Invitations
+from epf_gcs.web.access.log import DeedLog
+from epf_gcs.web.access.programs import Programs
+from epf_gcs.web.access.proving import Proving
+from epf_gcs.web.access.roles import Role
+from epf_gcs.web.access.sessions import LASTS_S, Sessions
+from epf_gcs.web.access.store import AccessStore, Person, Program, Session
+from epf_gcs.web.settings import Settings
+
+_ANYONE: Final = "anyone"
+_LAUNCHER: Final = Caller("program", "launcher", "epf-run", Role.owner, LOCAL_SESSION)
+_WRITTEN_EVERY_S: Final = 60.0
+
+
+@dataclass(frozen=True, slots=True)
+class Policy:
+    """What the settings say of strangers."""
+
+    trusts_this_computer: bool
+    anyone_may_fly: bool
+    beyond_loopback: bool
+    launcher_key: str | None = None
+
+    @classmethod
+    def of(cls, settings: Settings) -> Policy:
+        """By default this computer is trusted, but not where a published port makes strangers look like it."""
+        beyond = not (settings.host == "localhost" or is_loopback(settings.host))
+        trusts = settings.trust_this_computer
+        if trusts is None:
+            trusts = not (beyond and is_in_container())
+        key = settings.launcher_key
+        return cls(trusts, settings.allow_anyone_to_fly, beyond, None if key is None else key.get_secret_value())
+
+
+class Admission:
+    """Owned by the event loop. Empty until `running`, so that the interface can be described without a data folder."""
+
+    def __init__(self, policy: Policy, data_dir: Path, report: Callable[[GatewayError], None], clock: Clock) -> None:
+        self.policy = policy
+        self._data_dir = data_dir
+        self._report = report
+        self.clock = clock
+        self.port = 0
+        self.is_secure = False
+        self._opened = False
+
+    def listen_at(self, port: int, *, secure: bool = False) -> None:
+        """Where this station listens: cookies are named by it, for all ports of a host share them."""
+        self.port = port
+        self.is_secure = secure
+
+    @property
+    def cookie_name(self) -> str:
+        """The name of the session's cookie. `__Host-` is believed by browsers only with Secure and the path /."""
+        return "__Host-epf" if self.is_secure else f"epf_{self.port}"
+
+    @contextlib.asynccontextmanager
+    async def running(self) -> AsyncIterator[None]:
+        """Read who may come in, and write when they were last heard, inside."""
+        self.store = self._open_store()
+        self.proving = Proving(time.monotonic)
+        self.sessions = Sessions(self.store.all(Person), self.store.all(Session))
+        self.programs = Programs(self.store.all(Program), self.proving)
+        self.invitations = Invitations(self.store, self.proving)
+        self.log = DeedLog(self._data_dir, self.clock.now_s, self._report)
+        if self.policy.launcher_key is not None:
+            self.programs.add_proven(self.policy.launcher_key, _LAUNCHER)
+        self._opened = True
+        writing = asyncio.create_task(self._write_last_heard())
+        try:
+            yield
+        finally:
+            self._opened = False
+            writing.cancel()
+            self._write_all([], self.sessions.take_unwritten(), self.programs.take_unwritten())
+            self.proving.close()
+            self.log.close()
+            self.store.close()
+
+    def _open_store(self) -> AccessStore:
+        """On a disk that takes nothing the station starts all the same: this computer still flies."""
+        try:
+            return AccessStore(self._data_dir)
+        except (sqlite3.Error, OSError) as error:
+            self._report(_not_written(error))
+            return AccessStore(None)
+
+    def resolve(self, shown: Shown) -> Caller | None:
+        """Who this is; None for a stranger, and for a program whose key `prove` has not seen yet."""
+        if not self._opened:
+            return None
+        now_s = self.clock.now_s()
+        if shown.authorization is not None:
+            key = bearer_key(shown.authorization)
+            return None if key is None else self.programs.caller(key, now_s)
+        if self.policy.trusts_this_computer and not shown.proxied and shown.peer.is_ours:
+            return LOCAL
+        cookie = self.cookie(shown)
+        caller = None if cookie is None else self.sessions.caller(cookie, now_s)
+        if caller is None and self.policy.anyone_may_fly:
+            return Caller("person", _ANYONE, "", Role.operator, f"{_ANYONE}@{shown.peer.host}")
+        return caller
+
+    def needs_proof(self, shown: Shown) -> bool:
+        """Whether a key is shown that `prove` has to look at first."""
+        return shown.authorization is not None and self._opened and self.resolve(shown) is None
+
+    async def prove(self, shown: Shown) -> Caller | None:
+        """As `resolve`, after holding an unknown key against its hash. Raises TooManyError."""
+        key = bearer_key(shown.authorization or "")
+        address = shown.peer.host
+        if key is None or not await self.programs.prove(key, address):
+            self.log.note(None, address, "refused", "key of a program", "wrong")
+            return None
+        return self.resolve(shown)
+
+    def current(self, session_id: str) -> Caller | None:
+        """Whose session this is now, with the role of now; None once it has ended."""
+        if session_id == LOCAL_SESSION:
+            return LOCAL
+        if session_id.startswith(_ANYONE + "@"):
+            return Caller("person", _ANYONE, "", Role.operator, session_id) if self.policy.anyone_may_fly else None
+        return self.sessions.current(session_id) or self.programs.current(session_id)
+
+    def cookie(self, shown: Shown) -> str | None:
+        """The session's cookie, if one was sent."""
+        name = self.cookie_name + "="
+        for part in shown.cookies.split(";"):
+            text = part.strip()
+            if text.startswith(name):
+                return text[len(name) :]
+        return None
+
+    def set_cookie(self, value: str) -> str:
+        """The header Set-Cookie of a session; an empty value ends it in the browser."""
+        secure = "; Secure" if self.is_secure else ""
+        lasts = int(LASTS_S) if value else 0
+        return f"{self.cookie_name}={value}; Max-Age={lasts}; Path=/; HttpOnly; SameSite=Strict{secure}"
+
+    def find(self, shown: Shown) -> tuple[Session, Person] | None:
+        """The session of the cookie, of somebody admitted, waiting or ended."""
+        cookie = self.cookie(shown)
+        return None if cookie is None else self.sessions.find(cookie, self.clock.now_s())
+
+    async def enter(self, key: str, name: str, place: str, shown: Shown) -> tuple[str, Person, Session]:
+        """Use up a one-time key: a new person with a new session, and its cookie.
+
+        The session that this browser had before, if any, ends: a cookie that somebody else planted is worth nothing.
+        Raises NotAdmittedError if the key is wrong, TooManyError, ConflictError.
+        """
+        address = shown.peer.host
+        role = await self.invitations.use(key, address, self.clock.now_s())
+        if role is None:
+            self.log.note(None, address, "entered", "", "wrong key")
+            raise NotAdmittedError(
+                "access_key_wrong",
+                "This key is not right, was used already or has ended: ask for a new one.",
+            )
+        before = self.find(shown)
+        entered = self.sessions.come_in(name, place, "in", role, address, self.clock.now_s())
+        _, person, session = entered
+        await self.write(partial(self.store.put, person, session))
+        if before is not None:
+            await self.forget(before[1].id)
+        self.log.note(self.sessions.current(session.id), address, "entered", role.name, "done")
+        return entered
+
+    async def ask(self, name: str, place: str, shown: Shown) -> tuple[str, Person, Session]:
+        """Somebody without a key waits to be let in. Raises TooManyError, ConflictError."""
+        address = shown.peer.host
+        # Nothing is compared: asking is only as slow as guessing.
+        await self.proving.attempt(address, lambda: None)
+        before = self.find(shown)
+        if before is not None:
+            await self.forget(before[1].id)
+        entered = self.sessions.come_in(name, place, "waiting", Role.viewer, address, self.clock.now_s())
+        await self.write(partial(self.store.put, entered[1], entered[2]))
+        self.log.note(None, address, "asked", f"{name} · {place}" if place else name, "waiting")
+        return entered
+
+    async def forget(self, person_id: str) -> None:
+        """Forget a person with all sessions. Raises NotFoundError."""
+        self.sessions.remove(person_id)
+        await self.write(partial(self.store.remove, Person, person_id))
+
+    async def write(self, work: Callable[[], object]) -> None:
+        """Change the store. Raises GatewayError where the disk does not take it."""
+        try:
+            await self.proving.run(work)
+        except (sqlite3.Error, OSError) as error:
+            raise _not_written(error) from error
+
+    async def _write_last_heard(self) -> None:
+        while True:
+            await asyncio.sleep(_WRITTEN_EVERY_S)
+            gone = self.sessions.forget_waiting(self.clock.now_s())
+            heard = self.sessions.take_unwritten(), self.programs.take_unwritten()
+            await self.proving.run(partial(self._write_all, gone, *heard))
+
+    def _write_all(self, gone: list[str], sessions: dict[str, float], programs: dict[str, float]) -> None:
+        """Where the disk does not take it, nothing but the list of who was here when suffers."""
+        with contextlib.suppress(sqlite3.Error, OSError):
+            for person_id in gone:
+                self.store.remove(Person, person_id)
+            if sessions:
+                self.store.seen(Session, sessions)
+            if programs:
+                self.store.seen(Program, programs)
+
+
+def _not_written(error: Exception) -> GatewayError:
+    return GatewayError(
+        "access_not_written",
+        f"Who may come in could not be kept ({error}): free the disk or correct the permissions of the data folder.",
+        why=str(error),
+    )
+
+
+def bearer_key(authorization: str) -> str | None:
+    """The key of `Bearer KEY`, or of `Basic` with the key as the password, for programs that know no other way."""
+    scheme, _, rest = authorization.partition(" ")
+    if scheme.lower() == "bearer":
+        return rest.strip() or None
+    if scheme.lower() == "basic":
+        try:
+            text = base64.b64decode(rest.strip(), validate=True).decode()
+        except (binascii.Error, ValueError):
+            return None
+        return text.partition(":")[2] or None
+    return None

@@ -1,0 +1,74 @@
+"""Slows down whoever guesses keys: a delay that grows with the failures of an address, and a limit for all together.
+
+Pure: told the time. An address that has not failed pays nothing for the failures of others, up to the common limit.
+"""
+
+from __future__ import annotations
+
+import ipaddress
+from collections import OrderedDict
+from dataclasses import dataclass
+from typing import Final
+
+FREE_FAILURES: Final = 4
+"""Slips of the pen that cost nothing."""
+LONGEST_S: Final = 300.0
+FORGOTTEN_S: Final = 3600.0
+MOST_ADDRESSES: Final = 4096
+TRIES_PER_S: Final = 2.0
+TRIES_AT_ONCE: Final = 30.0
+"""Tries of all addresses together: so many at once, then so many a second."""
+_IPV6_NETWORK_BITS: Final = 64
+
+
+@dataclass(slots=True)
+class _Failures:
+    count: int
+    last_s: float
+    until_s: float
+
+
+class Guessing:
+    """`now_s` is a steady clock's."""
+
+    def __init__(self) -> None:
+        self._of: OrderedDict[str, _Failures] = OrderedDict()
+        self._tries = TRIES_AT_ONCE
+        self._tries_s = 0.0
+
+    def begin(self, address: str, now_s: float) -> float:
+        """Begin a try: 0, or the seconds until this address may begin one.
+
+        A try counts as failed until `succeeded`: many at the same moment are no way round the delay.
+        """
+        key = _group(address)
+        failures = self._of.get(key)
+        if failures is not None and failures.until_s > now_s:
+            return failures.until_s - now_s
+        self._tries = min(TRIES_AT_ONCE, self._tries + max(0.0, now_s - self._tries_s) * TRIES_PER_S)
+        self._tries_s = now_s
+        if self._tries < 1.0:
+            return (1.0 - self._tries) / TRIES_PER_S
+        self._tries -= 1.0
+        count = 1 if failures is None or now_s - failures.last_s > FORGOTTEN_S else failures.count + 1
+        delay_s = 0.0 if count < FREE_FAILURES else min(LONGEST_S, 2.0 ** min(count - FREE_FAILURES, 16))
+        self._of[key] = _Failures(count, now_s, now_s + delay_s)
+        self._of.move_to_end(key)
+        if len(self._of) > MOST_ADDRESSES:
+            self._of.popitem(last=False)
+        return 0.0
+
+    def succeeded(self, address: str) -> None:
+        """A right key came from this address."""
+        self._of.pop(_group(address), None)
+
+
+def _group(address: str) -> str:
+    """An IPv6 host has a whole network of addresses: they count as one."""
+    try:
+        number = ipaddress.ip_address(address.partition("%")[0])
+    except ValueError:
+        return address
+    if number.version == 4:
+        return address
+    return str(ipaddress.ip_network((number, _IPV6_NETWORK_BITS), strict=False))

@@ -1,0 +1,136 @@
+"""A backup holds what cannot be made again, and is proven whole before anything is replaced."""
+
+from __future__ import annotations
+
+import sqlite3
+import tarfile
+from contextlib import closing
+from pathlib import Path
+
+import pytest
+
+from epf_gcs.launcher.errors import LaunchError
+from epf_gcs.launcher.keeping import LIST, backup, restore
+
+
+def quiet(_name: str) -> None:
+    pass
+
+
+@pytest.fixture
+def data(tmp_path: Path) -> Path:
+    folder = tmp_path / "data"
+    for name, text in {
+        "recordings/20260131T120000Z.mcap": "bytes of a flight" * 1000,
+        "recordings/20260131T120000Z.json": '{"title": "first"}',
+        "state.json": "{}",
+        "columns/made-again.parquet": "x",
+        "logs/gateway.log": "x",
+        "library.sqlite": "x",
+        ".lock": "77",
+    }.items():
+        path = folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text)
+    with closing(sqlite3.connect(folder / "access.sqlite")) as store:
+        store.execute("create table people (name text)")
+        store.execute("insert into people values ('Ana')")
+        store.commit()
+    (folder / "access.sqlite").chmod(0o600)
+    return folder
+
+
+def files(folder: Path) -> dict[str, bytes]:
+    return {
+        path.relative_to(folder).as_posix(): path.read_bytes() for path in sorted(folder.rglob("*")) if path.is_file()
+    }
+
+
+def test_what_comes_back_is_what_was_there_but_for_what_is_made_again(data: Path, tmp_path: Path) -> None:
+    kept = tmp_path / "station.tar"
+    assert backup(data, kept, quiet) == 4
+    other = tmp_path / "other" / "data"
+    assert restore(kept, other, quiet) is None
+    back = files(other)
+    assert set(back) == {
+        "recordings/20260131T120000Z.mcap",
+        "recordings/20260131T120000Z.json",
+        "state.json",
+        "access.sqlite",
+    }
+    assert back["recordings/20260131T120000Z.mcap"] == (data / "recordings/20260131T120000Z.mcap").read_bytes()
+    assert (other / "access.sqlite").stat().st_mode & 0o077 == 0, "keys stay private"
+    with closing(sqlite3.connect(other / "access.sqlite")) as store:
+        assert store.execute("select name from people").fetchall() == [("Ana",)]
+
+
+def test_a_database_in_the_middle_of_a_change_is_kept_as_it_was_before(data: Path, tmp_path: Path) -> None:
+    with closing(sqlite3.connect(data / "access.sqlite", isolation_level=None)) as store:
+        store.execute("begin immediate")
+        store.execute("insert into people values ('half')")
+        backup(data, tmp_path / "station.tar", quiet)
+        store.execute("rollback")
+    restore(tmp_path / "station.tar", tmp_path / "back", quiet)
+    with closing(sqlite3.connect(tmp_path / "back" / "access.sqlite")) as store:
+        assert store.execute("select name from people").fetchall() == [("Ana",)]
+
+
+def test_the_folder_that_was_there_is_kept_beside_the_restored_one(data: Path, tmp_path: Path) -> None:
+    backup(data, tmp_path / "station.tar", quiet)
+    (data / "state.json").write_text('{"newer": true}')
+    kept = restore(tmp_path / "station.tar", data, quiet)
+    assert kept is not None
+    assert (kept / "state.json").read_text() == '{"newer": true}'
+    assert (data / "state.json").read_text() == "{}"
+
+
+@pytest.mark.parametrize("share", [0.0, 0.2, 0.5, 0.9, 0.999])
+def test_a_backup_that_was_cut_off_changes_nothing(data: Path, tmp_path: Path, share: float) -> None:
+    kept = tmp_path / "station.tar"
+    backup(data, kept, quiet)
+    whole = kept.read_bytes()
+    # A tar archive ends in zeros, which nobody misses.
+    kept.write_bytes(whole[: int(len(whole.rstrip(b"\0")) * share)])
+    before = files(data)
+    with pytest.raises(LaunchError, match="not a whole backup"):
+        restore(kept, data, quiet)
+    assert files(data) == before
+    assert [path.name for path in tmp_path.iterdir() if path.name.startswith(".")] == []
+
+
+def test_a_changed_byte_is_found(data: Path, tmp_path: Path) -> None:
+    kept = tmp_path / "station.tar"
+    backup(data, kept, quiet)
+    kept.write_bytes(kept.read_bytes().replace(b"bytes of a flight", b"bytes of a fright", 1))
+    with pytest.raises(LaunchError, match="is damaged"):
+        restore(kept, data, quiet)
+
+
+@pytest.mark.parametrize("name", ["../outside", "/tmp/outside-of-the-station"])  # noqa: S108
+def test_a_stranger_s_archive_writes_nothing_outside_the_folder(tmp_path: Path, name: str) -> None:
+    evil = tmp_path / "evil.tar"
+    (tmp_path / "source").write_text("x")
+    with tarfile.open(evil, "w") as archive:
+        archive.add(tmp_path / "source", arcname=name)
+        archive.add(tmp_path / "source", arcname=LIST)
+    with pytest.raises(LaunchError, match="not a whole backup"):
+        restore(evil, tmp_path / "data", quiet)
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["evil.tar", "source"]
+    assert not Path("/tmp/outside-of-the-station").exists()  # noqa: S108
+
+
+def test_links_in_an_archive_are_refused(tmp_path: Path) -> None:
+    evil = tmp_path / "evil.tar"
+    with tarfile.open(evil, "w") as archive:
+        entry = tarfile.TarInfo("recordings")
+        entry.type, entry.linkname = tarfile.SYMTYPE, "/etc"
+        archive.addfile(entry)
+    with pytest.raises(LaunchError, match="is no file"):
+        restore(evil, tmp_path / "data", quiet)
+
+
+def test_an_earlier_backup_is_not_written_over(data: Path, tmp_path: Path) -> None:
+    (tmp_path / "station.tar").write_text("the earlier one")
+    with pytest.raises(LaunchError, match="is there already"):
+        backup(data, tmp_path / "station.tar", quiet)
+    assert (tmp_path / "station.tar").read_text() == "the earlier one"
