@@ -867,10 +867,8 @@ export const isParameterList = shape({
 });
 export type ParameterList = Checked<typeof isParameterList>;
 
-/** Where a replay is: on the stream as the message `playback` and in the status of a replayed flight.
- *
- * `edge_s` is how far the recording reaches; it grows for the flight that is being recorded. `loop` is [from_s, to_s].
- * `jumps` counts how often it went to another moment: values from before one are of no use. */
+/** Where a replay is (message `playback` and status). `edge_s` is how far the recording reaches, `loop` is
+ * [from_s, to_s], `jumps` counts the moments that it went to. */
 export const isPlayback = shape({
   at_s: isNumber,
   duration_s: isNumber,
