@@ -144,6 +144,8 @@ function createPast(
   let { jumps } = vehicle.telemetry;
   /** The jumps of the replay itself, also those forward; null before it has told them. */
   let moments: number | null = null;
+  /** It went to another moment, whose samples come next. */
+  let isElsewhere = false;
 
   function take(message: StreamMessage, at_ms: number): void {
     vehicle.take(message, at_ms);
@@ -156,7 +158,11 @@ function createPast(
       moments = null;
     } else if (message.type === "playback" && message.position.jumps !== moments) {
       moments = message.position.jumps;
+      isElsewhere = true;
       void known.read();
+    } else if (message.type === "batch" && isElsewhere) {
+      isElsewhere = false;
+      present.pump.hurry();
     }
     if (message.type === "event") {
       servos.takeEvent(message);
