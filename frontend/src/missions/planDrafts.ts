@@ -110,9 +110,9 @@ export function notePlan(store: PlanStore, plan: PlanName, notes: readonly Messa
 /** `empty`: nothing to send; `unknown`: what the board has is not known. */
 export type PlanState = "empty" | "unknown" | "same" | "differs";
 
-export function planState({ draft, board }: Plan): PlanState {
+export function planState({ draft, board, isFixed }: Plan): PlanState {
   if (board === null) {
-    return draft.present.length === 0 ? "empty" : "unknown";
+    return draft.present.length === 0 && !isFixed ? "empty" : "unknown";
   }
   return samePlan(draft.present, board) ? "same" : "differs";
 }

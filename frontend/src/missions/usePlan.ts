@@ -26,7 +26,10 @@ export function usePlan(plan: PlanName): ShownPlan {
   const waypoints = usePlans((plans) => plans[plan].draft.present);
   const state = usePlans((plans) => planState(plans[plan]));
   const isFixed = usePlans((plans) => plans[plan].isFixed);
-  const issues = useMemo(() => checkPlan(waypoints, PLAN_LIMITS), [waypoints]);
+  const issues = useMemo(
+    () => (isFixed && waypoints.length === 0 ? [] : checkPlan(waypoints, PLAN_LIMITS)),
+    [isFixed, waypoints],
+  );
   const flownTo = useTelemetry((telemetry, now_ms) =>
     telemetry.liveNumber(PLAN[plan].topic, "waypoint", now_ms),
   );

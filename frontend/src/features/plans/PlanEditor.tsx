@@ -90,7 +90,7 @@ function emptyWords({ isFixed, state }: ShownPlan) {
   if (!isFixed) {
     return "plans.empty";
   }
-  return state === "empty" ? "plans.pastUnknown" : "plans.pastEmpty";
+  return state === "unknown" ? "plans.pastUnknown" : "plans.pastEmpty";
 }
 
 /** The outcome of the last transfer or file, and the assumptions made in reading a file. */

@@ -43,7 +43,10 @@ export function useMapPlan(plan: Aircraft): MapPlan {
   const named = ROUTES.find(({ planName }) => planName === route);
   const onBoard = read ?? named?.waypoints ?? null;
   const waypoints = draft.length === 0 ? (onBoard ?? NOTHING) : draft;
-  const issues = useMemo(() => checkPlan(waypoints, PLAN_LIMITS), [waypoints]);
+  const issues = useMemo(
+    () => (isFixed && waypoints.length === 0 ? [] : checkPlan(waypoints, PLAN_LIMITS)),
+    [isFixed, waypoints],
+  );
   return {
     waypoints,
     onBoard,
