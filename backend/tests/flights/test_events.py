@@ -233,7 +233,7 @@ def test_a_line_that_is_opened_is_told_once_and_its_silence_beside_it() -> None:
         Note(START_NS + 40 * 10**9, notes.LINE, {**line, "open": False}),
         noted(40.1, "link", board="closed", simulator="closed"),
     ]
-    assert [(kind, name, at_s) for kind, name, at_s, _ in found(MadeFlight({}, told))] == [
+    assert [(kind, name, round(at_s, 3)) for kind, name, at_s, _ in found(MadeFlight({}, told))] == [
         ("link", "board_opened", 1.0),
         ("link", "", 20.0),
         ("link", "", 30.0),
