@@ -23,6 +23,7 @@ MODULES = (
     "plots",
     "page",
     "globe",
+    "plots_http",
     "replay",
     "flight",
     "board",
