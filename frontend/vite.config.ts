@@ -4,6 +4,7 @@ import { fontLicences } from "./scripts/fontLicences.ts";
 import { globeAssets, globeAssetsPath } from "./scripts/globeAssets.ts";
 import { globePolicy } from "./scripts/globePolicy.ts";
 import { pagePackages } from "./scripts/packages.ts";
+import { pageWorker } from "./scripts/pageWorker.ts";
 
 /** Where `npm run dev` finds the gateway. */
 const gateway = process.env["GCS_DEV_GATEWAY"] ?? "http://127.0.0.1:8000";
@@ -17,6 +18,7 @@ export default defineConfig({
     globeAssets(import.meta.dirname),
     globePolicy(),
     fontLicences(import.meta.dirname, LICENCES),
+    pageWorker(),
   ],
   // Read when the page is built, so that the about window needs no network and cannot be out of date.
   define: {

@@ -22,6 +22,7 @@ from pathlib import Path
 from typing import Final
 from urllib.parse import quote
 
+from bench.lookers import exporting, indexing, rewinding
 from bench.station import WebSocket
 
 LONGEST_S: Final = 120.0
@@ -29,6 +30,9 @@ _SOCKETS: Final = 4
 _PINGS: Final = b"\x89\x80\0\0\0\0" * 2000
 _DATAGRAMS_PER_S: Final = 10_000
 _IDLE: Final = 2000
+TLS_HALF_OPEN: Final = "tls-half-open"
+_HALF_OPEN: Final = 500
+_HELLO: Final = b"\x16\x03\x01\x02\x00\x01\x00\x01\xfc"  # the beginning of a handshake
 _UPLOADS: Final = 3
 _BEGIN_S: Final = 30.0
 _EVERY_S: Final = 1.0
@@ -134,6 +138,31 @@ def _idle(port: int, _udp_port: int, until_s: float) -> None:
             count -= 1
 
 
+def _tls_half_open(port: int, _udp_port: int, until_s: float) -> None:
+    """500 connections that begin a TLS handshake and never finish it; some of the ended ones are begun again."""
+    waiting = selectors.DefaultSelector()
+    count = 0
+    while time.monotonic() < until_s:
+        # All of them at first; then 400 a second.
+        for _ in range(_HALF_OPEN if count == 0 else 20):
+            if count >= _HALF_OPEN:
+                break
+            try:
+                made = socket.create_connection(("127.0.0.1", port), timeout=1.0)
+                made.send(_HELLO if count % 2 else b"\x16")
+            except OSError:
+                break
+            waiting.register(made, selectors.EVENT_READ)
+            count += 1
+        _ready()
+        time.sleep(0.05)
+        for key, _ in waiting.select(0.0):
+            waiting.unregister(key.fileobj)
+            with contextlib.suppress(OSError):
+                key.fileobj.close()  # type: ignore[union-attr]
+            count -= 1
+
+
 def _uploads(port: int, _udp_port: int, until_s: float) -> None:
     """Three uploads of a few bytes a second that never complete."""
     sending: dict[int, socket.socket] = {}
@@ -176,6 +205,10 @@ ATTACKS: Final[dict[str, Callable[[int, int, float], None]]] = {
     "bombs": _bombs,
     "idle": _idle,
     "uploads": _uploads,
+    TLS_HALF_OPEN: _tls_half_open,
+    "rewinding": lambda *where: rewinding(_ready, *where),
+    "indexing": lambda *where: indexing(_ready, *where),
+    "exporting": lambda *where: exporting(_ready, *where),
     "viewers50": _viewers(50),
     "viewers200": _viewers(200),
 }

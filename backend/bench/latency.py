@@ -33,12 +33,12 @@ def run() -> list[Row]:
     with station() as (gateway, line), _peer() as (peer_line, peer_client), _bare() as (bare_line, answers):
         viewer = gateway.stream(0)
         for _ in range(ROUNDS):
-            ours += _measure(line, lambda: _until_ahrs(viewer))
-            _keep_open(line, gateway)
-            peer += _measure(peer_line, lambda: _until_binary(peer_client))
-            _keep_open(line, gateway)
+            ours += measure(line, lambda: until_ahrs(viewer))
+            keep_open(line, gateway)
+            peer += measure(peer_line, lambda: _until_binary(peer_client))
+            keep_open(line, gateway)
             bare += _measure_bare(bare_line, answers)
-            _keep_open(line, gateway)
+            keep_open(line, gateway)
         viewer.close()
     rows = []
     for name, share in (("p50", 0.5), ("p99", 0.99)):
@@ -60,7 +60,7 @@ def run() -> list[Row]:
     return rows
 
 
-def _measure(line: Line, received: Callable[[], float]) -> list[float]:
+def measure(line: Line, received: Callable[[], float]) -> list[float]:
     """Delays in ms of SAMPLES frames, sent one at a time; `received` returns the time of the message's arrival."""
     times = []
     for _ in range(SAMPLES):
@@ -71,7 +71,8 @@ def _measure(line: Line, received: Callable[[], float]) -> list[float]:
     return times
 
 
-def _until_ahrs(viewer: WebSocket) -> float:
+def until_ahrs(viewer: WebSocket) -> float:
+    """Receive and acknowledge until the sample came; returns the time."""
     while True:
         message = viewer.receive()
         received_s = time.perf_counter()
@@ -86,7 +87,7 @@ def _until_binary(client: WebSocket) -> float:
     return time.perf_counter()
 
 
-def _keep_open(line: Line, gateway: Gateway) -> None:
+def keep_open(line: Line, gateway: Gateway) -> None:
     """Send heartbeats, so that the session stays open while the others are measured."""
     line.write(HEARTBEAT)
     line.read(0.0)

@@ -10,6 +10,7 @@ import pty
 import re
 import select
 import socket
+import ssl
 import struct
 import subprocess
 import sys
@@ -59,9 +60,11 @@ class Line:
 class WebSocket:
     """A minimal client, so that only the server's cost is measured. It expects unfragmented messages."""
 
-    def __init__(self, port: int, path: str, protocol: str = "") -> None:
+    def __init__(self, port: int, path: str, protocol: str = "", trust: ssl.SSLContext | None = None) -> None:
         self.socket = socket.create_connection(("127.0.0.1", port))
         self.socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+        if trust is not None:
+            self.socket = trust.wrap_socket(self.socket, server_hostname="127.0.0.1")
         key = base64.b64encode(os.urandom(16)).decode()
         wanted = f"Sec-WebSocket-Protocol: {protocol}\r\n" if protocol else ""
         self.socket.sendall(
@@ -120,9 +123,11 @@ class WebSocket:
 class Gateway:
     """`epf-gcs` as a process, with our line open in binary mode."""
 
-    def __init__(self, process: subprocess.Popen[str], port: int) -> None:
+    def __init__(self, process: subprocess.Popen[str], port: int, trust: ssl.SSLContext | None = None) -> None:
+        """`trust`: under TLS, what trusts its certificate."""
         self.process = process
         self.port = port
+        self.trust = trust
 
     @property
     def parts(self) -> dict[str, int]:
@@ -136,12 +141,12 @@ class Gateway:
     def put(self, path: str, body: dict[str, Any]) -> None:
         """Make a PUT request."""
         request = urllib.request.Request(
-            f"http://127.0.0.1:{self.port}/api/v1{path}",
+            f"{self._base}{path}",
             json.dumps(body).encode(),
             {"Content-Type": "application/json"},
             method="PUT",
         )
-        urllib.request.urlopen(request, timeout=_DEADLINE_S).close()
+        urllib.request.urlopen(request, timeout=_DEADLINE_S, context=self.trust).close()
 
     def open(self, line: Line) -> None:
         """Open the line and answer the opening dialogue as a deployed board does."""
@@ -157,20 +162,26 @@ class Gateway:
 
     def stream(self, rate: int) -> WebSocket:
         """Connect a viewer."""
-        return WebSocket(self.port, f"/api/v1/stream?rate={rate}")
+        return WebSocket(self.port, f"/api/v1/stream?rate={rate}", trust=self.trust)
+
+    @property
+    def _base(self) -> str:
+        return f"{'http' if self.trust is None else 'https'}://127.0.0.1:{self.port}/api/v1"
 
     def _state(self) -> str:
-        with urllib.request.urlopen(f"http://127.0.0.1:{self.port}/api/v1/status", timeout=_DEADLINE_S) as answer:
+        address = f"{self._base}/status"
+        with urllib.request.urlopen(address, timeout=_DEADLINE_S, context=self.trust) as answer:
             return str(json.load(answer)["board"]["state"])
 
 
 @contextlib.contextmanager
-def station() -> Iterator[tuple[Gateway, Line]]:
+def station(*, tls: bool = False) -> Iterator[tuple[Gateway, Line]]:
     """A running gateway and the line it has open."""
     with tempfile.TemporaryDirectory() as folder:
         line = Line(Path(folder))
         process = subprocess.Popen(
-            [sys.executable, "-m", "epf_gcs.launcher.gateway", "--port", "0", "--data-dir", folder],
+            [sys.executable, "-m", "epf_gcs.launcher.gateway", "--port", "0", "--data-dir", folder]
+            + (["--tls"] if tls else []),
             stderr=subprocess.PIPE,
             text=True,
         )
@@ -178,8 +189,9 @@ def station() -> Iterator[tuple[Gateway, Line]]:
             assert process.stderr is not None
             found = None
             while found is None:
-                found = re.search(r"url=http://[^:]+:(\d+)", process.stderr.readline())
-            gateway = Gateway(process, int(found[1]))
+                found = re.search(r"url=https?://[^:]+:(\d+)", process.stderr.readline())
+            trust = ssl.create_default_context(cafile=f"{folder}/tls/authority.crt") if tls else None
+            gateway = Gateway(process, int(found[1]), trust)
             gateway.open(line)
             yield gateway, line
         finally:

@@ -6,9 +6,10 @@ import os
 import re
 import signal
 import sys
+import threading
 import time
 from collections.abc import AsyncIterator, Callable, Iterator
-from contextlib import asynccontextmanager, contextmanager
+from contextlib import asynccontextmanager, contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
@@ -17,16 +18,21 @@ import orjson
 import pytest
 from mcap.records import Message
 from mcap.stream_reader import StreamReader
+from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import connect
 
 from epf_gcs.bus.station_end import StationEnd
 from epf_gcs.xplane.datagram import release_datagram
 from tests.bus.test_ends import Heard, connected
 from tests.support.fake_board import FakeBoard
+from tests.support.page import Page, page
 from tests.support.ports import free_udp_port
 from tests.support.programs import Program, children_of, gateway_process
 from tests.support.simulator import WHOLE, Simulator
 from tests.support.waiting import DEADLINE_S, eventually, eventually_async
+
+TURN = (-0.5, 0.25, -0.125, 0.5)
+LET_GO = (0.0, 0.0, 0.0, 0.5)
 
 
 class Flying:
@@ -67,9 +73,39 @@ class Flying:
         eventually(lambda: self.board.count("xplane_info") == before + 1, "the frame reaches the board")
         eventually(lambda: self._moved(got), "the surfaces reach the simulator")
 
+    def stick(self) -> tuple[float, ...]:
+        """Elevator, aileron, rudder and throttle that the board is told with one more frame."""
+        self.fly_a_frame()
+        told = [
+            values
+            for name, values in zip(self.board.received, self.board.arguments, strict=False)
+            if name == "xplane_info" and len(values) == 15
+        ]
+        return tuple(told[-1][:4])
+
     def _moved(self, got: int) -> bool:
         self.simulator.heard(b"")
         return len(self.simulator.got) > got
+
+
+@contextmanager
+def hand_on(pilot: Page) -> Iterator[None]:
+    """A gamepad that is held in one position, as a page sends it for as long as it has a line."""
+    stop = threading.Event()
+
+    def hold() -> None:
+        with suppress(ConnectionClosed):
+            while not stop.wait(0.02):
+                position = dict(zip(("elevator", "aileron", "rudder", "throttle"), TURN, strict=True))
+                pilot.send({"type": "stick", **position, "t_ms": time.monotonic() * 1000.0})
+
+    thread = threading.Thread(target=hold)
+    thread.start()
+    try:
+        yield
+    finally:
+        stop.set()
+        thread.join()
 
 
 @pytest.fixture
@@ -122,9 +158,26 @@ def test_a_page_that_had_control_has_it_again_after_the_web_process_died(flying:
         os.kill(flying.pid("web"), signal.SIGKILL)
     eventually(lambda: flying.status() is not None, "the web process is back")
     with connect(stream) as stranger, connect(f"{stream}?client={client}") as page:
-        assert orjson.loads(stranger.recv(DEADLINE_S))["role"] == "viewer"
+        assert not orjson.loads(stranger.recv(DEADLINE_S))["has_control"]
         hello = orjson.loads(page.recv(DEADLINE_S))
-        assert (hello["client"], hello["role"]) == (client, "operator")
+        assert (hello["client"], hello["has_control"]) == (client, True)
+
+
+def test_a_gamepad_is_let_go_when_the_web_process_is_killed_and_flies_on_when_its_page_is_back(flying: Flying) -> None:
+    with page(flying.url) as pilot, hand_on(pilot):
+        chosen = pilot.http.put("/hil", json={"stick": "gamepad", "gamepad": "Test Pad"})
+        assert chosen.json()["stick"]["state"] == "live"
+        eventually(lambda: flying.stick() == TURN, "the gamepad flies")
+        os.kill(flying.pid("web"), signal.SIGSTOP)
+        eventually(lambda: flying.stick() == LET_GO, "a hung web process holds no stick")
+        os.kill(flying.pid("web"), signal.SIGCONT)
+        eventually(lambda: flying.stick() == TURN, "it goes on")
+        os.kill(flying.pid("web"), signal.SIGKILL)
+        eventually(lambda: flying.stick()[:3] == LET_GO[:3], "nor does a dead one")
+    eventually(lambda: flying.status() is not None, "the web process is back")
+    with page(flying.url, f"/api/v1/stream?client={pilot.client}") as pilot, hand_on(pilot):
+        assert pilot.hello["has_control"]
+        eventually(lambda: flying.stick() == TURN, "its gamepad flies on, without being chosen again")
 
 
 def test_the_loss_of_the_flight_process_is_said_at_once_and_it_flies_again(flying: Flying) -> None:

@@ -3,18 +3,28 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Callable
 from pathlib import Path
 
 
-def replace_file(path: Path, data: bytes) -> None:
-    """Replace a file atomically: it has the old or the new content, never a part. Blocks; raises OSError."""
+def replace_file(path: Path, data: bytes, mode: int | None = None) -> None:
+    """Replace a file atomically: it has the old or the new content, never a part. Blocks; raises OSError.
+
+    With `mode`, nobody whom these rights shut out can read it at any moment; without, the user's usual rights hold.
+    """
     temporary = path.with_name(path.name + ".new")
-    with temporary.open("wb") as file:
+    if mode is not None:
+        temporary.unlink(missing_ok=True)  # one that a kill left may have other rights
+    with open(temporary, "wb", opener=None if mode is None else _with_rights(mode)) as file:
         file.write(data)
         file.flush()
         os.fsync(file.fileno())
     temporary.replace(path)
     sync_folder(path.parent)
+
+
+def _with_rights(mode: int) -> Callable[[str, int], int]:
+    return lambda path, flags: os.open(path, flags | os.O_EXCL, mode)
 
 
 def sync_folder(folder: Path) -> None:

@@ -28,10 +28,17 @@ ErrorCode = Literal[
     "board_line_full",
     "board_not_open",
     "body_too_large",
+    "client_may_not_command",
+    "client_not_yours",
+    "client_silent",
     "client_unknown",
     "command_link_lost",
     "command_unknown",
     "control_held",
+    "control_not_asked",
+    "control_not_held",
+    "control_refused",
+    "control_unconfirmed",
     "data_folder_taken",
     "datagram_malformed",
     "datagram_stranger",
@@ -154,6 +161,17 @@ ErrorCode = Literal[
     "stream_message_invalid",
     "threshold_out_of_range",
     "threshold_unknown",
+    "tls_certificate_early",
+    "tls_certificate_expired",
+    "tls_certificate_refused",
+    "tls_ends_soon",
+    "tls_file_unreadable",
+    "tls_key_differs",
+    "tls_key_locked",
+    "tls_no_authority",
+    "tls_no_certificate",
+    "tls_no_key",
+    "tls_not_renewed",
     "track_not_kept",
     "track_not_written",
     "value_not_allowed",
@@ -200,6 +218,10 @@ class NotAdmittedError(GatewayError):
 
 class RoleError(GatewayError):
     """The caller's role may not do this."""
+
+
+class NotYoursError(GatewayError):
+    """It belongs to somebody else's session."""
 
 
 class TooManyError(GatewayError):

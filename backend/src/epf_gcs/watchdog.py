@@ -15,6 +15,8 @@ FEED_S: Final = 0.5
 SILENT_S: Final = 8.0
 # A process that is starting reads its modules from the disk and may repair a recording first.
 STARTING_S: Final = 120.0
+# Exit status (EX_CONFIG) of a process that was asked for something impossible: started again it would say the same.
+REFUSED: Final = 78
 _LOOK_S: Final = 0.5
 _MANY: Final = 4096
 

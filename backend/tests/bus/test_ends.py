@@ -159,6 +159,36 @@ async def test_samples_are_gathered_for_a_station_that_looks_seldom_and_none_is_
 
 
 @pytest.mark.anyio
+async def test_frames_wait_for_the_samples_that_leave_next_and_nothing_overtakes_them(tmp_path: Path) -> None:
+    vehicle, heard = Vehicle(tmp_path), Heard()
+    decoded: list[float] = []
+
+    def decode() -> None:
+        decoded.append(float(len(decoded)))
+        vehicle.broadcast.sample("gps", decoded[-1], {"n": 0})
+        vehicle.broadcast.flush()
+
+    assert vehicle.broadcast.later(decode), "without a station they wait for whoever looks"
+    async with connected(tmp_path, heard) as station:
+        await eventually_async(lambda: heard.ends == 1, "the snapshot arrives")
+        assert not vehicle.broadcast.later(decode), "each is wanted at once"
+        station.pace(1)
+        await eventually_async(lambda: vehicle.broadcast.gathers, "the vehicle knows the pace")
+        assert not vehicle.broadcast.later(decode), "it is time for samples"
+        decode()
+        assert vehicle.broadcast.later(decode)
+        assert vehicle.broadcast.later(decode)
+        assert decoded == [0.0]
+        vehicle.broadcast.status({"first": True})
+        await eventually_async(lambda: bool(heard.statuses), "the status arrives")
+        assert [sample.t_s for sample in heard.samples[1:]] == [0.0, 1.0]
+        assert vehicle.broadcast.later(decode)
+        await eventually_async(lambda: decoded == [0.0, 1.0, 2.0], "they are decoded when their time has come")
+        await eventually_async(lambda: heard.samples[-1].t_s == 2.0, "and leave")
+    await vehicle.stop()
+
+
+@pytest.mark.anyio
 async def test_one_station_that_wants_each_sample_at_once_is_enough(tmp_path: Path) -> None:
     vehicle, seldom, always = Vehicle(tmp_path), Heard(), Heard()
     async with connected(tmp_path, seldom) as station:

@@ -14,6 +14,7 @@ import pytest
 
 from epf_gcs.launcher import gateway
 from epf_gcs.launcher.gateway import Part
+from epf_gcs.watchdog import REFUSED
 from tests.support.waiting import DEADLINE_S, eventually
 
 
@@ -79,6 +80,15 @@ def test_one_that_fails_after_it_has_lived_is_started_again(tmp_path: Path, monk
     kept.thread.start()
     kept.runs(2)
     assert kept.refusal is None
+    kept.stop()
+
+
+def test_one_that_refuses_says_so_however_long_its_start_took(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(gateway, "_LIVED_S", 0.0)
+    kept = Kept(tmp_path, f"sys.exit({REFUSED})")
+    kept.thread.start()
+    kept.thread.join(DEADLINE_S)
+    assert (kept.refusal, kept.count()) == (REFUSED, 1)
     kept.stop()
 
 

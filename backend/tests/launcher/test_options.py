@@ -4,6 +4,7 @@ from pathlib import Path
 
 import pytest
 
+from epf_gcs.launcher import options
 from epf_gcs.launcher.errors import LaunchError
 from epf_gcs.launcher.options import EVERY_INTERFACE, Options, XPlane
 
@@ -69,3 +70,9 @@ def test_x_plane_is_a_computer_and_its_port_where_that_is_another(address: str, 
 def test_what_is_no_address_of_x_plane_is_told_with_what_would_be(address: str) -> None:
     with pytest.raises(LaunchError, match="give HOST or HOST:PORT"):
         XPlane.at(address, 49003, "xp10")
+
+
+def test_without_flight_dynamics_the_sentence_says_how_to_get_them(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(options, "find_spec", lambda _name: None)
+    with pytest.raises(LaunchError, match=r"pip install 'epf-gcs\[sim\]', or fly with X-Plane"):
+        DEMONSTRATION.simulator_command(XPlane("127.0.0.1", 49000, 49003))

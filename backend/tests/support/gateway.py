@@ -18,6 +18,7 @@ from epf_gcs.logs import set_up_logging
 from epf_gcs.web.server import Server
 from epf_gcs.web.settings import Settings
 from epf_gcs.web.visitors import Limits
+from tests.support.tls import trust_in
 from tests.support.waiting import DEADLINE_S, eventually
 
 
@@ -63,8 +64,10 @@ class Gateway:
     def __init__(self, server: Server, flight: FlightThread) -> None:
         self.server = server
         self.flight_thread = flight
-        self.base = f"http://127.0.0.1:{server.port}"
-        self.http = httpx.Client(base_url=f"{self.base}/api/v1", timeout=DEADLINE_S)
+        # Under TLS: a browser that trusts what the station shows.
+        self.trust = None if server.certificates is None else trust_in(server.certificates)
+        self.base = f"{'http' if self.trust is None else 'https'}://127.0.0.1:{server.port}"
+        self.http = httpx.Client(base_url=f"{self.base}/api/v1", timeout=DEADLINE_S, verify=self.trust or True)
 
     @property
     def flight(self) -> Flight:
@@ -89,7 +92,8 @@ class Gateway:
     @contextmanager
     def stream(self, query: str = "") -> Iterator[Stream]:
         """Connect to the stream like a browser."""
-        with connect(f"ws://127.0.0.1:{self.server.port}/api/v1/stream{query}", max_size=None) as connection:
+        address = f"{self.base.replace('http', 'ws')}/api/v1/stream{query}"
+        with connect(address, max_size=None, ssl=self.trust) as connection:
             yield Stream(connection)
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Any
 
 
@@ -13,6 +13,9 @@ class KeptOutlet:
         self.samples: list[tuple[str, float, Mapping[str, Any]]] = []
         self.events: list[Any] = []
         self.flushed = 0
+        # What decodes the frames that wait; with `is_lazy` they wait until a test or a reader decodes them.
+        self.is_lazy = False
+        self.decode: Callable[[], None] | None = None
 
     def sample(self, topic: str, t_s: float, values: Mapping[str, Any]) -> None:
         self.samples.append((topic, t_s, values))
@@ -22,3 +25,7 @@ class KeptOutlet:
 
     def event(self, kind: str, data: Mapping[str, Any]) -> None:
         self.events.append((kind, data))
+
+    def later(self, decode: Callable[[], None]) -> bool:
+        self.decode = decode
+        return self.is_lazy

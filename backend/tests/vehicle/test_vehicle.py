@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 from epf_gcs.codec.encode import encode_telemetry
+from epf_gcs.codec.frame import Frame
+from epf_gcs.codec.values import Meaning
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.vehicle.vehicle import Vehicle
+from tests.codec.streams import damage, mixed_frames
 from tests.support.outlet import KeptOutlet
 
 
@@ -24,9 +27,10 @@ class SetClock:
 class Flown:
     """A vehicle with a clock and an outlet of its own."""
 
-    def __init__(self, begin_s: float) -> None:
+    def __init__(self, begin_s: float, *, is_lazy: bool = False) -> None:
         self.clock = SetClock(begin_s)
         self.outlet = KeptOutlet()
+        self.outlet.is_lazy = is_lazy
         self.vehicle = Vehicle(self.clock, self.outlet, ErrorLog(), lambda _: 0.02)
 
     def hear(self, roll_deg: float) -> None:
@@ -60,3 +64,74 @@ def test_the_same_bytes_at_the_same_times_say_the_same() -> None:
     for step in range(20):
         second.hear(step)
     assert first.outlet.samples == second.outlet.samples
+
+
+def test_frames_that_wait_are_there_for_whoever_looks() -> None:
+    flown = Flown(7.0, is_lazy=True)
+    for step in range(5):
+        flown.hear(step)
+    assert flown.rolls() == [], "nobody looked"
+    assert flown.vehicle.board.frames_received == 5, "but they are counted"
+    newest = flown.vehicle.telemetry.newest("ahrs")
+    assert newest is not None
+    assert newest["roll_deg"] == 4.0
+    assert flown.rolls() == [(round(7.0 + 0.02 * (step + 1), 3), step) for step in range(5)]
+
+
+def test_a_vehicle_whose_frames_wait_says_the_same_in_the_end() -> None:
+    stream = damage(mixed_frames(600, seed=5), 0.002, seed=6).data
+    at_once, lazy = Flown(7.0), Flown(7.0, is_lazy=True)
+    for flown in (at_once, lazy):
+        for place in range(0, len(stream), 37):
+            flown.clock.at_s += 0.003
+            flown.vehicle.board.on_bytes(stream[place : place + 37])
+        flown.vehicle.board.tick()
+    assert len(lazy.outlet.samples) > 500
+    assert lazy.outlet.samples == at_once.outlet.samples
+    assert lazy.outlet.events == at_once.outlet.events
+    assert lazy.vehicle.kept() == at_once.vehicle.kept()
+    assert lazy.vehicle.telemetry.summary() == at_once.vehicle.telemetry.summary()
+
+
+def test_samples_of_the_simulator_do_not_overtake_frames_that_wait() -> None:
+    flown = Flown(7.0, is_lazy=True)
+    flown.hear(1.0)
+    flown.vehicle.telemetry.take("simulator", flown.clock.at_s, {"n": 1})
+    assert [topic for topic, _, _ in flown.outlet.samples] == ["ahrs", "simulator"]
+
+
+def test_who_listens_gets_what_comes_from_then_on_and_at_once() -> None:
+    flown = Flown(7.0, is_lazy=True)
+    heard: list[object] = []
+
+    def listen(frame: Frame, meant: Meaning) -> None:
+        heard.append(meant.values["roll_deg"])
+
+    flown.hear(1.0)
+    with flown.vehicle.board.listening(listen):
+        assert heard == [], "a frame from before would prove a command that was not sent yet"
+        flown.hear(2.0)
+        assert heard == [2.0]
+    flown.hear(3.0)
+    flown.vehicle.board.tick()
+    assert heard == [2.0]
+
+
+def test_the_hil_path_reads_the_newest_heartbeat_and_leaves_the_rest_waiting() -> None:
+    flown = Flown(7.0, is_lazy=True)
+    flown.hear(1.0)
+    for source_joystick in (2, 0):
+        flown.vehicle.board.on_bytes(encode_telemetry("heartbeat", *([1] * 10), source_joystick, 0))
+    flown.hear(2.0)
+    newest = flown.vehicle.telemetry.peek("heartbeat")
+    assert newest is not None
+    assert newest["source_joystick"] is False
+    assert flown.outlet.samples == []
+
+
+def test_an_acknowledgement_is_counted_as_it_comes() -> None:
+    flown = Flown(7.0, is_lazy=True)
+    counted: list[object] = []
+    flown.vehicle.board.listen("acknowledgement", lambda _, meant: counted.append(meant.values["command_type"]))
+    flown.vehicle.board.on_bytes(encode_telemetry("acknowledgement", 50, 0))
+    assert counted == [50]

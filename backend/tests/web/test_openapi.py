@@ -9,14 +9,19 @@ from typing import Any
 import pytest
 import schemathesis
 from hypothesis import HealthCheck, Phase, given, settings
-from schemathesis.specs.openapi.checks import positive_data_acceptance
+from schemathesis.config import SchemathesisConfig
+from schemathesis.specs.openapi.checks import ignored_auth, positive_data_acceptance
 
+from epf_gcs.web.access.roles import Role
+from epf_gcs.web.access.table import ROUTES
 from epf_gcs.web.app import create_app
 from epf_gcs.web.settings import Settings
+from tests.support.callers import Browser, person, program, stranger, strict_gateway
 from tests.support.fake_board import FakeBoard
 from tests.support.gateway import Gateway, running_gateway
 
 EXAMPLES = 15
+EXAMPLES_BY_ROLE = 3
 # What closes a link or keeps the board from listening comes last, so that all else is asked of a station with a board.
 OPERATIONS = sorted(
     (
@@ -27,7 +32,8 @@ OPERATIONS = sorted(
     key=lambda operation: (operation[0] == "DELETE" or operation[1].endswith("/ahrs-test"), operation),
 )
 # The range of a value depends on the command's name, and an address on what is plugged in: no schema can say that.
-BEYOND_A_SCHEMA = [positive_data_acceptance]
+# Nor that this computer needs no key.
+BEYOND_A_SCHEMA = [positive_data_acceptance, ignored_auth]
 
 
 @pytest.fixture(scope="module")
@@ -41,7 +47,9 @@ def flying(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Gateway]:
 
 @pytest.fixture(scope="module")
 def described(flying: Gateway) -> Any:
-    return schemathesis.openapi.from_url(f"{flying.base}/api/v1/openapi.json")
+    # Keys and cookies that it makes up are strangers': who asks is chosen here.
+    config = SchemathesisConfig.from_dict({"generation": {"with-security-parameters": False}})
+    return schemathesis.openapi.from_url(f"{flying.base}/api/v1/openapi.json", config=config)
 
 
 @pytest.mark.parametrize(("method", "path"), OPERATIONS)
@@ -56,6 +64,63 @@ def test_every_answer_is_as_described(described: Any, method: str, path: str) ->
     @given(case=described[path][method].as_strategy())
     def ask(case: Any) -> None:
         case.call_and_validate(excluded_checks=BEYOND_A_SCHEMA)
+
+    ask()
+
+
+ROLES = ("stranger", *(role.name for role in Role))
+
+
+@pytest.fixture(scope="module")
+def strict(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[Gateway, dict[str, Browser]]]:
+    """A gateway that trusts nobody, and a client of each role. Programs, because a person could leave."""
+    folder: Path = tmp_path_factory.mktemp("strict")
+    with strict_gateway(folder / "data") as gateway, person(gateway, Role.owner) as owner:
+        clients = {role.name: program(gateway, role, owner, role.name)[0] for role in Role}
+        for client in clients.values():
+            client.get("/status").raise_for_status()
+        clients["stranger"] = stranger(gateway)
+        yield gateway, clients
+        for client in clients.values():
+            client.close()
+
+
+@pytest.mark.parametrize(("method", "path"), OPERATIONS)
+def test_no_request_makes_it_fail_or_gives_a_role_what_it_may_not(
+    described: Any, strict: tuple[Gateway, dict[str, Browser]], method: str, path: str
+) -> None:
+    gateway, clients = strict
+    entry = ROUTES[method, path]
+
+    @settings(
+        max_examples=EXAMPLES_BY_ROLE,
+        deadline=None,
+        derandomize=True,
+        suppress_health_check=list(HealthCheck),
+        phases=[Phase.explicit, Phase.generate],
+    )
+    @given(case=described[path][method].as_strategy())
+    def ask(case: Any) -> None:
+        for name in ROLES:
+            gateway.web.limits._requests.clear()  # a stranger may not ask so much at once
+            asked = case.as_transport_kwargs(base_url=gateway.base)
+            asked["headers"].pop("X-Client", None)
+            client = clients[name]
+            answer = client.request(
+                asked["method"],
+                asked["url"],
+                params=asked.get("params"),
+                headers=asked["headers"],
+                json=asked.get("json"),
+                content=asked.get("data"),
+            )
+            assert answer.status_code not in (500, 501, 504)
+            role = 0 if name == "stranger" else Role[name]
+            code = answer.json()["code"] if "problem" in answer.headers.get("content-type", "") else ""
+            if role < entry.least:
+                assert (answer.status_code, code) in ((401, "not_admitted"), (403, "role_too_low"))
+            else:
+                assert code not in ("not_admitted", "role_too_low")
 
     ask()
 

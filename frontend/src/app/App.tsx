@@ -1,17 +1,20 @@
-import { useEffect, useMemo, useRef } from "react";
+import { type ComponentProps, useEffect, useMemo, useRef } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
+import { AccessBands } from "../features/access/AccessBands";
 import { AhrsTestBanner } from "../features/ahrs/AhrsTestBanner";
 import { AlarmBar } from "../features/alarms/AlarmBar";
 import { PresentStrip } from "../features/playback/PresentStrip";
 import { TimeBar } from "../features/playback/TimeBar";
+import { useAdmission } from "../requests/useRole";
 import { PageContext, usePage, usePart, useSettings } from "../store/hooks";
 import { applyTheme } from "../theme/theme";
 import { WordsProvider } from "../ui/words";
 import "./app.css";
+import "./phone.css";
 import { SourceBanner } from "../features/controls/SourceBanner";
 import { EmulationBanner } from "../features/emulation/EmulationBanner";
-import { DialogsProvider } from "./dialogs/dialogs";
+import { DialogsProvider, LoadFailure } from "./dialogs/dialogs";
 import { Header } from "./Header";
 import { LeftPanel } from "./LeftPanel";
 import { MainTabs } from "./MainTabs";
@@ -25,16 +28,27 @@ import { Dock } from "./toolbars/Dock";
 import { MovedContext } from "./toolbars/MovableToolbar";
 import { useLeaveWarning } from "./useLeaveWarning";
 import { useTitle } from "./useTitle";
+import { ENTER_PAGE } from "./views";
 
-/**
- * The whole window: header, toolbars, alarms, left panel and main tabs, time bar, status bar. Alarms, the time bar and
- * the strip of the present are always of the present; all else reads the page that is shown.
- */
+/** The whole page: the way in for a stranger, the window for everybody else. */
 export function App() {
-  const present = usePage();
-  const shown = useStore(usePart(SHOWN), ({ page }) => page);
-  const isPast = shown.past !== null;
-  const { t, i18n } = useTranslation();
+  const isOut = useAdmission(({ state }) => state === "stranger" || state === "waiting");
+  useLook();
+  const words = useSharedWords();
+  return (
+    <WordsProvider words={words}>
+      {isOut ? (
+        <ENTER_PAGE.Part waiting={null} failed={(retry) => <LoadFailure onRetry={retry} />} />
+      ) : (
+        <Window />
+      )}
+    </WordsProvider>
+  );
+}
+
+/** Language, theme and motion as chosen, on the document. */
+function useLook(): void {
+  const { i18n } = useTranslation();
   const language = useSettings((settings) => settings.language);
   const theme = useSettings((settings) => settings.theme);
   useEffect(() => {
@@ -46,11 +60,12 @@ export function App() {
   useEffect(() => {
     document.documentElement.dataset["motion"] = motion;
   }, [motion]);
-  useTitle();
-  const hasKeys = useSettings(areKeysOn);
-  useLeaveWarning();
-  const moved = useRef<string | null>(null);
-  const words = useMemo(
+}
+
+function useSharedWords(): ComponentProps<typeof WordsProvider>["words"] {
+  const { t } = useTranslation();
+  const isPast = useStore(usePart(SHOWN), ({ page }) => page.past !== null);
+  return useMemo(
     () => ({
       live: t(isPast ? "words.past" : "words.live"),
       stale: t("words.stale"),
@@ -76,48 +91,63 @@ export function App() {
     }),
     [t, isPast],
   );
+}
+
+/**
+ * Header, toolbars, alarms, left panel and main tabs, time bar, status bar. Alarms, the time bar and the strip of the
+ * present are always of the present; all else reads the page that is shown.
+ */
+function Window() {
+  const present = usePage();
+  const shown = useStore(usePart(SHOWN), ({ page }) => page);
+  const isPast = shown.past !== null;
+  useTitle();
+  const hasKeys = useSettings(areKeysOn);
+  useLeaveWarning();
+  const moved = useRef<string | null>(null);
   return (
-    <WordsProvider words={words}>
-      <PageContext value={shown}>
-        <DialogsProvider>
-          <MovedContext value={moved}>
-            <div className="app" data-past={isPast}>
-              <header className="app-top">
-                <PageContext value={present}>{isPast && <PresentStrip />}</PageContext>
-                <Header present={present} />
-              </header>
-              <Dock edge="top" />
-              <div className="app-warnings">
-                <EmulationBanner />
-                <AhrsTestBanner />
-                <SourceBanner />
-                <PageContext value={present}>
-                  <AlarmBar />
-                </PageContext>
-              </div>
-              <div className="app-middle">
-                <Dock edge="left" />
-                {/* Another page, other components: nothing that one of them remembers is of the other page. */}
-                <div className="app-body" key={shown.key}>
-                  <LeftPanel />
-                  <main className="app-main">
-                    <MainTabs />
-                    <Tuning />
-                  </main>
-                </div>
-                <Dock edge="right" />
-              </div>
-              <Dock edge="bottom" />
+    <PageContext value={shown}>
+      <DialogsProvider>
+        <MovedContext value={moved}>
+          <div className="app" data-past={isPast}>
+            <header className="app-top">
+              <PageContext value={present}>{isPast && <PresentStrip />}</PageContext>
+              <Header present={present} />
+            </header>
+            <Dock edge="top" />
+            <div className="app-warnings">
               <PageContext value={present}>
-                <TimeBar hasKeys={hasKeys} />
+                <AccessBands />
               </PageContext>
-              <StatusBar present={present} />
-              <Dock edge="floating" />
+              <EmulationBanner />
+              <AhrsTestBanner />
+              <SourceBanner />
+              <PageContext value={present}>
+                <AlarmBar />
+              </PageContext>
             </div>
-            <Shortcuts />
-          </MovedContext>
-        </DialogsProvider>
-      </PageContext>
-    </WordsProvider>
+            <div className="app-middle">
+              <Dock edge="left" />
+              {/* Another page, other components: nothing that one of them remembers is of the other page. */}
+              <div className="app-body" key={shown.key}>
+                <LeftPanel />
+                <main className="app-main">
+                  <MainTabs />
+                  <Tuning />
+                </main>
+              </div>
+              <Dock edge="right" />
+            </div>
+            <Dock edge="bottom" />
+            <PageContext value={present}>
+              <TimeBar hasKeys={hasKeys} />
+            </PageContext>
+            <StatusBar present={present} />
+            <Dock edge="floating" />
+          </div>
+          <Shortcuts />
+        </MovedContext>
+      </DialogsProvider>
+    </PageContext>
   );
 }

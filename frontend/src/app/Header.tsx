@@ -1,11 +1,9 @@
 import { useTranslation } from "react-i18next";
+import { ControlHolder } from "../features/access/ControlHolder";
 import { usePlayback } from "../features/playback/usePlayback";
-import { ACTIONS } from "../requests/actions";
-import { useAsked } from "../requests/useAsked";
-import { type Page, PageContext, useConnection, usePage, usePart, useSettings } from "../store/hooks";
+import { type Page, PageContext, usePage, useSettings } from "../store/hooks";
 import { LANGUAGES } from "../store/settings";
 import { THEMES } from "../theme/theme";
-import { Button } from "../ui/Button";
 import { SegmentedSwitch } from "../ui/SegmentedSwitch";
 import { Select } from "../ui/Select";
 import { Menus } from "./menu/Menus";
@@ -22,7 +20,7 @@ export function Header({ present }: { present: Page }) {
       <Menus />
       <div className="app-header-right">
         <PageContext value={present}>
-          <ControlHolder />
+          <Control />
         </PageContext>
         <LanguageSwitch />
         <ThemeSelect />
@@ -31,48 +29,11 @@ export function Header({ present }: { present: Page }) {
   );
 }
 
-/** Who may command; with the button that takes control while nobody has it, or gives it back. */
-function ControlHolder() {
+/** Nothing is asked of the present while the past is shown. */
+function Control() {
   const { t } = useTranslation();
-  const actions = usePart(ACTIONS);
-  const { state, stateText } = useAsked("control");
   const isPast = usePlayback(({ flight }) => flight !== null);
-  const past = isPast ? t("blocked.past") : undefined;
-  const isOpen = useConnection(({ phase }) => phase === "open");
-  const control = useConnection(({ status }) => status?.control ?? null);
-  const client = useConnection((connection) => connection.client);
-  if (!isOpen || control === null) {
-    return <p className="app-control">{t("control.unknown")}</p>;
-  }
-  if (control.client === client) {
-    return (
-      <div className="app-control">
-        <p className="app-control-mine">{t("control.mine")}</p>
-        <Button
-          onPress={() => void actions.releaseControl({ control: "control" })}
-          state={state}
-          stateText={stateText}
-          disabledReason={past}
-        >
-          {t("control.release")}
-        </Button>
-      </div>
-    );
-  }
-  const holder = control.client === null ? null : (control.name ?? control.client);
-  return (
-    <div className="app-control">
-      <p>{holder === null ? t("control.free") : t("control.other", { name: holder })}</p>
-      <Button
-        onPress={() => void actions.takeControl({ control: "control" })}
-        state={state}
-        stateText={stateText}
-        disabledReason={past ?? (holder === null ? undefined : t("blocked.held", { name: holder }))}
-      >
-        {t("control.take")}
-      </Button>
-    </div>
-  );
+  return <ControlHolder blocked={isPast ? t("blocked.past") : undefined} />;
 }
 
 function LanguageSwitch() {

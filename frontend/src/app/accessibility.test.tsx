@@ -2,7 +2,7 @@ import { screen } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import axe from "axe-core";
 import { expect, test } from "vitest";
-import { aStatus } from "../test/aStatus";
+import { aStatus, heldBy } from "../test/aStatus";
 import { Station } from "../test/station";
 
 /** The checker is slow in a document without a browser, the more so on a busy machine. */
@@ -40,7 +40,7 @@ test(
     const station = new Station();
     station.greet(
       aStatus({
-        control: { client: "c2", name: "Ana" },
+        control: heldBy("c2", "Ana"),
         alarms: [
           {
             id: "heartbeat_lost",

@@ -4,6 +4,7 @@ import type { BrowserStorage } from "../store/settings";
 import type { UploadInit } from "../transport/rest";
 import type { Wire, WireListener } from "../transport/socket";
 import type { World } from "./page";
+import { browserVersions } from "./pageVersion";
 
 /** How often the page is painted at most, in hertz. */
 const RATE_HZ = 60;
@@ -25,6 +26,7 @@ export function browserWorld(window: Window & typeof globalThis): World {
       read: () => window.location.href,
       replace: (address) => window.history.replaceState(null, "", address),
     },
+    versions: browserVersions(window, import.meta.env.PROD),
     fetch: (path, init) => window.fetch(path, init),
     upload: (path, init) => upload(window, path, init),
     animationFrames: {

@@ -1,5 +1,7 @@
 import aboutEn from "../features/about/about.en.json";
 import aboutEs from "../features/about/about.es.json";
+import accessEn from "../features/access/access.en.json";
+import accessEs from "../features/access/access.es.json";
 import ahrsEn from "../features/ahrs/ahrs.en.json";
 import ahrsEs from "../features/ahrs/ahrs.es.json";
 import alarmsEn from "../features/alarms/alarms.en.json";
@@ -50,6 +52,7 @@ export const CATALOGUES = {
   es: {
     ...appEs,
     ...aboutEs,
+    ...accessEs,
     ...ahrsEs,
     ...alarmsEs,
     ...controlsEs,
@@ -75,6 +78,7 @@ export const CATALOGUES = {
   en: {
     ...appEn,
     ...aboutEn,
+    ...accessEn,
     ...ahrsEn,
     ...alarmsEn,
     ...controlsEn,

@@ -1,8 +1,14 @@
 import { ABOUT, createAbout } from "../features/about/aboutRequests";
+import { ACCESS_ADMIN, createAccessAdmin } from "../features/access/accessAdmin";
+import { controlMessage } from "../features/access/controlEvents";
+import { CONTROL_PAGES, createControlPages } from "../features/access/controlPages";
+import { createEntry, ENTRY } from "../features/access/entry";
+import { takeAddressedKey } from "../features/access/keyAddress";
+import { createNewVersion, NEW_VERSION } from "../features/access/newVersion";
 import { createAhrs3d } from "../features/ahrs/ahrsRequests";
 import { AHRS } from "../features/ahrs/alignment";
 import type { Sounder, Speaker } from "../features/alarms/alarmLog";
-import { ALARM_LOG, takeAlarmEvent } from "../features/alarms/alarmLog";
+import { ALARM_LOG, forgetOwnAlarm, takeAlarmEvent } from "../features/alarms/alarmLog";
 import { createAlarmLog } from "../features/alarms/alarmRequests";
 import {
   createSourceReturn,
@@ -42,6 +48,7 @@ import type { StreamEvent, StreamMessage } from "../protocol/envelope";
 import type { Status } from "../protocol/status";
 import { ACTIONS, createActions } from "../requests/actions";
 import { refusedInPast } from "../requests/pastGuard";
+import { createAdmission } from "../store/admission";
 import { createCommands } from "../store/commands";
 import type { Page } from "../store/hooks";
 import { createMessages, type Message, say } from "../store/messages";
@@ -50,7 +57,10 @@ import { Pump } from "../store/pump";
 import { type BrowserStorage, choose, createSettings } from "../store/settings";
 import { Rest, type UploadInit } from "../transport/rest";
 import { StreamSocket, type Wire, type WireListener } from "../transport/socket";
+import { openAddressedTab } from "./addressedTab";
 import { eventMessage, linkMessages } from "./announcements";
+import { rememberClient, rememberedClient } from "./clientMemory";
+import type { PageVersions } from "./pageVersion";
 import { createPasts, SHOWN } from "./past";
 import { plotTimeline } from "./plotTimeline";
 import { createVehicle } from "./vehicle";
@@ -72,13 +82,12 @@ export interface World {
   readonly speaker: Speaker;
   readonly gamepads: GamepadReader;
   readonly address: AddressLine;
+  readonly versions: PageVersions;
   /** Saves a file on the user's computer. */
   readonly saveFile: (name: string, content: Blob) => void;
   /** Reports an exception in the page's own code: to the browser's console. */
   readonly report: (error: unknown) => void;
 }
-
-const CLIENT_KEY = "epf-gcs.client";
 
 /** Makes the page's parts and connects them. Only here is a message handed from the transport to the stores. */
 export function createPage(world: World): {
@@ -87,6 +96,8 @@ export function createPage(world: World): {
   readonly stop: () => void;
 } {
   const vehicle = createVehicle();
+  const admission = createAdmission();
+  const addressed = takeAddressedKey(world.address);
   const { telemetry, connection } = vehicle;
   const commands = createCommands();
   const messages = createMessages();
@@ -108,6 +119,16 @@ export function createPage(world: World): {
   function malformed(): void {
     connection.setState((before) => ({ malformed: before.malformed + 1 }));
     tell({ level: "error", key: "said.malformed", params: {} });
+  }
+
+  /** Not admitted, or no longer: the stream ends, and whoever enters next gets a connection with a name of its own. */
+  function shutOut(): void {
+    playback.now();
+    socket.stop();
+    connection.setState({ client: null, status: null });
+    vehicle.become("connecting");
+    forgetOwnAlarm(alarmLog.store);
+    rememberClient(world.tabStorage, null);
   }
 
   /** Called before the vehicle takes the status: what changed is found by comparing. */
@@ -135,7 +156,7 @@ export function createPage(world: World): {
       // Its restart is reported on its own, with all that it switched off.
       sourceReturn.setState(NOTHING_LEFT_OFF);
     }
-    const said = eventMessage(message, client());
+    const said = eventMessage(message, client()) ?? controlMessage(message, client());
     if (said !== null) {
       tell(said);
     }
@@ -146,7 +167,9 @@ export function createPage(world: World): {
       followStatus(message.data);
     } else if (message.type === "hello") {
       followStatus(message.status);
-      remember(world.tabStorage, message.client);
+      rememberClient(world.tabStorage, message.client);
+      review();
+      world.versions.look();
     }
     vehicle.take(message, at_ms);
     if (message.type === "batch") {
@@ -157,7 +180,7 @@ export function createPage(world: World): {
   }
 
   const socket = new StreamSocket({
-    dial: (listener) => world.dial(client() ?? remembered(world.tabStorage), listener),
+    dial: (listener) => world.dial(client() ?? rememberedClient(world.tabStorage), listener),
     timers: world.timers,
     onMessage: take,
     onState: ({ kind }) => {
@@ -165,6 +188,9 @@ export function createPage(world: World): {
         forget(parameterValues);
       }
       vehicle.become(kind);
+      if (kind === "waiting") {
+        review();
+      }
     },
     onMalformed: malformed,
   });
@@ -176,6 +202,14 @@ export function createPage(world: World): {
       playback.store.getState().flight === null ? null : refusedInPast(method, path),
   });
   const asking = { rest, commands, messages, now_ms, wall_ms: world.wall_ms };
+  const { entry, begin, review } = createEntry({
+    rest,
+    timers: world.timers,
+    admission,
+    addressed,
+    start: () => socket.start(),
+    stop: shutOut,
+  });
   const servos = createServoSliders({ rest, timers: world.timers, client, tell });
   const { boardConsole, takeEvent: takeConsole } = createBoardConsole({ rest, wall_ms: world.wall_ms });
   const actions = createActions({ ...asking, client });
@@ -207,6 +241,7 @@ export function createPage(world: World): {
     isRecording: () => connection.getState().status?.recording.active === true,
     open: (place, listener) => pasts.open(place, listener),
   });
+  const newVersion = createNewVersion();
   const reports = createReports(rest, (flight, compare) => keepReport(world.address, flight, compare));
   const { flights, takeFlightEvent } = createFlights({
     ...asking,
@@ -235,6 +270,10 @@ export function createPage(world: World): {
   });
   const parts = new Parts()
     .with(PLAYBACK, playback)
+    .with(ENTRY, entry)
+    .with(NEW_VERSION, newVersion)
+    .with(ACCESS_ADMIN, createAccessAdmin({ ...asking, timers: world.timers, address: world.address.read }))
+    .with(CONTROL_PAGES, createControlPages(rest, world.timers))
     .with(ACTIONS, actions)
     .with(ALARM_LOG, alarmLog)
     .with(PARAMETER_REQUESTS, createParameterActions(parameterValues, asking))
@@ -259,6 +298,7 @@ export function createPage(world: World): {
     telemetry,
     pump,
     connection,
+    admission,
     commands,
     messages,
     settings,
@@ -280,7 +320,9 @@ export function createPage(world: World): {
   return {
     page,
     start: () => {
-      socket.start();
+      begin();
+      world.versions.onNewer((load) => newVersion.setState({ load }));
+      openAddressedTab(settings, addressed.tab);
       gamepads.start();
       const report = addressedReport(world.address.read());
       if (report !== null) {
@@ -298,24 +340,4 @@ export function createPage(world: World): {
       socket.stop();
     },
   };
-}
-
-function remembered(storage: BrowserStorage | null): string | null {
-  try {
-    return storage?.getItem(CLIENT_KEY) ?? null;
-  } catch {
-    return null;
-  }
-}
-
-/**
- * Keep the name of this tab's connection, so that the gateway knows the same client after a reload, which then keeps
- * control.
- */
-function remember(storage: BrowserStorage | null, client: string): void {
-  try {
-    storage?.setItem(CLIENT_KEY, client);
-  } catch {
-    // Storage is forbidden: after a reload the gateway sees a new client.
-  }
 }

@@ -38,8 +38,11 @@ export const VIEWS: Readonly<Record<TabName, LazyPart>> = {
 /** The tuning view, which stays open under any tab. */
 export const TUNING = lazyPart(async () => (await import("./tabs/TuningTab")).TuningTab);
 
+/** The way in, for whom the station does not admit. */
+export const ENTER_PAGE = lazyPart(async () => (await import("../features/access/EnterPage")).EnterPage);
+
 export async function loadViews(): Promise<void> {
-  for (const { load } of [...Object.values(VIEWS), TUNING]) {
+  for (const { load } of [...Object.values(VIEWS), TUNING, ENTER_PAGE]) {
     await load();
   }
 }

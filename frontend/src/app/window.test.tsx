@@ -1,7 +1,7 @@
 import { fireEvent, screen, within } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { describe, expect, test } from "vitest";
-import { aStatus } from "../test/aStatus";
+import { aStatus, heldBy } from "../test/aStatus";
 import { Station } from "../test/station";
 
 const emulated = aStatus({
@@ -76,7 +76,7 @@ describe("leaving", () => {
   test("asks whom commands an open board, and nobody else", () => {
     const station = flying();
     expect(isAsked()).toBe(true);
-    station.status(aStatus({ control: { client: "c2", name: "Ana" } }));
+    station.status(aStatus({ control: heldBy("c2", "Ana") }));
     expect(isAsked()).toBe(false);
     station.status(aStatus({ board: { ...aStatus().board, state: "closed" } }));
     expect(isAsked()).toBe(false);

@@ -20,7 +20,7 @@ export interface Hello {
   readonly version: string;
   /** Name of this connection; commands carry it. */
   readonly client: string;
-  readonly role: "operator" | "viewer";
+  readonly role: "viewer" | "operator" | "owner";
   readonly server_time_s: number;
   readonly status: Status;
   /** The flight that is played back; null on the live stream. */
@@ -103,7 +103,7 @@ export function batchNumber(text: string): number | null {
 
 type Json = Readonly<Record<string, unknown>>;
 
-const isRole = oneOf("operator", "viewer");
+const isRole = oneOf("viewer", "operator", "owner");
 
 function hello(value: Json): Hello | null {
   const { version, client, role, server_time_s, status } = value;

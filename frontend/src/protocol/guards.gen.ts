@@ -28,6 +28,13 @@ export const isAbout = shape({
 });
 export type About = Checked<typeof isAbout>;
 
+/** Where browsers of other machines reach this station; empty where it listens on this computer alone. */
+export const isAddresses = shape({
+  addresses: list(isText),
+  tls: isFlag,
+});
+export type Addresses = Checked<typeof isAddresses>;
+
 /** Something to do about what does not go well. */
 export const isAdviceState = shape({
   code: isText,
@@ -148,6 +155,41 @@ export const isBoardStatus = shape({
 });
 export type BoardStatus = Checked<typeof isBoardStatus>;
 
+/** The station's own authority. `fingerprint` is its SHA-256, to compare on the phone that shall trust it. */
+export const isCertificateAuthority = shape({
+  fingerprint: isText,
+  name: isText,
+  until_s: isNumber,
+});
+export type CertificateAuthority = Checked<typeof isCertificateAuthority>;
+
+/** What is wrong with the certificate, or soon will be. */
+export const isCertificateFault = shape({
+  code: oneOf("access_key_wrong", "access_last_owner", "access_not_written", "access_too_many_programs", "access_too_many_requests", "access_too_many_sessions", "access_too_many_tries", "access_too_many_waiting", "access_unknown", "access_upload_limit", "ahrs_test_in_flight", "ahrs_test_lost", "ahrs_test_running", "alarm_not_active", "alarms_not_written", "alarms_unreadable", "bad_json", "board_line_full", "board_not_open", "body_too_large", "client_may_not_command", "client_not_yours", "client_silent", "client_unknown", "command_link_lost", "command_unknown", "control_held", "control_not_asked", "control_not_held", "control_refused", "control_unconfirmed", "data_folder_taken", "datagram_malformed", "datagram_stranger", "emulation_running", "export_no_position", "export_stretch_empty", "export_topic_unknown", "export_topics_unused", "flight_away", "flight_delete_unconfirmed", "flight_disk_full", "flight_exists", "flight_import_incomplete", "flight_known", "flight_not_indexed", "flight_not_recorded", "flight_not_written", "flight_recording", "flight_unknown", "foreign_host", "foreign_origin", "http_error", "internal", "invalid_request", "job_failed", "job_over", "job_unknown", "jobs_busy", "journal_not_written", "journal_unreadable", "line_garbage", "link_address_invalid", "link_busy", "link_failed", "link_lost", "link_no_device", "link_not_serial", "link_permission", "link_refused", "link_timeout", "link_unknown_host", "link_unreachable", "listen_failed", "listen_unknown_host", "map_cache_not_written", "map_disk_full", "map_exists", "map_file_damaged", "map_file_empty", "map_file_no_layer_json", "map_file_not_mesh", "map_file_vector", "map_folder_unreadable", "map_import_incomplete", "map_import_unknown", "map_imports_busy", "map_kind_unknown", "map_layer_unknown", "map_name_invalid", "map_not_written", "map_raster_converting", "map_raster_failed", "map_raster_no_place", "map_raster_not_height", "map_source_invalid", "map_source_local", "map_source_refused", "map_source_silent", "map_tile_missing", "mark_unknown", "memory_not_written", "memory_unreadable", "method_not_allowed", "mission_differs", "mission_file_archive", "mission_file_damaged", "mission_file_empty", "mission_file_forbidden", "mission_file_frame", "mission_file_header", "mission_file_no_home", "mission_file_no_waypoints", "mission_file_out_of_range", "mission_file_too_long", "mission_file_unknown", "mission_file_unreadable", "mission_invalid", "mission_not_read", "mission_refused", "no_such_address", "not_admitted", "not_supported", "nothing_to_redo", "nothing_to_undo", "parameter_out_of_range", "parameter_unknown", "parameters_not_read", "people_log_not_written", "port_taken", "rate_invalid", "recording_changed", "recording_clock_wrong", "recording_empty", "recording_foreign", "recording_not_packed", "recording_not_whole", "recording_packing_unknown", "recording_too_large", "recording_two_boards", "recording_unknown", "recording_unreadable", "role_too_low", "signal_units_differ", "signal_unknown", "simulator_unknown_host", "source_not_taken", "stick_invalid", "stick_needs_control", "stick_silent", "stream_message_invalid", "threshold_out_of_range", "threshold_unknown", "tls_certificate_early", "tls_certificate_expired", "tls_certificate_refused", "tls_ends_soon", "tls_file_unreadable", "tls_key_differs", "tls_key_locked", "tls_no_authority", "tls_no_certificate", "tls_no_key", "tls_not_renewed", "track_not_kept", "track_not_written", "value_not_allowed"),
+  detail: isText,
+  params: dictionary(nullable(either(isText, isNumber, isFlag))),
+});
+export type CertificateFault = Checked<typeof isCertificateFault>;
+
+/** `made` by the station or `brought` by its user. Times are Unix seconds, `fingerprint` is SHA-256. */
+export const isStationCertificate = shape({
+  addresses: list(isText),
+  fingerprint: isText,
+  kind: oneOf("made", "brought"),
+  names: list(isText),
+  since_s: isNumber,
+  until_s: isNumber,
+});
+export type StationCertificate = Checked<typeof isStationCertificate>;
+
+/** `certificate` is null while the station speaks plain HTTP; `authority` also while the certificate was brought. */
+export const isCertificates = shape({
+  authority: nullable(isCertificateAuthority),
+  certificate: nullable(isStationCertificate),
+  fault: nullable(isCertificateFault),
+});
+export type Certificates = Checked<typeof isCertificates>;
+
 /** A command; `supported` is null while no board is connected. */
 export const isCommandInfo = shape({
   arguments: list(isArgument),
@@ -180,12 +222,84 @@ export const isConsoleLine = shape({
 });
 export type ConsoleLine = Checked<typeof isConsoleLine>;
 
-/** The one browser that may command, null while nobody has control. */
+/** A page on the live stream. */
+export const isStreamPage = shape({
+  client: isText,
+  kind: oneOf("local", "person", "program"),
+  name: isText,
+  number: isNumber,
+  role: oneOf("viewer", "operator", "owner"),
+});
+export type StreamPage = Checked<typeof isStreamPage>;
+
+/** Somebody asks for control since then; it is given by time alone if the holder does nothing until `given_at_s`. */
+export const isControlRequest = shape({
+  client: isText,
+  given_at_s: isNumber,
+  kind: oneOf("local", "person", "program"),
+  name: isText,
+  number: isNumber,
+  role: oneOf("viewer", "operator", "owner"),
+  since_s: isNumber,
+});
+export type ControlRequest = Checked<typeof isControlRequest>;
+
+/** Who has just lost control; it comes back without asking until then, while nobody else has asked for it. */
+export const isControlReserved = shape({
+  client: isText,
+  kind: oneOf("local", "person", "program"),
+  name: isText,
+  number: isNumber,
+  until_s: isNumber,
+});
+export type ControlReserved = Checked<typeof isControlReserved>;
+
+/** The same, and all pages on the live stream, the longest first: control can be handed over to those that are no
+ * viewers. */
+export const isControlDetails = shape({
+  client: nullable(isText),
+  kind: nullable(oneOf("local", "person", "program")),
+  name: nullable(isText),
+  number: nullable(isNumber),
+  pages: list(isStreamPage),
+  requests: list(isControlRequest),
+  reserved: nullable(isControlReserved),
+  since_s: nullable(isNumber),
+});
+export type ControlDetails = Checked<typeof isControlDetails>;
+
+/** The one page that may command, null while nobody has control, and who asks for it, the longest first.
+ *
+ * `name` is ready to show; `number` tells pages of one name apart. Times are Unix seconds. */
 export const isControlState = shape({
   client: nullable(isText),
+  kind: nullable(oneOf("local", "person", "program")),
   name: nullable(isText),
+  number: nullable(isNumber),
+  requests: list(isControlRequest),
+  reserved: nullable(isControlReserved),
+  since_s: nullable(isNumber),
 });
 export type ControlState = Checked<typeof isControlState>;
+
+/** Something that somebody did; `role` null: a stranger. */
+export const isDeedState = shape({
+  address: isText,
+  deed: isText,
+  kind: oneOf("local", "person", "program", "stranger"),
+  name: isText,
+  result: isText,
+  role: nullable(oneOf("viewer", "operator", "owner")),
+  t_s: isNumber,
+  what: isText,
+});
+export type DeedState = Checked<typeof isDeedState>;
+
+/** Newest first. */
+export const isDeeds = shape({
+  deeds: list(isDeedState),
+});
+export type Deeds = Checked<typeof isDeeds>;
 
 /** A flight in the bin; from `gone_s` on it may be removed for good. */
 export const isDeletedFlight = shape({
@@ -284,28 +398,33 @@ export type ReportTrace = Checked<typeof isReportTrace>;
  * (of a leg its seconds), and `start`, `target`, `final`, `peak` and `steady_error` have the unit `unit`.
  *
  * `method` says where the figures are from: a second-order model that explains the samples, the smoothed samples
- * themselves, or nothing, where they can't be judged. `earlier` is the place of the like manoeuvre in
+ * themselves, or nothing, where they can't be judged. A figure lies within its doubt of the true one in 95 of 100
+ * cases; without a model it has none. `earlier` is the place of the like manoeuvre in
  * `earlier.manoeuvres`. */
 export const isReportManoeuvre = shape({
   at_s: isNumber,
   cause: oneOf("waypoint", "target", "engaged"),
   damping: nullable(isNumber),
+  damping_doubt: nullable(isNumber),
   earlier: nullable(isNumber),
   final: nullable(isNumber),
   frequency_rad_s: nullable(isNumber),
   kind: oneOf("climb", "descent", "turn_right", "turn_left", "faster", "slower", "leg"),
   leg: nullable(isReportLeg),
   method: oneOf("model", "measured", "none"),
+  overshoot_doubt_percent: nullable(isNumber),
   overshoot_percent: nullable(isNumber),
   peak: nullable(isNumber),
   peak_s: nullable(isNumber),
   plan: oneOf("flight", "hil"),
+  rise_doubt_s: nullable(isNumber),
   rise_from_s: nullable(isNumber),
   rise_s: nullable(isNumber),
   rise_to_s: nullable(isNumber),
   settling_s: nullable(isNumber),
   size: isNumber,
   start: nullable(isNumber),
+  steady_doubt: nullable(isNumber),
   steady_error: nullable(isNumber),
   target: nullable(isNumber),
   trace: nullable(isReportTrace),
@@ -712,6 +831,21 @@ export const isInspector = shape({
 });
 export type Inspector = Checked<typeof isInspector>;
 
+/** A one-time key that can still be used. */
+export const isInvitationState = shape({
+  id: isText,
+  role: oneOf("viewer", "operator", "owner"),
+  since_s: isNumber,
+  until_s: isNumber,
+});
+export type InvitationState = Checked<typeof isInvitationState>;
+
+/** All of them, oldest first. */
+export const isInvitationList = shape({
+  invitations: list(isInvitationState),
+});
+export type InvitationList = Checked<typeof isInvitationList>;
+
 /** Jobs under way and the last that ended, newest first. */
 export const isJobList = shape({
   jobs: list(isJob),
@@ -795,6 +929,16 @@ export const isMapLayers = shape({
 });
 export type MapLayers = Checked<typeof isMapLayers>;
 
+/** Who the station takes the caller for; `kind`, `role` and `name` are null for a stranger. */
+export const isMe = shape({
+  anyone_may_fly: isFlag,
+  kind: nullable(oneOf("local", "person", "program", "anyone")),
+  name: nullable(isText),
+  role: nullable(oneOf("viewer", "operator", "owner")),
+  state: oneOf("stranger", "waiting", "in"),
+});
+export type Me = Checked<typeof isMe>;
+
 /** The plan that the board has. */
 export const isMission = shape({
   plan: oneOf("flight", "hil"),
@@ -822,6 +966,32 @@ export const isMissionImport = shape({
   waypoints: list(isWaypointModel),
 });
 export type MissionImport = Checked<typeof isMissionImport>;
+
+/** Its key, which is shown this once; `address` has the key in it, and `qr_svg` is a picture of it. */
+export const isNewInvitation = shape({
+  address: isText,
+  invitation: isInvitationState,
+  key: isText,
+  qr_svg: isText,
+});
+export type NewInvitation = Checked<typeof isNewInvitation>;
+
+/** A program with a key; `seen_s` null: never used. */
+export const isProgramState = shape({
+  id: isText,
+  name: isText,
+  role: oneOf("viewer", "operator", "owner"),
+  seen_s: nullable(isNumber),
+  since_s: isNumber,
+});
+export type ProgramState = Checked<typeof isProgramState>;
+
+/** Its key, which is shown this once. */
+export const isNewProgram = shape({
+  key: isText,
+  program: isProgramState,
+});
+export type NewProgram = Checked<typeof isNewProgram>;
 
 /** A source, and whether it gives anything now. Its layer has the id `online-` and this one. */
 export const isOnlineSource = shape({
@@ -867,6 +1037,27 @@ export const isParameterList = shape({
 });
 export type ParameterList = Checked<typeof isParameterList>;
 
+/** Somebody who came in, waits to, or was ended. */
+export const isPersonState = shape({
+  address: isText,
+  id: isText,
+  is_you: isFlag,
+  name: isText,
+  place: isText,
+  role: oneOf("viewer", "operator", "owner"),
+  seen_s: isNumber,
+  sessions: isNumber,
+  since_s: isNumber,
+  state: oneOf("waiting", "in", "ended"),
+});
+export type PersonState = Checked<typeof isPersonState>;
+
+/** All people, oldest first. */
+export const isPeople = shape({
+  people: list(isPersonState),
+});
+export type People = Checked<typeof isPeople>;
+
 /** Where a replay is (message `playback` and status). `edge_s` is how far the recording reaches, `loop` is
  * [from_s, to_s], `jumps` counts the moments that it went to. */
 export const isPlayback = shape({
@@ -897,6 +1088,12 @@ export const isPorts = shape({
 });
 export type Ports = Checked<typeof isPorts>;
 
+/** All programs, oldest first. */
+export const isProgramList = shape({
+  programs: list(isProgramState),
+});
+export type ProgramList = Checked<typeof isProgramList>;
+
 /** A file with everything that went over the lines. */
 export const isRecordingInfo = shape({
   active: isFlag,
@@ -923,6 +1120,24 @@ export const isRecordingState = shape({
   hours_left: nullable(isNumber),
 });
 export type RecordingState = Checked<typeof isRecordingState>;
+
+/** One browser of a person. */
+export const isSessionState = shape({
+  address: isText,
+  id: isText,
+  is_you: isFlag,
+  name: isText,
+  person: isText,
+  seen_s: isNumber,
+  since_s: isNumber,
+});
+export type SessionState = Checked<typeof isSessionState>;
+
+/** All sessions, oldest first. */
+export const isSessionList = shape({
+  sessions: list(isSessionState),
+});
+export type SessionList = Checked<typeof isSessionList>;
 
 /** One signal of the stretch that was asked for.
  *

@@ -18,6 +18,15 @@ export interface SimulatorLink {
   readonly profile: "xp10" | "xp12";
 }
 
+/**
+ * What a page wants of control. `confirm`: take it from whoever has it, which only an owner may. `to`: the client that
+ * asked, or that gets it.
+ */
+export type ControlChange =
+  | { readonly action: "take"; readonly confirm?: true }
+  | { readonly action: "release" | "ask" | "withdraw" }
+  | { readonly action: "grant" | "refuse" | "hand_over"; readonly to: string };
+
 /** Arguments of a command: one number, or several by name. */
 export type CommandValue = number | Readonly<Record<string, number>>;
 
@@ -40,8 +49,7 @@ export interface Actions {
   readonly closeBoard: (asker: Asker) => Promise<void>;
   readonly openSimulator: (link: SimulatorLink, asker: Asker) => Promise<void>;
   readonly closeSimulator: (asker: Asker) => Promise<void>;
-  readonly takeControl: (asker: Asker) => Promise<void>;
-  readonly releaseControl: (asker: Asker) => Promise<void>;
+  readonly changeControl: (change: ControlChange, asker: Asker) => Promise<void>;
   /** The ports, or the message of the failure. */
   readonly listPorts: () => Promise<readonly Port[] | Message>;
 }
@@ -94,17 +102,11 @@ export function createActions(parts: ActionParts): Actions {
     closeSimulator: (asker) =>
       simply(asker, ["DELETE", "/api/v1/links/simulator"], info("said.simulatorClosed")),
 
-    takeControl: (asker) =>
+    changeControl: (change, asker) =>
       simply(
         asker,
-        ["POST", "/api/v1/control", { client: parts.client(), action: "take" }],
-        info("said.controlTaken"),
-      ),
-    releaseControl: (asker) =>
-      simply(
-        asker,
-        ["POST", "/api/v1/control", { client: parts.client(), action: "release" }],
-        info("said.controlReleased"),
+        ["POST", "/api/v1/control", { client: parts.client(), ...change }],
+        info(`controlAsked.${change.action}`),
       ),
 
     listPorts: async () => {

@@ -1,21 +1,21 @@
 import { useTranslation } from "react-i18next";
 import { useConnection, useIsPast } from "../store/hooks";
+import { useOtherHolder } from "./useControl";
+import { useRoleBlocked } from "./useRole";
 
 /** Why no request can be sent to the gateway now; undefined if it can. While one looks at the past, nobody commands. */
 export function useGatewayBlocked(): string | undefined {
   const { t } = useTranslation();
   const isOpen = useConnection(({ phase }) => phase === "open");
-  const holder = useConnection(({ status, client }) => {
-    const control = status?.control;
-    return control?.client == null || control.client === client ? null : (control.name ?? control.client);
-  });
+  const holder = useOtherHolder();
+  const role = useRoleBlocked("operator");
   if (useIsPast()) {
     return t("blocked.past");
   }
   if (!isOpen) {
     return t("blocked.gateway");
   }
-  return holder === null ? undefined : t("blocked.viewer", { name: holder });
+  return role ?? (holder === null ? undefined : t("blocked.viewer", { name: holder }));
 }
 
 /** Why no command can be sent to the board now; undefined if it can. */

@@ -1,5 +1,6 @@
 import { createContext, useContext, useSyncExternalStore } from "react";
 import { useStore } from "zustand";
+import type { AdmissionStore } from "./admission";
 import { type CommandEntry, type CommandStore, shown } from "./commands";
 import type { Connection, ConnectionStore } from "./connection";
 import type { MessageStore } from "./messages";
@@ -13,6 +14,8 @@ export interface Page {
   readonly telemetry: TelemetryStore;
   readonly pump: Pump;
   readonly connection: ConnectionStore;
+  /** Who the station takes the user for; the same for the present and the past. */
+  readonly admission: AdmissionStore;
   readonly commands: CommandStore;
   readonly messages: MessageStore;
   readonly settings: SettingsStore;

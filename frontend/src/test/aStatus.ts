@@ -5,6 +5,15 @@ export function aTopic(parts: Partial<Status["topics"][string]> = {}): Status["t
   return { count: 100, rate_hz: 10, age_s: 0.05, stale_after_s: 0.3, implausible: {}, ...parts };
 }
 
+/** Control as this page has it; with nulls nobody has it. */
+export function heldBy(client: string | null, name: string | null): Status["control"] {
+  const page =
+    client === null
+      ? { kind: null, number: null, since_s: null }
+      : { kind: "person" as const, number: 1, since_s: 1 };
+  return { client, name, ...page, reserved: null, requests: [] };
+}
+
 /** A status as the gateway sends it in flight, with some parts changed. */
 export function aStatus(parts: Partial<Status> = {}): Status {
   return {
@@ -60,7 +69,7 @@ export function aStatus(parts: Partial<Status> = {}): Status {
       path: "assisted",
       stick: { source: "simulator", state: null, client: null, name: null, gamepad: null, samples: {} },
     },
-    control: { client: "c1", name: "127.0.0.1" },
+    control: heldBy("c1", "127.0.0.1"),
     recording: {
       active: true,
       failure: null,

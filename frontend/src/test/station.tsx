@@ -55,6 +55,8 @@ export class Station {
   readonly asked: Asked[] = [];
   /** What the time bar asks by itself about the flight that it shows. */
   readonly askedByBar: Asked[] = [];
+  /** What the page asks about who may come in: also by itself, at each connection. */
+  readonly askedAccess: Asked[] = [];
   readonly clients: Array<string | null> = [];
   /** Streams of flights of the past, and where each was asked to begin. */
   readonly replays: FakeReplay[] = [];
@@ -68,6 +70,7 @@ export class Station {
   readonly reported: unknown[] = [];
   readonly page: Page;
   #seq = 0;
+  #offered: (load: () => void) => void = () => undefined;
 
   /** Shows the whole page, or the part of it that a test is about. */
   constructor(shown: ReactElement = <App />, url = "http://station/") {
@@ -93,6 +96,7 @@ export class Station {
           this.url = address;
         },
       },
+      versions: { onNewer: (hear) => (this.#offered = hear), look: () => undefined },
       fetch: (path, init) => this.#ask(path, init),
       upload: (path, { signal, onSent }) =>
         new Promise((resolve, reject) => {
@@ -193,6 +197,11 @@ export class Station {
     this.show();
   }
 
+  /** A newer version of the page is there. */
+  offer(load: () => void): void {
+    act(() => this.#offered(load));
+  }
+
   breakOff(): void {
     act(() => this.wires.at(-1)?.breakOff());
     this.show();
@@ -220,7 +229,8 @@ export class Station {
   #ask(path: string, init: RequestInit): Promise<Response> {
     return new Promise((resolve) => {
       const isOfBar = /^\/api\/v1\/flights\/[^/]+\/(overview|events)/.test(path);
-      (isOfBar ? this.askedByBar : this.asked).push({
+      const isOfAccess = path.startsWith("/api/v1/access/");
+      (isOfBar ? this.askedByBar : isOfAccess ? this.askedAccess : this.asked).push({
         method: init.method ?? "GET",
         path,
         body: typeof init.body === "string" ? JSON.parse(init.body) : undefined,

@@ -4,8 +4,9 @@ Every record is a header (u32 length of the body, u8 kind, little endian) and a 
 
 From the vehicle:
   HELLO    JSON object: `version`, `vehicle` ("live" or "replay"), `clock_offset_ns` (Unix minus steady clock),
-           `control` (the browser that had the controls: {client, name}, or null) and `status`, which is what STATUS
-           holds; from a replay also `playback`, `flight` (id), `starts_s` (Unix) and `duration_s`
+           `control` (the page that has the controls, or had them until just now: {client, name, about} as the NOTICE
+           `control` said, or null) and `status`, which is what STATUS holds; from a replay also `playback`, `flight`
+           (id), `starts_s` (Unix) and `duration_s`
   SAMPLE   f64 Unix time, u8 length of the topic's name, the name, then the JSON text
            {"topic": ..., "t_s": ..., "values": {...}} as viewers get it
   EVENT    as SAMPLE, with the event's kind as the name and {"type": "event", "event": ..., "t_s": ..., "data": {...}}
@@ -26,7 +27,7 @@ sends this stream: the live one, a replayed one, or one on another machine.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import IntEnum
 from struct import Struct
 from typing import Any, Final, NamedTuple
@@ -71,10 +72,12 @@ class Asker:
 
 @dataclass(frozen=True, slots=True)
 class Client:
-    """A browser on the stream. `name` is its name as other viewers see it."""
+    """A page on the stream. `name` is its name as others see it; `about`: what a station wants to be told again of it
+    when it has been restarted, which nobody else reads."""
 
     id: str
     name: str
+    about: dict[str, Any] = field(default_factory=dict, compare=False)
 
 
 def client_fields(client: Client | None) -> dict[str, str | None]:

@@ -44,16 +44,19 @@ Handler = Callable[[Asker, dict[str, Any]], Awaitable[Any]]
 class Broadcast:
     """Sends samples, events and status to every listener; costs nothing while there is none. Implements `Outlet`.
 
-    Samples leave at once if any listener wants that; else they are gathered at the pace of the fastest one.
+    Made on a running loop. Samples leave at once if any listener wants that; else they are gathered at the pace of the
+    fastest one.
     """
 
     def __init__(self, now_s: Callable[[], float]) -> None:
         self._now_s = now_s
+        self._loop = asyncio.get_running_loop()
         self._rates_hz: dict[Channel, int] = {}
         self._samples: list[bytes] = []
         self._gather_s = 0.0
         self._due_s = 0.0
         self._timer: asyncio.TimerHandle | None = None
+        self._decode: Callable[[], None] | None = None
 
     @property
     def has_listeners(self) -> bool:
@@ -72,17 +75,17 @@ class Broadcast:
 
     def flush(self) -> None:
         """Send the samples taken since the last `flush`, or have them sent when their time has come."""
-        if not self._samples:
-            return
-        if self._gather_s:
-            loop = asyncio.get_running_loop()
-            now_s = loop.time()
-            if now_s < self._due_s - _EARLY * self._gather_s:
-                if self._timer is None:
-                    self._timer = loop.call_at(self._due_s, self._send_due)
-                return
-            self._plan(now_s)
-        self.send_gathered()
+        if self._samples and self._is_due():
+            self._plan()
+            self.send_gathered()
+
+    def later(self, decode: Callable[[], None]) -> bool:
+        """Whether frames may wait for the samples that leave next; without listeners they wait for whoever looks."""
+        if self._rates_hz:
+            if self._is_due():
+                return False
+            self._decode = decode
+        return True
 
     def event(self, kind: str, data: Mapping[str, Any]) -> None:
         """Something happened."""
@@ -123,6 +126,9 @@ class Broadcast:
 
     def send_gathered(self) -> None:
         """Send the gathered samples now: what follows them must not overtake them."""
+        decode, self._decode = self._decode, None
+        if decode is not None:
+            decode()
         if self._timer is not None:
             self._timer.cancel()
             self._timer = None
@@ -138,12 +144,23 @@ class Broadcast:
         self._gather_s = 1.0 / max(rates_hz) if rates_hz and min(rates_hz) > 0 else 0.0
         self._due_s = 0.0
 
-    def _plan(self, now_s: float) -> None:
+    def _is_due(self) -> bool:
+        """Whether samples leave now. If not, a timer will send them."""
+        if not self._gather_s:
+            return True
+        if self._loop.time() >= self._due_s - _EARLY * self._gather_s:
+            return True
+        if self._timer is None:
+            self._timer = self._loop.call_at(self._due_s, self._send_due)
+        return False
+
+    def _plan(self) -> None:
         # Due times lie on a fixed grid, so that the mean rate is exact; after a pause the grid starts anew.
+        now_s = self._loop.time()
         self._due_s = max(self._due_s + self._gather_s, now_s + 0.5 * self._gather_s)
 
     def _send_due(self) -> None:
-        self._plan(asyncio.get_running_loop().time())
+        self._plan()
         self.send_gathered()
 
     def _send(self, data: bytes) -> None:

@@ -278,12 +278,12 @@ class Flight:
             self._loop.call_soon(self._send_status)
 
     def _hello(self) -> dict[str, Any]:
-        holder = self.stick.holder
+        holder = self.stick.last_holder
         return {
             "version": __version__,
             "vehicle": "live",
             "clock_offset_ns": self.clock.offset_ns,
-            "control": None if holder is None else client_fields(holder),
+            "control": None if holder is None else {**client_fields(holder), "about": holder.about},
             "status": self.status(),
         }
 

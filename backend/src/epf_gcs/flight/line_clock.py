@@ -6,6 +6,7 @@ So a replay of the recording, told the record's time, gives each sample and even
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable
 from typing import Final, TypeVar
 
@@ -36,7 +37,8 @@ class LineClock(Clock):
 
     def now_s(self) -> float:
         """Unix seconds; of the read whose bytes are being decoded, if any."""
-        return self.now_ns() * 1e-9
+        held_ns = self._held_ns
+        return (self.now_ns() if held_ns is None else held_ns) * 1e-9
 
     def sent(self, topic: int) -> int:
         """Unix nanoseconds for bytes of this topic that are sent now; never less than an earlier stamp.
@@ -44,7 +46,7 @@ class LineClock(Clock):
         A topic's bytes share the time of the first if nothing of another topic came in between, so that what is
         recorded in the order of the stamps keeps cause before effect.
         """
-        now_ns = super().now_ns() & _TICK
+        now_ns = (self._offset_ns + time.monotonic_ns()) & _TICK
         if topic == self._topic and topic in STREAMS and now_ns - self._stamp_ns < _TOGETHER_NS:
             return self._stamp_ns
         self._topic, self._stamp_ns = topic, now_ns

@@ -12,11 +12,12 @@ from typing import Annotated
 
 import typer
 
+from epf_gcs.launcher.access import invite_command, print_invitation
 from epf_gcs.launcher.demonstration import Demonstration, Stopped
 from epf_gcs.launcher.emulated import EmulatedBoard
 from epf_gcs.launcher.errors import LaunchError
+from epf_gcs.launcher.folder import DEFAULT, data_folder
 from epf_gcs.launcher.options import STATION_PORT, Options, XPlane
-from epf_gcs.launcher.ports import lan_address
 
 app = typer.Typer(
     add_completion=False, pretty_exceptions_enable=False, context_settings={"help_option_names": ["-h", "--help"]}
@@ -61,11 +62,40 @@ def run(
     port: Annotated[int, typer.Option(min=1, max=65535, help="Port of the page and the interface.")] = 8000,
     lan: Annotated[
         bool,
-        typer.Option("--lan", help="Let other computers of the network open the page; else only this one can."),
+        typer.Option(
+            "--lan", help="Let other computers of the network in, with a key that is printed; else only this one can."
+        ),
     ] = False,
+    trust_this_computer: Annotated[
+        bool | None,
+        typer.Option(
+            show_default="yes, but not in a container with --lan",
+            help="Whether programs and browsers of this user on this computer need no key.",
+        ),
+    ] = None,
+    allow_anyone_to_fly: Annotated[
+        bool,
+        typer.Option(
+            "--allow-anyone-to-fly",
+            help="With --lan: everybody on the network commands the aircraft without a key. The page says so in red.",
+        ),
+    ] = False,
+    tls: Annotated[
+        bool,
+        typer.Option("--tls", help="HTTPS, with an authority and a certificate that are made in DATA/tls and renewed."),
+    ] = False,
+    tls_cert: Annotated[
+        Path | None, typer.Option(help="HTTPS with this certificate and its chain (PEM).", show_default=False)
+    ] = None,
+    tls_key: Annotated[
+        Path | None, typer.Option(help="The certificate's key (PEM), if not beside it.", show_default=False)
+    ] = None,
     data: Annotated[
-        Path, typer.Option(help="Folder for recordings, settings, the board's card and the programs' logs.")
-    ] = Path("data"),
+        Path,
+        typer.Option(
+            help="Folder for recordings, settings, the board's card and the programs' logs.", show_default=DEFAULT
+        ),
+    ] = data_folder(),  # noqa: B008 - it does not change while the program runs
 ) -> None:
     """Start the board, the simulator and the gateway, and fly the Gando route.
 
@@ -90,14 +120,19 @@ def run(
             port=port,
             lan=lan,
             data=data.resolve(),
+            tls=tls,
+            tls_cert=None if tls_cert is None else tls_cert.resolve(),
+            tls_key=None if tls_key is None else tls_key.resolve(),
+            trust_this_computer=trust_this_computer,
+            allow_anyone_to_fly=allow_anyone_to_fly,
         )
         demonstration = Demonstration(options, _say, lambda: asked.heard)
         with _alone(options.data):
             try:
                 demonstration.start()
                 print(options.url, flush=True)
-                if lan and (address := lan_address()) is not None:
-                    _say(f"Other computers of the network: http://{address}:{port}")
+                if lan:
+                    print_invitation(invite_command(options.data, options.host, port, tls=options.scheme == "https"))
                 demonstration.watch()
             except Stopped:
                 pass

@@ -6,7 +6,7 @@ import os
 import signal
 import subprocess
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Final
 
@@ -22,10 +22,19 @@ _PR_SET_PDEATHSIG: Final = 1
 class Child:
     """A child process by pid. Its output goes to `<name>.log`, older output to `<name>.1.log`."""
 
-    def __init__(self, name: str, command: Sequence[str], logs: Path, again: Sequence[str] | None = None) -> None:
-        """`again` is the command of every restart, if it differs from that of the first start."""
+    def __init__(
+        self,
+        name: str,
+        command: Sequence[str],
+        logs: Path,
+        again: Sequence[str] | None = None,
+        variables: Mapping[str, str] | None = None,
+    ) -> None:
+        """`again` is the command of every restart, if it differs from that of the first start; `variables` are for the
+        program beside our own."""
         self.name = name
         self._command = tuple(command)
+        self._variables = {**os.environ, **(variables or {})}
         self._again = self._command if again is None else tuple(again)
         self.log_path = logs / f"{name}.log"
         self._older_log_path = logs / f"{name}.1.log"
@@ -41,6 +50,7 @@ class Child:
             try:
                 self._process = subprocess.Popen(
                     command,
+                    env=self._variables,
                     stdin=subprocess.DEVNULL,
                     stdout=log,
                     stderr=subprocess.STDOUT,

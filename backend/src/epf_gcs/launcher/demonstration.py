@@ -5,6 +5,7 @@ from collections import deque
 from collections.abc import Callable
 from typing import Final
 
+from epf_gcs.launcher.access import LAUNCHER_KEY, new_launcher_key
 from epf_gcs.launcher.child import Child
 from epf_gcs.launcher.errors import LaunchError
 from epf_gcs.launcher.gateway_client import GatewayClient, Status
@@ -31,7 +32,8 @@ class Demonstration:
         self._options = options
         self._say = say
         self._asked_to_stop = asked_to_stop
-        self._gateway = GatewayClient(options.url)
+        self._key = new_launcher_key()
+        self._gateway = GatewayClient(options.url, self._key, options.trusted)
         self._children: list[Child] = []
         self._deaths: deque[float] = deque()
 
@@ -67,7 +69,7 @@ class Demonstration:
         if options.xplane is None:
             self._children.append(Child("simulator", options.simulator_command(simulator), logs))
         gateway = [options.gateway_command(first=first) for first in (True, False)]
-        self._children.append(Child("gateway", gateway[0], logs, again=gateway[1]))
+        self._children.append(Child("gateway", gateway[0], logs, gateway[1], {LAUNCHER_KEY: self._key}))
         self._say("Starting " + ", ".join(f"the {child.name}" for child in self._children) + " ...")
         for child in self._children:
             child.start()

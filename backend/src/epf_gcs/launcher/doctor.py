@@ -30,11 +30,12 @@ _SIMULATOR_PORT: Final = 49003
 _PROGRAM_S: Final = 10.0
 # What a Python package needs of the system is found only when it is loaded.
 _PACKAGES: Final = {
-    "jsbsim": "the simulator and the demonstration need it",
-    "rasterio": "it imports heights; on Debian: sudo apt install libexpat1",
-    "duckdb": "the flights' tab needs it",
-    "pyarrow": "the flights' tab needs it",
+    "jsbsim": "The simulator and the demonstration need it: pip install 'epf-gcs[sim]'",
+    "rasterio": "It imports heights; on Debian: sudo apt install libexpat1",
+    "duckdb": "The flights' tab needs it: install epf-gcs again",
+    "pyarrow": "The flights' tab needs it: install epf-gcs again",
 }
+_OPTIONAL: Final = frozenset({"jsbsim"})
 
 
 @dataclass(frozen=True, slots=True)
@@ -200,7 +201,7 @@ def _packages() -> Iterator[Finding]:
         try:
             import_module(name)
         except ImportError as error:
-            yield Finding("fault", f"{name} cannot be loaded: {error}.", need)
+            yield Finding("note" if name in _OPTIONAL else "fault", f"{name} cannot be loaded: {error}.", need)
     yield Finding("ok", f"Python's packages are in {sys.prefix}")
 
 

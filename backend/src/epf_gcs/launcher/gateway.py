@@ -17,8 +17,14 @@ from typing import Annotated, Final
 import typer
 
 from epf_gcs.errors import GatewayError
+from epf_gcs.launcher.access import access_arguments, invite, invite_command, print_invitation
+from epf_gcs.launcher.encryption import tls_arguments
+from epf_gcs.launcher.folder import data_folder
+from epf_gcs.launcher.ports import is_loopback
+from epf_gcs.launcher.service import Service
+from epf_gcs.launcher.upkeep import add_commands
 from epf_gcs.listening import listen
-from epf_gcs.watchdog import SILENT_S, wait_for_end
+from epf_gcs.watchdog import REFUSED, SILENT_S, wait_for_end
 
 # The first restart is immediate, because the aircraft may be in flight; repeated ones wait longer, up to this.
 _LONGEST_WAIT_S: Final = 5.0
@@ -26,6 +32,8 @@ _LIVED_S: Final = 10.0
 _STOP_S: Final = 8.0
 # A process that was being started when the signal came gets another signal after this time.
 _SIGNAL_AGAIN_S: Final = 2.0
+
+_DATA: Final = data_folder()
 
 app = typer.Typer(add_completion=False, context_settings={"help_option_names": ["-h", "--help"]})
 
@@ -60,7 +68,7 @@ class Part:
             if stopping.is_set():
                 return None
             has_lived = time.monotonic() - began_s > _LIVED_S
-            if is_first and code > 0 and not has_lived:
+            if is_first and (code == REFUSED or (code > 0 and not has_lived)):
                 return code
             is_first = False
             how = f"by signal {-code}" if code < 0 else f"with status {code}"
@@ -114,7 +122,12 @@ class Gateway:
         watchers = [threading.Thread(target=self._watch, args=(part,), name=part.name) for part in self._parts]
         for watcher in watchers:
             watcher.start()
-        self._stopping.wait()
+        service = Service()
+        service.ready()
+        while not self._stopping.wait(service.every_s):
+            if all(watcher.is_alive() for watcher in watchers):
+                service.alive()
+        service.stopping()
         self._end(watchers)
         return self._refusal or 0
 
@@ -140,15 +153,16 @@ class Gateway:
                 number = signal.SIGKILL
 
 
-@app.command()
+@app.callback(invoke_without_command=True)
 def run(
+    context: typer.Context,
     *,
     host: Annotated[
         str,
         typer.Option(
             show_envvar=False,
             envvar="GCS_HOST",
-            help="Address to listen on. Beyond 127.0.0.1 anybody there can fly the aircraft.",
+            help="Address to listen on. Beyond 127.0.0.1 everybody needs a key, which is printed.",
         ),
     ] = "127.0.0.1",
     port: Annotated[
@@ -175,12 +189,51 @@ def run(
         typer.Option(
             show_envvar=False, envvar="GCS_DATA_DIR", help="Folder of the recordings and the remembered links."
         ),
-    ] = Path("data"),
+    ] = _DATA,
     page_dir: Annotated[
         Path | None, typer.Option(show_envvar=False, envvar="GCS_PAGE_DIR", help="Folder of the built page.")
     ] = None,
     recording: Annotated[
         bool, typer.Option(show_envvar=False, envvar="GCS_RECORDING", help="Record every byte of the lines.")
+    ] = True,
+    tls: Annotated[
+        bool,
+        typer.Option(
+            "--tls",
+            show_envvar=False,
+            envvar="GCS_TLS",
+            help="HTTPS, with an authority and a certificate that are made here and renewed by themselves.",
+        ),
+    ] = False,
+    tls_cert: Annotated[
+        Path | None,
+        typer.Option(show_envvar=False, envvar="GCS_TLS_CERT", help="HTTPS with this certificate and its chain (PEM)."),
+    ] = None,
+    tls_key: Annotated[
+        Path | None,
+        typer.Option(show_envvar=False, envvar="GCS_TLS_KEY", help="The certificate's key (PEM), if not beside it."),
+    ] = None,
+    trust_this_computer: Annotated[
+        bool | None,
+        typer.Option(
+            show_envvar=False,
+            envvar="GCS_TRUST_THIS_COMPUTER",
+            show_default="yes, but not in a container that others reach",
+            help="Whether programs and browsers of this user on this computer need no key.",
+        ),
+    ] = None,
+    allow_anyone_to_fly: Annotated[
+        bool,
+        typer.Option(
+            "--allow-anyone-to-fly",
+            show_envvar=False,
+            envvar="GCS_ALLOW_ANYONE_TO_FLY",
+            help="Everybody on the network commands the aircraft without a key. The page says so in red.",
+        ),
+    ] = False,
+    print_key: Annotated[
+        bool,
+        typer.Option(help="Print a one-time key with its QR code, where it listens beyond this computer."),
     ] = True,
     verbose: Annotated[bool, typer.Option(help="Log more.")] = False,
     print_openapi: Annotated[bool, typer.Option(help="Print the OpenAPI document and end.")] = False,
@@ -188,11 +241,14 @@ def run(
     """The gateway of EPF GCS: connects a board and a flight simulator with browsers.
 
     Without --board it opens the links of its last run. Every option is also a variable: GCS_HOST, GCS_PORT,
-    GCS_BOARD, GCS_DATA_DIR, GCS_PAGE_DIR, GCS_RECORDING; GCS_ALLOWED_HOSTS and GCS_ALLOWED_ORIGINS (JSON lists) let
-    more names and pages in; GCS_LOCAL_MAPS (a JSON list of host:port) names servers of map tiles in the own network.
+    GCS_BOARD, GCS_DATA_DIR, GCS_PAGE_DIR, GCS_RECORDING, GCS_TLS, GCS_TLS_CERT, GCS_TLS_KEY;
+    GCS_ALLOWED_HOSTS and GCS_ALLOWED_ORIGINS (JSON lists) let more names and pages in; GCS_LOCAL_MAPS (a JSON list of
+    host:port) names servers of map tiles in the own network.
 
     It runs as two processes: `epf-flight` owns the lines and flies on when `epf-web`, which serves the page, does not.
     """
+    if context.invoked_subcommand is not None:
+        return
     if print_openapi:
         raise typer.Exit(
             subprocess.run([sys.executable, "-m", "epf_gcs.web", "--print-openapi"], check=False).returncode
@@ -202,7 +258,14 @@ def run(
     except GatewayError as error:
         print(f"epf-gcs: {error.detail}", file=sys.stderr)
         raise typer.Exit(1) from error
-    code = _gateway(listener, host, data_dir, page_dir, board, recording=recording, verbose=verbose).run()
+    encryption = tls_arguments(tls_cert, tls_key, tls=tls)
+    access = access_arguments(trust_this_computer=trust_this_computer, allow_anyone_to_fly=allow_anyone_to_fly)
+    more = [*encryption, *access]
+    gateway = _gateway(listener, host, data_dir, page_dir, board, more, recording=recording, verbose=verbose)
+    if print_key and not is_loopback(host):
+        command = invite_command(data_dir, host, listener.getsockname()[1], tls=bool(encryption))
+        threading.Thread(target=print_invitation, args=(command,), name="invitation", daemon=True).start()
+    code = gateway.run()
     # Both processes have ended.
     raise typer.Exit(code)
 
@@ -213,6 +276,7 @@ def _gateway(
     data_dir: Path,
     page_dir: Path | None,
     board: str | None,
+    more: Sequence[str],
     *,
     recording: bool,
     verbose: bool,
@@ -226,12 +290,18 @@ def _gateway(
     ]
     web = [
         *(sys.executable, "-m", "epf_gcs.web", *common, "--host", host, "--fd", str(listener.fileno())),
+        *more,
         *([] if page_dir is None else ["--page-dir", str(page_dir)]),
     ]
     # After a restart the flight process opens what was open when it died, so only its first start gets --board.
     first = [*flight, *([] if board is None else ["--board", board])]
     # We keep the listening socket open, so that browsers wait during a restart of the web process, and are not refused.
-    return Gateway(Part("flight", first, flight, alive), Part("web", web, web, alive, [listener.fileno()]))
+    parts = Part("flight", first, flight, alive), Part("web", web, [*web, "--again"], alive, [listener.fileno()])
+    return Gateway(*parts)
+
+
+app.command()(invite)
+add_commands(app)
 
 
 def main() -> None:

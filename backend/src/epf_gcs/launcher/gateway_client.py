@@ -6,8 +6,10 @@ import time
 import urllib.error
 import urllib.request
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any, Final
 
+from epf_gcs.launcher.encryption import trusting
 from epf_gcs.launcher.errors import LaunchError
 from epf_gcs.launcher.options import XPlane
 
@@ -33,11 +35,16 @@ class UnreachableError(LaunchError):
 
 
 class GatewayClient:
-    """Requests to one gateway. Proxy settings are ignored, because the gateway is on this computer."""
+    """Requests to one gateway. Proxy settings are ignored, because the gateway is on this computer.
 
-    def __init__(self, base_url: str) -> None:
+    `key`: what the gateway was given by us to know us by. `trusted`: under TLS, the file of the certificate or of its
+    authority; the gateway may still be making it.
+    """
+
+    def __init__(self, base_url: str, key: str | None = None, trusted: Path | None = None) -> None:
         self._base_url = base_url
-        self._opener = urllib.request.build_opener(urllib.request.ProxyHandler({}))
+        self._headers = {} if key is None else {"Authorization": f"Bearer {key}"}
+        self._trusted = trusted
 
     def status(self) -> Status:
         """State of links, recording and control."""
@@ -110,16 +117,26 @@ class GatewayClient:
     def _ask(self, method: str, path: str, body: object, headers: dict[str, str]) -> Status:
         data = None if body is None else json.dumps(body).encode()
         request = urllib.request.Request(  # noqa: S310 (the address is made here, from a host and a port)
-            self._base_url + path, data=data, method=method, headers=headers | {"Content-Type": "application/json"}
+            self._base_url + path,
+            data=data,
+            method=method,
+            headers=headers | self._headers | {"Content-Type": "application/json"},
         )
         try:
-            with self._opener.open(request, timeout=_REQUEST_TIMEOUT_S) as response:
+            with self._opener().open(request, timeout=_REQUEST_TIMEOUT_S) as response:
                 answer: Status = json.loads(response.read() or b"{}")
                 return answer
         except urllib.error.HTTPError as error:
             raise RefusedError(f"{method} {path}", _problem(error)) from error
         except OSError as error:
             raise UnreachableError(f"The gateway does not answer at {self._base_url} ({error}).") from error
+
+    def _opener(self) -> urllib.request.OpenerDirector:
+        """Raises OSError while the gateway has no certificate yet."""
+        handlers: list[urllib.request.BaseHandler] = [urllib.request.ProxyHandler({})]
+        if self._trusted is not None:
+            handlers.append(urllib.request.HTTPSHandler(context=trusting(self._trusted)))
+        return urllib.request.build_opener(*handlers)
 
 
 def _problem(error: urllib.error.HTTPError) -> Problem:

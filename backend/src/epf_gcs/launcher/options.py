@@ -1,12 +1,16 @@
 """What the launcher was asked to run, and with which programs."""
 
 import sys
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Final, Self
 
+from epf_gcs.launcher.access import access_arguments
 from epf_gcs.launcher.emulated import EmulatedBoard
+from epf_gcs.launcher.encryption import tls_arguments
 from epf_gcs.launcher.errors import LaunchError
+from epf_gcs.launcher.folder import data_folder
 from epf_gcs.launcher.ports import LOOPBACK
 from epf_gcs.product import BOARD
 
@@ -47,7 +51,12 @@ class Options:
     xplane: XPlane | None = None
     port: int = 8000
     lan: bool = False
-    data: Path = Path("data")
+    data: Path = field(default_factory=data_folder)
+    tls: bool = False
+    tls_cert: Path | None = None
+    tls_key: Path | None = None
+    trust_this_computer: bool | None = None
+    allow_anyone_to_fly: bool = False
 
     @property
     def host(self) -> str:
@@ -57,7 +66,17 @@ class Options:
     @property
     def url(self) -> str:
         """Where the page is."""
-        return f"http://{LOOPBACK}:{self.port}"
+        return f"{self.scheme}://{LOOPBACK}:{self.port}"
+
+    @property
+    def scheme(self) -> str:
+        """How the page is asked for."""
+        return "https" if self.tls or self.tls_cert else "http"
+
+    @property
+    def trusted(self) -> Path | None:
+        """The certificate that the gateway is known by, None without TLS."""
+        return self.tls_cert or (self.data / "tls" / "authority.crt" if self.tls else None)
 
     @property
     def board_line(self) -> Path:
@@ -95,7 +114,15 @@ class Options:
         return [str(program), "--pty", str(self.board_line), "--card", str(card)]
 
     def simulator_command(self, simulator: XPlane) -> list[str]:
-        """The embedded simulator, which listens where the gateway sends and the other way round."""
+        """The embedded simulator, which listens where the gateway sends and the other way round.
+
+        Raises LaunchError if its flight dynamics are not installed.
+        """
+        if find_spec("jsbsim") is None:
+            raise LaunchError(
+                "The embedded simulator needs the package jsbsim, which is not installed: add it with "
+                "pip install 'epf-gcs[sim]', or fly with X-Plane by --xplane."
+            )
         return [
             *(sys.executable, "-m", "epf_gcs.simulator", "--profile", simulator.profile),
             *("--listen", f"{LOOPBACK}:{simulator.port}", "--send-to", f"{LOOPBACK}:{simulator.receive_port}"),
@@ -110,5 +137,11 @@ class Options:
         return [
             *(sys.executable, "-m", "epf_gcs.launcher.gateway"),
             *("--host", self.host, "--port", str(self.port), "--data-dir", str(self.data)),
+            *tls_arguments(self.tls_cert, self.tls_key, tls=self.tls),
+            *access_arguments(
+                trust_this_computer=self.trust_this_computer, allow_anyone_to_fly=self.allow_anyone_to_fly
+            ),
+            # Its output goes to a file: no key is printed there.
+            "--no-print-key",
             *(("--board", self.board_url()) if first else ()),
         ]

@@ -2,6 +2,7 @@
 
 import contextlib
 import errno
+import ipaddress
 import socket
 import sys
 from pathlib import Path
@@ -42,14 +43,12 @@ def free_tcp_port() -> int:
         return chosen
 
 
-def lan_address() -> str | None:
-    """The address other computers of the network reach this one at; None without a network. Sends nothing."""
-    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe, contextlib.suppress(OSError):
-        # 192.0.2.1 is reserved for documentation and in no network, so the route to it is the default route.
-        probe.connect(("192.0.2.1", 9))
-        address: str = probe.getsockname()[0]
-        return address
-    return None
+def is_loopback(host: str) -> bool:
+    """Whether only this computer reaches what listens there."""
+    try:
+        return ipaddress.ip_address(host).is_loopback
+    except ValueError:
+        return host == "localhost"
 
 
 def listener_of(port: int) -> str | None:

@@ -218,3 +218,31 @@ class KeptOpen(Generic[A, L]):
         link, self.link = self.link, None
         if link is not None:
             self._do.end(link)
+
+
+class KeepsOpen(Generic[A, L]):
+    """The base of whoever keeps one link open: it makes `_kept`, and others see and do this with it."""
+
+    _kept: KeptOpen[A, L]
+
+    @property
+    def address(self) -> A | None:
+        """What the operator wants open; None after a close."""
+        return self._kept.address
+
+    @property
+    def failure(self) -> GatewayError | None:
+        """Why the link is not open."""
+        return self._kept.failure
+
+    async def open(self, address: A) -> None:
+        """Open this in place of any other. Raises LinkError; then what was wanted stays wanted."""
+        await self._kept.open(address)
+
+    async def run(self) -> None:
+        """Open again whatever is wanted and not open; runs as long as the gateway."""
+        await self._kept.run()
+
+    def shut_down(self) -> None:
+        """The gateway ends: leave the other side in order. What was wanted stays wanted."""
+        self._kept.shut_down()

@@ -74,9 +74,10 @@ def waiter(fd: int) -> Callable[[int], None] | None:
 
     def wait_for(count: int) -> None:
         settings[_VMIN_PLACE] = count
-        # If the device is gone, the next read reports it.
-        with contextlib.suppress(OSError):
+        try:
             fcntl.ioctl(fd, termios.TCSETS, settings)
+        except OSError:
+            return  # if the device is gone, the next read reports it
 
     try:
         fcntl.ioctl(fd, termios.TCGETS, settings)

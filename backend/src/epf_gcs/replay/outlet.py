@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Any, Protocol
 
 from epf_gcs.vehicle.outside import Values
@@ -58,6 +58,10 @@ class ReplayOutlet:
             self.give()
             self._sink.event(kind, data)
 
+    def later(self, decode: Callable[[], None]) -> bool:
+        """A replay decodes at the moment that it has reached."""
+        return False
+
     def give(self) -> None:
         """Send what was kept, in the order of its time."""
         samples = self._all or sorted(self._newest.values(), key=_time)
@@ -87,6 +91,10 @@ class Silence:
 
     def event(self, kind: str, data: Mapping[str, Any]) -> None:
         """Nothing."""
+
+    def later(self, decode: Callable[[], None]) -> bool:
+        """A key frame may be made at any moment."""
+        return False
 
 
 def _time(sample: Sample) -> float:

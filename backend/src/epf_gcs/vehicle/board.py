@@ -9,7 +9,7 @@ from typing import Any, Final, Protocol
 
 from epf_gcs.codec.frame import Damage, Frame, FrameDecoder
 from epf_gcs.codec.session import Session, SessionState
-from epf_gcs.codec.values import Json, Meaning, meaning
+from epf_gcs.codec.values import Json, Meaning
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.errors import ConflictError, LinkError
 from epf_gcs.vehicle.frame_statistics import FrameStatistics
@@ -18,6 +18,8 @@ from epf_gcs.vehicle.restart import BoardRestart, Restart
 from epf_gcs.vehicle.telemetry import Telemetry
 
 _URGENT: Final = frozenset({"hil_surfaces", "servos_in"})
+# Counted when it comes, for the next command of its type asks how many are still to come.
+_COUNTED: Final = "acknowledgement"
 # More pieces of noise than the board's shell or plugging in a cable can cause.
 _RUBBISH: Final = 20
 _HANDSHAKE: Final = frozenset({"heartbeat", "capabilities"})
@@ -36,7 +38,10 @@ class ExclusiveUser(Protocol):
 
 
 class Board:
-    """Takes links and bytes; passes frames first to `on_urgent`, then to the telemetry, then to the listeners."""
+    """Takes links and bytes; passes frames first to `on_urgent`, then to the telemetry, then to the listeners.
+
+    Frames are decoded when the telemetry is looked at or wanted outside; at once while anybody listens to all of them.
+    """
 
     def __init__(self, clock: Clock, outlet: Outlet, telemetry: Telemetry, errors: ErrorLog) -> None:
         self._clock = clock
@@ -46,6 +51,7 @@ class Board:
         self._decoder = FrameDecoder()
         self._link: Line | None = None
         self._listeners: list[Listener] = []
+        self._listeners_of: dict[str, list[Listener]] = {}
         self._bytes_at_tick = 0
         self._damage_before: Counter[str] = Counter()
         self._was_open = False
@@ -53,8 +59,8 @@ class Board:
         self.session = Session()
         self.frames_received = 0
         self.damage: Counter[str] = Counter()
-        self.frame_statistics = FrameStatistics()
-        self._arrivals = self.frame_statistics.heard
+        self._statistics = FrameStatistics()
+        telemetry.on_decoded = self._on_decoded
         self.bytes_in = 0
         self.bytes_out = 0
         self.baud = 0
@@ -77,6 +83,12 @@ class Board:
         return self._link is not None and self.session.is_open
 
     @property
+    def frame_statistics(self) -> FrameStatistics:
+        """Counts of all frames so far."""
+        self._telemetry.catch_up()
+        return self._statistics
+
+    @property
     def frames_damaged(self) -> int:
         """Number of failed frame candidates, without noise and text."""
         return sum(count for kind, count in self.damage.items() if kind not in ("noise", "remains", "text"))
@@ -94,10 +106,11 @@ class Board:
 
     def attach(self, link: Line, *, is_emulated: bool = False) -> None:
         """A link is open: begin the dialogue."""
+        self._telemetry.catch_up()
         self._link = link
         self.is_emulated = is_emulated
         if is_emulated:
-            self.frame_statistics.clear()
+            self._statistics.clear()
         self.baud = link.baud
         self._decoder = FrameDecoder()
         self._was_open = False
@@ -160,13 +173,14 @@ class Board:
         self.bytes_out += len(data)
         return True
 
-    def listen(self, listener: Listener) -> None:
-        """Call `listener` for every good frame from now on."""
-        self._listeners.append(listener)
+    def listen(self, message: str, listener: Listener) -> None:
+        """Call `listener` for every good frame of this message from now on."""
+        self._listeners_of.setdefault(message, []).append(listener)
 
     @contextmanager
     def listening(self, listener: Listener) -> Iterator[None]:
-        """Call `listener` for every good frame inside the `with` block."""
+        """Call `listener` for every good frame that comes inside the `with` block, as soon as it comes."""
+        self._telemetry.catch_up()
         self._listeners.append(listener)
         try:
             yield
@@ -189,6 +203,7 @@ class Board:
 
     def tick(self) -> None:
         """Do what is due; called some times a second."""
+        self._telemetry.catch_up()
         if self.bytes_in == self._bytes_at_tick:
             # Nothing came since the last tick: hand out text without its line end, as the board's prompt has none.
             self._take(self._decoder.flush())
@@ -204,39 +219,43 @@ class Board:
         if not found:
             return
         t_s = self._clock.now_s()
-        heard: list[tuple[Frame, Meaning]] = []
+        frames: list[Frame] = []
+        others: list[Frame] = []
         for item in found:
             if isinstance(item, Frame):
-                if item.message.name in _URGENT and self.on_urgent is not None:
+                frames.append(item)
+                if item.message.name not in _URGENT:
+                    others.append(item)
+                elif self.on_urgent is not None:
                     self.on_urgent(item)
-                meant = meaning(item)
-                heard.append((item, meant))
-                if item.message.topic:
-                    self._telemetry.take(item.message.name, t_s, meant.values, meant.implausible)
-        self._telemetry.flush()
-        for frame, meant in heard:
-            self._take_frame(frame, meant, t_s)
-        if len(heard) < len(found):
+        if frames:
+            self.frames_received += len(frames)
+            is_awaited = bool(self._listeners) or any(frame.message.name == _COUNTED for frame in others)
+            self._telemetry.hear(frames, t_s, at_once=is_awaited)
+            self._converse(others)
+        if len(frames) < len(found):
             self._take_damages(found, t_s)
 
-    def _take_frame(self, frame: Frame, meant: Meaning, t_s: float) -> None:
-        self.frames_received += 1
-        message = frame.message
-        self._arrivals[message.name].heard(t_s, meant.values)
-        if message.name in _HANDSHAKE:
-            answer = self.session.on_frame(frame, self._clock.steady_s())
-            if answer:
-                self.write(answer)
-        if self._listeners:
-            for listener in tuple(self._listeners):
-                listener(frame, meant)
+    def _converse(self, frames: list[Frame]) -> None:
+        """Go on with the dialogue that opens the session and watches it."""
+        for frame in frames:
+            if frame.message.name in _HANDSHAKE:
+                answer = self.session.on_frame(frame, self._clock.steady_s())
+                if answer:
+                    self.write(answer)
         if not self._was_open:
             self._notice_opening()
+
+    def _on_decoded(self, frame: Frame, meant: Meaning, t_s: float) -> None:
+        name = frame.message.name
+        self._statistics.heard[name].heard(t_s, meant.values)
+        for listener in (*self._listeners_of.get(name, ()), *self._listeners):
+            listener(frame, meant)
 
     def _take_damages(self, found: list[Frame | Damage], t_s: float) -> None:
         for item in found:
             if isinstance(item, Damage):
-                self.frame_statistics.on_damage(item, t_s)
+                self._statistics.on_damage(item, t_s)
                 self._take_damage(item)
 
     def _take_damage(self, damage: Damage) -> None:
@@ -302,7 +321,7 @@ class Board:
         self.frames_received = kept["frames"]
         self.bytes_in, self._bytes_at_tick = kept["bytes"]
         self.damage, self._damage_before = map(Counter, kept["damage"])
-        self.frame_statistics.restore(kept["books"])
+        self._statistics.restore(kept["books"])
 
     def capabilities(self) -> dict[str, Json]:
         """What an extended board reported about itself; empty for a legacy board."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Any, Protocol
 
 Values = Mapping[str, Any]
@@ -29,6 +29,9 @@ class Outlet(Protocol):
 
     def event(self, kind: str, data: Mapping[str, Any]) -> None:
         """Something happened that every viewer should hear of."""
+
+    def later(self, decode: Callable[[], None]) -> bool:
+        """Frames came that nobody waits for. False: decode them now. True: `decode` is called when they are due."""
 
 
 class Line(Protocol):

@@ -7,21 +7,27 @@ import os
 import sys
 import threading
 from pathlib import Path
-from typing import Any
+from typing import Any, Final
 
 import orjson
 
 from epf_gcs.errors import GatewayError
 from epf_gcs.logs import set_up_logging
+from epf_gcs.watchdog import REFUSED
 from epf_gcs.web.app import create_app
 from epf_gcs.web.server import Server
 from epf_gcs.web.settings import Settings
+
+_GIVEN: Final = (
+    *("host", "port", "data_dir", "page_dir", "fd", "watchdog", "again"),
+    *("trust_this_computer", "allow_anyone_to_fly", "tls", "tls_cert", "tls_key"),
+)
 
 
 def main() -> None:
     """Entry point of `epf-web`."""
     options = _options()
-    given = {name: getattr(options, name) for name in ("host", "port", "data_dir", "page_dir", "fd", "watchdog")}
+    given = {name: getattr(options, name) for name in _GIVEN}
     try:
         settings = Settings(**{name: value for name, value in given.items() if value is not None})
     except ValueError as error:
@@ -36,7 +42,8 @@ def main() -> None:
     try:
         Server(settings).serve_until_signal()
     except GatewayError as error:
-        sys.exit(f"epf-web: {error.detail}")
+        print(f"epf-web: {error.detail}", file=sys.stderr)
+        sys.exit(REFUSED)
 
 
 def _options() -> argparse.Namespace:
@@ -51,6 +58,16 @@ def _options() -> argparse.Namespace:
     parser.add_argument("--watchdog", type=int, help="Pipe on which the parent expects signs of life.")
     parser.add_argument("--data-dir", type=Path, help="Folder of the flight process, the recordings and the maps.")
     parser.add_argument("--page-dir", type=Path, help="Folder of the built page.")
+    parser.add_argument("--tls", action="store_true", default=None, help="HTTPS with certificates of its own.")
+    parser.add_argument("--tls-cert", type=Path, help="HTTPS with this certificate and its chain, in PEM.")
+    parser.add_argument("--tls-key", type=Path, help="The certificate's key, in PEM.")
+    parser.add_argument("--again", action="store_true", default=None, help="It ran before: show an expired one too.")
+    parser.add_argument(
+        "--trust-this-computer", action=argparse.BooleanOptionalAction, help="Whether this computer needs no key."
+    )
+    parser.add_argument(
+        "--allow-anyone-to-fly", action="store_true", default=None, help="Nobody needs a key to command."
+    )
     parser.add_argument("--with-parent", action="store_true", help="End when standard input closes.")
     parser.add_argument("--verbose", action="store_true", help="Log more.")
     parser.add_argument("--print-openapi", action="store_true", help="Print the OpenAPI document and end.")

@@ -16,6 +16,8 @@ from epf_gcs.formats.recognise import MAX_FILE_BYTES
 from epf_gcs.product import PAGE
 from epf_gcs.web import docs
 from epf_gcs.web.about import routes as about
+from epf_gcs.web.access import routes as access_routes
+from epf_gcs.web.access.addresses import own_names
 from epf_gcs.web.access.admission import Admission, Policy
 from epf_gcs.web.access.guard import Access, Guard
 from epf_gcs.web.access.limits import CallerLimits
@@ -48,6 +50,8 @@ from epf_gcs.web.state.probes import disk_of, probe_router
 from epf_gcs.web.state.whole import WholeStatus
 from epf_gcs.web.station import Station
 from epf_gcs.web.stream.endpoint import StreamEndpoint
+from epf_gcs.web.tls import routes as certificate_routes
+from epf_gcs.web.tls.keeper import Keeper
 from epf_gcs.web.track import routes as track
 from epf_gcs.web.vehicle.mirror import VehicleMirror
 from epf_gcs.web.visitors import Limits, Visitors
@@ -55,16 +59,23 @@ from epf_gcs.web.visitors import Limits, Visitors
 _PREFIX: Final = "/api/v1"
 
 
-def create_app(settings: Settings, visitors: Visitors | None = None) -> FastAPI:
+def create_app(settings: Settings, visitors: Visitors | None = None, certificates: Keeper | None = None) -> FastAPI:
     """The web process as an ASGI application; the stream needs `web.server`, which hands it the transports.
 
-    `visitors` are the connections of the server around it, for `/metrics`.
+    `visitors` are the connections of the server around it, for `/metrics`; `certificates` are what it shows under TLS.
     """
-    access = Access((settings.host, *settings.allowed_hosts), settings.allowed_origins)
+    policy = Policy.of(settings)
+    names = own_names() if policy.is_reached_by_others else []
+    if certificates is not None:
+        # A page of another name, resolved to this machine, gets no further than its browser's warning.
+        names += certificates.in_use.names
+    access = Access((settings.host, *settings.allowed_hosts, *names), settings.allowed_origins)
     errors = ErrorLog()
+    if certificates is not None:
+        certificates.on_fault = errors.report
     answers: Counter[int] = Counter()
     clock = Clock()
-    admission = Admission(Policy.of(settings), settings.data_dir, errors.report, clock)
+    admission = Admission(policy, settings.data_dir, errors.report, clock)
     admission.listen_at(settings.port)
     limits = CallerLimits(clock.steady_s)
 
@@ -75,6 +86,7 @@ def create_app(settings: Settings, visitors: Visitors | None = None) -> FastAPI:
             setattr(app.state, name, part)
         station.maps.online.consent = Consent(settings.local_maps)
         async with admission.running(), station.running():
+            station.follow(admission)
             endpoint = StreamEndpoint(station.stream_parts, access)
             yield {"socket_endpoint": endpoint, "admission": admission, "limits": limits}
 
@@ -86,6 +98,8 @@ def create_app(settings: Settings, visitors: Visitors | None = None) -> FastAPI:
         docs_url=None,
         redoc_url=None,
     )
+    app.state.access = access
+    app.state.certificates = certificates
     app.openapi = lambda: docs.describe(app)  # type: ignore[method-assign]
     for part in (
         state,
@@ -109,6 +123,8 @@ def create_app(settings: Settings, visitors: Visitors | None = None) -> FastAPI:
         jobs,
         about,
         inspector,
+        certificate_routes,
+        access_routes,
     ):
         app.include_router(part.router, prefix=_PREFIX)
     app.include_router(docs.router)

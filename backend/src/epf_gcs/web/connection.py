@@ -20,7 +20,7 @@ from epf_gcs.web.access.limits import CallerLimits
 from epf_gcs.web.access.table import STREAMS
 from epf_gcs.web.problems import problem_of
 from epf_gcs.web.stream.socket import SocketConnection
-from epf_gcs.web.visitors import Visitors
+from epf_gcs.web.visitors import Visitor, Visitors
 
 _BUSY: Final = b"503 Service Unavailable", b"This station has too many connections: close some, then try again.\n"
 _SLOW_HEAD: Final = b"408 Request Timeout", b"The request's head did not come in time.\n"
@@ -33,8 +33,10 @@ log = structlog.get_logger("gateway")
 class Connection(HttpToolsProtocol):
     """Implements `visitors.Visitor`."""
 
-    def __init__(self, visitors: Visitors, **uvicorns: Any) -> None:
+    def __init__(self, visitors: Visitors, arrival: Visitor | None = None, **uvicorns: Any) -> None:
+        """`arrival` has held this connection's place so far."""
         super().__init__(**uvicorns)
+        self._arrival = arrival
         self.host = ""
         self.idle_since_s: float | None = None
         self._visitors = visitors
@@ -52,9 +54,11 @@ class Connection(HttpToolsProtocol):
         """Accept the connection, or answer that there are too many."""
         super().connection_made(transport)
         self.host = self.client[0] if self.client is not None else ""
-        own_port = (self.server[1] or 0) if self.server is not None else 0
-        self._peer = Peer(self.host, self.client[1] if self.client is not None else 0, own_port)
+        self._peer = Peer(self.client, self.server)
         self._enter_head()
+        if self._arrival is not None:
+            self._visitors.leave(self._arrival)
+            self._arrival = None
         if not self._visitors.come_in(self):
             log.warning("a connection was refused", host=self.host)
             self._end(*_BUSY)
@@ -175,6 +179,9 @@ class Connection(HttpToolsProtocol):
         stream.connection_made(self.transport)
         stream.data_received(b"".join(head))
         self.transport.set_protocol(stream)
+
+    def _unsupported_upgrade_warning(self) -> None:
+        """Say nothing: the request is answered, and anybody may send it as often as they like."""
 
     def _refuse(self, error: GatewayError) -> None:
         """Answer a handshake with a problem document."""

@@ -13,6 +13,8 @@ from epf_gcs.clock import Clock
 from epf_gcs.web.access.admission import Admission
 from epf_gcs.web.access.caller import Caller, Shown
 from epf_gcs.web.access.control import Control
+from epf_gcs.web.access.guard import admitted
+from epf_gcs.web.access.roles import Role
 from epf_gcs.web.flights.flights import Flights
 from epf_gcs.web.flights.imports import FlightImports
 from epf_gcs.web.flights.queries import Queries
@@ -68,16 +70,28 @@ CallerDep = Annotated[Caller | None, Depends(get_caller)]
 ShownDep = Annotated[Shown, Depends(get_shown)]
 
 
+def get_admitted(caller: CallerDep) -> Caller:
+    """Who asks, where strangers are not let in. Raises NotAdmittedError."""
+    return admitted(caller, Role.viewer)
+
+
+AdmittedDep = Annotated[Caller, Depends(get_admitted)]
+
 XClient = Annotated[
     str | None,
-    Header(max_length=64, description="Id of the stream's hello; not needed while nobody has control."),
+    Header(max_length=64, description="Id of the caller's own stream (`hello`); not needed while nobody has control."),
 ]
 
 
-def get_operator(control: ControlDep, x_client: XClient = None) -> Asker:
-    """The caller, if it may command now. Raises ConflictError while another has control."""
-    control.check(x_client)
-    return Asker(x_client, None if x_client is None else control.name_of(x_client))
+def get_asker(control: ControlDep, caller: AdmittedDep, x_client: XClient = None) -> Asker:
+    """The caller, by name. Raises NotYoursError if the id is of another session."""
+    return control.asker(caller, x_client)
 
 
+def get_operator(control: ControlDep, caller: AdmittedDep, x_client: XClient = None) -> Asker:
+    """The caller, if it may command now. Raises ConflictError while another has control, NotYoursError, RoleError."""
+    return control.command(admitted(caller, Role.operator), x_client)
+
+
+AskerDep = Annotated[Asker, Depends(get_asker)]
 OperatorDep = Annotated[Asker, Depends(get_operator)]

@@ -57,17 +57,23 @@ the header `X-Client: <client of the hello>`.
 the place of the simulator's rows 8 and 25. A sample is used for 0.3 s; without a newer one the surfaces are centred
 then, and the throttle is closed after 2 s. The choice ends with that page's control.
 
+**Control**: one page at a time commands; `GET /control` says which. `POST /control` takes it while nobody has it, asks
+for it (events `control_request` and `control_request_closed`), grants, refuses, hands over and gives it back; an
+unanswered request is granted after 10 s in which the holder does nothing. A page that is closed or cut off loses
+control within a second, one that hangs after two, and gets it back if it returns while nobody else has it.
+
 **Recordings**: `/api/v1/stream?flight=ID&at_s=SECONDS` speaks the same of a recording, with `playback` messages beside;
 send `play`, `pause`, `seek`, `step` or `loop`. `{"type": "ask", "about": "inspector"}` is answered with `{"type":
 "answer", "about": "inspector", "data": as GET /inspector gives it}` of the moment that is shown; `known` as
 `GET /flights/{id}/known`.
 
 **Events**: `alarm` (an alarm that came, went or was acknowledged), `command` (pending, and what became of it),
-`console`, `control`, `error`, `flight` (the flight process: `state` is `lost` or `back`), `job` (as `GET /jobs/{id}`,
-at most four a second), `journal` (a new entry, and what undo and redo would write now), `link`, `map_import` (as `GET
-/map/imports/{id}`, at most four a second), `mission`, `parameter` (the gains that changed, each with value, state and
-loaded value), `recording`, `stick` (where the stick comes from, whether it is `live` or `lost`, and the `reason`:
-`chosen`, `control_lost`, `lost`, `back`) and `track`.
+`console`, `control` (who has it now, the `reason`, and who had it `before`), `control_request` and
+`control_request_closed` (`result`: `given`, `refused`, `withdrawn`, `gone`), `error`, `flight` (the flight process:
+`state` is `lost` or `back`), `job` (as `GET /jobs/{id}`, at most four a second), `journal` (a new entry, and what undo
+and redo would write now), `link`, `map_import` (as `GET /map/imports/{id}`, at most four a second), `mission`,
+`parameter` (the gains that changed, each with value, state and loaded value), `recording`, `stick` (where the stick
+comes from, whether it is `live` or `lost`, and the `reason`: `chosen`, `control_lost`, `lost`, `back`) and `track`.
 """
 
 # Shapes that no route answers with: of messages on the stream. They stand under `x-shapes`, from which

@@ -22,6 +22,7 @@ from epf_gcs.errors import (
     LinkError,
     NotAdmittedError,
     NotFoundError,
+    NotYoursError,
     Params,
     RoleError,
     TooManyError,
@@ -46,6 +47,7 @@ _STATUS: Final[dict[type[GatewayError], HTTPStatus]] = {
     BoardError: HTTPStatus.BAD_GATEWAY,
     NotAdmittedError: HTTPStatus.UNAUTHORIZED,
     RoleError: HTTPStatus.FORBIDDEN,
+    NotYoursError: HTTPStatus.FORBIDDEN,
     TooManyError: HTTPStatus.TOO_MANY_REQUESTS,
     GatewayError: HTTPStatus.INTERNAL_SERVER_ERROR,
 }

@@ -12,13 +12,19 @@ from typing import Any, Final, cast
 
 import structlog
 import uvicorn
+from uvicorn.server import ServerState
 
+from epf_gcs.kept_alive import keep_alive
 from epf_gcs.listening import listen
 from epf_gcs.watchdog import feed
 from epf_gcs.web.app import create_app
 from epf_gcs.web.connection import Connection, watch
 from epf_gcs.web.settings import Settings
 from epf_gcs.web.stream.socket import SocketConnection
+from epf_gcs.web.tls.doorway import Doorway, Factory
+from epf_gcs.web.tls.keeper import Keeper
+from epf_gcs.web.tls.redirect import Redirect
+from epf_gcs.web.tls.start import keeper_of
 from epf_gcs.web.visitors import Limits, Visitors, fitting, raise_descriptors
 
 # How long another thread (one that reads a download) may hold the interpreter while the event loop waits for it.
@@ -33,21 +39,10 @@ class Server(uvicorn.Server):
     def __init__(self, settings: Settings, limits: Limits | None = None, look_every_s: float = 1.0) -> None:
         self.visitors = Visitors(limits or Limits())
         self._look_every_s = look_every_s
-        self._app = create_app(settings, self.visitors)
+        self.certificates = keeper_of(settings)
+        self._app = create_app(settings, self.visitors, self.certificates)
         super().__init__(
-            uvicorn.Config(
-                self._app,
-                loop="auto",
-                http=cast(Any, partial(Connection, self.visitors)),
-                ws=cast(Any, SocketConnection),
-                lifespan="on",
-                access_log=False,
-                log_config=None,
-                server_header=False,
-                timeout_keep_alive=self.visitors.limits.idle_s,
-                # Do not let a download or a slow browser delay the shutdown.
-                timeout_graceful_shutdown=2,
-            )
+            self._config(self._app, ws=cast(Any, SocketConnection), lifespan="on", headers=self._headers())
         )
         self._settings = settings
         self._fed: asyncio.Task[None] | None = None
@@ -57,7 +52,8 @@ class Server(uvicorn.Server):
         sys.setswitchinterval(_SWITCH_INTERVAL_S)
         self.visitors.limits = fitting(self.visitors.limits, raise_descriptors())
         with self._listener() as listener:
-            self._app.state.admission.listen_at(listener.getsockname()[1])
+            secure = self.certificates is not None
+            self._app.state.admission.listen_at(listener.getsockname()[1], secure=secure)
             self.run([listener])
 
     def _listener(self) -> socket.socket:
@@ -69,11 +65,15 @@ class Server(uvicorn.Server):
         """Run until a signal."""
         with contextlib.suppress(NotImplementedError, RuntimeError, ValueError):
             asyncio.get_running_loop().add_signal_handler(signal.SIGHUP, self._hang_up)
-        looking = asyncio.create_task(watch(self.visitors, self._look_every_s))
+        jobs = [asyncio.create_task(watch(self.visitors, self._look_every_s))]
+        if self.certificates is not None:
+            keeping = keep_alive("web", "certificates", self.certificates.keep, lambda: None)
+            jobs.append(asyncio.create_task(keeping))
         try:
             await super().serve(sockets)
         finally:
-            looking.cancel()
+            for job in jobs:
+                job.cancel()
 
     async def _serve(self, sockets: list[Any] | None = None) -> None:
         await super()._serve(sockets)
@@ -82,13 +82,61 @@ class Server(uvicorn.Server):
 
     async def startup(self, sockets: list[Any] | None = None) -> None:
         """Start listening and feeding the parent's watchdog, and log the address."""
-        await super().startup(sockets)
+        if self.certificates is None:
+            await super().startup(sockets)
+        else:
+            await super().startup([])
+            self.servers = [cast(Any, self._doorway(one, self.certificates)) for one in sockets or [] if self.started]
         if self.started:
             host = f"[{self._settings.host}]" if ":" in self._settings.host else self._settings.host
             if self._settings.watchdog is not None:
                 self._fed = asyncio.create_task(feed(self._settings.watchdog))
                 await asyncio.sleep(0)  # its first sign of life comes before the log says that it listens
-            log.info("listening", url=f"http://{host}:{self.port}")
+            scheme = "http" if self.certificates is None else "https"
+            log.info("listening", url=f"{scheme}://{host}:{self.port}")
+
+    def _doorway(self, listener: socket.socket, certificates: Keeper) -> Doorway:
+        # Ended together with the others, but without their headers: HSTS must not come in plain text (RFC 6797, 7.2).
+        plain_state = ServerState()
+        plain_state.connections, plain_state.tasks = self.server_state.connections, self.server_state.tasks
+
+        def factory(config: uvicorn.Config, state: ServerState) -> Factory:
+            if not config.loaded:
+                config.load()
+            return lambda arrival: cast(Any, config.http_protocol_class)(
+                config=config, server_state=state, app_state=self.lifespan.state, arrival=arrival
+            )
+
+        plain = self._config(Redirect(self._app.state.access), ws="none", lifespan="off")
+        return Doorway(
+            listener,
+            lambda: certificates.context,
+            factory(self.config, self.server_state),
+            factory(plain, plain_state),
+            self.visitors,
+        )
+
+    def _config(self, app: Any, **more: Any) -> uvicorn.Config:
+        return uvicorn.Config(
+            app,
+            loop="auto",
+            http=cast(Any, partial(Connection, self.visitors)),
+            access_log=False,
+            log_config=None,
+            server_header=False,
+            timeout_keep_alive=self.visitors.limits.idle_s,
+            # Do not let a download or a slow browser delay the shutdown.
+            timeout_graceful_shutdown=2,
+            **more,
+        )
+
+    def _headers(self) -> list[tuple[str, str]]:
+        """HSTS only for a brought certificate: a browser that heard it lets nobody pass a warning, which would shut out
+        a phone that does not trust the station's own authority yet. A day, for it holds for every port of the name.
+        """
+        if self.certificates is None or self.certificates.in_use.kind == "made":
+            return []
+        return [("Strict-Transport-Security", "max-age=86400")]
 
     @property
     def port(self) -> int:

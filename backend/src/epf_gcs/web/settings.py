@@ -20,6 +20,12 @@ class Settings(BaseSettings):
         default=None, description="The built page; by default the one that ships with the gateway."
     )
     fd: int | None = Field(default=None, description="An inherited listening socket, in place of host and port.")
+    tls: bool = Field(default=False, description="HTTPS, with an authority and a certificate of the station's own.")
+    tls_cert: Path | None = Field(default=None, description="HTTPS with this certificate and its chain (PEM).")
+    tls_key: Path | None = Field(default=None, description="Its key (PEM), where it is in a file of its own.")
+    again: bool = Field(
+        default=False, description="A restart, perhaps in flight: an expired certificate is shown rather than no page."
+    )
     watchdog: int | None = Field(default=None, description="An inherited pipe for signs of life to the parent.")
     allowed_hosts: tuple[str, ...] = Field(default=(), description="More names under which browsers may ask.")
     allowed_origins: tuple[str, ...] = Field(default=(), description="More web origins which may command.")

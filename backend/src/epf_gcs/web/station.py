@@ -13,12 +13,14 @@ from collections.abc import AsyncIterator
 from pathlib import Path
 from typing import Any, Final
 
-from epf_gcs.bus.definition import Client, client_fields
 from epf_gcs.bus.station_end import StationEnd
 from epf_gcs.clock import Clock
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.kept_alive import keep_alive
 from epf_gcs.recordings.places import Places
+from epf_gcs.web.access.admission import Admission
+from epf_gcs.web.access.caller import Caller
+from epf_gcs.web.access.changes import HolderChanged
 from epf_gcs.web.access.control import Control
 from epf_gcs.web.flights.flights import Flights
 from epf_gcs.web.flights.imports import FlightImports
@@ -31,6 +33,7 @@ from epf_gcs.web.maps.maps import Maps
 from epf_gcs.web.state.whole import WholeStatus
 from epf_gcs.web.stream.endpoint import StreamParts
 from epf_gcs.web.stream.hub import Hub
+from epf_gcs.web.stream.open_streams import OpenStreams
 from epf_gcs.web.track.tracks import Tracks
 from epf_gcs.web.vehicle.mirror import VehicleMirror
 
@@ -40,7 +43,7 @@ _STATUS_S: Final = 0.5
 
 
 class Station:
-    """Constructed on the running loop. `parts` are what routes get by name (`deps.py`)."""
+    """Constructed on the running loop. `parts` are what routes get by name (`deps.py`). Implements `control.Told`."""
 
     def __init__(self, data_dir: Path, errors: ErrorLog, clock: Clock) -> None:
         loop = asyncio.get_running_loop()
@@ -51,7 +54,8 @@ class Station:
         errors.tell_viewers(self.clock.steady_s, self.hub.event)
         self.mirror = VehicleMirror(self.hub, self.clock, on_change=self._status_changed, on_here=self._vehicle_here)
         self.vehicle = StationEnd(data_dir, self.mirror)
-        self.control = Control(loop, self._on_control)
+        self.control = Control(loop, self.clock, self)
+        self.streams = OpenStreams(self.control)
         self.status = WholeStatus(lambda: self.mirror.status, self.control, errors, self.hub)
         self.tracks = Tracks(self.mirror, self.hub, self.clock, data_dir / "track", errors.report)
         self.maps = Maps(data_dir, self.hub, self.clock, errors.report)
@@ -67,13 +71,14 @@ class Station:
         self.queries = Queries(data_dir)
         self.replays = Replays(data_dir, errors, self._growing)
         self.stream_parts = StreamParts(
-            self.hub, self.control, self.vehicle, self.status, errors, self.clock, self.replays
+            self.hub, self.control, self.vehicle, self.status, errors, self.clock, self.replays, self.streams
         )
         self.parts: dict[str, Any] = {
             "vehicle": self.vehicle,
             "mirror": self.mirror,
             "status": self.status,
             "control": self.control,
+            "streams": self.streams,
             "tracks": self.tracks,
             "maps": self.maps,
             "inspector": SharedInspector(lambda: self.vehicle.request("inspector"), self.clock.steady_s),
@@ -83,6 +88,24 @@ class Station:
             "flight_imports": FlightImports(self.flights),
             "clock": self.clock,
         }
+
+    def follow(self, admission: Admission) -> None:
+        """Sessions and keys that end or change do so for their open streams, and the log hears who has control."""
+
+        def changed(sessions: frozenset[str]) -> None:
+            for caller in filter(None, map(admission.current, sessions)):
+                self.control.change_session(caller)
+
+        def noted(change: HolderChanged) -> None:
+            page = change.page or change.before
+            if page is not None:
+                caller = Caller(page.kind, page.client, page.name, page.role, page.session)
+                what = f"{change.before.name if change.before else '-'} > {change.page.name if change.page else '-'}"
+                admission.log.note(caller, "", "holder", what, change.reason)
+
+        admission.on_ended = self.streams.close_sessions
+        admission.on_changed = changed
+        self.control.on_holder = noted
 
     @contextlib.asynccontextmanager
     async def running(self) -> AsyncIterator[None]:
@@ -140,16 +163,20 @@ class Station:
 
     def _vehicle_here(self, holder: dict[str, Any] | None) -> None:
         """Agree on who has control: the process that was restarted learns it from the other one."""
-        if holder is not None and self.control.holder is None:
-            self.control.restore(Client(holder["client"], holder["name"]))
-        self._tell_vehicle(self.control.holder)
+        if holder is not None:
+            self.control.restore(holder)
+        self.control.tell_flight()
         self.vehicle.pace(self.hub.rate_hz)
         self._here.set()
 
-    def _on_control(self, holder: Client | None) -> None:
-        self.hub.event("control", client_fields(holder))
-        self._tell_vehicle(holder)
-        self.status.changed()
+    def event(self, kind: str, data: dict[str, Any]) -> None:
+        """For `Control`: tell all viewers."""
+        self.hub.event(kind, data)
 
-    def _tell_vehicle(self, holder: Client | None) -> None:
-        self.vehicle.notice("control", **client_fields(holder))
+    def notice(self, name: str, /, **arguments: Any) -> None:
+        """For `Control`: tell the flight process."""
+        self.vehicle.notice(name, **arguments)
+
+    def changed(self) -> None:
+        """For `Control`: the status is another one."""
+        self.status.changed()

@@ -30,6 +30,8 @@ class Limits:
     sockets: int = 400
     sockets_per_host: int = 40
     sockets_for_this_computer: int = 250
+    handshake_s: float = 10.0
+    """From the connection to the end of the TLS handshake."""
     head_s: float = 10.0
     head_bytes: int = 65536
     idle_s: int = 15

@@ -23,9 +23,16 @@ class Dynamics:
     frequency_rad_s: float
     damping: float
     bias: float
+    delay_s: float = 0.0
 
-    def answer(self, t_s: Array) -> Array:
-        """The textbook's unit step answer of a second-order system."""
+    def answer(self, t_s: Array, rate: float | None = None) -> Array:
+        """The textbook's unit step answer of a second-order system, after its dead time.
+
+        With `rate` it is integrated, and moves no faster than that each second.
+        """
+        t_s = np.maximum(t_s - self.delay_s, 0.0)
+        if rate is not None:
+            return self._integrated(t_s, rate)
         decay = self.damping * self.frequency_rad_s
         if self.damping < 1.0:
             turn = self.frequency_rad_s * np.sqrt(1.0 - self.damping**2)
@@ -34,6 +41,17 @@ class Dynamics:
             turn = self.frequency_rad_s * np.sqrt(self.damping**2 - 1.0)
             swing = np.cosh(turn * t_s) + decay / turn * np.sinh(turn * t_s)
         return np.asarray(1.0 - np.exp(-decay * t_s) * swing)
+
+    def _integrated(self, t_s: Array, rate: float) -> Array:
+        """Small steps of time; where the limit is reached the speed stays at it, as behind a limiter."""
+        step_s, place, speed = 0.002, 0.0, 0.0
+        course = [0.0]
+        for _ in range(int(float(t_s[-1]) / step_s) + 2):
+            push = self.frequency_rad_s**2 * (1.0 - place) - 2.0 * self.damping * self.frequency_rad_s * speed
+            speed = max(-rate, min(rate, speed + push * step_s))
+            place += speed * step_s
+            course.append(place)
+        return np.asarray(np.interp(t_s, step_s * np.arange(len(course)), course))
 
 
 @dataclass
@@ -53,15 +71,19 @@ class Made:
     truths: list[Truth] = field(default_factory=list)
 
 
-def truth(kind: str, at_s: float, size: float, loop: Dynamics) -> Truth:
+def truth(kind: str, at_s: float, size: float, loop: Dynamics, rate: float | None = None) -> Truth:
     t_s = np.arange(0.0, 30.0 / (loop.frequency_rad_s * min(1.0, loop.damping)), 0.002)
-    course = loop.answer(t_s)
+    course = loop.answer(t_s, rate)
     rise_s = float(t_s[np.argmax(course >= 0.9)] - t_s[np.argmax(course >= 0.1)])
     return Truth(kind, at_s, abs(size), rise_s, 100 * max(0.0, float(course.max()) - 1), loop.damping, loop.bias * size)
 
 
-def make(seed: int, *, steps: int = 4, noise: float = 1.0) -> Made:
-    """One flight of five minutes or so; every loop has its own dynamics and `steps` steps of its target."""
+def make(seed: int, *, steps: int = 4, noise: float = 1.0, hard: bool = False) -> Made:
+    """One flight of five minutes or so; every loop has its own dynamics and `steps` steps of its target.
+
+    `hard`: gusts as large as they come beside the sensors' noise, a dead time of up to a second in each loop, and in
+    half of the steps a limit of rate that bites.
+    """
     rng = np.random.default_rng(seed)
     spacing_s = 60.0
     end_s = 40.0 + spacing_s * steps
@@ -73,6 +95,9 @@ def make(seed: int, *, steps: int = 4, noise: float = 1.0) -> Made:
         "heading": (Dynamics(rng.uniform(0.5, 1.2), rng.uniform(0.35, 1.2), 0.0), 40.0, 25.0),
         "speed": (Dynamics(rng.uniform(0.35, 0.9), rng.uniform(0.3, 1.2), rng.uniform(-0.06, 0.06)), 55.0, 4.0),
     }
+    if hard:
+        for loop, _, _ in loops.values():
+            loop.delay_s = rng.uniform(0.0, 1.0)
     quiet = {"altitude": 0.8, "heading": 0.4, "speed": 0.06}
     targets, actual = {}, {}
     for name, (loop, level, least) in loops.items():
@@ -84,10 +109,14 @@ def make(seed: int, *, steps: int = 4, noise: float = 1.0) -> Made:
             final = reached + size * (1.0 - loop.bias)
             wanted[plan_s >= at_s] = reached + size
             after = t_s >= at_s
-            flown[after] += (final - reached) * loop.answer(t_s[after] - at_s)
-            made.truths.append(truth(KINDS[name][0 if size > 0 else 1], at_s, size, loop))
+            rate = None
+            if hard and rng.uniform() < 0.5:
+                course = loop.answer(np.arange(0.0, 30.0, 0.01))
+                rate = float(rng.uniform(0.4, 0.9) * np.max(np.diff(course)) / 0.01)
+            flown[after] += (final - reached) * loop.answer(t_s[after] - at_s, rate)
+            made.truths.append(truth(KINDS[name][0 if size > 0 else 1], at_s, size, loop, rate))
             reached = final
-        gust = _gusts(rng, len(t_s)) * 0.4 * quiet[name] * noise
+        gust = _gusts(rng, len(t_s)) * (1.0 if hard else 0.4) * quiet[name] * noise
         actual[name] = flown + gust + rng.normal(0.0, quiet[name] * noise, len(t_s))
         targets[name] = wanted
     waypoint = np.searchsorted(sorted(one.at_s for one in made.truths if "turn" in one.kind), plan_s, side="right")

@@ -60,7 +60,7 @@ def samples_until(stream: Stream, wanted: Any) -> list[dict[str, Any]]:
 def test_it_says_hello_as_the_past_and_shows_the_moment(station: Gateway) -> None:
     with station.stream(f"?flight={ID}&at_s=5.5") as stream:
         hello = stream.hello
-        assert (hello["flight"], hello["role"]) == (ID, "viewer")
+        assert (hello["flight"], hello["role"], hello["has_control"]) == (ID, "owner", False)
         assert hello["starts_s"] == pytest.approx(STARTS_NS * 1e-9)
         assert hello["server_time_s"] == pytest.approx(hello["starts_s"] + 5.5)
         assert hello["duration_s"] == pytest.approx(11.96, abs=0.1)

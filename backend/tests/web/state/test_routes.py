@@ -54,11 +54,11 @@ def test_the_use_of_the_line_is_a_share_of_its_baud_rate(gateway: Gateway, board
 
 def test_control_is_given_back_and_taken(gateway: Gateway) -> None:
     with gateway.stream() as first, gateway.stream() as second:
-        assert (first.hello["role"], second.hello["role"]) == ("operator", "viewer")
+        assert (first.hello["has_control"], second.hello["has_control"]) == (True, False)
         holder = gateway.http.get("/control").json()
         assert holder["client"] == first.hello["client"]
         taken = gateway.http.post("/control", json={"client": second.hello["client"], "action": "take"})
-        assert (taken.status_code, taken.json()["code"]) == (409, "control_held")
+        assert (taken.status_code, taken.json()["code"]) == (409, "control_unconfirmed")
         assert taken.json()["params"]["name"] == holder["name"]
         gateway.http.post("/control", json={"client": first.hello["client"], "action": "release"}).raise_for_status()
         assert gateway.http.get("/control").json()["client"] is None

@@ -48,7 +48,8 @@ def everything_until_closed(stream: Stream) -> list[dict[str, Any]]:
 def test_hello_says_who_and_what_and_how_everything_stands(gateway: Gateway) -> None:
     with gateway.stream("?name=Tower") as stream:
         hello = stream.hello
-        assert (hello["type"], hello["role"], hello["name"]) == ("hello", "operator", "Tower")
+        assert (hello["type"], hello["role"], hello["name"]) == ("hello", "owner", "Tower")
+        assert hello["has_control"]
         assert {"ahrs", "heartbeat", "simulator", "xplane_info", "hil_surfaces"} <= set(hello["topics"])
         assert abs(hello["server_time_s"] - time.time()) < 60
         Status.model_validate(hello["status"])
@@ -130,8 +131,8 @@ def test_a_page_that_is_loaded_again_keeps_its_name_and_control(gateway: Gateway
         first.connection.close()
         eventually(lambda: not gateway.web.control.is_connected(client), "it is gone")
         with gateway.stream(f"?client={client}") as again:
-            assert (again.hello["client"], again.hello["role"]) == (client, "operator")
-        assert watching.hello["role"] == "viewer"
+            assert (again.hello["client"], again.hello["has_control"]) == (client, True)
+        assert not watching.hello["has_control"]
 
 
 @pytest.mark.parametrize("client", ["0123456789abcde", "0123456789ABCDEF", "x" * 100, ""])

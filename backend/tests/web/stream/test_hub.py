@@ -218,3 +218,54 @@ async def test_a_value_that_is_no_data_is_null(hub: Hub) -> None:
     put(hub, "ahrs", 1.0, {"n": None})
     hub.flush()
     assert screen.values("ahrs") == [None]
+
+
+class BeatenLoop:
+    """The event loop's clock and timers, as a test says: the hub needs no more of it."""
+
+    def __init__(self) -> None:
+        self.now_s = 0.0
+        self.timers: list[tuple[float, Any, tuple[Any, ...]]] = []
+
+    def time(self) -> float:
+        return self.now_s
+
+    def call_at(self, when_s: float, call: Any, *arguments: Any) -> None:
+        self.timers.append((when_s, call, arguments))
+
+    def call_soon(self, call: Any, *arguments: Any) -> None:
+        self.call_at(self.now_s, call, *arguments)
+
+    def run_until(self, until_s: float) -> None:
+        while self.timers and min(self.timers, key=lambda timer: timer[0])[0] <= until_s:
+            timer = min(self.timers, key=lambda one: one[0])
+            self.timers.remove(timer)
+            self.now_s = max(self.now_s, timer[0])
+            timer[1](*timer[2])
+        self.now_s = until_s
+
+
+def test_a_viewer_s_beat_moves_to_that_of_the_samples_and_is_not_faster() -> None:
+    loop = BeatenLoop()
+    hub = Hub(loop, loop.time)  # type: ignore[arg-type]
+    screen = a_screen(hub)
+    sent_s: list[float] = []
+    period_s = 1.0 / 60.0
+    send = screen.send
+
+    def sent(messages: list[bytes]) -> None:
+        sent_s.append(loop.now_s)
+        send(messages)
+
+    screen.send = sent  # type: ignore[method-assign]
+    came_s: list[float] = []
+    for number in range(600):
+        # All but the first come well before the batch that is due next: each of them would wait for it.
+        loop.run_until((number - 0.3) * period_s if number else 0.0)
+        came_s.append(loop.now_s)
+        put(hub, "ahrs", loop.now_s, {"n": number})
+        hub.flush()
+    loop.run_until(11.0)
+    assert screen.values("ahrs")[-1] == 599
+    assert len(sent_s) <= 601
+    assert sent_s[-500:] == came_s[-500:], "each leaves as it comes"

@@ -11,6 +11,7 @@ export const DIALOGS = {
   about: lazyPart(async () => (await import("../../features/about/AboutDialog")).AboutContent),
   guide: lazyPart(async () => (await import("../../features/guide/GuideContent")).GuideContent),
   settings: lazyPart(async () => (await import("./SettingsDialog")).SettingsContent),
+  tablet: lazyPart(async () => (await import("../../features/access/TabletContent")).TabletContent),
   shortcuts: lazyPart(async () => (await import("./ShortcutsDialog")).ShortcutsContent),
 } as const satisfies Readonly<Record<string, LazyPart>>;
 

@@ -16,6 +16,7 @@ export function ViewMenu() {
       <MenuRule />
       <Language />
       <MenuRule />
+      <TabletItem />
       <ToolbarsBack />
       <SettingsItem />
     </Menu>
@@ -61,6 +62,12 @@ function ToolbarsBack() {
       }}
     />
   );
+}
+
+function TabletItem() {
+  const { t } = useTranslation();
+  const { open } = useDialogs();
+  return <MenuAction label={t("menu.tablet")} onChoose={() => open("tablet")} />;
 }
 
 function SettingsItem() {

@@ -2,6 +2,7 @@ import { ALARM_LOG } from "../../features/alarms/alarmLog";
 import { CAMERA_CHOICE, cameraOf, nextCamera } from "../../lib/mapCamera";
 import type { CommandName } from "../../protocol/messages.gen";
 import { ACTIONS } from "../../requests/actions";
+import { otherHolder } from "../../requests/useControl";
 import type { Page } from "../../store/hooks";
 import type { MessageParams } from "../../store/messages";
 import { choose } from "../../store/settings";
@@ -103,7 +104,10 @@ export const SHORTCUTS: readonly Shortcut[] = [
     group: "flight",
     words: "control.take",
     isArmed: false,
-    run: ({ page }) => void page.parts.get(ACTIONS).takeControl({ control: "control" }),
+    run: ({ page }) => {
+      const action = otherHolder(page.connection.getState()) === null ? "take" : "ask";
+      void page.parts.get(ACTIONS).changeControl({ action }, { control: "control" });
+    },
   },
   {
     key: "v",

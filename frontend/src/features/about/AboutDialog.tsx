@@ -40,6 +40,11 @@ export function AboutContent() {
       {about !== null && !("key" in about) && <GatewayFacts about={about} />}
       {about !== null && "key" in about && <Notice level="error">{sentence(about)}</Notice>}
       <p>{t("about.licence")}</p>
+      <p>
+        <a href="/licences.txt" target="_blank" rel="noreferrer">
+          {t("about.licenceTexts")}
+        </a>
+      </p>
       <Packages title={t("about.pagePackages")} packages={PAGE_PACKAGES} />
       {about !== null && !("key" in about) && (
         <Packages title={t("about.gatewayPackages")} packages={about.packages} />

@@ -4,7 +4,7 @@ import { describe, expect, test } from "vitest";
 import type { Waypoint } from "../../lib/plan";
 import { boardHas, MISSIONS } from "../../missions/planDrafts";
 import type { Status } from "../../protocol/status";
-import { aStatus } from "../../test/aStatus";
+import { aStatus, heldBy } from "../../test/aStatus";
 import { Station } from "../../test/station";
 import { WORDS } from "../../ui/test/testWords";
 import { WordsProvider } from "../../ui/words";
@@ -81,7 +81,7 @@ describe("an alarm that recovered before anybody acknowledged it", () => {
   });
 
   test("cannot be acknowledged by who has no control, and says why", async () => {
-    const station = opened(aStatus({ alarms: [ENDED], control: { client: "c2", name: "Ana" } }));
+    const station = opened(aStatus({ alarms: [ENDED], control: heldBy("c2", "Ana") }));
     await user.click(within(strip()).getByRole("button", seen));
     expect(station.asked).toEqual([]);
     expect(within(strip()).getByRole("listitem").textContent).toContain("el control lo tiene Ana");

@@ -2,7 +2,7 @@ import { act, screen, within } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { beforeEach, describe, expect, test } from "vitest";
 import type { Status } from "../../protocol/status";
-import { aStatus } from "../../test/aStatus";
+import { aStatus, heldBy } from "../../test/aStatus";
 import { type Asked, Station } from "../../test/station";
 
 const user = userEvent.setup();
@@ -84,7 +84,7 @@ test("what recovered is listed until it is acknowledged: one by one, or with all
 });
 
 test("a viewer cannot acknowledge, nor move a threshold, and is told why", async () => {
-  station.status(aStatus({ alarms: [LOST], control: { client: "c2", name: "Ana" } }));
+  station.status(aStatus({ alarms: [LOST], control: heldBy("c2", "Ana") }));
   await user.click(within(panel("Activas")).getByRole("button", { name: /^Reconocer: Se ha/ }));
   await user.click(within(panel("Umbrales")).getByRole("button", { name: /^Valor de fábrica: Batería/ }));
   expect(station.asked.filter(({ method }) => method !== "GET")).toEqual([]);

@@ -103,6 +103,11 @@ export function takeAlarmEvent(store: AlarmLogStore, { event, data, t_s }: Strea
   }
 }
 
+/** The page was shut out, which is no loss of the station: nothing rings, and nothing is left to acknowledge. */
+export function forgetOwnAlarm(store: AlarmLogStore): void {
+  store.setState({ own: null, ownEnded: null });
+}
+
 /** The page's own alarm was raised (Unix seconds). */
 export function raiseOwn(store: AlarmLogStore, since_s: number): void {
   store.setState(({ own }) => ({ own: own ?? { since_s, acknowledged: false }, ownEnded: null }));

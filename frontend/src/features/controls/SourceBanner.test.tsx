@@ -1,7 +1,7 @@
 import { screen } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { expect, test } from "vitest";
-import { aStatus } from "../../test/aStatus";
+import { aStatus, heldBy } from "../../test/aStatus";
 import { Station } from "../../test/station";
 import { WORDS } from "../../ui/test/testWords";
 import { WordsProvider } from "../../ui/words";
@@ -60,7 +60,7 @@ test("whoever wants them off says so, and the notice goes", async () => {
 
 test("a viewer is told, and cannot switch anything", async () => {
   const station = returned();
-  station.status(aStatus({ control: { client: "c2", name: "Ana" } }));
+  station.status(aStatus({ control: heldBy("c2", "Ana") }));
   await user.click(screen.getByRole("button", { name: "Autopilot On" }));
   expect(station.asked).toEqual([]);
 });

@@ -1,7 +1,7 @@
 import { fireEvent, screen, within } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { beforeEach, describe, expect, test } from "vitest";
-import { aStatus } from "../../test/aStatus";
+import { aStatus, heldBy } from "../../test/aStatus";
 import { Station } from "../../test/station";
 
 const CONFIRMED = { state: "confirmed", by: "acknowledgement", ms: 9, reason: null };
@@ -59,7 +59,7 @@ describe("ServosOut", () => {
   });
 
   test("cannot be moved by a viewer, and says why", () => {
-    station.status(aStatus({ control: { client: "c2", name: "Ana" } }));
+    station.status(aStatus({ control: heldBy("c2", "Ana") }));
     fireEvent.change(slider(1), { target: { value: "0.5" } });
     expect(station.asked).toEqual([]);
     expect(slider(1).getAttribute("aria-disabled")).toBe("true");

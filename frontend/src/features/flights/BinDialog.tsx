@@ -75,7 +75,7 @@ export function RestoreButton({
       label={t("flights.restoreOne", { name: flightName(flight) })}
       state={state}
       stateText={stateText}
-      disabledReason={useLibraryBlocked()}
+      disabledReason={useLibraryBlocked("owner")}
     >
       {t("flights.restore")}
     </Button>

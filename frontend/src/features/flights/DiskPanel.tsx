@@ -19,7 +19,7 @@ export function DiskPanel({ disk: { free_bytes, hours_left, policy } }: { readon
   const { setPolicy } = usePart(FLIGHTS);
   const control = "flights.policy";
   const { state, stateText } = useAsked(control);
-  const blocked = useLibraryBlocked();
+  const blocked = useLibraryBlocked("owner");
   const keep_gb = policy.keep_free_bytes / GIGABYTE;
   return (
     <Panel title={t("flights.disk")} className="flights-disk">

@@ -68,6 +68,7 @@ function Tools({ flight }: { readonly flight: Flight }) {
   const deleted = useAsked(deleting.control);
   const indexed = useAsked(indexing.control);
   const unreachable = useLibraryUnreachable();
+  const changing = useLibraryUnreachable("operator");
   const name = flightName(flight);
   const when = formatDateTime(flight.started_s);
   return (
@@ -94,7 +95,7 @@ function Tools({ flight }: { readonly flight: Flight }) {
         label={t("flights.indexAgain")}
         state={indexed.state}
         stateText={indexed.stateText}
-        disabledReason={unreachable}
+        disabledReason={changing}
       >
         {null}
       </Button>
@@ -104,7 +105,7 @@ function Tools({ flight }: { readonly flight: Flight }) {
         icon={<Trash2 size={15} aria-hidden="true" />}
         state={deleted.state}
         stateText={deleted.stateText}
-        disabledReason={useLibraryBlocked()}
+        disabledReason={useLibraryBlocked("owner")}
       >
         {t("flights.delete")}
       </Button>

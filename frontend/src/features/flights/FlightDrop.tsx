@@ -8,7 +8,7 @@ import { useLibraryBlocked } from "./useFlights";
 export function FlightDrop({ children }: { readonly children: ReactNode }) {
   const { t } = useTranslation();
   const { importFile } = usePart(FLIGHTS);
-  const blocked = useLibraryBlocked();
+  const blocked = useLibraryBlocked("operator");
   const [isOver, setOver] = useState(false);
 
   function onDragOver(event: DragEvent): void {

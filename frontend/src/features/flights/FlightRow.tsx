@@ -135,7 +135,7 @@ export function PinButton({ flight }: { readonly flight: Flight }) {
       label={t("flights.pin", { name })}
       state={state === "rejected" ? state : "idle"}
       stateText={state === "rejected" ? stateText : undefined}
-      disabledReason={useLibraryUnreachable()}
+      disabledReason={useLibraryUnreachable("operator")}
     >
       {null}
     </Button>

@@ -18,7 +18,7 @@ export function FlightWordsForm({ flight }: { readonly flight: Flight }) {
   const { change } = usePart(FLIGHTS);
   const control = `flights.words.${flight.id}`;
   const { state, stateText } = useAsked(control);
-  const unreachable = useLibraryUnreachable();
+  const unreachable = useLibraryUnreachable("operator");
   const keep = (words: FlightWords): void => void change(flight.id, words, { control });
   return (
     <div className="flights-words">
@@ -43,7 +43,7 @@ interface Props {
 function Tags({ flight: { tags }, keep }: Props) {
   const { t } = useTranslation();
   const known = useLibrary(({ list }) => list?.tags) ?? [];
-  const unreachable = useLibraryUnreachable();
+  const unreachable = useLibraryUnreachable("operator");
   const offered = known.filter((tag) => !tags.includes(tag)).slice(0, 8);
   const add = (tag: string): void => {
     const added = tag.trim().slice(0, LONGEST_TAG);
@@ -102,7 +102,7 @@ function Notes({ flight, keep }: Props) {
   const { t } = useTranslation();
   const id = useId();
   const [draft, setDraft] = useState<string | null>(null);
-  const unreachable = useLibraryUnreachable();
+  const unreachable = useLibraryUnreachable("operator");
   return (
     <div className="ui-field">
       <label htmlFor={id} className="ui-field-label">

@@ -2,7 +2,7 @@ import { fireEvent, screen, waitFor, within } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { beforeEach, describe, expect, test } from "vitest";
 import { formatDateTime } from "../../lib/moment";
-import { aStatus } from "../../test/aStatus";
+import { aStatus, heldBy } from "../../test/aStatus";
 import { aFlight, aFlightEvent, aFlightList } from "../../test/flights";
 import { type Asked, Station } from "../../test/station";
 
@@ -288,7 +288,7 @@ describe("a flight that is chosen", () => {
 });
 
 test("a viewer may neither delete nor import nor change the policy, and is told why", async () => {
-  await open(BOTH, aStatus({ control: { client: "c2", name: "Ana" } }));
+  await open(BOTH, aStatus({ control: heldBy("c2", "Ana") }));
   await select();
   await user.click(button("Borrar…"));
   expect(screen.queryByRole("alertdialog")).toBeNull();

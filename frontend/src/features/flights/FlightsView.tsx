@@ -70,7 +70,7 @@ export function FlightsView() {
 function HeadTools() {
   const { t } = useTranslation();
   const { importFile } = usePart(FLIGHTS);
-  const blocked = useLibraryBlocked();
+  const blocked = useLibraryBlocked("operator");
   const [isBinOpen, setBinOpen] = useState(false);
   return (
     <div className="flights-head-tools">

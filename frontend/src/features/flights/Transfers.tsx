@@ -130,7 +130,7 @@ function JobUnderway({ job, name }: { readonly job: Job; readonly name: string }
         label={t("flights.cancelOne", { name })}
         state={state}
         stateText={stateText}
-        disabledReason={useLibraryUnreachable()}
+        disabledReason={useLibraryUnreachable("operator")}
       >
         {null}
       </Button>

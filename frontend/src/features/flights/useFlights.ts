@@ -2,6 +2,9 @@ import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { formatDateTime } from "../../lib/moment";
 import type { Flight } from "../../protocol/guards.gen";
+import { otherHolder, pageName } from "../../requests/useControl";
+import { useRoleBlocked } from "../../requests/useRole";
+import type { Role } from "../../store/admission";
 import type { Connection } from "../../store/connection";
 import { usePart } from "../../store/hooks";
 import { FLIGHTS, type LibraryState } from "./flightLibrary";
@@ -16,20 +19,21 @@ export function usePresent<T>(select: (connection: Connection) => T): T {
   return useStore(usePart(FLIGHTS).connection, select);
 }
 
-/** Why the library cannot be asked anything now; undefined if it can. */
-export function useLibraryUnreachable(): string | undefined {
+/** Why this user cannot ask the library anything now, or nothing that needs this role; undefined if it can. */
+export function useLibraryUnreachable(least: Role = "viewer"): string | undefined {
   const { t } = useTranslation();
-  return usePresent(({ phase }) => phase === "open") ? undefined : t("blocked.gateway");
+  const role = useRoleBlocked(least);
+  return usePresent(({ phase }) => phase === "open") ? role : t("blocked.gateway");
 }
 
 /** Why flights cannot be deleted or brought in from here now; undefined if they can. Looking at the past forbids neither. */
-export function useLibraryBlocked(): string | undefined {
+export function useLibraryBlocked(least: Role): string | undefined {
   const { t } = useTranslation();
-  const holder = usePresent(({ status, client }) => {
-    const control = status?.control;
-    return control?.client == null || control.client === client ? null : (control.name ?? control.client);
+  const holder = usePresent((connection) => {
+    const other = otherHolder(connection);
+    return other === null ? null : pageName(t, other);
   });
-  const unreachable = useLibraryUnreachable();
+  const unreachable = useLibraryUnreachable(least);
   return unreachable ?? (holder === null ? undefined : t("blocked.viewer", { name: holder }));
 }
 

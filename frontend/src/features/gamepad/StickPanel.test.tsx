@@ -2,7 +2,7 @@ import { act, screen, within } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { beforeEach, describe, expect, test } from "vitest";
 import type { Status } from "../../protocol/status";
-import { aStatus } from "../../test/aStatus";
+import { aStatus, heldBy } from "../../test/aStatus";
 import { aPad } from "../../test/gamepads";
 import { Station } from "../../test/station";
 import { WORDS } from "../../ui/test/testWords";
@@ -65,7 +65,7 @@ test("without a gamepad none can be chosen, and the panel says what to do", () =
 
 test("a viewer's gamepad cannot be chosen", () => {
   act(() => station.gamepads.plug(aPad()));
-  station.status(aStatus({ control: { client: "c2", name: "Otra" } }));
+  station.status(aStatus({ control: heldBy("c2", "Otra") }));
   expect(choice("Mando de este navegador").getAttribute("aria-disabled")).toBe("true");
 });
 
@@ -187,7 +187,7 @@ describe("with a gamepad", () => {
   });
 
   test("a gamepad at another page is named with that page, and this one's stays still", () => {
-    station.status(withStick({ ...MINE, client: "c2" }, { control: { client: "c2", name: "Torre" } }));
+    station.status(withStick({ ...MINE, client: "c2" }, { control: heldBy("c2", "Torre") }));
     expect(within(panel()).getByText("La palanca es el mando Test Pad de la página Torre.")).toBeTruthy();
     station.pass(200);
     expect(samples()).toEqual([]);

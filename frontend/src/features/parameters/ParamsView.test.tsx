@@ -1,6 +1,6 @@
 import { screen, within } from "@testing-library/react";
 import { describe, expect, test } from "vitest";
-import { aStatus } from "../../test/aStatus";
+import { aStatus, heldBy } from "../../test/aStatus";
 import { field, listed, newest, open, row, station, type, unknown, user, writes } from "../../test/params";
 
 describe("the gains as the board has them", () => {
@@ -112,7 +112,7 @@ describe("an edit", () => {
   });
 
   test("cannot be made by a viewer, who is told why", async () => {
-    await open({}, aStatus({ control: { client: "c2", name: "Ana" } }));
+    await open({}, aStatus({ control: heldBy("c2", "Ana") }));
     expect(screen.getByRole("textbox", { name: "k_roll", description: /Ana/ })).toBeDefined();
     await user.type(field("k_roll"), "3{Enter}");
     expect(writes()).toEqual([]);

@@ -120,11 +120,11 @@ function paintGaps(context: CanvasRenderingContext2D, picture: BarPicture, botto
   context.strokeStyle = colours.gap;
   context.lineWidth = 1;
   for (const [from_s = 0, to_s = 0] of overview?.gaps ?? []) {
-    const from = Math.max(0, xOf(from_s, view, width));
-    const to = Math.min(width, Math.max(from + 2, xOf(to_s, view, width)));
-    if (from >= width || to <= 0) {
+    if (from_s >= view.to_s || to_s <= view.from_s) {
       continue;
     }
+    const from = Math.max(0, xOf(from_s, view, width));
+    const to = Math.min(width, Math.max(from + 2, xOf(to_s, view, width)));
     context.save();
     context.beginPath();
     context.rect(from, 0, to - from, bottom);

@@ -23,6 +23,9 @@ export function ManoeuvrePicture({ one }: Props) {
   const kind = t(`report.kind.${one.kind}`);
   const label = t("report.picture", { kind, at: formatFlightTime(one.at_s) });
   const every = [...trace.value, ...trace.target].filter((value) => value !== null);
+  if (every.length === 0) {
+    return null;
+  }
   const [low, high] = [Math.min(...every), Math.max(...every)];
   const room = Math.max((high - low) * 0.08, 1e-6);
   const [first, last] = [trace.at_s[0] ?? 0, trace.at_s.at(-1) ?? 1];

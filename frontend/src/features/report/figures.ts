@@ -113,14 +113,26 @@ export const LINK: readonly Row[] = [
 
 export type ManoeuvreRow = readonly [FigureName, (one: ReportManoeuvre, across: string) => string];
 
+/** A figure and how far it may be off, with a digit more of the latter where it would be nought. */
+export function doubted(value: number | null, doubt: number | null, digits: number, unit = ""): string {
+  if (value === null || doubt === null) {
+    return shown(value, digits, unit);
+  }
+  return `${shown(value, digits)} ± ${shown(doubt, doubt >= 0.1 ** digits ? digits : digits + 1, unit)}`;
+}
+
 /** The figures of an answer to a step. */
 export const ANSWER: readonly ManoeuvreRow[] = [
   ["size", ({ size, unit }) => withUnit(size, unit)],
-  ["rise", ({ rise_s }) => shown(rise_s, 1, "s")],
-  ["overshoot", ({ overshoot_percent }) => shown(overshoot_percent, 1, "%")],
+  ["rise", ({ rise_s, rise_doubt_s }) => doubted(rise_s, rise_doubt_s, 1, "s")],
+  [
+    "overshoot",
+    ({ overshoot_percent, overshoot_doubt_percent }) =>
+      doubted(overshoot_percent, overshoot_doubt_percent, 1, "%"),
+  ],
   ["settling", ({ settling_s }) => shown(settling_s, 1, "s")],
   ["steady", ({ steady_error, unit }) => withUnit(steady_error, unit)],
-  ["damping", ({ damping }) => shown(damping, 2)],
+  ["damping", ({ damping, damping_doubt }) => doubted(damping, damping_doubt, 2)],
 ];
 
 /** The figures of a leg; `across` has the words of both cross-track figures. */

@@ -6,12 +6,13 @@ import "./setup.css";
 import { SimulatorLink } from "./SimulatorLink";
 
 /** "Setup": the links to the board and to the simulator, and the raw data on them. */
-export function SetupView({ stick }: { stick: ReactNode }) {
+export function SetupView({ stick, access }: { stick: ReactNode; access: ReactNode }) {
   return (
     <div className="setup">
       <BoardLink />
       <SimulatorLink />
       {stick}
+      {access}
       <RawLine />
       <RowTable />
     </div>

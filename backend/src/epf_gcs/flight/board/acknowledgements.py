@@ -39,11 +39,10 @@ class Owed:
         self._last_s[command_id] = self._steady_s()
 
     def on_frame(self, frame: Frame, meant: Meaning) -> None:
-        """Take a frame of the board; an acknowledgement lowers the count of its type."""
-        if frame.message.name == "acknowledgement":
-            command_id = meant.values["command_type"]
-            if isinstance(command_id, int) and self._counts[command_id] > 0:
-                self._counts[command_id] -= 1
+        """Take an acknowledgement of the board: it lowers the count of its type."""
+        command_id = meant.values["command_type"]
+        if isinstance(command_id, int) and self._counts[command_id] > 0:
+            self._counts[command_id] -= 1
 
     def none_before(self, command_id: int, sendings: int) -> None:
         """Expect acknowledgements only for the last `sendings` commands of this type, not for earlier ones."""

@@ -12,7 +12,7 @@ from epf_gcs.errors import GatewayError
 from epf_gcs.flight.line_clock import LineClock
 from epf_gcs.link.address import EMULATION, LinkAddress
 from epf_gcs.link.base import Link, LinkCallbacks, Tap
-from epf_gcs.link.kept_open import Handling, KeptOpen
+from epf_gcs.link.kept_open import Handling, KeepsOpen, KeptOpen
 from epf_gcs.link.open import open_link
 from epf_gcs.link.ports import find_identity, find_path
 from epf_gcs.vehicle.board import Board
@@ -20,7 +20,7 @@ from epf_gcs.vehicle.board import Board
 State = Literal["closed", "opening", "open", "lost"]
 
 
-class Supervisor:
+class Supervisor(KeepsOpen[LinkAddress, Link]):
     """Owns the link's life. `identity` names the USB device behind it, wherever it is plugged in."""
 
     def __init__(
@@ -58,16 +58,6 @@ class Supervisor:
         self._locate = locate
 
     @property
-    def address(self) -> LinkAddress | None:
-        """What the operator wants open; None after a close."""
-        return self._kept.address
-
-    @property
-    def failure(self) -> GatewayError | None:
-        """Why the link is not open."""
-        return self._kept.failure
-
-    @property
     def reopened(self) -> int:
         """How often the link was reopened automatically."""
         return self._kept.reopened
@@ -84,10 +74,6 @@ class Supervisor:
         silent = self._board.session.state is SessionState.OPENING and self._board.session.heartbeat_s is not None
         return "lost" if silent else "opening"
 
-    async def open(self, address: LinkAddress) -> None:
-        """Open this link in place of any other. Raises LinkError; then what was wanted stays wanted."""
-        await self._kept.open(address)
-
     def want(self, address: LinkAddress, identity: str | None) -> None:
         """Open this link as soon as it is there; for the start, when nobody waits for an answer."""
         self.identity = identity
@@ -97,14 +83,6 @@ class Supervisor:
         """Leave the board quiet, let the link go and stay closed."""
         await self._kept.close()
         self.identity = None
-
-    async def run(self) -> None:
-        """Open again whatever is wanted and not open; runs as long as the gateway."""
-        await self._kept.run()
-
-    def shut_down(self) -> None:
-        """The gateway ends: leave the board quiet. What was wanted stays wanted."""
-        self._kept.shut_down()
 
     async def _find(self, wanted: LinkAddress) -> LinkAddress:
         """The address to open: the same device may have come back under another name."""

@@ -83,7 +83,7 @@ class Commands:
         self._waiting: dict[asyncio.Future[Verdict], Line | None] = {}
         # Set by the composition root; called after every command that was done.
         self.on_done: Callable[[str, tuple[float, ...]], None] | None = None
-        board.listen(self._owed.on_frame)
+        board.listen("acknowledgement", self._owed.on_frame)
 
     def link_changed(self) -> None:
         """The board's link was replaced or closed: stop waiting for proofs on the old one."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import replace
 from typing import Any, Final
@@ -17,7 +17,7 @@ from epf_gcs.flight.board.commands import CommandResult, Commands
 from epf_gcs.flight.board.journal import Journal
 from epf_gcs.vehicle import parameters as gains
 from epf_gcs.vehicle.board import Board
-from epf_gcs.vehicle.journal import Change, Kind, Outcome
+from epf_gcs.vehicle.journal import Change, Kind, Outcome, Step
 from epf_gcs.vehicle.outside import Outlet
 from epf_gcs.vehicle.parameters import BY_NAME, UNKNOWN, Held17
 
@@ -41,7 +41,7 @@ class Parameters:
         self.held: Held17 = UNKNOWN
         self.unconfirmed: tuple[str, ...] = ()
         self._unstored: dict[str, None] = {}
-        board.listen(self._on_frame)
+        board.listen("autopilot_parameters", self._on_frame)
 
     def forget(self) -> None:
         """Forget all values and undo steps: the board is gone or was restarted."""
@@ -67,23 +67,21 @@ class Parameters:
 
     async def undo(self, client: str | None) -> None:
         """Undo the newest step, with read-back. Raises ConflictError if there is none."""
-        async with self._lock:
-            step = self.journal.steps.undo
-            if step is None:
-                raise ConflictError(
-                    "nothing_to_undo", "Nothing was undone because nothing was written to this board since it opened."
-                )
-            await self._write("undo", {move.name: move.after for move in step}, client)
+        none = "Nothing was undone because nothing was written to this board since it opened."
+        await self._step("undo", lambda: self.journal.steps.undo, ConflictError("nothing_to_undo", none), client)
 
     async def redo(self, client: str | None) -> None:
         """Redo the step undone last, with read-back. Raises ConflictError if there is none."""
+        none = "Nothing was done again because nothing was undone since the last write."
+        await self._step("redo", lambda: self.journal.steps.redo, ConflictError("nothing_to_redo", none), client)
+
+    async def _step(self, kind: Kind, due: Callable[[], Step | None], none: ConflictError, client: str | None) -> None:
+        """Write the step that is `due` when its turn has come; raise `none` if there is none then."""
         async with self._lock:
-            step = self.journal.steps.redo
+            step = due()
             if step is None:
-                raise ConflictError(
-                    "nothing_to_redo", "Nothing was done again because nothing was undone since the last write."
-                )
-            await self._write("redo", {move.name: move.after for move in step}, client)
+                raise none
+            await self._write(kind, {move.name: move.after for move in step}, client)
 
     async def set_by_command(self, command: Message, value: float, client: str | None) -> CommandResult:
         """Send one set command without our own read-back, and note it in the journal."""
@@ -253,7 +251,7 @@ class Parameters:
                 )
 
     def _on_frame(self, frame: Frame, meant: Meaning) -> None:
-        if frame.message.name == "autopilot_parameters" and not self._is_writing:
+        if not self._is_writing:
             self._replace(gains.after_read(self.held, meant.values))
 
     def _replace(self, held: Held17) -> None:

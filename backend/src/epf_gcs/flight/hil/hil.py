@@ -60,7 +60,7 @@ class Hil:
     @property
     def source(self) -> Source | None:
         """Who holds the stick, as the board reports it; None before its first report."""
-        heartbeat = self._telemetry.newest("heartbeat")
+        heartbeat = self._telemetry.peek("heartbeat")
         joystick = None if heartbeat is None else heartbeat.get("source_joystick")
         return None if joystick is None else "joystick" if joystick else "rc"
 

@@ -11,7 +11,7 @@ from epf_gcs.errors import GatewayError, LinkError
 from epf_gcs.flight.hil.hil import Hil
 from epf_gcs.flight.line_clock import LineClock
 from epf_gcs.link.base import Tap
-from epf_gcs.link.kept_open import Handling, KeptOpen
+from epf_gcs.link.kept_open import Handling, KeepsOpen, KeptOpen
 from epf_gcs.link.udp import UdpAddress, UdpCallbacks, UdpLink, open_udp
 from epf_gcs.xplane.datagram import parse, release_datagram
 
@@ -51,7 +51,7 @@ class SimulatorAddress:
         return asdict(self)
 
 
-class Simulator:
+class Simulator(KeepsOpen[SimulatorAddress, UdpLink]):
     """Owns the socket's life and hands its datagrams to the bridge."""
 
     def __init__(
@@ -85,16 +85,6 @@ class Simulator:
         )
 
     @property
-    def address(self) -> SimulatorAddress | None:
-        """What the operator wants to listen to; None after a close."""
-        return self._kept.address
-
-    @property
-    def failure(self) -> GatewayError | None:
-        """Why the socket is not open."""
-        return self._kept.failure
-
-    @property
     def is_listening(self) -> bool:
         """Whether the socket is open."""
         return self._kept.link is not None
@@ -116,25 +106,13 @@ class Simulator:
             return "opening"
         return "open" if self._clock.steady_s() - self._last_datagram_s < _LOST_AFTER_S else "lost"
 
-    async def open(self, address: SimulatorAddress) -> None:
-        """Listen here in place of anywhere else. Raises LinkError; then what was wanted stays wanted."""
-        await self._kept.open(address)
-
     def want(self, address: SimulatorAddress) -> None:
         """Listen here as soon as it can be done; for the start, when nobody waits for an answer."""
         self._kept.want(address)
 
-    async def run(self) -> None:
-        """Open again whatever is wanted and not open; runs as long as the gateway."""
-        await self._kept.run()
-
     async def close(self) -> None:
         """Hand the controls back and stop listening."""
         await self._kept.close()
-
-    def shut_down(self) -> None:
-        """The gateway ends: hand the controls back. What was wanted stays wanted."""
-        self._kept.shut_down()
 
     async def _bind(self, address: SimulatorAddress) -> UdpLink:
         callbacks = UdpCallbacks(self._on_datagram, self._on_strangers, self._tap, _is_of_a_simulator)

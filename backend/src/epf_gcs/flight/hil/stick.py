@@ -19,10 +19,13 @@ Reason = Literal["chosen", "control_lost", "lost", "back"]
 
 # A page starts sending samples together with its request: without one after this long no gamepad is active.
 _FIRST_SAMPLE_S: Final = 1.0
+# Longer than the web process keeps control for a page that was lost: it decides, unless it has died meanwhile.
+_KEPT_S: Final = 15.0
 
 
 class Stick:
-    """Samples count only from the browser that has control; the choice ends with that browser's control."""
+    """Samples count only from the page that has control. Without it the stick is let go at once; the choice of its
+    gamepad ends when another has control, or when it is kept for nobody any longer."""
 
     def __init__(self, outlet: Outlet, clock: Clock, on_change: Callable[[], None]) -> None:
         self._event = outlet.event
@@ -32,6 +35,8 @@ class Stick:
         self._on_change = on_change
         self._input = GamepadInput()
         self._holder: Client | None = None
+        self._kept: Client | None = None
+        self._kept_since_s = 0.0
         self._pilot: Client | None = None
         self._was_live = False
         self._arrived = asyncio.Event()
@@ -54,6 +59,11 @@ class Stick:
     def holder(self) -> Client | None:
         """The browser that has control, as the web process reported last."""
         return self._holder
+
+    @property
+    def last_holder(self) -> Client | None:
+        """The same, or the one that has just lost it and gets it back on return."""
+        return self._holder or self._kept
 
     @property
     def pilot(self) -> Client | None:
@@ -107,24 +117,34 @@ class Stick:
         """Use the stick position of the simulator's rows."""
         self._end("chosen")
 
-    def control_changed(self, holder: Client | None) -> None:
-        """Another browser, or none, has control: a gamepad whose browser lost control is no longer used."""
-        self._holder = holder
-        if self.on_holder is not None:
+    def control_changed(self, holder: Client | None, kept: Client | None = None) -> None:
+        """Another page, or none, has control: a gamepad whose page lost it is no longer used.
+
+        `kept`: nobody has control, but this page gets it back on return. Until then its gamepad counts as lost.
+        """
+        is_news = holder != self._holder
+        self._holder, self._kept, self._kept_since_s = holder, kept, self._clock.steady_s()
+        if is_news and self.on_holder is not None:
             self.on_holder()
-        if self._pilot is not None and (holder is None or holder.id != self._pilot.id):
+        may_fly = holder or kept
+        if self._pilot is not None and (may_fly is None or may_fly.id != self._pilot.id):
             self._end("control_lost")
-        if self._pilot is None:
+        if self._pilot is None or holder is None:
             self._input.let_go()
+            self.tick()
 
     def let_go(self, client: str | None = None) -> None:
         """Drop the samples of this browser (None: of every browser): its connection ended or was replaced."""
-        if self._holder is not None and client in (None, self._holder.id):
+        hand = self._pilot or self._holder
+        if hand is not None and client in (None, hand.id):
             self._input.let_go()
             self.tick()
 
     def tick(self) -> None:
         """Announce loss and return of the samples; called a few times a second."""
+        if self._holder is None and self._kept is not None and self._clock.steady_s() - self._kept_since_s > _KEPT_S:
+            self._kept = None
+            self._end("control_lost")
         if self._pilot is not None and self._was_live != (self.state == "live"):
             self._announce_state()
 

@@ -92,7 +92,8 @@ class HilSwitches:
 
 
 def stick_notices(stick: Stick) -> Callable[[str, dict[str, Any]], None]:
-    """stick {client, sample}; stick_gone {client}; control {client, name} of the browser that has it, or nulls."""
+    """stick {client, sample}; stick_gone {client}; control {client, name, about, kept} of the page that has it, or that
+    has just lost it and may come back (`kept`); nulls for nobody."""
 
     def notice(name: str, arguments: dict[str, Any]) -> None:
         match name, arguments:
@@ -101,7 +102,11 @@ def stick_notices(stick: Stick) -> Callable[[str, dict[str, Any]], None]:
             case "stick_gone", {"client": str(client)}:
                 stick.let_go(client)
             case "control", {"client": str(client), "name": str(shown)}:
-                stick.control_changed(Client(client, shown))
+                page = Client(client, shown, dict(arguments.get("about") or {}))
+                if arguments.get("kept"):
+                    stick.control_changed(None, page)
+                else:
+                    stick.control_changed(page)
             case "control", {"client": None}:
                 stick.control_changed(None)
 

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Awaitable, Callable
 from dataclasses import asdict
 from typing import Any
 
 from epf_gcs.bus.definition import Asker
+from epf_gcs.bus.vehicle_end import Handler
 from epf_gcs.codec.tables import Waypoint
 from epf_gcs.flight.board.missions import Missions
 from epf_gcs.flight.board.parameters import Parameters
@@ -26,20 +28,15 @@ def parameter_requests(parameters: Parameters) -> Table:
     async def read(_: Asker, __: dict[str, Any]) -> dict[str, Any]:
         return held()
 
-    async def load(by: Asker, _: dict[str, Any]) -> dict[str, Any]:
-        await parameters.load(by.client)
-        return held()
+    def then_held(do: Callable[[str | None], Awaitable[None]]) -> Handler:
+        async def answer(by: Asker, _: dict[str, Any]) -> dict[str, Any]:
+            await do(by.client)
+            return held()
+
+        return answer
 
     async def write(by: Asker, arguments: dict[str, Any]) -> dict[str, Any]:
         await parameters.set(arguments, by.client)
-        return held()
-
-    async def undo(by: Asker, _: dict[str, Any]) -> dict[str, Any]:
-        await parameters.undo(by.client)
-        return held()
-
-    async def redo(by: Asker, _: dict[str, Any]) -> dict[str, Any]:
-        await parameters.redo(by.client)
         return held()
 
     async def store(by: Asker, _: dict[str, Any]) -> dict[str, Any]:
@@ -55,10 +52,10 @@ def parameter_requests(parameters: Parameters) -> Table:
 
     return {
         "parameters.read": read,
-        "parameters.load": load,
+        "parameters.load": then_held(parameters.load),
         "parameters.set": write,
-        "parameters.undo": undo,
-        "parameters.redo": redo,
+        "parameters.undo": then_held(parameters.undo),
+        "parameters.redo": then_held(parameters.redo),
         "parameters.store": store,
         "parameters.journal": journal,
     }

@@ -12,7 +12,7 @@ from epf_gcs.flights.worker import Say
 from epf_gcs.recordings.places import SUMMARY, Places
 
 FILE: Final = "report.json"
-VERSION: Final = 1
+VERSION: Final = 2
 """Reports of another version are made anew."""
 
 Report = dict[str, Any]

@@ -1,16 +1,18 @@
 """How a loop answered a step of its target: rise time, overshoot, settling, steady error and damping.
 
-A second-order model (final value, natural frequency, damping ratio, dead time) is fitted to the samples, with large
-deviations weighted down, so that neither noise nor a gust is taken for an overshoot. Where the answer is not of second
-order (limits, cut short), the figures are read off the smoothed samples instead, and damping only from the overshoot.
+Where a second-order model explains the samples (`fitting.py`), the figures are the model's, each with how far it may
+be off: neither noise nor a gust is taken for an overshoot. Where the answer is of another kind or cut short, they are
+read off the smoothed samples instead, and damping, which is a word of the model, is not told.
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Final, Literal, NamedTuple
 
 import numpy as np
 
+from epf_gcs.flights.report.fitting import Fit, Model, answer, fit
 from epf_gcs.flights.signals import Array
 
 Method = Literal["model", "measured", "none"]
@@ -26,18 +28,15 @@ _LEAST_REACHED: Final = 0.3
 # The last and the one but last eighth of the samples: while they differ by more than the band, it is on its way.
 _ENDS: Final = ((0.875, 1.0), (0.75, 0.875))
 _NEARLY: Final = 0.25
-_MOST_FITTED: Final = 900
-# How much a dead time as long as the rise must improve the fit, in deviations of the noise.
-_DOUBT: Final = 4.0
-_ROUNDS: Final = 60
-# Below this a peak cannot be told from noise, and the damping ratio not from its overshoot.
-_LEAST_PEAK: Final = 0.02
+# A figure that may be off by more, as a share of itself, is not told.
+_MOST_DOUBT: Final = 0.25
 
 
 class Response(NamedTuple):
     """Times in s from the step; `final`, `steady_error` and `peak` in the signal's unit. None: cannot be told.
 
-    `rise_from_s` and `rise_to_s` are when 10 and 90 % of the change were reached.
+    `rise_from_s` and `rise_to_s` are when 10 and 90 % of the change were reached. A figure lies within its doubt of the
+    true one in 95 of 100 cases; without a model no doubt is known.
     """
 
     method: Method
@@ -52,13 +51,10 @@ class Response(NamedTuple):
     steady_error: float | None = None
     damping: float | None = None
     frequency_rad_s: float | None = None
-
-
-class _Model(NamedTuple):
-    final: float
-    frequency_rad_s: float
-    damping: float
-    delay_s: float
+    rise_doubt_s: float | None = None
+    overshoot_doubt_percent: float | None = None
+    steady_doubt: float | None = None
+    damping_doubt: float | None = None
 
 
 def respond(t_s: Array, values: Array, start: float, target: float) -> Response:
@@ -72,33 +68,47 @@ def respond(t_s: Array, values: Array, start: float, target: float) -> Response:
     if len(t_s) < _LEAST_SAMPLES or size == 0.0:
         return Response("none")
     share = (values - start) / size
-    model = _fit(t_s, share)
+    fitted = _model_of(t_s, share)
     method: Method
-    if model is not None:
+    if fitted is not None:
         grid_s = np.linspace(0.0, float(t_s[-1]), 4000)
         # Peak and settling lie on the model's own course, also where the next manoeuvre cut them off.
-        course, final, method = _answer(grid_s, model), model.final, "model"
+        begin, final, method = fitted.model.begin, fitted.model.final, "model"
+        course = answer(grid_s, fitted.model)
     else:
         grid_s, course = _smoothed(t_s, share)
         last, before = (course[(grid_s >= a * grid_s[-1]) & (grid_s <= b * grid_s[-1])] for a, b in _ENDS)
         if abs(float(np.mean(last)) - float(np.mean(before))) > SETTLED:
             return Response("none")
-        final, method = float(np.mean(np.concatenate((before, last)))), "measured"
-    if final < _LEAST_REACHED:
+        begin, final, method = 0.0, float(np.mean(np.concatenate((before, last)))), "measured"
+    if final - begin < _LEAST_REACHED:
         return Response("none")
-    found = _read_off(grid_s, course / final)
-    overshoot = found.overshoot_percent
-    damping = None if model is None else model.damping
-    if model is None and overshoot is not None and overshoot > 100 * _LEAST_PEAK and found.settling_s is not None:
-        log = np.log(overshoot / 100.0)
-        damping = float(-log / np.sqrt(np.pi**2 + log**2))
-    return found._replace(
+    found = _read_off(grid_s, (course - begin) / (final - begin))
+    found = found._replace(
         method=method,
         final=start + final * size,
-        peak=None if found.peak is None else start + found.peak * final * size,
+        peak=None if found.peak is None else start + (begin + found.peak * (final - begin)) * size,
         steady_error=(1.0 - final) * size if found.settling_s is not None else None,
-        damping=damping,
-        frequency_rad_s=None if model is None else model.frequency_rad_s,
+    )
+    return found if fitted is None else _with_doubt(found, fitted, grid_s, size)
+
+
+def _with_doubt(found: Response, fitted: Fit, grid_s: Array, size: float) -> Response:
+    """With what the model tells, and how far each figure may be off; those that are hardly known are left out."""
+    model, uncertain = fitted.model, fitted.uncertain
+    rise, damping = uncertain(_figure(grid_s, "rise_s")), uncertain(lambda one: one.damping)
+    overshoot = uncertain(_figure(grid_s, "overshoot_percent"))
+    steady = uncertain(lambda one: one.final)
+    knows_rise = found.rise_s is not None and rise is not None and rise <= _MOST_DOUBT * found.rise_s
+    knows_damping = damping is not None and damping <= _MOST_DOUBT * model.damping
+    return found._replace(
+        rise_s=found.rise_s if knows_rise else None,
+        rise_doubt_s=rise if knows_rise else None,
+        damping=model.damping if knows_damping else None,
+        damping_doubt=damping if knows_damping else None,
+        frequency_rad_s=model.frequency_rad_s if knows_damping else None,
+        overshoot_doubt_percent=None if found.overshoot_percent is None else overshoot,
+        steady_doubt=None if found.steady_error is None or steady is None else steady * abs(size),
     )
 
 
@@ -138,92 +148,27 @@ def _first(t_s: Array, share: Array, level: float) -> float | None:
     return float(t_s[place - 1] + (t_s[place] - t_s[place - 1]) * (level - low) / (high - low))
 
 
-def _answer(t_s: Array, model: _Model) -> Array:
-    """The unit step answer of the model, times its final value."""
-    since_s = np.maximum(t_s - model.delay_s, 0.0)
-    damping = model.damping if abs(model.damping - 1.0) > 1e-4 else 1.0 + 1e-4
-    root = np.sqrt(complex(damping * damping - 1.0))
-    fast, slow = (-model.frequency_rad_s * (damping + root), -model.frequency_rad_s * (damping - root))
-    course = 1.0 + (fast * np.exp(slow * since_s) - slow * np.exp(fast * since_s)) / (slow - fast)
-    return np.asarray(model.final * course.real, dtype=np.float64)
-
-
-def _fit(t_s: Array, share: Array) -> _Model | None:
-    """The model that fits best; None where none explains the samples or they end before it shows its final value."""
-    step = max(1, len(t_s) // _MOST_FITTED)
-    t_s, share = t_s[::step], share[::step]
-    span_s = float(t_s[-1])
-    half = np.flatnonzero(share >= 0.5 * float(np.mean(share[3 * len(share) // 4 :])))
-    half_s = max(float(t_s[half[0]]) if len(half) else span_s / 2, span_s / 200)
-    longest_s = min(span_s / 3, 5.0)
-    doubt = _DOUBT / half_s
-    best: tuple[float, Array] | None = None
-    for damping in (0.25, 0.7, 1.3):
-        begin = np.array([1.0, np.log((1.0 + 0.7 * damping) / half_s), np.log(damping), 0.02 * half_s])
-        found = _least_squares(t_s, share, begin, longest_s, doubt)
-        if best is None or found[0] < best[0]:
-            best = found
-    if best is None:
+def _model_of(t_s: Array, share: Array) -> Fit | None:
+    """The model; None where none explains the samples or they end before it shows its final value."""
+    found = fit(t_s, share)
+    if found is None:
         return None
-    model = _of(best[1], longest_s)
-    rest = share - _answer(t_s, model)
-    variance = float(np.var(share))
-    left = float(np.var(rest))
+    model = found.model
     # Where it is still on its way, its final value is a guess.
-    reaches = abs(float(_answer(t_s[-1:], model)[0]) - model.final) < _NEARLY * abs(model.final)
-    is_good = left <= (1.0 - _GOOD_FIT) * variance and left**0.5 <= _GOOD_REST * max(1.0, abs(model.final))
-    return model if is_good and reaches and 0.02 < model.damping < 8.0 and model.final > 0 else None
+    reaches = abs(float(answer(t_s[-1:], model)[0]) - model.final) < _NEARLY * abs(model.final)
+    is_good = found.left <= (1.0 - _GOOD_FIT) * found.variance and found.left**0.5 <= _GOOD_REST * max(1.0, model.final)
+    return found if is_good and reaches and 0.02 < model.damping < 8.0 and model.final > model.begin else None
 
 
-def _least_squares(t_s: Array, share: Array, begin: Array, longest_s: float, doubt: float) -> tuple[float, Array]:
-    """Levenberg and Marquardt's method with Huber's weights: the cost and the parameters."""
-    at, trust = begin.copy(), 1e-2
-    rest = share - _answer(t_s, _of(at, longest_s))
-    weights = _weights(rest)
-    price = _price(rest, doubt)
-    cost = float(np.sum(weights * rest**2)) + price * at[3] ** 2
-    for _ in range(_ROUNDS):
-        slopes = np.empty((len(t_s), len(at)))
-        for place in range(len(at)):
-            moved = at.copy()
-            moved[place] += 1e-5
-            slopes[:, place] = (share - _answer(t_s, _of(moved, longest_s)) - rest) / 1e-5
-        normal = slopes.T @ (weights[:, None] * slopes)
-        towards = slopes.T @ (weights * rest)
-        normal[3, 3] += price
-        towards[3] += price * at[3]
-        change = np.linalg.lstsq(normal + trust * (np.diag(np.diag(normal)) + 1e-9 * np.eye(len(at))), -towards)[0]
-        tried = np.clip(at + np.clip(change, -1.0, 1.0), [0.05, -6.0, -4.0, -longest_s], [5.0, 5.0, 2.2, longest_s])
-        tried_rest = share - _answer(t_s, _of(tried, longest_s))
-        tried_cost = float(np.sum(weights * tried_rest**2)) + price * tried[3] ** 2
-        if tried_cost < cost:
-            is_over = cost - tried_cost < 1e-9 * cost
-            at, rest, trust = tried, tried_rest, max(trust / 5, 1e-9)
-            weights = _weights(rest)
-            price = _price(rest, doubt)
-            cost = float(np.sum(weights * rest**2)) + price * at[3] ** 2
-            if is_over:
-                break
-        else:
-            trust *= 6
-            if trust > 1e8:
-                break
-    return float(np.mean(np.minimum(rest**2, 4 * np.median(rest**2) + 1e-12))), at
+def _figure(t_s: Array, name: str) -> Callable[[Model], float | None]:
+    """One of the figures as a model gives it."""
 
+    def figure(model: Model) -> float | None:
+        course = (answer(t_s, model) - model.begin) / (model.final - model.begin)
+        found: float | None = getattr(_read_off(t_s, course), name)
+        return found
 
-def _of(at: Array, longest_s: float) -> _Model:
-    return _Model(float(at[0]), float(np.exp(at[1])), float(np.exp(at[2])), float(np.clip(at[3], 0.0, longest_s)))
-
-
-def _price(rest: Array, doubt: float) -> float:
-    """What a dead time costs: noise looks like one, so without a reason there is none."""
-    return doubt**2 * float(np.median(rest**2)) * len(rest)
-
-
-def _weights(rest: Array) -> Array:
-    """1 for what is near, less for what deviates by more than noise does."""
-    scale = 1.345 * 1.4826 * float(np.median(np.abs(rest))) + 1e-9
-    return np.asarray(np.minimum(1.0, scale / np.maximum(np.abs(rest), 1e-12)))
+    return figure
 
 
 def _smoothed(t_s: Array, share: Array) -> tuple[Array, Array]:

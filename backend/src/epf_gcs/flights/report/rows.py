@@ -39,6 +39,18 @@ def _with_unit(value: float | None, unit: str) -> str:
     return shown(value, 2 if unit == "kt" else 1, _UNITS[unit])
 
 
+def _doubted(name: str, doubt: str, digits: int, unit: str = "") -> Callable[[dict[str, Any]], str]:
+    """A figure and how far it may be off, with a digit more of the latter where it would be nought."""
+
+    def read(one: dict[str, Any]) -> str:
+        value, off = one[name], one.get(doubt)
+        if value is None or off is None:
+            return shown(value, digits, unit)
+        return f"{shown(value, digits)} ± {shown(off, digits if off >= 0.1**digits else digits + 1, unit)}"
+
+    return read
+
+
 def _of(part: str, name: str, digits: int, unit: str) -> Callable[[dict[str, Any]], str]:
     return lambda one: shown((one[part] or {}).get(name), digits, unit)
 
@@ -94,9 +106,11 @@ _RESPONSE: Final = (
 _DAMPING: Final = Row("damping", lambda one: shown(one["damping"], 2))
 ANSWER: Final = (
     Row("size", lambda one: _with_unit(one["size"], one["unit"])),
-    *_RESPONSE,
+    Row("rise", _doubted("rise_s", "rise_doubt_s", 1, "s")),
+    Row("overshoot", _doubted("overshoot_percent", "overshoot_doubt_percent", 1, "%")),
+    Row("settling", lambda one: shown(one["settling_s"], 1, "s")),
     Row("steady", lambda one: _with_unit(one["steady_error"], one["unit"])),
-    _DAMPING,
+    Row("damping", _doubted("damping", "damping_doubt", 2)),
 )
 LEG: Final = (
     Row("duration", lambda one: clock(one["leg"]["duration_s"])),

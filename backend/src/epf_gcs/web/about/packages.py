@@ -9,6 +9,8 @@ from importlib.metadata import Distribution, PackageNotFoundError, distribution
 from typing import Final
 
 _OURS: Final = "epf-gcs"
+# What a user may have installed besides; it is listed where it is there.
+_EXTRAS: Final = frozenset({"sim"})
 # name, extras in brackets, anything up to the marker, and the extra for which the marker asks
 _REQUIREMENT: Final = re.compile(r"^\s*(?P<name>[\w.-]+)\s*(\[(?P<extras>[^]]*)\])?[^;]*(;(?P<marker>.*))?$")
 _EXTRA: Final = re.compile(r"extra\s*==\s*[\"']([^\"']+)[\"']")
@@ -30,7 +32,7 @@ class Package:
 def packages() -> tuple[Package, ...]:
     """All packages that are needed at run time, by name. Reads many small files the first time."""
     found: dict[str, Package] = {}
-    todo: list[tuple[str, frozenset[str]]] = [(_OURS, frozenset())]
+    todo: list[tuple[str, frozenset[str]]] = [(_OURS, _EXTRAS)]
     seen: set[tuple[str, frozenset[str]]] = set()
     while todo:
         wanted = todo.pop()

@@ -29,7 +29,7 @@ from epf_gcs.web.access.sessions import LASTS_S, Sessions
 from epf_gcs.web.access.store import AccessStore, Person, Program, Session
 from epf_gcs.web.settings import Settings
 
-_ANYONE: Final = "anyone"
+ANYONE: Final = "anyone"
 _LAUNCHER: Final = Caller("program", "launcher", "epf-run", Role.owner, LOCAL_SESSION)
 _WRITTEN_EVERY_S: Final = 60.0
 
@@ -40,18 +40,27 @@ class Policy:
 
     trusts_this_computer: bool
     anyone_may_fly: bool
-    beyond_loopback: bool
+    host: str
     launcher_key: str | None = None
 
     @classmethod
     def of(cls, settings: Settings) -> Policy:
         """By default this computer is trusted, but not where a published port makes strangers look like it."""
-        beyond = not (settings.host == "localhost" or is_loopback(settings.host))
         trusts = settings.trust_this_computer
         if trusts is None:
-            trusts = not (beyond and is_in_container())
+            trusts = is_this_computers(settings.host) or not is_in_container()
         key = settings.launcher_key
-        return cls(trusts, settings.allow_anyone_to_fly, beyond, None if key is None else key.get_secret_value())
+        return cls(trusts, settings.allow_anyone_to_fly, settings.host, None if key is None else key.get_secret_value())
+
+    @property
+    def is_reached_by_others(self) -> bool:
+        """Whether this station listens beyond this computer."""
+        return not is_this_computers(self.host)
+
+
+def is_this_computers(host: str) -> bool:
+    """Whether what listens there is reached from this computer alone."""
+    return host == "localhost" or is_loopback(host)
 
 
 class Admission:
@@ -65,6 +74,10 @@ class Admission:
         self.port = 0
         self.is_secure = False
         self._opened = False
+        self.on_ended: Callable[[frozenset[str]], None] = _nobody_listens
+        """Told the ids of sessions that have ended, of people and programs."""
+        self.on_changed: Callable[[frozenset[str]], None] = _nobody_listens
+        """Told the ids of sessions whose role or name has changed."""
 
     def listen_at(self, port: int, *, secure: bool = False) -> None:
         """Where this station listens: cookies are named by it, for all ports of a host share them."""
@@ -82,6 +95,8 @@ class Admission:
         self.store = self._open_store()
         self.proving = Proving(time.monotonic)
         self.sessions = Sessions(self.store.all(Person), self.store.all(Session))
+        self.sessions.on_ended = self._tell_ended
+        self.sessions.on_changed = self._tell_changed
         self.programs = Programs(self.store.all(Program), self.proving)
         self.invitations = Invitations(self.store, self.proving)
         self.log = DeedLog(self._data_dir, self.clock.now_s, self._report)
@@ -120,7 +135,7 @@ class Admission:
         cookie = self.cookie(shown)
         caller = None if cookie is None else self.sessions.caller(cookie, now_s)
         if caller is None and self.policy.anyone_may_fly:
-            return Caller("person", _ANYONE, "", Role.operator, f"{_ANYONE}@{shown.peer.host}")
+            return Caller("person", ANYONE, "", Role.operator, f"{ANYONE}@{shown.peer.host}")
         return caller
 
     def needs_proof(self, shown: Shown) -> bool:
@@ -140,8 +155,8 @@ class Admission:
         """Whose session this is now, with the role of now; None once it has ended."""
         if session_id == LOCAL_SESSION:
             return LOCAL
-        if session_id.startswith(_ANYONE + "@"):
-            return Caller("person", _ANYONE, "", Role.operator, session_id) if self.policy.anyone_may_fly else None
+        if session_id.startswith(ANYONE + "@"):
+            return Caller("person", ANYONE, "", Role.operator, session_id) if self.policy.anyone_may_fly else None
         return self.sessions.current(session_id) or self.programs.current(session_id)
 
     def cookie(self, shown: Shown) -> str | None:
@@ -205,12 +220,31 @@ class Admission:
         self.sessions.remove(person_id)
         await self.write(partial(self.store.remove, Person, person_id))
 
+    async def end_session(self, session_id: str) -> Session:
+        """End the session of one browser. Raises NotFoundError."""
+        session = self.sessions.end(session_id)
+        await self.write(partial(self.store.remove, Session, session_id))
+        return session
+
+    async def end_program(self, program_id: str) -> Program:
+        """A program's key is worth nothing from now on. Raises NotFoundError."""
+        program = self.programs.end(program_id)
+        self.on_ended(frozenset((program_id,)))
+        await self.write(partial(self.store.remove, Program, program_id))
+        return program
+
     async def write(self, work: Callable[[], object]) -> None:
         """Change the store. Raises GatewayError where the disk does not take it."""
         try:
             await self.proving.run(work)
         except (sqlite3.Error, OSError) as error:
             raise _not_written(error) from error
+
+    def _tell_ended(self, ids: frozenset[str]) -> None:
+        self.on_ended(ids)
+
+    def _tell_changed(self, ids: frozenset[str]) -> None:
+        self.on_changed(ids)
 
     async def _write_last_heard(self) -> None:
         while True:
@@ -228,6 +262,10 @@ class Admission:
                 self.store.seen(Session, sessions)
             if programs:
                 self.store.seen(Program, programs)
+
+
+def _nobody_listens(_ids: frozenset[str]) -> None:
+    """Until the stream's endpoint does."""
 
 
 def _not_written(error: Exception) -> GatewayError:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import ipaddress
 import os
-import sys
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
@@ -12,15 +11,13 @@ from pathlib import Path
 from typing import Final, Literal, NamedTuple
 
 from epf_gcs.web.access.roles import Role
+from epf_gcs.web.access.socket_owner import UNTOLD, Connection, owner_of
 
 CallerKind = Literal["local", "person", "program"]
 
 LOCAL_SESSION: Final = "local"
 """The session of all pages and programs of this computer."""
 _ROOT: Final = 0
-_ESTABLISHED: Final = b"01"
-UNTOLD: Final = -1
-NOBODY: Final = -2
 # A proxy adds one of these: what comes through it is from somewhere else, although its connection is from here.
 _PROXY_HEADERS: Final = frozenset((b"forwarded", b"via", b"x-real-ip"))
 _PROXY_PREFIX: Final = b"x-forwarded-"
@@ -45,20 +42,23 @@ LOCAL: Final = Caller("local", "local", "local", Role.owner, LOCAL_SESSION)
 class Peer:
     """The other end of a connection. Kept as long as the connection, so that the system is asked once."""
 
-    def __init__(self, host: str, port: int, own_port: int) -> None:
-        """`own_port`: our end of the connection."""
-        self.host = host
-        self._port = port
-        self._own_port = own_port
+    def __init__(self, address: tuple[str, int] | None, own_address: tuple[str, int | None] | None) -> None:
+        """None: not known, which is never this computer."""
+        self.host, self._port = address or ("", 0)
+        self._own_address = own_address
 
     @cached_property
     def is_ours(self) -> bool:
         """Whether it is a process of this computer and of our own user or root, as far as the system tells."""
-        if not is_loopback(self.host):
+        if not is_loopback(self.host) or self._own_address is None:
             return False
-        if sys.platform != "linux":
-            return True
-        return socket_owner(self.host, self._port, self._own_port) in (UNTOLD, _ROOT, os.getuid())
+        own_host, own_port = self._own_address
+        connection = Connection(self.host, self._port, own_host, own_port or 0)
+        return owner_of(connection) in (UNTOLD, _ROOT, _own_user())
+
+
+def _own_user() -> int:
+    return os.getuid() if hasattr(os, "getuid") else UNTOLD
 
 
 class Shown(NamedTuple):
@@ -98,32 +98,3 @@ def is_in_container(marks: Iterable[Path] = _CONTAINER_MARKS, variables: Mapping
     """Whether this process runs in a container: a port of it that is published can make strangers come from the
     loopback."""
     return "container" in variables or any(mark.exists() for mark in marks)
-
-
-def socket_owner(host: str, port: int, own_port: int, tables: Path = Path("/proc/net")) -> int:
-    """User id of the process at the other end of a connection of the loopback.
-
-    UNTOLD: this system does not tell of connections. NOBODY: it does, and no process holds that end any more; the
-    system calls such a socket root's, which must not open the door to whoever has just closed it.
-    """
-    address = ipaddress.ip_address(host.partition("%")[0])
-    wanted, own = _as_in_table(address.packed, port), b":%04X" % own_port
-    try:
-        rows = (tables / ("tcp" if address.version == 4 else "tcp6")).read_bytes().splitlines()[1:]
-    except OSError:
-        return UNTOLD
-    is_told = False
-    for row in rows:
-        fields = row.split()
-        is_told = is_told or fields[1].endswith(own)
-        if fields[1] == wanted and fields[2].endswith(own) and fields[3] == _ESTABLISHED:
-            return int(fields[7])
-    return NOBODY if is_told else UNTOLD
-
-
-def _as_in_table(packed: bytes, port: int) -> bytes:
-    """Addresses stand in the table as 32-bit words in the machine's byte order."""
-    words = [packed[start : start + 4] for start in range(0, len(packed), 4)]
-    if sys.byteorder == "little":
-        words = [word[::-1] for word in words]
-    return b"%b:%04X" % (b"".join(words).hex().upper().encode(), port)

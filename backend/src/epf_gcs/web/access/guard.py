@@ -43,6 +43,7 @@ _CONTENT_POLICY: Final = (
 _DOCS_CONTENT_POLICY: Final = _CONTENT_POLICY.replace("style-src 'self'", "style-src 'self' 'unsafe-inline'")
 _DOCS_PATH: Final = "/api/docs"
 _MOST_SAID: Final = 400
+_OF_GOOGLE_EARTH: Final = (".kml", ".kmz", ".dae")
 
 log = structlog.get_logger("gateway")
 
@@ -139,6 +140,8 @@ class Guard:
 
         try:
             await self._check_and_hand_on(scope, receive, send_guarded)
+        except _Ended:
+            return  # the server closes the connection of an answer that is not whole
         except Exception as error:
             log.exception("a request failed", method=scope["method"], path=path)
             if started:
@@ -161,14 +164,13 @@ class Guard:
             await self._refuse(HTTPStatus.BAD_REQUEST, error, scope, receive, send)
             return
         except (NotAdmittedError, TooManyError) as error:
-            self._errors.count(error.code)
-            await problem_of(error)(scope, receive, send)
+            await self._turn_away(error, scope, receive, send)
             return
         except GatewayError as error:
             await self._refuse(HTTPStatus.FORBIDDEN, error, scope, receive, send)
             return
         if reading:
-            await self._app(scope, receive, send)
+            await self._app(scope, receive, send if caller is None else self._while_admitted(caller, send))
             return
         if entry is not None and entry.deed is not None and caller is not None:
             deed = _Deed(self._admission, caller, entry.deed, scope, send)
@@ -193,7 +195,7 @@ class Guard:
     async def _admit(self, scope: Scope) -> tuple[Caller | None, Entry | None]:
         """Who asks, and the row of the table. Raises NotAdmittedError, RoleError, TooManyError."""
         state = scope.setdefault("state", {})
-        shown = Shown.of(scope["headers"], state.get("peer") or _peer(scope))
+        shown = Shown.of(scope["headers"], state.get("peer") or Peer(scope.get("client"), scope.get("server")))
         caller = self._admission.resolve(shown)
         if caller is None and shown.authorization is not None:
             caller = await self._admission.prove(shown)
@@ -205,6 +207,16 @@ class Guard:
         state["caller"] = caller
         state["shown"] = shown
         return caller, entry
+
+    def _while_admitted(self, caller: Caller, send: Send) -> Send:
+        """A long answer ends in the middle once its session has ended."""
+
+        async def send_on(message: Message) -> None:
+            if self._admission.current(caller.session) is None:
+                raise _Ended
+            await send(message)
+
+        return send_on
 
     async def _stream(self, caller: Caller | None, scope: Scope, receive: Receive, send: Send) -> None:
         async def counted() -> Message:
@@ -218,6 +230,14 @@ class Guard:
                 await self._app(scope, counted, send)
         except ConflictError as error:
             await self._refuse(HTTPStatus.CONFLICT, error, scope, receive, send)
+
+    async def _turn_away(self, error: GatewayError, scope: Scope, receive: Receive, send: Send) -> None:
+        self._errors.count(error.code)
+        answer = problem_of(error)
+        if isinstance(error, NotAdmittedError) and scope["path"].endswith(_OF_GOOGLE_EARTH):
+            # It asks its user for a password when it is told so, and sends the key no other way.
+            answer.headers["WWW-Authenticate"] = 'Basic realm="EPF GCS", charset="UTF-8"'
+        await answer(scope, receive, send)
 
     async def _refuse(
         self, status: HTTPStatus, error: GatewayError, scope: Scope, receive: Receive, send: Send
@@ -243,6 +263,10 @@ def admitted(caller: Caller | None, least: int) -> Caller:
     return caller
 
 
+class _Ended(Exception):  # noqa: N818 - nothing failed
+    """The session ended while its answer was being sent."""
+
+
 class _Deed:
     """Notes a request in the log of people's deeds as soon as its answer begins."""
 
@@ -261,11 +285,6 @@ class _Deed:
             what = f"{self._what} {self.body[:_MOST_SAID].decode('utf-8', 'replace')}".rstrip()
             self._admission.log.note(self._caller, self._address, self._name, what, str(message["status"]))
         await self._send(message)
-
-
-def _peer(scope: Scope) -> Peer:
-    host, port = scope.get("client") or ("", 0)
-    return Peer(host, port, (scope.get("server") or ("", 0))[1] or 0)
 
 
 async def _read_body(receive: Receive, most_bytes: int) -> bytes | None:

@@ -7,6 +7,7 @@ are put aside under a number and never deleted. Written and synced by a thread o
 from __future__ import annotations
 
 import asyncio
+import errno
 import os
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
@@ -103,10 +104,14 @@ class DeedLog:
     def _write(self, data: bytes) -> None:
         if not data:
             return
-        descriptor = os.open(self._path, os.O_WRONLY | os.O_CREAT | os.O_APPEND, 0o600)
+        descriptor = os.open(self._path, os.O_RDWR | os.O_CREAT | os.O_APPEND, 0o600)
         try:
             size = os.fstat(descriptor).st_size
-            os.write(descriptor, data)
+            # A power cut may have torn the last line: the next one does not continue it.
+            is_torn = size > 0 and os.pread(descriptor, 1, size - 1) != b"\n"
+            whole = b"\n" + data if is_torn else data
+            if os.write(descriptor, whole) != len(whole):
+                raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
             os.fsync(descriptor)
         finally:
             os.close(descriptor)

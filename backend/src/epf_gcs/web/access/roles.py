@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from enum import IntEnum
-from typing import Final, Literal
+from typing import Final, Literal, cast
 
 
 class Role(IntEnum):
@@ -24,3 +24,8 @@ OPEN: Final = 0
 
 Least = Role | Literal[0]
 """The least role that something needs, or OPEN."""
+
+
+def name_of(role: int) -> RoleName:
+    """The name of a role, also of a stored number."""
+    return cast(RoleName, Role(role).name)

@@ -144,6 +144,11 @@ class AccessStore:
                 self._db.execute("DELETE FROM sessions WHERE person = ?", (row_id,))
         return gone
 
+    def remove_sessions(self, person_id: str) -> None:
+        """Remove all sessions of a person."""
+        with self._change():
+            self._db.execute("DELETE FROM sessions WHERE person = ?", (person_id,))
+
     def invitation(self, lookup: str, now_s: float) -> Invitation | None:
         """The invitation with this first group, if it has not ended."""
         with self._lock:

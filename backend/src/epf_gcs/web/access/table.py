@@ -37,6 +37,8 @@ def _command(deed: str) -> Entry:
 
 _SEES: Final = Entry(_viewer)
 _ANYONE: Final = Entry(OPEN)
+# What these do stands in the log with names; their bodies hold keys.
+_OWNS: Final = Entry(_owner)
 
 _V1: Final[Mapping[tuple[str, str], Entry]] = {
     ("GET", "/about"): _SEES,
@@ -91,9 +93,9 @@ _V1: Final[Mapping[tuple[str, str], Entry]] = {
     ("GET", "/map/layers/{layer_id}/tiles/{zoom}/{column}/{row}"): _SEES,
     ("DELETE", "/map/layers/{layer_id}"): _command("map"),
     ("POST", "/map/layers/{layer_id}/restore"): _command("map"),
-    ("POST", "/map/imports"): Entry(_operator, deed="upload"),
+    ("POST", "/map/imports"): _command("upload"),
     ("GET", "/map/imports/{import_id}"): _SEES,
-    ("DELETE", "/map/imports/{import_id}"): Entry(_operator),
+    ("DELETE", "/map/imports/{import_id}"): _command("map"),
     ("GET", "/map/online"): _SEES,
     ("PUT", "/map/online"): _command("map"),
     ("DELETE", "/map/online/cache"): _command("map"),
@@ -101,7 +103,7 @@ _V1: Final[Mapping[tuple[str, str], Entry]] = {
     ("GET", "/recordings/{recording_id}"): _SEES,
     ("GET", "/recordings/{recording_id}/export"): _SEES,
     ("GET", "/flights"): _SEES,
-    ("POST", "/flights"): Entry(_operator, deed="upload"),
+    ("POST", "/flights"): _command("upload"),
     ("GET", "/flights/bin"): _SEES,
     ("PUT", "/flights/policy"): Entry(_owner, control=True, deed="flights"),
     ("GET", "/flights/{flight_id}"): _SEES,
@@ -125,6 +127,26 @@ _V1: Final[Mapping[tuple[str, str], Entry]] = {
     ("GET", "/jobs/{job_id}"): _SEES,
     ("GET", "/jobs/{job_id}/result"): _SEES,
     ("DELETE", "/jobs/{job_id}"): Entry(_operator),
+    ("GET", "/access/me"): _ANYONE,
+    ("POST", "/access/enter"): _ANYONE,
+    ("POST", "/access/ask"): _ANYONE,
+    ("POST", "/access/leave"): _ANYONE,
+    ("GET", "/access/people"): _OWNS,
+    ("PATCH", "/access/people/{person_id}"): _OWNS,
+    ("DELETE", "/access/people/{person_id}"): _OWNS,
+    ("GET", "/access/sessions"): _OWNS,
+    ("DELETE", "/access/sessions/{session_id}"): _OWNS,
+    ("GET", "/access/programs"): _OWNS,
+    ("POST", "/access/programs"): _OWNS,
+    ("DELETE", "/access/programs/{program_id}"): _OWNS,
+    ("GET", "/access/invitations"): _OWNS,
+    ("POST", "/access/invitations"): _OWNS,
+    ("DELETE", "/access/invitations/{invitation_id}"): _OWNS,
+    ("GET", "/access/addresses"): _SEES,
+    ("GET", "/access/log"): _OWNS,
+    ("GET", "/access/certificates"): _OWNS,
+    # What a phone needs before it can come in; it is shown in each handshake anyway.
+    ("GET", "/access/authority"): _ANYONE,
     ("GET", "/openapi.json"): _SEES,
 }
 

@@ -8,9 +8,8 @@ from typing import Annotated, Any
 import orjson
 from fastapi import APIRouter, Path
 
-from epf_gcs.bus.definition import Asker
 from epf_gcs.errors import InvalidInputError
-from epf_gcs.web.deps import ControlDep, FlightsDep, QueriesDep, VehicleDep, XClient
+from epf_gcs.web.deps import AskerDep, FlightsDep, QueriesDep, VehicleDep
 from epf_gcs.web.flights import marks
 from epf_gcs.web.flights.data_routes import FlightName, which
 from epf_gcs.web.flights.flights import Flights
@@ -29,24 +28,22 @@ async def set_mark(
     mark: MarkAtInput,
     flights: FlightsDep,
     queries: QueriesDep,
-    control: ControlDep,
     vehicle: VehicleDep,
-    x_client: XClient = None,
+    asker: AskerDep,
 ) -> FlightEvents:
     """Set a mark: now, into the flight that is being recorded, or with `at_s` at a moment of any flight, whose
     recording stays as it is. Answers with all events."""
     flight, growing = await which(flight_id, flights)
-    by = None if x_client is None else control.name_of(x_client)
     if mark.at_s is None:
         if not growing:
             raise InvalidInputError(
                 "invalid_request", "A mark in a finished flight needs its moment: send 'at_s'.", field="at_s"
             )
-        await vehicle.request("recording.mark", Asker(x_client, by), text=mark.text, by=by, ago_s=mark.ago_s)
+        await vehicle.request("recording.mark", asker, text=mark.text, by=asker.name, ago_s=mark.ago_s)
         return await _events(flight, flights, queries)
     span = orjson.loads(await queries.ask("span", flight, growing=growing))
     mark_id, at_s, t_s = secrets.token_hex(6), mark.at_s, span["start_s"] + mark.at_s
-    await flights.say(flight, lambda about: marks.add(about, mark_id, at_s, t_s, mark.text, by))
+    await flights.say(flight, lambda about: marks.add(about, mark_id, at_s, t_s, mark.text, asker.name))
     return await _events(flight, flights, queries)
 
 

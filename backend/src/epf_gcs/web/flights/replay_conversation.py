@@ -13,6 +13,8 @@ import orjson
 from epf_gcs import __version__
 from epf_gcs.bus.definition import Named
 from epf_gcs.errors import GatewayError
+from epf_gcs.web.access.caller import Caller
+from epf_gcs.web.access.control import NOBODY_STATE, base_name
 from epf_gcs.web.flights.replay_process import ViewersReplay
 from epf_gcs.web.stream.hub import Hub
 from epf_gcs.web.stream.hub_state import HubState
@@ -22,9 +24,8 @@ from epf_gcs.web.stream.viewer import MAX_RATE_HZ, Viewer
 
 # With every sample wanted the replay sends ahead, up to some hundred.
 _LOG_SAMPLES: Final = 4096
-_MAX_NAME: Final = 40
+_MOST_EARLY: Final = 40
 _MOST_ASKED: Final = 8
-_NOBODY: Final = {"client": None, "name": None}
 
 
 class ReplayConversation:
@@ -36,9 +37,9 @@ class ReplayConversation:
     def __init__(
         self,
         connection: SocketConnection,
+        caller: Caller,
         replay: ViewersReplay,
         rate_hz: int,
-        name: str,
         on_start: Callable[[asyncio.Task[None]], None],
         on_end: Callable[[], None],
     ) -> None:
@@ -48,9 +49,9 @@ class ReplayConversation:
         self._on_start = on_start
         self._on_end: Callable[[], None] | None = on_end
         self._client = secrets.token_hex(8)
-        self._name = name if len(name) <= _MAX_NAME and name.isprintable() else "viewer"
+        self._caller = caller
         self._hub = Hub(self._loop, lambda: self._at_s, HubState(_LOG_SAMPLES))
-        self._viewer = Viewer(self._client, self._name, connection, self._hub.state, rate_hz)
+        self._viewer = Viewer(self._client, base_name(caller), connection, self._hub.state, rate_hz)
         self._task: asyncio.Task[None] | None = None
         self._playback: dict[str, Any] = {}
         self._at_s = 0.0
@@ -92,8 +93,11 @@ class ReplayConversation:
             "type": "hello",
             "version": __version__,
             "client": self._client,
-            "name": self._name,
-            "role": "viewer",
+            "name": self._viewer.name,
+            "kind": self._caller.kind,
+            "number": 1,
+            "role": self._caller.role.name,
+            "has_control": False,
             "server_time_s": self._at_s,
             "topics": TOPICS,
             "flight": hello["flight"],
@@ -211,7 +215,7 @@ class ReplayConversation:
         """Pass a wish on to the replay; what is said before it is there, waits for it. Returns no fault."""
         if self._is_greeted:
             self._replay.notice(name, **arguments)
-        elif len(self._early) < _MAX_NAME:
+        elif len(self._early) < _MOST_EARLY:
             self._early.append((name, arguments))
         return None
 
@@ -255,4 +259,4 @@ class ReplayConversation:
                 self._connection.send([text])
 
     def _whole(self, status: dict[str, Any]) -> dict[str, Any]:
-        return {**status, "version": __version__, "control": _NOBODY, "viewers": 1, "playback": self._playback}
+        return {**status, "version": __version__, "control": NOBODY_STATE, "viewers": 1, "playback": self._playback}

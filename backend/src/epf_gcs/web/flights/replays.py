@@ -13,9 +13,11 @@ from typing import Final
 
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.recordings.places import Places, is_id
+from epf_gcs.web.access.caller import Caller
 from epf_gcs.web.flights.replay_conversation import ReplayConversation
 from epf_gcs.web.flights.replay_process import ReplayProcess, ViewersReplay
-from epf_gcs.web.stream.socket import Refusal, SocketConnection
+from epf_gcs.web.stream.handshake import Refusal
+from epf_gcs.web.stream.socket import SocketConnection
 
 MOST: Final = 12
 MOST_OF_A_HOST: Final = 10
@@ -39,8 +41,16 @@ class Replays:
         """How many there are now."""
         return self._hosts.total()
 
-    def open(self, connection: SocketConnection, query: dict[str, str], rate_hz: int, peer: str) -> ReplayConversation:
-        """A replay of `flight` from `at_s` on, for this connection. Raises Refusal."""
+    def open(
+        self,
+        connection: SocketConnection,
+        caller: Caller,
+        query: dict[str, str],
+        rate_hz: int,
+        peer: str,
+        on_end: Callable[[], None],
+    ) -> ReplayConversation:
+        """A replay of `flight` from `at_s` on, for this connection; `on_end`: it is over. Raises Refusal."""
         flight = query["flight"]
         file = self._file(flight)
         at_s = _read_moment(query.get("at_s", "0"))
@@ -59,9 +69,10 @@ class Replays:
 
         def leave() -> None:
             self._hosts[host] -= 1
+            on_end()
 
         replay = ViewersReplay(file.stem, lambda: self._process(file), at_s)
-        return ReplayConversation(connection, replay, rate_hz, query.get("name") or peer, self._start, leave)
+        return ReplayConversation(connection, caller, replay, rate_hz, self._start, leave)
 
     async def close(self) -> None:
         """End all: the web process ends."""

@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+from typing import Final
+
 import orjson
 from fastapi import APIRouter, Response
 
-from epf_gcs.bus.definition import client_fields
-from epf_gcs.web.deps import ControlDep, MirrorDep, StatusDep, VehicleDep
+from epf_gcs.errors import InvalidInputError
+from epf_gcs.web.deps import AdmittedDep, ControlDep, MirrorDep, StatusDep, VehicleDep
 from epf_gcs.web.problems import problems, reading_problems
-from epf_gcs.web.state.schemas import ControlInput, ControlState, Sample, Status
+from epf_gcs.web.state.schemas import ControlDetails, ControlInput, Sample, Status
 
 router = APIRouter(tags=["state"])
+
+_TO_ANOTHER: Final = frozenset({"grant", "refuse", "hand_over"})
 
 
 @router.get("/status", response_model=Status, responses=reading_problems())
@@ -29,16 +33,18 @@ async def get_telemetry(vehicle: VehicleDep) -> Response:
 
 
 @router.get("/control", responses=reading_problems())
-async def get_control(control: ControlDep) -> ControlState:
-    """Who may command."""
-    return ControlState.model_validate(client_fields(control.holder))
+async def get_control(control: ControlDep) -> ControlDetails:
+    """Who may command, who asks for it, and who is there."""
+    return ControlDetails.model_validate({**control.state(), "pages": control.pages()})
 
 
 @router.post("/control", responses=problems(404, 409))
-async def post_control(body: ControlInput, control: ControlDep) -> ControlState:
-    """Take control where nobody has it, or give it back."""
-    if body.action == "take":
-        control.take(body.client)
-    else:
-        control.release(body.client)
+async def post_control(body: ControlInput, control: ControlDep, caller: AdmittedDep) -> ControlDetails:
+    """Take control, give it back, ask for it, answer who asks, or hand it over."""
+    client = control.own(caller, body.client)
+    if body.to is None and body.action in _TO_ANOTHER:
+        raise InvalidInputError(
+            "invalid_request", f"'{body.action}' needs 'to': the id of the page that is meant.", field="to"
+        )
+    control.act(body.action, client, body.to or "", confirmed=body.confirm)
     return await get_control(control)

@@ -132,11 +132,63 @@ class HilState(Output):
     stick: StickState
 
 
+PageKind = Literal["local", "person", "program"]
+"""A page of this computer, of a person, or a program."""
+RoleName = Literal["viewer", "operator", "owner"]
+
+
+class ControlReserved(Output):
+    """Who has just lost control; it comes back without asking until then, while nobody else has asked for it."""
+
+    client: str
+    name: str
+    kind: PageKind
+    number: int
+    until_s: float
+
+
+class ControlRequest(Output):
+    """Somebody asks for control since then; it is given by time alone if the holder does nothing until `given_at_s`."""
+
+    client: str
+    name: str
+    kind: PageKind
+    number: int
+    role: RoleName
+    since_s: float
+    given_at_s: float
+
+
 class ControlState(Output):
-    """The one browser that may command, null while nobody has control."""
+    """The one page that may command, null while nobody has control, and who asks for it, the longest first.
+
+    `name` is ready to show; `number` tells pages of one name apart. Times are Unix seconds.
+    """
 
     client: str | None
     name: str | None
+    kind: PageKind | None
+    number: int | None
+    since_s: float | None
+    reserved: ControlReserved | None
+    requests: list[ControlRequest]
+
+
+class StreamPage(Output):
+    """A page on the live stream."""
+
+    client: str
+    name: str
+    kind: PageKind
+    number: int
+    role: RoleName
+
+
+class ControlDetails(ControlState):
+    """The same, and all pages on the live stream, the longest first: control can be handed over to those that are no
+    viewers."""
+
+    pages: list[StreamPage]
 
 
 class RecordingState(Output):
@@ -202,7 +254,14 @@ class Sample(Output):
 
 
 class ControlInput(Input):
-    """`client` is the id of the stream's hello."""
+    """`client` is the id of the caller's own stream (`hello`).
+
+    `take` is for all while nobody has control; an owner who sends `confirm` takes it from another page. `ask` opens a
+    request, `withdraw` closes it. The page that has control can `grant` or `refuse` it `to` the one who asks,
+    `hand_over` without being asked, and `release`.
+    """
 
     client: str = Field(min_length=1, max_length=64)
-    action: Literal["take", "release"]
+    action: Literal["take", "release", "ask", "withdraw", "grant", "refuse", "hand_over"]
+    to: str | None = Field(default=None, min_length=1, max_length=64)
+    confirm: bool = False

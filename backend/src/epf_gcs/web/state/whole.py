@@ -10,7 +10,6 @@ from typing import Any
 import orjson
 
 from epf_gcs import __version__
-from epf_gcs.bus.definition import client_fields
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.web.access.control import Control
 from epf_gcs.web.stream.hub import Hub
@@ -26,14 +25,21 @@ class WholeStatus:
         self._errors = errors
         self._hub = hub
         self._due = False
+        # Samples of the stick that did not count: their page has no control.
+        self.strange_samples = 0
 
     def build(self) -> dict[str, Any]:
         """Plain values."""
         known = self._flight()
+        hil = known["hil"]
+        if self.strange_samples:
+            samples = Counter(hil["stick"]["samples"]) + Counter(not_operator=self.strange_samples)
+            hil = {**hil, "stick": {**hil["stick"], "samples": samples}}
         return {
             **known,
+            "hil": hil,
             "version": __version__,
-            "control": client_fields(self._control.holder),
+            "control": self._control.state(),
             "errors": Counter(known["errors"]) + self._errors.counts,
             "viewers": len(self._hub.viewers),
         }

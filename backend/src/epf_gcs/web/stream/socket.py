@@ -11,11 +11,10 @@ import os
 from collections.abc import Callable
 from http import HTTPStatus
 from typing import Any, Final, Protocol, cast
-from urllib.parse import SplitResult, parse_qsl, urlsplit
+from urllib.parse import parse_qsl
 
 from uvicorn.config import Config
 from uvicorn.server import ServerState
-from websockets.datastructures import Headers
 from websockets.frames import Frame, Opcode
 from websockets.http11 import Request
 from websockets.protocol import State
@@ -24,6 +23,7 @@ from websockets.utils import apply_mask
 
 from epf_gcs.web.access.caller import Caller
 from epf_gcs.web.stream.allowance import Allowance
+from epf_gcs.web.stream.handshake import Refusal, address_parts, only_value
 
 _MAX_MESSAGE_BYTES: Final = 16384
 _KEEPALIVE_S: Final = 10.0
@@ -33,25 +33,18 @@ PINGS_PER_S: Final = 20
 """Largest rate of a browser's control frames; its pongs to our pings are one in ten seconds."""
 MESSAGES_PER_S: Final = 1000
 """Largest rate of a browser's messages; acknowledgements of every sample and a stick are well below."""
-_TOO_MUCH: Final = 1008  # policy violation
+_TOO_MUCH: Final = 1008  # policy violation: too many frames, or a session or key that is no longer good
 BYTES_PER_TURN: Final = 1024
 """Bytes of one connection handled in one turn of the loop: fewer than two hundred frames."""
 _LAST_WORDS_S: Final = 2.0
+# Less than a second after a session or key was ended nothing of it is left.
+_DISMISSAL_S: Final = 0.5
 # Of a frame's head (RFC 6455, 5.2): final text without extension, control frame, mask bit, least size with more bytes.
 _WHOLE_TEXT: Final = 0x81
 _CONTROL: Final = 0x88
 _MASKED: Final = 0x80
 _LONG: Final = 126
 _SHORT_HEAD_BYTES: Final = 6
-
-
-class Refusal(Exception):  # noqa: N818 - an answer to the handshake, not a fault
-    """The handshake is refused with this status and sentence."""
-
-    def __init__(self, status: HTTPStatus, text: str) -> None:
-        super().__init__(text)
-        self.status = status
-        self.text = text
 
 
 class Conversation(Protocol):
@@ -92,7 +85,7 @@ class SocketConnection(asyncio.Protocol):
         self._is_open = False
         self._conversation: Conversation | None = None
         self._keepalive: asyncio.TimerHandle | None = None
-        self._heard = True
+        self._answered = True
         self._fragments: list[bytes] = []
         # What comes next begins a frame. False for good once the protocol got a part of one.
         self._is_aligned = False
@@ -104,6 +97,8 @@ class SocketConnection(asyncio.Protocol):
         self.on_lost: Callable[[], None] = _nothing
         # Who opened it; set before the handshake, which strangers do not reach.
         self.caller: Caller | None = None
+        self.heard = 0
+        """Pieces of anything that came; it only grows."""
 
     def connection_made(self, transport: asyncio.BaseTransport) -> None:
         """uvicorn hands over the transport of the HTTP connection."""
@@ -112,7 +107,8 @@ class SocketConnection(asyncio.Protocol):
 
     def data_received(self, data: bytes) -> None:
         """Take bytes from the browser: first the handshake, then frames."""
-        self._heard = True
+        self._answered = True
+        self.heard += 1
         if self._given_up:
             return
         if not self._pending and len(data) <= BYTES_PER_TURN:
@@ -161,12 +157,32 @@ class SocketConnection(asyncio.Protocol):
 
     def end(self, reason: str) -> None:
         """Close because what was shown has ended; `reason` is short, for a log of the browser."""
+        self._close_with(_ENDED, reason, _LAST_WORDS_S)
+
+    def dismiss(self, reason: str) -> None:
+        """Close because whoever opened it may not any longer: nothing more is sent, or taken from it."""
+        self._given_up = True
+        self._pending = b""
+        self._close_with(_TOO_MUCH, reason, _DISMISSAL_S)
+
+    def abort(self) -> None:
+        """Close at once and without a word: nothing is heard of the other side."""
+        if self._transport is not None:
+            self._transport.abort()
+
+    def ping(self) -> None:
+        """Make the browser answer."""
+        if self._is_open:
+            self._protocol.send_ping(b"")
+            self._write_protocol_output()
+
+    def _close_with(self, code: int, reason: str, lasts_s: float) -> None:
         if self._transport is None or not self._is_open:
             return
-        self._protocol.send_close(_ENDED, reason)
+        self._protocol.send_close(code, reason)
         self._write_protocol_output()
         self._is_open = False
-        self._loop.call_later(_LAST_WORDS_S, self._transport.abort)
+        self._loop.call_later(lasts_s, self._transport.abort)
 
     def send(self, messages: list[bytes]) -> None:
         """Send texts, all in one write."""
@@ -178,7 +194,7 @@ class SocketConnection(asyncio.Protocol):
             data = b"".join([text_header(len(text)) + text for text in messages])
         # The transport would send at the end of the loop's turn; writing to the socket directly is 0.1 ms sooner on
         # a busy machine. What the system does not take at once goes to the transport.
-        if self._transport.get_write_buffer_size() == 0:
+        if self._fd >= 0 and self._transport.get_write_buffer_size() == 0:
             try:
                 written = os.write(self._fd, data)
             except BlockingIOError:
@@ -258,8 +274,8 @@ class SocketConnection(asyncio.Protocol):
             return
         peer = transport.get_extra_info("peername") or ("", 0)
         try:
-            parts = _parts(request.path)
-            self._endpoint.check(_only(request.headers, "Host"), _only(request.headers, "Origin"))
+            parts = address_parts(request.path)
+            self._endpoint.check(only_value(request.headers, "Host"), only_value(request.headers, "Origin"))
             query = dict(parse_qsl(parts.query, keep_blank_values=True))
             conversation = self._endpoint.open(self, parts.path, query, f"{peer[0]}:{peer[1]}")
         except Refusal as refusal:
@@ -274,7 +290,9 @@ class SocketConnection(asyncio.Protocol):
         self._conversation = conversation
         self._is_open = True
         self._is_aligned = not self._protocol.reader.buffer
-        self._fd = transport.get_extra_info("socket").fileno()
+        # Under TLS -1: the transport alone may write, or plain text would get between the records.
+        is_tls = transport.get_extra_info("sslcontext") is not None
+        self._fd = -1 if is_tls else transport.get_extra_info("socket").fileno()
         self._keepalive = self._loop.call_later(_KEEPALIVE_S, self._check_alive)
         self._endpoint.opened(conversation)
 
@@ -305,32 +323,16 @@ class SocketConnection(asyncio.Protocol):
         """Close the connection if nothing arrived since the last ping; else ping again."""
         if self._transport is None:
             return
-        if not self._heard:
+        if not self._answered:
             self._transport.abort()
             return
-        self._heard = False
-        if self._is_open:
-            self._protocol.send_ping(b"")
-            self._write_protocol_output()
+        self._answered = False
+        self.ping()
         self._keepalive = self._loop.call_later(_KEEPALIVE_S, self._check_alive)
-
-
-def _parts(address: str) -> SplitResult:
-    """Path and query. Raises Refusal if this is not a URL."""
-    try:
-        return urlsplit(address)
-    except ValueError as error:
-        raise Refusal(HTTPStatus.BAD_REQUEST, "This is no address.") from error
 
 
 def _nothing() -> None:
     """Default for `on_lost`: do nothing."""
-
-
-def _only(headers: Headers, name: str) -> str | None:
-    """The value of a header; a repeated one gives its values joined, which is never a valid value."""
-    values = headers.get_all(name)
-    return None if not values else ",".join(values)
 
 
 def text_header(size: int) -> bytes:

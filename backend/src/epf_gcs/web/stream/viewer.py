@@ -73,13 +73,18 @@ class Viewer:
         return True
 
     @property
+    def is_under_way(self) -> bool:
+        """Whether a batch was sent and is not acknowledged."""
+        return self._seq != self._acknowledged
+
+    @property
     def blocked(self) -> bool:
         """Whether the limit of batches or bytes under way is reached."""
         return self._seq - self._acknowledged >= MAX_UNDER_WAY or self._outlet.unsent_bytes() > _MAX_UNSENT_BYTES
 
     def flush(self) -> None:
         """Send everything pending, or mark the viewer as waiting while it is blocked."""
-        if self._seq != self._acknowledged and self.blocked:
+        if self.is_under_way and self.blocked:
             self.waiting = True
             if self.rate_hz and self._version != self._state.version:
                 self._missed += 1

@@ -1,0 +1,71 @@
+"""Access for the launcher: which options go on to the programs, and the one-time key that is printed at the start."""
+
+from __future__ import annotations
+
+import secrets
+import subprocess
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Annotated, Final
+
+import typer
+
+from epf_gcs.launcher.folder import data_folder
+
+LAUNCHER_KEY: Final = "GCS_LAUNCHER_KEY"
+"""The variable by which the gateway knows the program that started it. Others of this machine cannot read it."""
+
+
+_DATA: Final = data_folder()
+
+
+def new_launcher_key() -> str:
+    """A key for one run."""
+    return secrets.token_urlsafe(32)
+
+
+def access_arguments(*, trust_this_computer: bool | None, allow_anyone_to_fly: bool) -> list[str]:
+    """The options for `epf-gcs` and `epf-web`."""
+    trust = {None: [], True: ["--trust-this-computer"], False: ["--no-trust-this-computer"]}
+    return [*trust[trust_this_computer], *(["--allow-anyone-to-fly"] if allow_anyone_to_fly else [])]
+
+
+def invite_command(data: Path, host: str, port: int, *, tls: bool, more: Sequence[str] = ()) -> list[str]:
+    """The program that makes a one-time key and prints it with its QR code."""
+    return [
+        *(sys.executable, "-m", "epf_gcs.web.access.invite"),
+        *("--data-dir", str(data), "--host", host, "--port", str(port)),
+        *(["--tls"] if tls else []),
+        *more,
+    ]
+
+
+def print_invitation(command: Sequence[str]) -> None:
+    """Run it, with our standard output. A station that cannot print a key runs all the same."""
+    subprocess.run(command, check=False, stdin=subprocess.DEVNULL)
+
+
+def invite(
+    *,
+    role: Annotated[
+        str,
+        typer.Option(help="viewer, operator or owner.", show_default="operator; owner for the first of a container"),
+    ] = "",
+    minutes: Annotated[float, typer.Option(help="How long the key can be used.")] = 60.0,
+    data_dir: Annotated[
+        Path, typer.Option(show_envvar=False, envvar="GCS_DATA_DIR", help="The station's folder.")
+    ] = _DATA,
+    host: Annotated[
+        str, typer.Option(show_envvar=False, envvar="GCS_HOST", help="What the station listens on.")
+    ] = "0.0.0.0",  # noqa: S104 - nothing listens here
+    port: Annotated[int, typer.Option(show_envvar=False, envvar="GCS_PORT", help="The station's port.")] = 8000,
+    tls: Annotated[bool, typer.Option("--tls", show_envvar=False, envvar="GCS_TLS", help="It has TLS.")] = False,
+) -> None:
+    """Make a one-time key for a person, and print it with the address and its QR code.
+
+    It is written into the data folder; the station, running or not, takes it once.
+    """
+    more = ["--minutes", str(minutes), *(["--role", role] if role else [])]
+    command = invite_command(data_dir, host, port, tls=tls, more=more)
+    raise typer.Exit(subprocess.run(command, check=False).returncode)

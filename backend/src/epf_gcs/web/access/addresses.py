@@ -1,0 +1,81 @@
+"""Where browsers of other machines reach this station, and the address that a QR code shows."""
+
+from __future__ import annotations
+
+import io
+import ipaddress
+import socket
+from collections.abc import Iterable
+from typing import Final
+from urllib.parse import urlencode
+
+import ifaddr
+import segno
+
+_ANY: Final = frozenset(("0.0.0.0", "::"))  # noqa: S104 - compared, not listened on
+
+
+def addresses(host: str, port: int, *, secure: bool) -> list[str]:
+    """Base URLs, those that most likely work first; `host` is what the station listens on.
+
+    Empty where it listens on the loopback alone.
+    """
+    hosts = [host] if host not in _ANY else [*_own_addresses(with_ipv6=host == "::"), _mdns_name()]
+    scheme = "https" if secure else "http"
+    reached = [_in_url(one) for one in hosts if not _is_loopback(one)]
+    return [f"{scheme}://{one}:{port}" for one in reached]
+
+
+def with_key(address: str, key: str, tab: str | None) -> str:
+    """The address that enters with this key. It stands behind the number sign, which no browser sends or logs."""
+    return f"{address}/#{urlencode({'key': key} if tab is None else {'key': key, 'tab': tab})}"
+
+
+def qr_svg(text: str) -> str:
+    """A picture of this text, dark on light whatever surrounds it, as SVG without width and height."""
+    out = io.BytesIO()
+    segno.make(text, error="m", micro=False).save(
+        out, kind="svg", border=4, xmldecl=False, omitsize=True, dark="#000", light="#fff"
+    )
+    return out.getvalue().decode()
+
+
+def own_names() -> list[str]:
+    """Names by which others of the network may know this machine."""
+    name = socket.gethostname().lower()
+    short = name.partition(".")[0]
+    return [name, short, f"{short}.local"] if short else []
+
+
+def _own_addresses(*, with_ipv6: bool) -> list[str]:
+    numbers: list[str] = []
+    for adapter in ifaddr.get_adapters():
+        for ip in adapter.ips:
+            number = ip.ip if isinstance(ip.ip, str) else ip.ip[0]
+            numbers.append(number)
+    return sorted(_reachable(numbers, with_ipv6=with_ipv6), key=lambda number: ":" in number)
+
+
+def _reachable(numbers: Iterable[str], *, with_ipv6: bool) -> list[str]:
+    """A link-local address needs its zone in the URL, which browsers refuse."""
+    parsed = [ipaddress.ip_address(number.partition("%")[0]) for number in numbers]
+    return [
+        str(number)
+        for number in parsed
+        if (number.version == 4 or with_ipv6) and not number.is_loopback and not number.is_link_local
+    ]
+
+
+def _mdns_name() -> str:
+    return socket.gethostname().lower().partition(".")[0] + ".local"
+
+
+def _is_loopback(host: str) -> bool:
+    try:
+        return ipaddress.ip_address(host).is_loopback
+    except ValueError:
+        return host == "localhost"
+
+
+def _in_url(host: str) -> str:
+    return f"[{host}]" if ":" in host else host

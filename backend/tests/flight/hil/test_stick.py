@@ -1,0 +1,143 @@
+"""Whose hand is on the stick, as the flight process decides it. Time is what the tests say it is."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from epf_gcs.bus.definition import Client
+from epf_gcs.errors import ConflictError
+from epf_gcs.flight.hil.stick import Stick
+from epf_gcs.flight.requests.hil import stick_notices
+from epf_gcs.xplane.datagram import Surfaces
+
+pytestmark = pytest.mark.anyio
+
+TURN = Surfaces(-0.5, 0.25, -0.125, 0.5)
+LET_GO = Surfaces(0.0, 0.0, 0.0, 0.5)
+GLIDE = Surfaces(0.0, 0.0, 0.0, 0.0)
+ABOUT = {"session": "local", "kind": "local", "number": 1}
+ANA = {"client": "ana", "name": "Ana", "about": ABOUT}
+BEA = {"client": "bea", "name": "Bea", "about": {}}
+NOBODY = {"client": None, "name": None}
+
+
+class Seat:
+    """The stick, told what the web process tells; it is its own clock and outlet."""
+
+    def __init__(self) -> None:
+        self.time_s = 100.0
+        self.reasons: list[str] = []
+        self.holders: list[str | None] = []
+        self.stick = Stick(self, self, lambda: None)
+        self.stick.on_holder = lambda: self.holders.append(self.stick.holder.name if self.stick.holder else None)
+        self.notice = stick_notices(self.stick)
+
+    def steady_s(self) -> float:
+        return self.time_s
+
+    def now_s(self) -> float:
+        return self.time_s
+
+    def event(self, kind: str, data: Any) -> None:
+        assert kind == "stick"
+        self.reasons.append(data["reason"])
+
+    def sample(self, topic: str, t_s: float, values: Any) -> None:
+        raise AssertionError("the stick sends no samples")
+
+    def flush(self) -> None:
+        raise AssertionError("the stick sends no samples")
+
+    def control(self, page: dict[str, Any], *, kept: bool = False) -> None:
+        self.notice("control", {**page, "kept": kept})
+
+    def move(self, client: str, position: Surfaces = TURN) -> None:
+        self.notice("stick", {"client": client, "sample": {**position._asdict(), "t_ms": self.time_s * 1000.0}})
+
+    def later(self, decode: Any) -> bool:
+        raise AssertionError("the stick puts nothing off")
+
+    def flies(self, after_s: float = 0.0) -> Surfaces | None:
+        """What replaces the simulator's stick so many seconds later."""
+        self.time_s += after_s
+        self.stick.tick()
+        return self.stick.now(self.time_s)
+
+
+@pytest.fixture
+async def seat() -> Seat:
+    """Ana has control and flies with her gamepad."""
+    made = Seat()
+    made.control(ANA)
+    made.move("ana")
+    await made.stick.choose_gamepad("ana", "pad")
+    assert made.flies() == TURN
+    return made
+
+
+async def test_a_lost_holders_hand_is_off_the_stick_at_once_and_on_it_again_when_control_is_back(seat: Seat) -> None:
+    seat.control(ANA, kept=True)
+    assert seat.flies() == LET_GO, "at once, not when the sample is old"
+    assert (seat.stick.holder, seat.stick.source, seat.stick.state) == (None, "gamepad", "lost")
+    seat.move("ana")
+    assert seat.flies() == LET_GO, "nobody has control: no sample counts"
+    assert seat.flies(2.1) == GLIDE
+    seat.control(ANA)
+    seat.move("ana")
+    assert seat.flies() == TURN
+    assert seat.reasons == ["chosen", "lost", "back"]
+    assert seat.holders == ["Ana", None, "Ana"]
+
+
+@pytest.mark.parametrize("then", [NOBODY, BEA])
+async def test_when_control_is_kept_no_longer_or_another_has_it_the_simulators_stick_flies(
+    seat: Seat, then: dict[str, Any]
+) -> None:
+    seat.control(ANA, kept=True)
+    seat.control(then)
+    assert seat.flies() is None
+    assert seat.reasons == ["chosen", "lost", "control_lost"]
+    seat.move("ana")
+    assert seat.flies() is None
+
+
+async def test_who_loses_control_to_another_loses_the_stick_in_the_same_moment(seat: Seat) -> None:
+    seat.control(BEA)
+    seat.notice("stick_gone", {"client": "ana"})
+    assert seat.flies() is None
+    assert seat.reasons == ["chosen", "control_lost"]
+
+
+async def test_where_the_web_process_dies_the_hand_is_off_the_stick_and_who_had_control_is_remembered(
+    seat: Seat,
+) -> None:
+    seat.stick.let_go()
+    assert seat.flies() == LET_GO
+    last = seat.stick.last_holder
+    assert last is not None
+    assert (last.id, last.about) == ("ana", ABOUT)
+
+
+async def test_a_web_process_that_dies_while_it_keeps_control_for_somebody_leaves_no_choice_for_ever(
+    seat: Seat,
+) -> None:
+    seat.control(ANA, kept=True)
+    assert seat.stick.last_holder == Client("ana", "Ana")
+    seat.stick.let_go()
+    assert seat.flies(14.9) == GLIDE
+    assert seat.flies(0.2) is None
+    assert seat.stick.last_holder is None
+
+
+async def test_a_hung_web_process_leaves_the_hand_on_the_stick_no_longer_than_a_sample_lasts(seat: Seat) -> None:
+    assert seat.flies(0.29) == TURN
+    assert seat.flies(0.02) == LET_GO
+
+
+async def test_nobody_chooses_a_gamepad_while_control_is_only_kept(seat: Seat) -> None:
+    seat.stick.choose_simulator()
+    seat.control(ANA, kept=True)
+    with pytest.raises(ConflictError, match="Only the page that has control"):
+        await seat.stick.choose_gamepad("ana", "pad")

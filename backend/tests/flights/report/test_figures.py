@@ -1,0 +1,208 @@
+"""The report's figures of a flight whose every figure is known: times, distances, battery, link, legs and gains."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from epf_gcs.flights.report.figures import distances, round_trip, times
+from epf_gcs.flights.report.making import report
+from epf_gcs.recordings import notes
+from epf_gcs.recordings.notes import Note
+from tests.flights.report.made import SIMULATOR_HZ, make
+from tests.flights.test_events import START_NS, MadeFlight
+
+M_PER_DEG = 111_195.0
+SPEED_M_S = 25.0
+SUMMARY: dict[str, Any] = {
+    "distance_nm": 3.5,
+    "highest_ft": 900.0,
+    "fastest_kt": 61.0,
+    "frames": 990,
+    "frames_damaged": 10,
+    "gaps": [[START_NS, START_NS + 2 * 10**9], [START_NS + 5 * 10**9, START_NS + 6 * 10**9]],
+    "damage": "It was cut off.",
+    "is_whole": False,
+}
+
+
+def note(at_s: float, name: str, content: Any) -> Note:
+    return Note(START_NS + round(at_s * 1e9), name, content)
+
+
+def gains(at_s: float, **values: Any) -> Note:
+    return note(at_s, notes.PARAMETERS, {name: {"value": value} for name, value in values.items()})
+
+
+def circuit(noted: list[Note]) -> MadeFlight:
+    """Legs of 60 s to the north, 5 m to the right of the line, at 25 m/s; the autopilot is on from 10 s to 250 s.
+
+    It climbs at 600 ft/min for the second leg, and nothing is measured from 100 s to 104 s.
+    """
+    t_s = np.arange(0.0, 300.0, 1 / SIMULATOR_HZ)
+    plan_s, beats_s, slow_s = np.arange(0.0, 300.0, 0.1), np.arange(0.0, 300.0, 0.2), np.arange(0.0, 300.0, 0.5)
+    kept = (t_s < 100.0) | (t_s > 104.0)
+    t_s = t_s[kept]
+    north_m = SPEED_M_S * t_s
+    leg_m = np.minimum(30.0, np.maximum(0.0, t_s % 60.0 - 20.0)) / 6.0
+    airborne = np.where((t_s > 5.0) & (t_s < 270.0), 50.0, 3.0)
+    airborne[(t_s > 280.0) & (t_s < 281.0)] = 50.0
+    return MadeFlight(
+        {
+            "heartbeat": (
+                beats_s,
+                {
+                    "autopilot_hil": (beats_s >= 10.0) & (beats_s < 250.0),
+                    "autopilot": (beats_s >= 200.0) & (beats_s < 260.0),
+                },
+            ),
+            "fms_hil_plan": (
+                plan_s,
+                {
+                    "altitude_ft": np.where(plan_s < 120.0, 500.0, 800.0),
+                    "bearing_deg": np.zeros(len(plan_s)),
+                    "speed_kt": np.full(len(plan_s), 50.0),
+                    "waypoint": np.floor(plan_s / 60.0),
+                    "distance_m": 1500.0 - SPEED_M_S * (plan_s % 60.0),
+                },
+            ),
+            "simulator": (
+                t_s,
+                {
+                    "altitude_indicated_ft": np.interp(t_s, [0.0, 120.0, 150.0, 300.0], [500.0, 500.0, 800.0, 800.0]),
+                    "altitude_msl_ft": np.interp(t_s, [0.0, 120.0, 150.0, 300.0], [500.0, 500.0, 800.0, 800.0]),
+                    "horizontal_path_deg": np.zeros(len(t_s)),
+                    "indicated_airspeed_kt": airborne,
+                    "latitude_deg": 28.0 + north_m / M_PER_DEG,
+                    "longitude_deg": -15.0 + leg_m / M_PER_DEG / np.cos(np.radians(28.0)),
+                },
+            ),
+            "analog": (slow_s, {"battery_V": 12.6 - slow_s / 300.0}),
+        },
+        noted,
+    )
+
+
+@pytest.fixture(scope="module")
+def found() -> dict[str, Any]:
+    begun_ns = START_NS + np.arange(0.0, 100.0) * 2e7
+    noted = [
+        note(0.0, notes.IDENTITY, {"station": "1.0.0", "aircraft": "ala fija", "board": {"firmware_version": "2.1"}}),
+        gains(1.0, k_altura=1.0, k_heading=2.0, k_rudder=0.5, unknown_gain=3.0, k_pitch="much"),
+        gains(140.0, k_altura=1.5, k_rudder=0.6),
+        note(150.0, notes.LOST, {"bytes": 12}),
+    ]
+    events: list[Any] = [
+        {"t_ns": START_NS + 4 * 10**9, "until_ns": START_NS + 9 * 10**9, "kind": "alarm", "name": "gps_lost",
+         "id": None, "data": {"level": "critical"}},
+        {"t_ns": START_NS + 8 * 10**9, "until_ns": None, "kind": "alarm", "name": "card", "id": None,
+         "data": {"level": 7}},
+        {"t_ns": START_NS + 6 * 10**9, "until_ns": None, "kind": "mark", "name": "mark", "id": "1",
+         "data": {"text": "first turn"}},
+    ]  # fmt: skip
+    return report("20260101T120000Z", circuit(noted), SUMMARY, events, begun_ns, begun_ns + 4e6)
+
+
+def test_times_count_what_was_flown_and_by_whom(found: dict[str, Any]) -> None:
+    # Neither the four seconds without samples nor a peak of a second is flight.
+    assert found["times"]["airborne_s"] == pytest.approx(261.0, abs=0.2)
+    assert found["times"]["autopilot_s"] == pytest.approx(250.0, abs=0.5)
+    assert found["times"]["duration_s"] == pytest.approx(300.0, abs=0.2)
+
+
+def test_distances_and_climb(found: dict[str, Any]) -> None:
+    assert found["distances"] == {
+        "distance_nm": 3.5,
+        "highest_ft": 900.0,
+        "fastest_kt": 61.0,
+        "lowest_ft": 500.0,
+        "climb_most_ft_min": pytest.approx(600.0, rel=0.01),
+        "sink_most_ft_min": pytest.approx(0.0, abs=0.01),
+    }
+
+
+def test_the_battery_at_both_ends_and_what_it_lost_each_hour(found: dict[str, Any]) -> None:
+    assert found["battery"]["begin_v"] == pytest.approx(12.6 - 5.0 / 300.0, abs=0.01)
+    assert found["battery"]["end_v"] == pytest.approx(11.6 + 5.0 / 300.0, abs=0.01)
+    assert found["battery"]["lowest_v"] == pytest.approx(11.6, abs=0.01)
+    assert found["battery"]["drop_v_per_hour"] == pytest.approx(12.0, rel=0.05)
+
+
+def test_the_link_with_its_silences_and_round_trip(found: dict[str, Any]) -> None:
+    link = found["link"]
+    assert (link["damaged_percent"], link["gaps"], link["gaps_s"], link["longest_gap_s"]) == (
+        pytest.approx(1.0),
+        2,
+        pytest.approx(3.0),
+        pytest.approx(2.0),
+    )
+    trip = link["round_trip_ms"]
+    assert trip["count"] == 100
+    assert (trip["median"], trip["p99"], trip["longest"]) == (pytest.approx(4.0, abs=0.01),) * 3
+
+
+def test_alarms_and_marks_in_words_that_are_known(found: dict[str, Any]) -> None:
+    assert found["alarms"] == [
+        {"name": "gps_lost", "level": "critical", "at_s": pytest.approx(4.0), "lasted_s": pytest.approx(5.0)},
+        {"name": "card", "level": None, "at_s": pytest.approx(8.0), "lasted_s": None},
+    ]
+    assert found["marks"] == [{"at_s": pytest.approx(6.0), "text": "first turn"}]
+
+
+def test_legs_say_how_far_beside_the_line_and_how_well_the_targets_were_held(found: dict[str, Any]) -> None:
+    legs = [one for one in found["manoeuvres"] if one["kind"] == "leg"]
+    assert [one["waypoint"] for one in legs] == [1, 2, 3]
+    for one in legs:
+        leg = one["leg"]
+        assert leg["duration_s"] == pytest.approx(60.0, abs=0.2)
+        assert leg["across_most_m"] == pytest.approx(5.0, abs=0.1)
+        assert 2.0 < leg["across_rms_m"] < 4.5
+        assert leg["speed_error_kt"] == pytest.approx(0.0, abs=0.01)
+        assert len(one["trace"]["at_s"]) == len(one["trace"]["value"]) == len(one["trace"]["target"])
+    assert legs[2]["leg"]["distance_m"] == pytest.approx(1500.0, rel=0.01)
+    assert legs[2]["leg"]["altitude_error_ft"] == pytest.approx(0.0, abs=0.01)
+
+
+def test_a_gain_that_was_changed_stands_between_the_loop_before_and_after(found: dict[str, Any]) -> None:
+    change, rudder = found["gains"]
+    assert (change["name"], change["loop"], change["before"], change["after"]) == ("k_altura", "altitude", 1.0, 1.5)
+    assert change["at_s"] == pytest.approx(140.0)
+    assert (change["earlier"]["from_s"], change["later"]["to_s"]) == (0.0, pytest.approx(300.0, abs=0.2))
+    assert change["earlier"]["error_rms"] > change["later"]["error_rms"]
+    assert found["gains_known"] == {"k_altura": 1.5, "k_heading": 2.0, "k_rudder": 0.6}
+    assert (rudder["loop"], rudder["earlier"], rudder["later"]) == (None, None, None), "no loop answers for the rudder"
+
+
+def test_what_the_recording_cannot_tell_is_said(found: dict[str, Any]) -> None:
+    assert found["unknown"] == ["wind", "gaps", "file", "lost"]
+    empty = report("20260101T120000Z", MadeFlight({}), {}, [], np.empty(0), np.empty(0))
+    assert empty["unknown"] == ["wind", "battery", "round_trip", "position", "speed", "gains"]
+    assert empty["distances"]["climb_most_ft_min"] is None
+    assert (empty["link"]["damaged_percent"], empty["link"]["longest_gap_s"]) == (None, None)
+
+
+def test_a_battery_that_is_not_connected_is_none() -> None:
+    t_s = np.arange(0.0, 30.0)
+    flight = MadeFlight({"analog": (t_s, {"battery_V": np.full(len(t_s), 0.1)})})
+    assert report("20260101T120000Z", flight, {}, [], np.empty(0), np.empty(0))["battery"] is None
+
+
+def test_no_rate_of_climb_is_told_over_a_gap() -> None:
+    t_s = np.array([0.0, 0.1, 50.0, 50.1])
+    flight = MadeFlight({"gps": (t_s, {"altitude_m": np.array([0.0, 0.0, 500.0, 500.0])})})
+    assert distances(flight, {})["climb_most_ft_min"] is None
+    assert times(flight)["airborne_s"] is None
+
+
+def test_answers_without_a_question_are_no_round_trip() -> None:
+    assert round_trip(np.empty(0), np.array([float(START_NS)])) is None
+
+
+def test_a_leg_without_places_still_has_its_time() -> None:
+    legs = [one for one in report("a", make(1).flight, {}, [], np.empty(0), np.empty(0))["manoeuvres"]
+            if one["kind"] == "leg"]  # fmt: skip
+    assert legs
+    assert all(one["leg"]["across_rms_m"] is None and one["leg"]["distance_m"] is None for one in legs)
+    assert all(one["trace"] is None for one in legs)

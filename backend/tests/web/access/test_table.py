@@ -1,0 +1,118 @@
+"""The table of access and the application agree, or the station does not start."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from fastapi import FastAPI
+from fastapi.routing import iter_route_contexts
+
+from epf_gcs.web import docs
+from epf_gcs.web.access.roles import OPEN, Role
+from epf_gcs.web.access.table import MESSAGES, ROUTES, AccessTableError, Entry, Gate
+from epf_gcs.web.app import create_app
+from epf_gcs.web.deps import get_operator
+from epf_gcs.web.settings import Settings
+
+
+@pytest.fixture(scope="module")
+def app() -> FastAPI:
+    return create_app(Settings(data_dir=Path("unused")))
+
+
+def test_a_route_without_an_entry_stops_the_start(monkeypatch: pytest.MonkeyPatch) -> None:
+    async def planted() -> None:
+        """Nobody said who may ask this."""
+
+    monkeypatch.setattr(docs.router, "routes", list(docs.router.routes))
+    docs.router.add_api_route("/api/v1/planted", planted, methods=["DELETE"])
+    with pytest.raises(AccessTableError, match="DELETE /api/v1/planted"):
+        create_app(Settings(data_dir=Path("unused")))
+
+
+def test_an_entry_without_a_route_stops_it_too(app: FastAPI) -> None:
+    with pytest.raises(AccessTableError, match="GET /api/v1/gone"):
+        Gate(app, {**ROUTES, ("GET", "/api/v1/gone"): Entry(Role.viewer)})
+
+
+def test_the_table_says_of_exactly_those_routes_that_they_need_control(app: FastAPI) -> None:
+    needing = set()
+    for context in iter_route_contexts(app.routes):
+        route: Any = context
+        dependant = getattr(route, "dependant", None)
+        if dependant is not None and get_operator in _calls(dependant):
+            needing |= {(method, route.path) for method in route.methods}
+    assert needing
+    assert needing == {key for key, entry in ROUTES.items() if entry.control}
+
+
+def _calls(dependant: Any) -> Iterator[Any]:
+    yield dependant.call
+    for part in dependant.dependencies:
+        yield from _calls(part)
+
+
+@pytest.mark.parametrize(
+    ("method", "path", "least"),
+    [
+        ("GET", "/", OPEN),
+        ("HEAD", "/", OPEN),
+        ("GET", "/assets/index-1234.js", OPEN),
+        ("GET", "/health", OPEN),
+        ("GET", "/metrics", Role.viewer),
+        ("GET", "/api/docs", Role.viewer),
+        ("GET", "/api/docs/swagger-ui.css", Role.viewer),
+        ("GET", "/api/v1/openapi.json", Role.viewer),
+        ("HEAD", "/api/v1/status", Role.viewer),
+        ("GET", "/api/v1/flights/bin", Role.viewer),
+        ("DELETE", "/api/v1/flights/20260131T120000Z", Role.owner),
+        ("GET", "/api/v1/map/layers/a/terrain/1/2/3.terrain", Role.viewer),
+        ("POST", "/api/v1/access/enter", OPEN),
+    ],
+)
+def test_a_request_finds_its_row(app: FastAPI, method: str, path: str, least: int) -> None:
+    entry = Gate(app).entry(method, path)
+    assert entry is not None
+    assert entry.least == least
+
+
+@pytest.mark.parametrize(
+    ("method", "path"),
+    [
+        ("GET", "/api"),
+        ("GET", "/api/v1/no-such"),
+        ("GET", "/api/v1/status/"),
+        ("GET", "/api/v1//status"),
+        ("GET", "/api/v2/status"),
+        ("POST", "/api/v1/status"),
+        ("OPTIONS", "/api/v1/status"),
+        ("TRACE", "/"),
+        ("POST", "/"),
+        ("PUT", "/index.html"),
+        ("GET", "/api/v1/commands/start/more"),
+    ],
+)
+def test_what_is_not_in_the_table_has_no_row(app: FastAPI, method: str, path: str) -> None:
+    assert Gate(app).entry(method, path) is None
+
+
+def test_every_message_of_a_stream_says_who_may_send_it() -> None:
+    assert {name for name, entry in MESSAGES.items() if entry.least > Role.viewer} == {"stick"}
+    assert MESSAGES["stick"].control
+
+
+def test_the_document_of_the_interface_says_who_may(app: FastAPI) -> None:
+    document = app.openapi()
+    schemes = document["components"]["securitySchemes"]
+    for (method, path), entry in ROUTES.items():
+        operation = document["paths"].get(path, {}).get(method.lower())
+        if operation is None:
+            continue
+        assert operation["x-needs-control"] is entry.control
+        assert operation["x-least-role"] == ("anyone" if entry.least == OPEN else Role(entry.least).name)
+        assert bool(operation["security"]) is (entry.least != OPEN)
+        assert {name for one in operation["security"] for name in one} <= set(schemes)
+    assert document["x-stream"]["messages"]["stick"] == {"x-least-role": "operator", "x-needs-control": True}

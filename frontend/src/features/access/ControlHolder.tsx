@@ -1,0 +1,142 @@
+import { type ReactNode, useState } from "react";
+import { useTranslation } from "react-i18next";
+import { ACTIONS, type ControlChange } from "../../requests/actions";
+import { useAsked } from "../../requests/useAsked";
+import { useOtherHolder } from "../../requests/useControl";
+import { useAdmission, useRoleBlocked } from "../../requests/useRole";
+import { useConnection, usePart } from "../../store/hooks";
+import { Button } from "../../ui/Button";
+import { ConfirmDialog } from "../../ui/ConfirmDialog";
+import "./control.css";
+import { useSecondsTo } from "./useSecondsTo";
+
+interface Props {
+  /** Why nothing can be asked now. */
+  readonly blocked: string | undefined;
+}
+
+/** Who may command, and what this page can do about it: take control while it is free, ask for it, give it back. */
+export function ControlHolder({ blocked }: Props) {
+  const { t } = useTranslation();
+  const isOpen = useConnection(({ phase, status }) => phase === "open" && status !== null);
+  const isMine = useConnection(({ status, client }) => client !== null && status?.control.client === client);
+  const holder = useOtherHolder();
+  const role = useRoleBlocked("operator");
+  if (!isOpen) {
+    return <p className="app-control">{t("control.unknown")}</p>;
+  }
+  if (isMine) {
+    return (
+      <div className="app-control">
+        <p className="app-control-mine">{t("control.mine")}</p>
+        <Change change={{ action: "release" }} blocked={blocked}>
+          {t("control.release")}
+        </Change>
+      </div>
+    );
+  }
+  const why = blocked ?? role;
+  return (
+    <div className="app-control">
+      <p>{holder === null ? t("control.free") : t("control.other", { name: holder })}</p>
+      {holder === null ? (
+        <Change change={{ action: "take" }} blocked={why}>
+          {t("control.take")}
+        </Change>
+      ) : (
+        <>
+          <Asking blocked={why} />
+          <TakeAtOnce holder={holder} blocked={why} />
+        </>
+      )}
+    </div>
+  );
+}
+
+/** Asks whoever has control for it; while the request stands, with the seconds that the holder has left. */
+function Asking({ blocked }: Props) {
+  const { t } = useTranslation();
+  const given_at_s = useConnection(
+    ({ status, client }) => status?.control.requests.find((one) => one.client === client)?.given_at_s ?? null,
+  );
+  const left_s = useSecondsTo(given_at_s);
+  if (given_at_s === null) {
+    return (
+      <Change change={{ action: "ask" }} blocked={blocked}>
+        {t("control.ask")}
+      </Change>
+    );
+  }
+  return (
+    <>
+      <p className="app-control-asked">{t("control.asked", { seconds: left_s })}</p>
+      <Change change={{ action: "withdraw" }} blocked={blocked}>
+        {t("control.withdraw")}
+      </Change>
+    </>
+  );
+}
+
+/** An owner need not wait for the holder, and is asked whether that is meant. */
+function TakeAtOnce({ holder, blocked }: Props & { readonly holder: string }) {
+  const { t } = useTranslation();
+  const actions = usePart(ACTIONS);
+  const isOwner = useAdmission(({ role }) => role === "owner");
+  const [isConfirming, setConfirming] = useState(false);
+  const { state, stateText } = useAsked("control.take");
+  if (!isOwner) {
+    return null;
+  }
+  return (
+    <>
+      <Button
+        onPress={() => setConfirming(true)}
+        state={state}
+        stateText={stateText}
+        disabledReason={blocked}
+        label={t("control.takeAtOnce")}
+      >
+        {t("control.takeAtOnceShort")}
+      </Button>
+      {isConfirming && (
+        <ConfirmDialog
+          title={t("control.takeTitle")}
+          text={t("control.takeText", { name: holder })}
+          confirmLabel={t("control.takeConfirm")}
+          cancelLabel={t("control.takeCancel")}
+          danger
+          onConfirm={() => {
+            setConfirming(false);
+            void actions.changeControl({ action: "take", confirm: true }, { control: "control.take" });
+          }}
+          onCancel={() => setConfirming(false)}
+        />
+      )}
+    </>
+  );
+}
+
+interface ChangeProps extends Props {
+  readonly change: ControlChange;
+  /** Whose outcome the button shows, where several stand side by side. */
+  readonly of?: string;
+  readonly variant?: "plain" | "primary";
+  readonly children: ReactNode;
+}
+
+/** A button that asks for one change of control and shows what came of it. */
+export function Change({ change, of = "control", blocked, variant, children }: ChangeProps) {
+  const actions = usePart(ACTIONS);
+  const { state, stateText } = useAsked(of);
+  return (
+    <Button
+      onPress={() => void actions.changeControl(change, { control: of })}
+      state={state}
+      stateText={stateText}
+      disabledReason={blocked}
+      variant={variant}
+    >
+      {children}
+    </Button>
+  );
+}

@@ -1,0 +1,50 @@
+import { expect, test } from "vitest";
+import { controlMessage } from "./controlEvents";
+
+const ana = { client: "a", name: "Ana · tableta", kind: "person", number: 1 };
+const station = { client: "s", name: "this computer", kind: "local", number: 1 };
+const nobody = { client: null, name: null, kind: null, number: null };
+
+function told(reason: string, to: object, before: object | null, client: string) {
+  const said = controlMessage(
+    { type: "event", event: "control", t_s: 1, data: { ...to, reason, before } },
+    client,
+  );
+  return said === null ? null : `${said.level} ${said.key} ${said.params["name"]} ${said.params["before"]}`;
+}
+
+test("who gets control hears from whom; a page on the station's computer is named in the user's language", () => {
+  expect(told("granted", ana, station, "a")).toBe("info controlGot.granted Ana · tableta @control.station");
+  expect(told("asked", ana, null, "a")).toBe("info controlGot.other Ana · tableta ");
+});
+
+test("who loses it without having meant it is warned", () => {
+  expect(told("taken", station, ana, "a")).toBe("warning controlGone.taken @control.station Ana · tableta");
+  expect(told("silent", nobody, ana, "a")).toBe("warning controlGone.silent  Ana · tableta");
+  expect(told("handed_over", station, ana, "a")).toBe(
+    "info controlGone.other @control.station Ana · tableta",
+  );
+});
+
+test("everybody else hears who has it now, and is warned when its holder was lost", () => {
+  expect(told("granted", ana, station, "x")).toBe("info controlSeen.changed Ana · tableta @control.station");
+  expect(told("lost", nobody, ana, "x")).toBe("warning controlSeen.lost  Ana · tableta");
+  expect(told("released", nobody, ana, "x")).toBe("info controlSeen.free  Ana · tableta");
+});
+
+test("only who asked hears of a refusal", () => {
+  const closed = {
+    type: "event",
+    event: "control_request_closed",
+    t_s: 1,
+    data: { ...ana, result: "refused" },
+  } as const;
+  expect(controlMessage(closed, "a")?.key).toBe("controlSeen.refused");
+  expect(controlMessage(closed, "s")).toBeNull();
+  expect(controlMessage({ ...closed, data: { ...ana, result: "given" } }, "a")).toBeNull();
+});
+
+test("an event that is not as agreed, or of something else, says nothing", () => {
+  expect(controlMessage({ type: "event", event: "control", t_s: 1, data: { client: 3 } }, "a")).toBeNull();
+  expect(controlMessage({ type: "event", event: "alarm", t_s: 1, data: {} }, "a")).toBeNull();
+});

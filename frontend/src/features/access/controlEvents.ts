@@ -1,0 +1,73 @@
+import { type Checked, isNumber, isText, nullable, oneOf, shape } from "../../lib/check";
+import type { StreamEvent } from "../../protocol/envelope";
+import type { Message } from "../../store/messages";
+
+const PAGE = {
+  client: nullable(isText),
+  name: nullable(isText),
+  kind: nullable(oneOf("local", "person", "program")),
+  number: nullable(isNumber),
+};
+const isPage = shape(PAGE);
+const isChange = shape({ ...PAGE, reason: isText, before: nullable(isPage) });
+const isClosed = shape({ ...PAGE, result: isText });
+
+/** What the page that got control is told, by the reason of the change; any other: that it has it. */
+const GOT: ReadonlySet<string> = new Set(["granted", "handed_over", "unanswered", "waited", "taken"]);
+/** What the page that had it is told; any other: who has it now. */
+const GONE: ReadonlySet<string> = new Set([
+  "granted",
+  "taken",
+  "unanswered",
+  "lost",
+  "silent",
+  "ended",
+  "released",
+]);
+/** Nobody meant it, or somebody else did. */
+const UNMEANT: ReadonlySet<string> = new Set(["taken", "unanswered", "lost", "silent", "ended"]);
+
+/** The message for a change of control, told to who got it, who had it, and who watches; null for any other event. */
+export function controlMessage({ event, data }: StreamEvent, client: string | null): Message | null {
+  if (event === "control" && isChange(data)) {
+    return changeMessage(data, client);
+  }
+  const isRefusal =
+    event === "control_request_closed" &&
+    isClosed(data) &&
+    data.client === client &&
+    data.result === "refused";
+  return isRefusal ? { level: "warning", key: "controlSeen.refused", params: {} } : null;
+}
+
+function changeMessage(change: Checked<typeof isChange>, client: string | null): Message {
+  const { reason, before } = change;
+  const params = { name: said(change), before: before === null ? "" : said(before) };
+  const isUnmeant = UNMEANT.has(reason);
+  if (change.client !== null && change.client === client) {
+    return { level: "info", key: `controlGot.${GOT.has(reason) ? reason : "other"}`, params };
+  }
+  if (before !== null && before.client === client) {
+    const key = `controlGone.${GONE.has(reason) ? reason : "other"}`;
+    return { level: isUnmeant ? "warning" : "info", key, params };
+  }
+  if (change.client !== null) {
+    return { level: "info", key: "controlSeen.changed", params };
+  }
+  return isUnmeant
+    ? { level: "warning", key: "controlSeen.lost", params }
+    : { level: "info", key: "controlSeen.free", params };
+}
+
+/** A page's name as a message carries it: one on the station's own computer is named in the user's language. */
+function said({
+  kind,
+  name,
+  client,
+}: {
+  kind: string | null;
+  name: string | null;
+  client: string | null;
+}): string {
+  return kind === "local" ? "@control.station" : (name ?? client ?? "");
+}

@@ -1,0 +1,44 @@
+import { expect, test } from "vitest";
+import { addressOf, readKey, takeAddressedKey } from "./keyAddress";
+
+function take(address: string): { key: string | null; tab: string | null; left: string } {
+  let now = address;
+  const taken = takeAddressedKey({
+    read: () => now,
+    replace: (next) => {
+      now = next;
+    },
+  });
+  return { ...taken, left: now };
+}
+
+test("the key leaves the address bar when it is taken, and what else the address says stays", () => {
+  expect(take("http://station:8000/?flight=current&at=3.00#key=7K2Q-AAAA-BBBB-CCCC&tab=map")).toEqual({
+    key: "7K2Q-AAAA-BBBB-CCCC",
+    tab: "map",
+    left: "http://station:8000/?flight=current&at=3.00",
+  });
+});
+
+test("an address without a key is left as it is", () => {
+  expect(take("http://station:8000/")).toEqual({ key: null, tab: null, left: "http://station:8000/" });
+  expect(take("http://station:8000/#other=1").left).toBe("http://station:8000/#other=1");
+});
+
+test("an empty key is no key, and is removed all the same", () => {
+  expect(take("http://station:8000/#key=")).toEqual({ key: null, tab: null, left: "http://station:8000/" });
+});
+
+test("a key is read as people write it: small letters, without hyphens, O for zero, I and L for one", () => {
+  expect(readKey(" 7k2q aaaa-bbbb olic ")).toBe("7K2Q-AAAA-BBBB-011C");
+  expect(readKey("")).toBe("");
+});
+
+test("the address of a tab keeps the key of an invitation", () => {
+  expect(addressOf("https://station:8000/#key=7K2Q-A", "map")).toBe(
+    "https://station:8000/#key=7K2Q-A&tab=map",
+  );
+  expect(addressOf("http://station:8000/?flight=current", "plots")).toBe(
+    "http://station:8000/?flight=current#tab=plots",
+  );
+});

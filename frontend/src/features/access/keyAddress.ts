@@ -1,0 +1,44 @@
+/** What an invitation's address carries behind its number sign, which no server ever sees. */
+export interface AddressedKey {
+  readonly key: string | null;
+  /** The tab to open. */
+  readonly tab: string | null;
+}
+
+interface AddressLine {
+  readonly read: () => string;
+  readonly replace: (address: string) => void;
+}
+
+/**
+ * Take key and tab from the address, once: a key that stays in the address bar is photographed, shared and kept in the
+ * browser's history.
+ */
+export function takeAddressedKey(line: AddressLine): AddressedKey {
+  const address = new URL(line.read());
+  const fragment = new URLSearchParams(address.hash.slice(1));
+  const key = fragment.get("key");
+  const tab = fragment.get("tab");
+  if (key !== null || tab !== null) {
+    fragment.delete("key");
+    fragment.delete("tab");
+    address.hash = fragment.toString();
+    line.replace(address.toString().replace(/#$/, ""));
+  }
+  return { key: key === null || key.trim() === "" ? null : key.trim(), tab };
+}
+
+/** The key as the station knows it: capitals, without spaces; the letters that look like digits are those digits. */
+export function readKey(text: string): string {
+  const plain = text.toUpperCase().replaceAll(/[\s-]/g, "").replaceAll("O", "0").replaceAll(/[IL]/g, "1");
+  return plain.match(/.{1,4}/g)?.join("-") ?? "";
+}
+
+/** The address that opens a tab, with a key or without; the fragment of `address` is replaced. */
+export function addressOf(address: string, tab: string): string {
+  const opened = new URL(address);
+  const fragment = new URLSearchParams(opened.hash.slice(1));
+  fragment.set("tab", tab);
+  opened.hash = fragment.toString();
+  return opened.toString();
+}

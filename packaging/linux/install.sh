@@ -1,0 +1,70 @@
+#!/bin/sh
+# Installs the station as a service on a Linux computer with systemd, for example a Raspberry Pi. Read it first:
+#
+#   sudo sh install.sh epf_gcs-1.0.0-py3-none-manylinux_2_17_x86_64.whl
+#
+# What it makes: the program in /opt/epf-gcs, a user epf-gcs, its data in /var/lib/epf-gcs, the service epf-gcs, a rule
+# for serial adapters, and a command epf-gcs for all users. Run again with a newer wheel it upgrades; the data stay.
+# `sh install.sh --remove` takes everything away but the data and /etc/epf-gcs.conf.
+set -eu
+
+here=$(cd "$(dirname "$0")" && pwd)
+program=/opt/epf-gcs
+data=/var/lib/epf-gcs
+unit=/etc/systemd/system/epf-gcs.service
+rules=/etc/udev/rules.d/70-epf-gcs.rules
+
+fail() { echo "install.sh: $1" >&2; exit 1; }
+
+[ "$(id -u)" = 0 ] || fail "this changes the system: run it with sudo."
+
+if [ "${1:-}" = --remove ]; then
+  systemctl disable --now epf-gcs 2>/dev/null || true
+  rm -rf "$program" "$unit" "$rules" /usr/local/bin/epf-gcs
+  systemctl daemon-reload
+  udevadm control --reload || true
+  echo "The station is gone; its data are still in $data."
+  exit 0
+fi
+
+wheel=${1:-}
+[ -f "$wheel" ] || fail "name the wheel: sudo sh install.sh epf_gcs-....whl"
+command -v systemctl >/dev/null || fail "systemd is not here: install the wheel with pipx and start epf-gcs yourself."
+python3 -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null || fail "Python 3.11 or newer is needed."
+python3 -c 'import venv, ensurepip' 2>/dev/null || fail "Python's venv module is missing: apt install python3-venv"
+
+getent passwd epf-gcs >/dev/null || useradd --system --home-dir "$data" --shell /usr/sbin/nologin epf-gcs
+
+# Beside the old one and then in its place, so that a failed download leaves the old one running. An environment keeps
+# its own path in its scripts, so the folder is made where it will be.
+new="$program.new"
+old="$program.old"
+rm -rf "$new"
+mkdir "$new"
+python3 -m venv "$new"
+"$new/bin/pip" install --quiet --disable-pip-version-check "$wheel"
+"$new/bin/epf-gcs" version >/dev/null || fail "the new version does not start; nothing was changed."
+was_running=no
+systemctl is-active --quiet epf-gcs && was_running=yes
+[ "$was_running" = no ] || systemctl stop epf-gcs
+rm -rf "$old"
+[ ! -d "$program" ] || mv "$program" "$old"
+mv "$new" "$program"
+# The scripts name the folder that they were made in.
+sed -i "1s|$new/|$program/|" "$program"/bin/* 2>/dev/null || true
+
+install -m 644 "$here/epf-gcs.service" "$unit"
+install -m 644 "$here/70-epf-gcs.rules" "$rules"
+ln -sf "$program/bin/epf-gcs" /usr/local/bin/epf-gcs
+[ -f /etc/epf-gcs.conf ] || cat > /etc/epf-gcs.conf <<'CONF'
+# One NAME=value a line; `epf-gcs --help` lists them. After a change: sudo systemctl restart epf-gcs
+#GCS_BOARD=serial:///dev/ttyAMA0?baud=115200
+#GCS_PORT=8000
+CONF
+systemctl daemon-reload
+udevadm control --reload && udevadm trigger --subsystem-match=tty || true
+systemctl enable --now epf-gcs
+rm -rf "$old"
+
+echo "The station runs. Let the first person in with:"
+echo "  sudo -u epf-gcs epf-gcs invite --role owner --data-dir $data"
