@@ -25,6 +25,7 @@ MODULES = (
     "plots",
     "page",
     "globe",
+    "plots_http",
     "replay",
     "flight",
     "board",
