@@ -18,6 +18,7 @@ MODULES = (
     "cpu",
     "line",
     "hil",
+    "control",
     "strangers",
     "besieged",
     "kill",

@@ -22,6 +22,7 @@ from pathlib import Path
 from typing import Final
 from urllib.parse import quote
 
+from bench.lookers import exporting, indexing, rewinding
 from bench.station import WebSocket
 
 LONGEST_S: Final = 120.0
@@ -138,11 +139,14 @@ def _idle(port: int, _udp_port: int, until_s: float) -> None:
 
 
 def _tls_half_open(port: int, _udp_port: int, until_s: float) -> None:
-    """500 connections that begin a TLS handshake, or say nothing, and wait; those that are ended come again at once."""
+    """500 connections that begin a TLS handshake and never finish it; some of the ended ones are begun again."""
     waiting = selectors.DefaultSelector()
     count = 0
     while time.monotonic() < until_s:
-        while count < _HALF_OPEN:
+        # All of them at first; then 400 a second.
+        for _ in range(_HALF_OPEN if count == 0 else 20):
+            if count >= _HALF_OPEN:
+                break
             try:
                 made = socket.create_connection(("127.0.0.1", port), timeout=1.0)
                 made.send(_HELLO if count % 2 else b"\x16")
@@ -202,6 +206,9 @@ ATTACKS: Final[dict[str, Callable[[int, int, float], None]]] = {
     "idle": _idle,
     "uploads": _uploads,
     TLS_HALF_OPEN: _tls_half_open,
+    "rewinding": lambda *where: rewinding(_ready, *where),
+    "indexing": lambda *where: indexing(_ready, *where),
+    "exporting": lambda *where: exporting(_ready, *where),
     "viewers50": _viewers(50),
     "viewers200": _viewers(200),
 }
