@@ -56,7 +56,7 @@ test.describe("a station that trusts nobody without a key", () => {
     // Who lost it has it back on returning, while nobody else wanted it.
     await expect(mine(phone)).toBeVisible();
 
-    await laptop.getByRole("button", { name: "Tomar el control ya" }).click();
+    await laptop.getByRole("button", { name: "Tomarlo ya" }).click();
     await laptop.getByRole("alertdialog").getByRole("button", { name: "Tomar el control" }).click();
     await expect(mine(laptop)).toBeVisible();
     await expect(phone.getByText("El control lo tiene Luis · portátil", { exact: true })).toBeVisible();

@@ -1,6 +1,6 @@
 import { createContext, runInContext } from "node:vm";
 import { expect, test } from "vitest";
-import { type BuiltFile, workerText } from "../../scripts/pageWorker";
+import { type BuiltFile, workerText } from "../../scripts/pageWorkerFile";
 
 const INDEX: BuiltFile = { fileName: "index.html", source: "<title>EPF GCS</title>" };
 const BUILT: readonly BuiltFile[] = [
