@@ -98,7 +98,7 @@ def test_the_status_has_the_shape_of_the_live_one(recording: Path) -> None:
     head = Playhead(Timeline(recording), Silence())
     head.advance(STARTS_NS + 17 * SECOND_NS)
     status = build_status(head, "a.mcap", 12)
-    nobody = {
+    nobody: dict[str, object] = {
         "client": None,
         "name": None,
         "kind": None,

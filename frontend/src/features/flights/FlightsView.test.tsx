@@ -45,6 +45,12 @@ function row(name: RegExp): HTMLElement {
   return within(list).getByRole("button", { name });
 }
 
+/** The lines of what happened; a mark has buttons of its own beside it. */
+function happened(): HTMLElement[] {
+  const list = screen.getByRole("list", { name: "Qué pasó" });
+  return within(list).getAllByRole("button", { name: /^\d+:\d\d/ });
+}
+
 async function select(name = /^Primera vuelta/, events: unknown[] = []): Promise<void> {
   await user.click(row(name));
   await newest("GET", /events$/).answer({ events });
@@ -214,7 +220,7 @@ describe("a flight that is chosen", () => {
   });
 
   test("tells what happened in it, and a press opens it at that moment", async () => {
-    const events = within(screen.getByRole("list", { name: "Qué pasó" })).getAllByRole("button");
+    const events = happened();
     expect(events.map(({ textContent }) => textContent)).toEqual([
       "0:05.0Autopilot On: confirmado por el latido en 80 ms.",
       expect.stringContaining("Batería baja: 9.8 V"),
@@ -228,7 +234,7 @@ describe("a flight that is chosen", () => {
 
   test("hides the kinds of events that are not wanted", async () => {
     await user.click(button("Órdenes (1)"));
-    const events = within(screen.getByRole("list", { name: "Qué pasó" })).getAllByRole("button");
+    const events = happened();
     expect(events).toHaveLength(4);
   });
 
