@@ -4,7 +4,7 @@ import { fontLicences } from "./scripts/fontLicences.ts";
 import { globeAssets, globeAssetsPath } from "./scripts/globeAssets.ts";
 import { globePolicy } from "./scripts/globePolicy.ts";
 import { pagePackages } from "./scripts/packages.ts";
-import { pageWorker } from "./scripts/pageWorker.ts";
+import { pageWorker } from "./scripts/pageWorkerFile.ts";
 
 /** Where `npm run dev` finds the gateway. */
 const gateway = process.env["GCS_DEV_GATEWAY"] ?? "http://127.0.0.1:8000";

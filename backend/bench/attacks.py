@@ -22,6 +22,7 @@ from pathlib import Path
 from typing import Final
 from urllib.parse import quote
 
+from bench.lookers import exporting, indexing, rewinding
 from bench.station import WebSocket
 
 LONGEST_S: Final = 120.0
@@ -33,6 +34,7 @@ TLS_HALF_OPEN: Final = "tls-half-open"
 _HALF_OPEN: Final = 500
 _HELLO: Final = b"\x16\x03\x01\x02\x00\x01\x00\x01\xfc"  # the beginning of a handshake
 _UPLOADS: Final = 3
+_WRONG_KEYS_PER_S: Final = 20
 _BEGIN_S: Final = 30.0
 _EVERY_S: Final = 1.0
 
@@ -162,6 +164,27 @@ def _tls_half_open(port: int, _udp_port: int, until_s: float) -> None:
             count -= 1
 
 
+def _wrong_keys(port: int, _udp_port: int, until_s: float) -> None:
+    """Twenty clients a second, each of another address, that enter with a wrong key and ask with another."""
+    begun_s, sent = time.monotonic(), 0
+    while (now_s := time.monotonic()) < until_s:
+        if sent >= (now_s - begun_s) * _WRONG_KEYS_PER_S:
+            time.sleep(0.005)
+            continue
+        sent += 1
+        address = f"127.0.{sent // 200 % 200}.{sent % 200 + 2}"
+        body = b'{"key": "0000-0000-0000-%04d", "name": "x"}' % (sent % 10000)
+        with contextlib.suppress(OSError), socket.create_connection(("127.0.0.1", port), 5.0, (address, 0)) as client:
+            client.sendall(
+                b"POST /api/v1/access/enter HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Type: application/json\r\n"
+                b"Content-Length: %d\r\n\r\n%bGET /api/v1/status HTTP/1.1\r\nHost: 127.0.0.1\r\nConnection: close\r\n"
+                b"Authorization: Bearer epf_%08x_%043d\r\n\r\n" % (len(body), body, sent, sent)
+            )
+            while client.recv(65536):
+                pass
+        _ready()
+
+
 def _uploads(port: int, _udp_port: int, until_s: float) -> None:
     """Three uploads of a few bytes a second that never complete."""
     sending: dict[int, socket.socket] = {}
@@ -201,10 +224,14 @@ def _viewers(count: int) -> Callable[[int, int, float], None]:
 ATTACKS: Final[dict[str, Callable[[int, int, float], None]]] = {
     "pings": _pings,
     "datagrams": _datagrams,
+    "wrong-keys": _wrong_keys,
     "bombs": _bombs,
     "idle": _idle,
     "uploads": _uploads,
     TLS_HALF_OPEN: _tls_half_open,
+    "rewinding": lambda *where: rewinding(_ready, *where),
+    "indexing": lambda *where: indexing(_ready, *where),
+    "exporting": lambda *where: exporting(_ready, *where),
     "viewers50": _viewers(50),
     "viewers200": _viewers(200),
 }

@@ -27,7 +27,7 @@ from tests.support.simulator import WHOLE
 
 FLIGHT_S: Final = 7200.0
 LINE_BYTES_PER_S: Final = 11520
-_ID: Final = "20260101T120000Z"
+FLIGHT_ID: Final = "20260101T120000Z"
 _STARTS_NS: Final = 1_767_268_800_000_000_000
 _SIMULATOR_NS: Final = 20_000_000
 _VIEWERS: Final = 10
@@ -41,13 +41,13 @@ def run() -> list[Row]:
     """All on one recording; the gateway has no board, so that what it costs is the replays'."""
     with tempfile.TemporaryDirectory(prefix="epf-gcs-replay-") as name:
         data = Path(name)
-        recording = make_recording(data / "recordings" / f"{_ID}.mcap", FLIGHT_S)
+        recording = make_recording(data / "recordings" / f"{FLIGHT_ID}.mcap", FLIGHT_S)
         # As a flight is a few minutes after it: packed, with its key frames.
         pack(recording)
-        rows = [_key_frames(recording, data / "keyframes" / f"{_ID}.keys")]
+        rows = [_key_frames(recording, data / "keyframes" / f"{FLIGHT_ID}.keys")]
         with gateway_process(data) as program:
             port = int(program.wait_for_words(r"url=http://\S+:(\d+)"))
-            _wait_until_indexed(port)
+            wait_until_indexed(port)
             rows += _seeks(port)
             rows.append(_pace(port))
             rows.append(_hundredfold(port))
@@ -84,10 +84,10 @@ def make_recording(path: Path, seconds: float) -> Path:
     return path
 
 
-def _wait_until_indexed(port: int) -> None:
+def wait_until_indexed(port: int) -> None:
     """The station prepares the flight by itself; what that costs is another row's."""
     with httpx.Client(base_url=f"http://127.0.0.1:{port}/api/v1") as client:
-        while client.get(f"/flights/{_ID}").raise_for_status().json()["state"] != "indexed":
+        while client.get(f"/flights/{FLIGHT_ID}").raise_for_status().json()["state"] != "indexed":
             time.sleep(_LOOK_S)
 
 
@@ -95,7 +95,7 @@ class Viewer:
     """A browser's end: acknowledges every batch, and counts."""
 
     def __init__(self, port: int, query: str) -> None:
-        self.socket = WebSocket(port, f"/api/v1/stream?flight={_ID}&{query}")
+        self.socket = WebSocket(port, f"/api/v1/stream?flight={FLIGHT_ID}&{query}")
         self.hello = json.loads(self.socket.receive())
         self.batches = 0
 
@@ -125,7 +125,7 @@ class Viewer:
 def _key_frames(recording: Path, file: Path) -> Row:
     begun_s = time.process_time()
     timeline = Timeline(recording)
-    keys = Keys(file, _ID, timeline.starts_ns or 0)
+    keys = Keys(file, FLIGHT_ID, timeline.starts_ns or 0)
     scout = Scout(timeline, keys)
     while scout.has_work:
         scout.work()

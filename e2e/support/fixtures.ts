@@ -6,6 +6,8 @@ type Fixtures = {
   station: Station;
   /** How the station's board is started: `--legacy` makes it one without extensions, as deployed boards are. */
   boardOptions: readonly string[];
+  /** Whether browsers of this computer need no key; false makes all of them strangers. */
+  trustsThisComputer: boolean;
   /** A station whose aircraft flies the Gando route. */
   flying: Station;
 };
@@ -25,9 +27,10 @@ const SLOW_GRAPHICS = /GL Driver Message \(OpenGL, Performance/;
  */
 export const test = base.extend<Fixtures>({
   boardOptions: [[], { option: true }],
+  trustsThisComputer: [true, { option: true }],
 
-  station: async ({ boardOptions }, use) => {
-    const station = await Station.start(boardOptions);
+  station: async ({ boardOptions, trustsThisComputer }, use) => {
+    const station = await Station.start(boardOptions, trustsThisComputer);
     await use(station);
     await station.stop();
   },

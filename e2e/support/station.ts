@@ -1,6 +1,8 @@
+import { execFile } from "node:child_process";
 import { mkdtemp, rm } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import path from "node:path";
+import { promisify } from "node:util";
 import { Line } from "./line.js";
 import { freeTcpPort, freeUdpPort, Program, ROOT, until } from "./processes.js";
 
@@ -11,6 +13,9 @@ const BIN = `${ROOT}/.venv/bin`;
  * gateway's interface to prepare a flight. Nothing in it is a stand-in but the cable.
  */
 export class Station {
+  /** The owner's session, where this computer has to come in like any other. */
+  private cookie: string | undefined;
+
   private constructor(
     readonly url: string,
     readonly line: Line,
@@ -18,9 +23,11 @@ export class Station {
     private readonly startGateway: () => Program,
     private readonly programs: { board: Program; simulator: Program; gateway: Program },
     private readonly udp: { receive_port: number; send_port: number },
+    private readonly trustsThisComputer: boolean,
   ) {}
 
-  static async start(boardOptions: readonly string[] = []): Promise<Station> {
+  /** `trustsThisComputer` false: every browser of the journey is a stranger, as one of another machine is. */
+  static async start(boardOptions: readonly string[] = [], trustsThisComputer = true): Promise<Station> {
     const data = await mkdtemp(path.join(tmpdir(), "epf-e2e-"));
     const [boardPort, linePort, httpPort] = [await freeTcpPort(), await freeTcpPort(), await freeTcpPort()];
     const udp = { receive_port: await freeUdpPort(), send_port: await freeUdpPort() };
@@ -31,7 +38,12 @@ export class Station {
       ...["--listen", `127.0.0.1:${udp.send_port}`, "--send-to", `127.0.0.1:${udp.receive_port}`],
     ]);
     const startGateway = () =>
-      new Program("epf-gcs", `${BIN}/epf-gcs`, ["--port", `${httpPort}`, "--data-dir", path.join(data, "station")]);
+      new Program(
+        "epf-gcs",
+        `${BIN}/epf-gcs`,
+        ["--port", `${httpPort}`, "--data-dir", path.join(data, "station")],
+        trustsThisComputer ? {} : { GCS_TRUST_THIS_COMPUTER: "false" },
+      );
     const station = new Station(
       `http://127.0.0.1:${httpPort}`,
       await Line.between(linePort, boardPort),
@@ -39,6 +51,7 @@ export class Station {
       startGateway,
       { board, simulator, gateway: startGateway() },
       udp,
+      trustsThisComputer,
     );
     await station.answers();
     return station;
@@ -46,6 +59,16 @@ export class Station {
 
   get gateway(): Program {
     return this.programs.gateway;
+  }
+
+  /** A one-time key from the command line, as the owner of a station without a screen makes one. */
+  async invite(role: "viewer" | "operator" | "owner"): Promise<string> {
+    const { stdout } = await promisify(execFile)(`${BIN}/epf-gcs`, [
+      ...["invite", "--role", role, "--data-dir", path.join(this.data, "station")],
+    ]);
+    const key = /[0-9A-Z]{4}(-[0-9A-Z]{4}){3}/.exec(stdout)?.[0];
+    if (key === undefined) throw new Error(`no key in what epf-gcs invite printed:\n${stdout}`);
+    return key;
   }
 
   get boardUrl(): string {
@@ -128,14 +151,31 @@ export class Station {
   }
 
   private async answers(): Promise<void> {
+    if (!this.trustsThisComputer && this.cookie === undefined) await this.enterAsOwner();
     await until(`the gateway's answer\n${this.programs.gateway.output}`, async () => await this.status());
+  }
+
+  private async enterAsOwner(): Promise<void> {
+    await until("the gateway", async () => ((await fetch(`${this.url}/api/v1/access/me`)).ok ? true : undefined));
+    const answer = await fetch(`${this.url}/api/v1/access/enter`, {
+      method: "POST",
+      body: JSON.stringify({ key: await this.invite("owner"), name: "journey", place: "" }),
+      headers: { "Content-Type": "application/json" },
+    });
+    this.cookie = answer.headers.get("set-cookie")?.split(";")[0];
+    if (this.cookie === undefined)
+      throw new Error(`the journey did not come in: ${answer.status} ${await answer.text()}`);
   }
 
   // biome-ignore lint/suspicious/noExplicitAny: a journey looks at single members of the public interface
   private async request(method: string, resource: string, body?: unknown): Promise<any> {
     const answer = await fetch(`${this.url}/api/v1/${resource}`, {
       method,
-      ...(body === undefined ? {} : { body: JSON.stringify(body), headers: { "Content-Type": "application/json" } }),
+      headers: {
+        ...(this.cookie === undefined ? {} : { Cookie: this.cookie }),
+        ...(body === undefined ? {} : { "Content-Type": "application/json" }),
+      },
+      ...(body === undefined ? {} : { body: JSON.stringify(body) }),
     });
     if (!answer.ok) throw new Error(`${method} ${resource}: ${answer.status} ${await answer.text()}`);
     return answer.status === 204 ? undefined : await answer.json();

@@ -153,3 +153,18 @@ def test_names_are_split_at_the_commas_between_them() -> None:
         "diff(e.f,g.h_I)",
         "error(j.k,l.m)",
     ]
+
+
+def test_a_computed_signal_is_kept_for_the_next_zoom_until_the_flight_has_grown() -> None:
+    flight, periods = Given(ahrs__roll_deg=(T, ROLL)), PeriodCache()
+    first = find(flight, periods, "rate(ahrs.roll_deg)")
+    assert find(flight, periods, "rate(ahrs.roll_deg)") is first
+    grown = Given(ahrs__roll_deg=(np.append(T, 10.5), np.append(ROLL, 3.0)))
+    assert len(find(grown, periods, "rate(ahrs.roll_deg)").t_s) == len(T) + 1
+
+
+def test_only_so_many_computed_signals_are_kept() -> None:
+    periods = PeriodCache()
+    made = [periods.computed(str(number), 1, object) for number in range(20)]
+    assert periods.computed("19", 1, object) is made[19]
+    assert periods.computed("0", 1, object) is not made[0]

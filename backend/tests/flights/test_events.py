@@ -219,3 +219,24 @@ def test_what_was_known_is_the_newest_note_before_the_moment() -> None:
     ]
     assert {then[name]["state"] for name in ("k_roll", "k_VVI", "k_elev")} == {"unknown"}
     assert then["k_VVI"]["value"] is None
+
+
+def test_a_line_that_is_opened_is_told_once_and_its_silence_beside_it() -> None:
+    line = {"line": "board", "open": True, "url": "pty:///b"}
+    told = [
+        Note(START_NS + 10**9, notes.LINE, line),
+        noted(1.1, "link", board="opening", simulator="closed"),
+        noted(1.5, "link", board="open", simulator="closed"),
+        noted(20, "link", board="lost", simulator="closed"),
+        noted(21, "link", board="lost", simulator="closed"),
+        noted(30, "link", board="open", simulator="closed"),
+        Note(START_NS + 40 * 10**9, notes.LINE, {**line, "open": False}),
+        noted(40.1, "link", board="closed", simulator="closed"),
+    ]
+    assert [(kind, name, round(at_s, 3)) for kind, name, at_s, _ in found(MadeFlight({}, told))] == [
+        ("link", "board_opened", 1.0),
+        ("link", "", 20.0),
+        ("link", "", 30.0),
+        ("link", "board_closed", 40.0),
+    ]
+    assert len(found(MadeFlight({}, told[1:3]))) == 2, "an old recording has no notes of lines"

@@ -55,39 +55,32 @@ def data(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.mark.parametrize("growing", [False, True], ids=["indexed", "growing"])
 def test_a_flight_in_the_air_answers_as_one_that_has_landed(data: Path, growing: bool) -> None:
-    topics, signals, overview, track, known, span, events = (
-        {"head": head, "body": body}
-        for head, body in ask(
-            data,
-            *(
-                {"growing": growing, **question}
-                for question in (
-                    {"do": "topics"},
-                    SIGNALS,
-                    {"do": "overview", "points": 40},
-                    {"do": "track", "source": "flight", "points": None},
-                    {"do": "known", "at_s": 20.0},
-                    {"do": "span"},
-                    {"do": "events"},
-                )
-            ),
-        )
-    )
-    assert all(one["head"] == {} for one in (topics, signals, overview, track, known, span, events))
-    counted = {one["name"]: one["count"] for one in orjson.loads(topics["body"])["topics"]}
+    questions: list[dict[str, Any]] = [
+        {"do": "topics"},
+        SIGNALS,
+        {"do": "overview", "points": 40},
+        {"do": "track", "source": "flight", "points": None},
+        {"do": "known", "at_s": 20.0},
+        {"do": "span"},
+        {"do": "events"},
+    ]
+    answers = ask(data, *({**question, "growing": growing} for question in questions))
+    assert all(head == {} for head, _ in answers)
+    topics, signals, overview, track, known, span, events = (body for _, body in answers)
+    counted = {one["name"]: one["count"] for one in orjson.loads(topics)["topics"]}
     assert counted["ahrs"] == SECONDS * 50
     assert counted["gps"] == SECONDS * 10
-    speed, roll = orjson.loads(signals["body"])["signals"]
+    speed, roll = orjson.loads(signals)["signals"]
     assert max(known_of(speed["max"])) == pytest.approx(SPEED_M_S / 0.514444, rel=1e-5)
     assert min(known_of(roll["min"])) < -15.0
     assert max(known_of(roll["max"])) > 15.0
     assert None in speed["max"], "nothing is drawn over the three seconds without samples"
-    assert orjson.loads(overview["body"])["duration_s"] == pytest.approx(SECONDS, abs=0.1)
-    assert track["body"].startswith(b"EPT1")
-    assert orjson.loads(known["body"])["identity"]["aircraft"] == "ala fija"
-    told = orjson.loads(span["body"])
+    assert orjson.loads(overview)["duration_s"] == pytest.approx(SECONDS, abs=0.1)
+    assert track.startswith(b"EPT1")
+    assert orjson.loads(known)["identity"]["aircraft"] == "ala fija"
+    told = orjson.loads(span)
     assert told["end_s"] - told["start_s"] == pytest.approx(SECONDS, abs=0.1)
-    assert isinstance(orjson.loads(events["body"])["events"], list)
+    assert isinstance(orjson.loads(events)["events"], list)
 
 
 def test_both_kinds_of_flight_give_the_same_values(data: Path) -> None:

@@ -98,7 +98,16 @@ def test_the_status_has_the_shape_of_the_live_one(recording: Path) -> None:
     head = Playhead(Timeline(recording), Silence())
     head.advance(STARTS_NS + 17 * SECOND_NS)
     status = build_status(head, "a.mcap", 12)
-    whole = {**status, "version": "1", "control": {"client": None, "name": None}, "viewers": 1}
+    nobody = {
+        "client": None,
+        "name": None,
+        "kind": None,
+        "number": None,
+        "since_s": None,
+        "reserved": None,
+        "requests": [],
+    }
+    whole = {**status, "version": "1", "control": nobody, "viewers": 1}
     assert Status.model_validate(whole).board.mode == "legacy"
     assert status["board"]["state"] == "open"
     assert status["board"]["periods_ms"]["parameters"] == {"ms": 50, "chosen": True}

@@ -102,26 +102,28 @@ def test_two_viewers_are_each_at_their_own_moment_and_say_each_what_they_want(re
         ):
             assert (first.playback["at_s"], second.playback["at_s"]) == (2.0, 9.0)
             assert first.hello["starts_s"] == pytest.approx(STARTS_NS * 1e-9)
-            for name, arguments, expected in (
+            wishes: list[tuple[str, dict[str, Any], dict[str, Any]]] = [
                 ("seek", {"at_s": 5.0}, {"at_s": 5.0, "state": "paused"}),
                 ("loop", {"from_s": 3.0, "to_s": 4.0}, {"loop": [3.0, 4.0]}),
                 ("loop", {}, {"loop": None}),
                 ("play", {"rate": 0.5}, {"rate": 0.5, "state": "playing"}),
                 ("pause", {}, {"state": "paused"}),
-            ):
-                first.end.notice(name, **arguments)
+            ]
+            for name, wished, expected in wishes:
+                first.end.notice(name, **wished)
                 await first.until(**expected)
             before = first.playback["at_s"]
             first.end.notice("step", frames=1)
             await eventually_async(lambda: first.playback["at_s"] > before, "a step")
             assert second.playback["at_s"] == 9.0
-            for name, arguments in (
+            no_wishes: list[tuple[str, dict[str, Any]]] = [
                 ("seek", {"at_s": "5"}),
                 ("seek", {"at_s": 1e300}),
                 ("play", {"rate": float("inf")}),
                 ("step", {"frames": 0}),
                 ("command", {"name": "start"}),
-            ):
+            ]
+            for name, arguments in no_wishes:
                 second.end.notice(name, **arguments)
             assert (await second.end.request("playback"))["at_s"] == 9.0, "what is no wish changes nothing"
 

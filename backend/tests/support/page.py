@@ -86,11 +86,15 @@ class Page:
 
 
 @contextmanager
-def page(base: str, path: str = "/api/v1/stream", key: str | None = None, line: int | None = None) -> Iterator[Page]:
+def page(
+    base: str, path: str = "/api/v1/stream", key: str | None = None, line: int | None = None, cookie: str | None = None
+) -> Iterator[Page]:
     """A page that is closed at the end. `base`: address of the station; `key`: of a program; `line`: port to go through
-    in place of the station's own."""
+    in place of the station's own; `cookie`: of a person's session."""
     url = httpx.URL(base)
     headers = {} if key is None else {"Authorization": f"Bearer {key}"}
+    if cookie is not None:
+        headers["Cookie"] = cookie
     through = socket.create_connection(("127.0.0.1", line or url.port or 80))
     address = f"ws://{url.netloc.decode()}{path}"
     with connect(address, sock=through, additional_headers=headers, max_size=None) as connection:

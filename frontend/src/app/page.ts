@@ -2,7 +2,7 @@ import { ABOUT, createAbout } from "../features/about/aboutRequests";
 import { ACCESS_ADMIN, createAccessAdmin } from "../features/access/accessAdmin";
 import { controlMessage } from "../features/access/controlEvents";
 import { CONTROL_PAGES, createControlPages } from "../features/access/controlPages";
-import { createEntry, ENTRY } from "../features/access/entry";
+import { ACCESS_CHANGED, createEntry, ENTRY } from "../features/access/entry";
 import { takeAddressedKey } from "../features/access/keyAddress";
 import { createNewVersion, NEW_VERSION } from "../features/access/newVersion";
 import { createAhrs3d } from "../features/ahrs/ahrsRequests";
@@ -152,6 +152,9 @@ export function createPage(world: World): {
     takeFlightEvent(message);
     gamepads.takeEvent(message);
     takeAlarmEvent(alarmLog.store, message);
+    if (message.event === ACCESS_CHANGED) {
+      review();
+    }
     if (message.event === BOARD_RESTARTED) {
       // Its restart is reported on its own, with all that it switched off.
       sourceReturn.setState(NOTHING_LEFT_OFF);

@@ -23,6 +23,7 @@ import { MISSIONS } from "../missions/planDrafts";
 import type { StreamMessage } from "../protocol/envelope";
 import type { AskingParts } from "../requests/asking";
 import { createKnownAt } from "../requests/knownAt";
+import { type AskReplay, createStreamQuestions } from "../requests/streamQuestions";
 import { FlightClock } from "../store/clock";
 import { createCommands } from "../store/commands";
 import type { Page } from "../store/hooks";
@@ -64,9 +65,10 @@ export function createPasts(parts: PastParts): Pasts {
   let made_count = 0;
 
   function open(place: () => PlaceInTime, listener: FlightListener): FlightStream {
-    const made = createPast(parts, place, ++made_count);
+    const questions = createStreamQuestions((text) => socket.ask(text), parts.timers);
+    const made = createPast(parts, place, questions.ask, ++made_count);
     const { vehicle } = made;
-    const socket = new StreamSocket({
+    const socket: StreamSocket = new StreamSocket({
       dial: (wire) => parts.dial(place(), wire),
       timers: parts.timers,
       onMessage: (message, at_ms) => {
@@ -75,10 +77,15 @@ export function createPasts(parts: PastParts): Pasts {
           listener.onOpened(message.flight);
         } else if (message.type === "playback") {
           listener.onPosition(message.position);
+        } else if (message.type === "answer") {
+          questions.answered(message.about, message.data);
         }
       },
       onState: ({ kind }) => {
         vehicle.become(kind);
+        if (kind !== "open") {
+          questions.lost();
+        }
         listener.onLine(kind === "open");
       },
       onMalformed: parts.onMalformed,
@@ -90,6 +97,7 @@ export function createPasts(parts: PastParts): Pasts {
       ask: (text) => socket.ask(text),
       close: () => {
         socket.stop();
+        questions.lost();
         made.stop();
         if (seen === vehicle) {
           // What the pump painted last is of the past: the present must be painted even if nothing new arrives.
@@ -114,6 +122,7 @@ interface Past {
 function createPast(
   { present, asking, timers, playback, report }: PastParts,
   place: () => PlaceInTime,
+  ask: AskReplay,
   key: number,
 ): Past {
   const { rest } = asking;
@@ -123,24 +132,20 @@ function createPast(
   const pastAsking: AskingParts = { ...asking, commands: createCommands() };
   const servos = createServoSliders({ rest, timers, client, tell: () => undefined });
   const console_ = createBoardConsole({ rest, wall_ms: moment_ms });
-  const known = createKnownAt({ rest, timers, place });
+  const known = createKnownAt(ask, timers);
   const parameters = createPastParameters(known, pastAsking);
   const plans = createPastPlans(known, present.saveFile, pastAsking);
   const track = createPastTrack({ rest, place, report });
-  const { store: position } = playback;
   const alarmLog = createPastAlarmLog({
     facts: playback.facts,
     live: present.parts.get(ALARM_LOG),
     wall_s: () => moment_ms() / 1000,
   });
-  const ends = [
-    position.subscribe((now, before) => {
-      if (now.moves !== before.moves) {
-        known.leave();
-      }
-    }),
-  ];
   let { jumps } = vehicle.telemetry;
+  /** The jumps of the replay itself, also those forward; null before it has told them. */
+  let moments: number | null = null;
+  /** It went to another moment, whose samples come next. */
+  let isElsewhere = false;
 
   function take(message: StreamMessage, at_ms: number): void {
     vehicle.take(message, at_ms);
@@ -148,6 +153,16 @@ function createPast(
       jumps = vehicle.telemetry.jumps;
       console_.boardConsole.clear();
       servos.forget();
+    }
+    if (message.type === "hello") {
+      moments = null;
+    } else if (message.type === "playback" && message.position.jumps !== moments) {
+      moments = message.position.jumps;
+      isElsewhere = true;
+      void known.read();
+    } else if (message.type === "batch" && isElsewhere) {
+      isElsewhere = false;
+      present.pump.hurry();
     }
     if (message.type === "event") {
       servos.takeEvent(message);
@@ -175,17 +190,12 @@ function createPast(
       .with(TRACK_LOG, track)
       .with(SERVO_SLIDERS, servos.sliders)
       .with(BOARD_CONSOLE, console_.boardConsole)
-      .with(INSPECTOR, createPastInspector(vehicle, asking.now_ms)),
+      .with(INSPECTOR, createPastInspector(ask)),
   };
   return {
     page,
     vehicle,
     take,
-    stop: () => {
-      for (const end of ends) {
-        end();
-      }
-      known.stop();
-    },
+    stop: known.stop,
   };
 }

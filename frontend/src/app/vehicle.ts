@@ -61,6 +61,7 @@ export function createVehicle(clock?: VehicleClock): Vehicle {
           return;
         case "event":
         case "playback":
+        case "answer":
           telemetry.heard(at_ms);
       }
     },

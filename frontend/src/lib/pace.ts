@@ -9,8 +9,16 @@ export const DESCRIPTION_PERIOD_MS = 500;
  * due in the same animation frame and the browser lays out all texts once.
  */
 export class Pace {
+  /** How often something was to be shown at once, by all. */
+  static #hurries = 0;
   readonly #period_ms: number;
   #last = Number.NaN;
+  #hurried = Pace.#hurries;
+
+  /** Make the next call of each pace return true: what is shown is of another moment, and no text may lag behind. */
+  static hurry(): void {
+    Pace.#hurries += 1;
+  }
 
   constructor(period_ms: number) {
     this.#period_ms = period_ms;
@@ -18,10 +26,11 @@ export class Pace {
 
   due(now_ms: number): boolean {
     const period = Math.floor(now_ms / this.#period_ms);
-    if (period === this.#last) {
+    if (period === this.#last && this.#hurried === Pace.#hurries) {
       return false;
     }
     this.#last = period;
+    this.#hurried = Pace.#hurries;
     return true;
   }
 

@@ -3,7 +3,7 @@ import { isMissionEvent, PLANS } from "../protocol/missions";
 import type { AskingParts } from "../requests/asking";
 import type { KnownAt } from "../requests/knownAt";
 import { createPlanActions } from "./missionRequests";
-import { boardHas, createPlans, editPlan, forgetBoardPlan, type PlanActions } from "./planDrafts";
+import { createPlans, fixPlan, forgetBoardPlan, type PlanActions } from "./planDrafts";
 
 /** The plans as they were known at the moment of a flight: what the board had is also what is shown as the draft. */
 export function createPastPlans(
@@ -13,15 +13,12 @@ export function createPastPlans(
 ): { readonly actions: PlanActions; readonly takeEvent: (event: StreamEvent) => void } {
   // Without a storage: the drafts that this browser remembers are of the present.
   const plans = createPlans(null);
+  for (const plan of PLANS) {
+    fixPlan(plans, plan, null);
+  }
   known.onKnown((then) => {
     for (const plan of PLANS) {
-      const waypoints = then?.missions[plan]?.waypoints ?? null;
-      editPlan(plans, plan, waypoints ?? []);
-      if (waypoints === null) {
-        forgetBoardPlan(plans, plan);
-      } else {
-        boardHas(plans, plan, waypoints);
-      }
+      fixPlan(plans, plan, then?.missions[plan]?.waypoints ?? null);
     }
   });
   return {

@@ -16,6 +16,8 @@ export interface Plan {
   readonly board: readonly Waypoint[] | null;
   /** The assumptions made when the draft was read from a file. */
   readonly notes: readonly Message[];
+  /** A plan of the past: it is shown as it was, and no edit changes it. */
+  readonly isFixed: boolean;
 }
 
 export type Plans = Readonly<Record<PlanName, Plan>>;
@@ -64,20 +66,29 @@ export function createPlans(storage: BrowserStorage | null): PlanStore {
 
 /** An edit of the draft; one step of its undo. */
 export function editPlan(store: PlanStore, plan: PlanName, waypoints: readonly Waypoint[]): void {
-  change(store, plan, ({ draft }) => ({ draft: edited(draft, waypoints) }));
+  edit(store, plan, (draft) => edited(draft, waypoints));
 }
 
 /** The newest edit taken further; its undo takes back both. */
 export function amendPlan(store: PlanStore, plan: PlanName, waypoints: readonly Waypoint[]): void {
-  change(store, plan, ({ draft }) => ({ draft: amended(draft, waypoints) }));
+  edit(store, plan, (draft) => amended(draft, waypoints));
 }
 
 export function undoPlan(store: PlanStore, plan: PlanName): void {
-  change(store, plan, ({ draft }) => ({ draft: undone(draft) }));
+  edit(store, plan, undone);
 }
 
 export function redoPlan(store: PlanStore, plan: PlanName): void {
-  change(store, plan, ({ draft }) => ({ draft: redone(draft) }));
+  edit(store, plan, redone);
+}
+
+/** Show the plan that the board had at a moment of the past; null: nobody knows. It cannot be edited. */
+export function fixPlan(store: PlanStore, plan: PlanName, waypoints: readonly Waypoint[] | null): void {
+  const { board, isFixed } = store.getState()[plan];
+  const isSame = board === null || waypoints === null ? board === waypoints : samePlan(board, waypoints);
+  if (!(isFixed && isSame)) {
+    change(store, plan, () => ({ draft: begun(waypoints ?? []), board: waypoints, isFixed: true }));
+  }
 }
 
 /** The board has this plan, as it says itself. */
@@ -99,15 +110,19 @@ export function notePlan(store: PlanStore, plan: PlanName, notes: readonly Messa
 /** `empty`: nothing to send; `unknown`: what the board has is not known. */
 export type PlanState = "empty" | "unknown" | "same" | "differs";
 
-export function planState({ draft, board }: Plan): PlanState {
+export function planState({ draft, board, isFixed }: Plan): PlanState {
   if (board === null) {
-    return draft.present.length === 0 ? "empty" : "unknown";
+    return draft.present.length === 0 && !isFixed ? "empty" : "unknown";
   }
   return samePlan(draft.present, board) ? "same" : "differs";
 }
 
 function begin(waypoints: unknown): Plan {
-  return { draft: begun(isDraft(waypoints) ? waypoints : []), board: null, notes: [] };
+  return { draft: begun(isDraft(waypoints) ? waypoints : []), board: null, notes: [], isFixed: false };
+}
+
+function edit(store: PlanStore, plan: PlanName, by: (draft: Plan["draft"]) => Plan["draft"]): void {
+  change(store, plan, ({ draft, isFixed }) => (isFixed ? {} : { draft: by(draft) }));
 }
 
 function change(store: PlanStore, plan: PlanName, by: (before: Plan) => Partial<Plan>): void {

@@ -15,6 +15,8 @@ export interface ShownPlan {
   readonly flownTo: number | null;
   /** The same if the shown plan is the board's, else null: only then it is an index into the shown rows. */
   readonly active: number | null;
+  /** A plan of the past: no edit changes it. */
+  readonly isFixed: boolean;
   /** Whether the board can send and receive plans. */
   readonly canTransfer: boolean;
 }
@@ -23,11 +25,15 @@ export interface ShownPlan {
 export function usePlan(plan: PlanName): ShownPlan {
   const waypoints = usePlans((plans) => plans[plan].draft.present);
   const state = usePlans((plans) => planState(plans[plan]));
-  const issues = useMemo(() => checkPlan(waypoints, PLAN_LIMITS), [waypoints]);
+  const isFixed = usePlans((plans) => plans[plan].isFixed);
+  const issues = useMemo(
+    () => (isFixed && waypoints.length === 0 ? [] : checkPlan(waypoints, PLAN_LIMITS)),
+    [isFixed, waypoints],
+  );
   const flownTo = useTelemetry((telemetry, now_ms) =>
     telemetry.liveNumber(PLAN[plan].topic, "waypoint", now_ms),
   );
   const canTransfer = useConnection(({ status }) => status?.board.features.missions === true);
   const active = state === "same" && flownTo !== null && flownTo < waypoints.length ? flownTo : null;
-  return { waypoints, issues, state, flownTo, active, canTransfer };
+  return { waypoints, issues, state, flownTo, active, isFixed, canTransfer };
 }

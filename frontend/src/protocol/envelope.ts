@@ -53,7 +53,14 @@ export interface StreamEvent {
   readonly data: Readonly<Record<string, unknown>>;
 }
 
-export type StreamMessage = Hello | Batch | StatusMessage | StreamEvent | PlaybackMessage;
+/** What was asked about the moment of a flight that is shown. Whoever asked checks what it is. */
+export interface AnswerMessage {
+  readonly type: "answer";
+  readonly about: string;
+  readonly data: unknown;
+}
+
+export type StreamMessage = Hello | Batch | StatusMessage | StreamEvent | PlaybackMessage | AnswerMessage;
 
 /** What a text off the socket says, or null when any part of it is not as agreed. */
 export function parseMessage(text: string): StreamMessage | null {
@@ -75,6 +82,8 @@ export function parseMessage(text: string): StreamMessage | null {
         return hello(value);
       case "playback":
         return isPlayback(value) ? { type: "playback", position: value } : null;
+      case "answer":
+        return isText(value["about"]) ? { type: "answer", about: value["about"], data: value["data"] } : null;
       default:
         return null;
     }

@@ -792,11 +792,13 @@ export const isRoundTripMs = shape({
 });
 export type RoundTripMs = Checked<typeof isRoundTripMs>;
 
-/** What the lines carry against what they can; null while no board's link is open, and 73,000 for the simulator. */
+/** What the lines carry against what they can; null while no board's link is open, and 73,000 for the simulator.
+ *
+ * A recording does not tell the round trips: null. */
 export const isInspectedLink = shape({
   capacity_bytes_per_s: nullable(isNumber),
   round_trip_ms: isRoundTripMs,
-  round_trips: isNumber,
+  round_trips: nullable(isNumber),
   rx_bytes_per_s: isNumber,
   rx_percent: nullable(isNumber),
   simulator_bytes_per_s: isNumber,
@@ -1056,14 +1058,14 @@ export const isPeople = shape({
 });
 export type People = Checked<typeof isPeople>;
 
-/** Where a replay is: on the stream as the message `playback` and in the status of a replayed flight.
- *
- * `edge_s` is how far the recording reaches; it grows for the flight that is being recorded. `loop` is [from_s, to_s]. */
+/** Where a replay is (message `playback` and status). `edge_s` is how far the recording reaches, `loop` is
+ * [from_s, to_s], `jumps` counts the moments that it went to. */
 export const isPlayback = shape({
   at_s: isNumber,
   duration_s: isNumber,
   edge_s: isNumber,
   flight: isText,
+  jumps: isNumber,
   loop: nullable(list(isNumber)),
   rate: isNumber,
   state: oneOf("playing", "paused", "ended"),

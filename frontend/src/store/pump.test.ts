@@ -136,6 +136,23 @@ describe("a painter that throws", () => {
   });
 });
 
+test("another moment is painted with the very next animation frame, texts too, once", () => {
+  const { frames, pump, arrive } = setup();
+  const instrument = vi.fn();
+  const text = vi.fn();
+  pump.add("movement", instrument);
+  pump.add("text", text);
+  frames.show(1000);
+  arrive();
+  pump.hurry();
+  frames.show(1016);
+  frames.show(1033);
+  expect([instrument, text].map((paint) => paint.mock.calls)).toEqual([
+    [[1000], [1016]],
+    [[1000], [1016]],
+  ]);
+});
+
 test("nothing to paint asks for no animation frames", () => {
   const { frames, pump } = setup();
   const remove = pump.add("movement", () => undefined);

@@ -62,6 +62,12 @@ export class Pump {
     };
   }
 
+  /** Another moment is shown: texts too are painted with the next animation frame, whatever their pace. */
+  hurry(): void {
+    Pace.hurry();
+    this.#moved_ms = Number.NEGATIVE_INFINITY;
+  }
+
   /** As React wants a subscription: called with each round of texts. */
   readonly onTick = (changed: () => void): (() => void) => this.add("text", () => changed());
 

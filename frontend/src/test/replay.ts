@@ -13,6 +13,7 @@ interface Position {
   readonly state: "playing" | "paused" | "ended";
   readonly rate: number;
   readonly loop: readonly [number, number] | null;
+  readonly jumps: number;
 }
 
 /** The gateway's stream of a flight of the past, under the test's control. */
@@ -26,14 +27,25 @@ export class FakeReplay {
   constructor(place: { readonly flight: string; readonly at_s: number }, listener: WireListener) {
     this.wire = new ManualWire(listener);
     this.place = place;
-    this.#position = { at_s: place.at_s, state: "paused", rate: 1, loop: null };
+    this.#position = { at_s: place.at_s, state: "paused", rate: 1, loop: null, jumps: 1 };
   }
 
-  /** What the page asked of it, without acknowledgements. */
+  /** What the page wants of it, without acknowledgements and questions. */
   get asked(): ReadonlyArray<Readonly<Record<string, unknown>>> {
-    return this.wire.sent
-      .map((text) => JSON.parse(text) as Record<string, unknown>)
-      .filter(({ type }) => type !== "ack");
+    return this.#sent.filter(({ type }) => type !== "ack" && type !== "ask");
+  }
+
+  /** What the page asked about the moments that it showed. */
+  get questions(): readonly unknown[] {
+    return this.#sent.filter(({ type }) => type === "ask").map(({ about }) => about);
+  }
+
+  get #sent(): ReadonlyArray<Readonly<Record<string, unknown>>> {
+    return this.wire.sent.map((text) => JSON.parse(text) as Record<string, unknown>);
+  }
+
+  answer(about: string, data: unknown): void {
+    this.wire.deliver({ type: "answer", about, data });
   }
 
   greet(status: Status = aStatus()): void {

@@ -6,6 +6,7 @@ import { CATALOGUES } from "../app/catalogues";
 import { loadParts } from "../app/loadParts";
 import { createPage, type World } from "../app/page";
 import { SHOWN } from "../app/past";
+import { PLAYBACK } from "../features/playback/playbackRequests";
 import { createI18n } from "../i18n/i18n";
 import type { Sample } from "../protocol/envelope";
 import type { Status } from "../protocol/status";
@@ -176,6 +177,18 @@ export class Station {
   /** The page that the tabs read: the present one, or that of the past. */
   shown(): Page {
     return this.page.parts.get(SHOWN).getState().page;
+  }
+
+  /** Shows a moment of a flight of the past, which the gateway opens. */
+  openFlight(flight: string, at_s: number): void {
+    act(() => this.page.parts.get(PLAYBACK).openFlight(flight, at_s));
+    this.replayed((replay) => replay.greet());
+  }
+
+  /** Let the replay answer a question. */
+  async answered(about: string, data: unknown): Promise<void> {
+    await act(async () => this.replay.answer(about, data));
+    this.show();
   }
 
   /** Let the replay say something, and show it. */

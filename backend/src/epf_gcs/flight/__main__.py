@@ -18,7 +18,7 @@ import structlog
 from epf_gcs.errors import ConflictError, GatewayError
 from epf_gcs.flight.data_folder import DataFolder
 from epf_gcs.flight.flight import Flight
-from epf_gcs.flight.priority import Priority, go_first
+from epf_gcs.flight.priority import Priority, go_first, stay_in_memory
 from epf_gcs.link.address import parse_address
 from epf_gcs.logs import set_up_logging
 from epf_gcs.watchdog import feed
@@ -38,6 +38,7 @@ def main() -> None:
     set_up_logging(verbose=options.verbose)
     sys.setswitchinterval(_SWITCH_INTERVAL_S)
     priority = go_first()
+    stay_in_memory()
     if options.board is not None:
         try:
             parse_address(options.board)

@@ -11,7 +11,7 @@ from dataclasses import asdict, dataclass, replace
 from typing import Any, Final
 
 from epf_gcs.clock import Clock
-from epf_gcs.codec.messages_gen import TELEMETRY, TELEMETRY_BY_NAME, XPLANE_ROWS
+from epf_gcs.codec.messages_gen import TELEMETRY_BY_NAME, XPLANE_ROWS
 from epf_gcs.flight.board.board_link import Supervisor
 from epf_gcs.flight.hil.hil import Hil
 from epf_gcs.flight.hil.simulator import CHANNEL_BYTES_PER_S, Simulator
@@ -23,28 +23,22 @@ from epf_gcs.vehicle.alarms import Alarms
 from epf_gcs.vehicle.arrivals import Arrivals
 from epf_gcs.vehicle.board import Board
 from epf_gcs.vehicle.health import TASK_OF_TOPIC
+from epf_gcs.vehicle.inspection import (
+    EXPECTED_ROWS,
+    CountedFrame,
+    copy_frames,
+    inspect_frames,
+    inspect_rows,
+    share_percent,
+)
 from epf_gcs.vehicle.telemetry import Telemetry
 from epf_gcs.vehicle.wanted import RATE_COMMANDS, STREAM_FLAGS
-from epf_gcs.xplane.datagram import Eight
-from epf_gcs.xplane.mapping import NEEDED_ROWS, TRACK_ROW
 
-_EXPECTED_ROWS: Final = NEEDED_ROWS | {TRACK_ROW}
 _SERVO_STREAMS: Final = ("servos_in", "fly_by_wire")
 _FRAME_BYTES: Final = 16  # header, type, checksum and end
 _LOOP_ALIVE_S: Final = 1.0
 _SILENT_S: Final = 3.0
 _STRANGERS_S: Final = 10.0
-
-
-@dataclass(frozen=True, slots=True)
-class _Frame:
-    """The counters of one type of frame at the time of the snapshot."""
-
-    id: int
-    name: str
-    damaged: int
-    stale_after_s: float | None
-    arrivals: Arrivals
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,7 +49,7 @@ class Snapshot:
     """
 
     now_s: float
-    frames: Sequence[_Frame]
+    frames: Sequence[CountedFrame]
     rows: Mapping[int, Arrivals]
     profile: str
     link: Mapping[str, Any]
@@ -84,7 +78,7 @@ def take_snapshot(parts: InspectorSources) -> Snapshot:
     link = _link(parts)
     return Snapshot(
         now_s=parts.clock.now_s(),
-        frames=_frames(parts),
+        frames=copy_frames(parts.board.frame_statistics, parts.telemetry),
         rows={row: arrivals.copy() for row, arrivals in parts.hil.arrivals.items()},
         profile=parts.hil.profile,
         link=link,
@@ -95,64 +89,20 @@ def take_snapshot(parts: InspectorSources) -> Snapshot:
 
 def build_inspector(snapshot: Snapshot) -> dict[str, Any]:
     """Plain values, ready for JSON; its shape is `epf_gcs.web.inspector.routes.Inspector`."""
-    board = [
-        {
-            "id": frame.id,
-            "name": frame.name,
-            "damaged": frame.damaged,
-            "stale_after_s": frame.stale_after_s,
-            "values": frame.arrivals.values,
-            **_measured(frame.arrivals, snapshot.now_s),
-        }
-        for frame in snapshot.frames
-    ]
+    board = inspect_frames(snapshot.frames, snapshot.now_s)
     rate_hz: dict[str, float] = {frame["name"]: frame["rate_hz"] for frame in board}
     observed = replace(
         snapshot.observed,
         streams=[Stream(topic, rate_hz[topic], hz) for topic, hz in snapshot.expected_hz.items()],
-        servos_percent=_percent(_servo_bytes_per_s(rate_hz), snapshot.link["capacity_bytes_per_s"]),
+        servos_percent=share_percent(_servo_bytes_per_s(rate_hz), snapshot.link["capacity_bytes_per_s"]),
     )
     return {
         "t_s": snapshot.now_s,
         "board": board,
-        "rows": _rows(snapshot),
+        "rows": inspect_rows(snapshot.rows, snapshot.profile, snapshot.now_s),
         "link": snapshot.link,
         "advice": [asdict(one) for one in advice(observed)],
     }
-
-
-def _frames(parts: InspectorSources) -> list[_Frame]:
-    statistics, telemetry = parts.board.frame_statistics, parts.telemetry
-    known = [
-        _Frame(
-            type_id,
-            message.name,
-            statistics.damaged[message.name],
-            telemetry.stale_after_s(message.name) if message.topic else None,
-            statistics.heard[message.name].copy(),
-        )
-        for type_id, message in TELEMETRY.items()
-    ]
-    unknown = [
-        _Frame(type_id, f"unknown_0x{type_id:x}", statistics.unknown_damaged[type_id], None, arrivals.copy())
-        for type_id, arrivals in sorted(statistics.unknown.items())
-    ]
-    return known + unknown
-
-
-def _rows(snapshot: Snapshot) -> list[dict[str, Any]]:
-    definitions = XPLANE_ROWS[snapshot.profile]
-    heard = snapshot.rows
-    return [
-        {
-            "row": row,
-            "name": definitions[row].name if row in definitions else f"row_{row}",
-            "expected": row in _EXPECTED_ROWS,
-            "values": _finite(heard[row].values) if row in heard else None,
-            **_measured(heard[row] if row in heard else Arrivals(), snapshot.now_s),
-        }
-        for row in sorted({*definitions, *heard})
-    ]
 
 
 def _link(parts: InspectorSources) -> dict[str, Any]:
@@ -163,10 +113,10 @@ def _link(parts: InspectorSources) -> dict[str, Any]:
         "rx_bytes_per_s": round(rx, 1),
         "tx_bytes_per_s": round(tx, 1),
         "capacity_bytes_per_s": capacity,
-        "rx_percent": _percent(rx, capacity),
-        "tx_percent": _percent(tx, capacity),
+        "rx_percent": share_percent(rx, capacity),
+        "tx_percent": share_percent(tx, capacity),
         "simulator_bytes_per_s": round(simulator, 1),
-        "simulator_percent": _percent(simulator, CHANNEL_BYTES_PER_S),
+        "simulator_percent": share_percent(simulator, CHANNEL_BYTES_PER_S),
         "round_trip_ms": asdict(parts.hil.round_trip.summary()),
         "round_trips": parts.hil.round_trip.answers,
     }
@@ -215,7 +165,7 @@ def _silent_port(parts: InspectorSources) -> int | None:
 
 def _missing_rows(parts: InspectorSources) -> list[MissingRow]:
     definitions = XPLANE_ROWS[parts.hil.profile]
-    return [MissingRow(row, definitions[row].name) for row in sorted(_EXPECTED_ROWS - set(parts.hil.rows))]
+    return [MissingRow(row, definitions[row].name) for row in sorted(EXPECTED_ROWS - set(parts.hil.rows))]
 
 
 def _strangers(parts: InspectorSources) -> int:
@@ -241,21 +191,3 @@ def _expected_hz(parts: InspectorSources) -> dict[str, float]:
 
 def _servo_bytes_per_s(rate_hz: Mapping[str, float]) -> float:
     return sum(rate_hz[name] * (TELEMETRY_BY_NAME[name].size + _FRAME_BYTES) for name in _SERVO_STREAMS)
-
-
-def _measured(arrivals: Arrivals, now_s: float) -> dict[str, Any]:
-    summary = arrivals.summary(now_s)
-    return {
-        "count": summary.count,
-        "rate_hz": round(summary.rate_hz, 2),
-        "jitter_ms": None if summary.jitter_ms is None else round(summary.jitter_ms, 3),
-        "age_s": None if summary.age_s is None else round(summary.age_s, 3),
-    }
-
-
-def _finite(eight: Eight) -> list[float | None]:
-    return [value if abs(value) < float("inf") else None for value in eight]
-
-
-def _percent(bytes_per_s: float, full: float | None) -> float | None:
-    return round(100.0 * bytes_per_s / full, 1) if full else None

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import ctypes
 import os
 import threading
 from typing import Final, Literal
@@ -13,6 +14,10 @@ Priority = Literal["real-time", "raised", "normal"]
 _REAL_TIME: Final = 1
 _RAISED: Final = -10
 _LOWEST: Final = 19
+# Linux's flags of mlockall(2).
+_LOCK_NOW: Final = 1
+_LOCK_LATER: Final = 2
+_LOCK_ON_USE: Final = 4
 
 
 def go_first() -> Priority:
@@ -38,6 +43,20 @@ def go_first() -> Priority:
         else:
             return "raised"
     return "normal"
+
+
+def stay_in_memory() -> bool:
+    """Keep every page that this process uses out of the swap, where nothing limits that; whether it does.
+
+    Pages are locked when they are first used (MCL_ONFAULT), so that a thread's unused stack costs nothing. Under a
+    limit it is left alone: the first allocation beyond the limit would fail.
+    """
+    with contextlib.suppress(ImportError, AttributeError, OSError):  # not on every system
+        import resource  # noqa: PLC0415
+
+        if resource.getrlimit(resource.RLIMIT_MEMLOCK)[0] == resource.RLIM_INFINITY:
+            return bool(ctypes.CDLL(None).mlockall(_LOCK_NOW | _LOCK_LATER | _LOCK_ON_USE) == 0)
+    return False
 
 
 def go_last() -> None:

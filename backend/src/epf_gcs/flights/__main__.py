@@ -6,9 +6,13 @@ Each verb is a module with `run(arguments, say)`, loaded only when it is asked f
 
 from __future__ import annotations
 
+import os
 import sys
 from importlib import import_module
 from typing import Final
+
+# Before numpy is loaded: its threads would take the second core too, and wait for each other.
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 from epf_gcs.flights.worker import work
 

@@ -10,13 +10,13 @@ from typing import Any, Final
 import numpy as np
 import pyarrow as pa
 
-from epf_gcs.codec.messages_gen import PARAMETERS
 from epf_gcs.flights.derived import find
 from epf_gcs.flights.fields import fields_of
 from epf_gcs.flights.flight_data import FlightData, PeriodCache
 from epf_gcs.flights.signals import Array, gaps_of, thin
 from epf_gcs.formats.track_points import points_header
 from epf_gcs.recordings import notes
+from epf_gcs.vehicle.noted import gains_of, identity_of
 
 _NS: Final = 1e-9
 _FT_PER_M: Final = 1 / 0.3048
@@ -28,8 +28,6 @@ _ALTITUDES: Final = (
 )
 _POINT: Final = np.dtype([("t_ms", "<u4"), ("latitude_e7", "<i4"), ("longitude_e7", "<i4"), ("altitude_mm", "<i4")])
 _MOST_POINTS: Final = 720_000
-# What is known of a gain (`vehicle/parameters.py`); another word can only come from a stranger's file.
-_STATES: Final = ("unknown", "loaded", "pending", "confirmed", "rejected")
 
 
 def duration_s(flight: FlightData) -> float:
@@ -184,45 +182,6 @@ def known(flight: FlightData, at_s: float) -> dict[str, Any]:
         "parameters": None if parameters is None else gains_of(parameters),
         "missions": {plan: newest.get(f"{notes.PLAN} {plan}") for plan in ("flight", "hil")},
     }
-
-
-def gains_of(content: dict[str, Any]) -> list[dict[str, Any]]:
-    """The gains from their note ({name: {"value", "state", "loaded"}}), as GET /parameters gives them."""
-    found = []
-    for gain in PARAMETERS:
-        given = content.get(gain.name)
-        held: dict[str, Any] = given if isinstance(given, dict) else {}
-        found.append(
-            {
-                "name": gain.name,
-                "group": gain.group,
-                "value": _number(held.get("value")),
-                "loaded": _number(held.get("loaded")),
-                "state": held["state"] if held.get("state") in _STATES else "unknown",
-                "unit": "1",
-                "minimum": gain.minimum,
-                "maximum": gain.maximum,
-                "step": gain.step,
-                "default": gain.default,
-                "is_integer": gain.is_integer,
-                "doc": gain.doc,
-            }
-        )
-    return found
-
-
-def _number(value: Any) -> float | None:
-    return value if isinstance(value, int | float) and not isinstance(value, bool) else None
-
-
-def identity_of(content: Any) -> dict[str, Any]:
-    """The identity from its note; nothing is known without one."""
-    given: dict[str, Any] = content if isinstance(content, dict) else {}
-    board = given.get("board")
-    name = board.get("name") if isinstance(board, dict) else board
-    texts = {key: given.get(key) for key in ("station", "firmware", "aircraft", "operator")}
-    clean = {key: value if isinstance(value, str) else None for key, value in texts.items()}
-    return {**clean, "board": name if isinstance(name, str) else None, "emulated": given.get("emulated") is True}
 
 
 def _has_values(flight: FlightData, topic: str, field: str) -> bool:

@@ -56,6 +56,10 @@ def find(flight: FlightData, periods: PeriodCache, name: str) -> Found:
     derived = _ARGUMENTS.fullmatch(name)
     if derived is None:
         return _recorded(flight, periods, name)
+    return periods.computed(name, flight.end_ns, lambda: _computed(flight, periods, name, derived))
+
+
+def _computed(flight: FlightData, periods: PeriodCache, name: str, derived: re.Match[str]) -> Found:
     operands = [_recorded(flight, periods, one) for one in derived[2].split(",")]
     if derived[1] == "rate":
         return _rate(operands[0])

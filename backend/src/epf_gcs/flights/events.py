@@ -99,6 +99,7 @@ def _noted(found: list[Note]) -> list[Event]:
     """Events from notes. The end of a command or alarm becomes the end of the event that it began with."""
     events: list[Event] = []
     open_events: dict[tuple[str, Any], Event] = {}
+    has_lines, lost = any(note.name == notes.LINE for note in found), set[str]()
     for note in found:
         content = note.content if isinstance(note.content, dict) else {}
         if note.name == notes.MARK:
@@ -111,9 +112,21 @@ def _noted(found: list[Note]) -> list[Event]:
             events.append(_event(note.t_ns, "link", name, content))
         elif note.name == notes.EVENT and content.get("event") in _KINDS:
             event = _from_stream(note.t_ns, content)
+            if event["kind"] == "link" and has_lines and not _is_lost_or_back(event["data"], lost):
+                continue
             if not _ends_another(event, open_events):
                 events.append(event)
     return events
+
+
+def _is_lost_or_back(states: dict[str, Any], lost: set[str]) -> bool:
+    """Whether a line fell silent, or is heard again: that it was opened or closed is noted by itself."""
+    silent = {line for line, state in states.items() if state == "lost"}
+    back = {line for line in lost if states.get(line) == "open"}
+    is_news = bool(silent - lost or back)
+    lost.clear()
+    lost.update(silent)
+    return is_news
 
 
 def _from_stream(t_ns: int, content: Event) -> Event:

@@ -5,7 +5,9 @@ Questions (`answers.py`) are the same for both.
 
 from __future__ import annotations
 
-from typing import NamedTuple, Protocol
+from collections import OrderedDict
+from collections.abc import Callable
+from typing import Any, Final, NamedTuple, Protocol, TypeVar
 
 import numpy as np
 
@@ -13,6 +15,10 @@ from epf_gcs.errors import NotFoundError
 from epf_gcs.flights.fields import fields_of
 from epf_gcs.flights.signals import Array, usual_period_s
 from epf_gcs.recordings.notes import Note
+
+# Of two hours at 50 Hz one takes 6 MB.
+_MOST_COMPUTED: Final = 8
+T = TypeVar("T")
 
 
 class TopicSpan(NamedTuple):
@@ -57,10 +63,23 @@ class FlightData(Protocol):
 
 
 class PeriodCache:
-    """The usual period of each topic of one flight, which changes too little to be asked for again and again."""
+    """The usual period of each topic of one flight, which changes too little to be asked for again and again; and the
+    signals that were computed last."""
 
     def __init__(self) -> None:
         self._found: dict[str, tuple[int, float | None]] = {}
+        self._computed: OrderedDict[str, tuple[int, Any]] = OrderedDict()
+
+    def computed(self, name: str, end_ns: int, compute: Callable[[], T]) -> T:
+        """A signal of a flight that reaches to `end_ns`: as it was computed last, or anew if the flight has grown."""
+        held = self._computed.get(name)
+        if held is None or held[0] != end_ns:
+            held = self._computed[name] = (end_ns, compute())
+            while len(self._computed) > _MOST_COMPUTED:
+                self._computed.popitem(last=False)
+        self._computed.move_to_end(name)
+        found: T = held[1]
+        return found
 
     def of(self, topic: str, t_s: Array) -> float | None:
         """The usual period of these times (seconds); found anew when there are twice as many samples."""

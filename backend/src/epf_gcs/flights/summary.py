@@ -9,12 +9,12 @@ import numpy as np
 import orjson
 
 from epf_gcs.errors import NotFoundError
-from epf_gcs.flights.answers import identity_of
 from epf_gcs.flights.events import Event
 from epf_gcs.flights.flight_data import FlightData
 from epf_gcs.flights.signals import Array
 from epf_gcs.recordings import notes
 from epf_gcs.recordings.places import SUMMARY, Stamp
+from epf_gcs.vehicle.noted import identity_of
 
 VERSION: Final = 1
 """Said again in `web/flights/library.py`: summaries of another version are made anew."""

@@ -16,6 +16,7 @@ from epf_gcs.launcher.access import invite_command, print_invitation
 from epf_gcs.launcher.demonstration import Demonstration, Stopped
 from epf_gcs.launcher.emulated import EmulatedBoard
 from epf_gcs.launcher.errors import LaunchError
+from epf_gcs.launcher.folder import DEFAULT, data_folder
 from epf_gcs.launcher.options import STATION_PORT, Options, XPlane
 
 app = typer.Typer(
@@ -90,8 +91,11 @@ def run(
         Path | None, typer.Option(help="The certificate's key (PEM), if not beside it.", show_default=False)
     ] = None,
     data: Annotated[
-        Path, typer.Option(help="Folder for recordings, settings, the board's card and the programs' logs.")
-    ] = Path("data"),
+        Path,
+        typer.Option(
+            help="Folder for recordings, settings, the board's card and the programs' logs.", show_default=DEFAULT
+        ),
+    ] = data_folder(),  # noqa: B008 - it does not change while the program runs
 ) -> None:
     """Start the board, the simulator and the gateway, and fly the Gando route.
 

@@ -15,6 +15,8 @@ if sys.platform != "win32":
 
 # Locked by the flight process for as long as it runs.
 _LOCK: Final = ".lock"
+DEFAULT: Final = "data in a source tree, else this user's place for data"
+"""The same in words, for help texts."""
 
 
 def data_folder() -> Path:

@@ -21,6 +21,7 @@ from epf_gcs.launcher.access import access_arguments, invite, invite_command, pr
 from epf_gcs.launcher.encryption import tls_arguments
 from epf_gcs.launcher.folder import data_folder
 from epf_gcs.launcher.ports import is_loopback
+from epf_gcs.launcher.service import Service
 from epf_gcs.launcher.upkeep import add_commands
 from epf_gcs.listening import listen
 from epf_gcs.watchdog import REFUSED, SILENT_S, wait_for_end
@@ -121,7 +122,12 @@ class Gateway:
         watchers = [threading.Thread(target=self._watch, args=(part,), name=part.name) for part in self._parts]
         for watcher in watchers:
             watcher.start()
-        self._stopping.wait()
+        service = Service()
+        service.ready()
+        while not self._stopping.wait(service.every_s):
+            if all(watcher.is_alive() for watcher in watchers):
+                service.alive()
+        service.stopping()
         self._end(watchers)
         return self._refusal or 0
 

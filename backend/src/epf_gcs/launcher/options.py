@@ -1,7 +1,7 @@
 """What the launcher was asked to run, and with which programs."""
 
 import sys
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Final, Self
@@ -10,6 +10,7 @@ from epf_gcs.launcher.access import access_arguments
 from epf_gcs.launcher.emulated import EmulatedBoard
 from epf_gcs.launcher.encryption import tls_arguments
 from epf_gcs.launcher.errors import LaunchError
+from epf_gcs.launcher.folder import data_folder
 from epf_gcs.launcher.ports import LOOPBACK
 from epf_gcs.product import BOARD
 
@@ -50,7 +51,7 @@ class Options:
     xplane: XPlane | None = None
     port: int = 8000
     lan: bool = False
-    data: Path = Path("data")
+    data: Path = field(default_factory=data_folder)
     tls: bool = False
     tls_cert: Path | None = None
     tls_key: Path | None = None

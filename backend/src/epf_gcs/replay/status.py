@@ -10,7 +10,7 @@ from epf_gcs.vehicle.wanted import RATE_COMMANDS
 
 _FEATURES: Final = ("acknowledgements", "store", "sources", "missions")
 _TASKS: Final = ("parameters", "fms", "servos")
-_CHANNEL_BYTES_PER_S: Final = 73_000
+CHANNEL_BYTES_PER_S: Final = 73_000
 
 
 def build_status(head: Playhead, file: str, size: int) -> dict[str, Any]:
@@ -90,7 +90,7 @@ def _simulator(head: Playhead) -> dict[str, Any]:
         "datagrams_dropped": head.datagrams_dropped,
         "drop_reasons": {"malformed": head.datagrams_dropped} if head.datagrams_dropped else {},
         "bytes_in": simulator.bytes_in,
-        "percent": _percent(head.simulator_in.per_s(), _CHANNEL_BYTES_PER_S),
+        "percent": _percent(head.simulator_in.per_s(), CHANNEL_BYTES_PER_S),
         "frames_to_board": head.frames_to_board,
         "frames_to_simulator": head.frames_to_simulator,
         "frames_skipped": {},

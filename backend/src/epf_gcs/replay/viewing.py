@@ -13,6 +13,7 @@ from epf_gcs.bus.address import Listener
 from epf_gcs.bus.definition import Asker
 from epf_gcs.bus.vehicle_end import Broadcast, Handler, VehicleEnd
 from epf_gcs.errors import GatewayError
+from epf_gcs.replay.answers import build_inspector, build_known
 from epf_gcs.replay.keys import Keys
 from epf_gcs.replay.player import Player
 from epf_gcs.replay.timeline import Timeline
@@ -125,7 +126,20 @@ class Viewing:
         async def playback(_: Asker, __: dict[str, Any]) -> Any:
             return player.playback()
 
-        return {"status": status, "telemetry": telemetry, "parameters.read": parameters, "playback": playback}
+        async def known(_: Asker, __: dict[str, Any]) -> Any:
+            return build_known(player.head, player.playback()["at_s"])
+
+        async def inspector(_: Asker, __: dict[str, Any]) -> Any:
+            return build_inspector(player.head)
+
+        return {
+            "status": status,
+            "telemetry": telemetry,
+            "parameters.read": parameters,
+            "playback": playback,
+            "known": known,
+            "inspector": inspector,
+        }
 
     def _notice(self, name: str, arguments: dict[str, Any]) -> None:
         """play {rate}; pause; seek {at_s}; step {frames}; loop {from_s, to_s} or {}; want {rate_hz}; taken {count}.

@@ -86,13 +86,7 @@ def create_app(settings: Settings, visitors: Visitors | None = None, certificate
             setattr(app.state, name, part)
         station.maps.online.consent = Consent(settings.local_maps)
         async with admission.running(), station.running():
-            admission.sessions.on_ended = station.streams.close_sessions
-
-            def changed(sessions: frozenset[str]) -> None:
-                for caller in filter(None, map(admission.current, sessions)):
-                    station.control.change_session(caller)
-
-            admission.sessions.on_changed = changed
+            station.follow(admission)
             endpoint = StreamEndpoint(station.stream_parts, access)
             yield {"socket_endpoint": endpoint, "admission": admission, "limits": limits}
 

@@ -62,6 +62,11 @@ for it (events `control_request` and `control_request_closed`), grants, refuses,
 unanswered request is granted after 10 s in which the holder does nothing. A page that is closed or cut off loses
 control within a second, one that hangs after two, and gets it back if it returns while nobody else has it.
 
+**Recordings**: `/api/v1/stream?flight=ID&at_s=SECONDS` speaks the same of a recording, with `playback` messages beside;
+send `play`, `pause`, `seek`, `step` or `loop`. `{"type": "ask", "about": "inspector"}` is answered with `{"type":
+"answer", "about": "inspector", "data": as GET /inspector gives it}` of the moment that is shown; `known` as
+`GET /flights/{id}/known`.
+
 **Events**: `alarm` (an alarm that came, went or was acknowledged), `command` (pending, and what became of it),
 `console`, `control` (who has it now, the `reason`, and who had it `before`), `control_request` and
 `control_request_closed` (`result`: `given`, `refused`, `withdrawn`, `gone`), `error`, `flight` (the flight process:

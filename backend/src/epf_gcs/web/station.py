@@ -18,6 +18,9 @@ from epf_gcs.clock import Clock
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.kept_alive import keep_alive
 from epf_gcs.recordings.places import Places
+from epf_gcs.web.access.admission import Admission
+from epf_gcs.web.access.caller import Caller
+from epf_gcs.web.access.changes import HolderChanged
 from epf_gcs.web.access.control import Control
 from epf_gcs.web.flights.flights import Flights
 from epf_gcs.web.flights.imports import FlightImports
@@ -85,6 +88,24 @@ class Station:
             "flight_imports": FlightImports(self.flights),
             "clock": self.clock,
         }
+
+    def follow(self, admission: Admission) -> None:
+        """Sessions and keys that end or change do so for their open streams, and the log hears who has control."""
+
+        def changed(sessions: frozenset[str]) -> None:
+            for caller in filter(None, map(admission.current, sessions)):
+                self.control.change_session(caller)
+
+        def noted(change: HolderChanged) -> None:
+            page = change.page or change.before
+            if page is not None:
+                caller = Caller(page.kind, page.client, page.name, page.role, page.session)
+                what = f"{change.before.name if change.before else '-'} > {change.page.name if change.page else '-'}"
+                admission.log.note(caller, "", "holder", what, change.reason)
+
+        admission.on_ended = self.streams.close_sessions
+        admission.on_changed = changed
+        self.control.on_holder = noted
 
     @contextlib.asynccontextmanager
     async def running(self) -> AsyncIterator[None]:

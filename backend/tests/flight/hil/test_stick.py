@@ -31,7 +31,7 @@ class Seat:
         self.reasons: list[str] = []
         self.holders: list[str | None] = []
         self.stick = Stick(self, self, lambda: None)
-        self.stick.on_holder = lambda: self.holders.append(self.stick.holder and self.stick.holder.name)
+        self.stick.on_holder = lambda: self.holders.append(self.stick.holder.name if self.stick.holder else None)
         self.notice = stick_notices(self.stick)
 
     def steady_s(self) -> float:
@@ -44,7 +44,7 @@ class Seat:
         assert kind == "stick"
         self.reasons.append(data["reason"])
 
-    def sample(self, *_: Any, **__: Any) -> None:
+    def sample(self, topic: str, t_s: float, values: Any) -> None:
         raise AssertionError("the stick sends no samples")
 
     def flush(self) -> None:
@@ -55,6 +55,9 @@ class Seat:
 
     def move(self, client: str, position: Surfaces = TURN) -> None:
         self.notice("stick", {"client": client, "sample": {**position._asdict(), "t_ms": self.time_s * 1000.0}})
+
+    def later(self, decode: Any) -> bool:
+        raise AssertionError("the stick puts nothing off")
 
     def flies(self, after_s: float = 0.0) -> Surfaces | None:
         """What replaces the simulator's stick so many seconds later."""

@@ -87,7 +87,7 @@ def circuit(noted: list[Note]) -> MadeFlight:
 
 @pytest.fixture(scope="module")
 def found() -> dict[str, Any]:
-    begun_ns = START_NS + np.arange(0, 100) * 20_000_000
+    begun_ns = START_NS + np.arange(0.0, 100.0) * 2e7
     noted = [
         note(0.0, notes.IDENTITY, {"station": "1.0.0", "aircraft": "ala fija", "board": {"firmware_version": "2.1"}}),
         gains(1.0, k_altura=1.0, k_heading=2.0, k_rudder=0.5, unknown_gain=3.0, k_pitch="much"),
@@ -102,7 +102,7 @@ def found() -> dict[str, Any]:
         {"t_ns": START_NS + 6 * 10**9, "until_ns": None, "kind": "mark", "name": "mark", "id": "1",
          "data": {"text": "first turn"}},
     ]  # fmt: skip
-    return report("20260101T120000Z", circuit(noted), SUMMARY, events, begun_ns, begun_ns + 4_000_000)
+    return report("20260101T120000Z", circuit(noted), SUMMARY, events, begun_ns, begun_ns + 4e6)
 
 
 def test_times_count_what_was_flown_and_by_whom(found: dict[str, Any]) -> None:
@@ -197,7 +197,7 @@ def test_no_rate_of_climb_is_told_over_a_gap() -> None:
 
 
 def test_answers_without_a_question_are_no_round_trip() -> None:
-    assert round_trip(np.empty(0), np.array([START_NS])) is None
+    assert round_trip(np.empty(0), np.array([float(START_NS)])) is None
 
 
 def test_a_leg_without_places_still_has_its_time() -> None:

@@ -46,13 +46,15 @@ class Desk:
 
     @property
     def holder(self) -> str | None:
-        return self.rules.holder and self.rules.holder.client
+        return None if self.rules.holder is None else self.rules.holder.client
 
 
 def reasons(effects: list[Effect]) -> list[tuple[str | None, Reason]]:
     """Who has control after each change, and why."""
     return [
-        (effect.page and effect.page.client, effect.reason) for effect in effects if isinstance(effect, HolderChanged)
+        (effect.page.client if effect.page else None, effect.reason)
+        for effect in effects
+        if isinstance(effect, HolderChanged)
     ]
 
 
@@ -76,7 +78,7 @@ def test_the_first_page_that_may_command_gets_control_and_the_second_watches() -
 
 def test_a_viewer_never_has_control_however_it_tries() -> None:
     desk = Desk(EVE)
-    assert desk.holder is None
+    assert desk.rules.holder is None
     for action in (lambda: desk.rules.ask("eve", 0.0), lambda: desk.rules.take("eve", 0.0, confirmed=True)):
         refused(action, "role_too_low", RoleError)
     desk.rules.connect(ANA, 0.0)

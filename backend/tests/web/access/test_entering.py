@@ -221,3 +221,12 @@ def test_the_log_says_who_did_what_and_nothing_changes_it(station: Gateway) -> N
         for method in ("POST", "PUT", "PATCH", "DELETE"):
             assert owner.request(method, "/access/log").status_code == 405
         assert bo.get("/access/log").status_code == 403
+
+
+def test_google_earth_is_asked_for_a_password_and_a_program_s_key_is_one(station: Gateway) -> None:
+    with person(station, Role.owner) as owner, stranger(station) as earth:
+        refused = earth.get("/earth.kml")
+        assert (refused.status_code, refused.headers["www-authenticate"].split()[0]) == (401, "Basic")
+        assert earth.get("/status").headers["www-authenticate"].split()[0] == "Bearer"
+        _, key, _ = program(station, Role.viewer, owner)
+        assert earth.get("/earth.kml", auth=("anything", key)).status_code == 200

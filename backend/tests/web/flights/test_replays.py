@@ -17,6 +17,8 @@ from epf_gcs.replay.outlet import Silence
 from epf_gcs.replay.playhead import Playhead
 from epf_gcs.replay.timeline import Timeline
 from epf_gcs.web.flights.replays import MOST_OF_A_HOST
+from epf_gcs.web.flights.schemas import FlightKnown
+from epf_gcs.web.inspector.routes import Inspector
 from epf_gcs.web.state.schemas import Status
 from tests.replay.recordings import SECOND_NS, STARTS_NS, flight, plain, write
 from tests.support.gateway import Gateway, Stream, running_gateway
@@ -213,3 +215,26 @@ def _words(pid: int) -> bytes:
         return Path(f"/proc/{pid}/cmdline").read_bytes()
     except (FileNotFoundError, ProcessLookupError):
         return b""
+
+
+def test_a_viewer_asks_what_was_known_and_measured_at_the_moment_shown(station: Gateway) -> None:
+    with station.stream(f"?flight={ID}&at_s=5") as stream:
+        stream.send({"type": "ask", "about": "inspector"})
+        first = stream.next("answer")
+        assert first["about"] == "inspector"
+        Inspector.model_validate(first["data"])
+        stream.send({"type": "seek", "at_s": 10})
+        while stream.next("playback")["at_s"] < 10:
+            pass
+        stream.send({"type": "ask", "about": "inspector"})
+        later = stream.next("answer")["data"]
+        counts = [{one["name"]: one["count"] for one in found["board"]} for found in (first["data"], later)]
+        assert counts[1]["ahrs"] > counts[0]["ahrs"] > 0
+        assert later["t_s"] == pytest.approx(first["data"]["t_s"] + 5.0)
+        assert later["link"]["round_trips"] is None
+        stream.send({"type": "ask", "about": "known"})
+        known = FlightKnown.model_validate(stream.next("answer")["data"])
+        assert known.at_s == pytest.approx(10.0)
+        assert known.parameters is None, "nobody noted a gain"
+        stream.send({"type": "ask", "about": "secrets"})
+        assert stream.event("error")["code"] == "stream_message_invalid"

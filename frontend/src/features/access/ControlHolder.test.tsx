@@ -50,12 +50,12 @@ test("an operator asks whoever has control, sees the seconds that are left, and 
 
 test("only an owner takes control at once, after a question that names whom it hits", async () => {
   await admitted("operator", heldBy("c2", "Luis"));
-  expect(screen.queryByRole("button", { name: "Tomar el control ya" })).toBeNull();
+  expect(screen.queryByRole("button", { name: "Tomarlo ya" })).toBeNull();
 });
 
 test("an owner's question is answered before anything is sent", async () => {
   const station = await admitted("owner", heldBy("c2", "Luis"));
-  await user.click(screen.getByRole("button", { name: "Tomar el control ya" }));
+  await user.click(screen.getByRole("button", { name: "Tomarlo ya" }));
   const dialog = screen.getByRole("alertdialog");
   expect(dialog.textContent).toContain("Luis tiene el control ahora");
   expect(station.asked).toEqual([]);

@@ -94,9 +94,8 @@ function TakeAtOnce({ holder, blocked }: Props & { readonly holder: string }) {
         state={state}
         stateText={stateText}
         disabledReason={blocked}
-        label={t("control.takeAtOnce")}
       >
-        {t("control.takeAtOnceShort")}
+        {t("control.takeAtOnce")}
       </Button>
       {isConfirming && (
         <ConfirmDialog

@@ -144,6 +144,17 @@ test("an ended person's page is out, says why, and forgets the name of its conne
   expect(station.wires.length).toBe(dialled);
 });
 
+test("another role holds at once, without a new connection", async () => {
+  const station = new Station();
+  station.greet();
+  await newest(station, "me").answer(ANA);
+  const before = station.askedAccess.length;
+  station.deliver({ type: "event", event: "access", t_s: 1, data: { role: "viewer", name: "Ana" } });
+  expect(station.askedAccess.length).toBe(before + 1);
+  await newest(station, "me").answer({ ...ANA, role: "viewer" });
+  expect(station.page.admission.getState().role).toBe("viewer");
+});
+
 test("a station that does not answer is dialled on, and nobody is put out", async () => {
   const station = new Station();
   station.greet();

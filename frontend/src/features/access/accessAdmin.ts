@@ -3,9 +3,11 @@ import type { Check } from "../../lib/check";
 import type { Timers } from "../../lib/timers";
 import {
   type Addresses,
+  type Certificates,
   type Deeds,
   type InvitationState,
   isAddresses,
+  isCertificates,
   isDeeds,
   isInvitationList,
   isNewInvitation,
@@ -24,7 +26,6 @@ import { type Asker, type AskingParts, createAsking, info } from "../../requests
 import type { Role } from "../../store/admission";
 import { failureMessage, type Message } from "../../store/messages";
 import { partName } from "../../store/parts";
-import { type Certificates, isCertificates } from "./answers";
 
 /** Who may come in, as the station said last; null: not heard yet. */
 export interface AccessLists {

@@ -9,6 +9,8 @@ import { Button } from "../../ui/Button";
 import { Notice } from "../../ui/Notice";
 import { EVENT_GROUPS, type EventGroup, eventMessage, groupOf } from "./flightEvents";
 import { FLIGHTS } from "./flightLibrary";
+import { markOf } from "./flightMarks";
+import { MarkTools, MarkUndo } from "./MarkTools";
 import { useLibrary } from "./useFlights";
 
 const ICONS = {
@@ -38,10 +40,16 @@ export function FlightStory({ flight }: { readonly flight: Flight }) {
   const there = EVENT_GROUPS.filter((group) => story.events?.some((event) => groupOf(event) === group));
   const shown = story.events.filter((event) => !hidden.includes(groupOf(event)));
   if (story.events.length === 0) {
-    return <p className="flights-quiet">{t("flights.noEvents")}</p>;
+    return (
+      <>
+        <MarkUndo flight={flight.id} />
+        <p className="flights-quiet">{t("flights.noEvents")}</p>
+      </>
+    );
   }
   return (
     <>
+      <MarkUndo flight={flight.id} />
       <fieldset className="flights-groups">
         <legend className="visually-hidden">{t("flights.eventGroups")}</legend>
         {there.map((group) => (
@@ -60,8 +68,7 @@ export function FlightStory({ flight }: { readonly flight: Flight }) {
       </fieldset>
       <ol className="flights-events" aria-label={t("flights.events")}>
         {shown.slice(0, most).map((event, index) => (
-          // biome-ignore lint/suspicious/noArrayIndexKey: two events may be equal in all that they say
-          <EventRow key={index} flight={flight.id} event={event} />
+          <EventRow key={event.id ?? index} flight={flight.id} event={event} />
         ))}
       </ol>
       {shown.length > most && (
@@ -78,10 +85,11 @@ function EventRow({ flight, event }: { readonly flight: string; readonly event: 
   const sentence = useSentence();
   const { open } = usePart(FLIGHTS);
   const group = groupOf(event);
+  const mark = markOf(event);
   const Icon = ICONS[group];
   const { at_s, t_s, until_s } = event;
   return (
-    <li>
+    <li className="flights-story-line">
       <button
         type="button"
         className="flights-event"
@@ -101,6 +109,7 @@ function EventRow({ flight, event }: { readonly flight: string; readonly event: 
           )}
         </span>
       </button>
+      {mark !== null && <MarkTools flight={flight} mark={mark} />}
     </li>
   );
 }

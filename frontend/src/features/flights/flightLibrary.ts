@@ -12,6 +12,7 @@ import type { ConnectionStore } from "../../store/connection";
 import type { Message } from "../../store/messages";
 import { partName } from "../../store/parts";
 import type { Language } from "../../store/settings";
+import type { Mark, MarkChange } from "./flightMarks";
 import { ALL_FLIGHTS, type FlightQuery } from "./flightQuery";
 
 /** The files that hold a recording. */
@@ -68,6 +69,8 @@ export interface LibraryState {
   readonly binFailure: Message | null;
   /** Deleted from this page, newest first: each can be brought back with one press. */
   readonly deleted: readonly Pick<Flight, "id" | "title" | "started_s">[];
+  /** The newest change of a mark made here; null if there was none, or it was undone. */
+  readonly markChange: MarkChange | null;
   /** The past was opened from the list, which is drawn anew and gives the focus back to this flight. */
   readonly returnsTo: string | null;
 }
@@ -102,6 +105,10 @@ export interface Flights {
   /** Show this moment of a flight on every tab; `at_s` since its start. */
   readonly open: (flight: string, at_s: number) => void;
   readonly openReport: (flight: string) => void;
+  readonly changeMark: (flight: string, mark: Mark, text: string, asker: Asker) => Promise<void>;
+  readonly removeMark: (flight: string, mark: Mark, asker: Asker) => Promise<void>;
+  /** Take a change of a mark back; a removed one is set again. */
+  readonly undoMark: (change: MarkChange, asker: Asker) => Promise<void>;
   readonly change: (flight: string, words: FlightWords, asker: Asker) => Promise<void>;
   readonly remove: (flight: Pick<Flight, "id" | "title" | "started_s">, asker: Asker) => Promise<void>;
   readonly restore: (flight: string, asker: Asker) => Promise<void>;
@@ -135,6 +142,7 @@ export function createLibrary(): LibraryStore {
     bin: null,
     binFailure: null,
     deleted: [],
+    markChange: null,
     returnsTo: null,
   }));
 }

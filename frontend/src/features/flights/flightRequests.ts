@@ -14,6 +14,7 @@ import { type AskingParts, createAsking, info } from "../../requests/asking";
 import type { ConnectionStore } from "../../store/connection";
 import { failureMessage } from "../../store/messages";
 import { createLibrary, type Flights, isOver, type LibraryState } from "./flightLibrary";
+import { createFlightMarks } from "./flightMarks";
 import { flightsPath } from "./flightQuery";
 import { createFlightTransfers } from "./flightTransfers";
 import { runningFlight } from "./runningFlight";
@@ -254,6 +255,7 @@ export function createFlights(parts: Parts): {
         return { compared: isChosen ? [...others, flight].slice(-2) : others };
       }),
 
+    ...createFlightMarks({ rest, store, run }),
     ...createFlightTransfers({ rest, store, run, onJob: takeJob }),
   };
   return { flights, takeFlightEvent };

@@ -6,6 +6,7 @@ import english from "./en.md?raw";
 import spanish from "./es.md?raw";
 import "./guide.css";
 import { type Block, type Inline, readChapters } from "./markdown";
+import { RoleTable } from "./RoleTable";
 
 const CHAPTERS = { es: readChapters(spanish), en: readChapters(english) };
 
@@ -71,6 +72,8 @@ function draw(block: Block, language: Language): ReactNode {
           <figcaption>{block.text}</figcaption>
         </figure>
       );
+    case "roles":
+      return <RoleTable />;
     case "table":
       return <Table head={block.head} rows={block.rows} />;
   }

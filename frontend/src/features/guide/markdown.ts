@@ -10,6 +10,8 @@ export type Block =
       readonly head: readonly string[];
       readonly rows: readonly (readonly Inline[])[][];
     }
+  /** The generated table of roles. */
+  | { readonly kind: "roles" }
   | { readonly kind: "picture"; readonly name: string; readonly text: string };
 
 export interface Chapter {
@@ -40,6 +42,9 @@ function readBlock(part: string): Block {
   const picture = /^!\[(.+)\]\(([a-z-]+)\)$/.exec(part);
   if (picture !== null) {
     return { kind: "picture", text: picture[1] ?? "", name: picture[2] ?? "" };
+  }
+  if (part === "{{roles}}") {
+    return { kind: "roles" };
   }
   if (part.startsWith("### ")) {
     return { kind: "heading", text: part.slice(4) };

@@ -68,7 +68,8 @@ export function PlanSection() {
       <PlanState plan={plan} />
       <PlanTransfer aircraft={open} plan={plan} row={row} />
       <WaypointChoice aircraft={open} plan={plan} row={row} />
-      {row !== null && (
+      {plan.isFixed && <p className="map-plan-state">{t("plans.fixed")}</p>}
+      {row !== null && !plan.isFixed && (
         <WaypointEditor
           aircraft={open}
           waypoints={plan.waypoints}

@@ -1,6 +1,7 @@
 import { useTranslation } from "react-i18next";
 import { useSentence } from "../../i18n/useSentence";
 import type { Advice } from "../../protocol/inspector";
+import { useIsPast } from "../../store/hooks";
 import { type Message, wordsOf } from "../../store/messages";
 import { Notice } from "../../ui/Notice";
 
@@ -11,6 +12,7 @@ const TOGETHER = 3;
 export function AdviceList({ advice }: { advice: readonly Advice[] }) {
   const { t } = useTranslation();
   const sentence = useSentence();
+  const isPast = useIsPast();
   const slow = advice.filter(({ code }) => code === "stream_slow");
   const shown = slow.length < TOGETHER ? advice : advice.filter(({ code }) => code !== "stream_slow");
   const list = slow
@@ -18,7 +20,9 @@ export function AdviceList({ advice }: { advice: readonly Advice[] }) {
     .join(", ");
   return (
     <section className="messages-advice" aria-label={t("messages.advice")}>
-      {advice.length === 0 && <p className="messages-well">{t("messages.allWell")}</p>}
+      {advice.length === 0 && (
+        <p className="messages-well">{t(isPast ? "messages.pastAdvice" : "messages.allWell")}</p>
+      )}
       {shown.map((one) => (
         <Notice key={sentence(adviceMessage(one))} level={one.level}>
           {sentence(adviceMessage(one))}

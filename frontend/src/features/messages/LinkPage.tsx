@@ -36,6 +36,7 @@ export function LinkPage({ link }: { link: Link }) {
         capacity_bytes_per_s={null}
       />
       <h3 className="messages-heading">{t("messages.roundTrip")}</h3>
+      {link.round_trips === null && <p className="messages-well">{t("messages.notRecorded")}</p>}
       <dl className="messages-facts">
         <dt>{t("messages.newest")}</dt>
         <dd>{ms(newest)}</dd>
@@ -44,7 +45,7 @@ export function LinkPage({ link }: { link: Link }) {
         <dt>{t("messages.p99")}</dt>
         <dd>{ms(p99)}</dd>
         <dt>{t("messages.roundTrips")}</dt>
-        <dd>{link.round_trips}</dd>
+        <dd>{link.round_trips ?? t("words.dash")}</dd>
       </dl>
     </div>
   );

@@ -213,3 +213,40 @@ describe("advice", () => {
     expect(advice()).toContain("ahrs llega 6.8 veces por segundo y debería llegar 10.");
   });
 });
+
+describe("in the past", () => {
+  const then: Inspection = {
+    ...inspection,
+    link: {
+      ...inspection.link,
+      round_trip_ms: { newest: null, p50: null, p99: null },
+      round_trips: null,
+    },
+  };
+
+  beforeEach(async () => {
+    station.openFlight("current", 100);
+    station.pass(600);
+    expect(station.replay.questions).toContain("inspector");
+  });
+
+  test("the replay is asked, and not the gateway, for what was counted up to the moment shown", async () => {
+    await station.answered("inspector", then);
+    expect(cells("ahrs").slice(1, 4)).toEqual(["10.0", "1.2", "1234"]);
+    station.pass(600);
+    expect(questions(), "the one before the past was opened").toHaveLength(1);
+  });
+
+  test("nothing is advised, and what no recording tells says so", async () => {
+    await station.answered("inspector", then);
+    expect(screen.getByRole("region", { name: "Consejos" }).textContent).toContain("solo para el presente");
+    await user.click(screen.getByRole("tab", { name: "Enlace" }));
+    const panel = screen.getByRole("tabpanel", { name: "Enlace" }).textContent ?? "";
+    expect(panel).toContain("La grabación no lo dice");
+  });
+
+  test("an answer that is none is said in words", async () => {
+    await station.answered("inspector", { board: "?" });
+    expect(screen.queryByText(/La reproducción no responde/)).not.toBeNull();
+  });
+});

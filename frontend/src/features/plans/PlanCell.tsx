@@ -8,6 +8,7 @@ interface Props {
   text: string;
   row: number;
   field: string;
+  isReadOnly: boolean;
   /** Why this number is invalid; null if it is valid. */
   fault: string | null;
   /** A finished edit, in the user's unit; not called if the number is unchanged. */
@@ -20,7 +21,7 @@ interface Props {
 const MOVES: Readonly<Record<string, -1 | 1>> = { ArrowUp: -1, ArrowDown: 1, Enter: 1 };
 
 /** A number in the plan's table. Enter and blur finish an edit, Escape cancels it. */
-export function PlanCell({ label, text, row, field, fault, onCommit, onMove, onFocus }: Props) {
+export function PlanCell({ label, text, row, field, isReadOnly, fault, onCommit, onMove, onFocus }: Props) {
   const { t } = useTranslation();
   const [draft, setDraft] = useState<string | null>(null);
   const typed = draft === null ? null : parseNumber(draft);
@@ -58,6 +59,7 @@ export function PlanCell({ label, text, row, field, fault, onCommit, onMove, onF
       inputMode="decimal"
       autoComplete="off"
       spellCheck={false}
+      readOnly={isReadOnly}
       aria-label={label}
       aria-invalid={complaint !== null || undefined}
       title={complaint ?? undefined}

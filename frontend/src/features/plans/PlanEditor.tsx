@@ -3,7 +3,7 @@ import { useTranslation } from "react-i18next";
 import { useSentence } from "../../i18n/useSentence";
 import { MISSIONS, notePlan } from "../../missions/planDrafts";
 import { ReplaceDialog } from "../../missions/ReplaceDialog";
-import { usePlan } from "../../missions/usePlan";
+import { type ShownPlan, usePlan } from "../../missions/usePlan";
 import { usePlans } from "../../missions/usePlans";
 import type { PlanName } from "../../protocol/missions";
 import { useAsked } from "../../requests/useAsked";
@@ -40,28 +40,35 @@ export function PlanEditor({ plan }: { plan: PlanName }) {
         }}
       />
       <PlanHead shown={shown} />
-      {!shown.canTransfer && <Notice level="info">{t("plans.unsupported")}</Notice>}
+      {!shown.canTransfer && !shown.isFixed && <Notice level="info">{t("plans.unsupported")}</Notice>}
       <TransferOutcome plan={plan} />
       <div className="plans-body">
         <div className="plans-main">
-          <RowTools plan={plan} selected={selected} count={waypoints.length} edit={edit} />
+          <RowTools
+            plan={plan}
+            selected={selected}
+            count={waypoints.length}
+            isFixed={shown.isFixed}
+            edit={edit}
+          />
           {/* biome-ignore lint/a11y/noStaticElementInteractions: the keys are those of the cells within */}
           <div ref={edit.box} className="plans-box" onKeyDown={edit.onKeyDown}>
             {waypoints.length === 0 ? (
-              <p className="plans-empty">{t("plans.empty")}</p>
+              <p className="plans-empty">{t(emptyWords(shown))}</p>
             ) : (
               <PlanTable
                 waypoints={waypoints}
                 issues={shown.issues}
                 active={shown.active}
                 selected={selected}
+                isFixed={shown.isFixed}
                 onSelect={setChosen}
                 onEdit={edit.change}
                 onGo={edit.go}
               />
             )}
           </div>
-          <p className="plans-keys">{t("plans.keys")}</p>
+          <p className="plans-keys">{t(shown.isFixed ? "plans.fixed" : "plans.keys")}</p>
         </div>
         <aside className="plans-side" aria-label={t("plans.issues")}>
           <LiveSketch
@@ -77,6 +84,13 @@ export function PlanEditor({ plan }: { plan: PlanName }) {
       {question !== null && <ReplaceDialog onConfirm={question} onClose={() => setQuestion(null)} />}
     </div>
   );
+}
+
+function emptyWords({ isFixed, state }: ShownPlan) {
+  if (!isFixed) {
+    return "plans.empty";
+  }
+  return state === "unknown" ? "plans.pastUnknown" : "plans.pastEmpty";
 }
 
 /** The outcome of the last transfer or file, and the assumptions made in reading a file. */

@@ -13,6 +13,8 @@ interface Props {
   issues: readonly PlanIssue[];
   active: number | null;
   selected: number | null;
+  /** A plan of the past: its cells are only read. */
+  isFixed: boolean;
   onSelect: (row: number, field: WaypointField) => void;
   onEdit: (row: number, field: WaypointField, value: number) => void;
   /** Move the cursor to another cell. */
@@ -20,7 +22,7 @@ interface Props {
 }
 
 /** The waypoints of a plan as an editable table, with the leg from each to the next. */
-export function PlanTable({ waypoints, issues, active, selected, onSelect, onEdit, onGo }: Props) {
+export function PlanTable({ waypoints, issues, active, selected, isFixed, onSelect, onEdit, onGo }: Props) {
   const { t } = useTranslation();
   const altitude = useUnit("altitude");
   const speed = useUnit("speed");
@@ -59,7 +61,7 @@ export function PlanTable({ waypoints, issues, active, selected, onSelect, onEdi
             {WAYPOINT_FIELDS.map((field) => (
               <td key={field}>
                 <Cell
-                  {...{ index, field, waypoint, found }}
+                  {...{ index, field, waypoint, found, isFixed }}
                   unit={units[field]}
                   onEdit={onEdit}
                   onSelect={onSelect}
@@ -143,13 +145,14 @@ interface CellProps {
   field: WaypointField;
   waypoint: Waypoint;
   found: readonly PlanIssue[];
+  isFixed: boolean;
   unit: Unit | null;
   onEdit: Props["onEdit"];
   onSelect: Props["onSelect"];
   onMove: (by: -1 | 1) => void;
 }
 
-function Cell({ index, field, waypoint, found, unit, onEdit, onSelect, onMove }: CellProps) {
+function Cell({ index, field, waypoint, found, isFixed, unit, onEdit, onSelect, onMove }: CellProps) {
   const { t } = useTranslation();
   const issueText = useIssueText();
   const fault = found.find((issue) => issue.field === field && issue.level === "error");
@@ -159,6 +162,7 @@ function Cell({ index, field, waypoint, found, unit, onEdit, onSelect, onMove }:
       text={(unit === null ? formatFixed(waypoint[field], 6) : unit.format(waypoint[field])) ?? ""}
       row={index}
       field={field}
+      isReadOnly={isFixed}
       fault={fault === undefined ? null : issueText(fault)}
       onCommit={(shown) => onEdit(index, field, unit === null ? shown : unit.revert(shown))}
       onMove={onMove}

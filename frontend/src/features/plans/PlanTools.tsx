@@ -108,6 +108,7 @@ function GoTo({ plan, shown, selected }: Omit<Props, "onReplace">) {
 function FileTools({ plan, count, onReplace }: Pick<Props, "plan" | "onReplace"> & { count: number }) {
   const { t } = useTranslation();
   const missions = usePart(MISSIONS);
+  const isFixed = usePlans((plans) => plans[plan].isFixed);
   const [format, setFormat] = useState<PlanFormat>("kml");
   const exporting = useAsked(`plan.export.${plan}`);
   // Files go through the gateway and not to the board: a viewer may have them too.
@@ -120,7 +121,7 @@ function FileTools({ plan, count, onReplace }: Pick<Props, "plan" | "onReplace">
         onFile={(file) =>
           onReplace(() => void missions.importFile(plan, file, { control: `plan.import.${plan}` }))
         }
-        disabledReason={blocked}
+        disabledReason={isFixed ? t("plans.fixed") : blocked}
         icon={<FolderOpen aria-hidden="true" size={14} />}
       >
         {t("plans.importFile")}

@@ -1,6 +1,7 @@
 import { useState } from "react";
 import { useTranslation } from "react-i18next";
 import { editPlan, MISSIONS, type RouteCommand } from "../../missions/planDrafts";
+import { usePlans } from "../../missions/usePlans";
 import { ROUTES } from "../../protocol/messages.gen";
 import { useAsked } from "../../requests/useAsked";
 import { useBoardBlocked } from "../../requests/useBlocked";
@@ -28,6 +29,7 @@ export function RouteTools({ canTransfer, onReplace }: Props) {
   const [route, setRoute] = useState<RouteName | null>(null);
   const { state, stateText } = useAsked("plan.route");
   const blocked = useBoardBlocked();
+  const fixed = usePlans((plans) => plans.hil.isFixed) ? t("plans.fixed") : undefined;
   const none = route === null ? t("plans.routeNone") : undefined;
 
   function load(): void {
@@ -65,7 +67,7 @@ export function RouteTools({ canTransfer, onReplace }: Props) {
       >
         {t("plans.routeLoad")}
       </Button>
-      <Button onPress={() => onReplace(take)} disabledReason={none}>
+      <Button onPress={() => onReplace(take)} disabledReason={fixed ?? none}>
         {t("plans.routeTake")}
       </Button>
     </>

@@ -11,24 +11,27 @@ interface Props {
   plan: PlanName;
   selected: number | null;
   count: number;
+  /** A plan of the past. */
+  isFixed: boolean;
   edit: Editing;
 }
 
 /** Buttons for the same row edits as the keys. */
-export function RowTools({ plan, selected, count, edit }: Props) {
+export function RowTools({ plan, selected, count, isFixed, edit }: Props) {
   const { t } = useTranslation();
   const missions = usePart(MISSIONS);
   const canUndo = usePlans((plans) => plans[plan].draft.past.length > 0);
   const canRedo = usePlans((plans) => plans[plan].draft.future.length > 0);
   const { maximum } = PLAN_LIMITS.count;
-  const noRow = selected === null ? t("plans.noRow") : undefined;
+  const fixed = isFixed ? t("plans.fixed") : undefined;
+  const noRow = fixed ?? (selected === null ? t("plans.noRow") : undefined);
   const icon = { size: 14, "aria-hidden": true } as const;
   return (
     <div className="plans-rows">
       <Button
         onPress={edit.insert}
         icon={<Plus {...icon} />}
-        disabledReason={count >= maximum ? t("plans.isFull", { maximum }) : undefined}
+        disabledReason={fixed ?? (count >= maximum ? t("plans.isFull", { maximum }) : undefined)}
       >
         {t("plans.insert")}
       </Button>
@@ -53,7 +56,7 @@ export function RowTools({ plan, selected, count, edit }: Props) {
       <Button
         onPress={() => undoPlan(missions.plans, plan)}
         icon={<Undo2 {...icon} />}
-        disabledReason={canUndo ? undefined : t("plans.noUndo")}
+        disabledReason={fixed ?? (canUndo ? undefined : t("plans.noUndo"))}
         label={t("plans.undo")}
       >
         {null}
@@ -61,7 +64,7 @@ export function RowTools({ plan, selected, count, edit }: Props) {
       <Button
         onPress={() => redoPlan(missions.plans, plan)}
         icon={<Redo2 {...icon} />}
-        disabledReason={canRedo ? undefined : t("plans.noRedo")}
+        disabledReason={fixed ?? (canRedo ? undefined : t("plans.noRedo"))}
         label={t("plans.redo")}
       >
         {null}

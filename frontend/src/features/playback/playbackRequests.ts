@@ -91,6 +91,8 @@ export function createPlayback({ rest, timers, address, isRecording, open }: Pla
   let stream: FlightStream | null = null;
   /** What a person wants, which is asked for again when a broken line is back. */
   let wantsToPlay = false;
+  /** How often the replay went to another moment, as it said last; null before it said it. */
+  let jumps: number | null = null;
   const seeks = new SeekQueue((at_s) => send({ type: "seek", at_s }), timers);
 
   function send(message: object): void {
@@ -108,14 +110,19 @@ export function createPlayback({ rest, timers, address, isRecording, open }: Pla
       moves: moves + 1,
     });
     seeks.clear();
+    jumps = null;
     if (loop !== null) {
       send({ type: "loop", from_s: loop[0], to_s: loop[1] });
     }
     send(wantsToPlay ? { type: "play", rate } : { type: "pause" });
   }
 
-  function heard({ at_s, t_s, state, rate, loop, duration_s, edge_s }: PlaybackPosition): void {
-    seeks.answered();
+  function heard({ at_s, t_s, state, rate, loop, duration_s, edge_s, jumps: now }: PlaybackPosition): void {
+    if (now !== jumps) {
+      // Until then the flight may play on where it was.
+      jumps = now;
+      seeks.answered();
+    }
     const isPlaying = state === "playing";
     // A speed that was asked for while the flight stands is sent with the next "play".
     store.setState((before) => ({

@@ -20,7 +20,9 @@ function simulator(): HTMLElement {
 }
 
 function newest(method: string): Asked {
-  const asked = station.asked.filter((question) => question.method === method).at(-1);
+  const asked = station.asked
+    .filter((question) => question.method === method && /^\/api\/v1\/(links|ports)/.test(question.path))
+    .at(-1);
   if (asked === undefined) {
     throw new Error(`the page asked nothing with ${method}`);
   }

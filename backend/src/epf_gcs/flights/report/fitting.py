@@ -8,21 +8,22 @@ second fit weighs the samples by that.
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Final, NamedTuple
+from typing import Any, Final, NamedTuple
 
 import numpy as np
 
 from epf_gcs.flights.signals import Array
 
 # Samples are joined to at most so many means.
-_MOST_FITTED: Final = 320
+_MOST_FITTED: Final = 240
 _ROUNDS: Final = 40
 _ENOUGH: Final = 1e-5
 # How much a dead time as long as the rise must improve the first fit, in deviations of the noise.
 _DOUBT: Final = 4.0
 # How far the signal at the step may be from where it was taken to begin, as a share of the step.
 _BEGIN_DOUBT: Final = 0.3
-_LASTS_S: Final = (0.5, 1.5, 4.0)
+# How long gusts last: turbulence is some 50 to 200 m long, and passes at 20 to 50 m/s.
+_LASTS_S: Final = (1.0, 2.0, 4.0)
 # A limit of rate must explain this much more, in units of the log likelihood, to be believed.
 _LIMIT_GAIN: Final = 4.0
 # Of the unit answer's: each second, against the natural frequency. Above, it never bites.
@@ -148,7 +149,7 @@ class _Search:
                 if there is None:
                     return None
                 gradient[place] = (there - here) / step
-            return float(_CONFIDENCE * np.sqrt(max(0.0, gradient @ covariance @ gradient)))
+            return float(_CONFIDENCE * np.sqrt(max(0.0, float(gradient @ covariance @ gradient))))
 
         return uncertain
 
@@ -156,7 +157,7 @@ class _Search:
         rest = self._share - answer(self._t_s, _model(at))
         return rest if self._whitener is None else self._whitener @ rest
 
-    def _slopes(self, at: Array, rest: Array, free: Array) -> Array:
+    def _slopes(self, at: Array, rest: Array, free: Any) -> Array:
         slopes = np.empty((len(rest), len(free)))
         for place in free:
             moved = at.copy()
@@ -240,4 +241,4 @@ def _whitener(t_s: Array, rest: Array) -> Array:
         unlikely = 2.0 * float(np.sum(np.log(np.diag(root)))) + float(np.sum(np.linalg.solve(root, rest) ** 2))
         if best is None or unlikely < best[0]:
             best = (unlikely, root)
-    return np.linalg.inv(best[1]) if best is not None else np.eye(len(rest))
+    return np.eye(len(rest)) if best is None else np.asarray(np.linalg.inv(best[1]), dtype=np.float64)

@@ -7,7 +7,6 @@ from typing import Any
 
 import orjson
 
-from epf_gcs.flights.answers import identity_of
 from epf_gcs.flights.events import FILE as EVENTS
 from epf_gcs.flights.events import Event, read_events
 from epf_gcs.flights.flight_data import FlightData
@@ -20,6 +19,7 @@ from epf_gcs.flights.report.report import keep
 from epf_gcs.flights.signals import Array
 from epf_gcs.recordings import notes
 from epf_gcs.recordings.places import SUMMARY
+from epf_gcs.vehicle.noted import identity_of
 
 
 def make(recording: Path, folder: Path | None) -> dict[str, Any]:

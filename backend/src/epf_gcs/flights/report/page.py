@@ -65,7 +65,7 @@ def page(report: Report, language: str) -> str:
 
 @cache
 def _words(language: str) -> Words:
-    found: Words = orjson.loads(files(__package__).joinpath(f"words.{language}.json").read_bytes())
+    found: Words = orjson.loads(files(__package__).joinpath(f"words_gen.{language}.json").read_bytes())
     return found
 
 

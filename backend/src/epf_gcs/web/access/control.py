@@ -5,7 +5,7 @@ from __future__ import annotations
 import asyncio
 import secrets
 from collections import OrderedDict
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import replace
 from typing import Any, Final, Protocol
 
@@ -56,6 +56,8 @@ class Control:
         # Whose an id is, also after its stream has closed.
         self._sessions: OrderedDict[str, str] = OrderedDict()
         self._stick_at: Surfaces | None = None
+        # Whoever keeps a log of it.
+        self.on_holder: Callable[[HolderChanged], None] = lambda _: None
         self._timer: asyncio.TimerHandle | None = None
 
     @property
@@ -245,6 +247,7 @@ class Control:
                 case HolderChanged(page, reason, before):
                     self._stick_at = None
                     self.tell_flight()
+                    self.on_holder(effect)
                     before_fields = None if before is None else fields(before)
                     self._told.event("control", {**fields(page), "reason": reason, "before": before_fields})
                 case KeptOver():

@@ -43,6 +43,7 @@ _CONTENT_POLICY: Final = (
 _DOCS_CONTENT_POLICY: Final = _CONTENT_POLICY.replace("style-src 'self'", "style-src 'self' 'unsafe-inline'")
 _DOCS_PATH: Final = "/api/docs"
 _MOST_SAID: Final = 400
+_OF_GOOGLE_EARTH: Final = (".kml", ".kmz", ".dae")
 
 log = structlog.get_logger("gateway")
 
@@ -163,8 +164,7 @@ class Guard:
             await self._refuse(HTTPStatus.BAD_REQUEST, error, scope, receive, send)
             return
         except (NotAdmittedError, TooManyError) as error:
-            self._errors.count(error.code)
-            await problem_of(error)(scope, receive, send)
+            await self._turn_away(error, scope, receive, send)
             return
         except GatewayError as error:
             await self._refuse(HTTPStatus.FORBIDDEN, error, scope, receive, send)
@@ -230,6 +230,14 @@ class Guard:
                 await self._app(scope, counted, send)
         except ConflictError as error:
             await self._refuse(HTTPStatus.CONFLICT, error, scope, receive, send)
+
+    async def _turn_away(self, error: GatewayError, scope: Scope, receive: Receive, send: Send) -> None:
+        self._errors.count(error.code)
+        answer = problem_of(error)
+        if isinstance(error, NotAdmittedError) and scope["path"].endswith(_OF_GOOGLE_EARTH):
+            # It asks its user for a password when it is told so, and sends the key no other way.
+            answer.headers["WWW-Authenticate"] = 'Basic realm="EPF GCS", charset="UTF-8"'
+        await answer(scope, receive, send)
 
     async def _refuse(
         self, status: HTTPStatus, error: GatewayError, scope: Scope, receive: Receive, send: Send

@@ -17,6 +17,7 @@ import segno
 
 from epf_gcs.web.access.addresses import addresses, with_key
 from epf_gcs.web.access.admission import Policy
+from epf_gcs.web.access.caller import is_in_container
 from epf_gcs.web.access.invitations import new_invitation
 from epf_gcs.web.access.roles import Role
 from epf_gcs.web.access.store import AccessStore, Person
@@ -47,6 +48,8 @@ def main() -> None:
     print("Open it there as one of these, or scan the first:")
     for address in reached:
         print(f"  {with_key(address, key, None)}")
+    if is_in_container():
+        print("This is a container: put its host's address and the published port in their place.")
     _print_qr(with_key(reached[0], key, None))
     sys.stdout.flush()
 

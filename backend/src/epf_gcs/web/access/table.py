@@ -175,6 +175,7 @@ MESSAGES: Final[Mapping[str, Entry]] = {
     "seek": _SEES,
     "step": _SEES,
     "loop": _SEES,
+    "ask": _SEES,
 }
 """By type of a message that a browser sends on its stream. Playing a flight moves only the sender's own replay."""
 

@@ -12,6 +12,7 @@ import orjson
 
 from epf_gcs import __version__
 from epf_gcs.bus.definition import Named
+from epf_gcs.errors import GatewayError
 from epf_gcs.web.access.caller import Caller
 from epf_gcs.web.access.control import NOBODY_STATE, base_name
 from epf_gcs.web.flights.replay_process import ViewersReplay
@@ -24,6 +25,7 @@ from epf_gcs.web.stream.viewer import MAX_RATE_HZ, Viewer
 # With every sample wanted the replay sends ahead, up to some hundred.
 _LOG_SAMPLES: Final = 4096
 _MOST_EARLY: Final = 40
+_MOST_ASKED: Final = 8
 
 
 class ReplayConversation:
@@ -57,6 +59,7 @@ class ReplayConversation:
         self._jump: bytes | None = None
         self._is_elsewhere = True
         self._early: list[tuple[str, dict[str, Any]]] = []
+        self._asked: set[asyncio.Task[None]] = set()
         self._is_greeted = False
 
     def greet(self) -> None:
@@ -72,8 +75,9 @@ class ReplayConversation:
 
     def on_closed(self) -> None:
         """The browser disconnected: the replay ends."""
-        if self._task is not None:
-            self._task.cancel()
+        for task in (self._task, *self._asked):
+            if task is not None:
+                task.cancel()
         if self._on_end is not None:
             self._on_end()
             self._on_end = None
@@ -197,10 +201,15 @@ class ReplayConversation:
                 return self._tell("loop", from_s=from_s, to_s=to_s)
             case {"type": "loop"} if "from_s" not in message and "to_s" not in message:
                 return self._tell("loop")
+            case {"type": "ask", "about": "inspector" | "known" as about}:
+                return self._ask(about)
             case {"type": "stick"}:
                 return "This is a recording: nothing can be flown or commanded in it."
             case _:
-                return "A message has no known type: send ack, rate, play, pause, seek {at_s}, step {frames} or loop."
+                return (
+                    "A message has no known type: send ack, rate, play, pause, seek {at_s}, step {frames}, loop or "
+                    "ask {about}."
+                )
 
     def _tell(self, name: str, **arguments: Any) -> str | None:
         """Pass a wish on to the replay; what is said before it is there, waits for it. Returns no fault."""
@@ -209,6 +218,23 @@ class ReplayConversation:
         elif len(self._early) < _MOST_EARLY:
             self._early.append((name, arguments))
         return None
+
+    def _ask(self, about: str) -> str | None:
+        """Answer about the moment that is shown; a sentence if too many questions are open."""
+        if len(self._asked) >= _MOST_ASKED:
+            return f"{_MOST_ASKED} questions are unanswered: wait for an answer before you ask again."
+        if self._is_greeted:
+            task = self._loop.create_task(self._answer(about), name=f"answer about {about}")
+            self._asked.add(task)
+            task.add_done_callback(self._asked.discard)
+        return None
+
+    async def _answer(self, about: str) -> None:
+        # A replay that has gone says so itself.
+        with contextlib.suppress(GatewayError):
+            data = await self._replay.request(about)
+            self._viewer.offer_event(orjson.dumps({"type": "answer", "about": about, "data": data}))
+            self._hub.serve(self._viewer)
 
     def _tell_taken(self) -> None:
         """A viewer of every sample has been sent all there is: the replay may go on."""

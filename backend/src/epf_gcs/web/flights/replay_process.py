@@ -9,11 +9,12 @@ import sys
 import tempfile
 from collections.abc import Callable
 from pathlib import Path
-from typing import Final
+from typing import Any, Final
 
 import orjson
 
 from epf_gcs.bus.station_end import Listener, StationEnd
+from epf_gcs.errors import ConflictError
 
 _POLITE_S: Final = 2.0
 _MOST_WORDS: Final = 2000
@@ -96,6 +97,12 @@ class ViewersReplay:
         """Tell the replay; dropped before it is there."""
         if self._end is not None:
             self._end.notice(name, **arguments)
+
+    async def request(self, name: str) -> Any:
+        """Ask the replay about the moment that it shows. Raises ConflictError if it is not there."""
+        if self._end is None:
+            raise ConflictError("flight_away", "The replay is not there.")
+        return await self._end.request(name)
 
     async def run(self, listener: Listener) -> str:
         """Run until cancelled, or until the process ends by itself; returns its last words then.

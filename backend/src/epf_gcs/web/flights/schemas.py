@@ -335,10 +335,8 @@ class ExportInput(Input):
 
 
 class Playback(Output):
-    """Where a replay is: on the stream as the message `playback` and in the status of a replayed flight.
-
-    `edge_s` is how far the recording reaches; it grows for the flight that is being recorded. `loop` is [from_s, to_s].
-    """
+    """Where a replay is (message `playback` and status). `edge_s` is how far the recording reaches, `loop` is
+    [from_s, to_s], `jumps` counts the moments that it went to."""
 
     flight: str
     at_s: float
@@ -348,3 +346,4 @@ class Playback(Output):
     loop: list[float] | None
     duration_s: float
     edge_s: float
+    jumps: int

@@ -46,7 +46,10 @@ class InspectedRow(Output):
 
 
 class InspectedLink(Output):
-    """What the lines carry against what they can; null while no board's link is open, and 73,000 for the simulator."""
+    """What the lines carry against what they can; null while no board's link is open, and 73,000 for the simulator.
+
+    A recording does not tell the round trips: null.
+    """
 
     rx_bytes_per_s: float
     tx_bytes_per_s: float
@@ -56,7 +59,7 @@ class InspectedLink(Output):
     simulator_bytes_per_s: float
     simulator_percent: float
     round_trip_ms: RoundTripMs
-    round_trips: int
+    round_trips: int | None
 
 
 class AdviceState(Output):

@@ -66,7 +66,7 @@ function Transfer({ aircraft, plan }: Omit<Props, "row">) {
           {t("map.plan.send")}
         </SendPlan>
       </div>
-      {!plan.canTransfer && <Notice level="info">{t("plans.unsupported")}</Notice>}
+      {!plan.canTransfer && !plan.isFixed && <Notice level="info">{t("plans.unsupported")}</Notice>}
       {[download, upload, goTo]
         .filter(({ state }) => state === "rejected" || state === "timed_out")
         .map(({ stateText }) => (
@@ -87,6 +87,7 @@ function Rows({ aircraft, plan, row }: Props) {
   const canRedo = usePlans((plans) => plans[aircraft].draft.future.length > 0);
   const { waypoints } = plan;
   const { maximum } = PLAN_LIMITS.count;
+  const fixed = plan.isFixed ? t("plans.fixed") : undefined;
   const icon = { size: 14, "aria-hidden": true } as const;
 
   function insert(): void {
@@ -109,7 +110,7 @@ function Rows({ aircraft, plan, row }: Props) {
       <Button
         onPress={insert}
         icon={<Plus {...icon} />}
-        disabledReason={waypoints.length >= maximum ? t("plans.isFull", { maximum }) : undefined}
+        disabledReason={fixed ?? (waypoints.length >= maximum ? t("plans.isFull", { maximum }) : undefined)}
       >
         {row === null ? t("map.plan.append") : t("map.plan.insertAfter", { number: row + 1 })}
       </Button>
@@ -117,7 +118,7 @@ function Rows({ aircraft, plan, row }: Props) {
         onPress={() => row !== null && remove(row)}
         icon={<Trash2 {...icon} />}
         label={t("plans.remove")}
-        disabledReason={row === null ? t("plans.noRow") : undefined}
+        disabledReason={fixed ?? (row === null ? t("plans.noRow") : undefined)}
       >
         {null}
       </Button>
@@ -125,7 +126,7 @@ function Rows({ aircraft, plan, row }: Props) {
         onPress={() => undoPlan(missions.plans, aircraft)}
         icon={<Undo2 {...icon} />}
         label={t("plans.undo")}
-        disabledReason={canUndo ? undefined : t("plans.noUndo")}
+        disabledReason={fixed ?? (canUndo ? undefined : t("plans.noUndo"))}
       >
         {null}
       </Button>
@@ -133,7 +134,7 @@ function Rows({ aircraft, plan, row }: Props) {
         onPress={() => redoPlan(missions.plans, aircraft)}
         icon={<Redo2 {...icon} />}
         label={t("plans.redo")}
-        disabledReason={canRedo ? undefined : t("plans.noRedo")}
+        disabledReason={fixed ?? (canRedo ? undefined : t("plans.noRedo"))}
       >
         {null}
       </Button>

@@ -20,6 +20,8 @@ export interface MapPlan {
   readonly flownTo: number | null;
   /** What the board does after the last waypoint; null if unknown. */
   readonly ending: "loop" | "hold" | null;
+  /** A plan of the past: no edit changes it. */
+  readonly isFixed: boolean;
   readonly canTransfer: boolean;
 }
 
@@ -36,11 +38,15 @@ export function useMapPlan(plan: Aircraft): MapPlan {
   const flownTo = useTelemetry((telemetry, now_ms) =>
     telemetry.liveNumber(PLAN[plan].topic, "waypoint", now_ms),
   );
+  const isFixed = usePlans((plans) => plans[plan].isFixed);
   const canTransfer = useConnection(({ status }) => status?.board.features.missions === true);
   const named = ROUTES.find(({ planName }) => planName === route);
   const onBoard = read ?? named?.waypoints ?? null;
   const waypoints = draft.length === 0 ? (onBoard ?? NOTHING) : draft;
-  const issues = useMemo(() => checkPlan(waypoints, PLAN_LIMITS), [waypoints]);
+  const issues = useMemo(
+    () => (isFixed && waypoints.length === 0 ? [] : checkPlan(waypoints, PLAN_LIMITS)),
+    [isFixed, waypoints],
+  );
   return {
     waypoints,
     onBoard,
@@ -48,6 +54,7 @@ export function useMapPlan(plan: Aircraft): MapPlan {
     issues,
     flownTo,
     ending: plan === "flight" || route === -1 ? "hold" : named === undefined ? null : endingOf(named),
+    isFixed,
     canTransfer,
   };
 }

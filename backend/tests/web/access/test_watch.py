@@ -1,0 +1,59 @@
+"""When a page counts as silent: by looks, one each tenth of a second."""
+
+from __future__ import annotations
+
+import pytest
+
+from epf_gcs.web.access.changes import Page
+from epf_gcs.web.access.watch import Watch
+
+CUT_LOOKS = 7
+HUNG_LOOKS = 20
+
+
+class Line:
+    """A line that is told what came. `answers`: its browser answers pings."""
+
+    def __init__(self, *, answers: bool = False, is_waited_for: bool = True) -> None:
+        self.heard = self.said = self.pings = 0
+        self.answers = answers
+        self.is_waited_for = is_waited_for
+
+    def ping(self) -> None:
+        self.pings += 1
+        self.heard += self.answers
+
+    def drop(self) -> None:
+        raise AssertionError("looking drops nothing")
+
+    def renew(self, page: Page) -> None:
+        raise AssertionError(f"looking does not rename {page}")
+
+
+def looks_until_silent(line: Line) -> int | None:
+    watch = Watch()
+    assert not watch.look(line)
+    return next((look for look in range(1, 50) if watch.look(line)), None)
+
+
+@pytest.mark.parametrize("is_waited_for", [True, False])
+def test_a_line_on_which_nothing_comes_is_pinged_and_counts_as_cut(is_waited_for: bool) -> None:
+    line = Line(is_waited_for=is_waited_for)
+    assert looks_until_silent(line) == CUT_LOOKS
+    assert line.pings == 3
+
+
+def test_a_page_whose_browser_answers_but_which_acknowledges_nothing_hangs() -> None:
+    assert looks_until_silent(Line(answers=True)) == HUNG_LOOKS
+
+
+def test_a_page_that_is_sent_nothing_owes_nothing() -> None:
+    assert looks_until_silent(Line(answers=True, is_waited_for=False)) is None
+
+
+def test_whatever_is_said_begins_it_anew() -> None:
+    line, watch = Line(), Watch()
+    for _ in range(5):
+        assert not any(watch.look(line) for _ in range(CUT_LOOKS - 1))
+        line.heard += 1
+        line.said += 1

@@ -1,0 +1,108 @@
+import { screen, waitFor, within } from "@testing-library/react";
+import userEvent from "@testing-library/user-event";
+import { expect, test } from "vitest";
+import { type Asked, Station } from "../../test/station";
+
+const user = userEvent.setup();
+const EVA = {
+  id: "00000000000000e1",
+  name: "Eva",
+  place: "mesa 3",
+  role: "viewer",
+  state: "waiting",
+  since_s: 1,
+  seen_s: 1,
+  address: "10.0.0.7",
+  is_you: false,
+  sessions: 1,
+};
+
+function newest(station: Station, method: string, path: string): Asked {
+  const found = station.askedAccess
+    .filter((one) => one.method === method && one.path.startsWith(`/api/v1/access/${path}`))
+    .at(-1);
+  if (found === undefined) {
+    throw new Error(`the page asked nothing with ${method} ${path}`);
+  }
+  return found;
+}
+
+async function setup(role: string, kind = "person"): Promise<Station> {
+  const station = new Station();
+  station.greet();
+  const me = { state: "in", kind, role, name: "Ana · tableta", anyone_may_fly: false };
+  await newest(station, "GET", "me").answer(me);
+  await user.click(screen.getByRole("tab", { name: "Setup" }));
+  return station;
+}
+
+async function lists(station: Station, people: readonly object[]): Promise<void> {
+  await newest(station, "GET", "people").answer({ people });
+  await newest(station, "GET", "sessions").answer({ sessions: [] });
+  await newest(station, "GET", "programs").answer({ programs: [] });
+  await newest(station, "GET", "invitations").answer({ invitations: [] });
+}
+
+function panel(): HTMLElement {
+  return screen.getByRole("region", { name: "Acceso" });
+}
+
+test("an operator sees who they are and may leave, and nothing of the others is asked", async () => {
+  const station = await setup("operator");
+  expect(panel().textContent).toContain("Has entrado como Ana · tableta. Tu papel: operador.");
+  expect(within(panel()).queryByRole("tab", { name: "Personas" })).toBeNull();
+  expect(new Set(station.askedAccess.map(({ path }) => path))).toEqual(new Set(["/api/v1/access/me"]));
+  await user.click(within(panel()).getByRole("button", { name: "Salir" }));
+  await user.click(within(screen.getByRole("alertdialog")).getByRole("button", { name: "Salir" }));
+  await newest(station, "POST", "leave").answer({
+    state: "stranger",
+    kind: null,
+    role: null,
+    name: null,
+    anyone_may_fly: false,
+  });
+  expect(screen.getByRole("heading", { name: "Entrar en la estación" })).toBeTruthy();
+});
+
+test("an owner lets somebody in with a role, and ends an access after a question", async () => {
+  const station = await setup("owner");
+  await lists(station, [EVA]);
+  expect(within(panel()).getByRole("tab", { name: "Personas (1 espera)" })).toBeTruthy();
+  await user.selectOptions(
+    within(panel()).getByRole("combobox", { name: "Dejar entrar a Eva como" }),
+    "operator",
+  );
+  await user.click(within(panel()).getByRole("button", { name: "Dejar entrar" }));
+  const patch = newest(station, "PATCH", `people/${EVA.id}`);
+  expect(patch.body).toEqual({ state: "in", role: "operator" });
+  const read = station.askedAccess.length;
+  await patch.answer({ ...EVA, state: "in", role: "operator" });
+  await waitFor(() => expect(station.askedAccess.length).toBe(read + 4));
+  await lists(station, [{ ...EVA, state: "in", role: "operator" }]);
+  await user.click(within(panel()).getByRole("button", { name: "Terminar el acceso de Eva · mesa 3" }));
+  expect(station.askedAccess.filter(({ method }) => method === "PATCH").length).toBe(1);
+  await user.click(within(screen.getByRole("alertdialog")).getByRole("button", { name: "Terminar" }));
+  expect(newest(station, "PATCH", `people/${EVA.id}`).body).toEqual({ state: "ended" });
+});
+
+test("an invitation shows its key, address and code once", async () => {
+  const station = await setup("owner", "local");
+  await lists(station, []);
+  await newest(station, "GET", "addresses").answer({ addresses: ["http://10.0.0.2:8000"], tls: false });
+  await user.click(within(panel()).getByRole("tab", { name: "Invitar" }));
+  await user.click(within(panel()).getByRole("button", { name: "Hacer una invitación" }));
+  const asked = newest(station, "POST", "invitations");
+  expect(asked.body).toEqual({ role: "viewer", minutes: 60, address: "http://10.0.0.2:8000" });
+  await asked.answer({
+    invitation: { id: "00000000000000a1", role: "viewer", since_s: 1, until_s: 3601 },
+    key: "7K2Q-AAAA-BBBB-CCCC",
+    address: "http://10.0.0.2:8000/#key=7K2Q-AAAA-BBBB-CCCC",
+    qr_svg: "<svg/>",
+  });
+  expect(within(panel()).getByText("http://10.0.0.2:8000/#key=7K2Q-AAAA-BBBB-CCCC")).toBeTruthy();
+  expect(
+    within(panel())
+      .getByRole("img", { name: /Código QR/ })
+      .getAttribute("src"),
+  ).toContain("data:image/svg+xml");
+});
