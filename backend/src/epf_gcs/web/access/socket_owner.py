@@ -77,7 +77,7 @@ def _asked(connection: Connection) -> int | None:
         kind = _HEADER.unpack_from(answer)[1]
         if kind == _BY_FAMILY and len(answer) >= _HEADER.size + _TOLD.size:
             told = _TOLD.unpack_from(answer, _HEADER.size)
-            return int(told[13]) if told[1] == _ESTABLISHED else NOBODY
+            return int(told[14]) if told[1] == _ESTABLISHED else NOBODY
     return None
 
 
