@@ -15,7 +15,6 @@ from epf_gcs.flights.report.compare import loops
 from epf_gcs.flights.report.figures import alarms, battery, distances, link, marks, times, unknown
 from epf_gcs.flights.report.found import manoeuvres
 from epf_gcs.flights.report.gains import gain_changes, last_gains
-from epf_gcs.flights.report.report import keep
 from epf_gcs.flights.signals import Array
 from epf_gcs.recordings import notes
 from epf_gcs.recordings.places import SUMMARY
@@ -23,17 +22,15 @@ from epf_gcs.vehicle.noted import identity_of
 
 
 def make(recording: Path, folder: Path | None) -> dict[str, Any]:
-    """The report; it is kept in `folder`. Raises ConflictError while there are no columns, OSError, RecordingError."""
+    """The report of an indexed flight. Raises ConflictError while there are no columns, OSError, RecordingError."""
     if folder is None:
         raise not_indexed(recording.stem)
     flight = open_indexed(folder, recording, Columns())
     summary = orjson.loads((folder / SUMMARY).read_bytes())
     events = read_events(folder / EVENTS)
-    found = report(
+    return report(
         recording.stem, flight, summary, events, flight.times("sent_xplane_info"), flight.times("hil_surfaces")
     )
-    keep(folder, found)
-    return found
 
 
 def report(

@@ -44,7 +44,9 @@ def report_of(recording: Path, say: Say, share: float) -> Report:
             return kept
     from epf_gcs.flights.report.making import make  # noqa: PLC0415 - loads the query engine
 
-    found = make(recording, folder)
+    found: Report = make(recording, folder)
+    if folder is not None:
+        keep(folder, found)
     say(share, "report")
     return found
 
