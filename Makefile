@@ -108,8 +108,8 @@ FIRMWARE = $(MAKE) --no-print-directory -C firmware RESULTS=$(abspath $(RESULTS)
 
 # Percent of the gateway's lines and branches that its tests run: where it stands, raised when it grows, never lowered.
 # The core is what decodes, commands, proves and flies.
-COVERED := 93
-COVERED_CORE := 96
+COVERED := 94
+COVERED_CORE := 97
 CORE := */codec/*,*/xplane/*,*/vehicle/*,*/bus/*,*/flight/board/*,*/flight/hil/*
 
 # ---- proving --------------------------------------------------------------------------------------

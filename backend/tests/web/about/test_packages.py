@@ -40,6 +40,7 @@ def test_each_has_its_version_and_its_licence() -> None:
         ('pytest ; extra == "dev"', frozenset(), None),
         ('pytest ; extra == "dev"', frozenset({"dev"}), ("pytest", frozenset())),
         ("typing-extensions (>=4)", frozenset(), ("typing-extensions", frozenset())),
+        ("importlib-metadata>=3.6 ; python_version < '3.10'", frozenset(), None),
         ("", frozenset(), None),
     ],
 )

@@ -2,18 +2,16 @@
 
 from __future__ import annotations
 
-import re
 from dataclasses import dataclass
 from functools import lru_cache
 from importlib.metadata import Distribution, PackageNotFoundError, distribution
 from typing import Final
 
+from packaging.requirements import InvalidRequirement, Requirement
+
 _OURS: Final = "epf-gcs"
 # What a user may have installed besides; it is listed where it is there.
 _EXTRAS: Final = frozenset({"sim"})
-# name, extras in brackets, anything up to the marker, and the extra for which the marker asks
-_REQUIREMENT: Final = re.compile(r"^\s*(?P<name>[\w.-]+)\s*(\[(?P<extras>[^]]*)\])?[^;]*(;(?P<marker>.*))?$")
-_EXTRA: Final = re.compile(r"extra\s*==\s*[\"']([^\"']+)[\"']")
 _LICENCE_CLASSIFIER: Final = "License :: "
 # A longer value in the licence field is the full text of the licence, not its name.
 _LONGEST_NAME: Final = 80
@@ -52,15 +50,15 @@ def packages() -> tuple[Package, ...]:
 
 
 def needed_by(requirement: str, extras: frozenset[str]) -> tuple[str, frozenset[str]] | None:
-    """Name and extras of a requirement; None if only an extra that is not used needs it."""
-    match = _REQUIREMENT.match(requirement)
-    if match is None:
+    """Name and extras of a requirement; None if only another system, another Python or an unused extra needs it."""
+    try:
+        wanted = Requirement(requirement)
+    except InvalidRequirement:
         return None
-    asked = set(_EXTRA.findall(match["marker"] or ""))
-    if asked and not asked & extras:
+    marker = wanted.marker
+    if marker is not None and not any(marker.evaluate({"extra": extra}) for extra in extras or {""}):
         return None
-    wanted = frozenset(extra.strip() for extra in (match["extras"] or "").split(",") if extra.strip())
-    return match["name"], wanted
+    return wanted.name, frozenset(wanted.extras)
 
 
 def licence_of(package: Distribution) -> str | None:
