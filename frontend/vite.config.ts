@@ -75,7 +75,7 @@ export default defineConfig({
       exclude: ["src/**/*.gen.ts", "src/**/*.test.*", "src/test/**", "src/main.tsx"],
       reporter: ["text-summary"],
       // Where it stands; raised when it grows, never lowered.
-      thresholds: { branches: 75, functions: 78, lines: 78, statements: 78 },
+      thresholds: { branches: 77, functions: 81, lines: 81, statements: 81 },
     },
     projects: [
       { extends: true, test: { name: "logic", environment: "node", include: ["src/**/*.test.ts"] } },
