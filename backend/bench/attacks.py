@@ -115,42 +115,27 @@ def _send_in(port: int, file: Path, until_s: float) -> None:
 
 def _idle(port: int, _udp_port: int, until_s: float) -> None:
     """Two thousand connections that send nothing or half a request; some of the closed ones are opened again."""
-    waiting = selectors.DefaultSelector()
-    count = 0
-    while time.monotonic() < until_s:
-        # All of them at first; then 20 a round, to replace those that the station closed.
-        for _ in range(_IDLE if count == 0 else 20):
-            if count >= _IDLE:
-                break
-            try:
-                made = socket.create_connection(("127.0.0.1", port), timeout=1.0)
-                if count % 2:
-                    made.send(b"GET /api/v1/sta")
-                waiting.register(made, selectors.EVENT_READ)
-                count += 1
-            except OSError:
-                break
-        _ready()
-        time.sleep(0.05)
-        for key, _ in waiting.select(0.0):
-            waiting.unregister(key.fileobj)
-            with contextlib.suppress(OSError):
-                key.fileobj.close()  # type: ignore[union-attr]
-            count -= 1
+    _hold_open(port, _IDLE, (b"", b"GET /api/v1/sta"), until_s)
 
 
 def _tls_half_open(port: int, _udp_port: int, until_s: float) -> None:
     """500 connections that begin a TLS handshake and never finish it; some of the ended ones are begun again."""
+    _hold_open(port, _HALF_OPEN, (b"\x16", _HELLO), until_s)
+
+
+def _hold_open(port: int, most: int, beginnings: tuple[bytes, bytes], until_s: float) -> None:
+    """So many connections, each with one of both beginnings by turns and no more."""
     waiting = selectors.DefaultSelector()
     count = 0
     while time.monotonic() < until_s:
-        # All of them at first; then 400 a second.
-        for _ in range(_HALF_OPEN if count == 0 else 20):
-            if count >= _HALF_OPEN:
+        # All of them at first; then 20 a round, to replace those that the station closed.
+        for _ in range(most if count == 0 else 20):
+            if count >= most:
                 break
             try:
                 made = socket.create_connection(("127.0.0.1", port), timeout=1.0)
-                made.send(_HELLO if count % 2 else b"\x16")
+                if beginning := beginnings[count % 2]:
+                    made.send(beginning)
             except OSError:
                 break
             waiting.register(made, selectors.EVENT_READ)

@@ -11,6 +11,7 @@ import pytest
 
 from epf_gcs.web.visitors import Limits
 from tests.support.gateway import Gateway, running_gateway
+from tests.support.listening import everything
 from tests.support.maps import png, write_mbtiles
 from tests.support.waiting import eventually
 
@@ -42,17 +43,6 @@ def line(gateway: Gateway) -> socket.socket:
     made = socket.create_connection(("127.0.0.1", gateway.server.port))
     made.settimeout(20)
     return made
-
-
-def everything(made: socket.socket) -> bytes:
-    """What comes until the station ends it."""
-    data = b""
-    try:
-        while more := made.recv(65536):
-            data += more
-    except ConnectionResetError:
-        pass
-    return data
 
 
 @pytest.mark.parametrize("head", [b"", b"GET /api", b"GET / HTTP/1.1\r\nHost: 127.0.0.1\r\nX: "])

@@ -52,15 +52,20 @@ def described(flying: Gateway) -> Any:
     return schemathesis.openapi.from_url(f"{flying.base}/api/v1/openapi.json", config=config)
 
 
-@pytest.mark.parametrize(("method", "path"), OPERATIONS)
-def test_every_answer_is_as_described(described: Any, method: str, path: str) -> None:
-    @settings(
-        max_examples=EXAMPLES,
+def asked(examples: int) -> settings:
+    """The same so many requests in every run, however long each takes."""
+    return settings(
+        max_examples=examples,
         deadline=None,
         derandomize=True,
         suppress_health_check=list(HealthCheck),
         phases=[Phase.explicit, Phase.generate],
     )
+
+
+@pytest.mark.parametrize(("method", "path"), OPERATIONS)
+def test_every_answer_is_as_described(described: Any, method: str, path: str) -> None:
+    @asked(EXAMPLES)
     @given(case=described[path][method].as_strategy())
     def ask(case: Any) -> None:
         case.call_and_validate(excluded_checks=BEYOND_A_SCHEMA)
@@ -92,13 +97,7 @@ def test_no_request_makes_it_fail_or_gives_a_role_what_it_may_not(
     gateway, clients = strict
     entry = ROUTES[method, path]
 
-    @settings(
-        max_examples=EXAMPLES_BY_ROLE,
-        deadline=None,
-        derandomize=True,
-        suppress_health_check=list(HealthCheck),
-        phases=[Phase.explicit, Phase.generate],
-    )
+    @asked(EXAMPLES_BY_ROLE)
     @given(case=described[path][method].as_strategy())
     def ask(case: Any) -> None:
         for name in ROLES:

@@ -121,7 +121,7 @@ class IndexedFlight:
         return self._noted
 
     def times(self, table: str) -> Any:
-        """Unix times (ns) of the rows of any table, sorted; empty where there is none. Raises OSError."""
+        """Unix times (ns) of the rows of any table, sorted; empty where the table is missing. Raises OSError."""
         file = self._folder / f"{table}.parquet"
         return np.sort(self._columns.column(file, "t_ns", self._stamp)) if file.exists() else np.empty(0)
 

@@ -179,7 +179,7 @@ class Timeline:
         return held[1]
 
     def following(self, number: int) -> int | None:
-        """The number of the piece after this one; None if there is none yet."""
+        """The number of the piece after this one; None while nothing follows."""
         index, part = divmod(number, _OF_ONE)
         piece = self._pieces[index] if index < len(self._pieces) else None
         if (

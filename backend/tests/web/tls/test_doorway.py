@@ -13,6 +13,7 @@ import pytest
 
 from epf_gcs.web.tls.context import make_context
 from epf_gcs.web.visitors import Limits
+from tests.support.listening import everything
 from tests.support.tls import LOOPS, Door, careless, open_door, self_signed
 from tests.support.waiting import eventually
 
@@ -34,17 +35,6 @@ def kind(request: pytest.FixtureRequest) -> str:
 def door(kind: str, context: ssl.SSLContext) -> Iterator[Door]:
     with open_door(kind, context) as opened:
         yield opened
-
-
-def everything(made: socket.socket) -> bytes:
-    """What comes until the other end closes."""
-    data = b""
-    try:
-        while more := made.recv(65536):
-            data += more
-    except ConnectionResetError:
-        pass
-    return data
 
 
 def test_the_first_byte_says_which_of_both_is_spoken(door: Door) -> None:

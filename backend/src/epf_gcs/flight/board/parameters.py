@@ -76,7 +76,7 @@ class Parameters:
         await self._step("redo", lambda: self.journal.steps.redo, ConflictError("nothing_to_redo", none), client)
 
     async def _step(self, kind: Kind, due: Callable[[], Step | None], none: ConflictError, client: str | None) -> None:
-        """Write the step that is `due` when its turn has come; raise `none` if there is none then."""
+        """Write the step that is `due` when its turn has come; raise `none` if nothing waits then."""
         async with self._lock:
             step = due()
             if step is None:

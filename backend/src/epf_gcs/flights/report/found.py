@@ -24,7 +24,7 @@ Found = dict[str, Any]
 
 
 def manoeuvres(flight: FlightData) -> tuple[list[Found], str | None]:
-    """All manoeuvres in order of time, and why there is none: `no_targets`, `autopilot_off` or `no_changes`.
+    """All manoeuvres in order of time, and if they are missing why: `no_targets`, `autopilot_off` or `no_changes`.
 
     Raises OSError.
     """

@@ -89,7 +89,7 @@ def first_of(flight: FlightData, signals: tuple[Signal, ...]) -> Series:
 
 
 def places(flight: FlightData, plan: Plan) -> Place | None:
-    """The aircraft's places; None where there is none. Raises OSError."""
+    """The aircraft's places; None where it is missing. Raises OSError."""
     topic = "simulator" if plan == "hil" else "gps"
     try:
         t_s, latitude = flight.samples(topic, "latitude_deg")

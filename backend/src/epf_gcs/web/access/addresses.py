@@ -9,8 +9,9 @@ from collections.abc import Iterable
 from typing import Final
 from urllib.parse import urlencode
 
-import ifaddr
 import segno
+
+from epf_gcs.web.tls.identity import addresses_here
 
 _ANY: Final = frozenset(("0.0.0.0", "::"))  # noqa: S104 - compared, not listened on
 
@@ -20,7 +21,7 @@ def addresses(host: str, port: int, *, secure: bool) -> list[str]:
 
     Empty where it listens on the loopback alone.
     """
-    hosts = [host] if host not in _ANY else [*_own_addresses(with_ipv6=host == "::"), _mdns_name()]
+    hosts = [host] if host not in _ANY else [*_own_addresses(with_ipv6=host == "::"), *own_names()[-1:]]
     scheme = "https" if secure else "http"
     reached = [_in_url(one) for one in hosts if not _is_loopback(one)]
     return [f"{scheme}://{one}:{port}" for one in reached]
@@ -41,19 +42,14 @@ def qr_svg(text: str) -> str:
 
 
 def own_names() -> list[str]:
-    """Names by which others of the network may know this machine."""
+    """Names by which others of the network may know this machine; the last is the one that needs no name server."""
     name = socket.gethostname().lower()
     short = name.partition(".")[0]
     return [name, short, f"{short}.local"] if short else []
 
 
 def _own_addresses(*, with_ipv6: bool) -> list[str]:
-    numbers: list[str] = []
-    for adapter in ifaddr.get_adapters():
-        for ip in adapter.ips:
-            number = ip.ip if isinstance(ip.ip, str) else ip.ip[0]
-            numbers.append(number)
-    return sorted(_reachable(numbers, with_ipv6=with_ipv6), key=lambda number: ":" in number)
+    return sorted(_reachable(addresses_here(), with_ipv6=with_ipv6), key=lambda number: ":" in number)
 
 
 def _reachable(numbers: Iterable[str], *, with_ipv6: bool) -> list[str]:
@@ -64,10 +60,6 @@ def _reachable(numbers: Iterable[str], *, with_ipv6: bool) -> list[str]:
         for number in parsed
         if (number.version == 4 or with_ipv6) and not number.is_loopback and not number.is_link_local
     ]
-
-
-def _mdns_name() -> str:
-    return socket.gethostname().lower().partition(".")[0] + ".local"
 
 
 def _is_loopback(host: str) -> bool:

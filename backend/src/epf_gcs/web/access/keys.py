@@ -41,7 +41,7 @@ def new_program_key() -> tuple[str, Parts]:
 
 
 def program_key(text: str) -> Parts | None:
-    """The parts of a program's key; None if it is none."""
+    """The parts of a program's key; None if the text has not that form."""
     found = _PROGRAM_KEY.fullmatch(text)
     return None if found is None else Parts(found[1], found[2])
 
