@@ -88,16 +88,18 @@ function SearchField({ text, onChange }: { text: string; onChange: (text: string
   const { t } = useTranslation();
   const id = useId();
   return (
-    <div className="ui-field">
+    <div className="ui-field log-search">
       <label htmlFor={id} className="ui-field-label">
         {t("log.searchShort")}
       </label>
-      <span className="log-search">
-        <Search size={14} aria-hidden="true" />
+      <span className="ui-field-box">
+        <Search size={14} aria-hidden="true" className="log-search-icon" />
         <input
           id={id}
           type="search"
-          className="ui-field-input"
+          className="ui-field-input log-search-input"
+          autoComplete="off"
+          maxLength={200}
           aria-label={t("log.search")}
           value={text}
           onChange={(event) => onChange(event.currentTarget.value)}

@@ -12,7 +12,7 @@ function said(text: string, at_s: number, level: SaidMessage["level"] = "info"):
 }
 
 function tell(event: FlightEvent): ToldEvent {
-  const group = event.kind === "alarm" ? "alarm" : event.kind === "gap" ? "trouble" : "command";
+  const group = event.kind === "alarm" ? "alarm" : event.kind === "command" ? "command" : "trouble";
   return { group, message: { level: "info", key: event.name, params: {} } };
 }
 
@@ -38,16 +38,17 @@ test("an outcome that the page said and the station recorded stands once", () =>
   expect(rows([said("trim on", AT_S + 60)], events)).toHaveLength(2);
 });
 
-test("alarms have their own level and trouble is a warning", () => {
+test("alarms have their own level, trouble is a warning, and a line that opens is none", () => {
   const found = rows(
     [],
     [
+      aFlightEvent({ kind: "link", name: "board_opened", t_s: AT_S }),
       aFlightEvent({ kind: "gap", name: "gap", t_s: AT_S + 1 }),
       aFlightEvent({ kind: "alarm", name: "low", t_s: AT_S + 2, data: { level: "warning" } }),
       aFlightEvent({ kind: "alarm", name: "lost", t_s: AT_S + 3, data: { level: "critical" } }),
     ],
   );
-  expect(found.map(({ level }) => level)).toEqual(["error", "warning", "warning"]);
+  expect(found.map(({ level }) => level)).toEqual(["error", "warning", "warning", "info"]);
 });
 
 test("a search finds words in any order, whatever their accents and case", () => {

@@ -35,8 +35,13 @@ export function logRows(
 ): readonly LogRow[] {
   const recorded = events.map((event, index): LogRow => {
     const { group, message } = tell(event);
-    const level = group === "alarm" ? alarmLevel(event) : group === "trouble" ? "warning" : message.level;
-    return { key: `e${index}`, at_s: event.t_s, group, level, text: sentence(message) };
+    return {
+      key: `e${index}`,
+      at_s: event.t_s,
+      group,
+      level: levelOf(event, group, message),
+      text: sentence(message),
+    };
   });
   const times = new Map<string, number[]>();
   for (const { text, at_s } of recorded) {
@@ -85,8 +90,12 @@ export function logFile(
     .concat("\n");
 }
 
-function alarmLevel({ data }: FlightEvent): MessageLevel {
-  return data["level"] === "critical" ? "error" : data["level"] === "warning" ? "warning" : "info";
+function levelOf({ kind, name, data }: FlightEvent, group: LogGroup, message: Message): MessageLevel {
+  if (group === "alarm") {
+    return data["level"] === "critical" ? "error" : data["level"] === "warning" ? "warning" : "info";
+  }
+  // A line that was opened is no trouble, and one that was closed may be.
+  return group === "trouble" && !(kind === "link" && name.endsWith("_opened")) ? "warning" : message.level;
 }
 
 /** Small letters without accents: "Alineación" is found by "alineacion". */
