@@ -47,6 +47,7 @@ export class MapPointer {
   readonly #globe: Globe;
   readonly #canvas: HTMLCanvasElement;
   readonly #finders: Finder[] = [];
+  readonly #last = new Set<Finder>();
   readonly #hovers = new Set<(place: GroundPlace | null) => void>();
   #grip: Grip | null = null;
   #drag: Drag | null = null;
@@ -77,6 +78,12 @@ export class MapPointer {
     };
   }
 
+  /** Add a finder that is asked after all others: for things of the ground. */
+  addLastFinder(finder: Finder): () => void {
+    this.#last.add(finder);
+    return () => this.#last.delete(finder);
+  }
+
   /** Report the point under the pointer; null when it leaves the ground. */
   onHover(listener: (place: GroundPlace | null) => void): () => void {
     this.#hovers.add(listener);
@@ -103,7 +110,7 @@ export class MapPointer {
   }
 
   #find(at: Spot): Grip | null {
-    for (const finder of this.#finders) {
+    for (const finder of [...this.#finders, ...this.#last]) {
       const grip = finder(at);
       if (grip !== null) {
         return grip;

@@ -16,6 +16,7 @@ import { aircraftPlace } from "../plan/aircraftPlace";
 import { useHome } from "../plan/useHome";
 import { useMapPlan } from "../plan/useMapPlan";
 import { useFollowed } from "../useFlightScene";
+import { usePickAirfield } from "../useGroundNames";
 import { flatAircraft } from "./flatAircraft";
 import { useFlatContents } from "./useFlatContents";
 import { useFlatScene } from "./useFlatScene";
@@ -54,6 +55,7 @@ export function FlatMap({ onScene }: { onScene: (scene: FlatScene | null) => voi
       }
     },
     onMoved: () => isFollowing && follow(false),
+    onAirfield: usePickAirfield(),
   });
   useEffect(() => scene?.setContents(contents), [scene, contents]);
   useEffect(() => {
