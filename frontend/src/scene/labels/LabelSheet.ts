@@ -1,4 +1,4 @@
-import { type PlacedLabel, placeLabels, type Spot, type WantedLabel } from "../../lib/labels";
+import { type LabelBox, type PlacedLabel, placeLabels, type Spot, type WantedLabel } from "../../lib/labels";
 import { EDGE } from "../colours";
 import { drawMark, type Mark } from "./marks";
 import { TextSprites } from "./TextSprites";
@@ -22,6 +22,8 @@ export interface ShownText {
 
 /** A text farther from its place than this, beyond its usual distance, has a line to it. */
 const LEADER_PX = 14;
+/** Half of what a mark of the flight takes. */
+const MARK_PX = 5;
 /** Places this far outside of the picture may still reach into it. */
 const MARGIN_PX = 120;
 
@@ -42,7 +44,9 @@ export class LabelSheet {
         at.x > -MARGIN_PX && at.y > -MARGIN_PX && at.x < width_px + MARGIN_PX && at.y < height_px + MARGIN_PX,
     );
     const wanted = near.map((text): WantedLabel => ({ ...text, ...this.#sprites.sizeOf(text, ratio) }));
-    this.#placed = placeLabels(wanted, this.#placed);
+    // No name lies over an aircraft or a waypoint.
+    const taken = near.filter(({ isSought }) => isSought).map(({ at }) => markBox(at));
+    this.#placed = placeLabels(wanted, this.#placed, taken);
     // What matters most is drawn last.
     this.#shown = near.filter(({ key }) => this.#placed.has(key)).sort((one, other) => one.rank - other.rank);
   }
@@ -81,6 +85,10 @@ export class LabelSheet {
       }
     }
   }
+}
+
+function markBox({ x, y }: Spot): LabelBox {
+  return { left: x - MARK_PX, right: x + MARK_PX, top: y - MARK_PX, bottom: y + MARK_PX };
 }
 
 function drawLeader(
