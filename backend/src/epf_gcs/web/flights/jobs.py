@@ -55,6 +55,7 @@ class Job:
     result_name: str = ""
     ended: asyncio.Event = field(default_factory=asyncio.Event)
     task: asyncio.Task[None] | None = None
+    ended_s: float = 0.0
 
     @property
     def is_over(self) -> bool:
@@ -147,6 +148,14 @@ class Jobs:
         """Delete the file that a job made: it was fetched."""
         _drop(job)
 
+    def drop_results(self, kept_s: float) -> None:
+        """Delete the files that were made at least so long ago, whether they were fetched or not."""
+        for job in self._jobs.values():
+            is_old = job.is_over and self._loop.time() - job.ended_s >= kept_s
+            if is_old and job.result is not None and job.result.exists():
+                _drop(job)
+                self._tell(job)
+
     async def close(self) -> None:
         """Stop all of them, and forget their results."""
         await asyncio.gather(*(self.cancel(job) for job in self._jobs.values()))
@@ -213,6 +222,7 @@ class Jobs:
         else:
             _drop(job)
         job.doing = job.state
+        job.ended_s = self._loop.time()
         self._tell(job)
         job.ended.set()
 
