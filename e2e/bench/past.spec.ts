@@ -69,8 +69,9 @@ function listen(): void {
     observer.observe(document.body, { subtree: true, childList: true, attributes: true, characterData: true }),
   );
   const stroke = CanvasRenderingContext2D.prototype.stroke;
-  CanvasRenderingContext2D.prototype.stroke = function (this: CanvasRenderingContext2D, ...path: []): void {
-    stroke.apply(this, path);
+  CanvasRenderingContext2D.prototype.stroke = function (this: CanvasRenderingContext2D, path?: Path2D): void {
+    if (path === undefined) stroke.call(this);
+    else stroke.call(this, path);
     if (this.canvas instanceof HTMLCanvasElement && this.canvas.closest(".plots-chart") !== null) {
       window.past.drawn_ms = performance.now();
     }

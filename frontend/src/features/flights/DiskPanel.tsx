@@ -16,7 +16,9 @@ const FEW_HOURS = 2;
 /** Room for more flights, and what happens when it ends. */
 export function DiskPanel({
   disk: { free_bytes, used_bytes, hours_left, policy },
-}: { readonly disk: FlightDisk }) {
+}: {
+  readonly disk: FlightDisk;
+}) {
   const { t } = useTranslation();
   const { setPolicy } = usePart(FLIGHTS);
   const control = "flights.policy";

@@ -339,7 +339,9 @@ test("the bin tells the days left", async () => {
 test("the disk tells the hours left and what its policy does, and keeps what is chosen", async () => {
   await open();
   const disk = screen.getByRole("region", { name: "Disco" });
-  expect(disk.textContent).toContain("50.0 GB libres. Los vuelos ocupan 3.40 GB. Al ritmo de los últimos vuelos quedan 41 h");
+  expect(disk.textContent).toContain(
+    "50.0 GB libres. Los vuelos ocupan 3.40 GB. Al ritmo de los últimos vuelos quedan 41 h",
+  );
   expect(disk.textContent).toContain("No se borra nada solo");
   await user.click(within(disk).getByRole("checkbox"));
   const choice = newest("PUT", /policy$/);
