@@ -169,9 +169,18 @@ def test_two_boards_recorded_one_behind_the_other_are_told(tmp_path: Path) -> No
     assert read_file(target).damage is None
 
 
-def test_a_clock_that_jumped_back_in_flight_is_kept_as_it_was(tmp_path: Path) -> None:
-    times = [START_NS + number * 10**8 for number in range(50)]
-    jumped = times[:25] + [t_ns - 3600 * 10**9 for t_ns in times[25:]]
+def test_where_a_clock_was_set_back_in_flight_time_goes_on_and_it_is_told(tmp_path: Path) -> None:
+    hour_ns, step_ns = 3600 * 10**9, 10**8
+    times = [START_NS + number * step_ns for number in range(50)]
+    # Half an hour in all, and a hundredth of a second, which is how records of two lines interleave.
+    jumped = times[:20] + [t_ns - hour_ns for t_ns in times[20:40]] + [t_ns - 2 * hour_ns for t_ns in times[40:]]
+    jumped[5] += 2 * step_ns
     answer, target = imported(tmp_path, at_times(*jumped))
-    assert answer["started_ns"] == START_NS
-    assert read_file(target).clock_steps == 1
+    assert answer["damage"] == "The clock was set back 2 times in flight; here time goes on."
+    found = read_file(target).messages.t_ns
+    assert int(found[0]) == answer["started_ns"] == START_NS
+    # The step itself is lost: what was read after it counts as read at once.
+    assert int(found[-1]) == times[-1] - 2 * step_ns
+    assert [int(t_ns) for t_ns in found[:20]] == jumped[:20]
+    again, _ = imported(tmp_path, target.read_bytes())
+    assert (again["fingerprint"], again["damage"]) == (answer["fingerprint"], None), "it is known the next time"

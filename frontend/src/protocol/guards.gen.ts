@@ -636,7 +636,7 @@ export const isJob = shape({
   fault: nullable(isFault),
   flight: nullable(isText),
   id: isText,
-  kind: oneOf("pack", "index", "import", "export", "report"),
+  kind: oneOf("pack", "index", "keys", "import", "export", "report"),
   progress: isNumber,
   result: nullable(isJobResult),
   state: oneOf("waiting", "running", "done", "failed", "cancelled"),

@@ -124,6 +124,16 @@ def test_a_recording_of_another_machine_becomes_a_flight(gateway: Gateway) -> No
     eventually(lambda: not any(incoming.iterdir()), "nothing of the upload stays")
 
 
+def test_what_was_wrong_with_an_imported_file_is_told_with_its_flight(gateway: Gateway) -> None:
+    content = recording([NOW_NS, NOW_NS + 10**9, NOW_NS + 2 * 10**9])
+    job = upload(gateway, content[: content.index(data_end())] + b"\x77" * 20)
+    flight = indexed(gateway, str(job["flight"]))
+    assert flight["damage"] is not None
+    assert "begins no record" in flight["damage"]
+    whole = upload(gateway, recording([NOW_NS + 10**12, NOW_NS + 2 * 10**12]))
+    assert indexed(gateway, str(whole["flight"]))["damage"] is None
+
+
 @pytest.mark.parametrize(
     ("content", "code"),
     [
@@ -330,3 +340,23 @@ def test_a_flight_that_the_disk_had_no_room_for_is_prepared_when_it_has(
     # Whatever wakes the station: here the policy of the disk, which nobody changes.
     gateway.http.put("/flights/policy", json={"delete_oldest": False, "keep_free_bytes": 10**9}).raise_for_status()
     indexed(gateway, flight)
+
+
+def test_a_flight_that_is_prepared_has_its_key_frames_before_anybody_opens_it(
+    gateway: Gateway, board: FakeBoard, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    keyframes = Path(gateway.flight_thread.data_dir) / "keyframes"
+    short = flown(gateway, board)
+    indexed(gateway, short)
+    monkeypatch.setattr("epf_gcs.web.flights.flights._WORTH_KEYS_NS", 0)
+    flight = flown(gateway, board)
+    indexed(gateway, flight)
+
+    def jobs() -> list[tuple[str, str]]:
+        found = gateway.http.get("/jobs").json()["jobs"]
+        return [(one["flight"], one["state"]) for one in found if one["kind"] == "keys"]
+
+    eventually(lambda: jobs() == [(flight, "done")], "its key frames are made")
+    assert [path.name for path in keyframes.iterdir()] == [f"{flight}.keys"]
+    gateway.http.delete(f"/flights/{flight}", params={"confirm": flight}).raise_for_status()
+    assert list(keyframes.iterdir()) == []

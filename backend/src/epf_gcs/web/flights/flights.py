@@ -34,6 +34,8 @@ _JUDGED_BY: Final = 5
 # Work that the disk refused is tried again after so long: it may have room by then.
 _AGAIN_S: Final = 600.0
 _REFUSED: Final = ("flight_disk_full", "flight_not_written")
+_WORTH_KEYS_NS: Final = 60_000_000_000
+_KEYS_RESERVE_BYTES: Final = 1_200_000_000
 # How long the file that a job made waits to be fetched.
 _RESULT_KEPT_S: Final = 3600.0
 
@@ -274,14 +276,26 @@ class Flights:
         job = await self._work("index", path, flight)
         if job.fault is not None:
             self._report(job.fault)
-            if job.fault.code in _REFUSED:
-                # Nothing is wrong with the recording.
+            if job.fault.code in _REFUSED:  # nothing is wrong with the recording
                 self._again_at_s[flight] = self._loop.time() + _AGAIN_S
                 return
             row = await self.in_thread(self._library.get, flight)
             if row is not None:
                 fault = {"code": job.fault.code, "detail": job.fault.detail, "params": job.fault.params}
                 await self.in_thread(self._library.failed, flight, row.stamp, fault)
+        elif job.state == "done":
+            await self._make_keys(flight)
+
+    async def _make_keys(self, flight: str) -> None:
+        """Begin to make the key frames of a flight that is worth it: a short one is soon played to any moment."""
+        row = await self.in_thread(self._library.get, flight)
+        free_bytes = await self.free_bytes()
+        if row is None or row.summary is None or free_bytes is None or free_bytes < _KEYS_RESERVE_BYTES:
+            return
+        if row.summary["ended_ns"] - row.summary["started_ns"] >= _WORTH_KEYS_NS:
+            files = ["--recording", str(self.places.recording(flight)), "--keys", str(self.places.keyframes(flight))]
+            with contextlib.suppress(ConflictError):
+                self.jobs.start("keys", files, flight=flight)
 
     async def _work(self, kind: Literal["pack", "index"], path: str, flight: str) -> Job:
         job = self._preparing = self.jobs.start(kind, [path], flight=flight)

@@ -20,10 +20,11 @@ import structlog
 from epf_gcs.errors import ConflictError, GatewayError, NotFoundError
 from epf_gcs.web.stream.hub import Hub
 
-JobKind = Literal["pack", "index", "import", "export", "report"]
+JobKind = Literal["pack", "index", "keys", "import", "export", "report"]
 JobState = Literal["waiting", "running", "done", "failed", "cancelled"]
 
 _PROGRAM: Final = "epf_gcs.flights"
+_KEYS_PROGRAM: Final = ("epf_gcs.replay", "--make-keys")
 # How many run at once: what prepares flights, and what a person waits for.
 _PREPARING: Final = 1
 _RESULTS: Final = 2
@@ -92,6 +93,7 @@ class Jobs:
         self._lanes: dict[JobKind, asyncio.Semaphore] = {
             "pack": preparing,
             "index": preparing,
+            "keys": asyncio.Semaphore(_PREPARING),
             "import": preparing,
             "export": results,
             "report": results,
@@ -124,7 +126,7 @@ class Jobs:
         result_name: str = "",
         then: Callable[[Job], Awaitable[None]] | None = None,
     ) -> Job:
-        """Queue `python -m epf_gcs.flights KIND ARGUMENTS`, which writes `result`.
+        """Queue `python -m epf_gcs.flights KIND ARGUMENTS` (key frames: `epf_gcs.replay`), which writes `result`.
 
         `then` is awaited with the job's answer before the job counts as done; it may raise GatewayError or OSError.
         Raises ConflictError while too many jobs are waiting.
@@ -187,8 +189,7 @@ class Jobs:
         process = await asyncio.create_subprocess_exec(
             sys.executable,
             "-m",
-            _PROGRAM,
-            job.kind,
+            *(_KEYS_PROGRAM if job.kind == "keys" else (_PROGRAM, job.kind)),
             *arguments,
             stdin=asyncio.subprocess.PIPE,
             stdout=asyncio.subprocess.PIPE,

@@ -200,7 +200,7 @@ def _flight(row: Row, flights: Flights, mirror: VehicleMirror) -> Flight:
     added = sum(not mark.get("recorded", False) for mark in about.marks)
     hidden = sum(bool(mark.get("hidden", False)) for mark in about.marks)
     taken = ("board", "firmware", "station", "aircraft", "operator", "highest_ft", "fastest_kt", "distance_nm")
-    counted = ("frames", "frames_damaged", "waypoints", "alarms", "damage", "thumbnail")
+    counted = ("frames", "frames_damaged", "waypoints", "alarms", "thumbnail")
     return Flight(
         id=row.id,
         active=active,
@@ -212,6 +212,7 @@ def _flight(row: Row, flights: Flights, mirror: VehicleMirror) -> Flight:
         marks=known["marks"] + added - hidden if known else None,
         emulated=bool(known.get("emulated", False)),
         imported=about.imported,
+        damage=" ".join(sentence for sentence in (about.came_damaged, known.get("damage")) if sentence) or None,
         title=about.title,
         tags=about.tags,
         notes=about.notes,

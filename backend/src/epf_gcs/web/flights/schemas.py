@@ -18,7 +18,7 @@ from epf_gcs.web.parameters.schemas import ParameterState
 from epf_gcs.web.schemas import Input, Output, ParamValue, PlanName
 
 FlightState = Literal["recording", "waiting", "indexing", "indexed", "damaged"]
-JobKind = Literal["pack", "index", "import", "export", "report"]
+JobKind = Literal["pack", "index", "keys", "import", "export", "report"]
 JobState = Literal["waiting", "running", "done", "failed", "cancelled"]
 EventKind = Literal[
     "alarm",
