@@ -12,7 +12,7 @@ from typing import Any, Final
 
 import numpy as np
 
-from bench.replay import FLIGHT_ID, FLIGHT_S, make_recording, wait_until_indexed
+from bench.replay import FLIGHT_ID, FLIGHT_S, make_recording, wait_for_keys, wait_until_indexed
 from bench.table import Row
 from epf_gcs.recordings.packing import pack
 from tests.support.programs import gateway_process
@@ -33,6 +33,7 @@ def run() -> list[Row]:
         with gateway_process(data) as program:
             port = int(program.wait_for_words(r"url=http://\S+:(\d+)"))
             wait_until_indexed(port)
+            wait_for_keys(port)
             results = data / "past.json"
             environment = {
                 **os.environ,
@@ -57,10 +58,11 @@ def _rows(found: dict[str, Any]) -> list[Row]:
         what = f"page, {tab}: bar let go, until the last instrument shows it"
         rows.append(Row(f"{what}: p50", p50, "ms"))
         rows.append(Row(f"{what}: p95", p95, "ms", f"<= {LET_GO_REACH_MS:g} ms", p95 <= LET_GO_REACH_MS))
-    for tab, frames in found["frames"].items():
-        rows.append(
-            Row(f"page, {tab} at 100 x", frames, "/s", f">= {FRAMES_REACH:g} of 60", frames >= FRAMES_REACH),
-        )
+    for tab, fast in found["fast"].items():
+        frames, rate = float(fast["frames_per_s"]), float(fast["rate"])
+        reach = f">= {FRAMES_REACH:g} of 60"
+        rows.append(Row(f"page, {tab} at 100 x: frames", frames, "/s", reach, frames >= FRAMES_REACH))
+        rows.append(Row(f"page, {tab} at 100 x: time flown over time", rate, "x"))
     drawn, zoom = float(max(found["drawn"])), float(np.percentile(found["zooms"], 95))
     rows.append(
         Row("page, plots over 2 h: drawn, worst", drawn, "ms", f"<= {DRAWN_REACH_MS:g} ms", drawn <= DRAWN_REACH_MS)

@@ -30,13 +30,13 @@ test("the page in the past of two hours: the bar, a hundred times real time, plo
   await expect(page.getByRole("tabpanel").locator("[data-state=live]").first()).toBeVisible();
   const opened_s = (Date.now() - opened_ms) / 1000;
   const drags: Record<string, number[]> = {};
-  const frames: Record<string, number> = {};
+  const fast: Record<string, { frames_per_s: number; rate: number }> = {};
   for (const name of TABS) {
     await page.getByRole("tab", { name, exact: true }).click();
     await page.waitForTimeout(1500);
     drags[name] = [];
     for (let drag = 0; drag < DRAGS; drag += 1) drags[name].push(await letGo(page));
-    frames[name] = await atHundredfold(page);
+    fast[name] = await atHundredfold(page);
   }
   await page.getByRole("tab", { name: "Gráficas", exact: true }).click();
   await page.waitForTimeout(2000);
@@ -51,7 +51,7 @@ test("the page in the past of two hours: the bar, a hundred times real time, plo
     const name = ["Acercar", "Después", "Alejar", "Antes"][Math.floor(zoom / 5) % 4] ?? "";
     zooms.push(await drawnAfter(page, () => page.getByRole("button", { name, exact: true }).click()));
   }
-  await writeFile(RESULTS, JSON.stringify({ opened_s, drags, frames, drawn, zooms }));
+  await writeFile(RESULTS, JSON.stringify({ opened_s, drags, fast, drawn, zooms }));
 });
 
 /** In the page, before anything of it: when the bar is let go, when the open tab changes, when a plot is drawn. */
@@ -95,15 +95,15 @@ async function letGo(page: Page): Promise<number> {
   return await page.evaluate(() => Math.max(0, window.past.changed_ms - window.past.let_go_ms));
 }
 
-/** Frames of the page each second while the flight runs a hundred times as fast as it was flown. */
-async function atHundredfold(page: Page): Promise<number> {
+/** Frames of the page each second while the flight runs a hundred times as fast as it was flown, and how fast it runs. */
+async function atHundredfold(page: Page): Promise<{ frames_per_s: number; rate: number }> {
   await page.getByRole("combobox", { name: "Velocidad de reproducción" }).selectOption("100");
   const bar = page.getByRole("slider", { name: "Momento del vuelo" });
   await bar.focus();
   await page.keyboard.press("Home");
   await page.getByRole("button", { name: "Reproducir", exact: true }).click();
   const before = Number(await bar.getAttribute("aria-valuenow"));
-  const frames = await page.evaluate(
+  const frames_per_s = await page.evaluate(
     (duration_ms) =>
       new Promise<number>((resolve) => {
         let frames = 0;
@@ -118,10 +118,9 @@ async function atHundredfold(page: Page): Promise<number> {
     FRAMES_MS,
   );
   const flown_s = Number(await bar.getAttribute("aria-valuenow")) - before;
-  expect(flown_s, "it runs a hundred times as fast").toBeGreaterThan((0.9 * 100 * FRAMES_MS) / 1000);
   await page.getByRole("button", { name: "Pausa", exact: true }).click();
   await page.waitForTimeout(500);
-  return frames;
+  return { frames_per_s, rate: (flown_s * 1000) / FRAMES_MS };
 }
 
 /** Milliseconds from a wish until the last line of a plot is drawn. */
