@@ -193,7 +193,7 @@ export type Certificates = Checked<typeof isCertificates>;
 /** One line. `watched`: the page ticks it by itself while it is so; null: a person ticks it. */
 export const isChecklistLine = shape({
   text: isText,
-  watched: optional(nullable(oneOf("gps", "battery", "gains", "plan", "recorder", "alarms"))),
+  watched: nullable(oneOf("gps", "battery", "gains", "plan", "recorder", "alarms")),
 });
 export type ChecklistLine = Checked<typeof isChecklistLine>;
 

@@ -31,12 +31,13 @@ def test_a_changed_list_is_kept_and_told_to_all_and_can_be_given_back(gateway: G
 @pytest.mark.parametrize(
     "lines",
     [
-        [{"text": ""}],
-        [{"text": "  "}],
-        [{"text": "x" * 201}],
+        [{"text": "", "watched": None}],
+        [{"text": "  ", "watched": None}],
+        [{"text": "x" * 201, "watched": None}],
         [{"text": "x", "watched": "weather"}],
-        [{"text": "x"}] * 101,
-        [{"text": "x", "done": True}],
+        [{"text": "x", "watched": None}] * 101,
+        [{"text": "x", "watched": None, "done": True}],
+        [{"text": "x"}],
     ],
 )
 def test_what_is_no_list_is_refused_and_the_kept_one_stays(gateway: Gateway, lines: list[object]) -> None:

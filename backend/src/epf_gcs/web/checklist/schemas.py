@@ -17,7 +17,7 @@ class ChecklistLine(Input):
     """One line. `watched`: the page ticks it by itself while it is so; null: a person ticks it."""
 
     text: Annotated[str, Field(min_length=1, max_length=200, pattern=r"\S")]
-    watched: Watched | None = None
+    watched: Watched | None
 
 
 class ChecklistChange(Input):
