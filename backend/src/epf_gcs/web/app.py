@@ -23,6 +23,7 @@ from epf_gcs.web.access.guard import Access, Guard
 from epf_gcs.web.access.limits import CallerLimits
 from epf_gcs.web.access.table import Gate
 from epf_gcs.web.alarms import routes as alarms
+from epf_gcs.web.checklist import routes as checklist
 from epf_gcs.web.commands import ahrs_test_routes as ahrs_test
 from epf_gcs.web.commands import routes as commands
 from epf_gcs.web.earth import routes as earth
@@ -114,6 +115,7 @@ def create_app(settings: Settings, visitors: Visitors | None = None, certificate
         maps,
         online_maps,
         alarms,
+        checklist,
         recordings,
         flights,
         flight_reports,

@@ -10,6 +10,9 @@ import { Notice } from "../../ui/Notice";
 export const DIALOGS = {
   about: lazyPart(async () => (await import("../../features/about/AboutDialog")).AboutContent),
   guide: lazyPart(async () => (await import("../../features/guide/GuideContent")).GuideContent),
+  checklist: lazyPart(
+    async () => (await import("../../features/checklist/ChecklistContent")).ChecklistContent,
+  ),
   log: lazyPart(async () => (await import("../../features/log/LogContent")).LogContent),
   settings: lazyPart(async () => (await import("./SettingsDialog")).SettingsContent),
   tablet: lazyPart(async () => (await import("../../features/access/TabletContent")).TabletContent),
