@@ -36,6 +36,12 @@ def kmz(name: str, data: bytes) -> bytes:
     return file.getvalue()
 
 
+def lying(archive: bytes) -> bytes:
+    """Says of its last file that 512 bytes more come before the content, which are not there."""
+    at = archive.rindex(b"PK\3\4") + 29
+    return archive[:at] + b"\2" + archive[at + 1 :]
+
+
 def assert_refused_or_whole(data: bytes) -> None:
     """Nothing but a plan that a board takes, or an InvalidInputError, comes out of any bytes."""
     with contextlib.suppress(InvalidInputError):
@@ -112,6 +118,7 @@ def test_a_damaged_file_is_refused_or_still_a_whole_plan(
         (kmz("doc.txt", b"hello"), "mission_file_archive"),
         (kmz("doc.kml", b" " * (MAX_FILE_BYTES + 1)), "mission_file_archive"),
         (kmz("doc.kml", BOMB.encode()), "mission_file_forbidden"),
+        (lying(kmz("doc.kml", b"<kml/>")), "mission_file_archive"),
         (b"The quick brown fox", "mission_file_header"),
         (b"<kml/>", "mission_file_no_waypoints"),
         (b"<gpx/>", "mission_file_no_waypoints"),

@@ -77,6 +77,7 @@ def _unpacked(data: bytes) -> bytes:
         StopIteration,
         zipfile.BadZipFile,
         zlib.error,
+        EOFError,
         OSError,
         RuntimeError,
         NotImplementedError,

@@ -105,7 +105,7 @@ class MeshFiles:
     def _read(self, path: str, most_bytes: int) -> bytes | None:
         try:
             return self._files.read(path, most_bytes)
-        except (OSError, zipfile.BadZipFile, zlib.error, ValueError, RuntimeError, NotImplementedError) as error:
+        except (OSError, EOFError, zipfile.BadZipFile, zlib.error, ValueError, RuntimeError) as error:
             raise faults.damaged(self._name, str(error)) from error
 
     def _describe(self) -> Description:
