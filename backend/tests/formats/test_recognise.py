@@ -36,12 +36,6 @@ def kmz(name: str, data: bytes) -> bytes:
     return file.getvalue()
 
 
-def lying(archive: bytes) -> bytes:
-    """Says of its last file that 512 bytes more come before the content, which are not there."""
-    at = archive.rindex(b"PK\3\4") + 29
-    return archive[:at] + b"\2" + archive[at + 1 :]
-
-
 def assert_refused_or_whole(data: bytes) -> None:
     """Nothing but a plan that a board takes, or an InvalidInputError, comes out of any bytes."""
     with contextlib.suppress(InvalidInputError):
@@ -92,6 +86,15 @@ def test_a_damaged_file_is_refused_or_still_a_whole_plan(
     assert_refused_or_whole(damaged)
 
 
+def test_an_archive_cut_or_damaged_at_any_byte_is_refused_or_still_a_whole_plan() -> None:
+    """Every place, because a random one finds what zipfile raises only now and then."""
+    data = WRITERS["kmz"]("x", TWO)
+    for place in range(len(data)):
+        assert_refused_or_whole(data[:place])
+        for byte in (0, 1, 255):
+            assert_refused_or_whole(data[:place] + bytes((byte,)) + data[place + 1 :])
+
+
 @pytest.mark.parametrize(
     ("data", "code"),
     [
@@ -118,7 +121,6 @@ def test_a_damaged_file_is_refused_or_still_a_whole_plan(
         (kmz("doc.txt", b"hello"), "mission_file_archive"),
         (kmz("doc.kml", b" " * (MAX_FILE_BYTES + 1)), "mission_file_archive"),
         (kmz("doc.kml", BOMB.encode()), "mission_file_forbidden"),
-        (lying(kmz("doc.kml", b"<kml/>")), "mission_file_archive"),
         (b"The quick brown fox", "mission_file_header"),
         (b"<kml/>", "mission_file_no_waypoints"),
         (b"<gpx/>", "mission_file_no_waypoints"),

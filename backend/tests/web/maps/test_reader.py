@@ -16,23 +16,14 @@ from epf_gcs.web.maps.reader import Reader
 from epf_gcs.web.maps.reading import TOO_COSTLY
 from tests.support.bombs import SLOW, write_view
 from tests.support.maps import png, write_mbtiles, write_pmtiles
-from tests.support.waiting import DEADLINE_S
 
 STAMP = (1,)
 
 
 @pytest.fixture
 def reader() -> Iterator[Reader]:
-    # Two processes, each of which has to start as well in the time of its first request.
-    made = Reader(longest_tile_s=DEADLINE_S, longest_opening_s=DEADLINE_S)
-    yield made
-    made.close()
-
-
-@pytest.fixture
-def strict_reader() -> Iterator[Reader]:
-    # A slow file may hold a process for less than the limit of a single query.
-    made = Reader(longest_tile_s=DEADLINE_S, longest_opening_s=2.0)
+    # Two processes, of which a slow file may hold one for less than the limit of a single query.
+    made = Reader(longest_tile_s=2.0, longest_opening_s=2.0)
     yield made
     made.close()
 
@@ -64,12 +55,12 @@ def test_a_fault_comes_with_its_code_and_its_words(reader: Reader, tmp_path: Pat
     assert (caught.value.code, caught.value.params["name"]) == ("map_file_damaged", "a.pmtiles")
 
 
-def test_a_file_that_takes_too_long_is_ended_and_not_asked_again(strict_reader: Reader, tmp_path: Path) -> None:
+def test_a_file_that_takes_too_long_is_ended_and_not_asked_again(reader: Reader, tmp_path: Path) -> None:
     slow = write_view(tmp_path / "slow.mbtiles", SLOW)
     good = write_pmtiles(tmp_path / "good.pmtiles", {(0, 0, 0): png(7)})
     with ThreadPoolExecutor(3) as viewers:
-        held = [viewers.submit(strict_reader.describe, slow, "slow.mbtiles", "mbtiles", STAMP) for _ in range(2)]
-        found = viewers.submit(strict_reader.tile, good, "good", "pmtiles", STAMP, 0, 0, 0).result()
+        held = [viewers.submit(reader.describe, slow, "slow.mbtiles", "mbtiles", STAMP) for _ in range(2)]
+        found = viewers.submit(reader.tile, good, "good", "pmtiles", STAMP, 0, 0, 0).result()
         assert found is not None
         assert found.data == png(7)
         for one in held:
@@ -77,9 +68,9 @@ def test_a_file_that_takes_too_long_is_ended_and_not_asked_again(strict_reader: 
                 one.result()
             assert why(caught) == TOO_COSTLY
     with pytest.raises(GatewayError) as caught:
-        strict_reader.tile(slow, "slow.mbtiles", "mbtiles", STAMP, 0, 0, 0)
+        reader.tile(slow, "slow.mbtiles", "mbtiles", STAMP, 0, 0, 0)
     assert why(caught) == TOO_COSTLY
-    assert strict_reader.tile(good, "good", "pmtiles", STAMP, 0, 0, 0) == found, "a new process took its place"
+    assert reader.tile(good, "good", "pmtiles", STAMP, 0, 0, 0) == found, "a new process took its place"
 
 
 def test_a_process_that_died_is_followed_by_another(reader: Reader, tmp_path: Path) -> None:

@@ -64,15 +64,16 @@ def test_samples_arrive_with_their_time_and_values(gateway: Gateway, board: Fake
 
 def test_every_sample_comes_at_rate_zero(gateway: Gateway, board: FakeBoard) -> None:
     gateway.open_board(board.url)
-    sent = [1000.0 + number for number in range(30)]
     with gateway.stream("?rate=0") as stream:
-        for altitude_m in sent:
-            board.send_gps(27.9, -15.4, altitude_m)
-        came: list[float] = []
-        while len(came) < len(sent):
-            samples = stream.next("batch")["samples"]
-            came += [sample["values"]["altitude_m"] for sample in samples if sample["topic"] == "gps"]
-        assert came == sent
+        sent = [float(place) for place in range(30)]
+        for latitude_deg in sent:
+            board.send_gps(latitude_deg, 0.0, 0.0)
+        samples: list[dict[str, Any]] = []
+        while len(samples) < len(sent):
+            samples += [sample for sample in stream.next("batch")["samples"] if sample["topic"] == "gps"]
+        assert [sample["values"]["latitude_deg"] for sample in samples] == sent
+        times = [sample["t_s"] for sample in samples]
+        assert times == sorted(times), "those that were read together have one time"
 
 
 def test_the_sequence_has_no_gap(gateway: Gateway, board: FakeBoard) -> None:
