@@ -53,6 +53,7 @@ export const ACCESS_TABLE: readonly AccessRow[] = [
   { path: "/earth/live.kml", method: "GET", tag: "earth", least: "viewer", control: false },
   { path: "/flights", method: "GET", tag: "flights", least: "viewer", control: false },
   { path: "/flights", method: "POST", tag: "flights", least: "operator", control: true },
+  { path: "/flights/aircraft", method: "PUT", tag: "flights", least: "operator", control: true },
   { path: "/flights/bin", method: "GET", tag: "flights", least: "viewer", control: false },
   { path: "/flights/policy", method: "PUT", tag: "flights", least: "owner", control: true },
   { path: "/flights/{flight_id}", method: "DELETE", tag: "flights", least: "owner", control: true },

@@ -522,6 +522,12 @@ export const isFlight = shape({
 });
 export type Flight = Checked<typeof isFlight>;
 
+/** What the aircraft is called; empty for no name. */
+export const isFlightAircraft = shape({
+  name: isText,
+});
+export type FlightAircraft = Checked<typeof isFlightAircraft>;
+
 /** The bin, deleted last first. */
 export const isFlightBin = shape({
   flights: list(isDeletedFlight),
@@ -536,11 +542,13 @@ export const isFlightPolicy = shape({
 });
 export type FlightPolicy = Checked<typeof isFlightPolicy>;
 
-/** Room for recordings. `hours_left` at the rate of the newest flights; null if there is none to judge by. */
+/** Room for recordings. `hours_left` at the rate of the newest flights, with all that is made of a flight; null if
+ * there is none to judge by. `used_bytes`: all flights, those of the bin, what was made of them, and finished exports. */
 export const isFlightDisk = shape({
   free_bytes: nullable(isNumber),
   hours_left: nullable(isNumber),
   policy: isFlightPolicy,
+  used_bytes: isNumber,
 });
 export type FlightDisk = Checked<typeof isFlightDisk>;
 
@@ -641,7 +649,7 @@ export const isJob = shape({
   fault: nullable(isFault),
   flight: nullable(isText),
   id: isText,
-  kind: oneOf("pack", "index", "import", "export", "report"),
+  kind: oneOf("pack", "index", "keys", "import", "export", "report"),
   progress: isNumber,
   result: nullable(isJobResult),
   state: oneOf("waiting", "running", "done", "failed", "cancelled"),
@@ -649,8 +657,10 @@ export const isJob = shape({
 export type Job = Checked<typeof isJob>;
 
 /** One page of the flights that were asked for. `total` counts all pages; `tags` and `boards` are those of the
- * whole library; `indexing` are the jobs that prepare flights now. */
+ * whole library; `indexing` are the jobs that prepare flights now; `aircraft` is what the aircraft that flies now is
+ * called, empty for no name. */
 export const isFlightList = shape({
+  aircraft: isText,
   boards: list(isText),
   disk: isFlightDisk,
   flights: list(isFlight),

@@ -76,6 +76,7 @@ def _interface() -> APIRouter:
         maps,
         online_maps,
         alarms,
+        checklist,
         recordings,
         flights,
         flight_reports,

@@ -108,6 +108,7 @@ _V1: Final[Mapping[tuple[str, str], Entry]] = {
     ("GET", "/flights"): _SEES,
     ("POST", "/flights"): _command("upload"),
     ("GET", "/flights/bin"): _SEES,
+    ("PUT", "/flights/aircraft"): _command("flights"),
     ("PUT", "/flights/policy"): Entry(_owner, control=True, deed="flights"),
     ("GET", "/flights/{flight_id}"): _SEES,
     ("PATCH", "/flights/{flight_id}"): Entry(_operator, deed="flights"),
