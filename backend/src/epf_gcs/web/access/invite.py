@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import argparse
 import contextlib
-import sqlite3
 import sys
 import time
 from pathlib import Path
@@ -15,10 +14,12 @@ from typing import Final
 
 import segno
 
+from epf_gcs.errors import GatewayError
 from epf_gcs.web.access.addresses import addresses, with_key
 from epf_gcs.web.access.admission import Policy
 from epf_gcs.web.access.caller import is_in_container
 from epf_gcs.web.access.invitations import new_invitation
+from epf_gcs.web.access.moment import Moment
 from epf_gcs.web.access.roles import Role
 from epf_gcs.web.access.store import AccessStore, Person
 from epf_gcs.web.settings import Settings
@@ -36,9 +37,9 @@ def main() -> None:
         store = AccessStore(settings.data_dir)
         with contextlib.closing(store):
             role = Role[options.role] if options.role else _first_role(store, settings)
-            key, invitation = new_invitation(store, role, options.minutes, time.time())
-    except (sqlite3.Error, OSError) as error:
-        sys.exit(f"No key could be made in {settings.data_dir} ({error}): choose the station's folder by --data-dir.")
+            key, invitation = new_invitation(store, role, options.minutes, Moment.now())
+    except GatewayError as error:
+        sys.exit(f"No key could be made in {settings.data_dir}: {error.detail}")
     until = time.strftime("%H:%M", time.localtime(invitation.until_s))
     print(f"One-time key for one {role.name}, until {until}:  {key}")
     reached = addresses(settings.host, settings.port, secure=options.tls)

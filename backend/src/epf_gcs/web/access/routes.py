@@ -49,7 +49,7 @@ async def get_me(caller: CallerDep, shown: ShownDep, admission: AdmissionDep) ->
     return _me(admission, caller, shown)
 
 
-@router.post("/enter", responses=problems(409))
+@router.post("/enter", responses=problems(409, 507))
 async def post_enter(body: EnterInput, response: Response, shown: ShownDep, admission: AdmissionDep) -> Me:
     """Come in with a one-time key. The answer sets the cookie of a new session; one from before ends."""
     cookie, _, session = await admission.enter(body.key, body.name, body.place, shown)
@@ -57,7 +57,7 @@ async def post_enter(body: EnterInput, response: Response, shown: ShownDep, admi
     return _me_of(admission, admission.current(session.id))
 
 
-@router.post("/ask", responses=problems(409))
+@router.post("/ask", responses=problems(409, 507))
 async def post_ask(body: AskInput, response: Response, shown: ShownDep, admission: AdmissionDep) -> Me:
     """Wait to be let in by an owner. The answer sets a cookie that is worth something once an owner agrees."""
     cookie, _, _ = await admission.ask(body.name, body.place, shown)
@@ -65,7 +65,7 @@ async def post_ask(body: AskInput, response: Response, shown: ShownDep, admissio
     return Me(state="waiting", kind=None, role=None, name=body.name, anyone_may_fly=admission.policy.anyone_may_fly)
 
 
-@router.post("/leave", responses=problems())
+@router.post("/leave", responses=problems(507))
 async def post_leave(response: Response, caller: CallerDep, shown: ShownDep, admission: AdmissionDep) -> Me:
     """End one's own session, or stop waiting."""
     found = admission.find(shown)
@@ -83,7 +83,7 @@ async def get_people(caller: CallerDep, admission: AdmissionDep) -> People:
     return People(people=[_person(admission, caller, person) for person in people])
 
 
-@router.patch("/people/{person_id}", responses=problems(404, 409))
+@router.patch("/people/{person_id}", responses=problems(404, 409, 507))
 async def patch_person(
     person_id: Id, body: PersonInput, caller: CallerDep, shown: ShownDep, admission: AdmissionDep
 ) -> PersonState:
@@ -99,7 +99,7 @@ async def patch_person(
     return _person(admission, caller, person)
 
 
-@router.delete("/people/{person_id}", status_code=status.HTTP_204_NO_CONTENT, responses=problems(404, 409))
+@router.delete("/people/{person_id}", status_code=status.HTTP_204_NO_CONTENT, responses=problems(404, 409, 507))
 async def delete_person(person_id: Id, caller: CallerDep, shown: ShownDep, admission: AdmissionDep) -> None:
     """Forget somebody; all sessions end."""
     _keep_an_owner(admission, person_id, stays=False)
@@ -114,7 +114,7 @@ async def get_sessions(caller: CallerDep, admission: AdmissionDep) -> SessionLis
     return SessionList(sessions=[_session(admission, caller, session) for session in admission.sessions.all()])
 
 
-@router.delete("/sessions/{session_id}", status_code=status.HTTP_204_NO_CONTENT, responses=problems(404))
+@router.delete("/sessions/{session_id}", status_code=status.HTTP_204_NO_CONTENT, responses=problems(404, 507))
 async def delete_session(session_id: Id, caller: CallerDep, shown: ShownDep, admission: AdmissionDep) -> None:
     """End the session of one browser."""
     session = await admission.end_session(session_id)
@@ -128,30 +128,29 @@ async def get_programs(admission: AdmissionDep) -> ProgramList:
     return ProgramList(programs=[_program(program, seen_s) for program, seen_s in admission.programs.all()])
 
 
-@router.post("/programs", status_code=status.HTTP_201_CREATED, responses=problems(409))
+@router.post("/programs", status_code=status.HTTP_201_CREATED, responses=problems(409, 507))
 async def post_program(body: ProgramInput, caller: CallerDep, shown: ShownDep, admission: AdmissionDep) -> NewProgram:
     """Make a key for a program. It is shown this once."""
-    key, program = await admission.programs.make(body.name, Role[body.role], admission.clock.now_s())
-    await admission.write(partial(admission.store.put, program))
+    key, program = await admission.make_program(body.name, Role[body.role])
     admission.log.note(caller, shown.peer.host, "program_made", f"{body.name}: {body.role}", "done")
     return NewProgram(program=_program(program, 0.0), key=key)
 
 
-@router.delete("/programs/{program_id}", status_code=status.HTTP_204_NO_CONTENT, responses=problems(404))
+@router.delete("/programs/{program_id}", status_code=status.HTTP_204_NO_CONTENT, responses=problems(404, 507))
 async def delete_program(program_id: Id, caller: CallerDep, shown: ShownDep, admission: AdmissionDep) -> None:
     """End a program's key."""
     program = await admission.end_program(program_id)
     admission.log.note(caller, shown.peer.host, "program_ended", program.name, "done")
 
 
-@router.get("/invitations", responses=reading_problems())
+@router.get("/invitations", responses=reading_problems(507))
 async def get_invitations(admission: AdmissionDep) -> InvitationList:
     """The one-time keys that can still be used."""
-    found = await admission.invitations.all(admission.clock.now_s())
-    return InvitationList(invitations=[_invitation(invitation) for invitation in found])
+    found = await admission.invitations.all(admission.moment())
+    return InvitationList(invitations=[_invitation(admission, invitation) for invitation in found])
 
 
-@router.post("/invitations", status_code=status.HTTP_201_CREATED, responses=problems())
+@router.post("/invitations", status_code=status.HTTP_201_CREATED, responses=problems(409, 507))
 async def post_invitation(
     body: InvitationInput, request: Request, caller: CallerDep, shown: ShownDep, admission: AdmissionDep
 ) -> NewInvitation:
@@ -162,13 +161,13 @@ async def post_invitation(
             "invalid_request", "'address' is none of this station's: see GET /access/addresses.", field="address"
         )
     base = body.address or (known[0] if known else str(request.base_url).rstrip("/"))
-    key, made = await admission.invitations.make(Role[body.role], body.minutes, admission.clock.now_s())
+    key, made = await admission.invitations.make(Role[body.role], body.minutes, admission.moment())
     admission.log.note(caller, shown.peer.host, "invited", f"{body.role}, {body.minutes} min", "done")
     address = with_key(base, key, body.tab)
-    return NewInvitation(invitation=_invitation(made), key=key, address=address, qr_svg=qr_svg(address))
+    return NewInvitation(invitation=_invitation(admission, made), key=key, address=address, qr_svg=qr_svg(address))
 
 
-@router.delete("/invitations/{invitation_id}", status_code=status.HTTP_204_NO_CONTENT, responses=problems(404))
+@router.delete("/invitations/{invitation_id}", status_code=status.HTTP_204_NO_CONTENT, responses=problems(404, 507))
 async def delete_invitation(invitation_id: Id, caller: CallerDep, shown: ShownDep, admission: AdmissionDep) -> None:
     """End a one-time key before it is used."""
     await admission.invitations.end(invitation_id)
@@ -265,10 +264,13 @@ def _program(program: Program, seen_s: float) -> ProgramState:
     )
 
 
-def _invitation(invitation: Invitation) -> InvitationState:
+def _invitation(admission: Admission, invitation: Invitation) -> InvitationState:
+    """By the station's clock, also where the system's time was set since another program made it."""
+    now = admission.moment()
+    until_s = now.unix_s + invitation.left_s(now)
     return InvitationState(
         id=invitation.id,
         role=name_of(invitation.role),
-        since_s=invitation.made_s,
-        until_s=invitation.until_s,
+        since_s=until_s - (invitation.until_s - invitation.made_s),
+        until_s=until_s,
     )
