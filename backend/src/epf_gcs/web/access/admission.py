@@ -42,6 +42,7 @@ class Policy:
     anyone_may_fly: bool
     host: str
     launcher_key: str | None = None
+    reached_at: str | None = None
 
     @classmethod
     def of(cls, settings: Settings) -> Policy:
@@ -50,7 +51,13 @@ class Policy:
         if trusts is None:
             trusts = is_this_computers(settings.host) or not is_in_container()
         key = settings.launcher_key
-        return cls(trusts, settings.allow_anyone_to_fly, settings.host, None if key is None else key.get_secret_value())
+        return cls(
+            trusts,
+            settings.allow_anyone_to_fly,
+            settings.host,
+            None if key is None else key.get_secret_value(),
+            settings.reached_at,
+        )
 
     @property
     def is_reached_by_others(self) -> bool:

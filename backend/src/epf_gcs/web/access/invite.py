@@ -32,7 +32,10 @@ def main() -> None:
     """Make the key and print it."""
     options = _options()
     given = {name: getattr(options, name) for name in ("host", "port", "data_dir")}
-    settings = Settings(**{name: value for name, value in given.items() if value is not None})
+    try:
+        settings = Settings(**{name: value for name, value in given.items() if value is not None})
+    except ValueError as error:
+        sys.exit(f"epf-gcs invite: {error}")
     try:
         store = AccessStore(settings.data_dir)
         with contextlib.closing(store):
@@ -42,15 +45,18 @@ def main() -> None:
         sys.exit(f"No key could be made in {settings.data_dir}: {error.detail}")
     until = time.strftime("%H:%M", time.localtime(invitation.until_s))
     print(f"One-time key for one {role.name}, until {until}:  {key}")
-    reached = addresses(settings.host, settings.port, secure=options.tls)
+    reached = addresses(settings.host, settings.port, secure=options.tls, reached_at=settings.reached_at)
     if not reached:
         print("The station listens on this computer alone: start it with --lan to let others in.", flush=True)
         return
     print("Open it there as one of these, or scan the first:")
     for address in reached:
         print(f"  {with_key(address, key, None)}")
-    if is_in_container():
-        print("This is a container: put its host's address and the published port in their place.")
+    if is_in_container() and settings.reached_at is None:
+        print(
+            "This is a container: put its host's address and the published port in their place, or give them once, as "
+            "GCS_REACHED_AT=http://192.168.1.20:8000, and the code has them."
+        )
     _print_qr(with_key(reached[0], key, None))
     sys.stdout.flush()
 

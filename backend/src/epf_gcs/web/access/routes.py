@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import asyncio
 from functools import partial
-from typing import Annotated, Final
+from typing import Annotated, Final, Literal
 
 from fastapi import APIRouter, Path, Query, Request, Response, status
 
 from epf_gcs.errors import ConflictError, InvalidInputError
-from epf_gcs.web.access.addresses import addresses, qr_svg, with_key
+from epf_gcs.web.access.addresses import addresses, qr_svg, qr_svg_of_plain, with_key
 from epf_gcs.web.access.admission import ANYONE, Admission
 from epf_gcs.web.access.caller import Caller, Shown
 from epf_gcs.web.access.roles import Role, name_of
@@ -32,8 +33,10 @@ from epf_gcs.web.access.schemas import (
     ProgramState,
     SessionList,
     SessionState,
+    Tab,
 )
 from epf_gcs.web.access.store import Invitation, Person, Program, Session
+from epf_gcs.web.access.table import API
 from epf_gcs.web.deps import AdmissionDep, CallerDep, ShownDep
 from epf_gcs.web.problems import problems, reading_problems
 
@@ -41,6 +44,7 @@ router = APIRouter(prefix="/access", tags=["access"])
 
 Id = Annotated[str, Path(pattern="^[0-9a-f]{8,16}$", examples=["0123456789abcdef"])]
 _MOST_DEEDS: Final = 500
+SVG: Final = "image/svg+xml"
 
 
 @router.get("/me", responses=reading_problems())
@@ -164,7 +168,8 @@ async def post_invitation(
     key, made = await admission.invitations.make(Role[body.role], body.minutes, admission.moment())
     admission.log.note(caller, shown.peer.host, "invited", f"{body.role}, {body.minutes} min", "done")
     address = with_key(base, key, body.tab)
-    return NewInvitation(invitation=_invitation(admission, made), key=key, address=address, qr_svg=qr_svg(address))
+    code = await asyncio.to_thread(qr_svg, address)
+    return NewInvitation(invitation=_invitation(admission, made), key=key, address=address, qr_svg=code)
 
 
 @router.delete("/invitations/{invitation_id}", status_code=status.HTTP_204_NO_CONTENT, responses=problems(404, 507))
@@ -178,6 +183,27 @@ async def delete_invitation(invitation_id: Id, caller: CallerDep, shown: ShownDe
 async def get_addresses(admission: AdmissionDep) -> Addresses:
     """Where browsers of other machines reach this station."""
     return Addresses(addresses=_addresses(admission), tls=admission.is_secure)
+
+
+@router.get(
+    "/code",
+    responses={200: {"content": {SVG: {"schema": {"type": "string"}}}}, **reading_problems()},
+    response_class=Response,
+)
+async def get_code(
+    request: Request,
+    admission: AdmissionDep,
+    address: Annotated[str, Query(max_length=200, description="Of `GET /access/addresses`, or the one asked at.")],
+    to: Annotated[Literal["page", "authority"], Query(description="What it leads to.")] = "page",
+    tab: Annotated[Tab | None, Query(description="The tab that is opened.")] = None,
+) -> Response:
+    """A QR code of an address of this station, without a key in it (SVG)."""
+    if address not in (*_addresses(admission), str(request.base_url).rstrip("/")):
+        raise InvalidInputError(
+            "invalid_request", "'address' is none of this station's: see GET /access/addresses.", field="address"
+        )
+    text = f"{address}{API}/access/authority" if to == "authority" else f"{address}/" + (f"#tab={tab}" if tab else "")
+    return Response(await asyncio.to_thread(qr_svg_of_plain, text), media_type=SVG)
 
 
 @router.get("/log", responses=reading_problems())
@@ -222,7 +248,8 @@ def _keep_an_owner(admission: Admission, person_id: str, *, stays: bool) -> None
 
 
 def _addresses(admission: Admission) -> list[str]:
-    return addresses(admission.policy.host, admission.port, secure=admission.is_secure)
+    policy = admission.policy
+    return addresses(policy.host, admission.port, secure=admission.is_secure, reached_at=policy.reached_at)
 
 
 def _person(admission: Admission, caller: Caller | None, person: Person) -> PersonState:
