@@ -1,4 +1,4 @@
-import { screen, within } from "@testing-library/react";
+import { screen, waitFor, within } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { expect, test } from "vitest";
 import { type Asked, Station } from "../../test/station";
@@ -113,7 +113,11 @@ test("an owner ends somebody after being asked, and not by closing the question"
   await user.click(within(screen.getByRole("alertdialog")).getByRole("button", { name: "Terminar" }));
   const change = newest(station, "PATCH", `people/${ANA.id}`);
   expect(change.body).toEqual({ state: "ended" });
+  const asks = () => station.askedAccess.filter(({ path }) => path === "/api/v1/access/people").length;
+  const before = asks();
   await change.answer({ ...ANA, state: "ended", sessions: 0 });
+  await waitFor(() => expect(asks()).toBe(before + 1));
+  station.send({}); // all those answers took longer than a stream may be silent
   await lists(station, [{ ...ANA, state: "ended", sessions: 0 }]);
   expect(screen.queryByRole("alertdialog")).toBeNull();
   expect(within(panel()).queryByRole("button", { name: "Terminar el acceso de Ana · tableta" })).toBeNull();
