@@ -11,6 +11,7 @@ ErrorCode = Literal[
     "access_key_wrong",
     "access_last_owner",
     "access_not_written",
+    "access_too_many_invitations",
     "access_too_many_programs",
     "access_too_many_requests",
     "access_too_many_sessions",
@@ -227,3 +228,7 @@ class NotYoursError(GatewayError):
 
 class TooManyError(GatewayError):
     """Too much was asked; `retry_after_s` is a parameter and says when to come back."""
+
+
+class NotKeptError(GatewayError):
+    """The disk did not take it."""

@@ -217,6 +217,7 @@ export function createPage(world: World): {
     timers: world.timers,
     admission,
     addressed,
+    isEncrypted: world.address.read().startsWith("https:"),
     start: () => socket.start(),
     stop: shutOut,
   });

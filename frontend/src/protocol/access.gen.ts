@@ -19,6 +19,7 @@ export const ACCESS_TABLE: readonly AccessRow[] = [
   { path: "/access/ask", method: "POST", tag: "access", least: "anyone", control: false },
   { path: "/access/authority", method: "GET", tag: "access", least: "anyone", control: false },
   { path: "/access/certificates", method: "GET", tag: "access", least: "owner", control: false },
+  { path: "/access/code", method: "GET", tag: "access", least: "viewer", control: false },
   { path: "/access/enter", method: "POST", tag: "access", least: "anyone", control: false },
   { path: "/access/invitations", method: "GET", tag: "access", least: "owner", control: false },
   { path: "/access/invitations", method: "POST", tag: "access", least: "owner", control: false },

@@ -108,7 +108,7 @@ def create_app(settings: Settings, visitors: Visitors | None = None, certificate
     if certificates is not None:
         # A page of another name, resolved to this machine, gets no further than its browser's warning.
         names += certificates.in_use.names
-    access = Access((settings.host, *settings.allowed_hosts, *names), settings.allowed_origins)
+    access = Access((*settings.names, *names), settings.allowed_origins)
     errors = ErrorLog()
     if certificates is not None:
         certificates.on_fault = errors.report

@@ -147,6 +147,7 @@ _V1: Final[Mapping[tuple[str, str], Entry]] = {
     ("POST", "/access/invitations"): _OWNS,
     ("DELETE", "/access/invitations/{invitation_id}"): _OWNS,
     ("GET", "/access/addresses"): _SEES,
+    ("GET", "/access/code"): _SEES,
     ("GET", "/access/log"): _OWNS,
     ("GET", "/access/certificates"): _OWNS,
     # What a phone needs before it can come in; it is shown in each handshake anyway.
