@@ -10,12 +10,19 @@ import "./MenuBar.css";
 /** The element that holds open menus: beside their bar, in its landmark, and not at the end of the page. */
 const HomeContext = createContext<HTMLElement | null>(null);
 
+interface BarProps {
+  label: string;
+  /** One title under the other, where a row has no room. */
+  orientation?: "horizontal" | "vertical" | undefined;
+  children: ReactNode;
+}
+
 /** The menu bar at the top of the window. The page behind an open menu keeps running. */
-export function MenuBar({ label, children }: { label: string; children: ReactNode }) {
+export function MenuBar({ label, orientation = "horizontal", children }: BarProps) {
   const [home, setHome] = useState<HTMLElement | null>(null);
   return (
     <HomeContext value={home}>
-      <Menubar className="ui-menubar" aria-label={label} modal={false}>
+      <Menubar className="ui-menubar" aria-label={label} modal={false} orientation={orientation}>
         {children}
       </Menubar>
       <div ref={setHome} className="ui-menu-home" />
