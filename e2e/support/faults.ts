@@ -15,7 +15,8 @@ export function layoutFaults(target_px: number): string[] {
   function isShown(element: Element): boolean {
     if (!element.checkVisibility({ visibilityProperty: true })) return false;
     for (let each: Element | null = element; each !== null; each = each.parentElement) {
-      if (getComputedStyle(each).clipPath === "inset(50%)" || each.hasAttribute("data-base-ui-focus-guard")) return false;
+      if (getComputedStyle(each).clipPath === "inset(50%)" || each.hasAttribute("data-base-ui-focus-guard"))
+        return false;
     }
     return true;
   }
@@ -35,7 +36,7 @@ export function layoutFaults(target_px: number): string[] {
   /** Whether an ancestor cuts the text off where no scrolling reaches it. */
   function checkText(text: Text, top: Element): void {
     const holder = text.parentElement;
-    if (holder === null || holder.closest("svg, option, [data-drawn]") !== null || !isShown(holder)) return;
+    if (holder === null || holder.closest("svg, option, [role=application]") !== null || !isShown(holder)) return;
     const range = document.createRange();
     range.selectNodeContents(text);
     const box = range.getBoundingClientRect();
@@ -49,7 +50,9 @@ export function layoutFaults(target_px: number): string[] {
         if (scrolls(style.overflowX)) isOpenX = false;
         if (scrolls(style.overflowY)) isOpenY = false;
         const cutsX =
-          isOpenX && style.overflowX !== "visible" && (box.left < edge.left - SLACK_PX || box.right > edge.right + SLACK_PX);
+          isOpenX &&
+          style.overflowX !== "visible" &&
+          (box.left < edge.left - SLACK_PX || box.right > edge.right + SLACK_PX);
         const cutsY =
           isOpenY &&
           style.overflowY !== "visible" &&
@@ -88,12 +91,20 @@ export function layoutFaults(target_px: number): string[] {
       box.right <= innerWidth + SLACK_PX &&
       (box.height > innerHeight || (box.top >= -SLACK_PX && box.bottom <= innerHeight + SLACK_PX));
     if (!isIn) {
-      found.add(`outside the window: ${nameOf(target)} at ${[box.left, box.top, box.right, box.bottom].map(Math.round)}`);
+      found.add(
+        `outside the window: ${nameOf(target)} at ${[box.left, box.top, box.right, box.bottom].map(Math.round)}`,
+      );
       return;
     }
     const [x, y] = [box.left + box.width / 2, Math.min(innerHeight - 1, box.top + box.height / 2)];
     const hit = document.elementFromPoint(x, y);
-    if (hit !== null && hit !== target && !target.contains(hit) && !control.contains(hit) && !hit.closest("label")?.contains(control)) {
+    if (
+      hit !== null &&
+      hit !== target &&
+      !target.contains(hit) &&
+      !control.contains(hit) &&
+      !hit.closest("label")?.contains(control)
+    ) {
       found.add(`covered: ${nameOf(target)} by ${nameOf(hit)}`);
     }
     const isInText = target.tagName === "A" && style.display === "inline";
@@ -104,7 +115,9 @@ export function layoutFaults(target_px: number): string[] {
 
   function checkSideways(element: Element): void {
     if (element.scrollWidth <= element.clientWidth + 1 || element.clientWidth === 0) return;
-    const isTable = element.querySelector(":scope > table, :scope > [role=table], :scope > [role=grid]") !== null;
+    const isTable =
+      element.tagName === "TABLE" ||
+      element.querySelector(":scope > table, :scope > [role=table], :scope > [role=grid]") !== null;
     if (isTable || element.getAttribute("role") === "tablist" || !isShown(element)) return;
     if (element instanceof HTMLInputElement) {
       if (element.inputMode === "decimal") found.add(`cut number: ${nameOf(element)} "${element.value}"`);

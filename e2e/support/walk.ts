@@ -1,4 +1,4 @@
-import type { CDPSession, Page } from "@playwright/test";
+import type { CDPSession, Locator, Page } from "@playwright/test";
 import { layoutFaults } from "./faults.js";
 
 export interface Size {
@@ -6,7 +6,7 @@ export interface Size {
   readonly height: number;
   /** Fingers, not a mouse. */
   readonly touch?: true;
-  /** How far the browser is zoomed: the window is given in CSS pixels. */
+  /** How far the browser is zoomed, which makes the window this small in CSS pixels. */
   readonly zoom?: number;
 }
 
@@ -30,6 +30,17 @@ export function sizeName({ width, height, touch, zoom }: Size): string {
   return `${width}x${height}${touch ? "-touch" : ""}${zoom === undefined ? "" : `-zoom${zoom * 100}`}`;
 }
 
+const VIEW_MENU = 5;
+/** Menus and their entries that open a dialog, by their places: words change with the language. */
+const DIALOGS = [
+  [2, 0],
+  [5, 5],
+  [5, 7],
+  [6, 0],
+  [6, 1],
+  [6, 2],
+] as const;
+
 /** The least side of a target: where fingers touch, or the window is so small that it is laid out for them. */
 const FINGER_PX = 44;
 
@@ -52,26 +63,85 @@ export class Walk {
     this.size = size;
     await this.openTab(0);
     await this.devtools.send("Emulation.setTouchEmulationEnabled", { enabled: size.touch === true, maxTouchPoints: 5 });
-    await this.devtools.send("Emulation.setDeviceMetricsOverride", {
+    await this.page.setViewportSize({ width: size.width, height: size.height });
+    await this.page.waitForFunction(({ width, height }) => innerWidth === width && innerHeight === height, {
       width: size.width,
       height: size.height,
-      deviceScaleFactor: size.zoom ?? 1,
-      mobile: false,
     });
-    await this.page.waitForFunction(
-      ({ width, height }) => innerWidth === width && innerHeight === height,
-      { width: size.width, height: size.height },
-    );
     await this.still();
   }
 
+  /** Dark, light or sunlight. */
+  async wear(look: string): Promise<void> {
+    await this.set("theme", look);
+  }
+
   async speak(language: "es" | "en"): Promise<void> {
-    await this.page.keyboard.press("Escape");
-    await this.page.evaluate((code) => {
-      const wanted = code === "es" ? "Español" : "English";
-      for (const label of document.querySelectorAll("label")) if (label.textContent === wanted) label.click();
-    }, language);
-    await this.page.waitForFunction((code) => document.documentElement.lang === code, language);
+    await this.set("lang", language);
+  }
+
+  /** By the menu "Ver", which every window has. */
+  private async set(what: "theme" | "lang", value: string): Promise<void> {
+    const choice = { dark: 0, light: 1, sunlight: 2, es: 3, en: 4 }[value] ?? 0;
+    const menus = await this.openMenus();
+    await menus.nth(VIEW_MENU).click();
+    await this.page.getByRole("menu").getByRole("menuitemradio").nth(choice).click();
+    await this.page.waitForFunction(
+      ([kind, wanted]) =>
+        (kind === "lang" ? document.documentElement.lang : document.documentElement.dataset["theme"]) === wanted,
+      [what, value] as const,
+    );
+    await this.closeAll();
+  }
+
+  /** The titles of the menus: in the window's bar, or in the drawer. */
+  private async openMenus(): Promise<Locator> {
+    const bar = this.page.getByRole("menubar");
+    if ((await bar.count()) === 0) await this.page.locator(".app-strip > button").click();
+    return bar.getByRole("menuitem");
+  }
+
+  private async closeAll(): Promise<void> {
+    for (let nth = 0; nth < 4; nth += 1) {
+      if ((await this.page.locator("[role=menu], [role=dialog], [role=alertdialog]").count()) === 0) return;
+      await this.page.keyboard.press("Escape");
+      await this.still();
+    }
+  }
+
+  /** Everything wrong with the menus, and with the dialogs that they open. */
+  async overlays(): Promise<string[]> {
+    const faults: string[] = [];
+    await this.openTab(0);
+    const hasDrawer = (await this.page.getByRole("menubar").count()) === 0;
+    let menus = await this.openMenus();
+    if (hasDrawer) faults.push(...(await this.look("drawer")));
+    const count = await menus.count();
+    for (let at = 0; at < count; at += 1) {
+      await menus.nth(at).click();
+      await this.page.getByRole("menu").waitFor();
+      faults.push(...(await this.look(`menu ${await menus.nth(at).textContent()}`)));
+      await this.page.keyboard.press("Escape");
+      await this.page.getByRole("menu").waitFor({ state: "detached" });
+    }
+    await this.closeAll();
+    for (const [menu, entry] of DIALOGS) {
+      menus = await this.openMenus();
+      await menus.nth(menu).click();
+      const item = this.page.getByRole("menu").locator("[role=menuitem], [role=menuitemradio]").nth(entry);
+      const name = await item.textContent();
+      await item.click();
+      await this.page.locator("[role=dialog], [role=alertdialog]").last().waitFor();
+      await this.page.waitForFunction(() => document.querySelectorAll("[role=menu]").length === 0);
+      faults.push(...(await this.look(`dialog ${name}`)));
+      await this.closeAll();
+    }
+    if (hasDrawer) {
+      await this.page.locator(".app-all-tabs > button").click();
+      faults.push(...(await this.look("all tabs")));
+      await this.closeAll();
+    }
+    return faults;
   }
 
   /** Everything wrong on every main tab and every tab within it. */
@@ -100,9 +170,9 @@ export class Walk {
   /** Everything wrong with what is on top now. */
   async look(what: string): Promise<string[]> {
     await this.still();
+    await this.onScreen(what);
     const isSmall = await this.page.evaluate(() => document.documentElement.dataset["layout"] !== "wide");
     const faults = await this.page.evaluate(layoutFaults, this.size.touch === true || isSmall ? FINGER_PX : 0);
-    await this.onScreen(what);
     return faults.map((fault) => `${sizeName(this.size)} | ${what} | ${fault}`);
   }
 

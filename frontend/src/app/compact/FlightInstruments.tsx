@@ -22,10 +22,16 @@ export function FlightInstruments() {
       </div>
       <div className="flying-numbers">
         <ReadoutGrid>
-          <LiveReadout topic="analog" field="calibrated_airspeed_kt" label="flying.airspeed" as="speed" />
-          <LiveReadout topic="gps" field="speed_kt" label="flying.groundSpeed" as="speed" />
-          <LiveReadout topic="analog" field="altitude_m" label="analog.altitude" as="altitude" />
-          <LiveReadout topic="ahrs" field="yaw_deg" label="attitude.heading" as={HEADING} />
+          <LiveReadout
+            topic="analog"
+            field="calibrated_airspeed_kt"
+            chars={5}
+            label="flying.airspeed"
+            as="speed"
+          />
+          <LiveReadout topic="gps" field="speed_kt" chars={5} label="flying.groundSpeed" as="speed" />
+          <LiveReadout topic="analog" field="altitude_m" chars={5} label="analog.altitude" as="altitude" />
+          <LiveReadout topic="ahrs" field="yaw_deg" chars={5} label="attitude.heading" as={HEADING} />
         </ReadoutGrid>
         <div className="flying-flags">
           <LiveFlag topic="heartbeat" read={readAutopilot} label={t("flag.autopilot")} />
