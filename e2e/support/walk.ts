@@ -31,14 +31,15 @@ export function sizeName({ width, height, touch, zoom }: Size): string {
 }
 
 const VIEW_MENU = 5;
-/** Menus and their entries that open a dialog, by their places: words change with the language. */
+/** Menus by their places, and their entries that open a dialog, in both languages. */
 const DIALOGS = [
-  [2, 0],
-  [5, 5],
-  [5, 7],
-  [6, 0],
-  [6, 1],
-  [6, 2],
+  [2, /^Reset$/],
+  [5, /^(Abrir esta pestaña en una tableta|Open this tab on a tablet)/],
+  [5, /^(Registro de mensajes|Log of messages)/],
+  [5, /^(Ajustes|Settings)/],
+  [6, /^(Guía|Guide)/],
+  [6, /^(Atajos|Keyboard)/],
+  [6, /^(Acerca de|About)/],
 ] as const;
 
 /** The least side of a target: where fingers touch, or the window is so small that it is laid out for them. */
@@ -88,7 +89,7 @@ export class Walk {
     await this.page.getByRole("menu").getByRole("menuitemradio").nth(choice).click();
     await this.page.waitForFunction(
       ([kind, wanted]) =>
-        (kind === "lang" ? document.documentElement.lang : document.documentElement.dataset["theme"]) === wanted,
+        (kind === "lang" ? document.documentElement.lang : document.documentElement.dataset.theme) === wanted,
       [what, value] as const,
     );
     await this.closeAll();
@@ -128,7 +129,7 @@ export class Walk {
     for (const [menu, entry] of DIALOGS) {
       menus = await this.openMenus();
       await menus.nth(menu).click();
-      const item = this.page.getByRole("menu").locator("[role=menuitem], [role=menuitemradio]").nth(entry);
+      const item = this.page.getByRole("menu").getByRole("menuitem", { name: entry });
       const name = await item.textContent();
       await item.click();
       await this.page.locator("[role=dialog], [role=alertdialog]").last().waitFor();
@@ -171,7 +172,7 @@ export class Walk {
   async look(what: string): Promise<string[]> {
     await this.still();
     await this.onScreen(what);
-    const isSmall = await this.page.evaluate(() => document.documentElement.dataset["layout"] !== "wide");
+    const isSmall = await this.page.evaluate(() => document.documentElement.dataset.layout !== "wide");
     const faults = await this.page.evaluate(layoutFaults, this.size.touch === true || isSmall ? FINGER_PX : 0);
     return faults.map((fault) => `${sizeName(this.size)} | ${what} | ${fault}`);
   }

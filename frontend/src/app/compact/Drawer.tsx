@@ -12,6 +12,7 @@ import { useOpenTab } from "../openTab";
 import { LinkFigures } from "../StatusBar";
 import { AutomaticControls, SignalControls } from "../Toolbars";
 import { chooseTimeBar, isTimeBarShown } from "./timeBarChoice";
+import "./drawer.css";
 
 /** Everything for which a small window has no place: both toolbars, the pilot's controls, the menus, the links, the look. */
 export function Drawer() {

@@ -8,6 +8,7 @@ import { LiveReadout } from "../../readouts/LiveReadout";
 import { HEADING } from "../../readouts/notations";
 import { ReadoutGrid } from "../../ui/Readout";
 import { useScrolledByKey } from "../../ui/useScrolledByKey";
+import "./flying.css";
 
 /** What the aircraft is flown by, in a small window: attitude, heading, speeds, altitude, and whether it flies by itself. */
 export function FlightInstruments() {
