@@ -4,11 +4,31 @@ import { readAutopilot, readAutotrim } from "../../features/controls/axes";
 import { LiveAttitude } from "../../readouts/LiveAttitude";
 import { LiveFlag } from "../../readouts/LiveFlag";
 import { boardBearing_deg, boardHeading_deg, LiveHeading } from "../../readouts/LiveHeading";
-import { LiveReadout } from "../../readouts/LiveReadout";
-import { HEADING } from "../../readouts/notations";
+import type { ReadoutLayout, ReadoutRows } from "../../readouts/LiveReadout";
+import { Readouts } from "../../readouts/ReadoutTable";
+import { YAW } from "../../readouts/rows";
 import { ReadoutGrid } from "../../ui/Readout";
 import { useScrolledByKey } from "../../ui/useScrolledByKey";
 import "./flying.css";
+
+type Shown = ReadoutRows & ReadoutLayout;
+
+const AIRSPEED: Shown = {
+  topic: "analog",
+  chars: 5,
+  rows: [{ field: "calibrated_airspeed_kt", label: "flying.airspeed", as: "speed" }],
+};
+const GROUND_SPEED: Shown = {
+  topic: "gps",
+  chars: 5,
+  rows: [{ field: "speed_kt", label: "flying.groundSpeed", as: "speed" }],
+};
+const ALTITUDE: Shown = {
+  topic: "analog",
+  chars: 5,
+  rows: [{ field: "altitude_m", label: "analog.altitude", as: "altitude" }],
+};
+const ATTITUDE_HEADING: Shown = { topic: "ahrs", chars: 5, rows: [YAW] };
 
 /** What the aircraft is flown by, in a small window: attitude, heading, speeds, altitude, and whether it flies by itself. */
 export function FlightInstruments() {
@@ -23,16 +43,10 @@ export function FlightInstruments() {
       </div>
       <div className="flying-numbers">
         <ReadoutGrid>
-          <LiveReadout
-            topic="analog"
-            field="calibrated_airspeed_kt"
-            chars={5}
-            label="flying.airspeed"
-            as="speed"
-          />
-          <LiveReadout topic="gps" field="speed_kt" chars={5} label="flying.groundSpeed" as="speed" />
-          <LiveReadout topic="analog" field="altitude_m" chars={5} label="analog.altitude" as="altitude" />
-          <LiveReadout topic="ahrs" field="yaw_deg" chars={5} label="attitude.heading" as={HEADING} />
+          <Readouts {...AIRSPEED} />
+          <Readouts {...GROUND_SPEED} />
+          <Readouts {...ALTITUDE} />
+          <Readouts {...ATTITUDE_HEADING} />
         </ReadoutGrid>
         <div className="flying-flags">
           <LiveFlag topic="heartbeat" read={readAutopilot} label={t("flag.autopilot")} />

@@ -1,10 +1,12 @@
 import { X } from "lucide-react";
-import { type PointerEvent, type RefObject, useEffect, useRef } from "react";
+import { type PointerEvent, type RefObject, useCallback, useEffect, useRef } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useSentence } from "../../i18n/useSentence";
 import { useStickIsMine, useStickKind } from "../../readouts/useStick";
 import { useCommandEntry, usePage, usePart } from "../../store/hooks";
+import type { TelemetryStore } from "../../store/telemetry";
+import { usePaint } from "../../store/usePaint";
 import { Button } from "../../ui/Button";
 import { onDialogs } from "../../ui/openDialogs";
 import { GAMEPADS } from "./gamepadList";
@@ -84,14 +86,14 @@ function StickPad({ knob, paint, isBlocked }: PadProps & { readonly isBlocked: b
   const { t } = useTranslation();
   const stick = usePart(TOUCH_STICK);
   const gamepads = usePart(GAMEPADS);
-  const { telemetry } = usePage();
+  const throttle = useFlownThrottle();
   const isMine = useStickIsMine();
   const pad = useFinger({
     press: (at) => {
       if (isBlocked) {
         return false;
       }
-      stick.hold(at, telemetry.liveNumber("xplane_info", "throttle", performance.now()) ?? 0);
+      stick.hold(at, throttle.current);
       if (!isMine) {
         gamepads.select(TOUCH_PAD);
         void gamepads.fly(FLY);
@@ -131,6 +133,16 @@ function LeverPad({ knob, paint }: PadProps) {
       <span ref={knob} className="touch-knob" />
     </div>
   );
+}
+
+/** The power that flies now; none where it is not known. */
+function useFlownThrottle(): RefObject<number> {
+  const throttle = useRef(0);
+  const read = useCallback((telemetry: TelemetryStore, now_ms: number) => {
+    throttle.current = telemetry.liveNumber("xplane_info", "throttle", now_ms) ?? 0;
+  }, []);
+  usePaint("text", read);
+  return throttle;
 }
 
 interface Finger {
