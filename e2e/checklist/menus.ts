@@ -43,6 +43,7 @@ export const MENUS: readonly Menu[] = [
         name: "Mando de este navegador",
         reason: "Ningún mando a la vista: conéctalo y pulsa uno de sus botones.",
       },
+      { role: "menuitem", name: "Palanca en la pantalla" },
       { role: "menuitem", name: "Ajustar el mando…" },
       { ...item("Fly-by-wire", "actionServos_Control_Mode_FBW"), group: "Control ServosOut" },
       { ...item("HIL", "actionServos_Control_Mode_HIL"), group: "Control ServosOut" },

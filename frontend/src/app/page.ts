@@ -24,6 +24,7 @@ import { FLIGHTS } from "../features/flights/flightLibrary";
 import { createFlights } from "../features/flights/flightRequests";
 import { createGamepadInput, type GamepadReader } from "../features/gamepad/gamepadInput";
 import { GAMEPADS } from "../features/gamepad/gamepadList";
+import { TOUCH_STICK } from "../features/gamepad/touchStick";
 import { createFlightLog, FLIGHT_LOG } from "../features/log/flightLog";
 import { MAP_LAYERS } from "../features/map/layers/layerList";
 import { createMapLayerActions } from "../features/map/layers/layerRequests";
@@ -290,6 +291,7 @@ export function createPage(world: World): {
     .with(TRACK_EDITS, createTrackEdits(asking))
     .with(SERVO_SLIDERS, servos.sliders)
     .with(GAMEPADS, gamepads.gamepads)
+    .with(TOUCH_STICK, gamepads.touchStick)
     .with(BOARD_CONSOLE, boardConsole)
     .with(FLIGHTS, flights)
     .with(FLIGHT_LOG, flightLog)
