@@ -85,6 +85,7 @@ def test_a_file_cut_at_any_byte_opens_with_every_whole_record(path: Path) -> Non
         assert recording.damage is None, size
 
 
+@pytest.mark.uncounted
 def test_a_large_file_cut_at_a_thousand_places_opens_with_every_whole_record(
     path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -22,6 +22,7 @@ from epf_gcs.web.access.admission import Admission
 from epf_gcs.web.access.caller import Caller
 from epf_gcs.web.access.changes import HolderChanged
 from epf_gcs.web.access.control import Control
+from epf_gcs.web.checklist.kept import KeptChecklist
 from epf_gcs.web.flights.aircraft import AircraftName
 from epf_gcs.web.flights.flights import Flights
 from epf_gcs.web.flights.imports import FlightImports
@@ -89,6 +90,8 @@ class Station:
             "flights": self.flights,
             "flight_queries": self.queries,
             "flight_imports": FlightImports(self.flights),
+            "checklist": KeptChecklist(data_dir),
+            "hub": self.hub,
             "clock": self.clock,
         }
 

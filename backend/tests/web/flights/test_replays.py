@@ -24,7 +24,7 @@ from tests.replay.recordings import SECOND_NS, STARTS_NS, flight, plain, write
 from tests.support.gateway import Gateway, Stream, running_gateway
 from tests.support.outlet import KeptOutlet
 from tests.support.programs import children_of, gateway_process
-from tests.support.waiting import eventually
+from tests.support.waiting import DEADLINE_S, eventually, first_of
 
 ID = "20260101T120000Z"
 
@@ -47,14 +47,16 @@ def replays() -> list[int]:
 def samples_until(stream: Stream, wanted: Any) -> list[dict[str, Any]]:
     """The samples until a playback message of which `wanted` says yes; every batch is acknowledged."""
     found: list[dict[str, Any]] = []
-    while True:
-        message = stream.receive()
+
+    def told(message: dict[str, Any]) -> bool | None:
         if message["type"] == "batch":
             assert message["missed"] == 0
-            found += message["samples"]
+            found.extend(message["samples"])
             stream.acknowledge(message)
-        elif message["type"] == "playback" and wanted(message):
-            return found
+        return True if message["type"] == "playback" and wanted(message) else None
+
+    first_of(stream.receive, told, "a playback that was wanted")
+    return found
 
 
 def test_it_says_hello_as_the_past_and_shows_the_moment(station: Gateway) -> None:
@@ -202,7 +204,7 @@ def test_a_replay_ends_when_the_web_process_is_killed(tmp_path: Path) -> None:
     with gateway_process(tmp_path) as gateway:
         url = gateway.wait_for_words(r"url=(http://\S+)").replace("http", "ws")
         with connect(f"{url}/api/v1/stream?flight={ID}") as connection:
-            assert orjson.loads(connection.recv())["type"] == "hello"
+            assert orjson.loads(connection.recv(DEADLINE_S))["type"] == "hello"
             (web,) = [pid for pid in children_of(gateway.process.pid) if b"epf_gcs.web" in _words(pid)]
             (replay,) = [pid for pid in children_of(web) if b"epf_gcs.replay" in _words(pid)]
             os.kill(web, signal.SIGKILL)

@@ -70,6 +70,9 @@ _V1: Final[Mapping[tuple[str, str], Entry]] = {
     ("POST", "/missions/export"): _SEES,
     ("POST", "/missions/import"): Entry(_operator),
     ("GET", "/alarms"): _SEES,
+    ("GET", "/checklist"): _SEES,
+    ("PUT", "/checklist"): Entry(_operator, deed="checklist"),
+    ("DELETE", "/checklist"): Entry(_operator, deed="checklist"),
     ("GET", "/alarms/thresholds"): _SEES,
     ("PUT", "/alarms/thresholds"): _command("alarms"),
     ("POST", "/alarms/{alarm_id}/acknowledge"): _command("alarms"),
@@ -144,6 +147,7 @@ _V1: Final[Mapping[tuple[str, str], Entry]] = {
     ("POST", "/access/invitations"): _OWNS,
     ("DELETE", "/access/invitations/{invitation_id}"): _OWNS,
     ("GET", "/access/addresses"): _SEES,
+    ("GET", "/access/code"): _SEES,
     ("GET", "/access/log"): _OWNS,
     ("GET", "/access/certificates"): _OWNS,
     # What a phone needs before it can come in; it is shown in each handshake anyway.
