@@ -24,7 +24,7 @@ import { createGamepadInput, type GamepadReader } from "../features/gamepad/game
 import { GAMEPADS } from "../features/gamepad/gamepadList";
 import { MAP_LAYERS } from "../features/map/layers/layerList";
 import { createMapLayerActions } from "../features/map/layers/layerRequests";
-import { createMapSelection, MAP_SELECTION } from "../features/map/mapSelection";
+import { createMapTool, MAP_TOOL } from "../features/map/tools/mapTool";
 import { createTrackEdits, TRACK_EDITS } from "../features/map/trackEdits";
 import { TRACK_LOG } from "../features/map/trackLog";
 import { createTrackLog } from "../features/map/trackRequests";
@@ -43,6 +43,7 @@ import type { AnimationFrames } from "../lib/animationFrames";
 import type { Timers } from "../lib/timers";
 import { createPlanActions, takePlanEvent, takePlanStatus } from "../missions/missionRequests";
 import { createPlans, MISSIONS } from "../missions/planDrafts";
+import { createSelection, SELECTION } from "../missions/selection";
 import { BOARD_RESTARTED } from "../protocol/boardRestart";
 import type { StreamEvent, StreamMessage } from "../protocol/envelope";
 import type { Status } from "../protocol/status";
@@ -283,7 +284,8 @@ export function createPage(world: World): {
     .with(MISSIONS, createPlanActions(plans, world.saveFile, asking))
     .with(AHRS, createAhrs3d(asking))
     .with(SOURCE_RETURN, sourceReturn)
-    .with(MAP_SELECTION, createMapSelection())
+    .with(SELECTION, createSelection())
+    .with(MAP_TOOL, createMapTool())
     .with(MAP_LAYERS, mapLayers)
     .with(TRACK_LOG, trackLog)
     .with(TRACK_EDITS, createTrackEdits(asking))

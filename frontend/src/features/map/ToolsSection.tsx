@@ -1,14 +1,17 @@
 import { Crosshair, Ruler, Trash2, Undo2 } from "lucide-react";
-import { useEffect, useMemo, useState } from "react";
+import { useCallback, useEffect, useMemo } from "react";
 import { useTranslation } from "react-i18next";
 import { formatHeading } from "../../lib/format";
 import { bearing_deg, distance_m } from "../../lib/geodesy";
 import { useUnit } from "../../readouts/useUnit";
 import type { GroundPlace } from "../../scene/tools/MapPointer";
 import type { MapTools } from "../../scene/tools/MapTools";
+import { usePart } from "../../store/hooks";
 import { Button } from "../../ui/Button";
 import { Panel } from "../../ui/Panel";
 import { useFlat } from "./flat/useFlat";
+import { chooseTool, MAP_TOOL } from "./tools/mapTool";
+import { useMapTool } from "./tools/useMapTool";
 import { useMapTools } from "./tools/useMapTools";
 
 interface Leg {
@@ -37,8 +40,15 @@ export function ToolsSection() {
     ? flat.scene
     : onGlobe;
   const distance = useUnit("distance");
-  const [isOn, setOn] = useState(false);
-  const [places, setPlaces] = useState<readonly GroundPlace[]>([]);
+  const mapTool = usePart(MAP_TOOL);
+  const isOn = useMapTool(({ tool }) => tool === "measure");
+  const places = useMapTool(({ measured }) => measured);
+  const setOn = useCallback((on: boolean) => chooseTool(mapTool, on ? "measure" : "pick"), [mapTool]);
+  const setPlaces = useCallback(
+    (change: (before: readonly GroundPlace[]) => readonly GroundPlace[]) =>
+      mapTool.setState(({ measured }) => ({ measured: change(measured) })),
+    [mapTool],
+  );
   const legs = useMemo(() => measuredLegs(places), [places]);
   const written = (length_m: number): string => `${distance.format(length_m)} ${distance.label}`;
   const icon = { size: 14, "aria-hidden": true } as const;
@@ -46,7 +56,7 @@ export function ToolsSection() {
   useEffect(() => {
     tools?.measure(isOn ? (place) => setPlaces((before) => [...before, place]) : null);
     return () => tools?.measure(null);
-  }, [tools, isOn]);
+  }, [tools, isOn, setPlaces]);
   useEffect(() => {
     tools?.showDistance(
       places.map((place, index) => {
@@ -68,7 +78,7 @@ export function ToolsSection() {
     };
     window.addEventListener("keydown", press, { capture: true });
     return () => window.removeEventListener("keydown", press, { capture: true });
-  }, [isOn]);
+  }, [isOn, setOn, setPlaces]);
 
   return (
     <Panel title={t("map.tools.title")} className="map-tools">
@@ -84,7 +94,7 @@ export function ToolsSection() {
         <Button
           onPress={() => {
             const place = tools?.centre() ?? null;
-            if (place !== null) setPlaces([...places, place]);
+            if (place !== null) setPlaces((before) => [...before, place]);
           }}
           icon={<Crosshair {...icon} />}
           disabledReason={tools === null ? t("map.view.loading") : undefined}
@@ -92,7 +102,7 @@ export function ToolsSection() {
           {t("map.tools.fromCentre")}
         </Button>
         <Button
-          onPress={() => setPlaces(places.slice(0, -1))}
+          onPress={() => setPlaces((before) => before.slice(0, -1))}
           icon={<Undo2 {...icon} />}
           label={t("map.tools.undo")}
           disabledReason={places.length === 0 ? t("map.tools.nothing") : undefined}
@@ -100,7 +110,7 @@ export function ToolsSection() {
           {null}
         </Button>
         <Button
-          onPress={() => setPlaces([])}
+          onPress={() => setPlaces(() => [])}
           icon={<Trash2 {...icon} />}
           label={t("map.tools.clear")}
           disabledReason={places.length === 0 ? t("map.tools.nothing") : undefined}

@@ -92,19 +92,35 @@ export class MapTools {
     }
   }
 
+  /** Show this place in the middle, from as far and as steeply as what is there now; the camera must be free. */
+  centreOn(place: GroundPlace): void {
+    const { camera } = this.#globe.scene;
+    this.#lookFrom(place, camera.heading, this.#range_m(this.centre()));
+  }
+
   /** Turn about the middle of the picture until north is up. */
   northUp(): void {
     const { camera } = this.#globe.scene;
     const place = this.centre();
     if (place === null) {
       camera.setView({ orientation: { heading: 0, pitch: camera.pitch, roll: 0 } });
+      this.#globe.requestRender();
     } else {
-      const middle = Cartesian3.fromDegrees(place.longitude_deg, place.latitude_deg, place.height_m ?? 0);
-      const range = Cartesian3.distance(camera.positionWC, middle);
-      camera.lookAt(middle, new HeadingPitchRange(0, camera.pitch, range));
-      camera.lookAtTransform(Matrix4.IDENTITY);
+      this.#lookFrom(place, 0, this.#range_m(place));
     }
+  }
+
+  #lookFrom(place: GroundPlace, heading: number, range_m: number): void {
+    const { camera } = this.#globe.scene;
+    camera.lookAt(inSpace(place), new HeadingPitchRange(heading, camera.pitch, range_m));
+    camera.lookAtTransform(Matrix4.IDENTITY);
     this.#globe.requestRender();
+  }
+
+  #range_m(place: GroundPlace | null): number {
+    return place === null
+      ? NEAREST_M
+      : Cartesian3.distance(this.#globe.scene.camera.positionWC, inSpace(place));
   }
 
   dispose(): void {
@@ -151,4 +167,8 @@ export class MapTools {
     const right = camera.pickEllipsoid(new Cartesian2(x + SPAN_PX / 2, y));
     return left === undefined || right === undefined ? null : Cartesian3.distance(left, right) / SPAN_PX;
   }
+}
+
+function inSpace({ longitude_deg, latitude_deg, height_m }: GroundPlace): Cartesian3 {
+  return Cartesian3.fromDegrees(longitude_deg, latitude_deg, height_m ?? 0);
 }

@@ -17,12 +17,12 @@ import { useHome } from "../plan/useHome";
 import { useMapPlan } from "../plan/useMapPlan";
 import { useFollowed } from "../useFlightScene";
 import { flatAircraft } from "./flatAircraft";
+import { FOLLOW_CHOICE } from "./useFlat";
 import { useFlatContents } from "./useFlatContents";
 import { useFlatScene } from "./useFlatScene";
 import "../tools/tools.css";
 import "./flat.css";
 
-const FOLLOW = "map.flat.follow";
 /** Drawing order: the last is on top. */
 const DRAWN: readonly Aircraft[] = ["hil", "flight"];
 /** Greatest length of the scale bar, pixels. */
@@ -39,8 +39,8 @@ export function FlatMap({ onScene }: { onScene: (scene: FlatScene | null) => voi
   const pointer = useRef<HTMLSpanElement>(null);
   const [pixel_m, setPixel_m] = useState(0);
   const contents = useFlatContents();
-  const isFollowing = useSettings(({ choices }) => choices[FOLLOW] !== "off");
-  const follow = useCallback((isOn: boolean) => choose(settings, FOLLOW, isOn ? "on" : "off"), [settings]);
+  const isFollowing = useSettings(({ choices }) => choices[FOLLOW_CHOICE] !== "off");
+  const follow = useCallback((isOn: boolean) => choose(settings, FOLLOW_CHOICE, isOn ? "on" : "off"), [settings]);
   const deg = t("unit.deg");
   const dash = t("words.dash");
   const scene = useFlatScene(canvas, {
