@@ -9,6 +9,7 @@ import { usePaint } from "../store/usePaint";
 import { MessageLine } from "../ui/MessageLine";
 import { Meter, type MeterHandle } from "../ui/Meter";
 import { SteadyText, type SteadyTextHandle } from "../ui/SteadyText";
+import { useDialogs } from "./dialogs/dialogs";
 
 /** Bottom row: last message, health of the links of the vehicle that is shown, recording of the present one. */
 export function StatusBar({ present }: { present: Page }) {
@@ -34,8 +35,10 @@ function LastMessage() {
   const sentence = useSentence();
   const language = usePage().settings.getState().language;
   const last = useStore(messages, (state) => state.last);
+  const { open } = useDialogs();
   return (
     <MessageLine
+      action={{ label: t("status.openLog"), onPress: () => open("log") }}
       label={t("status.message")}
       text={last === null ? t("status.noMessage") : sentence(last)}
       level={last?.level}

@@ -18,6 +18,8 @@ import gamepadEn from "../features/gamepad/gamepad.en.json";
 import gamepadEs from "../features/gamepad/gamepad.es.json";
 import guideEn from "../features/guide/guide.en.json";
 import guideEs from "../features/guide/guide.es.json";
+import logEn from "../features/log/log.en.json";
+import logEs from "../features/log/log.es.json";
 import mapEn from "../features/map/map.en.json";
 import mapEs from "../features/map/map.es.json";
 import messagesEn from "../features/messages/messages.en.json";
@@ -61,6 +63,7 @@ export const CATALOGUES = {
     ...flightsEs,
     ...gamepadEs,
     ...guideEs,
+    ...logEs,
     ...mapEs,
     ...messagesEs,
     ...parametersEs,
@@ -87,6 +90,7 @@ export const CATALOGUES = {
     ...flightsEn,
     ...gamepadEn,
     ...guideEn,
+    ...logEn,
     ...mapEn,
     ...messagesEn,
     ...parametersEn,

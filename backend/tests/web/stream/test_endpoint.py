@@ -65,10 +65,15 @@ def test_samples_arrive_with_their_time_and_values(gateway: Gateway, board: Fake
 def test_every_sample_comes_at_rate_zero(gateway: Gateway, board: FakeBoard) -> None:
     gateway.open_board(board.url)
     with gateway.stream("?rate=0") as stream:
-        times: list[float] = []
-        while len(times) < 30:
-            times += [s["t_s"] for s in stream.next("batch")["samples"] if s["topic"] == "heartbeat"]
-        assert times == sorted(set(times))
+        sent = [float(place) for place in range(30)]
+        for latitude_deg in sent:
+            board.send_gps(latitude_deg, 0.0, 0.0)
+        samples: list[dict[str, Any]] = []
+        while len(samples) < len(sent):
+            samples += [sample for sample in stream.next("batch")["samples"] if sample["topic"] == "gps"]
+        assert [sample["values"]["latitude_deg"] for sample in samples] == sent
+        times = [sample["t_s"] for sample in samples]
+        assert times == sorted(times), "those that were read together have one time"
 
 
 def test_the_sequence_has_no_gap(gateway: Gateway, board: FakeBoard) -> None:

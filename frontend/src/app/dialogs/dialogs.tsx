@@ -10,6 +10,7 @@ import { Notice } from "../../ui/Notice";
 export const DIALOGS = {
   about: lazyPart(async () => (await import("../../features/about/AboutDialog")).AboutContent),
   guide: lazyPart(async () => (await import("../../features/guide/GuideContent")).GuideContent),
+  log: lazyPart(async () => (await import("../../features/log/LogContent")).LogContent),
   settings: lazyPart(async () => (await import("./SettingsDialog")).SettingsContent),
   tablet: lazyPart(async () => (await import("../../features/access/TabletContent")).TabletContent),
   shortcuts: lazyPart(async () => (await import("./ShortcutsDialog")).ShortcutsContent),

@@ -16,6 +16,7 @@ export function ViewMenu() {
       <MenuRule />
       <Language />
       <MenuRule />
+      <LogItem />
       <TabletItem />
       <ToolbarsBack />
       <SettingsItem />
@@ -62,6 +63,12 @@ function ToolbarsBack() {
       }}
     />
   );
+}
+
+function LogItem() {
+  const { t } = useTranslation();
+  const { open } = useDialogs();
+  return <MenuAction label={t("menu.log")} aside="L" onChoose={() => open("log")} />;
 }
 
 function TabletItem() {

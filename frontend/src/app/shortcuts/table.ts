@@ -127,6 +127,13 @@ export const SHORTCUTS: readonly Shortcut[] = [
     run: ({ page }) => page.parts.get(ALARM_LOG).mute(),
   },
   {
+    key: "L",
+    group: "window",
+    words: "menu.log",
+    isArmed: false,
+    run: ({ open }) => open("log"),
+  },
+  {
     key: ",",
     group: "window",
     words: "menu.settings",
