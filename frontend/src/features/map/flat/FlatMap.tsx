@@ -40,7 +40,10 @@ export function FlatMap({ onScene }: { onScene: (scene: FlatScene | null) => voi
   const [pixel_m, setPixel_m] = useState(0);
   const contents = useFlatContents();
   const isFollowing = useSettings(({ choices }) => choices[FOLLOW_CHOICE] !== "off");
-  const follow = useCallback((isOn: boolean) => choose(settings, FOLLOW_CHOICE, isOn ? "on" : "off"), [settings]);
+  const follow = useCallback(
+    (isOn: boolean) => choose(settings, FOLLOW_CHOICE, isOn ? "on" : "off"),
+    [settings],
+  );
   const deg = t("unit.deg");
   const dash = t("words.dash");
   const scene = useFlatScene(canvas, {
