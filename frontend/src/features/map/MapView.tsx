@@ -10,6 +10,7 @@ import { Attribution } from "./layers/Attribution";
 import { MapDrop } from "./layers/MapDrop";
 import { MapCorner } from "./MapCorner";
 import { OnlineSection } from "./OnlineSection";
+import { PatternSection } from "./PatternSection";
 import { PlanSection } from "./PlanSection";
 import { FlyHere } from "./plan/FlyHere";
 import { ThingCard } from "./ThingCard";
@@ -66,6 +67,7 @@ export function MapView() {
             <ThingsSection />
             <TrackSection />
             <PlanSection />
+            <PatternSection />
             <ToolsSection />
             <LayersSection />
             <OnlineSection />

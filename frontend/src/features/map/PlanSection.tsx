@@ -8,9 +8,9 @@ import { useUnit } from "../../readouts/useUnit";
 import { usePage, usePart, useSettings } from "../../store/hooks";
 import { choose } from "../../store/settings";
 import { Checkbox } from "../../ui/Checkbox";
-import { Panel } from "../../ui/Panel";
 import { SegmentedSwitch } from "../../ui/SegmentedSwitch";
 import { Select } from "../../ui/Select";
+import { FoldingPanel } from "./FoldingPanel";
 import { PlanTransfer } from "./plan/PlanTransfer";
 import { type MapPlan, useMapPlan } from "./plan/useMapPlan";
 import { useOpenPlan } from "./plan/useOpenPlan";
@@ -40,7 +40,7 @@ export function PlanSection() {
     thing?.kind === "waypoint" && thing.plan === open && thing.row < plan.waypoints.length ? thing.row : null;
 
   return (
-    <Panel title={t("map.plan.title")} className="map-plan">
+    <FoldingPanel name="plan" title={t("map.plan.title")} className="map-plan">
       <SegmentedSwitch
         label={t("map.plan.which")}
         hideLabel
@@ -72,7 +72,7 @@ export function PlanSection() {
         />
       )}
       <Issues plan={plan} onGo={(at) => selectThing(selection, { kind: "waypoint", plan: open, row: at })} />
-    </Panel>
+    </FoldingPanel>
   );
 }
 

@@ -4,7 +4,7 @@ import type { MapThing } from "../../lib/mapThing";
 import { SELECTION, selectThing } from "../../missions/selection";
 import { usePart, useTelemetry } from "../../store/hooks";
 import { Button } from "../../ui/Button";
-import { Panel } from "../../ui/Panel";
+import { FoldingPanel } from "./FoldingPanel";
 import { PLACE_TOPIC } from "./plan/aircraftPlace";
 import { useMapThing } from "./useMapThing";
 
@@ -30,7 +30,7 @@ export function ThingsSection() {
     { thing: { kind: "home" }, label: t("map.plan.home"), reason: undefined },
   ];
   return (
-    <Panel title={t("map.plan.things")}>
+    <FoldingPanel name="things" title={t("map.plan.things")}>
       <div className="map-plan-buttons">
         {things.map(({ thing, label, reason }) => {
           const isChosen = isSame(thing, chosen);
@@ -53,7 +53,7 @@ export function ThingsSection() {
           );
         })}
       </div>
-    </Panel>
+    </FoldingPanel>
   );
 }
 

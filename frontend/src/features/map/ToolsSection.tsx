@@ -5,14 +5,12 @@ import { formatHeading } from "../../lib/format";
 import { bearing_deg, distance_m } from "../../lib/geodesy";
 import { useUnit } from "../../readouts/useUnit";
 import type { GroundPlace } from "../../scene/tools/MapPointer";
-import type { MapTools } from "../../scene/tools/MapTools";
 import { usePart } from "../../store/hooks";
 import { Button } from "../../ui/Button";
-import { Panel } from "../../ui/Panel";
-import { useFlat } from "./flat/useFlat";
+import { FoldingPanel } from "./FoldingPanel";
 import { chooseTool, MAP_TOOL } from "./tools/mapTool";
 import { useMapTool } from "./tools/useMapTool";
-import { useMapTools } from "./tools/useMapTools";
+import { useScreenTools } from "./tools/useScreenTools";
 
 interface Leg {
   readonly distance_m: number;
@@ -34,11 +32,7 @@ export function measuredLegs(places: readonly GroundPlace[]): readonly Leg[] {
 /** The distance tool: points clicked on the map or taken from its middle, and the distances between them. */
 export function ToolsSection() {
   const { t } = useTranslation();
-  const onGlobe = useMapTools();
-  const flat = useFlat();
-  const tools: Pick<MapTools, "measure" | "showDistance" | "centre"> | null = flat.isShown
-    ? flat.scene
-    : onGlobe;
+  const tools = useScreenTools();
   const distance = useUnit("distance");
   const mapTool = usePart(MAP_TOOL);
   const isOn = useMapTool(({ tool }) => tool === "measure");
@@ -54,7 +48,8 @@ export function ToolsSection() {
   const icon = { size: 14, "aria-hidden": true } as const;
 
   useEffect(() => {
-    tools?.measure(isOn ? (place) => setPlaces((before) => [...before, place]) : null);
+    if (!isOn) return undefined;
+    tools?.measure((place) => setPlaces((before) => [...before, place]));
     return () => tools?.measure(null);
   }, [tools, isOn, setPlaces]);
   useEffect(() => {
@@ -81,7 +76,7 @@ export function ToolsSection() {
   }, [isOn, setOn, setPlaces]);
 
   return (
-    <Panel title={t("map.tools.title")} className="map-tools">
+    <FoldingPanel name="tools" title={t("map.tools.title")} className="map-tools">
       <div className="map-plan-buttons">
         <Button
           pressed={isOn}
@@ -131,6 +126,6 @@ export function ToolsSection() {
         ))}
       </ol>
       {legs.length > 1 && <p>{t("map.tools.total", { distance: written(legs.at(-1)?.total_m ?? 0) })}</p>}
-    </Panel>
+    </FoldingPanel>
   );
 }

@@ -1,5 +1,6 @@
 import type { Position } from "../../lib/geodesy";
 import type { TrackPoints } from "../../lib/track/trackPoints";
+import { AREA } from "../colours";
 import type { Island } from "../globe/chart/coast";
 import type { CompassLetters } from "../globe/chart/graticule";
 import type { MapTarget } from "../plan/target";
@@ -61,6 +62,7 @@ export class FlatScene {
   #aircraft: readonly FlatAircraft[] = [];
   #followed: Position | null = null;
   #measured: readonly MarkedPlace[] = [];
+  #area: readonly MarkedPlace[] = [];
   #isAiming = false;
   #onMeasure: ((place: GroundPlace) => void) | null = null;
   #handle: number | null = null;
@@ -126,6 +128,12 @@ export class FlatScene {
 
   showDistance(places: readonly MarkedPlace[]): void {
     this.#measured = places;
+    this.#change();
+  }
+
+  /** The outline of an area; the caller closes it. */
+  showArea(places: readonly MarkedPlace[]): void {
+    this.#area = places;
     this.#change();
   }
 
@@ -224,6 +232,7 @@ export class FlatScene {
       }
     }
     this.plans.draw(context, this.#view, words);
+    drawDistance(context, this.#view, this.#area, words, AREA);
     drawDistance(context, this.#view, this.#measured, words);
     for (const aircraft of this.#aircraft) {
       drawAircraft(context, this.#view, aircraft, words);

@@ -7,6 +7,7 @@ import {
   Matrix4,
 } from "@cesium/engine";
 import type { Position } from "../../lib/geodesy";
+import { AREA } from "../colours";
 import type { Globe } from "../globe/Globe";
 import { DistanceLine, type MeasuredPlace } from "./DistanceLine";
 import { type GroundPlace, type MapPointer, pointerOf } from "./MapPointer";
@@ -36,6 +37,7 @@ export class MapTools {
   readonly #globe: Globe;
   readonly #pointer: MapPointer;
   readonly #line: DistanceLine;
+  readonly #area: DistanceLine;
   readonly #ends: readonly (() => void)[];
   #onScale: ((scale: MapScale) => void) | null = null;
   #onMeasure: ((place: GroundPlace) => void) | null = null;
@@ -46,6 +48,7 @@ export class MapTools {
     this.#globe = globe;
     this.#pointer = pointerOf(globe);
     this.#line = new DistanceLine(globe);
+    this.#area = new DistanceLine(globe, AREA);
     this.#ends = [
       globe.onBeforePicture((now_ms) => this.#beforePicture(now_ms)),
       this.#pointer.addFinder((at) => {
@@ -73,6 +76,11 @@ export class MapTools {
 
   showDistance(places: readonly MeasuredPlace[]): void {
     this.#line.show(places);
+  }
+
+  /** The outline of an area; the caller closes it. */
+  showArea(places: readonly MeasuredPlace[]): void {
+    this.#area.show(places);
   }
 
   /** The ground in the middle of the picture; null where there is sky. */
@@ -128,6 +136,7 @@ export class MapTools {
       end();
     }
     this.#line.dispose();
+    this.#area.dispose();
   }
 
   #beforePicture(now_ms: number): void {

@@ -3,8 +3,8 @@ import type { Position } from "../../../lib/geodesy";
 import type { GroundPlace } from "../../../scene/tools/MapPointer";
 import { partName } from "../../../store/parts";
 
-/** What a press on the map does: picks a thing, adds a waypoint, or measures. */
-export type Tool = "pick" | "add" | "measure";
+/** What a press on the map does: picks a thing, adds a waypoint, measures, or puts a corner of an area. */
+export type Tool = "pick" | "add" | "measure" | "area";
 
 /** A spot of the map whose menu is open. */
 export interface OpenMenu {
@@ -19,6 +19,8 @@ export interface OpenMenu {
 export interface MapToolState {
   readonly tool: Tool;
   readonly measured: readonly GroundPlace[];
+  /** The corners of the area that a survey covers. */
+  readonly area: readonly GroundPlace[];
   readonly menu: OpenMenu | null;
   /** The place that "fly here" asks about. */
   readonly flyTo: Position | null;
@@ -29,7 +31,7 @@ export type MapToolStore = StoreApi<MapToolState>;
 export const MAP_TOOL = partName<MapToolStore>("map tool");
 
 export function createMapTool(): MapToolStore {
-  return createStore<MapToolState>(() => ({ tool: "pick", measured: [], menu: null, flyTo: null }));
+  return createStore<MapToolState>(() => ({ tool: "pick", measured: [], area: [], menu: null, flyTo: null }));
 }
 
 export function chooseTool(store: MapToolStore, tool: Tool): void {
