@@ -77,12 +77,18 @@ export class FlatPlans {
     view: FlatView,
     at: ScreenPoint,
     aircraft: readonly FlatAircraft[],
+    reach_px: number = REACH_PX.mouse,
   ): void {
-    this.#listener?.[gesture](this.targetAt(view, at, aircraft));
+    this.#listener?.[gesture](this.targetAt(view, at, aircraft, reach_px));
   }
 
   /** What lies at a place of the view. */
-  targetAt(view: FlatView, at: ScreenPoint, aircraft: readonly FlatAircraft[]): MapTarget {
+  targetAt(
+    view: FlatView,
+    at: ScreenPoint,
+    aircraft: readonly FlatAircraft[],
+    reach_px: number = REACH_PX.mouse,
+  ): MapTarget {
     const legs = ORDER.toReversed().flatMap((plan) => {
       const drawn = this.#plans[plan];
       return drawn === null
@@ -92,7 +98,7 @@ export class FlatPlans {
     return {
       at,
       place: { ...fromScreen(view, at), height_m: null },
-      thing: this.#thingAt(view, at, aircraft, REACH_PX.touch),
+      thing: this.#thingAt(view, at, aircraft, reach_px),
       leg: legs[0] ?? null,
     };
   }

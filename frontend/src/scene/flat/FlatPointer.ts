@@ -41,11 +41,11 @@ export class FlatPointer {
     this.#gestures = new Gestures(canvas, {
       tap: (at) => hands.find(at, REACH_PX.mouse) === null && hands.tap(at),
       double: (at) => hands.find(at, REACH_PX.mouse) === null && hands.double(at),
-      menu: (at) => {
+      menu: (at, isFinger) => {
         this.#letGo((drag) => drag.cancel());
         // A finger that still rests on the map must not push it.
         this.#down.clear();
-        hands.menu(at);
+        hands.menu(at, isFinger);
       },
     });
     canvas.addEventListener("pointerdown", (event) => this.#press(event), { signal });

@@ -3,7 +3,7 @@ import type { TrackPoints } from "../../lib/track/trackPoints";
 import { AREA } from "../colours";
 import type { Island } from "../globe/chart/coast";
 import type { CompassLetters } from "../globe/chart/graticule";
-import type { MapTarget } from "../plan/target";
+import { type MapTarget, REACH_PX } from "../plan/target";
 import type { Grip, GroundPlace } from "../tools/MapPointer";
 import { FlatPlans } from "./FlatPlans";
 import { FlatPointer } from "./FlatPointer";
@@ -75,7 +75,8 @@ export class FlatScene {
       cursor: () => (this.#isAiming ? "crosshair" : ""),
       tap: (at) => this.plans.tell("tap", this.#view, at, this.#aircraft),
       double: (at) => this.plans.tell("double", this.#view, at, this.#aircraft),
-      menu: (at) => this.plans.tell("menu", this.#view, at, this.#aircraft),
+      menu: (at, isFinger) =>
+        this.plans.tell("menu", this.#view, at, this.#aircraft, isFinger ? REACH_PX.touch : REACH_PX.mouse),
       pan: (right_px, down_px) => {
         listener.onMoved();
         this.#look(panned(this.#view, right_px, down_px));

@@ -59,7 +59,8 @@ export class PlanScene {
       this.#pointer.onGesture({
         tap: (at) => this.#listener?.tap(this.targetAt(at)),
         double: (at) => this.#listener?.double(this.targetAt(at)),
-        menu: (at) => this.#listener?.menu(this.targetAt(at)),
+        menu: (at, isFinger) =>
+          this.#listener?.menu(this.targetAt(at, isFinger ? REACH_PX.touch : REACH_PX.mouse)),
       }),
       this.#pointer.onCursor(() => (this.#isAiming ? "crosshair" : "")),
     ];
@@ -77,7 +78,7 @@ export class PlanScene {
   }
 
   /** What lies at a spot of the canvas. */
-  targetAt(at: Spot): MapTarget {
+  targetAt(at: Spot, reach_px: number = REACH_PX.mouse): MapTarget {
     const seen = (point: Point): Spot | null => spotOnScreen(this.#globe.scene, positionOf(point));
     const legs = (["flight", "hil"] as const).flatMap((plan) => {
       const drawn = this.#plans[plan];
@@ -86,7 +87,7 @@ export class PlanScene {
     return {
       at,
       place: this.#pointer.placeAt(at),
-      thing: this.#thingAt(at, REACH_PX.touch),
+      thing: this.#thingAt(at, reach_px),
       leg: legs[0] ?? null,
     };
   }

@@ -47,7 +47,7 @@ describe("a finger on the map", () => {
     vi.advanceTimersByTime(LONG_PRESS_MS - 1);
     expect(hands.menu).not.toHaveBeenCalled();
     vi.advanceTimersByTime(1);
-    expect(hands.menu.mock.calls).toEqual([[{ x: 100, y: 80 }]]);
+    expect(hands.menu.mock.calls).toEqual([[{ x: 100, y: 80 }, true]]);
     send("pointerup", [106, 84], TOUCH);
     expect(hands.tap).not.toHaveBeenCalled();
   });

@@ -7,7 +7,7 @@ export interface GestureHands {
   /** The second of two taps at the same spot; the first was a tap. */
   readonly double: (at: Spot) => void;
   /** The other button, or a finger or pen that rests; what it holds must be let go. */
-  readonly menu: (at: Spot) => void;
+  readonly menu: (at: Spot, isFinger: boolean) => void;
 }
 
 /** A finger or pen that rests for so long asks for the menu. */
@@ -65,7 +65,7 @@ export class Gestures {
       this.#rest = setTimeout(() => {
         this.#forget();
         this.#last = null;
-        this.#hands.menu(at);
+        this.#hands.menu(at, true);
       }, LONG_PRESS_MS);
     }
   }
@@ -87,7 +87,7 @@ export class Gestures {
     const before = this.#last;
     this.#last = null;
     if (button === 2) {
-      this.#hands.menu(at);
+      this.#hands.menu(at, false);
     } else if (
       before !== null &&
       event.timeStamp - before.time_ms <= DOUBLE_MS &&

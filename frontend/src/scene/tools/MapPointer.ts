@@ -67,9 +67,9 @@ export class MapPointer {
       // What can be taken hold of is clicked as such.
       tap: (at) => this.#find(at) === null && this.#gesture((hands) => hands.tap(at)),
       double: (at) => this.#find(at) === null && this.#gesture((hands) => hands.double(at)),
-      menu: (at) => {
+      menu: (at, isFinger) => {
         this.#end((drag) => drag.cancel());
-        this.#gesture((hands) => hands.menu(at));
+        this.#gesture((hands) => hands.menu(at, isFinger));
       },
     });
     this.#canvas.addEventListener("pointerdown", this.#press, options);
