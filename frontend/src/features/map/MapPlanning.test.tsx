@@ -3,12 +3,12 @@ import userEvent from "@testing-library/user-event";
 import { beforeEach, describe, expect, test } from "vitest";
 import type { Waypoint } from "../../lib/plan";
 import { boardHas, editPlan, MISSIONS } from "../../missions/planDrafts";
-import { choose } from "../../store/settings";
 import { aStatus, heldBy } from "../../test/aStatus";
 import { type Asked, Station } from "../../test/station";
 import { WORDS } from "../../ui/test/testWords";
 import { WordsProvider } from "../../ui/words";
-import { MapView } from "./MapView";
+import { PlanMap } from "./PlanMap";
+import { MAP_TOOL } from "./tools/mapTool";
 
 // The flat map, whose middle is at 0, 0 where a document has no layout.
 const user = userEvent.setup();
@@ -21,14 +21,9 @@ const plan: readonly Waypoint[] = [
 beforeEach(() => {
   station = new Station(
     <WordsProvider words={WORDS}>
-      <MapView />
+      <PlanMap plan="flight" />
     </WordsProvider>,
   );
-  act(() => {
-    choose(station.page.settings, "map.kind", "2d");
-    choose(station.page.settings, "map.plan.open", "flight");
-    choose(station.page.settings, "map.flat.follow", "off");
-  });
   HTMLCanvasElement.prototype.setPointerCapture = () => undefined;
   station.greet();
 });
@@ -182,7 +177,7 @@ describe("the menu of a place", () => {
     await opened(-90, 150);
     await user.click(button("Medir desde aquí"));
     press(0, 150);
-    expect(document.querySelector(".map-legs")?.textContent).toMatch(/· 90°/);
+    expect(station.page.parts.get(MAP_TOOL).getState().measured).toHaveLength(2);
   });
 
   test("turns the plan round", async () => {

@@ -12,6 +12,7 @@ import { MapCorner } from "./MapCorner";
 import { OnlineSection } from "./OnlineSection";
 import { PatternSection } from "./PatternSection";
 import { PlanSection } from "./PlanSection";
+import { ProfileSection } from "./ProfileSection";
 import { FlyHere } from "./plan/FlyHere";
 import { ThingCard } from "./ThingCard";
 import { ThingsSection } from "./ThingsSection";
@@ -68,6 +69,7 @@ export function MapView() {
             <TrackSection />
             <PlanSection />
             <PatternSection />
+            <ProfileSection />
             <ToolsSection />
             <LayersSection />
             <OnlineSection />

@@ -2,6 +2,7 @@ import { useEffect, useMemo, useRef, useState } from "react";
 import { useTranslation } from "react-i18next";
 import type { Aircraft } from "../../lib/aircraft";
 import type { FlatScene } from "../../scene/flat/FlatScene";
+import { FoldingPanel } from "./FoldingPanel";
 import { FlatMap } from "./flat/FlatMap";
 import { FlatContext } from "./flat/useFlat";
 import { Attribution } from "./layers/Attribution";
@@ -9,6 +10,7 @@ import { FlyHere } from "./plan/FlyHere";
 import { useMapPlan } from "./plan/useMapPlan";
 import { OpenPlanContext } from "./plan/useOpenPlan";
 import { usePlanScene } from "./plan/usePlanScene";
+import { PlanProfile } from "./profile/PlanProfile";
 import { EditBar } from "./tools/EditBar";
 import { MapKeys } from "./tools/MapKeys";
 import { MapMenu } from "./tools/MapMenu";
@@ -17,12 +19,16 @@ import "./map.css";
 
 /** The map of one plan, beside its table: the same map, tools, menu and keys as in the map's own tab. */
 export function PlanMap({ plan }: { plan: Aircraft }) {
+  const { t } = useTranslation();
   const [scene, setScene] = useState<FlatScene | null>(null);
   const flat = useMemo(() => ({ isShown: true, scene }), [scene]);
   return (
     <OpenPlanContext value={plan}>
       <FlatContext value={flat}>
         <Shown plan={plan} scene={scene} onScene={setScene} />
+        <FoldingPanel name="planProfile" title={t("map.profile.title")}>
+          <PlanProfile aircraft={plan} />
+        </FoldingPanel>
       </FlatContext>
     </OpenPlanContext>
   );
