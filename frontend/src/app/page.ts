@@ -64,8 +64,8 @@ import { StreamSocket, type Wire, type WireListener } from "../transport/socket"
 import { openAddressedTab } from "./addressedTab";
 import { eventMessage, linkMessages } from "./announcements";
 import { rememberClient, rememberedClient } from "./clientMemory";
-import type { PageVersions } from "./pageVersion";
 import { createFlightBook } from "./flightBook";
+import type { PageVersions } from "./pageVersion";
 import { createPasts, SHOWN } from "./past";
 import { plotTimeline } from "./plotTimeline";
 import { twoFlights } from "./twoFlights";
