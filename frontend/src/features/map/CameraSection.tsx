@@ -10,10 +10,10 @@ import { choose } from "../../store/settings";
 import type { TelemetryStore } from "../../store/telemetry";
 import { usePaint } from "../../store/usePaint";
 import { Checkbox } from "../../ui/Checkbox";
-import { Panel } from "../../ui/Panel";
 import { Readout, ReadoutGrid, type ReadoutHandle } from "../../ui/Readout";
 import { SegmentedSwitch } from "../../ui/SegmentedSwitch";
 import { type Showing, showing } from "./aircraftFeed";
+import { FoldingPanel } from "./FoldingPanel";
 import { KIND_CHOICE, KINDS, useFlat, useMapKind } from "./flat/useFlat";
 import { FOLLOWED_CHOICE, useCameraMode, useFlightScene, useFollowed } from "./useFlightScene";
 import { useGlobe } from "./useGlobe";
@@ -41,7 +41,7 @@ export function CameraSection() {
   useGlobeNames();
   useKeys(scene);
   return (
-    <Panel title={t("map.view.camera")} className="map-camera">
+    <FoldingPanel name="camera" title={t("map.view.camera")} className="map-camera">
       <SegmentedSwitch
         label={t("map.flat.kind")}
         hideLabel
@@ -82,7 +82,7 @@ export function CameraSection() {
         onChange={(checked) => choose(settings, GRATICULE_CHOICE, checked ? "on" : "off")}
       />
       {globe === null && !flat.isShown && <p>{t("map.view.loading")}</p>}
-    </Panel>
+    </FoldingPanel>
   );
 }
 

@@ -6,6 +6,7 @@ import { formatHeading } from "../../lib/format";
 import { bearing_deg, distance_m } from "../../lib/geodesy";
 import type { MapThing } from "../../lib/mapThing";
 import { captureRadius_m, unsentOf } from "../../lib/plan";
+import { SELECTION, selectThing } from "../../missions/selection";
 import type { ReadoutRow, ReadoutRows } from "../../readouts/LiveReadout";
 import { ANGLE, COORDINATE, COUNT, HEADING } from "../../readouts/notations";
 import { ReadoutTable } from "../../readouts/ReadoutTable";
@@ -15,7 +16,6 @@ import { usePart } from "../../store/hooks";
 import { useWords } from "../../ui/words";
 import { AirfieldValues } from "./airfields/AirfieldValues";
 import { type Fact, Facts, FromAircraft } from "./cardParts";
-import { MAP_SELECTION, selectThing } from "./mapSelection";
 import { useHome } from "./plan/useHome";
 import { useMapPlan } from "./plan/useMapPlan";
 import { useMapThing } from "./useMapThing";
@@ -28,10 +28,10 @@ export function ThingCard() {
 }
 
 function Card({ thing }: { thing: MapThing }) {
-  const mapSelection = usePart(MAP_SELECTION);
+  const selection = usePart(SELECTION);
   const words = useWords();
   const title = useId();
-  const close = useCallback(() => selectThing(mapSelection, null), [mapSelection]);
+  const close = useCallback(() => selectThing(selection, null), [selection]);
   useEffect(() => {
     const press = (event: KeyboardEvent): void => {
       // Not for the card: an edit or a dialog has handled the key.

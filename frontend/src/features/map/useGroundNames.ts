@@ -1,10 +1,10 @@
 import { useCallback, useEffect, useMemo } from "react";
 import { useTranslation } from "react-i18next";
+import { SELECTION, selectThing } from "../../missions/selection";
 import { type CountryNames, countryNames } from "../../scene/labels/thingTexts";
 import type { PickedAirfield } from "../../scene/tools/airfields";
 import type { Light } from "../../scene/world/look";
 import { usePart, useSettings } from "../../store/hooks";
-import { MAP_SELECTION, selectThing } from "./mapSelection";
 import { useGlobeLayer } from "./useGlobe";
 import { useGraticule } from "./useGraticule";
 
@@ -23,7 +23,7 @@ export function useCountries(): CountryNames {
 
 /** Selects a pressed airfield: its card is shown. */
 export function usePickAirfield(): (picked: PickedAirfield) => void {
-  const mapSelection = usePart(MAP_SELECTION);
+  const mapSelection = usePart(SELECTION);
   return useCallback((picked) => selectThing(mapSelection, { kind: "airfield", ...picked }), [mapSelection]);
 }
 

@@ -1,9 +1,11 @@
 import type { Position } from "../../lib/geodesy";
 import type { TrackPoints } from "../../lib/track/trackPoints";
+import { AREA } from "../colours";
 import type { CompassLetters } from "../globe/chart/graticule";
 import { LabelSheet } from "../labels/LabelSheet";
 import { NamedThings } from "../labels/NamedThings";
 import { type CountryNames, textOf } from "../labels/thingTexts";
+import { type MapTarget, REACH_PX } from "../plan/target";
 import type { PickedAirfield } from "../tools/airfields";
 import type { Grip, GroundPlace } from "../tools/MapPointer";
 import type { Light } from "../world/look";
@@ -52,7 +54,6 @@ export interface FlatListener {
 const START: Position = { latitude_deg: 27.93, longitude_deg: -15.38 };
 const START_ZOOM = 12;
 const KEY_PX = 80;
-const REACH_PX = 14;
 
 const KEYS: Readonly<Record<string, (view: FlatView) => FlatView>> = {
   ArrowLeft: (view) => panned(view, -KEY_PX, 0),
@@ -86,6 +87,8 @@ export class FlatScene {
   #aircraft: readonly FlatAircraft[] = [];
   #followed: Position | null = null;
   #measured: readonly MarkedPlace[] = [];
+  #area: readonly MarkedPlace[] = [];
+  #isAiming = false;
   #onMeasure: ((place: GroundPlace) => void) | null = null;
   #handle: number | null = null;
 
@@ -95,7 +98,12 @@ export class FlatScene {
     this.#ground = new FlatGround(world, () => this.#change());
     this.#names = new NamedThings(world, () => this.#change());
     this.#pointer = new FlatPointer(canvas, {
-      find: (at) => this.#find(at),
+      find: (at, reach_px) => this.#find(at, reach_px),
+      cursor: () => (this.#isAiming ? "crosshair" : ""),
+      tap: (at) => this.plans.tell("tap", this.#view, at, this.#aircraft),
+      double: (at) => this.plans.tell("double", this.#view, at, this.#aircraft),
+      menu: (at, isFinger) =>
+        this.plans.tell("menu", this.#view, at, this.#aircraft, isFinger ? REACH_PX.touch : REACH_PX.mouse),
       pan: (right_px, down_px) => {
         listener.onMoved();
         this.#look(panned(this.#view, right_px, down_px));
@@ -127,6 +135,16 @@ export class FlatScene {
     }
   }
 
+  /** Whether a tap on the ground puts something there: the pointer shows it. */
+  aim(isAiming: boolean): void {
+    this.#isAiming = isAiming;
+  }
+
+  /** What lies at a spot of the canvas. */
+  targetAt(at: ScreenPoint): MapTarget {
+    return this.plans.targetAt(this.#view, at, this.#aircraft);
+  }
+
   /** Who takes the places that are pressed; null: a press is for what lies under it. */
   measure(listener: ((place: GroundPlace) => void) | null): void {
     this.#onMeasure = listener;
@@ -134,6 +152,12 @@ export class FlatScene {
 
   showDistance(places: readonly MarkedPlace[]): void {
     this.#measured = places;
+    this.#change();
+  }
+
+  /** The outline of an area; the caller closes it. */
+  showArea(places: readonly MarkedPlace[]): void {
+    this.#area = places;
     this.#change();
   }
 
@@ -148,6 +172,11 @@ export class FlatScene {
 
   lookAt(places: readonly Position[]): void {
     this.#look(around(this.#view, places));
+  }
+
+  /** Show this place in the middle, as large as before. */
+  centreOn(centre: Position): void {
+    this.#look({ ...this.#view, centre });
   }
 
   /** True: the key means something here. */
@@ -174,10 +203,10 @@ export class FlatScene {
     }
   }
 
-  #find(at: ScreenPoint): Grip | null {
+  #find(at: ScreenPoint, reach_px: number): Grip | null {
     const measure = this.#onMeasure;
     return measure === null
-      ? (this.plans.find(() => this.#view, at, this.#aircraft) ?? this.#findAirfield(at))
+      ? (this.plans.find(() => this.#view, at, this.#aircraft, reach_px) ?? this.#findAirfield(at, reach_px))
       : {
           cursor: "crosshair",
           click: () => measure({ ...fromScreen(this.#view, at), height_m: null }),
@@ -185,8 +214,8 @@ export class FlatScene {
         };
   }
 
-  #findAirfield(at: ScreenPoint): Grip | null {
-    const key = this.#sheet.find(at, REACH_PX);
+  #findAirfield(at: ScreenPoint, reach_px: number): Grip | null {
+    const key = this.#sheet.find(at, reach_px);
     const thing = this.#names.things.find((one) => one.key === key);
     if (thing?.kind !== "airfield") {
       return null;
@@ -240,6 +269,7 @@ export class FlatScene {
       }
     }
     this.plans.draw(context, this.#view, words);
+    drawDistance(context, this.#view, this.#area, words, AREA);
     drawDistance(context, this.#view, this.#measured, words);
     for (const aircraft of this.#aircraft) {
       drawAircraft(context, this.#view, aircraft, words);

@@ -3,13 +3,13 @@ import { useEffect, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { formatHeading } from "../../../lib/format";
 import { bearing_deg, distance_m, type Position } from "../../../lib/geodesy";
+import { SELECTION, selectThing } from "../../../missions/selection";
 import { useUnit } from "../../../readouts/useUnit";
 import type { NearAirfield } from "../../../scene/world/things";
 import { keptWorld } from "../../../scene/world/World";
 import { usePart, useTelemetry } from "../../../store/hooks";
 import { Button } from "../../../ui/Button";
 import { Panel } from "../../../ui/Panel";
-import { MAP_SELECTION, selectThing } from "../mapSelection";
 import { aircraftPlace } from "../plan/aircraftPlace";
 import { useHome } from "../plan/useHome";
 import { useFollowed } from "../useFlightScene";
@@ -24,7 +24,7 @@ const PLACES = 2;
 /** The airfields that are nearest to the followed aircraft, or to home while its position is not known. */
 export function AirfieldsSection() {
   const { t } = useTranslation();
-  const mapSelection = usePart(MAP_SELECTION);
+  const mapSelection = usePart(SELECTION);
   const chosen = useMapThing();
   const distance = useUnit("distance");
   const { place, name } = usePlace();
