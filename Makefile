@@ -124,6 +124,7 @@ check: $(DONE)/venv-dev $(DONE)/frontend $(DONE)/e2e ## format, lint, types, imp
 	$(BIN)/ruff check --config backend/pyproject.toml .ci
 	$(BIN)/python .ci/one_version.py .
 	$(BIN)/python .ci/licences.py .
+	$(BIN)/python .ci/containers.py .
 	cd backend && ../$(BIN)/mypy
 	cd backend && ../$(BIN)/lint-imports
 	$(FIRMWARE) format-check layers-check
