@@ -29,6 +29,7 @@ ErrorCode = Literal[
     "board_line_full",
     "board_not_open",
     "body_too_large",
+    "checklist_not_kept",
     "client_may_not_command",
     "client_not_yours",
     "client_silent",
