@@ -7,8 +7,6 @@ import time
 from collections.abc import Callable, Iterable, Iterator
 from typing import TypeVar
 
-T = TypeVar("T")
-
 DEADLINE_S = 20.0
 _LOOK_EVERY_S = 0.005
 

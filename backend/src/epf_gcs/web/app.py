@@ -23,6 +23,7 @@ from epf_gcs.web.access.guard import Access, Guard
 from epf_gcs.web.access.limits import CallerLimits
 from epf_gcs.web.access.table import Gate
 from epf_gcs.web.alarms import routes as alarms
+from epf_gcs.web.checklist import routes as checklist
 from epf_gcs.web.commands import ahrs_test_routes as ahrs_test
 from epf_gcs.web.commands import routes as commands
 from epf_gcs.web.earth import routes as earth
@@ -75,6 +76,7 @@ def _interface() -> APIRouter:
         maps,
         online_maps,
         alarms,
+        checklist,
         recordings,
         flights,
         flight_reports,
@@ -106,7 +108,7 @@ def create_app(settings: Settings, visitors: Visitors | None = None, certificate
     if certificates is not None:
         # A page of another name, resolved to this machine, gets no further than its browser's warning.
         names += certificates.in_use.names
-    access = Access((settings.host, *settings.allowed_hosts, *names), settings.allowed_origins)
+    access = Access((*settings.names, *names), settings.allowed_origins)
     errors = ErrorLog()
     if certificates is not None:
         certificates.on_fault = errors.report

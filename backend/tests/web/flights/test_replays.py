@@ -240,3 +240,41 @@ def test_a_viewer_asks_what_was_known_and_measured_at_the_moment_shown(station: 
         assert known.parameters is None, "nobody noted a gain"
         stream.send({"type": "ask", "about": "secrets"})
         assert stream.event("error")["code"] == "stream_message_invalid"
+
+
+def test_a_flight_that_is_deleted_or_whose_file_is_removed_goes_on_for_those_who_look_at_it(tmp_path: Path) -> None:
+    other = "20260101T120000Z-2"
+    (tmp_path / "recordings").mkdir()
+    for name in (ID, other):
+        write(tmp_path / "recordings" / f"{name}.mcap", flight(12.0))
+    with running_gateway(tmp_path) as gateway:
+        eventually(lambda: gateway.http.get(f"/flights/{ID}").json()["state"] == "indexed", "it is prepared")
+        for name in (ID, other):
+            with gateway.stream(f"?flight={name}&at_s=2") as stays:
+                if name == ID:
+                    gateway.http.delete(f"/flights/{name}", params={"confirm": name}).raise_for_status()
+                else:
+                    (tmp_path / "recordings" / f"{name}.mcap").unlink()
+                stays.send({"type": "rate", "rate": 0})
+                stays.send({"type": "seek", "at_s": 0})
+                stays.send({"type": "play", "rate": 100})
+                samples = samples_until(stays, lambda playback: playback["state"] == "ended")
+                assert [one["topic"] for one in samples].count("ahrs") >= 200, "all of it is shown, to its end"
+                with pytest.raises(InvalidStatus) as refused, gateway.stream(f"?flight={name}"):
+                    pass
+                assert refused.value.response.status_code == 404
+                answer = gateway.http.get(f"/flights/{name}/signals", params={"names": "ahrs.roll_deg"})
+                assert (answer.status_code, answer.json()["code"]) == (404, "flight_unknown")
+
+
+def test_a_flight_that_is_looked_at_is_not_deleted_to_make_room(tmp_path: Path) -> None:
+    names = (ID, f"{ID}-2")
+    (tmp_path / "recordings").mkdir()
+    for name in names:
+        write(tmp_path / "recordings" / f"{name}.mcap", flight(4.0))
+    with running_gateway(tmp_path) as gateway, gateway.stream(f"?flight={ID}"):
+        policy = {"delete_oldest": True, "keep_free_bytes": 10_000_000_000_000}
+        gateway.http.put("/flights/policy", json=policy).raise_for_status()
+        eventually(
+            lambda: [one.stem for one in (tmp_path / "recordings").glob("*.mcap")] == [ID], "only the other goes"
+        )
