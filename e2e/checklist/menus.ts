@@ -114,6 +114,7 @@ export const MENUS: readonly Menu[] = [
       { role: "menuitemradio", name: "Español" },
       { role: "menuitemradio", name: "English" },
       { role: "menuitem", name: "Registro" },
+      { role: "menuitem", name: "Lista antes del despegue" },
       { role: "menuitem", name: "Abrir esta pestaña en una tableta" },
       { role: "menuitem", name: "Barras a su sitio" },
       { role: "menuitem", name: "Ajustes" },

@@ -11,6 +11,9 @@ import { type DialogName, DialogsContext, type Question } from "./useDialogs";
 export const DIALOGS = {
   about: lazyPart(async () => (await import("../../features/about/AboutDialog")).AboutContent),
   guide: lazyPart(async () => (await import("../../features/guide/GuideContent")).GuideContent),
+  checklist: lazyPart(
+    async () => (await import("../../features/checklist/ChecklistContent")).ChecklistContent,
+  ),
   log: lazyPart(async () => (await import("../../features/log/LogContent")).LogContent),
   settings: lazyPart(async () => (await import("./SettingsDialog")).SettingsContent),
   tablet: lazyPart(async () => (await import("../../features/access/TabletContent")).TabletContent),

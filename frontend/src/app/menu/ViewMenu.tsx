@@ -17,6 +17,7 @@ export function ViewMenu() {
       <Language />
       <MenuRule />
       <LogItem />
+      <ChecklistItem />
       <TabletItem />
       <ToolbarsBack />
       <SettingsItem />
@@ -69,6 +70,12 @@ function LogItem() {
   const { t } = useTranslation();
   const { open } = useDialogs();
   return <MenuAction label={t("menu.log")} aside="L" onChoose={() => open("log")} />;
+}
+
+function ChecklistItem() {
+  const { t } = useTranslation();
+  const { open } = useDialogs();
+  return <MenuAction label={t("menu.checklist")} onChoose={() => open("checklist")} />;
 }
 
 function TabletItem() {
