@@ -18,13 +18,15 @@ const WORDS = {
     read: "Descargar de la placa",
     insert: "Insertar",
     send: "Enviar a la placa",
-    goOn: /^Enviar y seguir/,
+    goTo: /^Ir a \d+$/,
+    gone: /Ir al waypoint: confirmado/,
     proven: /Plan HIL: la placa tiene los \d+ waypoints/,
     alarms: "Alarmas",
     lost: /Se ha perdido el latido de la placa/,
     acknowledge: /^Reconocer que terminó: latido perdido/,
     log: "Abrir el registro de mensajes",
     close: "Cerrar",
+    last: "Último mensaje",
     back: "Datos de vuelo",
   },
   en: {
@@ -38,13 +40,15 @@ const WORDS = {
     read: "Download from board",
     insert: "Insert",
     send: "Send to board",
-    goOn: /^Send and go on/,
+    goTo: /^Go to \d+$/,
+    gone: /Go to waypoint: confirmed/,
     proven: /HIL plan: the board has the \d+ waypoints/,
     alarms: "Alarms",
     lost: /The board.s heartbeat on .* is lost/,
     acknowledge: /^Acknowledge that it ended: heartbeat lost/,
     log: "Open the log of messages",
     close: "Close",
+    last: "Last message",
     back: "Flight data",
   },
 } as const;
@@ -84,8 +88,10 @@ test.describe("a pilot with nothing but a phone", () => {
       await tap(say.insert);
       await expect(rows).toHaveCount(before + 1);
       await tap(say.send);
-      await page.getByRole("alertdialog").getByRole("button", { name: say.goOn }).tap();
-      await expect(page.getByText(say.proven)).toBeVisible();
+      const last = page.getByRole("status", { name: say.last });
+      await expect(last).toContainText(say.proven);
+      await tap(say.goTo);
+      await expect(last).toContainText(say.gone);
 
       await flying.line.pull();
       const alarm = page.getByRole("alert").filter({ hasText: say.lost }).first();
