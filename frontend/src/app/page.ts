@@ -10,6 +10,7 @@ import { AHRS } from "../features/ahrs/alignment";
 import type { Sounder, Speaker } from "../features/alarms/alarmLog";
 import { ALARM_LOG, forgetOwnAlarm, takeAlarmEvent } from "../features/alarms/alarmLog";
 import { createAlarmLog } from "../features/alarms/alarmRequests";
+import { CHECKLIST, createChecklist } from "../features/checklist/checklist";
 import {
   createSourceReturn,
   NOTHING_LEFT_OFF,
@@ -23,6 +24,7 @@ import { FLIGHTS } from "../features/flights/flightLibrary";
 import { createFlights } from "../features/flights/flightRequests";
 import { createGamepadInput, type GamepadReader } from "../features/gamepad/gamepadInput";
 import { GAMEPADS } from "../features/gamepad/gamepadList";
+import { TOUCH_STICK } from "../features/gamepad/touchStick";
 import { createFlightLog, FLIGHT_LOG } from "../features/log/flightLog";
 import { MAP_LAYERS } from "../features/map/layers/layerList";
 import { createMapLayerActions } from "../features/map/layers/layerRequests";
@@ -68,6 +70,7 @@ import { createPasts, SHOWN } from "./past";
 import { plotTimeline } from "./plotTimeline";
 import { twoFlights } from "./twoFlights";
 import { createVehicle } from "./vehicle";
+import { watching } from "./watching";
 
 /** What the page needs from outside: given by a browser's window, or by a test. */
 export interface World {
@@ -155,6 +158,7 @@ export function createPage(world: World): {
     takeTrackEvent(message);
     takeFlightEvent(message);
     takeLogEvent(message);
+    takeChecklistEvent(message);
     gamepads.takeEvent(message);
     takeAlarmEvent(alarmLog.store, message);
     if (message.event === ACCESS_CHANGED) {
@@ -215,6 +219,7 @@ export function createPage(world: World): {
     timers: world.timers,
     admission,
     addressed,
+    isEncrypted: world.address.read().startsWith("https:"),
     start: () => socket.start(),
     stop: shutOut,
   });
@@ -265,6 +270,8 @@ export function createPage(world: World): {
     connection,
     tell: (event) => ({ group: groupOf(event), message: flightEventMessage(event) }),
   });
+  const sees = watching({ ...vehicle, plans, gains: parameterValues, alarms: alarmLog.store, now_ms });
+  const { checklist, takeChecklistEvent } = createChecklist({ rest, storage: world.tabStorage, sees });
   const plots = createPlots({ rest, timers: world.timers, timeline: plotTimeline(playback) });
   const comparison = twoFlights({ reports, plots, settings });
   const parts = new Parts()
@@ -286,9 +293,11 @@ export function createPage(world: World): {
     .with(TRACK_EDITS, createTrackEdits(asking))
     .with(SERVO_SLIDERS, servos.sliders)
     .with(GAMEPADS, gamepads.gamepads)
+    .with(TOUCH_STICK, gamepads.touchStick)
     .with(BOARD_CONSOLE, boardConsole)
     .with(FLIGHTS, flights)
     .with(FLIGHT_LOG, flightLog)
+    .with(CHECKLIST, checklist)
     .with(FLIGHT_COMPARISON, comparison)
     .with(PLOTS, plots)
     .with(REPORTS, reports)

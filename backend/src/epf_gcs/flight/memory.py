@@ -37,6 +37,8 @@ class Remembered:
     online: dict[str, Any] = field(default_factory=dict)
     # The policy of the disk, as `DiskPolicy` has it; empty for the default.
     recording: dict[str, Any] = field(default_factory=dict)
+    # What the aircraft is called, as a person said it; empty for no name.
+    aircraft: str = ""
 
 
 class Memory:
@@ -176,6 +178,7 @@ def _encode(values: Remembered) -> bytes:
             "thresholds": values.thresholds,
             "online": values.online,
             "recording": values.recording,
+            "aircraft": values.aircraft,
         },
         option=orjson.OPT_INDENT_2,
     )
@@ -197,6 +200,7 @@ def _decode(values: dict[str, Any]) -> Remembered:
         thresholds=dict(values.get("thresholds", {})),
         online=dict(values.get("online", {})),
         recording=dict(values.get("recording", {})),
+        aircraft=str(values.get("aircraft", "")),
     )
 
 

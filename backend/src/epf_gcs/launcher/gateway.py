@@ -242,6 +242,7 @@ def run(
 
     Without --board it opens the links of its last run. Every option is also a variable: GCS_HOST, GCS_PORT,
     GCS_BOARD, GCS_DATA_DIR, GCS_PAGE_DIR, GCS_RECORDING, GCS_TLS, GCS_TLS_CERT, GCS_TLS_KEY;
+    GCS_REACHED_AT (http://HOST:PORT) is where others reach it, if it cannot know (in a container, behind a proxy);
     GCS_ALLOWED_HOSTS and GCS_ALLOWED_ORIGINS (JSON lists) let more names and pages in; GCS_LOCAL_MAPS (a JSON list of
     host:port) names servers of map tiles in the own network.
 
