@@ -10,7 +10,7 @@ import { AHRS } from "../features/ahrs/alignment";
 import type { Sounder, Speaker } from "../features/alarms/alarmLog";
 import { ALARM_LOG, forgetOwnAlarm, takeAlarmEvent } from "../features/alarms/alarmLog";
 import { createAlarmLog } from "../features/alarms/alarmRequests";
-import { CHECKLIST, createChecklist } from "../features/checklist/checklist";
+import { CHECKLIST } from "../features/checklist/checklist";
 import {
   createSourceReturn,
   NOTHING_LEFT_OFF,
@@ -19,13 +19,12 @@ import {
 } from "../features/controls/sourceReturn";
 import { createEmulation, EMULATION } from "../features/emulation/emulationRequests";
 import { FLIGHT_COMPARISON } from "../features/flights/flightComparison";
-import { eventMessage as flightEventMessage, groupOf } from "../features/flights/flightEvents";
 import { FLIGHTS } from "../features/flights/flightLibrary";
 import { createFlights } from "../features/flights/flightRequests";
 import { createGamepadInput, type GamepadReader } from "../features/gamepad/gamepadInput";
 import { GAMEPADS } from "../features/gamepad/gamepadList";
 import { TOUCH_STICK } from "../features/gamepad/touchStick";
-import { createFlightLog, FLIGHT_LOG } from "../features/log/flightLog";
+import { FLIGHT_LOG } from "../features/log/flightLog";
 import { MAP_LAYERS } from "../features/map/layers/layerList";
 import { createMapLayerActions } from "../features/map/layers/layerRequests";
 import { createMapTool, MAP_TOOL } from "../features/map/tools/mapTool";
@@ -65,12 +64,12 @@ import { StreamSocket, type Wire, type WireListener } from "../transport/socket"
 import { openAddressedTab } from "./addressedTab";
 import { eventMessage, linkMessages } from "./announcements";
 import { rememberClient, rememberedClient } from "./clientMemory";
+import { createFlightBook } from "./flightBook";
 import type { PageVersions } from "./pageVersion";
 import { createPasts, SHOWN } from "./past";
 import { plotTimeline } from "./plotTimeline";
 import { twoFlights } from "./twoFlights";
 import { createVehicle } from "./vehicle";
-import { watching } from "./watching";
 
 /** What the page needs from outside: given by a browser's window, or by a test. */
 export interface World {
@@ -157,8 +156,7 @@ export function createPage(world: World): {
     takeMapEvent(message);
     takeTrackEvent(message);
     takeFlightEvent(message);
-    takeLogEvent(message);
-    takeChecklistEvent(message);
+    book.takeEvent(message);
     gamepads.takeEvent(message);
     takeAlarmEvent(alarmLog.store, message);
     if (message.event === ACCESS_CHANGED) {
@@ -264,14 +262,12 @@ export function createPage(world: World): {
     onGone: (flight) => playback.store.getState().flight === flight && playback.now(),
     openReport: (flight) => reports.open(flight),
   });
-  const { flightLog, takeLogEvent } = createFlightLog({
+  const book = createFlightBook({
     rest,
     timers: world.timers,
-    connection,
-    tell: (event) => ({ group: groupOf(event), message: flightEventMessage(event) }),
+    tabStorage: world.tabStorage,
+    seen: { ...vehicle, plans, gains: parameterValues, alarms: alarmLog.store, now_ms },
   });
-  const sees = watching({ ...vehicle, plans, gains: parameterValues, alarms: alarmLog.store, now_ms });
-  const { checklist, takeChecklistEvent } = createChecklist({ rest, storage: world.tabStorage, sees });
   const plots = createPlots({ rest, timers: world.timers, timeline: plotTimeline(playback) });
   const comparison = twoFlights({ reports, plots, settings });
   const parts = new Parts()
@@ -296,8 +292,8 @@ export function createPage(world: World): {
     .with(TOUCH_STICK, gamepads.touchStick)
     .with(BOARD_CONSOLE, boardConsole)
     .with(FLIGHTS, flights)
-    .with(FLIGHT_LOG, flightLog)
-    .with(CHECKLIST, checklist)
+    .with(FLIGHT_LOG, book.flightLog)
+    .with(CHECKLIST, book.checklist)
     .with(FLIGHT_COMPARISON, comparison)
     .with(PLOTS, plots)
     .with(REPORTS, reports)
