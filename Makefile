@@ -123,6 +123,7 @@ check-generated: $(DONE)/venv-dev $(DONE)/frontend
 	cd frontend && npm run --silent generate:check -- ../$(DONE)/openapi.json
 	$(BIN)/python .ci/one_version.py .
 	$(BIN)/python .ci/licences.py .
+	$(BIN)/python .ci/containers.py .
 
 check-gateway: $(DONE)/venv-dev
 	$(BIN)/ruff format --check backend protocol .ci
