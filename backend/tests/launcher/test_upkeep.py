@@ -12,8 +12,9 @@ import typer
 from typer.testing import CliRunner
 
 from epf_gcs import __version__
-from epf_gcs.flight.data_folder import DataFolder
-from epf_gcs.launcher import doctor, folder
+from epf_gcs.data_folder import place
+from epf_gcs.data_folder.lock import DataFolder
+from epf_gcs.launcher import doctor_serial
 from epf_gcs.launcher.upkeep import add_commands
 
 app = typer.Typer()
@@ -69,15 +70,15 @@ def test_the_doctor_names_a_port_that_may_not_be_opened(monkeypatch: pytest.Monk
     port = type("Port", (), {"device": "/dev/ttyUSB0", "hwid": "USB"})
     monkeypatch.setattr("serial.tools.list_ports.comports", lambda: [port])
     monkeypatch.setattr(os, "access", lambda _path, _mode: False)
-    (found,) = doctor._serial_ports()
+    (found,) = doctor_serial.serial_ports()
     assert found.state == "fault"
     assert "usermod -a -G dialout" in found.mend
 
 
 def test_in_a_source_tree_the_data_lie_in_it_and_else_with_the_user_s_data(monkeypatch: pytest.MonkeyPatch) -> None:
     tree = Path(__file__).parents[3]
-    assert folder.data_folder() == tree / "data"
-    monkeypatch.setattr(folder, "source_tree", lambda: None)
+    assert place.data_folder() == tree / "data"
+    monkeypatch.setattr(place, "source_tree", lambda: None)
     monkeypatch.setenv("XDG_DATA_HOME", "/home/ana/.local/share")
-    assert folder.data_folder().name == "epf-gcs"
-    assert folder.data_folder() != tree / "data"
+    assert place.data_folder().name == "epf-gcs"
+    assert place.data_folder() != tree / "data"

@@ -11,7 +11,7 @@ from typing import Annotated, Final
 
 import typer
 
-from epf_gcs.launcher.folder import data_folder
+from epf_gcs.data_folder.place import data_folder
 
 LAUNCHER_KEY: Final = "GCS_LAUNCHER_KEY"
 """The variable by which the gateway knows the program that started it. Others of this machine cannot read it."""

@@ -18,6 +18,7 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 import orjson
 
+from epf_gcs import __version__
 from epf_gcs.errors import GatewayError
 from epf_gcs.logs import set_up_logging
 from epf_gcs.replay.vehicle_process import VehicleProcess
@@ -105,6 +106,7 @@ def _options() -> argparse.Namespace:
         description="A recording of EPF GCS as a vehicle, for any number of viewers: a station finds it in a folder, "
         "and plays, pauses and seeks by notices of the stream.",
     )
+    parser.add_argument("--version", action="version", version=f"%(prog)s {__version__}")
     parser.add_argument("--recording", type=Path, required=True, help="The MCAP file; it may still be growing.")
     parser.add_argument("--folder", type=Path, default=None, help="Where a viewer's socket is made.")
     parser.add_argument("--at", type=float, default=0.0, help="Seconds after the start of the flight, for that viewer.")

@@ -15,6 +15,9 @@ from typing import Final
 
 import segno
 
+from epf_gcs.data_folder.upgrade import bring_up_to_date
+from epf_gcs.data_folder.version import FormatError
+from epf_gcs.errors import GatewayError
 from epf_gcs.web.access.addresses import addresses, with_key
 from epf_gcs.web.access.admission import Policy
 from epf_gcs.web.access.caller import is_in_container
@@ -33,12 +36,15 @@ def main() -> None:
     given = {name: getattr(options, name) for name in ("host", "port", "data_dir")}
     settings = Settings(**{name: value for name, value in given.items() if value is not None})
     try:
+        bring_up_to_date(settings.data_dir, lambda said: print(said, file=sys.stderr))
         store = AccessStore(settings.data_dir)
         with contextlib.closing(store):
             role = Role[options.role] if options.role else _first_role(store, settings)
             key, invitation = new_invitation(store, role, options.minutes, time.time())
     except (sqlite3.Error, OSError) as error:
         sys.exit(f"No key could be made in {settings.data_dir} ({error}): choose the station's folder by --data-dir.")
+    except (FormatError, GatewayError) as error:
+        sys.exit(str(error))
     until = time.strftime("%H:%M", time.localtime(invitation.until_s))
     print(f"One-time key for one {role.name}, until {until}:  {key}")
     reached = addresses(settings.host, settings.port, secure=options.tls)

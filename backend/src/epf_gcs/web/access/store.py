@@ -10,13 +10,14 @@ import contextlib
 import os
 import sqlite3
 import threading
-import time
 from collections.abc import Iterator
 from dataclasses import astuple, dataclass, fields
 from pathlib import Path
 from typing import Final, Literal, TypeVar
 
 import structlog
+
+from epf_gcs.disk import set_aside
 
 FILE: Final = "access.sqlite"
 _VERSION: Final = 1
@@ -113,8 +114,7 @@ class AccessStore:
         except sqlite3.DatabaseError as error:
             if isinstance(error, sqlite3.OperationalError):
                 raise
-            aside = path.with_name(f"{path.name}.damaged-{time.time_ns() // 1_000_000_000}")
-            path.replace(aside)
+            aside = set_aside(path)
             log.exception("the list of people cannot be read: nobody has a key until invited again", kept_as=str(aside))
             self._db = _open(path)
 

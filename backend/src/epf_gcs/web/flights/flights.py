@@ -17,6 +17,7 @@ import structlog
 
 from epf_gcs.clock import Clock
 from epf_gcs.errors import ConflictError, GatewayError, NotFoundError
+from epf_gcs.extras import FLIGHTS
 from epf_gcs.recordings.places import Places
 from epf_gcs.web.flights.about import About
 from epf_gcs.web.flights.folder import Deleted, FlightFolder
@@ -239,20 +240,27 @@ class Flights:
             await self._prepare_one(waiting[0].id)
 
     def _must_prepare(self, row: Row) -> bool:
-        return row.fault is None and row.id != self.growing and row.id not in self._left_alone
+        # What was missing may have been installed since.
+        was_missing = row.fault is not None and row.fault.get("code") == "extra_missing" and FLIGHTS.is_here
+        can_be = row.fault is None or was_missing
+        return can_be and row.id != self.growing and row.id not in self._left_alone
 
     async def _prepare_one(self, flight: str) -> None:
         path = str(self.places.recording(flight))
         # What could not be packed is indexed as it is: packing only saves room.
         if (await self._work("pack", path, flight)).state == "cancelled":
             return
-        job = await self._work("index", path, flight)
-        if job.fault is not None:
-            self._report(job.fault)
+        try:
+            fault = (await self._work("index", path, flight)).fault
+            if fault is not None:
+                self._report(fault)
+        except ConflictError as error:  # packages are missing: who looks at the flight is told
+            fault = error
+        if fault is not None:
             row = await self.in_thread(self._library.get, flight)
             if row is not None:
-                fault = {"code": job.fault.code, "detail": job.fault.detail, "params": job.fault.params}
-                await self.in_thread(self._library.failed, flight, row.stamp, fault)
+                kept = {"code": fault.code, "detail": fault.detail, "params": fault.params}
+                await self.in_thread(self._library.failed, flight, row.stamp, kept)
 
     async def _work(self, kind: Literal["pack", "index"], path: str, flight: str) -> Job:
         job = self._preparing = self.jobs.start(kind, [path], flight=flight)

@@ -14,14 +14,17 @@ import sqlite3
 import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 import orjson
 
 from epf_gcs.errors import GatewayError
 from epf_gcs.formats.quantized_mesh import CELLS, encode_tile, tile_nodes
-from epf_gcs.web.maps.heights import Heights
+from epf_gcs.web.maps import faults
 from epf_gcs.web.maps.layer import Bounds
+
+if TYPE_CHECKING:
+    from epf_gcs.web.maps.heights import Heights
 
 MOST_TILES: Final = 400_000
 """About 3 GB. Finer zoom levels are left out."""
@@ -38,6 +41,13 @@ def main(arguments: list[str]) -> int:
     raster, target, name, inside = arguments
     _be_modest()
     try:
+        # GDAL's libraries need some of the system's, which small systems do not have (libexpat.so.1).
+        import epf_gcs.web.maps.heights  # noqa: F401, PLC0415 - here for its failure alone
+    except ImportError as error:
+        problem = faults.not_converted(name, str(error))
+        _say({"code": problem.code, "detail": problem.detail, "params": problem.params})
+        return 1
+    try:
         convert(Path(raster), Path(target), name, inside or None, lambda percent: _say({"percent": percent}))
     except GatewayError as error:
         _say({"code": error.code, "detail": error.detail, "params": error.params})
@@ -47,6 +57,8 @@ def main(arguments: list[str]) -> int:
 
 def convert(raster: Path, target: Path, name: str, inside: str | None, told: Callable[[int], None]) -> None:
     """Write the tiles; `target` appears only when it is complete. Raises GatewayError, OSError."""
+    from epf_gcs.web.maps.heights import Heights  # noqa: PLC0415 - `main` tells of its failure
+
     heights = Heights(raster, name, inside)
     part = target.with_suffix(".part")
     part.unlink(missing_ok=True)

@@ -12,8 +12,8 @@ from pathlib import Path
 
 import pytest
 
-from epf_gcs.launcher import gateway
-from epf_gcs.launcher.gateway import Part
+from epf_gcs.launcher import part as part_module
+from epf_gcs.launcher.part import Part
 from epf_gcs.watchdog import REFUSED
 from tests.support.waiting import DEADLINE_S, eventually
 
@@ -75,7 +75,7 @@ def test_one_that_is_killed_is_started_again_each_time(kept: Kept) -> None:
 
 
 def test_one_that_fails_after_it_has_lived_is_started_again(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(gateway, "_LIVED_S", 0.0)
+    monkeypatch.setattr(part_module, "_LIVED_S", 0.0)
     kept = Kept(tmp_path, "sys.exit(1)", "time.sleep(1000)")
     kept.thread.start()
     kept.runs(2)
@@ -84,7 +84,7 @@ def test_one_that_fails_after_it_has_lived_is_started_again(tmp_path: Path, monk
 
 
 def test_one_that_refuses_says_so_however_long_its_start_took(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(gateway, "_LIVED_S", 0.0)
+    monkeypatch.setattr(part_module, "_LIVED_S", 0.0)
     kept = Kept(tmp_path, f"sys.exit({REFUSED})")
     kept.thread.start()
     kept.thread.join(DEADLINE_S)
