@@ -109,6 +109,18 @@ def test_a_new_folder_is_of_our_format(tmp_path: Path) -> None:
     assert kept_copies(tmp_path / "new") == []
 
 
+def test_where_nothing_has_to_change_nothing_is_kept_or_said(data: Path) -> None:
+    said: list[str] = []
+    upgrade(data, said.append, (Change(2, ("state.json",), lambda _files: {}),), 2)
+    assert (of_format(data), kept_copies(data), said) == (2, [], [])
+
+
+def test_what_the_launcher_made_is_no_earlier_folder(tmp_path: Path) -> None:
+    for name in ("logs", "card", "run.lock"):
+        (tmp_path / name).mkdir()
+    assert read_format(tmp_path) is None
+
+
 def test_a_folder_of_our_format_is_not_written_to(tmp_path: Path) -> None:
     bring_up_to_date(tmp_path, quiet)
     with DataFolder(tmp_path):  # as while the station runs

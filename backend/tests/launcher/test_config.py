@@ -200,3 +200,13 @@ def test_the_shell_completes_options() -> None:
         },
     )
     assert "--data-dir" in answer.stdout
+
+
+def test_a_command_that_is_named_like_an_option_still_runs(tmp_path: Path) -> None:
+    answer = subprocess.run(
+        [sys.executable, "-m", "epf_gcs.launcher.gateway", "--config", str(written(tmp_path, "")), "version"],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert (answer.returncode, answer.stdout.startswith("epf-gcs ")) == (0, True)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import signal
+import subprocess
 import sys
 import threading
 from collections.abc import Iterator
@@ -44,7 +45,7 @@ class Kept:
 
     def stop(self) -> None:
         self.stopping.set()
-        self.part.signal(9)
+        self.part.end(by_force=True)
         self.thread.join(DEADLINE_S)
         for end in self._pipe:
             os.close(end)
@@ -69,7 +70,7 @@ def test_one_that_refuses_to_start_at_all_is_not_started_again(kept: Kept) -> No
 def test_one_that_is_killed_is_started_again_each_time(kept: Kept) -> None:
     for starts in (1, 2):
         kept.runs(starts)
-        kept.part.signal(9)
+        kept.part.end(by_force=True)
     kept.runs(3)
     assert kept.refusal is None
 
@@ -92,6 +93,14 @@ def test_one_that_refuses_says_so_however_long_its_start_took(tmp_path: Path, mo
     kept.stop()
 
 
+def test_a_board_of_the_environment_is_not_opened_again_in_flight(tmp_path: Path) -> None:
+    """The launcher alone reads that variable: a flight process that is started again opens what was open."""
+    program = "import os; from epf_gcs.launcher.part import _ENVIRONMENT; print('GCS_BOARD' in _ENVIRONMENT)"
+    environment = {**os.environ, "GCS_BOARD": "tcp://another:1"}
+    said = subprocess.run([sys.executable, "-c", program], env=environment, capture_output=True, check=True)
+    assert said.stdout == b"False\n"
+
+
 @contextmanager
 def watched(name: str, command: list[str]) -> Iterator[Part]:
     """A real process of the gateway, which may be silent for a second."""
@@ -104,7 +113,7 @@ def watched(name: str, command: list[str]) -> Iterator[Part]:
         yield part
     finally:
         stopping.set()
-        part.signal(signal.SIGKILL)
+        part.end(by_force=True)
         thread.join(DEADLINE_S)
         os.close(alive)
         os.close(held)

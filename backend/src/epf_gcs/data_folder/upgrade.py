@@ -66,6 +66,9 @@ def upgrade(folder: Path, say: Say, changes: Sequence[Change] = CHANGES, to: int
                 after.pop(name, None)
             else:
                 after[name] = content
+    if after == before:
+        write_format(folder, to)
+        return
     kept = _decide(folder, before, after, to, KEPT)
     finish(folder)
     say(

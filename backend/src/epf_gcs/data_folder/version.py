@@ -19,6 +19,7 @@ FORMAT: Final = 2
 FILE: Final = "format.json"
 _UNNUMBERED: Final = 1
 _LONGEST: Final = 10_000
+_OF_THE_LAUNCHER: Final = frozenset({".lock", "run.lock", "logs", "card", "board.pty"})
 
 Say = Callable[[str], None]
 """Told one sentence for the person who starts the station."""
@@ -88,8 +89,8 @@ def newer(folder: Path, found: Format) -> str:
 
 
 def _holds_anything(folder: Path) -> bool:
-    # Locks and logs are made before the folder is looked at.
+    # What the launcher makes before the folder is looked at.
     try:
-        return any(path.name not in (".lock", "run.lock", "logs") for path in folder.iterdir())
+        return any(path.name not in _OF_THE_LAUNCHER for path in folder.iterdir())
     except FileNotFoundError:
         return False

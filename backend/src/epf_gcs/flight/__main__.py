@@ -6,7 +6,6 @@ import argparse
 import asyncio
 import gc
 import os
-import signal
 import sys
 import threading
 from pathlib import Path
@@ -21,14 +20,14 @@ from epf_gcs.data_folder.upgrade import upgrade
 from epf_gcs.data_folder.version import FormatError
 from epf_gcs.errors import GatewayError
 from epf_gcs.flight.flight import Flight
-from epf_gcs.flight.priority import Priority, go_first, stay_in_memory
 from epf_gcs.link.address import parse_address
 from epf_gcs.logs import set_up_logging
+from epf_gcs.system.priority import Priority, go_first, stay_in_memory
+from epf_gcs.system.signals import on_polite_end
 from epf_gcs.watchdog import REFUSED, feed
 
 # How long another thread (the recorder's) may hold the interpreter while the event loop waits for it.
 _SWITCH_INTERVAL_S: Final = 0.0002
-_POLITE: Final = (signal.SIGTERM, signal.SIGINT, getattr(signal, "SIGHUP", signal.SIGTERM))
 
 log = structlog.get_logger("flight")
 
@@ -64,11 +63,7 @@ def main() -> None:
 async def _fly(options: argparse.Namespace, priority: Priority) -> None:
     ended = asyncio.Event()
     loop = asyncio.get_running_loop()
-    for name in set(_POLITE):
-        try:
-            loop.add_signal_handler(name, ended.set)
-        except NotImplementedError:
-            signal.signal(name, lambda *_: loop.call_soon_threadsafe(ended.set))
+    on_polite_end(ended.set, loop)
     if options.with_parent:
         # A daemon thread, not the loop's executor: the loop would wait at its end for a read that blocks.
         threading.Thread(target=_wait_for_parent, args=(loop, ended), daemon=True).start()

@@ -19,6 +19,7 @@ from epf_gcs.launcher.errors import LaunchError
 from epf_gcs.launcher.options import STATION_PORT, Options, XPlane
 from epf_gcs.launcher.upkeep import print_version
 from epf_gcs.system.locks import lock
+from epf_gcs.system.signals import POLITE
 
 app = typer.Typer(pretty_exceptions_enable=False, context_settings={"help_option_names": ["-h", "--help"]})
 
@@ -152,7 +153,7 @@ class _StopRequest:
 
     def __init__(self) -> None:
         self.heard = False
-        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+        for number in POLITE:
             signal.signal(number, self._hear)
 
     def _hear(self, _number: int, _frame: FrameType | None) -> None:

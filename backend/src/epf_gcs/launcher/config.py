@@ -98,7 +98,9 @@ def load_config(
             raise LaunchError(f"{where}: {_unknown(key, [*entries, *_LISTS, *_NUMBERS])}")
     # The commands of `epf-gcs` have some of the same options.
     commands = getattr(context.command, "commands", {})
-    context.default_map = {**taken, **{name: _of(command, taken) for name, command in commands.items()}}
+    # A command without any of them must not stand there: it may have the name of an option (`version`).
+    own = {name: found for name, command in commands.items() if (found := _of(command, taken))}
+    context.default_map = {**taken, **own}
     return file
 
 

@@ -141,7 +141,7 @@ def _files_of(data: Path) -> Iterator[Path]:
 
 
 def _is_read_only(place: Path) -> bool:
-    if not hasattr(os, "statvfs"):
+    if sys.platform == "win32":
         return False
     return bool(os.statvfs(place).f_flag & os.ST_RDONLY)
 
@@ -171,7 +171,7 @@ def _ports(data: Path, port: int) -> Iterator[Finding]:
         yield Finding(
             "fault",
             f"TCP port {port} is taken by {who}." if who else error.detail,
-            f"End that program, or: epf-gcs --port {other}",
+            f"End that program, or: epf-gcs --port {other}" if who else f"epf-gcs --port {other}",
         )
     else:
         yield Finding("ok", f"TCP port {port} for the page is free")
@@ -247,7 +247,7 @@ def _mend_library(said: str, again: str) -> str:
 
 
 def _priority() -> Iterator[Finding]:
-    if not hasattr(os, "sched_setscheduler"):
+    if sys.platform != "linux":
         return
     # Tried in a process of its own, which ends at once.
     tried = subprocess.run(

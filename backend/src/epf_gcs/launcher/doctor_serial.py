@@ -24,7 +24,7 @@ def serial_ports() -> Iterator[Finding]:
     if not found:
         yield Finding("note", "No serial port is here.", "Plug the board in; a PTY or TCP address needs none.")
     for path in found:
-        if os.name == "nt" or os.access(path, os.R_OK | os.W_OK):
+        if sys.platform == "win32" or os.access(path, os.R_OK | os.W_OK):
             yield Finding("ok", f"Serial port {path} can be opened")
         else:
             yield _may_not(path)
@@ -59,9 +59,11 @@ def _may_not(path: str) -> Finding:
 
 
 def _group_of(path: str) -> str:
+    if sys.platform == "win32":
+        return ""
     try:
         return Path(path).group()
-    except (KeyError, OSError, NotImplementedError):
+    except (KeyError, OSError):
         return "dialout"
 
 

@@ -29,6 +29,7 @@ from epf_gcs.launcher.ports import is_loopback
 from epf_gcs.launcher.service import Service
 from epf_gcs.launcher.upkeep import add_commands, print_version
 from epf_gcs.listening import listen
+from epf_gcs.system.signals import POLITE
 
 _STOP_S: Final = 8.0
 # A process that was being started when the signal came gets another signal after this time.
@@ -49,7 +50,7 @@ class Gateway:
 
     def run(self) -> int:
         """Run until a signal, or until one of the two refuses to start; returns the exit code."""
-        for number in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP):
+        for number in POLITE:
             signal.signal(number, self._stop)
         watchers = [threading.Thread(target=self._watch, args=(part,), name=part.name) for part in self._parts]
         for watcher in watchers:
@@ -75,14 +76,11 @@ class Gateway:
     def _end(self, watchers: Sequence[threading.Thread]) -> None:
         """End both; one that hangs is killed."""
         give_up_s = time.monotonic() + _STOP_S
-        number: int = signal.SIGTERM
         while any(watcher.is_alive() for watcher in watchers):
             for part in self._parts:
-                part.signal(number)
+                part.end(by_force=time.monotonic() > give_up_s)
             for watcher in watchers:
                 watcher.join(_SIGNAL_AGAIN_S)
-            if time.monotonic() > give_up_s:
-                number = signal.SIGKILL
 
 
 def _configure(context: typer.Context, path: Path | None) -> Path | None:

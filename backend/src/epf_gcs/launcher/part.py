@@ -10,6 +10,7 @@ import time
 from collections.abc import Sequence
 from typing import Final
 
+from epf_gcs.system.processes import ask_to_end, handing_down, own_group
 from epf_gcs.watchdog import REFUSED, SILENT_S, wait_for_end
 
 # The first restart is immediate, because the aircraft may be in flight; repeated ones wait longer, up to this.
@@ -58,10 +59,13 @@ class Part:
             stopping.wait(self._wait_s(has_lived=has_lived))
         return None
 
-    def signal(self, number: int) -> None:
-        """Send a signal if it runs."""
+    def end(self, *, by_force: bool) -> None:
+        """Ask it to end, or end it, if it runs."""
         if self.process is not None and self.process.poll() is None:
-            self.process.send_signal(number)
+            if by_force:
+                self.process.kill()
+            else:
+                ask_to_end(self.process)
 
     def _run(self, command: Sequence[str]) -> int:
         # Only we hold the write end of its standard input, so it notices when we die, and ends. A process group of its
@@ -71,9 +75,9 @@ class Part:
             self.process = subprocess.Popen(
                 [*command, "--watchdog", str(fed)],
                 stdin=self._stdin,
-                pass_fds=(*self._files, fed),
-                process_group=0,
                 env=_ENVIRONMENT,
+                **own_group(),
+                **handing_down((*self._files, fed)),
             )
         finally:
             os.close(fed)

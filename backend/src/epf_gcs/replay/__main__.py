@@ -7,7 +7,6 @@ import asyncio
 import contextlib
 import gc
 import os
-import signal
 import sys
 import threading
 from pathlib import Path
@@ -22,9 +21,11 @@ from epf_gcs import __version__
 from epf_gcs.errors import GatewayError
 from epf_gcs.logs import set_up_logging
 from epf_gcs.replay.vehicle_process import VehicleProcess
+from epf_gcs.system.limits import limit_memory
+from epf_gcs.system.priority import be_nice
+from epf_gcs.system.signals import on_polite_end
 
 _MEMORY_BYTES: Final = 2 << 30
-_POLITE: Final = (signal.SIGTERM, signal.SIGINT)
 
 
 def main() -> None:
@@ -44,9 +45,7 @@ def main() -> None:
 async def _replay(options: argparse.Namespace) -> None:
     ended = asyncio.Event()
     loop = asyncio.get_running_loop()
-    for name in _POLITE:
-        with contextlib.suppress(NotImplementedError):
-            loop.add_signal_handler(name, ended.set)
+    on_polite_end(ended.set, loop)
     process = VehicleProcess(options.recording, options.keys)
     if options.folder is not None:
         process.open(options.folder, options.at)
@@ -70,12 +69,8 @@ async def _replay(options: argparse.Namespace) -> None:
 
 def _be_modest() -> None:
     """The lowest priority, and a limit of memory: no flight is slower for it, no file can take the machine."""
-    with contextlib.suppress(OSError, AttributeError):
-        os.nice(19)
-    with contextlib.suppress(ImportError, ValueError, OSError):
-        import resource  # noqa: PLC0415 - not there on every system
-
-        resource.setrlimit(resource.RLIMIT_AS, (_MEMORY_BYTES, _MEMORY_BYTES))
+    be_nice()
+    limit_memory(_MEMORY_BYTES)
 
 
 def _listen_to_parent(loop: asyncio.AbstractEventLoop, process: VehicleProcess, ended: asyncio.Event) -> None:

@@ -25,6 +25,7 @@ from epf_gcs.simulator.situation import (
     Wind,
     parse_wind,
 )
+from epf_gcs.system.signals import POLITE
 
 LOOPBACK = "127.0.0.1"
 
@@ -212,7 +213,7 @@ class _StopRequest:
 
     def __init__(self) -> None:
         self.heard = False
-        for number in (signal.SIGINT, signal.SIGTERM):
+        for number in POLITE:
             signal.signal(number, self._hear)
 
     def _hear(self, _number: int, _frame: FrameType | None) -> None:

@@ -202,3 +202,13 @@ def test_the_bin_keeps_a_flight_for_thirty_days(places: Places) -> None:
     assert folder.purge(1000.0 + KEPT_S - 1) == []
     assert folder.purge(1000.0 + KEPT_S) == [FIRST]
     assert list(places.bin.iterdir()) == []
+
+
+def test_a_flight_that_began_under_a_wrong_clock_is_filed_under_its_true_time(places: Places) -> None:
+    for flight, ahead_s in ((FIRST, 86400.0), (SECOND, 0.0)):
+        record(places, flight)
+        index(places, flight, clock_ahead_s=ahead_s)
+    library = Library(places)
+    library.refresh(None)
+    assert row_of(library, FIRST).started_s - row_of(library, SECOND).started_s == 86400.0
+    assert ids(library, sort="started") == [FIRST, SECOND]

@@ -39,6 +39,8 @@ def main() -> None:
         bring_up_to_date(settings.data_dir, lambda said: print(said, file=sys.stderr))
         store = AccessStore(settings.data_dir)
         with contextlib.closing(store):
+            if options.first and _has_owner(store):
+                return
             role = Role[options.role] if options.role else _first_role(store, settings)
             key, invitation = new_invitation(store, role, options.minutes, time.time())
     except (sqlite3.Error, OSError) as error:
@@ -64,6 +66,7 @@ def _options() -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="epf-gcs invite", description=__doc__)
     parser.add_argument("--role", choices=[role.name for role in Role])
     parser.add_argument("--minutes", type=_minutes, default=_MINUTES)
+    parser.add_argument("--first", action="store_true")
     parser.add_argument("--data-dir", type=Path)
     parser.add_argument("--host")
     parser.add_argument("--port", type=int)
@@ -80,8 +83,11 @@ def _minutes(text: str) -> float:
 
 def _first_role(store: AccessStore, settings: Settings) -> Role:
     """Where not even this computer is trusted, the first one in has to be an owner, or there would never be one."""
-    has_owner = any(person.role == Role.owner and person.state == "in" for person in store.all(Person))
-    return Role.operator if has_owner or Policy.of(settings).trusts_this_computer else Role.owner
+    return Role.operator if _has_owner(store) or Policy.of(settings).trusts_this_computer else Role.owner
+
+
+def _has_owner(store: AccessStore) -> bool:
+    return any(person.role == Role.owner and person.state == "in" for person in store.all(Person))
 
 
 def _print_qr(text: str) -> None:

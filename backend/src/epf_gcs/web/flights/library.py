@@ -215,7 +215,7 @@ class Library:
     def _tell(self, flight: str, about: About, summary: dict[str, Any] | None) -> None:
         known = summary or {}
         values = {
-            "started_s": known["started_ns"] * 1e-9 if summary else started_s(flight),
+            "started_s": known["started_ns"] * 1e-9 + known.get("clock_ahead_s", 0.0) if summary else started_s(flight),
             "duration_s": (known["ended_ns"] - known["started_ns"]) * 1e-9 if summary else None,
             **{name: known.get(name) for name in ("highest_ft", "fastest_kt", "board", "fingerprint")},
             "summary": orjson.dumps(summary).decode() if summary else None,

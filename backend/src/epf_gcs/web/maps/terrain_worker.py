@@ -20,6 +20,8 @@ import orjson
 
 from epf_gcs.errors import GatewayError
 from epf_gcs.formats.quantized_mesh import CELLS, encode_tile, tile_nodes
+from epf_gcs.system.limits import limit_memory, limit_time
+from epf_gcs.system.priority import be_nice
 from epf_gcs.web.maps import faults
 from epf_gcs.web.maps.layer import Bounds
 
@@ -135,13 +137,9 @@ def _touched(first: float, last: float, count: int) -> range:
 
 
 def _be_modest() -> None:
-    with contextlib.suppress(AttributeError, OSError):  # not on every system
-        os.nice(_NICE)
-    with contextlib.suppress(ImportError, ValueError, OSError):
-        import resource  # noqa: PLC0415 - not on every system
-
-        resource.setrlimit(resource.RLIMIT_AS, (_MOST_MEMORY_BYTES, _MOST_MEMORY_BYTES))
-        resource.setrlimit(resource.RLIMIT_CPU, (_MOST_CPU_S, _MOST_CPU_S))
+    be_nice(_NICE)
+    limit_memory(_MOST_MEMORY_BYTES)
+    limit_time(_MOST_CPU_S)
 
 
 def _say(message: dict[str, object]) -> None:
