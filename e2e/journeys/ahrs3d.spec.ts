@@ -1,6 +1,7 @@
 import type { Page } from "@playwright/test";
 import { attitude, expect, open, test } from "../support/fixtures.js";
 import { closeMenu, openMenu } from "../support/menu.js";
+import { ANY_STATION } from "../support/there.js";
 
 /** The aircraft in 3D, which tells in attributes how its model is turned. */
 function aircraft(page: Page) {
@@ -24,10 +25,9 @@ async function farthestFromHorizon(page: Page): Promise<number> {
   });
 }
 
-test("the aircraft is turned as the horizon beside it, is aligned, and goes grey with its stream", async ({
-  page,
-  flying,
-}) => {
+test("the aircraft is turned as the horizon beside it, is aligned, and goes grey with its stream", {
+  tag: ANY_STATION,
+}, async ({ page, flying }) => {
   await open(page, flying);
   await openTab(page);
   await expect(aircraft(page)).toHaveAttribute("data-state", "live");

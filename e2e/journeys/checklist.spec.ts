@@ -3,6 +3,7 @@ import { MENUS } from "../checklist/menus.js";
 import { FRAME, type Part, SCREENS, type Screen } from "../checklist/screens.js";
 import { expect, open, test } from "../support/fixtures.js";
 import { closeMenu, entryOf, openMenu } from "../support/menu.js";
+import { ANY_STATION } from "../support/there.js";
 
 /** Each finding is noted and the walk goes on, so that one run tells all that is missing. */
 const there = expect.configure({ soft: true, timeout: 15_000 });
@@ -30,7 +31,10 @@ async function show(page: Page, { tab, sub }: Screen): Promise<void> {
   if (sub !== undefined) await page.getByRole("tabpanel").getByRole("tab", { name: sub, exact: true }).click();
 }
 
-test("everything of the check list is there, enabled or with the reason why not", async ({ page, flying }) => {
+test("everything of the check list is there, enabled or with the reason why not", { tag: ANY_STATION }, async ({
+  page,
+  flying,
+}) => {
   await open(page, flying);
   await expect(page.getByText("Tienes el control", { exact: true })).toBeVisible();
 

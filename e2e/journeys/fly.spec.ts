@@ -1,6 +1,10 @@
 import { attitude, expect, open, test } from "../support/fixtures.js";
+import { ANY_STATION } from "../support/there.js";
 
-test("a visitor sees the aircraft fly and bank, and the waypoint number advance", async ({ page, flying }) => {
+test("a visitor sees the aircraft fly and bank, and the waypoint number advance", { tag: ANY_STATION }, async ({
+  page,
+  flying,
+}) => {
   await open(page, flying);
   await expect(attitude(page)).toHaveAttribute("data-state", "live");
   await expect(page.getByText("Tienes el control", { exact: true })).toBeVisible();
@@ -20,7 +24,7 @@ test("a visitor sees the aircraft fly and bank, and the waypoint number advance"
   await expect.poll(async () => await flying.value("ahrs", "roll_deg"), "the turn ends").toBeLessThan(5);
 });
 
-test("the page's numbers are the gateway's, in sign and size", async ({ page, flying }) => {
+test("the page's numbers are the gateway's, in sign and size", { tag: ANY_STATION }, async ({ page, flying }) => {
   await open(page, flying);
   await expect
     .poll(async () => {

@@ -1,6 +1,7 @@
 import { expect, open, test } from "../support/fixtures.js";
+import { ANY_STATION } from "../support/there.js";
 
-test("language and theme are one click away and remembered", async ({ page, flying }) => {
+test("language and theme are one click away and remembered", { tag: ANY_STATION }, async ({ page, flying }) => {
   await open(page, flying);
   await page.getByRole("group", { name: "Idioma" }).getByText("English").click();
   await expect(page.getByRole("tab", { name: "Flight data" })).toBeVisible();

@@ -1,6 +1,7 @@
 import config from "../playwright.config.js";
 import { attitude, expect, open, test } from "../support/fixtures.js";
 import { middleOf, pixelsOf } from "../support/pixels.js";
+import { ANY_STATION } from "../support/there.js";
 
 // A browser without WebGL, as on a field computer whose graphics driver is missing.
 test.use({ launchOptions: { ...config.use?.launchOptions, args: ["--disable-3d-apis"] } });
@@ -8,7 +9,10 @@ test.use({ launchOptions: { ...config.use?.launchOptions, args: ["--disable-3d-a
 /** The real aircraft on any map: it lies over the simulator's, which the map follows and which is in the same place. */
 const REAL = [255, 217, 26];
 
-test("without WebGL the map says why, and shows the flight from above", async ({ page, flying }) => {
+test("without WebGL the map says why, and shows the flight from above", { tag: ANY_STATION }, async ({
+  page,
+  flying,
+}) => {
   const asked: string[] = [];
   page.on("request", (request) => asked.push(new URL(request.url()).pathname));
   await open(page, flying);

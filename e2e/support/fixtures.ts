@@ -30,7 +30,7 @@ export const test = base.extend<Fixtures>({
   trustsThisComputer: [true, { option: true }],
 
   station: async ({ boardOptions, trustsThisComputer }, use) => {
-    const station = await Station.start(boardOptions, trustsThisComputer);
+    const station = (await Station.there()) ?? (await Station.start(boardOptions, trustsThisComputer));
     await use(station);
     await station.stop();
   },
@@ -41,6 +41,7 @@ export const test = base.extend<Fixtures>({
   },
 
   context: async ({ context, station }, use, info) => {
+    if (station.session !== undefined) await context.addCookies([station.session]);
     const complaints: string[] = [];
     const away = info.tags.includes("@gateway-away");
     // A problem answer to a wrong request is what such a journey is about; the browser logs each on its own.

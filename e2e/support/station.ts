@@ -5,26 +5,41 @@ import path from "node:path";
 import { promisify } from "node:util";
 import { Line } from "./line.js";
 import { freeTcpPort, freeUdpPort, Program, ROOT, until } from "./processes.js";
+import { boardThere, cookieFor, keyIn, stationThere } from "./there.js";
 
 const BIN = `${ROOT}/.venv/bin`;
 
+/** The programs of a station of the test's own, and the cable between its board and its gateway. */
+interface Own {
+  readonly line: Line;
+  readonly data: string;
+  readonly startGateway: () => Program;
+  readonly programs: { board: Program; simulator: Program; gateway: Program };
+}
+
 /**
  * A station of the test's own: board, cable, simulator and gateway as separate programs on the loopback, and the
- * gateway's interface to prepare a flight. Nothing in it is a stand-in but the cable.
+ * gateway's interface to prepare a flight. Nothing in it is a stand-in but the cable. Or one that runs already
+ * (`there.ts`), of which nothing can be killed and no cable pulled.
  */
 export class Station {
-  /** The owner's session, where this computer has to come in like any other. */
-  private cookie: string | undefined;
-
   private constructor(
     readonly url: string,
-    readonly line: Line,
-    private readonly data: string,
-    private readonly startGateway: () => Program,
-    private readonly programs: { board: Program; simulator: Program; gateway: Program },
+    private readonly ownParts: Own | undefined,
     private readonly udp: { receive_port: number; send_port: number },
     private readonly trustsThisComputer: boolean,
+    /** The owner's session, where this computer has to come in like any other. */
+    private cookie?: string,
   ) {}
+
+  /** The station that the environment names; undefined without one. Both its links are closed. */
+  static async there(): Promise<Station | undefined> {
+    const there = stationThere();
+    if (there === undefined) return undefined;
+    const station = new Station(there.url, undefined, { receive_port: 49003, send_port: 49000 }, false, there.cookie);
+    await station.closeLinks();
+    return station;
+  }
 
   /** `trustsThisComputer` false: every browser of the journey is a stranger, as one of another machine is. */
   static async start(boardOptions: readonly string[] = [], trustsThisComputer = true): Promise<Station> {
@@ -46,10 +61,12 @@ export class Station {
       );
     const station = new Station(
       `http://127.0.0.1:${httpPort}`,
-      await Line.between(linePort, boardPort),
-      data,
-      startGateway,
-      { board, simulator, gateway: startGateway() },
+      {
+        line: await Line.between(linePort, boardPort),
+        data,
+        startGateway,
+        programs: { board, simulator, gateway: startGateway() },
+      },
       udp,
       trustsThisComputer,
     );
@@ -57,22 +74,39 @@ export class Station {
     return station;
   }
 
+  private get own(): Own {
+    if (this.ownParts === undefined) throw new Error("this needs a station of the journey's own");
+    return this.ownParts;
+  }
+
   get gateway(): Program {
-    return this.programs.gateway;
+    return this.own.programs.gateway;
+  }
+
+  get line(): Line {
+    return this.own.line;
+  }
+
+  /** The session of a browser that is to come in with us; undefined where it needs none. */
+  get session(): { name: string; value: string; url: string } | undefined {
+    const [name, value] = this.cookie?.split("=", 2) ?? [];
+    return this.ownParts !== undefined || name === undefined || value === undefined
+      ? undefined
+      : { name, value, url: this.url };
   }
 
   /** A one-time key from the command line, as the owner of a station without a screen makes one. */
   async invite(role: "viewer" | "operator" | "owner"): Promise<string> {
     const { stdout } = await promisify(execFile)(`${BIN}/epf-gcs`, [
-      ...["invite", "--role", role, "--data-dir", path.join(this.data, "station")],
+      ...["invite", "--role", role, "--data-dir", path.join(this.own.data, "station")],
     ]);
-    const key = /[0-9A-Z]{4}(-[0-9A-Z]{4}){3}/.exec(stdout)?.[0];
+    const key = keyIn(stdout);
     if (key === undefined) throw new Error(`no key in what epf-gcs invite printed:\n${stdout}`);
     return key;
   }
 
   get boardUrl(): string {
-    return `tcp://127.0.0.1:${this.line.port}`;
+    return this.ownParts === undefined ? boardThere() : `tcp://127.0.0.1:${this.line.port}`;
   }
 
   get simulatorLink() {
@@ -130,41 +164,39 @@ export class Station {
   }
 
   async killGateway(): Promise<void> {
-    await this.programs.gateway.stop("SIGKILL");
+    await this.own.programs.gateway.stop("SIGKILL");
   }
 
   async restartGateway(): Promise<void> {
-    this.programs.gateway = this.startGateway();
+    this.own.programs.gateway = this.own.startGateway();
     await this.answers();
   }
 
   async killBoard(): Promise<void> {
-    await this.programs.board.stop("SIGKILL");
+    await this.own.programs.board.stop("SIGKILL");
   }
 
   async stop(): Promise<void> {
-    await this.programs.gateway.stop();
-    await this.programs.simulator.stop();
-    await this.programs.board.stop();
+    if (this.ownParts === undefined) return await this.closeLinks();
+    await this.own.programs.gateway.stop();
+    await this.own.programs.simulator.stop();
+    await this.own.programs.board.stop();
     await this.line.pull();
-    await rm(this.data, { recursive: true, force: true });
+    await rm(this.own.data, { recursive: true, force: true });
   }
 
   private async answers(): Promise<void> {
     if (!this.trustsThisComputer && this.cookie === undefined) await this.enterAsOwner();
-    await until(`the gateway's answer\n${this.programs.gateway.output}`, async () => await this.status());
+    await until(`the gateway's answer\n${this.own.programs.gateway.output}`, async () => await this.status());
   }
 
   private async enterAsOwner(): Promise<void> {
     await until("the gateway", async () => ((await fetch(`${this.url}/api/v1/access/me`)).ok ? true : undefined));
-    const answer = await fetch(`${this.url}/api/v1/access/enter`, {
-      method: "POST",
-      body: JSON.stringify({ key: await this.invite("owner"), name: "journey", place: "" }),
-      headers: { "Content-Type": "application/json" },
-    });
-    this.cookie = answer.headers.get("set-cookie")?.split(";")[0];
-    if (this.cookie === undefined)
-      throw new Error(`the journey did not come in: ${answer.status} ${await answer.text()}`);
+    this.cookie = await cookieFor(this.url, await this.invite("owner"));
+  }
+
+  private async closeLinks(): Promise<void> {
+    for (const name of ["board", "simulator"]) await this.request("DELETE", `links/${name}`);
   }
 
   // biome-ignore lint/suspicious/noExplicitAny: a journey looks at single members of the public interface

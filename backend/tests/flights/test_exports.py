@@ -312,6 +312,7 @@ def two_lengths(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]:
     return tuple(indexed(tmp_path_factory.mktemp("length"), recording(seconds)) for seconds in (60, 480))  # type: ignore[return-value]
 
 
+@pytest.mark.uncounted
 @pytest.mark.parametrize("kind", ["mcap-decoded", "csv", "kmz"])
 def test_the_memory_of_an_export_does_not_grow_with_the_flight(two_lengths: tuple[Path, Path], kind: str) -> None:
     short, long = (_peak_kb(path, kind) for path in two_lengths)

@@ -86,6 +86,15 @@ def test_a_damaged_file_is_refused_or_still_a_whole_plan(
     assert_refused_or_whole(damaged)
 
 
+def test_an_archive_cut_or_damaged_at_any_byte_is_refused_or_still_a_whole_plan() -> None:
+    """Every place, because a random one finds what zipfile raises only now and then."""
+    data = WRITERS["kmz"]("x", TWO)
+    for place in range(len(data)):
+        assert_refused_or_whole(data[:place])
+        for byte in (0, 1, 255):
+            assert_refused_or_whole(data[:place] + bytes((byte,)) + data[place + 1 :])
+
+
 @pytest.mark.parametrize(
     ("data", "code"),
     [

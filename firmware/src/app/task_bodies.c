@@ -70,6 +70,7 @@ static void run_sensors(void* context)
 
         application_lock(app);
         sensing_update(&estimator, &reading, period_s(task_sensors), &app->board.measured.sensors);
+        (void)measurements_hear_receiver(&app->board.measured);
         application_unlock(app);
         wait_for_next(app, task_sensors, &woken);
     }

@@ -16,15 +16,21 @@ static bool is_complete(const message_servos_in_t* receiver)
     return true;
 }
 
+bool measurements_hear_receiver(measurements_t* measured)
+{
+    const bool is_heard = is_complete(&measured->sensors.servos_in);
+    if (is_heard)
+    {
+        measured->receiver_heard = measured->sensors.servos_in;
+    }
+    return is_heard;
+}
+
 void measurements_note(measurements_t* measured, float dt_s)
 {
     const board_sensors_t* const sensors = &measured->sensors;
     failsafe_t* const missing = &measured->missing;
-    const bool is_receiver_heard = is_complete(&sensors->servos_in);
-    if (is_receiver_heard)
-    {
-        measured->receiver_heard = sensors->servos_in;
-    }
+    const bool is_receiver_heard = measurements_hear_receiver(measured);
     const bool has_rates = isfinite(sensors->inertial.gx_rad_s) && isfinite(sensors->inertial.gy_rad_s) &&
                            isfinite(sensors->inertial.gz_rad_s);
     const bool has_fix = sensors->gps.valid == 'A';

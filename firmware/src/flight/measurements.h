@@ -17,6 +17,10 @@ typedef struct
     failsafe_t missing;                 ///< every cause but the silent simulator
 } measurements_t;
 
+/// Remember the receiver's channels if all of them are there; returns whether they are. To be called with each new
+/// reading: the control loop runs by its own clock and may miss one, and with it the last position of a switch.
+bool measurements_hear_receiver(measurements_t* measured);
+
 /// Count how long each measurement has been missing: `dt_s` (> 0) have passed since the last call.
 void measurements_note(measurements_t* measured, float dt_s);
 

@@ -102,6 +102,19 @@ static void a_channel_that_is_not_heard_keeps_its_last_value(void** state)
     assert_false(measurements_autotrim(&measured));
 }
 
+/// Sensing and control loop are two tasks: of two readings between two steps, the first counts too.
+static void a_switch_that_was_heard_once_is_remembered_before_the_next_step(void** state)
+{
+    (void)state;
+    measurements_t measured = complete();
+    measured.sensors.servos_in.channel[rc_channel_autopilot] = -1.0F;
+    assert_true(measurements_hear_receiver(&measured));
+    measured.sensors.servos_in.channel[rc_channel_autopilot] = NAN;
+    assert_false(measurements_hear_receiver(&measured));
+    measurements_note(&measured, step_s);
+    assert_false(measurements_autopilot(&measured));
+}
+
 static void the_stick_is_the_transmitters_until_the_receiver_is_silent(void** state)
 {
     (void)state;
@@ -131,6 +144,7 @@ int main(void)
         cmocka_unit_test(each_value_that_is_not_measured_is_missing_under_its_own_cause),
         cmocka_unit_test(direction_and_altitude_have_two_sources_each),
         cmocka_unit_test(a_channel_that_is_not_heard_keeps_its_last_value),
+        cmocka_unit_test(a_switch_that_was_heard_once_is_remembered_before_the_next_step),
         cmocka_unit_test(the_stick_is_the_transmitters_until_the_receiver_is_silent),
     };
     return cmocka_run_group_tests_name("flight.measurements", tests, NULL, NULL);

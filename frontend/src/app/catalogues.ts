@@ -6,6 +6,8 @@ import ahrsEn from "../features/ahrs/ahrs.en.json";
 import ahrsEs from "../features/ahrs/ahrs.es.json";
 import alarmsEn from "../features/alarms/alarms.en.json";
 import alarmsEs from "../features/alarms/alarms.es.json";
+import checklistEn from "../features/checklist/checklist.en.json";
+import checklistEs from "../features/checklist/checklist.es.json";
 import controlsEn from "../features/controls/controls.en.json";
 import controlsEs from "../features/controls/controls.es.json";
 import emulationEn from "../features/emulation/emulation.en.json";
@@ -18,6 +20,8 @@ import gamepadEn from "../features/gamepad/gamepad.en.json";
 import gamepadEs from "../features/gamepad/gamepad.es.json";
 import guideEn from "../features/guide/guide.en.json";
 import guideEs from "../features/guide/guide.es.json";
+import logEn from "../features/log/log.en.json";
+import logEs from "../features/log/log.es.json";
 import mapEn from "../features/map/map.en.json";
 import mapEs from "../features/map/map.es.json";
 import messagesEn from "../features/messages/messages.en.json";
@@ -55,12 +59,14 @@ export const CATALOGUES = {
     ...accessEs,
     ...ahrsEs,
     ...alarmsEs,
+    ...checklistEs,
     ...controlsEs,
     ...emulationEs,
     ...flightEs,
     ...flightsEs,
     ...gamepadEs,
     ...guideEs,
+    ...logEs,
     ...mapEs,
     ...messagesEs,
     ...parametersEs,
@@ -81,12 +87,14 @@ export const CATALOGUES = {
     ...accessEn,
     ...ahrsEn,
     ...alarmsEn,
+    ...checklistEn,
     ...controlsEn,
     ...emulationEn,
     ...flightEn,
     ...flightsEn,
     ...gamepadEn,
     ...guideEn,
+    ...logEn,
     ...mapEn,
     ...messagesEn,
     ...parametersEn,

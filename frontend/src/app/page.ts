@@ -10,6 +10,7 @@ import { AHRS } from "../features/ahrs/alignment";
 import type { Sounder, Speaker } from "../features/alarms/alarmLog";
 import { ALARM_LOG, forgetOwnAlarm, takeAlarmEvent } from "../features/alarms/alarmLog";
 import { createAlarmLog } from "../features/alarms/alarmRequests";
+import { CHECKLIST, createChecklist } from "../features/checklist/checklist";
 import {
   createSourceReturn,
   NOTHING_LEFT_OFF,
@@ -17,11 +18,14 @@ import {
   takeHeartbeats,
 } from "../features/controls/sourceReturn";
 import { createEmulation, EMULATION } from "../features/emulation/emulationRequests";
-import { createFlightComparison, FLIGHT_COMPARISON } from "../features/flights/flightComparison";
+import { FLIGHT_COMPARISON } from "../features/flights/flightComparison";
+import { eventMessage as flightEventMessage, groupOf } from "../features/flights/flightEvents";
 import { FLIGHTS } from "../features/flights/flightLibrary";
 import { createFlights } from "../features/flights/flightRequests";
 import { createGamepadInput, type GamepadReader } from "../features/gamepad/gamepadInput";
 import { GAMEPADS } from "../features/gamepad/gamepadList";
+import { TOUCH_STICK } from "../features/gamepad/touchStick";
+import { createFlightLog, FLIGHT_LOG } from "../features/log/flightLog";
 import { MAP_LAYERS } from "../features/map/layers/layerList";
 import { createMapLayerActions } from "../features/map/layers/layerRequests";
 import { createMapSelection, MAP_SELECTION } from "../features/map/mapSelection";
@@ -63,7 +67,9 @@ import { rememberClient, rememberedClient } from "./clientMemory";
 import type { PageVersions } from "./pageVersion";
 import { createPasts, SHOWN } from "./past";
 import { plotTimeline } from "./plotTimeline";
+import { twoFlights } from "./twoFlights";
 import { createVehicle } from "./vehicle";
+import { watching } from "./watching";
 
 /** What the page needs from outside: given by a browser's window, or by a test. */
 export interface World {
@@ -100,7 +106,7 @@ export function createPage(world: World): {
   const addressed = takeAddressedKey(world.address);
   const { telemetry, connection } = vehicle;
   const commands = createCommands();
-  const messages = createMessages();
+  const messages = createMessages(world.tabStorage);
   const settings = createSettings(world.storage);
   const parameterValues = createParameters();
   const plans = createPlans(world.storage);
@@ -150,6 +156,8 @@ export function createPage(world: World): {
     takeMapEvent(message);
     takeTrackEvent(message);
     takeFlightEvent(message);
+    takeLogEvent(message);
+    takeChecklistEvent(message);
     gamepads.takeEvent(message);
     takeAlarmEvent(alarmLog.store, message);
     if (message.event === ACCESS_CHANGED) {
@@ -210,6 +218,7 @@ export function createPage(world: World): {
     timers: world.timers,
     admission,
     addressed,
+    isEncrypted: world.address.read().startsWith("https:"),
     start: () => socket.start(),
     stop: shutOut,
   });
@@ -254,23 +263,16 @@ export function createPage(world: World): {
     onGone: (flight) => playback.store.getState().flight === flight && playback.now(),
     openReport: (flight) => reports.open(flight),
   });
+  const { flightLog, takeLogEvent } = createFlightLog({
+    rest,
+    timers: world.timers,
+    connection,
+    tell: (event) => ({ group: groupOf(event), message: flightEventMessage(event) }),
+  });
+  const sees = watching({ ...vehicle, plans, gains: parameterValues, alarms: alarmLog.store, now_ms });
+  const { checklist, takeChecklistEvent } = createChecklist({ rest, storage: world.tabStorage, sees });
   const plots = createPlots({ rest, timers: world.timers, timeline: plotTimeline(playback) });
-  const comparison = createFlightComparison();
-  comparison.register({
-    words: "report.open",
-    open: (first, second) => {
-      // Ids begin with the time: the later flight is compared with the earlier one.
-      const [earlier, later] = [first, second].sort();
-      reports.open(later ?? second, earlier);
-    },
-  });
-  comparison.register({
-    words: "plots.compareTwo",
-    open: (flight, other) => {
-      plots.compare(flight, other);
-      choose(settings, "tab", "plots");
-    },
-  });
+  const comparison = twoFlights({ reports, plots, settings });
   const parts = new Parts()
     .with(PLAYBACK, playback)
     .with(ENTRY, entry)
@@ -289,8 +291,11 @@ export function createPage(world: World): {
     .with(TRACK_EDITS, createTrackEdits(asking))
     .with(SERVO_SLIDERS, servos.sliders)
     .with(GAMEPADS, gamepads.gamepads)
+    .with(TOUCH_STICK, gamepads.touchStick)
     .with(BOARD_CONSOLE, boardConsole)
     .with(FLIGHTS, flights)
+    .with(FLIGHT_LOG, flightLog)
+    .with(CHECKLIST, checklist)
     .with(FLIGHT_COMPARISON, comparison)
     .with(PLOTS, plots)
     .with(REPORTS, reports)

@@ -38,11 +38,14 @@ export const VIEWS: Readonly<Record<TabName, LazyPart>> = {
 /** The tuning view, which stays open under any tab. */
 export const TUNING = lazyPart(async () => (await import("./tabs/TuningTab")).TuningTab);
 
+/** The stick on the screen, which stays open under any tab as well. */
+export const TOUCH = lazyPart(async () => (await import("../features/gamepad/TouchDock")).TouchDock);
+
 /** The way in, for whom the station does not admit. */
 export const ENTER_PAGE = lazyPart(async () => (await import("../features/access/EnterPage")).EnterPage);
 
 export async function loadViews(): Promise<void> {
-  for (const { load } of [...Object.values(VIEWS), TUNING, ENTER_PAGE]) {
+  for (const { load } of [...Object.values(VIEWS), TUNING, TOUCH, ENTER_PAGE]) {
     await load();
   }
 }

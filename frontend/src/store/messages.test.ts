@@ -1,5 +1,6 @@
 import { expect, test } from "vitest";
-import { createMessages, failureMessage, say } from "./messages";
+import { createMessages, failureMessage, MOST_KEPT, say } from "./messages";
+import type { BrowserStorage } from "./settings";
 
 test("the last message is the one shown, and the same words said again are a new message", () => {
   const store = createMessages();
@@ -20,5 +21,60 @@ test("a refusal is an error of its code, with the values that a sentence can say
 });
 
 test("nothing is said before the first message", () => {
-  expect(createMessages().getState()).toEqual({ last: null });
+  expect(createMessages().getState()).toEqual({ last: null, kept: [] });
+});
+
+function memory(): BrowserStorage & { readonly texts: Map<string, string> } {
+  const texts = new Map<string, string>();
+  return {
+    texts,
+    getItem: (key) => texts.get(key) ?? null,
+    setItem: (key, value) => void texts.set(key, value),
+  };
+}
+
+const SAID = { level: "warning", key: "said.malformed", params: { count: 3 } } as const;
+
+test("what was said is kept over a reload, but nothing of it looks like the newest message", () => {
+  const storage = memory();
+  say(createMessages(storage), SAID, 1000);
+  const reloaded = createMessages(storage);
+  expect(reloaded.getState()).toEqual({ last: null, kept: [{ ...SAID, number: 1, said_ms: 1000 }] });
+  say(reloaded, SAID, 2000);
+  expect(reloaded.getState().last?.number).toBe(2);
+});
+
+test("the oldest messages make room", () => {
+  const storage = memory();
+  const store = createMessages(storage);
+  for (let at_ms = 0; at_ms < MOST_KEPT + 5; at_ms += 1) {
+    say(store, SAID, at_ms);
+  }
+  const { kept } = createMessages(storage).getState();
+  expect([kept.length, kept[0]?.said_ms]).toEqual([MOST_KEPT, 5]);
+});
+
+test.each([
+  "nonsense",
+  "{}",
+  '[{"level":"loud"}, 3, null, {"level":"info","key":"a","params":{"x":[]},"number":1,"said_ms":1}]',
+])("stored messages that are none are left out: %s", (stored) => {
+  const storage = memory();
+  say(createMessages(storage), SAID, 1);
+  storage.texts.set([...storage.texts.keys()][0] ?? "", stored);
+  expect(createMessages(storage).getState().kept).toEqual([]);
+});
+
+test("a full or forbidden storage keeps nobody from speaking", () => {
+  const forbidden: BrowserStorage = {
+    getItem: () => {
+      throw new Error("forbidden");
+    },
+    setItem: () => {
+      throw new Error("full");
+    },
+  };
+  const store = createMessages(forbidden);
+  say(store, SAID, 1);
+  expect(store.getState().kept).toHaveLength(1);
 });

@@ -1,5 +1,6 @@
 import { createStore, type StoreApi } from "zustand/vanilla";
-import { isNumber, isText } from "../lib/check";
+import { isNumber, isObject, isText } from "../lib/check";
+import type { BrowserStorage } from "./settings";
 
 export type MessageLevel = "info" | "warning" | "error";
 export type MessageParams = Readonly<Record<string, string | number>>;
@@ -21,14 +22,66 @@ export interface SaidMessage extends Message {
   readonly said_ms: number;
 }
 
-export type MessageStore = StoreApi<{ readonly last: SaidMessage | null }>;
+/** `last` is what the status bar shows; `kept` is what was said in this browser tab, oldest first, over reloads too. */
+export interface Messages {
+  readonly last: SaidMessage | null;
+  readonly kept: readonly SaidMessage[];
+}
 
-export function createMessages(): MessageStore {
-  return createStore(() => ({ last: null }));
+export type MessageStore = StoreApi<Messages>;
+
+/** Some 100 kB in the tab's storage, and more than anybody reads. */
+export const MOST_KEPT = 500;
+const KEY = "epf-gcs.messages";
+
+export function createMessages(storage: BrowserStorage | null = null): MessageStore {
+  const kept = read(storage);
+  const store = createStore<Messages>(() => ({ last: null, kept }));
+  store.subscribe(({ kept: now }, { kept: before }) => {
+    if (now !== before) {
+      write(storage, now);
+    }
+  });
+  return store;
 }
 
 export function say(store: MessageStore, message: Message, said_ms: number): void {
-  store.setState(({ last }) => ({ last: { ...message, number: (last?.number ?? 0) + 1, said_ms } }));
+  store.setState(({ kept }) => {
+    const last = { ...message, number: (kept.at(-1)?.number ?? 0) + 1, said_ms };
+    return { last, kept: [...kept, last].slice(-MOST_KEPT) };
+  });
+}
+
+const LEVELS: readonly unknown[] = ["info", "warning", "error"] satisfies MessageLevel[];
+
+function isSaid(value: unknown): value is SaidMessage {
+  return (
+    isObject(value) &&
+    LEVELS.includes(value["level"]) &&
+    isText(value["key"]) &&
+    isObject(value["params"]) &&
+    Object.values(value["params"]).every((one) => isText(one) || isNumber(one)) &&
+    (value["fallback"] === undefined || isText(value["fallback"])) &&
+    isNumber(value["number"]) &&
+    isNumber(value["said_ms"])
+  );
+}
+
+function read(storage: BrowserStorage | null): readonly SaidMessage[] {
+  try {
+    const stored: unknown = JSON.parse(storage?.getItem(KEY) ?? "[]");
+    return Array.isArray(stored) ? stored.filter(isSaid).slice(-MOST_KEPT) : [];
+  } catch {
+    return [];
+  }
+}
+
+function write(storage: BrowserStorage | null, kept: readonly SaidMessage[]): void {
+  try {
+    storage?.setItem(KEY, JSON.stringify(kept));
+  } catch {
+    // Full or forbidden: the messages last as long as the page.
+  }
 }
 
 /** A failure reported by the gateway: a stable code, an English sentence, its values. */

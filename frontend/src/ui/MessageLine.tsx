@@ -1,3 +1,4 @@
+import { ScrollText } from "lucide-react";
 import "./MessageLine.css";
 
 interface Props {
@@ -7,14 +8,30 @@ interface Props {
   level?: "info" | "warning" | "error" | undefined;
   /** Its time, as text. */
   time?: string | undefined;
+  /** What a press opens. */
+  action?: { readonly label: string; readonly onPress: () => void } | undefined;
+  className?: string | undefined;
 }
 
 /** The newest message in one line of the status bar; the whole text is in the tooltip. */
-export function MessageLine({ label, text, level = "info", time }: Props) {
+export function MessageLine({ label, text, level = "info", time, action, className }: Props) {
   return (
-    <div className="ui-message" data-level={level} role="status" aria-label={label} title={text}>
-      {time !== undefined && <span className="ui-message-time">{time}</span>}
-      <span className="ui-message-text">{text}</span>
+    <div className={className === undefined ? "ui-message-row" : `ui-message-row ${className}`}>
+      <div className="ui-message" data-level={level} role="status" aria-label={label} title={text}>
+        {time !== undefined && <span className="ui-message-time">{time}</span>}
+        <span className="ui-message-text">{text}</span>
+      </div>
+      {action !== undefined && (
+        <button
+          type="button"
+          className="ui-message-open"
+          aria-label={action.label}
+          title={action.label}
+          onClick={action.onPress}
+        >
+          <ScrollText size={14} aria-hidden="true" />
+        </button>
+      )}
     </div>
   );
 }

@@ -136,7 +136,15 @@ class Flight:
             changed=self._on_ahrs_test,
         )
 
-        self._known = KnownNotes(self.notes, self.board, self.parameters, self.stick, self.supervisor, self.simulator)
+        self._known = KnownNotes(
+            self.notes,
+            self.board,
+            self.parameters,
+            self.stick,
+            self.supervisor,
+            self.simulator,
+            self.memory.now.aircraft,
+        )
 
         # Alarms and housekeeping.
         self.watch = Watch(
@@ -213,7 +221,7 @@ class Flight:
                 **mission_requests(self.missions),
                 **self.switches.requests(),
                 **alarm_requests(self.alarms),
-                **recording_requests(self.recorder, self.notes, self.memory, self.outlet),
+                **recording_requests(self.recorder, self.notes, self._known, self.memory, self.outlet),
             }
         )
         self._connect()

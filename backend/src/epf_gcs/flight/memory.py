@@ -33,6 +33,8 @@ class Remembered:
     thresholds: dict[str, Any] = field(default_factory=dict)
     # The policy of the disk, as `DiskPolicy` has it; empty for the default.
     recording: dict[str, Any] = field(default_factory=dict)
+    # What the aircraft is called, as a person said it; empty for no name.
+    aircraft: str = ""
 
 
 class Memory:
@@ -167,6 +169,7 @@ def _encode(values: Remembered) -> bytes:
             "source": values.wanted.source,
             "thresholds": values.thresholds,
             "recording": values.recording,
+            "aircraft": values.aircraft,
         },
         option=orjson.OPT_INDENT_2,
     )
@@ -187,6 +190,7 @@ def _decode(values: dict[str, Any]) -> Remembered:
         # Not in the files of earlier versions.
         thresholds=dict(values.get("thresholds", {})),
         recording=dict(values.get("recording", {})),
+        aircraft=str(values.get("aircraft", "")),
     )
 
 

@@ -85,6 +85,7 @@ def main(arguments: list[str]) -> int:
     # Ctrl-C in a terminal reaches all its processes: the web process ends this one.
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     be_modest(most_cpu_s=None)
+    send(sys.stdout.buffer, {})
     serve(Flights(Places(Path(arguments[0]))), sys.stdin.buffer, sys.stdout.buffer)
     return 0
 

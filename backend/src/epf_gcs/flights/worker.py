@@ -65,7 +65,8 @@ def work(run: Run, arguments: list[str]) -> int:
         _write({"fault": {"code": fault.code, "detail": fault.detail, "params": fault.params}})
     except OSError as error:
         why = error.strerror or str(error)
-        _write({"fault": {"code": "job_failed", "detail": f"The disk refused: {why}.", "params": {"why": why}}})
+        detail = f"The flights' folder could not be changed ({why}): free the disk or correct its permissions."
+        _write({"fault": {"code": "flight_not_written", "detail": detail, "params": {"why": why}}})
     except Cancelled:
         return 128 + signal.SIGTERM
     else:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import codecs
 import io
 import zipfile
-import zlib
 from collections.abc import Callable, Mapping, Sequence
 from typing import Final
 from xml.etree.ElementTree import Element
@@ -19,6 +18,7 @@ from epf_gcs.formats.kmz import DOCUMENT, kmz_pieces
 from epf_gcs.formats.mission_file import FileFault, FileFormat, MissionFile
 from epf_gcs.formats.qgc_plan import read_plan, write_plan
 from epf_gcs.formats.xml_tree import local, parse_xml
+from epf_gcs.formats.zip_faults import ZIP_FAULTS
 
 MAX_FILE_BYTES: Final = 1_000_000
 """A hundred waypoints take 50 kB in the longest of the formats. A larger file, such as a day's track, is not a plan."""
@@ -73,15 +73,7 @@ def _unpacked(data: bytes) -> bytes:
             inside = next(entry for entry in archive.infolist() if entry.filename.lower().endswith(".kml"))
             with archive.open(inside) as file:
                 unpacked = file.read(MAX_FILE_BYTES + 1)
-    except (
-        StopIteration,
-        zipfile.BadZipFile,
-        zlib.error,
-        OSError,
-        RuntimeError,
-        NotImplementedError,
-        ValueError,
-    ) as error:
+    except (StopIteration, *ZIP_FAULTS) as error:
         raise FileFault("mission_file_archive", "it is an archive without a KML that can be read") from error
     if len(unpacked) > MAX_FILE_BYTES:
         raise FileFault("mission_file_archive", f"its KML is longer than {MAX_FILE_BYTES} bytes")

@@ -28,6 +28,7 @@ NAME: Final = "epf-gcs.toml"
 _LISTS: Final = ("allowed_hosts", "allowed_origins", "local_maps")
 """Settings of the web process that are lists of texts; it takes them from variables."""
 _NUMBERS: Final = ("max_body_bytes",)
+_TEXTS: Final = ("reached_at",)
 _NOT_SETTINGS: Final = frozenset({"config", "print_openapi", "version"})
 _MOST_BYTES: Final = 100_000
 _KEY: Final = r"""^\s*["']?{key}["']?\s*="""
@@ -94,8 +95,11 @@ def load_config(
         elif key in _NUMBERS:
             _check(Entry(int, least=1), key, value, where)
             environment.setdefault(f"GCS_{key.upper()}", str(value))
+        elif key in _TEXTS:
+            _check(Entry(str), key, value, where)
+            environment.setdefault(f"GCS_{key.upper()}", value)
         else:
-            raise LaunchError(f"{where}: {_unknown(key, [*entries, *_LISTS, *_NUMBERS])}")
+            raise LaunchError(f"{where}: {_unknown(key, [*entries, *_LISTS, *_NUMBERS, *_TEXTS])}")
     # The commands of `epf-gcs` have some of the same options.
     commands = getattr(context.command, "commands", {})
     # A command without any of them must not stand there: it may have the name of an option (`version`).

@@ -200,7 +200,8 @@ def run(
 
     Without --board it opens the links of its last run. Every option is also a variable (--data-dir: GCS_DATA_DIR) and
     an entry of the config file (data_dir = "/srv/flights"); an option goes before a variable, a variable before the
-    file. GCS_ALLOWED_HOSTS and GCS_ALLOWED_ORIGINS (JSON lists; in the file allowed_hosts and allowed_origins) let more
+    file. GCS_REACHED_AT (http://HOST:PORT) is where others reach it, if it cannot know (container, proxy);
+    GCS_ALLOWED_HOSTS and GCS_ALLOWED_ORIGINS (JSON lists; in the file allowed_hosts and allowed_origins) let more
     names and pages in; GCS_LOCAL_MAPS (host:port) names servers of map tiles in the own network.
 
     It runs as two processes: `epf-flight` owns the lines and flies on when `epf-web`, which serves the page, does not.

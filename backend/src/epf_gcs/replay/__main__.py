@@ -20,6 +20,7 @@ import orjson
 from epf_gcs import __version__
 from epf_gcs.errors import GatewayError
 from epf_gcs.logs import set_up_logging
+from epf_gcs.replay.making_keys import make_keys
 from epf_gcs.replay.vehicle_process import VehicleProcess
 from epf_gcs.system.limits import limit_memory
 from epf_gcs.system.priority import be_nice
@@ -33,6 +34,8 @@ def main() -> None:
     options = _options()
     set_up_logging(verbose=False)
     _be_modest()
+    if options.make_keys:
+        sys.exit(make_keys(options.recording, options.keys))
     try:
         with asyncio.Runner(loop_factory=_loop_factory()) as runner:
             runner.run(_replay(options))
@@ -111,7 +114,15 @@ def _options() -> argparse.Namespace:
         action="store_true",
         help="Open a replay for each line of standard input, and end when it closes.",
     )
-    return parser.parse_args()
+    parser.add_argument(
+        "--make-keys",
+        action="store_true",
+        help="Make the key frames of a finished recording (with --keys), say how far it is, and end.",
+    )
+    options = parser.parse_args()
+    if options.make_keys and options.keys is None:
+        parser.error("--make-keys needs --keys: where to put them")
+    return options
 
 
 if __name__ == "__main__":

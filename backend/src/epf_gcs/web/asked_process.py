@@ -7,13 +7,18 @@ import subprocess
 import sys
 import threading
 import time
-from typing import Any, BinaryIO, cast
+from typing import Any, BinaryIO, Final, cast
 
 from epf_gcs.worker_pipe import receive, send
 
+_LONGEST_START_S: Final = 60.0
+
 
 class AskedProcess:
-    """`python -m PROGRAM ARGUMENTS`. One thread asks at a time; any other may end it."""
+    """`python -m PROGRAM ARGUMENTS`. One thread asks at a time; any other may end it.
+
+    The program greets with an empty message when it is ready, so that no request is blamed for a slow start.
+    """
 
     def __init__(self, *program: str) -> None:
         self._program = program
@@ -67,4 +72,7 @@ class AskedProcess:
             [sys.executable, "-m", *self._program], stdin=subprocess.PIPE, stdout=subprocess.PIPE
         )
         self._process = process
+        self._until_s = time.monotonic() + _LONGEST_START_S
+        with contextlib.suppress(OSError, ValueError):
+            receive(cast(BinaryIO, process.stdout))  # without a greeting the request fails, and says so
         return process

@@ -52,3 +52,11 @@ def test_a_report_is_made_once_of_an_indexed_flight_and_kept(tmp_path: Path) -> 
     assert run([str(file)], quiet)["report"] == first
     assert run([str(file), "--compare", str(file)], quiet)["report"]["earlier"]["flight"] == FLIGHT
     assert "<html" in run([str(file), "--page", "es"], quiet)["page"]
+
+
+@pytest.mark.parametrize(("language", "words"), [("es", "ningún objetivo cambió"), ("en", "no target changed")])
+def test_the_page_of_a_flight_without_manoeuvres_says_so(language: str, words: str) -> None:
+    times = np.arange(0.0, 1e9, 2e7)
+    made = report(FLIGHT, make(1, steps=0).flight, SUMMARY, [], times, times + 4e6)
+    assert made["manoeuvres"] == []
+    assert words in html.fromstring(page(made, language)).text_content()

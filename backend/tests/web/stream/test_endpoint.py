@@ -17,7 +17,7 @@ from websockets.typing import Origin
 from epf_gcs.web.state.schemas import Status
 from tests.support.fake_board import FakeBoard
 from tests.support.gateway import Gateway, Stream
-from tests.support.waiting import eventually
+from tests.support.waiting import DEADLINE_S, eventually
 
 HANDSHAKE = (
     b"GET /api/v1/stream HTTP/1.1\r\nHOST\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
@@ -65,10 +65,15 @@ def test_samples_arrive_with_their_time_and_values(gateway: Gateway, board: Fake
 def test_every_sample_comes_at_rate_zero(gateway: Gateway, board: FakeBoard) -> None:
     gateway.open_board(board.url)
     with gateway.stream("?rate=0") as stream:
-        times: list[float] = []
-        while len(times) < 30:
-            times += [s["t_s"] for s in stream.next("batch")["samples"] if s["topic"] == "heartbeat"]
-        assert times == sorted(set(times))
+        sent = [float(place) for place in range(30)]
+        for latitude_deg in sent:
+            board.send_gps(latitude_deg, 0.0, 0.0)
+        samples: list[dict[str, Any]] = []
+        while len(samples) < len(sent):
+            samples += [sample for sample in stream.next("batch")["samples"] if sample["topic"] == "gps"]
+        assert [sample["values"]["latitude_deg"] for sample in samples] == sent
+        times = [sample["t_s"] for sample in samples]
+        assert times == sorted(times), "those that were read together have one time"
 
 
 def test_the_sequence_has_no_gap(gateway: Gateway, board: FakeBoard) -> None:
@@ -210,14 +215,14 @@ def test_a_foreign_page_gets_no_stream(gateway: Gateway, origin: str) -> None:
 
 def test_our_own_page_gets_the_stream(gateway: Gateway) -> None:
     with connect(f"ws://127.0.0.1:{gateway.server.port}/api/v1/stream", origin=Origin(gateway.base)) as stream:
-        assert orjson.loads(stream.recv())["type"] == "hello"
+        assert orjson.loads(stream.recv(DEADLINE_S))["type"] == "hello"
 
 
 def test_a_page_that_pointed_its_own_name_at_us_gets_no_stream(gateway: Gateway) -> None:
-    with socket.create_connection(("127.0.0.1", gateway.server.port)) as peer:
+    with socket.create_connection(("127.0.0.1", gateway.server.port), DEADLINE_S) as peer:
         peer.sendall(HANDSHAKE.replace(b"HOST", b"Host: evil.example"))
         assert peer.recv(4096).startswith(b"HTTP/1.1 403")
-    with socket.create_connection(("127.0.0.1", gateway.server.port)) as peer:
+    with socket.create_connection(("127.0.0.1", gateway.server.port), DEADLINE_S) as peer:
         peer.sendall(HANDSHAKE.replace(b"HOST", b"Host: 127.0.0.1\r\nHost: evil.example"))
         assert peer.recv(4096).startswith(b"HTTP/1.1 4")
 

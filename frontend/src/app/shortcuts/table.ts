@@ -6,7 +6,7 @@ import { otherHolder } from "../../requests/useControl";
 import type { Page } from "../../store/hooks";
 import type { MessageParams } from "../../store/messages";
 import { choose } from "../../store/settings";
-import type { DialogName } from "../dialogs/dialogs";
+import type { DialogName } from "../dialogs/useDialogs";
 import { TABS, type TabName } from "../views";
 
 /** What a shortcut can use. */
@@ -125,6 +125,13 @@ export const SHORTCUTS: readonly Shortcut[] = [
     words: "alarmLog.mute",
     isArmed: false,
     run: ({ page }) => page.parts.get(ALARM_LOG).mute(),
+  },
+  {
+    key: "L",
+    group: "window",
+    words: "menu.log",
+    isArmed: false,
+    run: ({ open }) => open("log"),
   },
   {
     key: ",",

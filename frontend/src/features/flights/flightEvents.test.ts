@@ -100,3 +100,8 @@ test("what belongs to no other group is trouble, so that it is never hidden with
     expect(groupOf({ kind })).toBe("trouble");
   }
 });
+
+test("the station's own computer is named in the page's language", () => {
+  expect(said({ kind: "control", name: "this computer" }).params).toEqual({ name: "@control.station" });
+  expect(said({ kind: "control", name: "Ana · tableta" }).params).toEqual({ name: "Ana · tableta" });
+});

@@ -19,6 +19,9 @@ const GROUP_OF: Readonly<Record<string, EventGroup>> = {
   mark: "mark",
 };
 
+/** How the gateway names who sits at its own computer. */
+const THIS_COMPUTER = "this computer";
+
 /** What is of no other group went wrong: gaps, damage, lines and recordings that were lost, restarts. */
 export function groupOf({ kind }: Pick<FlightEvent, "kind">): EventGroup {
   return GROUP_OF[kind] ?? "trouble";
@@ -52,7 +55,9 @@ export function eventMessage(event: FlightEvent): Message {
     case "console":
       return info("flightEvent.console", { text: textOf(data["text"] ?? data["line"], name) });
     case "control":
-      return name === "" ? info("flightEvent.nobody") : info("flightEvent.control", { name });
+      return name === ""
+        ? info("flightEvent.nobody")
+        : info("flightEvent.control", { name: name === THIS_COMPUTER ? "@control.station" : name });
     case "parameter":
       return info("flightEvent.parameter", { names: parameterNames(data) });
     case "link":

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import argparse
 import contextlib
-import sqlite3
 import sys
 import time
 from pathlib import Path
@@ -22,6 +21,7 @@ from epf_gcs.web.access.addresses import addresses, with_key
 from epf_gcs.web.access.admission import Policy
 from epf_gcs.web.access.caller import is_in_container
 from epf_gcs.web.access.invitations import new_invitation
+from epf_gcs.web.access.moment import Moment
 from epf_gcs.web.access.roles import Role
 from epf_gcs.web.access.store import AccessStore, Person
 from epf_gcs.web.settings import Settings
@@ -34,7 +34,10 @@ def main() -> None:
     """Make the key and print it."""
     options = _options()
     given = {name: getattr(options, name) for name in ("host", "port", "data_dir")}
-    settings = Settings(**{name: value for name, value in given.items() if value is not None})
+    try:
+        settings = Settings(**{name: value for name, value in given.items() if value is not None})
+    except ValueError as error:
+        sys.exit(f"epf-gcs invite: {error}")
     try:
         bring_up_to_date(settings.data_dir, lambda said: print(said, file=sys.stderr))
         store = AccessStore(settings.data_dir)
@@ -42,22 +45,25 @@ def main() -> None:
             if options.first and _has_owner(store):
                 return
             role = Role[options.role] if options.role else _first_role(store, settings)
-            key, invitation = new_invitation(store, role, options.minutes, time.time())
-    except (sqlite3.Error, OSError) as error:
-        sys.exit(f"No key could be made in {settings.data_dir} ({error}): choose the station's folder by --data-dir.")
-    except (FormatError, GatewayError) as error:
+            key, invitation = new_invitation(store, role, options.minutes, Moment.now())
+    except GatewayError as error:
+        sys.exit(f"No key could be made in {settings.data_dir}: {error.detail}")
+    except FormatError as error:
         sys.exit(str(error))
     until = time.strftime("%H:%M", time.localtime(invitation.until_s))
     print(f"One-time key for one {role.name}, until {until}:  {key}")
-    reached = addresses(settings.host, settings.port, secure=options.tls)
+    reached = addresses(settings.host, settings.port, secure=options.tls, reached_at=settings.reached_at)
     if not reached:
         print("The station listens on this computer alone: start it with --lan to let others in.", flush=True)
         return
     print("Open it there as one of these, or scan the first:")
     for address in reached:
         print(f"  {with_key(address, key, None)}")
-    if is_in_container():
-        print("This is a container: put its host's address and the published port in their place.")
+    if is_in_container() and settings.reached_at is None:
+        print(
+            "This is a container: put its host's address and the published port in their place, or give them once, as "
+            "GCS_REACHED_AT=http://192.168.1.20:8000, and the code has them."
+        )
     _print_qr(with_key(reached[0], key, None))
     sys.stdout.flush()
 

@@ -15,7 +15,8 @@ from epf_gcs.disk import replace_file, set_aside
 @dataclass(slots=True)
 class About:
     """`marks` were set after the flight: {"id", "t_ns", "text", "by"}, those of the recording itself with the words
-    they were given later, or {"id", "hidden": true} where they were removed. `deleted_s`: when it went to the bin."""
+    they were given later, or {"id", "hidden": true} where they were removed. `deleted_s`: when it went to the bin.
+    `came_damaged`: what was wrong with the file that was imported, a sentence; empty if nothing was."""
 
     title: str = ""
     tags: list[str] = field(default_factory=list)
@@ -24,6 +25,7 @@ class About:
     imported: bool = False
     marks: list[dict[str, Any]] = field(default_factory=list)
     deleted_s: float | None = None
+    came_damaged: str = ""
 
     @property
     def is_empty(self) -> bool:

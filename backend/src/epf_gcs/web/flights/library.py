@@ -18,6 +18,7 @@ from typing import Any, Final, Literal
 import orjson
 import structlog
 
+from epf_gcs.errors import GatewayError
 from epf_gcs.recordings.places import SUMMARY, Places, Stamp, is_id, stamp_of, started_s
 from epf_gcs.web.flights.about import About, read_about, write_about
 
@@ -192,6 +193,12 @@ class Library:
         """Remember why a recording with this content could not be indexed; it is not tried again until it changes."""
         kept = orjson.dumps({"stamp": stamp, "fault": fault}).decode()
         self._change(lambda: self._execute("UPDATE flight SET fault = ? WHERE id = ?", kept, flight))
+
+    def refused(self, flight: str, why: GatewayError) -> None:
+        """The same for a flight's content as it is now."""
+        row = self.get(flight)
+        if row is not None:
+            self.failed(flight, row.stamp, {"code": why.code, "detail": why.detail, "params": why.params})
 
     def forget(self, flight: str) -> None:
         """Forget what is known of a flight, so that it is looked at anew."""

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import threading
 import zipfile
-import zlib
 from pathlib import Path, PurePosixPath
 from typing import Any, Final, Protocol
 
 import orjson
 
 from epf_gcs.errors import GatewayError
+from epf_gcs.formats.zip_faults import ZIP_FAULTS
 from epf_gcs.web.maps import faults
 from epf_gcs.web.maps.layer import MAX_TILE_BYTES, Bounds, Description, Range, Tile, checked_bounds, credit, mesh
 
@@ -85,7 +85,7 @@ class MeshFiles:
         self._name = name
         try:
             self._files: _Files = _Folder(path) if path.is_dir() else _Zip(path)
-        except (OSError, zipfile.BadZipFile, ValueError) as error:
+        except ZIP_FAULTS as error:
             raise faults.damaged(name, str(error)) from error
         try:
             self.description = self._describe()
@@ -105,7 +105,7 @@ class MeshFiles:
     def _read(self, path: str, most_bytes: int) -> bytes | None:
         try:
             return self._files.read(path, most_bytes)
-        except (OSError, zipfile.BadZipFile, zlib.error, ValueError, RuntimeError, NotImplementedError) as error:
+        except ZIP_FAULTS as error:
             raise faults.damaged(self._name, str(error)) from error
 
     def _describe(self) -> Description:

@@ -98,7 +98,8 @@ class Reader:
                 if worker.is_running:
                     worker.ask({"do": "forget", "path": str(path)}, self._longest_tile_s)
         finally:
-            for worker in held:
+            # In the order that they came, so that a process that runs is asked before one that has to be started.
+            for worker in reversed(held):
                 self._idle.put(worker)
 
     def close(self) -> None:

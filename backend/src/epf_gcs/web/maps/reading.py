@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import zipfile
 from pathlib import Path
 from typing import Final
 
+from epf_gcs.formats.zip_faults import ZIP_FAULTS
 from epf_gcs.system.limits import limit_memory, limit_time_from_now
 from epf_gcs.web.maps.layer import LayerFormat, TileSource
 from epf_gcs.web.maps.mbtiles import MbTiles
@@ -31,7 +31,7 @@ def raster_inside(path: Path) -> str | None:
     """The one raster of heights in an archive, the usual form of elevation models; None if there is not exactly one."""
     try:
         return None if is_mesh_zip(path) else only_raster(path)
-    except (OSError, zipfile.BadZipFile, ValueError, NotImplementedError):
+    except ZIP_FAULTS:
         return None  # the reason is reported when the file is opened
 
 

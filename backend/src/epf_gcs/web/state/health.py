@@ -31,6 +31,8 @@ def health(status: Status | None, disk: Disk | None) -> tuple[int, dict[str, Any
     failed = sorted(name for name, part in parts.items() if part["state"] == "failed")
     body = {
         "status": "failed" if failed else "ok",
+        # Of the station itself, whatever is connected to it.
+        "processes": "failed" if status is None else "ok",
         "failed": failed,
         "version": None if status is None else status["version"],
         "parts": parts,
