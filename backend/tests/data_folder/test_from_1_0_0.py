@@ -23,7 +23,7 @@ from tests.support.waiting import DEADLINE_S, eventually
 MADE = Path(__file__).parent / "data-1.0.0.tar.xz"
 FLIGHT = "20261123T030733Z"
 # Its recording, as that version wrote it: neither packed nor with notes.
-SECONDS = (15, 60)
+SECONDS = (10, 20)
 
 
 @pytest.fixture

@@ -60,7 +60,7 @@ async def test_bytes_go_both_ways_whole_and_in_order(line: Ends) -> None:
 
 async def test_a_line_that_is_gone_is_told_once(line: Ends) -> None:
     link = await opened(line)
-    board, line.board = line.board, os.dup(0)
+    board, line.board = line.board, os.open(os.devnull, os.O_RDONLY)
     os.close(board)
     await eventually_async(lambda: bool(line.lost), "it is told")
     assert [error.code for error in line.lost] == ["link_lost"]

@@ -10,7 +10,7 @@ import { AHRS } from "../features/ahrs/alignment";
 import type { Sounder, Speaker } from "../features/alarms/alarmLog";
 import { ALARM_LOG, forgetOwnAlarm, takeAlarmEvent } from "../features/alarms/alarmLog";
 import { createAlarmLog } from "../features/alarms/alarmRequests";
-import { CHECKLIST, createChecklist } from "../features/checklist/checklist";
+import { CHECKLIST } from "../features/checklist/checklist";
 import {
   createSourceReturn,
   NOTHING_LEFT_OFF,
@@ -19,16 +19,15 @@ import {
 } from "../features/controls/sourceReturn";
 import { createEmulation, EMULATION } from "../features/emulation/emulationRequests";
 import { FLIGHT_COMPARISON } from "../features/flights/flightComparison";
-import { eventMessage as flightEventMessage, groupOf } from "../features/flights/flightEvents";
 import { FLIGHTS } from "../features/flights/flightLibrary";
 import { createFlights } from "../features/flights/flightRequests";
 import { createGamepadInput, type GamepadReader } from "../features/gamepad/gamepadInput";
 import { GAMEPADS } from "../features/gamepad/gamepadList";
 import { TOUCH_STICK } from "../features/gamepad/touchStick";
-import { createFlightLog, FLIGHT_LOG } from "../features/log/flightLog";
+import { FLIGHT_LOG } from "../features/log/flightLog";
 import { MAP_LAYERS } from "../features/map/layers/layerList";
 import { createMapLayerActions } from "../features/map/layers/layerRequests";
-import { createMapSelection, MAP_SELECTION } from "../features/map/mapSelection";
+import { createMapTool, MAP_TOOL } from "../features/map/tools/mapTool";
 import { createTrackEdits, TRACK_EDITS } from "../features/map/trackEdits";
 import { TRACK_LOG } from "../features/map/trackLog";
 import { createTrackLog } from "../features/map/trackRequests";
@@ -47,6 +46,7 @@ import type { AnimationFrames } from "../lib/animationFrames";
 import type { Timers } from "../lib/timers";
 import { createPlanActions, takePlanEvent, takePlanStatus } from "../missions/missionRequests";
 import { createPlans, MISSIONS } from "../missions/planDrafts";
+import { createSelection, SELECTION } from "../missions/selection";
 import { BOARD_RESTARTED } from "../protocol/boardRestart";
 import type { StreamEvent, StreamMessage } from "../protocol/envelope";
 import type { Status } from "../protocol/status";
@@ -64,12 +64,12 @@ import { StreamSocket, type Wire, type WireListener } from "../transport/socket"
 import { openAddressedTab } from "./addressedTab";
 import { eventMessage, linkMessages } from "./announcements";
 import { rememberClient, rememberedClient } from "./clientMemory";
+import { createFlightBook } from "./flightBook";
 import type { PageVersions } from "./pageVersion";
 import { createPasts, SHOWN } from "./past";
 import { plotTimeline } from "./plotTimeline";
 import { twoFlights } from "./twoFlights";
 import { createVehicle } from "./vehicle";
-import { watching } from "./watching";
 
 /** What the page needs from outside: given by a browser's window, or by a test. */
 export interface World {
@@ -156,8 +156,7 @@ export function createPage(world: World): {
     takeMapEvent(message);
     takeTrackEvent(message);
     takeFlightEvent(message);
-    takeLogEvent(message);
-    takeChecklistEvent(message);
+    book.takeEvent(message);
     gamepads.takeEvent(message);
     takeAlarmEvent(alarmLog.store, message);
     if (message.event === ACCESS_CHANGED) {
@@ -263,14 +262,12 @@ export function createPage(world: World): {
     onGone: (flight) => playback.store.getState().flight === flight && playback.now(),
     openReport: (flight) => reports.open(flight),
   });
-  const { flightLog, takeLogEvent } = createFlightLog({
+  const book = createFlightBook({
     rest,
     timers: world.timers,
-    connection,
-    tell: (event) => ({ group: groupOf(event), message: flightEventMessage(event) }),
+    tabStorage: world.tabStorage,
+    seen: { ...vehicle, plans, gains: parameterValues, alarms: alarmLog.store, now_ms },
   });
-  const sees = watching({ ...vehicle, plans, gains: parameterValues, alarms: alarmLog.store, now_ms });
-  const { checklist, takeChecklistEvent } = createChecklist({ rest, storage: world.tabStorage, sees });
   const plots = createPlots({ rest, timers: world.timers, timeline: plotTimeline(playback) });
   const comparison = twoFlights({ reports, plots, settings });
   const parts = new Parts()
@@ -285,7 +282,8 @@ export function createPage(world: World): {
     .with(MISSIONS, createPlanActions(plans, world.saveFile, asking))
     .with(AHRS, createAhrs3d(asking))
     .with(SOURCE_RETURN, sourceReturn)
-    .with(MAP_SELECTION, createMapSelection())
+    .with(SELECTION, createSelection())
+    .with(MAP_TOOL, createMapTool())
     .with(MAP_LAYERS, mapLayers)
     .with(TRACK_LOG, trackLog)
     .with(TRACK_EDITS, createTrackEdits(asking))
@@ -294,8 +292,8 @@ export function createPage(world: World): {
     .with(TOUCH_STICK, gamepads.touchStick)
     .with(BOARD_CONSOLE, boardConsole)
     .with(FLIGHTS, flights)
-    .with(FLIGHT_LOG, flightLog)
-    .with(CHECKLIST, checklist)
+    .with(FLIGHT_LOG, book.flightLog)
+    .with(CHECKLIST, book.checklist)
     .with(FLIGHT_COMPARISON, comparison)
     .with(PLOTS, plots)
     .with(REPORTS, reports)

@@ -7,7 +7,8 @@ import { PARAMETERS } from "../protocol/messages.gen";
 import type { ConnectionStore } from "../store/connection";
 import type { TelemetryStore } from "../store/telemetry";
 
-interface Parts {
+/** Where the page sees it. */
+export interface Seen {
   readonly telemetry: TelemetryStore;
   readonly connection: ConnectionStore;
   readonly plans: PlanStore;
@@ -20,7 +21,7 @@ interface Parts {
  * What the page sees of the present for the lines of the checklist. Whatever is not live is not seen: without the
  * gateway nothing is.
  */
-export function watching(parts: Parts): (watched: Watched) => boolean {
+export function watching(parts: Seen): (watched: Watched) => boolean {
   const { telemetry, connection, plans, gains, alarms, now_ms } = parts;
   const isOpen = (): boolean => connection.getState().phase === "open";
   const active = () => {

@@ -8,6 +8,7 @@ all that is damaged, stays behind, and a clock that was set back in flight goes 
 from __future__ import annotations
 
 import time
+from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any, BinaryIO, Final
@@ -107,7 +108,7 @@ class _SteadyClock:
             self._last_ns, self._later_ns = int(t_ns[-1]), int(later[-1])
         if not self._steps:
             return part
-        notes = [(count, note._replace(t_ns=note.t_ns + int(later[max(0, count - 1)]))) for count, note in part.notes]
+        notes = [(count, replace(note, t_ns=note.t_ns + int(later[max(0, count - 1)]))) for count, note in part.notes]
         return part._replace(messages=part.messages._replace(t_ns=t_ns + later), notes=notes)
 
     def said(self) -> str | None:

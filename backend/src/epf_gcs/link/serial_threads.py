@@ -65,8 +65,9 @@ def _carry_in(port: serial.Serial, to: socket.socket) -> None:
             data = port.read(1)
             if data:
                 to.sendall(data + port.read(min(port.in_waiting, _BYTES)))
-    # Whoever reads the other end learns that the line is gone.
-    to.close()
+    # Whoever reads the other end learns that the line is gone, and the other thread ends: closing alone wakes neither.
+    with contextlib.suppress(OSError):
+        to.shutdown(socket.SHUT_RDWR)
 
 
 def _carry_out(port: serial.Serial, source: socket.socket) -> None:
@@ -76,6 +77,7 @@ def _carry_out(port: serial.Serial, source: socket.socket) -> None:
             left = memoryview(data)
             while left and port.is_open:
                 left = left[port.write(left) or 0 :]
+    source.close()
 
 
 def _waiting_to_leave(port: serial.Serial) -> int:

@@ -1,7 +1,15 @@
 import { createContext, useContext } from "react";
 
 /** The dialogs that a menu or a key opens. */
-export type DialogName = "about" | "guide" | "log" | "settings" | "tablet" | "drawer" | "shortcuts";
+export type DialogName =
+  | "about"
+  | "checklist"
+  | "guide"
+  | "log"
+  | "settings"
+  | "tablet"
+  | "drawer"
+  | "shortcuts";
 
 export interface Question {
   readonly title: string;
