@@ -35,9 +35,10 @@ class Ends:
 def line() -> Iterator[Ends]:
     board, ours = pty.openpty()
     tty.setraw(ours)
-    yield Ends(board, os.ttyname(ours))
+    ends = Ends(board, os.ttyname(ours))
+    yield ends
     os.close(ours)
-    os.close(board)
+    os.close(ends.board)
 
 
 async def opened(line: Ends) -> DescriptorLink:
