@@ -18,7 +18,7 @@ PORT ?= 8000
 ARGS ?=
 MINUTES ?= 30
 
-.PHONY: help setup images generate check test test-backend test-protocol test-firmware test-frontend e2e soak fuzz mutate mutate-page run board wheel bench clean
+.PHONY: help setup images generate check test test-backend test-protocol test-firmware test-frontend e2e soak fuzz mutate mutate-page run board wheel sdist check-platforms bench clean
 
 help: ## list the verbs
 	@awk -F':.*## ' '/^[a-z-]+:.*## / { printf "  make %-14s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -79,10 +79,18 @@ frontend/dist/index.html: $(frontend_sources) $(DONE)/frontend
 board: $(DONE)/tools ## build the board's firmware for this machine
 	@$(MAKE) --no-print-directory -C firmware board
 
-wheel: $(DONE)/venv frontend/dist/index.html board ## one file in dist/ that installs the whole station, without Node and without a compiler
-	@$(MAKE) --no-print-directory -C firmware board-static
-	@$(BIN)/python .ci/wheel.py . dist
+# The board's program of another processor needs its compiler: on Debian, gcc-aarch64-linux-gnu.
+PLATFORM ?= $(shell uname -m)
+wheel: $(DONE)/venv frontend/dist/index.html ## one file in dist/ that installs the whole station, without Node and without a compiler; PLATFORM=aarch64, or none: without a board's program
+	@if [ $(PLATFORM) = "$$(uname -m)" ]; then $(MAKE) --no-print-directory -C firmware board-static; \
+	elif [ $(PLATFORM) != none ]; then \
+	  $(MAKE) --no-print-directory -C firmware board-static BUILD=build/$(PLATFORM) CC=$(PLATFORM)-linux-gnu-gcc; fi
+	@$(BIN)/python .ci/wheel.py . dist $(PLATFORM)
 	@ls dist/*.whl
+
+sdist: $(DONE)/venv frontend/dist/index.html ## a source archive in dist/ with the built page inside
+	@$(BIN)/python .ci/wheel.py . dist sdist
+	@ls dist/*.tar.gz
 
 images: $(DONE)/tools $(DONE)/arm ## build the board's firmware for its processors (STM32F405, MPS2)
 	@$(MAKE) --no-print-directory -C firmware images
@@ -141,6 +149,10 @@ check-page: $(DONE)/frontend
 
 check-journeys: $(DONE)/e2e
 	cd e2e && npm run --silent check
+
+check-platforms: $(DONE)/venv-dev ## types as macOS and Windows see them (half a minute)
+	cd backend && ../$(BIN)/mypy --no-warn-unreachable --platform darwin --cache-dir .mypy_cache/darwin src
+	cd backend && ../$(BIN)/mypy --no-warn-unreachable --platform win32 --cache-dir .mypy_cache/win32 src
 
 # One after the other, whatever -j says: each uses all of the machine.
 TESTS := test-protocol test-firmware test-backend test-frontend e2e
