@@ -8,9 +8,10 @@ export default defineConfig({
   // For a station that runs already: only what needs no kill, no cable and no option of its own is tagged for it.
   globalSetup: "./support/there.ts",
   ...(process.env.GCS_STATION === undefined ? {} : { grep: /@any-station/ }),
-  // One after another: every journey has a board, a simulator and a gateway of its own, and two cores are enough for one.
-  workers: 1,
-  fullyParallel: false,
+  // Every journey has a board, a simulator and a gateway of its own, and waits for conditions alone; it needs less than
+  // one core, so that two cores are enough for two journeys at a time. A station that runs already has one operator.
+  workers: process.env.GCS_STATION === undefined ? 2 : 1,
+  fullyParallel: process.env.GCS_STATION === undefined,
   forbidOnly: true,
   retries: 0,
   // A bound for what hangs: a walk through every tab takes minutes where the globe is drawn by the processor alone.
@@ -22,6 +23,7 @@ export default defineConfig({
     viewport: { width: 1366, height: 768 },
     launchOptions: existsSync(system) ? { executablePath: system } : {},
     screenshot: "only-on-failure",
-    trace: "retain-on-failure",
+    // Without its film: the processor draws all pictures here, and would draw each twice.
+    trace: { mode: "retain-on-failure", screenshots: false, sources: false },
   },
 });

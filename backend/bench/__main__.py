@@ -27,6 +27,7 @@ MODULES = (
     "globe",
     "plots_http",
     "replay",
+    "past",
     "flight",
     "board",
     "image",

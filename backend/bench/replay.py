@@ -91,6 +91,18 @@ def wait_until_indexed(port: int) -> None:
             time.sleep(_LOOK_S)
 
 
+def wait_for_keys(port: int) -> None:
+    """The station makes key frames after that, in the background."""
+    with httpx.Client(base_url=f"http://127.0.0.1:{port}/api/v1") as client:
+
+        def states() -> list[str]:
+            jobs = client.get("/jobs").raise_for_status().json()["jobs"]
+            return [job["state"] for job in jobs if job["kind"] == "keys"]
+
+        while states() != ["done"]:
+            time.sleep(_LOOK_S)
+
+
 class Viewer:
     """A browser's end: acknowledges every batch, and counts."""
 

@@ -1,6 +1,7 @@
 import type { Page } from "@playwright/test";
 import { expect, open, test } from "../support/fixtures.js";
-import { ROOT } from "../support/processes.js";
+import { ROOT, until } from "../support/processes.js";
+import type { Station } from "../support/station.js";
 import { keepWebp, settled } from "./picture.js";
 
 /** Pictures of the guide by name, and the tab of which each is, in both languages. */
@@ -31,7 +32,48 @@ test("the guide's pictures are taken from the station in flight", async ({ page,
       await keepWebp(page, `${ROOT}/frontend/public/guide/${language}/${name}.webp`);
     }
   }
+  await landed(page, flying);
 });
+
+/** The chapters about flights that are over: the past, the library, plots and the report. */
+async function landed(page: Page, station: Station): Promise<void> {
+  await page.getByRole("tab", { name: "Setup", exact: true }).click();
+  for (const line of ["X-Plane", "Autopilot link"]) {
+    await page.getByRole("region", { name: line, exact: true }).getByRole("button", { name: "Close" }).click();
+  }
+  const { id, duration_s } = await until("the flight's preparation", async () =>
+    (await station.flights()).find(({ state }) => state === "indexed"),
+  );
+  for (const language of ["en", "es"] as const) {
+    const words = {
+      es: { language: "Español", plots: "Gráficas", flights: "Vuelos", list: "Vuelos grabados", report: "Informe" },
+      en: { language: "English", plots: "Plots", flights: "Flights", list: "Recorded flights", report: "Report" },
+    }[language];
+    const keep = async (name: string): Promise<void> => {
+      await settled(page);
+      await keepWebp(page, `${ROOT}/frontend/public/guide/${language}/${name}.webp`);
+    };
+    await page
+      .getByRole("group", { name: /^(Idioma|Language)$/ })
+      .getByText(words.language)
+      .click();
+    await page.goto(`${station.url}/?flight=${id}&at=${Math.round(0.7 * (duration_s ?? 0))}`);
+    await page.getByRole("tab", { name: "HIL Standard Six", exact: true }).click();
+    await expect(page.getByRole("tabpanel").locator("[data-state=live]").first()).toBeVisible();
+    await keep("past");
+    await page.getByRole("tab", { name: words.plots, exact: true }).click();
+    await expect(page.getByRole("table").first().getByRole("row").nth(1)).toContainText(/\d\.\d/);
+    await keep("plots");
+    await page.keyboard.press("Escape");
+    await page.getByRole("tab", { name: words.flights, exact: true }).click();
+    await page.getByRole("list", { name: words.list }).getByRole("button").first().click();
+    await keep("flights");
+    await page.getByRole("button", { name: words.report, exact: true }).last().click();
+    await expect(page.getByRole("article").first()).toBeVisible();
+    await keep("report");
+    await page.goto(station.url);
+  }
+}
 
 /** A battery that is low by the threshold alone: the alarm is the station's own. */
 async function raiseAlarm(page: Page, url: string, language: "es" | "en"): Promise<void> {

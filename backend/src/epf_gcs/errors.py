@@ -11,6 +11,7 @@ ErrorCode = Literal[
     "access_key_wrong",
     "access_last_owner",
     "access_not_written",
+    "access_too_many_invitations",
     "access_too_many_programs",
     "access_too_many_requests",
     "access_too_many_sessions",
@@ -28,6 +29,7 @@ ErrorCode = Literal[
     "board_line_full",
     "board_not_open",
     "body_too_large",
+    "checklist_not_kept",
     "client_may_not_command",
     "client_not_yours",
     "client_silent",
@@ -47,6 +49,7 @@ ErrorCode = Literal[
     "export_stretch_empty",
     "export_topic_unknown",
     "export_topics_unused",
+    "extra_missing",
     "flight_away",
     "flight_delete_unconfirmed",
     "flight_disk_full",
@@ -226,3 +229,7 @@ class NotYoursError(GatewayError):
 
 class TooManyError(GatewayError):
     """Too much was asked; `retry_after_s` is a parameter and says when to come back."""
+
+
+class NotKeptError(GatewayError):
+    """The disk did not take it."""

@@ -13,6 +13,8 @@ from tests.codec.streams import BOTH, DamagedStream, damage, mixed_frames, place
 from tests.codec.vectors import CHUNKS, decode, direction, failures, frames, load
 from tests.support.firmware import FIRMWARE, make
 
+pytestmark = pytest.mark.uncounted
+
 FRAMES = 100_000
 SHARE = 0.001
 

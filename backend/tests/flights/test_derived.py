@@ -132,6 +132,7 @@ def test_a_name_that_the_definition_has_not_is_refused_within_a_computed_signal_
         find(Given(ahrs__roll_deg=(T, ROLL)), PeriodCache(), "diff(ahrs.roll_deg,ahrs.nothing_deg)")
 
 
+@pytest.mark.uncounted
 @given(spike=st.integers(1, 359_999), points=st.integers(10, 2000), zoom=st.floats(0, 1))
 def test_a_spike_of_one_sample_is_seen_in_a_computed_signal_at_every_zoom(spike: int, points: int, zoom: float) -> None:
     t_s = np.arange(360_000) * 0.02

@@ -17,7 +17,7 @@ from epf_gcs.recordings.mcap_file import Tally, closing, data_end, message_recor
 from epf_gcs.recordings.reading import read_file
 from epf_gcs.recordings.topics import BOARD_RECEIVED, TOPICS
 from tests.flights.flown_flights import quiet, recording
-from tests.recordings.files import START_NS, messages, packed
+from tests.recordings.files import START_NS, mark, messages, packed, plain
 
 DAY_NS = 86_400 * 10**9
 
@@ -135,3 +135,58 @@ def test_a_message_that_claims_more_than_memory_is_refused_or_left(tmp_path: Pat
     answer, target = imported(tmp_path, body)
     assert answer["damage"]
     assert len(read_file(target).messages.t_ns) == 1
+
+
+def test_a_small_file_cut_at_any_byte_is_taken_as_far_as_it_is_whole_or_refused(tmp_path: Path) -> None:
+    said = messages(6)
+    body, end = plain(said, mark_every=3)
+    whole = body + end
+    for size in range(len(whole) + 1):
+        if not holds_a_message(size, body):
+            with pytest.raises(GatewayError) as fault:
+                imported(tmp_path, whole[:size])
+            assert fault.value.code == "recording_empty", size
+            continue
+        answer, target = imported(tmp_path, whole[:size])
+        found = read_file(target)
+        assert (found.is_whole, found.damage) == (True, None), size
+        count = len(found.messages.t_ns)
+        assert [int(t_ns) for t_ns in found.messages.t_ns] == [t_ns for _, t_ns, _ in said[:count]], size
+        assert answer["started_ns"] == said[0][1]
+
+
+def holds_a_message(size: int, body: bytes) -> bool:
+    """Whether the first message of a file is whole when it is cut to this size."""
+    channel, t_ns, payload = messages(6)[0]
+    first = message_record(channel, 0, t_ns, payload)
+    return size >= body.index(first) + len(first)
+
+
+def test_two_boards_recorded_one_behind_the_other_are_told(tmp_path: Path) -> None:
+    one = recording(1)
+    answer, target = imported(tmp_path, one + one)
+    assert answer["damage"] == "The file goes on after its end, what follows was not read."
+    assert read_file(target).damage is None
+
+
+def test_where_a_clock_was_set_back_in_flight_time_goes_on_and_it_is_told(tmp_path: Path) -> None:
+    hour_ns, step_ns = 3600 * 10**9, 10**8
+    times = [START_NS + number * step_ns for number in range(50)]
+    # Half an hour in all, and a hundredth of a second, which is how records of two lines interleave.
+    jumped = times[:20] + [t_ns - hour_ns for t_ns in times[20:40]] + [t_ns - 2 * hour_ns for t_ns in times[40:]]
+    jumped[5] += 2 * step_ns
+    content = at_times(*jumped)
+    end = content.index(data_end())
+    # A mark by the clock as it was last.
+    content = content[:end] + mark(jumped[-1], "late") + content[end:]
+    answer, target = imported(tmp_path, content)
+    assert answer["damage"] == "The clock was set back 2 times in flight; here time goes on."
+    recording_read = read_file(target)
+    found = recording_read.messages.t_ns
+    assert [note.t_ns for note in recording_read.notes] == [int(found[-1])], "notes go with the messages"
+    assert int(found[0]) == answer["started_ns"] == START_NS
+    # The step itself is lost: what was read after it counts as read at once.
+    assert int(found[-1]) == times[-1] - 2 * step_ns
+    assert [int(t_ns) for t_ns in found[:20]] == jumped[:20]
+    again, _ = imported(tmp_path, target.read_bytes())
+    assert (again["fingerprint"], again["damage"]) == (answer["fingerprint"], None), "it is known the next time"

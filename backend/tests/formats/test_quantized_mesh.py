@@ -87,6 +87,7 @@ def is_seen(point: Any, eye: Any) -> Any:
     return ~((depth > beyond) & (depth * depth > beyond * (towards * towards).sum(axis=-1)))
 
 
+@pytest.mark.uncounted
 @given(st.integers(0, 14).flatmap(tiles_of))
 def test_the_sphere_holds_the_tile_and_the_hiding_point_hides_no_part_that_is_seen(tile: tuple[int, int, int]) -> None:
     mesh = decoded(tile)

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from mcap.opcode import Opcode
 from mcap.records import ChunkIndex
 from mcap.stream_reader import StreamReader
 from mcap.writer import CompressionType, IndexType
@@ -84,6 +85,7 @@ def test_a_file_cut_at_any_byte_opens_with_every_whole_record(path: Path) -> Non
         assert recording.damage is None, size
 
 
+@pytest.mark.uncounted
 def test_a_large_file_cut_at_a_thousand_places_opens_with_every_whole_record(
     path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -141,6 +143,46 @@ def test_a_packed_file_cut_anywhere_gives_what_came_of_its_last_chunk_too(path: 
         counts.append(len(read))
     assert counts == sorted(counts)
     assert len(set(counts)) > 5, "more than none or all of the one chunk"
+
+
+def test_a_small_packed_file_cut_at_any_byte_and_a_large_one_at_a_thousand_places(path: Path) -> None:
+    small, large = messages(40), messages(5_000)
+    rng = random.Random(6)
+    for said, whole in ((small, packed(small, chunk_size=400)), (large, packed(large, chunk_size=20_000))):
+        chunks = _chunk_ends(whole)
+        count = min(1000, len(whole))
+        for size in range(len(whole)) if said is small else sorted(rng.sample(range(len(whole)), count)):
+            path.write_bytes(whole[:size])
+            read = said_by(read_file(path))
+            assert read == said[: len(read)], size
+            assert len(read) >= max([held for end, held in chunks if end <= size], default=0), size
+
+
+def _chunk_ends(whole: bytes) -> list[tuple[int, int]]:
+    """Where each chunk ends, and how many messages the file holds up to there."""
+    found, count, at = [], 0, len(MAGIC)
+    while whole[at] != Opcode.DATA_END:
+        opcode, length = struct.unpack_from("<BQ", whole, at)
+        at += 9 + length
+        if opcode == Opcode.CHUNK:
+            found.append((at, 0))
+        elif opcode == Opcode.MESSAGE_INDEX:
+            # An entry of 16 bytes for each message of the channel.
+            count += (length - 6) // 16
+            found[-1] = (found[-1][0], count)
+    return found
+
+
+def test_a_second_recording_behind_the_end_of_the_first_is_told(path: Path) -> None:
+    said = messages(50)
+    for whole in (b"".join(plain(said)), packed(said, chunk_size=400)):
+        for more in (whole, bytes(20) + MAGIC, b"x" * 9):
+            path.write_bytes(whole + more)
+            recording = read_file(path)
+            assert said_by(recording) == said
+            assert recording.damage == "The file goes on after its end, what follows was not read."
+        path.write_bytes(whole)
+        assert read_file(path).damage is None
 
 
 def test_the_index_spares_reading_what_is_before(path: Path) -> None:

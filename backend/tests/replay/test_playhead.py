@@ -131,6 +131,19 @@ def test_a_recording_cut_anywhere_plays_to_its_last_whole_record(tmp_path: Path,
     assert len(missing) <= 6, "only what the record that was cut held"
 
 
+def test_a_small_recording_cut_at_any_byte_can_be_opened(tmp_path: Path) -> None:
+    data = write(tmp_path / "whole.mcap", flight(0.3)).read_bytes()
+    cut = tmp_path / "cut.mcap"
+    counts = []
+    for size in range(8, len(data)):
+        cut.write_bytes(data[:size])
+        kept, timeline = KeptOutlet(), Timeline(cut)
+        Playhead(timeline, kept).advance(timeline.edge_ns)
+        counts.append(len(kept.samples))
+    assert counts == sorted(counts), "the more of the file, the more of the flight"
+    assert counts[-1] > 10
+
+
 def test_a_packed_recording_is_the_same_flight(recording: Path, tmp_path: Path) -> None:
     pack(recording, tmp_path / "packed.mcap")
     outlets = [KeptOutlet(), KeptOutlet()]

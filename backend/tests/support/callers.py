@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import contextlib
-import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -13,6 +12,7 @@ import httpx
 
 from epf_gcs.web.access.guessing import Guessing
 from epf_gcs.web.access.invitations import new_invitation
+from epf_gcs.web.access.moment import Moment
 from epf_gcs.web.access.roles import Role
 from epf_gcs.web.access.store import AccessStore
 from tests.support.gateway import Gateway, running_gateway
@@ -29,7 +29,7 @@ def strict_gateway(data_dir: Path, **settings: Any) -> Iterator[Gateway]:
 def one_time_key(gateway: Gateway, role: Role, minutes: float = 60.0) -> str:
     """As `epf-gcs invite` makes one."""
     with contextlib.closing(AccessStore(gateway.flight_thread.data_dir)) as store:
-        return new_invitation(store, role, minutes, time.time())[0]
+        return new_invitation(store, role, minutes, Moment.now())[0]
 
 
 class Browser(httpx.Client):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import threading
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, cast
@@ -19,7 +19,7 @@ from epf_gcs.web.server import Server
 from epf_gcs.web.settings import Settings
 from epf_gcs.web.visitors import Limits
 from tests.support.tls import trust_in
-from tests.support.waiting import DEADLINE_S, eventually
+from tests.support.waiting import DEADLINE_S, eventually, first_of
 
 
 class FlightThread:
@@ -118,26 +118,34 @@ class Stream:
 
     def next(self, kind: str) -> dict[str, Any]:
         """The next message of this kind; batches before it are acknowledged."""
-        while True:
-            message = self.receive()
-            if message["type"] == "batch":
-                self.acknowledge(message)
-            if message["type"] == kind:
-                return message
+        return self._first(lambda message: message if message["type"] == kind else None, f"a message '{kind}'")
 
     def event(self, kind: str) -> dict[str, Any]:
         """The data of the next event of this kind."""
-        while True:
-            message = self.next("event")
-            if message["event"] == kind:
-                return cast(dict[str, Any], message["data"])
+        return self._first(
+            lambda message: message["data"] if message["type"] == "event" and message["event"] == kind else None,
+            f"an event '{kind}'",
+        )
 
     def sample(self, topic: str) -> dict[str, Any]:
         """The values of the next sample of this topic."""
-        while True:
-            for sample in self.next("batch")["samples"]:
-                if sample["topic"] == topic:
-                    return cast(dict[str, Any], sample["values"])
+
+        def values(message: dict[str, Any]) -> dict[str, Any] | None:
+            samples = message["samples"] if message["type"] == "batch" else ()
+            return next((sample["values"] for sample in samples if sample["topic"] == topic), None)
+
+        return self._first(values, f"a sample of '{topic}'")
+
+    def _first(self, found: Callable[[dict[str, Any]], dict[str, Any] | None], what: str) -> dict[str, Any]:
+        """What `found` makes of the first message that it knows; batches up to it are acknowledged."""
+
+        def receive() -> dict[str, Any]:
+            message = self.receive()
+            if message["type"] == "batch":
+                self.acknowledge(message)
+            return message
+
+        return first_of(receive, found, what)
 
 
 @contextmanager

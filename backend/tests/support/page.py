@@ -14,7 +14,7 @@ import orjson
 from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import ClientConnection, connect
 
-from tests.support.waiting import DEADLINE_S
+from tests.support.waiting import DEADLINE_S, first_of
 
 
 class Page:
@@ -40,10 +40,11 @@ class Page:
 
     def event(self, kind: str) -> dict[str, Any]:
         """The data of the next event of this kind."""
-        while True:
-            name, data = self._told.get(timeout=DEADLINE_S)
-            if name == kind:
-                return data
+        return first_of(
+            lambda: self._told.get(timeout=DEADLINE_S),
+            lambda told: told[1] if told[0] == kind else None,
+            f"an event '{kind}'",
+        )
 
     def unread(self) -> list[str]:
         """The kinds of the events that nobody asked for yet."""

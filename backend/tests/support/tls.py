@@ -19,6 +19,7 @@ from cryptography.hazmat.primitives.asymmetric import ec, rsa
 from cryptography.x509.oid import NameOID
 
 from epf_gcs.web.tls.doorway import Doorway
+from epf_gcs.web.tls.handshakes import Handshakes
 from epf_gcs.web.tls.keeper import Keeper
 from epf_gcs.web.visitors import Limits, Visitor, Visitors
 from tests.support.waiting import DEADLINE_S, eventually_async
@@ -149,6 +150,7 @@ def open_door(
     plain: Callable[[], asyncio.Protocol] = lambda: Echo(b"plain "),
     limits: Limits | None = None,
     listener: socket.socket | None = None,
+    handshakes: Handshakes | None = None,
 ) -> Iterator[Door]:
     """A doorway to two protocols on a loop of LOOPS; everything that it reports to its loop fails the test."""
     loop = LOOPS[kind]()
@@ -182,7 +184,7 @@ def open_door(
 
     async def serve() -> None:
         asker = context if callable(context) else lambda: context
-        doorway = Doorway(listener, asker, handed_over(encrypted), handed_over(plain), visitors)
+        doorway = Doorway(listener, asker, handed_over(encrypted), handed_over(plain), visitors, handshakes)
         ready.set()
         await end.wait()
         doorway.close()

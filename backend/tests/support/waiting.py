@@ -4,10 +4,14 @@ from __future__ import annotations
 
 import asyncio
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Iterator
+from typing import TypeVar
 
 DEADLINE_S = 20.0
 _LOOK_EVERY_S = 0.005
+
+T = TypeVar("T")
+R = TypeVar("R")
 
 
 def eventually(condition: Callable[[], bool], what: str) -> None:
@@ -26,3 +30,28 @@ async def eventually_async(condition: Callable[[], bool], what: str) -> None:
         if time.monotonic() > give_up_s:
             raise AssertionError(f"never happened: {what}")
         await asyncio.sleep(_LOOK_EVERY_S)
+
+
+def until_late(coming: Iterable[T], what: str) -> Iterator[T]:
+    """What comes, one after the other, for who looks for a certain one among them; fails with `what` at the deadline.
+
+    Each of them may come in time for ever: whoever waits for one that never comes is told so.
+    """
+    give_up_s = time.monotonic() + DEADLINE_S
+    for one in coming:
+        yield one
+        if time.monotonic() > give_up_s:
+            break
+    raise AssertionError(f"never came: {what}")
+
+
+def first_of(receive: Callable[[], T], found: Callable[[T], R | None], what: str) -> R:
+    """What `found` makes of the first that it knows among those that `receive` gives, and None of all before it.
+
+    Fails with `what` at the deadline: others may keep coming for ever. `receive` has a deadline of its own.
+    """
+    give_up_s = time.monotonic() + DEADLINE_S
+    while (result := found(receive())) is None:
+        if time.monotonic() > give_up_s:
+            raise AssertionError(f"never came: {what}")
+    return result

@@ -102,6 +102,7 @@ def test_only_the_newest_steps_are_kept() -> None:
 changes = st.builds(Change, st.sampled_from(NAMES), st.none() | values, values, outcomes)
 
 
+@pytest.mark.uncounted
 @given(
     st.builds(
         Entry,

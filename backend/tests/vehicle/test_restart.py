@@ -87,6 +87,7 @@ def test_a_deployed_board_is_known_by_what_it_forgot(
     assert restart.opened(5.0, 2e9, None, after) == (Restart(2e9, None) if is_restart else None)
 
 
+@pytest.mark.uncounted
 @pytest.mark.anyio
 @pytest.mark.parametrize("kind", ["board", "legacy_board"])
 async def test_a_real_dialogue_with_a_board_that_starts_anew_shows_it(

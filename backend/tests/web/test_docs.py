@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import re
-from typing import Any
+from typing import Any, cast
 
 import httpx
 import orjson
 import pytest
 
-from tests.support.gateway import Gateway
+from tests.support.gateway import Gateway, running_gateway
 
 
 def root(gateway: Gateway, path: str) -> httpx.Response:
@@ -34,6 +34,13 @@ def test_the_page_shows_this_interface(gateway: Gateway) -> None:
     assert "/api/v1/openapi.json" in start
     document = root(gateway, "/api/v1/openapi.json").raise_for_status().json()
     assert document["info"]["title"] == "EPF GCS gateway"
+
+
+@pytest.fixture(scope="module")
+def document(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
+    """What a station says of itself."""
+    with running_gateway(tmp_path_factory.mktemp("docs")) as gateway:
+        return cast(dict[str, Any], root(gateway, "/api/v1/openapi.json").raise_for_status().json())
 
 
 @pytest.mark.parametrize(
@@ -64,8 +71,9 @@ def test_the_page_shows_this_interface(gateway: Gateway) -> None:
         ("post", "/control"),
     ],
 )
-def test_every_route_of_the_contract_is_described_with_its_problems(gateway: Gateway, method: str, path: str) -> None:
-    document = root(gateway, "/api/v1/openapi.json").json()
+def test_every_route_of_the_contract_is_described_with_its_problems(
+    document: dict[str, Any], method: str, path: str
+) -> None:
     operation: dict[str, Any] = document["paths"][f"/api/v1{path}"][method]
     assert operation["description"]
     for status, response in operation["responses"].items():
@@ -74,16 +82,15 @@ def test_every_route_of_the_contract_is_described_with_its_problems(gateway: Gat
     assert "HTTPValidationError" not in document["components"]["schemas"]
 
 
-def test_nothing_in_the_status_is_left_undescribed(gateway: Gateway) -> None:
-    schemas = root(gateway, "/api/v1/openapi.json").json()["components"]["schemas"]
+def test_nothing_in_the_status_is_left_undescribed(document: dict[str, Any]) -> None:
+    schemas = document["components"]["schemas"]
     for name in ("Status", "BoardStatus", "SimulatorStatus", "AlarmState", "TopicHealth"):
         schema = schemas[name]
         assert set(schema["required"]) == set(schema["properties"]), name
         assert schema["additionalProperties"] is False
 
 
-def test_shapes_that_no_answer_has_are_described_with_all_their_parts(gateway: Gateway) -> None:
-    document = root(gateway, "/api/v1/openapi.json").json()
+def test_shapes_that_no_answer_has_are_described_with_all_their_parts(document: dict[str, Any]) -> None:
     assert document["x-shapes"]["Playback"] == {"$ref": "#/components/schemas/Playback"}
     named = set(re.findall(r'"#/components/schemas/(\w+)"', orjson.dumps(document).decode()))
     assert named <= set(document["components"]["schemas"])

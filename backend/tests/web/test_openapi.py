@@ -20,6 +20,8 @@ from tests.support.callers import Browser, person, program, stranger, strict_gat
 from tests.support.fake_board import FakeBoard
 from tests.support.gateway import Gateway, running_gateway
 
+pytestmark = pytest.mark.uncounted
+
 EXAMPLES = 15
 EXAMPLES_BY_ROLE = 3
 # What closes a link or keeps the board from listening comes last, so that all else is asked of a station with a board.

@@ -76,6 +76,7 @@ def test_rubbish_is_never_read(data: bytes) -> None:
 singles = st.floats(width=32) | st.sampled_from([NO_VALUE, 0.0, 1.0, -1.0, 1.5])
 
 
+@pytest.mark.uncounted
 @given(
     st.sampled_from(PROFILES),
     st.lists(st.sampled_from([*ORDER, 13]), min_size=8, max_size=12),
@@ -87,6 +88,7 @@ def test_where_it_answers_it_is_the_long_ways_answer(profile: str, rows: list[in
     assert info is None or info == the_long_way(datagram, profile)
 
 
+@pytest.mark.uncounted
 @given(
     st.sampled_from(PROFILES), st.permutations(ORDER), st.lists(st.floats(0.0, 1.0, width=32), min_size=80, max_size=80)
 )

@@ -11,19 +11,25 @@ import { PageContext, usePage, usePart, useSettings } from "../store/hooks";
 import { applyTheme } from "../theme/theme";
 import { WordsProvider } from "../ui/words";
 import "./app.css";
-import "./phone.css";
+import "./compact/compact.css";
 import { SourceBanner } from "../features/controls/SourceBanner";
 import { EmulationBanner } from "../features/emulation/EmulationBanner";
+import { FlightInstruments } from "./compact/FlightInstruments";
+import { LastMessage } from "./compact/LastMessage";
+import { PresentPage } from "./compact/presentPage";
+import { Strip } from "./compact/Strip";
+import { isTimeBarShown } from "./compact/timeBarChoice";
 import { DialogsProvider, LoadFailure } from "./dialogs/dialogs";
 import { Header } from "./Header";
 import { LeftPanel } from "./LeftPanel";
+import { useLayout, useLayoutOnDocument } from "./layout";
 import { MainTabs } from "./MainTabs";
 import { motionOf } from "./motion";
 import { SHOWN } from "./past";
 import { StatusBar } from "./StatusBar";
 import { areKeysOn } from "./shortcuts/choice";
 import { Shortcuts } from "./shortcuts/Shortcuts";
-import { Tuning } from "./Tuning";
+import { ScreenStick, Tuning } from "./Tuning";
 import { Dock } from "./toolbars/Dock";
 import { MovedContext } from "./toolbars/MovableToolbar";
 import { useLeaveWarning } from "./useLeaveWarning";
@@ -94,60 +100,74 @@ function useSharedWords(): ComponentProps<typeof WordsProvider>["words"] {
 }
 
 /**
- * Header, toolbars, alarms, left panel and main tabs, time bar, status bar. Alarms, the time bar and the strip of the
- * present are always of the present; all else reads the page that is shown.
+ * Header, toolbars, alarms, left panel and main tabs, time bar, status bar; in a small window a strip, the instruments that
+ * fly and the open tab, and all else in a drawer. Alarms, the time bar and the strip of the present are always of the
+ * present; all else reads the page that is shown. The open tab is the same element in every layout: a window that is
+ * turned or zoomed begins nothing anew.
  */
 function Window() {
   const present = usePage();
   const shown = useStore(usePart(SHOWN), ({ page }) => page);
   const isPast = shown.past !== null;
+  const layout = useLayout();
+  const isWide = layout === "wide";
+  useLayoutOnDocument(layout);
   useTitle();
   const hasKeys = useSettings(areKeysOn);
+  const hasTimeBar = useSettings(isTimeBarShown);
   useLeaveWarning();
   const moved = useRef<string | null>(null);
   return (
     <PageContext value={shown}>
-      <DialogsProvider>
-        <MovedContext value={moved}>
-          <div className="app" data-past={isPast}>
-            <header className="app-top">
-              <PageContext value={present}>{isPast && <PresentStrip />}</PageContext>
-              <Header present={present} />
-            </header>
-            <Dock edge="top" />
-            <div className="app-warnings">
-              <PageContext value={present}>
-                <AccessBands />
-              </PageContext>
-              <EmulationBanner />
-              <AhrsTestBanner />
-              <SourceBanner />
-              <PageContext value={present}>
-                <AlarmBar />
-              </PageContext>
-            </div>
-            <div className="app-middle">
-              <Dock edge="left" />
-              {/* Another page, other components: nothing that one of them remembers is of the other page. */}
-              <div className="app-body" key={shown.key}>
-                <LeftPanel />
-                <main className="app-main">
-                  <MainTabs />
-                  <Tuning />
-                </main>
+      <PresentPage value={present}>
+        <DialogsProvider>
+          <MovedContext value={moved}>
+            <div
+              className="app"
+              data-past={isPast}
+              data-layout={layout}
+              data-time={isWide || isPast || hasTimeBar ? "shown" : "folded"}
+            >
+              <header className="app-top">
+                <PageContext value={present}>{isPast && <PresentStrip />}</PageContext>
+                {isWide ? <Header present={present} /> : <Strip present={present} />}
+              </header>
+              {isWide && <Dock edge="top" />}
+              <div className="app-warnings">
+                <PageContext value={present}>
+                  <AccessBands />
+                </PageContext>
+                <EmulationBanner />
+                <AhrsTestBanner />
+                <SourceBanner />
+                <PageContext value={present}>
+                  <AlarmBar />
+                </PageContext>
               </div>
-              <Dock edge="right" />
+              <div className="app-middle">
+                {isWide && <Dock edge="left" />}
+                {/* Another page, other components: nothing that one of them remembers is of the other page. */}
+                <div className="app-body" key={shown.key}>
+                  {isWide ? <LeftPanel /> : <FlightInstruments />}
+                  <main className="app-main">
+                    <MainTabs layout={layout} />
+                    <Tuning />
+                    <ScreenStick />
+                  </main>
+                </div>
+                {isWide && <Dock edge="right" />}
+              </div>
+              {isWide && <Dock edge="bottom" />}
+              <PageContext value={present}>
+                <TimeBar hasKeys={hasKeys} />
+              </PageContext>
+              {isWide ? <StatusBar /> : <LastMessage className="app-last" />}
+              {isWide && <Dock edge="floating" />}
             </div>
-            <Dock edge="bottom" />
-            <PageContext value={present}>
-              <TimeBar hasKeys={hasKeys} />
-            </PageContext>
-            <StatusBar present={present} />
-            <Dock edge="floating" />
-          </div>
-          <Shortcuts />
-        </MovedContext>
-      </DialogsProvider>
+            <Shortcuts />
+          </MovedContext>
+        </DialogsProvider>
+      </PresentPage>
     </PageContext>
   );
 }

@@ -30,13 +30,13 @@ export function Header({ present }: { present: Page }) {
 }
 
 /** Nothing is asked of the present while the past is shown. */
-function Control() {
+export function Control() {
   const { t } = useTranslation();
   const isPast = usePlayback(({ flight }) => flight !== null);
   return <ControlHolder blocked={isPast ? t("blocked.past") : undefined} />;
 }
 
-function LanguageSwitch() {
+export function LanguageSwitch() {
   const { t } = useTranslation();
   const { settings } = usePage();
   const language = useSettings((chosen) => chosen.language);
@@ -51,7 +51,7 @@ function LanguageSwitch() {
   );
 }
 
-function ThemeSelect() {
+export function ThemeSelect() {
   const { t } = useTranslation();
   const { settings } = usePage();
   const theme = useSettings((chosen) => chosen.theme);

@@ -1,28 +1,42 @@
 import type { ReactNode } from "react";
 import { useTranslation } from "react-i18next";
-import { usePage, useSettings } from "../store/hooks";
+import { usePage } from "../store/hooks";
 import { choose } from "../store/settings";
 import { Tabs } from "../ui/Tabs";
+import { AllTabs } from "./compact/AllTabs";
+import { TabIcon } from "./compact/TabIcon";
 import { LoadFailure } from "./dialogs/dialogs";
+import type { Layout } from "./layout";
+import { useOpenTab } from "./openTab";
 import { TABS, type TabName, VIEWS } from "./views";
 
-/** The tab that is open: the one last chosen. */
-export function useOpenTab(): TabName {
-  return useSettings(({ choices }) => TABS.find((tab) => tab === choices["tab"]) ?? "flight");
-}
+/** In a bar that does not hold all tabs, what is needed in flight comes first. */
+const FIRST_IN_BAR = ["flight", "map", "plans", "alarms"] as const satisfies readonly TabName[];
+const BAR: readonly TabName[] = [
+  ...FIRST_IN_BAR,
+  ...TABS.filter((tab) => !FIRST_IN_BAR.some((one) => one === tab)),
+];
 
 /** The main tabs; the one last open is remembered. */
-export function MainTabs() {
+export function MainTabs({ layout }: { readonly layout: Layout }) {
   const { t } = useTranslation();
   const { settings } = usePage();
+  const isWide = layout === "wide";
   return (
     <Tabs
       label={t("app.tabs")}
       size="main"
       className="app-tabs"
+      orientation={layout === "beside" ? "vertical" : "horizontal"}
       value={useOpenTab()}
       onValueChange={(tab) => choose(settings, "tab", tab)}
-      tabs={TABS.map((tab) => ({ value: tab, label: t(`tab.${tab}`), content: <View tab={tab} /> }))}
+      trailing={isWide ? undefined : <AllTabs tabs={BAR} />}
+      tabs={(isWide ? TABS : BAR).map((tab) => ({
+        value: tab,
+        label: t(`tab.${tab}`),
+        icon: isWide ? undefined : <TabIcon tab={tab} />,
+        content: <View tab={tab} />,
+      }))}
     />
   );
 }

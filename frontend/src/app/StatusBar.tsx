@@ -1,51 +1,38 @@
 import { useCallback, useEffect, useRef } from "react";
 import { useTranslation } from "react-i18next";
-import { useStore } from "zustand";
-import { useSentence } from "../i18n/useSentence";
 import { formatAge, formatBytes } from "../lib/format";
-import { type Page, PageContext, useConnection, usePage, useTelemetry } from "../store/hooks";
+import { PageContext, useConnection, useTelemetry } from "../store/hooks";
 import type { TelemetryStore } from "../store/telemetry";
 import { usePaint } from "../store/usePaint";
-import { MessageLine } from "../ui/MessageLine";
 import { Meter, type MeterHandle } from "../ui/Meter";
 import { SteadyText, type SteadyTextHandle } from "../ui/SteadyText";
-import { useDialogs } from "./dialogs/dialogs";
+import { LastMessage } from "./compact/LastMessage";
+import { usePresentPage } from "./compact/presentPage";
 
-/** Bottom row: last message, health of the links of the vehicle that is shown, recording of the present one. */
-export function StatusBar({ present }: { present: Page }) {
-  const { t } = useTranslation();
+/** Bottom row: last message, and what is said of the links. */
+export function StatusBar() {
   return (
     <footer className="app-status">
       <LastMessage />
-      <Damage />
-      <Use label={t("status.rx")} read="rx" />
-      <Use label={t("status.tx")} read="tx" />
-      <Use label={t("status.xplane")} read="xplane" />
-      <Link />
-      <PageContext value={present}>
-        <Recording />
-      </PageContext>
+      <LinkFigures />
     </footer>
   );
 }
 
-function LastMessage() {
+/** Health of the links of the vehicle that is shown, recording of the present one. */
+export function LinkFigures() {
   const { t } = useTranslation();
-  const { messages } = usePage();
-  const sentence = useSentence();
-  const language = usePage().settings.getState().language;
-  const last = useStore(messages, (state) => state.last);
-  const { open } = useDialogs();
   return (
-    <MessageLine
-      action={{ label: t("status.openLog"), onPress: () => open("log") }}
-      label={t("status.message")}
-      text={last === null ? t("status.noMessage") : sentence(last)}
-      level={last?.level}
-      time={
-        last === null ? undefined : new Date(last.said_ms).toLocaleTimeString(language, { hour12: false })
-      }
-    />
+    <>
+      <Damage />
+      <Use label={t("status.rx")} read="rx" />
+      <Use label={t("status.tx")} read="tx" />
+      <Use label={t("status.xplane")} read="xplane" />
+      <LinkState />
+      <PageContext value={usePresentPage()}>
+        <Recording />
+      </PageContext>
+    </>
   );
 }
 
@@ -83,7 +70,7 @@ function Use({ label, read }: { label: string; read: "rx" | "tx" | "xplane" }) {
  * State of the board's link and the age of its last heartbeat. The age is shown even when the link is stale: it stays
  * true.
  */
-function Link() {
+export function LinkState() {
   const { t } = useTranslation();
   const age = useRef<SteadyTextHandle>(null);
   const state = useConnection(({ status, phase }) =>

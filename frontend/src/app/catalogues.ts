@@ -6,6 +6,8 @@ import ahrsEn from "../features/ahrs/ahrs.en.json";
 import ahrsEs from "../features/ahrs/ahrs.es.json";
 import alarmsEn from "../features/alarms/alarms.en.json";
 import alarmsEs from "../features/alarms/alarms.es.json";
+import checklistEn from "../features/checklist/checklist.en.json";
+import checklistEs from "../features/checklist/checklist.es.json";
 import controlsEn from "../features/controls/controls.en.json";
 import controlsEs from "../features/controls/controls.es.json";
 import emulationEn from "../features/emulation/emulation.en.json";
@@ -57,6 +59,7 @@ export const CATALOGUES = {
     ...accessEs,
     ...ahrsEs,
     ...alarmsEs,
+    ...checklistEs,
     ...controlsEs,
     ...emulationEs,
     ...flightEs,
@@ -84,6 +87,7 @@ export const CATALOGUES = {
     ...accessEn,
     ...ahrsEn,
     ...alarmsEn,
+    ...checklistEn,
     ...controlsEn,
     ...emulationEn,
     ...flightEn,

@@ -10,6 +10,7 @@ import { AHRS } from "../features/ahrs/alignment";
 import type { Sounder, Speaker } from "../features/alarms/alarmLog";
 import { ALARM_LOG, forgetOwnAlarm, takeAlarmEvent } from "../features/alarms/alarmLog";
 import { createAlarmLog } from "../features/alarms/alarmRequests";
+import { CHECKLIST } from "../features/checklist/checklist";
 import {
   createSourceReturn,
   NOTHING_LEFT_OFF,
@@ -18,15 +19,15 @@ import {
 } from "../features/controls/sourceReturn";
 import { createEmulation, EMULATION } from "../features/emulation/emulationRequests";
 import { FLIGHT_COMPARISON } from "../features/flights/flightComparison";
-import { eventMessage as flightEventMessage, groupOf } from "../features/flights/flightEvents";
 import { FLIGHTS } from "../features/flights/flightLibrary";
 import { createFlights } from "../features/flights/flightRequests";
 import { createGamepadInput, type GamepadReader } from "../features/gamepad/gamepadInput";
 import { GAMEPADS } from "../features/gamepad/gamepadList";
-import { createFlightLog, FLIGHT_LOG } from "../features/log/flightLog";
+import { TOUCH_STICK } from "../features/gamepad/touchStick";
+import { FLIGHT_LOG } from "../features/log/flightLog";
 import { MAP_LAYERS } from "../features/map/layers/layerList";
 import { createMapLayerActions } from "../features/map/layers/layerRequests";
-import { createMapSelection, MAP_SELECTION } from "../features/map/mapSelection";
+import { createMapTool, MAP_TOOL } from "../features/map/tools/mapTool";
 import { createTrackEdits, TRACK_EDITS } from "../features/map/trackEdits";
 import { TRACK_LOG } from "../features/map/trackLog";
 import { createTrackLog } from "../features/map/trackRequests";
@@ -45,6 +46,7 @@ import type { AnimationFrames } from "../lib/animationFrames";
 import type { Timers } from "../lib/timers";
 import { createPlanActions, takePlanEvent, takePlanStatus } from "../missions/missionRequests";
 import { createPlans, MISSIONS } from "../missions/planDrafts";
+import { createSelection, SELECTION } from "../missions/selection";
 import { BOARD_RESTARTED } from "../protocol/boardRestart";
 import type { StreamEvent, StreamMessage } from "../protocol/envelope";
 import type { Status } from "../protocol/status";
@@ -62,6 +64,7 @@ import { StreamSocket, type Wire, type WireListener } from "../transport/socket"
 import { openAddressedTab } from "./addressedTab";
 import { eventMessage, linkMessages } from "./announcements";
 import { rememberClient, rememberedClient } from "./clientMemory";
+import { createFlightBook } from "./flightBook";
 import type { PageVersions } from "./pageVersion";
 import { createPasts, SHOWN } from "./past";
 import { plotTimeline } from "./plotTimeline";
@@ -153,7 +156,7 @@ export function createPage(world: World): {
     takeMapEvent(message);
     takeTrackEvent(message);
     takeFlightEvent(message);
-    takeLogEvent(message);
+    book.takeEvent(message);
     gamepads.takeEvent(message);
     takeAlarmEvent(alarmLog.store, message);
     if (message.event === ACCESS_CHANGED) {
@@ -214,6 +217,7 @@ export function createPage(world: World): {
     timers: world.timers,
     admission,
     addressed,
+    isEncrypted: world.address.read().startsWith("https:"),
     start: () => socket.start(),
     stop: shutOut,
   });
@@ -258,11 +262,11 @@ export function createPage(world: World): {
     onGone: (flight) => playback.store.getState().flight === flight && playback.now(),
     openReport: (flight) => reports.open(flight),
   });
-  const { flightLog, takeLogEvent } = createFlightLog({
+  const book = createFlightBook({
     rest,
     timers: world.timers,
-    connection,
-    tell: (event) => ({ group: groupOf(event), message: flightEventMessage(event) }),
+    tabStorage: world.tabStorage,
+    seen: { ...vehicle, plans, gains: parameterValues, alarms: alarmLog.store, now_ms },
   });
   const plots = createPlots({ rest, timers: world.timers, timeline: plotTimeline(playback) });
   const comparison = twoFlights({ reports, plots, settings });
@@ -278,15 +282,18 @@ export function createPage(world: World): {
     .with(MISSIONS, createPlanActions(plans, world.saveFile, asking))
     .with(AHRS, createAhrs3d(asking))
     .with(SOURCE_RETURN, sourceReturn)
-    .with(MAP_SELECTION, createMapSelection())
+    .with(SELECTION, createSelection())
+    .with(MAP_TOOL, createMapTool())
     .with(MAP_LAYERS, mapLayers)
     .with(TRACK_LOG, trackLog)
     .with(TRACK_EDITS, createTrackEdits(asking))
     .with(SERVO_SLIDERS, servos.sliders)
     .with(GAMEPADS, gamepads.gamepads)
+    .with(TOUCH_STICK, gamepads.touchStick)
     .with(BOARD_CONSOLE, boardConsole)
     .with(FLIGHTS, flights)
-    .with(FLIGHT_LOG, flightLog)
+    .with(FLIGHT_LOG, book.flightLog)
+    .with(CHECKLIST, book.checklist)
     .with(FLIGHT_COMPARISON, comparison)
     .with(PLOTS, plots)
     .with(REPORTS, reports)

@@ -4,8 +4,8 @@ import { AHRS } from "../features/ahrs/alignment";
 import { ALARM_LOG } from "../features/alarms/alarmLog";
 import { createPastAlarmLog } from "../features/alarms/pastAlarmLog";
 import { createSourceReturn, SOURCE_RETURN } from "../features/controls/sourceReturn";
-import { createMapSelection, MAP_SELECTION } from "../features/map/mapSelection";
 import { createPastTrack } from "../features/map/pastTrack";
+import { createMapTool, MAP_TOOL } from "../features/map/tools/mapTool";
 import { TRACK_LOG } from "../features/map/trackLog";
 import { INSPECTOR } from "../features/messages/inspectorRequests";
 import { createPastInspector } from "../features/messages/pastInspector";
@@ -20,6 +20,7 @@ import { createBoardConsole } from "../features/setup/consoleRequests";
 import type { Timers } from "../lib/timers";
 import { createPastPlans } from "../missions/pastPlans";
 import { MISSIONS } from "../missions/planDrafts";
+import { createSelection, SELECTION } from "../missions/selection";
 import type { StreamMessage } from "../protocol/envelope";
 import type { AskingParts } from "../requests/asking";
 import { createKnownAt } from "../requests/knownAt";
@@ -186,7 +187,8 @@ function createPast(
       .with(MISSIONS, plans.actions)
       .with(AHRS, createAhrs3d(pastAsking))
       .with(SOURCE_RETURN, createSourceReturn())
-      .with(MAP_SELECTION, createMapSelection())
+      .with(SELECTION, createSelection())
+      .with(MAP_TOOL, createMapTool())
       .with(TRACK_LOG, track)
       .with(SERVO_SLIDERS, servos.sliders)
       .with(BOARD_CONSOLE, console_.boardConsole)

@@ -1,7 +1,7 @@
 import { useTranslation } from "react-i18next";
 import { ACTIONS } from "../requests/actions";
 import { usePage, usePart } from "../store/hooks";
-import { useDialogs } from "./dialogs/dialogs";
+import { useDialogs } from "./dialogs/useDialogs";
 
 /**
  * Chooses the path of the control signal to X-Plane. If the autopilot flies, it asks first: the aircraft would follow

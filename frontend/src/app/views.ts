@@ -25,7 +25,7 @@ export const VIEWS: Readonly<Record<TabName, LazyPart>> = {
   params: lazyPart(async () => (await import("../features/parameters/ParamsView")).ParamsView),
   hil: lazyPart(async () => (await import("../features/hil/HilView")).HilView),
   hilSix: lazyPart(async () => (await import("../features/six/SixView")).HilSixView),
-  plans: lazyPart(async () => (await import("../features/plans/PlansView")).PlansView),
+  plans: lazyPart(async () => (await import("./tabs/PlansTab")).PlansTab),
   map: lazyPart(async () => (await import("../features/map/MapView")).MapView),
   ahrs3d: lazyPart(async () => (await import("../features/ahrs/Ahrs3dView")).Ahrs3dView),
   messages: lazyPart(async () => (await import("../features/messages/MessagesView")).MessagesView),
@@ -38,11 +38,14 @@ export const VIEWS: Readonly<Record<TabName, LazyPart>> = {
 /** The tuning view, which stays open under any tab. */
 export const TUNING = lazyPart(async () => (await import("./tabs/TuningTab")).TuningTab);
 
+/** The stick on the screen, which stays open under any tab as well. */
+export const TOUCH = lazyPart(async () => (await import("../features/gamepad/TouchDock")).TouchDock);
+
 /** The way in, for whom the station does not admit. */
 export const ENTER_PAGE = lazyPart(async () => (await import("../features/access/EnterPage")).EnterPage);
 
 export async function loadViews(): Promise<void> {
-  for (const { load } of [...Object.values(VIEWS), TUNING, ENTER_PAGE]) {
+  for (const { load } of [...Object.values(VIEWS), TUNING, TOUCH, ENTER_PAGE]) {
     await load();
   }
 }

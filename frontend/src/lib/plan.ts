@@ -96,7 +96,12 @@ function sameWaypoint(waypoint: Waypoint, twin: Waypoint | undefined): boolean {
 }
 
 /** A first waypoint: the start's position and altitude, the usual aircraft's speed. */
-const FIRST: Waypoint = { latitude_deg: 27.9319, longitude_deg: -15.3866, altitude_ft: 1000, speed_kt: 55 };
+export const FIRST_WAYPOINT: Waypoint = {
+  latitude_deg: 27.9319,
+  longitude_deg: -15.3866,
+  altitude_ft: 1000,
+  speed_kt: 55,
+};
 /** Distance of a new last waypoint from the one before, metres. */
 const AHEAD_M = 1000;
 
@@ -117,7 +122,7 @@ export function inserted(waypoints: readonly Waypoint[], index: number): readonl
     const bearing = earlier === undefined ? null : bearing_deg(earlier, before);
     added = { ...before, ...destination(before, bearing ?? 0, AHEAD_M) };
   } else {
-    added = after === undefined ? FIRST : { ...after, ...destination(after, 180, AHEAD_M) };
+    added = after === undefined ? FIRST_WAYPOINT : { ...after, ...destination(after, 180, AHEAD_M) };
   }
   return waypoints.toSpliced(index + 1, 0, rounded(added));
 }
@@ -192,8 +197,13 @@ export function placed(
   return waypoints.with(index, { ...waypoint, latitude_deg, longitude_deg, altitude_ft });
 }
 
+/** The place at `share` (0..1) of the great circle between two places. */
+export function legPlace(from: Position, to: Position, share: number): Position {
+  return destination(from, bearing_deg(from, to) ?? 0, share * distance_m(from, to));
+}
+
 /** Rounded to the usual precision: 0.1 m, whole feet. */
-function rounded({ latitude_deg, longitude_deg, altitude_ft, speed_kt }: Waypoint): Waypoint {
+export function rounded({ latitude_deg, longitude_deg, altitude_ft, speed_kt }: Waypoint): Waypoint {
   return {
     latitude_deg: Number(latitude_deg.toFixed(6)),
     longitude_deg: Number(longitude_deg.toFixed(6)),

@@ -165,7 +165,7 @@ export type CertificateAuthority = Checked<typeof isCertificateAuthority>;
 
 /** What is wrong with the certificate, or soon will be. */
 export const isCertificateFault = shape({
-  code: oneOf("access_key_wrong", "access_last_owner", "access_not_written", "access_too_many_programs", "access_too_many_requests", "access_too_many_sessions", "access_too_many_tries", "access_too_many_waiting", "access_unknown", "access_upload_limit", "ahrs_test_in_flight", "ahrs_test_lost", "ahrs_test_running", "alarm_not_active", "alarms_not_written", "alarms_unreadable", "bad_json", "board_line_full", "board_not_open", "body_too_large", "client_may_not_command", "client_not_yours", "client_silent", "client_unknown", "command_link_lost", "command_unknown", "control_held", "control_not_asked", "control_not_held", "control_refused", "control_unconfirmed", "data_folder_taken", "datagram_malformed", "datagram_stranger", "emulation_running", "export_no_position", "export_stretch_empty", "export_topic_unknown", "export_topics_unused", "flight_away", "flight_delete_unconfirmed", "flight_disk_full", "flight_exists", "flight_import_incomplete", "flight_known", "flight_not_indexed", "flight_not_recorded", "flight_not_written", "flight_recording", "flight_unknown", "foreign_host", "foreign_origin", "http_error", "internal", "invalid_request", "job_failed", "job_over", "job_unknown", "jobs_busy", "journal_not_written", "journal_unreadable", "line_garbage", "link_address_invalid", "link_busy", "link_failed", "link_lost", "link_no_device", "link_not_serial", "link_permission", "link_refused", "link_timeout", "link_unknown_host", "link_unreachable", "listen_failed", "listen_unknown_host", "map_cache_not_written", "map_disk_full", "map_exists", "map_file_damaged", "map_file_empty", "map_file_no_layer_json", "map_file_not_mesh", "map_file_vector", "map_folder_unreadable", "map_import_incomplete", "map_import_unknown", "map_imports_busy", "map_kind_unknown", "map_layer_unknown", "map_name_invalid", "map_not_written", "map_raster_converting", "map_raster_failed", "map_raster_no_place", "map_raster_not_height", "map_source_invalid", "map_source_local", "map_source_refused", "map_source_silent", "map_tile_missing", "mark_unknown", "memory_not_written", "memory_unreadable", "method_not_allowed", "mission_differs", "mission_file_archive", "mission_file_damaged", "mission_file_empty", "mission_file_forbidden", "mission_file_frame", "mission_file_header", "mission_file_no_home", "mission_file_no_waypoints", "mission_file_out_of_range", "mission_file_too_long", "mission_file_unknown", "mission_file_unreadable", "mission_invalid", "mission_not_read", "mission_refused", "no_such_address", "not_admitted", "not_supported", "nothing_to_redo", "nothing_to_undo", "parameter_out_of_range", "parameter_unknown", "parameters_not_read", "people_log_not_written", "port_taken", "rate_invalid", "recording_changed", "recording_clock_wrong", "recording_empty", "recording_foreign", "recording_not_packed", "recording_not_whole", "recording_packing_unknown", "recording_too_large", "recording_two_boards", "recording_unknown", "recording_unreadable", "role_too_low", "signal_units_differ", "signal_unknown", "simulator_unknown_host", "source_not_taken", "stick_invalid", "stick_needs_control", "stick_silent", "stream_message_invalid", "threshold_out_of_range", "threshold_unknown", "tls_certificate_early", "tls_certificate_expired", "tls_certificate_refused", "tls_ends_soon", "tls_file_unreadable", "tls_key_differs", "tls_key_locked", "tls_no_authority", "tls_no_certificate", "tls_no_key", "tls_not_renewed", "track_not_kept", "track_not_written", "value_not_allowed"),
+  code: oneOf("access_key_wrong", "access_last_owner", "access_not_written", "access_too_many_invitations", "access_too_many_programs", "access_too_many_requests", "access_too_many_sessions", "access_too_many_tries", "access_too_many_waiting", "access_unknown", "access_upload_limit", "ahrs_test_in_flight", "ahrs_test_lost", "ahrs_test_running", "alarm_not_active", "alarms_not_written", "alarms_unreadable", "bad_json", "board_line_full", "board_not_open", "body_too_large", "checklist_not_kept", "client_may_not_command", "client_not_yours", "client_silent", "client_unknown", "command_link_lost", "command_unknown", "control_held", "control_not_asked", "control_not_held", "control_refused", "control_unconfirmed", "data_folder_taken", "datagram_malformed", "datagram_stranger", "emulation_running", "export_no_position", "export_stretch_empty", "export_topic_unknown", "export_topics_unused", "extra_missing", "flight_away", "flight_delete_unconfirmed", "flight_disk_full", "flight_exists", "flight_import_incomplete", "flight_known", "flight_not_indexed", "flight_not_recorded", "flight_not_written", "flight_recording", "flight_unknown", "foreign_host", "foreign_origin", "http_error", "internal", "invalid_request", "job_failed", "job_over", "job_unknown", "jobs_busy", "journal_not_written", "journal_unreadable", "line_garbage", "link_address_invalid", "link_busy", "link_failed", "link_lost", "link_no_device", "link_not_serial", "link_permission", "link_refused", "link_timeout", "link_unknown_host", "link_unreachable", "listen_failed", "listen_unknown_host", "map_cache_not_written", "map_disk_full", "map_exists", "map_file_damaged", "map_file_empty", "map_file_no_layer_json", "map_file_not_mesh", "map_file_vector", "map_folder_unreadable", "map_import_incomplete", "map_import_unknown", "map_imports_busy", "map_kind_unknown", "map_layer_unknown", "map_name_invalid", "map_not_written", "map_raster_converting", "map_raster_failed", "map_raster_no_place", "map_raster_not_height", "map_source_invalid", "map_source_local", "map_source_refused", "map_source_silent", "map_tile_missing", "mark_unknown", "memory_not_written", "memory_unreadable", "method_not_allowed", "mission_differs", "mission_file_archive", "mission_file_damaged", "mission_file_empty", "mission_file_forbidden", "mission_file_frame", "mission_file_header", "mission_file_no_home", "mission_file_no_waypoints", "mission_file_out_of_range", "mission_file_too_long", "mission_file_unknown", "mission_file_unreadable", "mission_invalid", "mission_not_read", "mission_refused", "no_such_address", "not_admitted", "not_supported", "nothing_to_redo", "nothing_to_undo", "parameter_out_of_range", "parameter_unknown", "parameters_not_read", "people_log_not_written", "port_taken", "rate_invalid", "recording_changed", "recording_clock_wrong", "recording_empty", "recording_foreign", "recording_not_packed", "recording_not_whole", "recording_packing_unknown", "recording_too_large", "recording_two_boards", "recording_unknown", "recording_unreadable", "role_too_low", "signal_units_differ", "signal_unknown", "simulator_unknown_host", "source_not_taken", "stick_invalid", "stick_needs_control", "stick_silent", "stream_message_invalid", "threshold_out_of_range", "threshold_unknown", "tls_certificate_early", "tls_certificate_expired", "tls_certificate_refused", "tls_ends_soon", "tls_file_unreadable", "tls_key_differs", "tls_key_locked", "tls_no_authority", "tls_no_certificate", "tls_no_key", "tls_not_renewed", "track_not_kept", "track_not_written", "value_not_allowed"),
   detail: isText,
   params: dictionary(nullable(either(isText, isNumber, isFlag))),
 });
@@ -189,6 +189,19 @@ export const isCertificates = shape({
   fault: nullable(isCertificateFault),
 });
 export type Certificates = Checked<typeof isCertificates>;
+
+/** One line. `watched`: the page ticks it by itself while it is so; null: a person ticks it. */
+export const isChecklistLine = shape({
+  text: isText,
+  watched: nullable(oneOf("gps", "battery", "gains", "plan", "recorder", "alarms")),
+});
+export type ChecklistLine = Checked<typeof isChecklistLine>;
+
+/** `lines` is null while nobody has changed the list: the page then shows its own, in the reader's language. */
+export const isChecklist = shape({
+  lines: nullable(list(isChecklistLine)),
+});
+export type Checklist = Checked<typeof isChecklist>;
 
 /** A command; `supported` is null while no board is connected. */
 export const isCommandInfo = shape({
@@ -472,17 +485,18 @@ export const isThumbnail = shape({
 });
 export type Thumbnail = Checked<typeof isThumbnail>;
 
-/** One recording.
+/** One recording. What only its content tells is null until it is indexed (`state`), and where it does not have it.
  *
- * What can only be known from its content is null until it is indexed (`state`), and where the recording does not
- * have it. `fault` says why a flight could not be indexed. `frames_damaged` counts what the line damaged.
- * `damage` is a sentence where the file itself was cut or is damaged; all that is whole is shown. */
+ * `fault`: why a flight could not be indexed. `frames_damaged` counts what the line damaged, `damage` is a sentence
+ * about the file. `started_s` is corrected by `clock_ahead_s`, samples are not; `clock_unsure`: nobody gave the time. */
 export const isFlight = shape({
   active: isFlag,
   aircraft: nullable(isText),
   alarms: nullable(isNumber),
   board: nullable(isText),
   bytes: isNumber,
+  clock_ahead_s: isNumber,
+  clock_unsure: isFlag,
   damage: nullable(isText),
   distance_nm: nullable(isNumber),
   duration_s: nullable(isNumber),
@@ -509,6 +523,12 @@ export const isFlight = shape({
 });
 export type Flight = Checked<typeof isFlight>;
 
+/** What the aircraft is called; empty for no name. */
+export const isFlightAircraft = shape({
+  name: isText,
+});
+export type FlightAircraft = Checked<typeof isFlightAircraft>;
+
 /** The bin, deleted last first. */
 export const isFlightBin = shape({
   flights: list(isDeletedFlight),
@@ -523,11 +543,13 @@ export const isFlightPolicy = shape({
 });
 export type FlightPolicy = Checked<typeof isFlightPolicy>;
 
-/** Room for recordings. `hours_left` at the rate of the newest flights; null if there is none to judge by. */
+/** Room for recordings. `hours_left` at the rate of the newest flights, with all that is made of a flight; null if
+ * there is none to judge by. `used_bytes`: all flights, those of the bin, what was made of them, and finished exports. */
 export const isFlightDisk = shape({
   free_bytes: nullable(isNumber),
   hours_left: nullable(isNumber),
   policy: isFlightPolicy,
+  used_bytes: isNumber,
 });
 export type FlightDisk = Checked<typeof isFlightDisk>;
 
@@ -628,7 +650,7 @@ export const isJob = shape({
   fault: nullable(isFault),
   flight: nullable(isText),
   id: isText,
-  kind: oneOf("pack", "index", "import", "export", "report"),
+  kind: oneOf("pack", "index", "keys", "import", "export", "report"),
   progress: isNumber,
   result: nullable(isJobResult),
   state: oneOf("waiting", "running", "done", "failed", "cancelled"),
@@ -636,8 +658,10 @@ export const isJob = shape({
 export type Job = Checked<typeof isJob>;
 
 /** One page of the flights that were asked for. `total` counts all pages; `tags` and `boards` are those of the
- * whole library; `indexing` are the jobs that prepare flights now. */
+ * whole library; `indexing` are the jobs that prepare flights now; `aircraft` is what the aircraft that flies now is
+ * called, empty for no name. */
 export const isFlightList = shape({
+  aircraft: isText,
   boards: list(isText),
   disk: isFlightDisk,
   flights: list(isFlight),
@@ -952,6 +976,7 @@ export type Mission = Checked<typeof isMission>;
  * altitude_above_ground {count}: heights above the terrain, taken as above mean sea level: they must be corrected.
  * altitude_clamped {count}: the file puts them on the ground, yet gives altitudes, which were taken.
  * altitude_from_home {count, home_ft}: the planned home's altitude was added.
+ * home_skipped {latitude_deg, longitude_deg}: the first item of a .waypoints file is where the flight begins.
  * items_skipped {count, kinds}, shapes_skipped {count}, columns_skipped {names}: what is no waypoint was left out. */
 export const isMissionNote = shape({
   code: isText,

@@ -12,8 +12,10 @@ export const PLAN: Readonly<Record<Aircraft, string>> = { flight: "#f58be8", hil
 /** What the board does not have yet. */
 export const UNSENT = "#ffb62e";
 export const HOME = "#8df0b8";
-/** The distance tool's line. */
-export const MEASURE = "#ffe14d";
+/** The distance tool's line: no plan and no track is of this colour. */
+export const MEASURE = "#b7f55a";
+/** The area of a survey. */
+export const AREA = "#ff9d7a";
 
 export const SEA = "#2a5c85";
 export const LAND = "#837f5b";

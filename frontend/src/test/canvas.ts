@@ -40,7 +40,9 @@ function silentContext(canvas: HTMLCanvasElement): CanvasRenderingContext2D {
 export function installCanvas(): void {
   vi.stubGlobal("Path2D", SilentPath);
   vi.stubGlobal("ResizeObserver", SilentObserver);
-  vi.stubGlobal("matchMedia", () => ({ matches: false, addEventListener() {}, removeEventListener() {} }));
+  // A test that answers for a window of its own has done so already.
+  window.matchMedia ??
+    vi.stubGlobal("matchMedia", () => ({ matches: false, addEventListener() {}, removeEventListener() {} }));
   HTMLCanvasElement.prototype.getContext = function getContext(this: HTMLCanvasElement, kind: string) {
     // No WebGL: the page shows its fallback.
     return kind === "2d" ? silentContext(this) : null;

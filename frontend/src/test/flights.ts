@@ -8,6 +8,8 @@ export function aFlight(parts: Partial<Flight> = {}): Flight {
     state: "indexed",
     fault: null,
     damage: null,
+    clock_ahead_s: 0,
+    clock_unsure: false,
     started_s: 1_699_956_000,
     duration_s: 754,
     bytes: 12_300_000,
@@ -51,9 +53,11 @@ export function aFlightList(parts: Partial<FlightList> = {}): FlightList {
     indexing: [],
     disk: {
       free_bytes: 50_000_000_000,
+      used_bytes: 3_400_000_000,
       hours_left: 41.2,
       policy: { delete_oldest: false, keep_free_bytes: 5_000_000_000 },
     },
+    aircraft: "",
     ...parts,
   };
 }

@@ -1,6 +1,7 @@
 import { AlertDialog } from "@base-ui/react/alert-dialog";
 import { useRef } from "react";
 import { Button } from "./Button";
+import { useOpened } from "./openDialogs";
 import "./Dialog.css";
 
 interface Props {
@@ -20,6 +21,7 @@ interface Props {
 export function ConfirmDialog(props: Props) {
   const { title, text, confirmLabel, cancelLabel, danger = false, other, onConfirm, onCancel } = props;
   const foot = useRef<HTMLElement>(null);
+  useOpened(true);
   return (
     <AlertDialog.Root open onOpenChange={(open) => open || onCancel()}>
       <AlertDialog.Portal>

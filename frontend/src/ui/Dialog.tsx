@@ -1,6 +1,7 @@
 import { Dialog as Base } from "@base-ui/react/dialog";
 import { X } from "lucide-react";
 import type { ReactNode } from "react";
+import { useOpened } from "./openDialogs";
 import { useWords } from "./words";
 import "./Dialog.css";
 
@@ -17,13 +18,15 @@ interface Props {
   children?: ReactNode;
   /** The buttons that close it. */
   actions?: ReactNode;
-  size?: "normal" | "wide" | undefined;
+  /** A drawer stands at the left edge, as high as the window. */
+  size?: "normal" | "wide" | "drawer" | undefined;
 }
 
 /** A modal dialog. The focus stays in it, and returns to where it was when it closes. */
 export function Dialog(props: Props) {
   const { open = true, title, onClose, closeLabel, description, children, actions, size = "normal" } = props;
   const words = useWords();
+  useOpened(open);
   return (
     <Base.Root open={open} onOpenChange={(next) => !next && onClose()}>
       <Base.Portal>

@@ -7,19 +7,31 @@ import type { CommandState } from "./states";
 import { commandWord, useWords } from "./words";
 import "./MenuBar.css";
 
+/** Which way the titles of the bar stand. */
+const WayContext = createContext<"horizontal" | "vertical">("horizontal");
+
 /** The element that holds open menus: beside their bar, in its landmark, and not at the end of the page. */
 const HomeContext = createContext<HTMLElement | null>(null);
 
+interface BarProps {
+  label: string;
+  /** One title under the other, where a row has no room. */
+  orientation?: "horizontal" | "vertical" | undefined;
+  children: ReactNode;
+}
+
 /** The menu bar at the top of the window. The page behind an open menu keeps running. */
-export function MenuBar({ label, children }: { label: string; children: ReactNode }) {
+export function MenuBar({ label, orientation = "horizontal", children }: BarProps) {
   const [home, setHome] = useState<HTMLElement | null>(null);
   return (
-    <HomeContext value={home}>
-      <Menubar className="ui-menubar" aria-label={label} modal={false}>
-        {children}
-      </Menubar>
-      <div ref={setHome} className="ui-menu-home" />
-    </HomeContext>
+    <WayContext value={orientation}>
+      <HomeContext value={home}>
+        <Menubar className="ui-menubar" aria-label={label} modal={false} orientation={orientation}>
+          {children}
+        </Menubar>
+        <div ref={setHome} className="ui-menu-home" />
+      </HomeContext>
+    </WayContext>
   );
 }
 
@@ -60,6 +72,8 @@ export function AnchoredMenu({ anchor, home, onClose, children }: AnchoredProps)
 
 function Popup({ anchor, home, children }: Partial<AnchoredProps>) {
   const barHome = useContext(HomeContext);
+  // Under its title also where titles stand one under the other: beside it there is no room.
+  const isVertical = useContext(WayContext) === "vertical" && anchor === undefined;
   return (
     <Base.Portal container={home ?? barHome}>
       <Base.Positioner
@@ -67,6 +81,7 @@ function Popup({ anchor, home, children }: Partial<AnchoredProps>) {
         positionMethod="fixed"
         sideOffset={2}
         collisionPadding={4}
+        {...(isVertical ? { side: "bottom", align: "start" } : {})}
         anchor={anchor}
       >
         <Base.Popup className="ui-menu" {...(anchor === undefined ? {} : { finalFocus: anchor })}>

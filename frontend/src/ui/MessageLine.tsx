@@ -10,12 +10,13 @@ interface Props {
   time?: string | undefined;
   /** What a press opens. */
   action?: { readonly label: string; readonly onPress: () => void } | undefined;
+  className?: string | undefined;
 }
 
 /** The newest message in one line of the status bar; the whole text is in the tooltip. */
-export function MessageLine({ label, text, level = "info", time, action }: Props) {
+export function MessageLine({ label, text, level = "info", time, action, className }: Props) {
   return (
-    <div className="ui-message-row">
+    <div className={className === undefined ? "ui-message-row" : `ui-message-row ${className}`}>
       <div className="ui-message" data-level={level} role="status" aria-label={label} title={text}>
         {time !== undefined && <span className="ui-message-time">{time}</span>}
         <span className="ui-message-text">{text}</span>

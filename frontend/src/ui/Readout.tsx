@@ -1,4 +1,4 @@
-import { type ReactNode, type Ref, useImperativeHandle, useRef } from "react";
+import { type CSSProperties, type ReactNode, type Ref, useImperativeHandle, useRef } from "react";
 import { SteadyText, type SteadyTextHandle } from "./SteadyText";
 import type { DataState } from "./states";
 import "./Readout.css";
@@ -22,7 +22,7 @@ export function ReadoutGrid({
   return (
     <dl
       className={className === undefined ? "ui-readouts" : `ui-readouts ${className}`}
-      style={{ gridTemplateColumns: `repeat(${columns}, minmax(0, 1fr))` }}
+      style={{ "--columns": columns } as CSSProperties}
     >
       {children}
     </dl>

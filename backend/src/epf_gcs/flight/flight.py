@@ -26,6 +26,7 @@ from epf_gcs.flight.board.journal import Journal
 from epf_gcs.flight.board.missions import Missions
 from epf_gcs.flight.board.parameters import Parameters
 from epf_gcs.flight.board.rearming import Rearming
+from epf_gcs.flight.clock_watch import ClockWatch
 from epf_gcs.flight.flight_log import FlightLog
 from epf_gcs.flight.hil.hil import Hil
 from epf_gcs.flight.hil.simulator import Simulator
@@ -135,7 +136,15 @@ class Flight:
             changed=self._on_ahrs_test,
         )
 
-        self._known = KnownNotes(self.notes, self.board, self.parameters, self.stick, self.supervisor, self.simulator)
+        self._known = KnownNotes(
+            self.notes,
+            self.board,
+            self.parameters,
+            self.stick,
+            self.supervisor,
+            self.simulator,
+            self.memory.now.aircraft,
+        )
 
         # Alarms and housekeeping.
         self.watch = Watch(
@@ -171,6 +180,7 @@ class Flight:
             alarms=self.alarms,
             recorder=self.recorder,
             log=self._log,
+            clock_watch=ClockWatch(self.clock, self.notes.know),
             on_change=self.changed,
         )
 
@@ -211,7 +221,7 @@ class Flight:
                 **mission_requests(self.missions),
                 **self.switches.requests(),
                 **alarm_requests(self.alarms),
-                **recording_requests(self.recorder, self.notes, self.memory, self.outlet),
+                **recording_requests(self.recorder, self.notes, self._known, self.memory, self.outlet),
             }
         )
         self._connect()

@@ -1,15 +1,19 @@
 """`import FILE OUT`: checks a recording of another machine and writes what it holds anew, as our recorder would.
 
 So nothing of a stranger's file lands in the library but payloads and notes within limits; whatever else it has, and
-all that is damaged, stays behind. It says {"started_ns", "fingerprint", "damage"}.
+all that is damaged, stays behind, and a clock that was set back in flight goes on. It says {"started_ns",
+"fingerprint", "damage"}; the last is a sentence, or null.
 """
 
 from __future__ import annotations
 
 import time
+from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any, BinaryIO, Final
+
+import numpy as np
 
 from epf_gcs.errors import InvalidInputError
 from epf_gcs.flights.fingerprint import Fingerprint
@@ -25,6 +29,7 @@ _LIBRARY: Final = "epf-gcs import"
 _EARLIEST_NS: Final = int(datetime(2000, 1, 1, tzinfo=UTC).timestamp()) * 1_000_000_000
 _DAY_NS: Final = 86_400 * 1_000_000_000
 _LONGEST_NS: Final = 7 * _DAY_NS
+_SET_BACK_NS: Final = 1_000_000_000
 
 
 def run(arguments: list[str], say: Say) -> dict[str, Any]:
@@ -32,22 +37,23 @@ def run(arguments: list[str], say: Say) -> dict[str, Any]:
     source, target = (Path(argument) for argument in arguments)
     size = max(1, source.stat().st_size)
     part_file = target.with_suffix(".part")
-    fingerprint, times = Fingerprint(), _Times()
+    fingerprint, times, clock = Fingerprint(), _Times(), _SteadyClock()
     try:
         with part_file.open("wb") as output:
             writer = _Writer(output)
             reader = Reader(source)
             for part in reader.parts():
                 times.add(part)
-                fingerprint.add(part.messages)
-                writer.add(part)
+                steady = clock.steady(part)
+                fingerprint.add(steady.messages)
+                writer.add(steady)
                 say(reader.place / size, "checking")
             first_ns = times.check(time.time_ns())
             writer.finish()
         part_file.replace(target)
     finally:
         part_file.unlink(missing_ok=True)
-    return {"started_ns": first_ns, "fingerprint": fingerprint.text(), "damage": reader.damage}
+    return {"started_ns": first_ns, "fingerprint": fingerprint.text(), "damage": _joined(reader.damage, clock.said())}
 
 
 class _Times:
@@ -77,6 +83,44 @@ class _Times:
         if self._highest_ns - self._lowest_ns > _LONGEST_NS:
             raise _wrong_clock("it lasts longer than a week")
         return self._first_ns
+
+
+class _SteadyClock:
+    """Lets time go on where a clock was set back by a second or more: all that follows comes later by as much.
+
+    A replay, a plot and a track need times that go on, and of the flight after the step nobody knows the right ones.
+    """
+
+    def __init__(self) -> None:
+        self._last_ns: int | None = None
+        self._later_ns = 0
+        self._steps = 0
+
+    def steady(self, part: Part) -> Part:
+        """The part with such times, those of its notes too."""
+        t_ns = part.messages.t_ns
+        later = np.full(1, self._later_ns)
+        if len(t_ns):
+            before = np.concatenate((t_ns[:1] if self._last_ns is None else [self._last_ns], t_ns[:-1]))
+            back = np.where(before - t_ns >= _SET_BACK_NS, before - t_ns, 0)
+            later = self._later_ns + np.cumsum(back)
+            self._steps += int(np.count_nonzero(back))
+            self._last_ns, self._later_ns = int(t_ns[-1]), int(later[-1])
+        if not self._steps:
+            return part
+        notes = [(count, replace(note, t_ns=note.t_ns + int(later[max(0, count - 1)]))) for count, note in part.notes]
+        return part._replace(messages=part.messages._replace(t_ns=t_ns + later), notes=notes)
+
+    def said(self) -> str | None:
+        """A sentence, if the clock was set back."""
+        if not self._steps:
+            return None
+        times = "once" if self._steps == 1 else f"{self._steps} times"
+        return f"The clock was set back {times} in flight; here time goes on."
+
+
+def _joined(*sentences: str | None) -> str | None:
+    return " ".join(one for one in sentences if one is not None) or None
 
 
 class _Writer:

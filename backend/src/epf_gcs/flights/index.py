@@ -10,6 +10,7 @@ from epf_gcs.flights.columns import DAMAGE, Written, write_columns
 from epf_gcs.flights.events import FILE, find_events, write_events
 from epf_gcs.flights.fingerprint import Fingerprint
 from epf_gcs.flights.indexed import Columns, IndexedFlight
+from epf_gcs.flights.room import minding_room
 from epf_gcs.flights.summary import summarise, write_summary
 from epf_gcs.flights.worker import Say
 from epf_gcs.recordings.places import stamp_of
@@ -17,11 +18,14 @@ from epf_gcs.recordings.places import stamp_of
 _COLUMNS: Final = "columns"
 # The share of the columns in the time that the whole takes.
 _SHARE: Final = 0.9
+# More than what recording asks for by default, so that columns never stop it.
+_RESERVE_BYTES: Final = 1_200_000_000
 
 
 def run(arguments: list[str], say: Say) -> dict[str, Any]:
-    """The columns go beside the folder that holds the recording. Raises RecordingError, InvalidInputError, OSError."""
+    """The columns go beside the folder that holds the recording. Raises GatewayError and OSError."""
     (path,) = (Path(argument).resolve() for argument in arguments)
+    say = minding_room(say, path, _RESERVE_BYTES)
     # Before the file is read: if it changes meanwhile, what is made of it is stale at once.
     stamp = stamp_of(path)
     fingerprint = Fingerprint()

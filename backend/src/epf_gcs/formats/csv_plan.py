@@ -107,4 +107,7 @@ def _text(data: bytes) -> str:
             continue
         if all(letter.isprintable() or letter in "\r\n\t\xa0" for letter in text):
             return text
-    raise FileFault("mission_file_unknown", "it is neither KML, GPX, CSV nor a .plan of QGroundControl")
+    raise FileFault(
+        "mission_file_unknown",
+        "it is neither KML, GPX, CSV, a .plan of QGroundControl nor .waypoints of Mission Planner",
+    )

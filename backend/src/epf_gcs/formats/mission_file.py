@@ -13,7 +13,7 @@ from epf_gcs.codec.tables import Waypoint
 from epf_gcs.codec.values import argument_fault
 from epf_gcs.errors import ErrorCode, Params
 
-Format = Literal["kml", "gpx", "csv", "plan"]
+Format = Literal["kml", "gpx", "csv", "plan", "waypoints"]
 FileFormat = Literal["kml", "kmz", "gpx", "csv", "plan"]
 """What a file is written as: KMZ is KML, packed."""
 NoteCode = Literal[
@@ -22,6 +22,7 @@ NoteCode = Literal[
     "altitude_from_home",
     "altitude_missing",
     "columns_skipped",
+    "home_skipped",
     "items_skipped",
     "shapes_skipped",
     "speed_missing",

@@ -17,6 +17,7 @@ from epf_gcs.formats.kml_plan import read_kml, write_kml
 from epf_gcs.formats.kmz import DOCUMENT, kmz_pieces
 from epf_gcs.formats.mission_file import FileFault, FileFormat, MissionFile
 from epf_gcs.formats.qgc_plan import read_plan, write_plan
+from epf_gcs.formats.wpl_plan import SIGNATURE, read_wpl
 from epf_gcs.formats.xml_tree import local, parse_xml
 from epf_gcs.formats.zip_faults import ZIP_FAULTS
 
@@ -56,6 +57,8 @@ def _read(data: bytes) -> MissionFile:
         return _read_xml(parse_xml(data))
     if start.startswith(b"{"):
         return read_plan(data)
+    if start == SIGNATURE:
+        return read_wpl(data.removeprefix(codecs.BOM_UTF8).lstrip())
     return read_csv(data)
 
 

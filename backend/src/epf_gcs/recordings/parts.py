@@ -16,6 +16,7 @@ from mcap.records import Metadata
 from numpy.typing import NDArray
 
 from epf_gcs.recordings.chunks import read_head, unpack
+from epf_gcs.recordings.ending import ending
 from epf_gcs.recordings.limits import LIMITS, Limits, RecordingError
 from epf_gcs.recordings.mcap_file import MAGIC
 from epf_gcs.recordings.notes import Note, read
@@ -309,8 +310,10 @@ class Parts:
         self._damage[sentence] = self._damage.get(sentence, 0) + count
 
     def _check_end(self, file: BinaryIO) -> None:
-        file.seek(-len(MAGIC), 2)
-        self.is_whole = file.read() == MAGIC
+        end = ending(file, self.place)
+        self.is_whole = end.is_whole
+        if end.has_more:
+            self._tell("the file goes on after its end, what follows was not read")
 
     def _check_blank(self, file: BinaryIO) -> None:
         """After zeros, as a power cut leaves them, nothing else may follow."""

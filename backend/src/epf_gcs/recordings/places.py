@@ -65,9 +65,14 @@ class Places:
         """What people say of this flight."""
         return self.recordings / f"{flight}.json"
 
+    @property
+    def all_keyframes(self) -> Path:
+        """The key frames of all flights, a file each."""
+        return self.data_dir / "keyframes"
+
     def keyframes(self, flight: str) -> Path:
         """The key frames that the replays of this flight share; made again when they are gone."""
-        return self.data_dir / "keyframes" / f"{flight}.keys"
+        return self.all_keyframes / f"{flight}.keys"
 
     def made(self) -> dict[str, Path]:
         """The folders of all flights that have columns, by id."""

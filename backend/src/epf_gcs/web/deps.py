@@ -15,12 +15,14 @@ from epf_gcs.web.access.caller import Caller, Shown
 from epf_gcs.web.access.control import Control
 from epf_gcs.web.access.guard import admitted
 from epf_gcs.web.access.roles import Role
+from epf_gcs.web.checklist.kept import KeptChecklist
 from epf_gcs.web.flights.flights import Flights
 from epf_gcs.web.flights.imports import FlightImports
 from epf_gcs.web.flights.queries import Queries
 from epf_gcs.web.inspector.shared import SharedInspector
 from epf_gcs.web.maps.maps import Maps
 from epf_gcs.web.state.whole import WholeStatus
+from epf_gcs.web.stream.hub import Hub
 from epf_gcs.web.track.tracks import Tracks
 from epf_gcs.web.vehicle.mirror import VehicleMirror
 
@@ -49,6 +51,9 @@ ImportsDep = Annotated[FlightImports, _part("flight_imports")]
 """Recordings that come from other machines."""
 InspectorDep = Annotated[SharedInspector, _part("inspector")]
 RecordingsDirDep = Annotated[Path, _part("recordings_dir")]
+ChecklistDep = Annotated[KeptChecklist, _part("checklist")]
+HubDep = Annotated[Hub, _part("hub")]
+"""Tells all viewers."""
 ClockDep = Annotated[Clock, _part("clock")]
 """The flight's clock."""
 AdmissionDep = Annotated[Admission, _part("admission")]

@@ -22,6 +22,7 @@ from epf_gcs.errors import (
     LinkError,
     NotAdmittedError,
     NotFoundError,
+    NotKeptError,
     NotYoursError,
     Params,
     RoleError,
@@ -49,6 +50,7 @@ _STATUS: Final[dict[type[GatewayError], HTTPStatus]] = {
     RoleError: HTTPStatus.FORBIDDEN,
     NotYoursError: HTTPStatus.FORBIDDEN,
     TooManyError: HTTPStatus.TOO_MANY_REQUESTS,
+    NotKeptError: HTTPStatus.INSUFFICIENT_STORAGE,
     GatewayError: HTTPStatus.INTERNAL_SERVER_ERROR,
 }
 
@@ -61,6 +63,7 @@ _DESCRIPTIONS: Final = {
     413: "The body is too large.",
     429: "Too much was asked: `Retry-After` says when to come back.",
     422: "A value is missing, misspelt or out of range.",
+    507: "The disk of the station does not take it.",
     502: "The board was asked and refused, or did not answer.",
 }
 

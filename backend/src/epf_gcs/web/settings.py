@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 from pathlib import Path
+from urllib.parse import urlsplit
 
 from pydantic import Field, SecretStr
 from pydantic_settings import BaseSettings, SettingsConfigDict
+
+from epf_gcs.data_folder.place import data_folder
 
 
 class Settings(BaseSettings):
@@ -15,7 +18,7 @@ class Settings(BaseSettings):
 
     host: str = Field(default="127.0.0.1", description="Address to listen on; beyond 127.0.0.1 everybody needs a key.")
     port: int = Field(default=8000, ge=0, le=65535, description="TCP port to listen on; 0 takes any free one.")
-    data_dir: Path = Field(default=Path("data"), description="Where recordings and the remembered links live.")
+    data_dir: Path = Field(default_factory=data_folder, description="Where recordings and the remembered links live.")
     page_dir: Path | None = Field(
         default=None, description="The built page; by default the one that ships with the gateway."
     )
@@ -28,6 +31,12 @@ class Settings(BaseSettings):
     )
     watchdog: int | None = Field(default=None, description="An inherited pipe for signs of life to the parent.")
     allowed_hosts: tuple[str, ...] = Field(default=(), description="More names under which browsers may ask.")
+    reached_at: str | None = Field(
+        default=None,
+        pattern=r"^https?://([A-Za-z0-9.-]{1,253}|\[[0-9A-Fa-f:.]{2,45}\])(:[0-9]{1,5})?$",
+        description="Where others reach this station, if it cannot know: the host of a container and the port that it "
+        "publishes, or a proxy. Invitations and their QR codes show it, and its name may be asked.",
+    )
     allowed_origins: tuple[str, ...] = Field(default=(), description="More web origins which may command.")
     local_maps: tuple[str, ...] = Field(
         default=(), description="Servers of map tiles in the own network that may be asked, as host or host:port."
@@ -42,3 +51,9 @@ class Settings(BaseSettings):
     )
     launcher_key: SecretStr | None = Field(default=None, description="The key of the program that started this one.")
     max_body_bytes: int = Field(default=65536, ge=1024, description="Largest request body.")
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The names and numbers under which browsers may ask, as far as they were chosen."""
+        reached = urlsplit(self.reached_at or "").hostname
+        return (self.host, *self.allowed_hosts, *([] if reached is None else [reached]))

@@ -22,6 +22,8 @@ from epf_gcs.web.access.admission import Admission
 from epf_gcs.web.access.caller import Caller
 from epf_gcs.web.access.changes import HolderChanged
 from epf_gcs.web.access.control import Control
+from epf_gcs.web.checklist.kept import KeptChecklist
+from epf_gcs.web.flights.aircraft import AircraftName
 from epf_gcs.web.flights.flights import Flights
 from epf_gcs.web.flights.imports import FlightImports
 from epf_gcs.web.flights.jobs import Jobs
@@ -64,8 +66,10 @@ class Station:
             Jobs(self.hub),
             self.clock,
             PolicyChoice(self.vehicle.request),
+            AircraftName(self.vehicle.request),
             self._growing,
             lambda: self.mirror.is_here,
+            lambda: self.replays.flights,
             errors.report,
         )
         self.queries = Queries(data_dir)
@@ -86,6 +90,8 @@ class Station:
             "flights": self.flights,
             "flight_queries": self.queries,
             "flight_imports": FlightImports(self.flights),
+            "checklist": KeptChecklist(data_dir),
+            "hub": self.hub,
             "clock": self.clock,
         }
 

@@ -102,3 +102,24 @@ async def test_the_disks_policy_is_the_recorders_and_is_remembered(tmp_path: Pat
     again = Flight(tmp_path)
     assert again.recorder is not None
     assert again.recorder.policy == DiskPolicy(delete_oldest=True, keep_free_bytes=7)
+
+
+async def test_the_aircraft_has_the_name_that_a_person_gave_it_before_or_in_flight(
+    tmp_path: Path, board: FakeBoard
+) -> None:
+    before = Flight(tmp_path)
+    async with before.running():
+        ask = before._requests["recording.aircraft"]
+        assert await ask(Asker(), {}) == {"name": ""}
+        assert await ask(Asker(), {"name": "Ala fija"}) == {"name": "Ala fija"}
+    flight = Flight(tmp_path)
+    async with flight.running():
+        ask = flight._requests["recording.aircraft"]
+        assert await ask(Asker(), {}) == {"name": "Ala fija"}, "it is remembered"
+        await flight.lines.open_board(parse_address(board.url))
+        await eventually_async(lambda: flight.recorder is not None and flight.recorder.file is not None, "it records")
+        await ask(Asker(), {"name": "Ala fija 2"})
+        await ask(Asker(), {"name": ""})
+    (file,) = (tmp_path / "recordings").glob("*.mcap")
+    names = [note.content["aircraft"] for note in notes_of(file) if note.name == IDENTITY]
+    assert [names[0], *names[-2:]] == ["Ala fija", "Ala fija 2", None]

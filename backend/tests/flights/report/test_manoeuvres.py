@@ -23,6 +23,7 @@ def flown() -> list[tuple[Made, list[dict[str, Any]]]]:
     return [(made, [one for one in manoeuvres(made.flight)[0] if one["kind"] != "leg"]) for made in every]
 
 
+@pytest.mark.uncounted
 def test_manoeuvres_of_fifty_flights_are_found(flown: list[tuple[Made, list[dict[str, Any]]]]) -> None:
     right = sum(len(matches(found, made.truths)) for made, found in flown)
     wrong = sum(len(found) for _, found in flown) - right
@@ -32,6 +33,7 @@ def test_manoeuvres_of_fifty_flights_are_found(flown: list[tuple[Made, list[dict
     assert f1 >= 0.95
 
 
+@pytest.mark.uncounted
 def test_figures_of_fifty_flights_are_those_of_their_dynamics(flown: list[tuple[Made, list[dict[str, Any]]]]) -> None:
     """Rise time and damping as shares of the true ones, overshoot and steady error as shares of the step."""
     worst: dict[str, float] = {}
@@ -49,6 +51,7 @@ def test_figures_of_fifty_flights_are_those_of_their_dynamics(flown: list[tuple[
     assert max(worst.values()) <= WITHIN
 
 
+@pytest.mark.uncounted
 def test_in_gusts_with_dead_time_and_limits_each_figure_says_how_far_it_may_be_off() -> None:
     """What cannot be known within 5 % is told with its doubt, and 95 of 100 figures lie within theirs."""
     held: dict[str, list[bool]] = {}

@@ -39,6 +39,11 @@ def test_the_page_shows_each_manoeuvre_beside_the_earlier_flights(language: str)
     assert len(both["manoeuvres"]) > 5
     shown = html.fromstring(page(both, language))
     assert len(shown.xpath("//svg")) >= len(both["manoeuvres"])
+    # Of two pictures each says which flight it is of.
+    for figures in ([*card.iter("figure")] for card in shown.find_class("card")):
+        captions = [figure.findtext("figcaption") for figure in figures]
+        assert len(set(captions)) == len(figures)
+        assert (captions == [None]) == (len(figures) == 1)
 
 
 def test_a_report_is_made_once_of_an_indexed_flight_and_kept(tmp_path: Path) -> None:
@@ -52,3 +57,11 @@ def test_a_report_is_made_once_of_an_indexed_flight_and_kept(tmp_path: Path) -> 
     assert run([str(file)], quiet)["report"] == first
     assert run([str(file), "--compare", str(file)], quiet)["report"]["earlier"]["flight"] == FLIGHT
     assert "<html" in run([str(file), "--page", "es"], quiet)["page"]
+
+
+@pytest.mark.parametrize(("language", "words"), [("es", "ningún objetivo cambió"), ("en", "no target changed")])
+def test_the_page_of_a_flight_without_manoeuvres_says_so(language: str, words: str) -> None:
+    times = np.arange(0.0, 1e9, 2e7)
+    made = report(FLIGHT, make(1, steps=0).flight, SUMMARY, [], times, times + 4e6)
+    assert made["manoeuvres"] == []
+    assert words in html.fromstring(page(made, language)).text_content()

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from typing import get_args
 
+import pytest
+
 from epf_gcs.web.access.changes import Reason, Result
 from tests.support.control_walk import Walk
 
 STEPS = 200_000
 
 
+@pytest.mark.uncounted
 def test_random_steps_meet_no_second_holder_no_stick_without_one_and_always_a_way_back() -> None:
     walk = Walk(seed=20261122)
     walk.go(STEPS)

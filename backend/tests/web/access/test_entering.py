@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from epf_gcs.web.access import keys as keys_module
 from epf_gcs.web.access.keys import new_one_time_key
 from epf_gcs.web.access.roles import Role
 from tests.support.callers import one_time_key, person, program, stranger, strict_gateway
@@ -230,3 +231,74 @@ def test_google_earth_is_asked_for_a_password_and_a_program_s_key_is_one(station
         assert earth.get("/status").headers["www-authenticate"].split()[0] == "Bearer"
         _, key, _ = program(station, Role.viewer, owner)
         assert earth.get("/earth.kml", auth=("anything", key)).status_code == 200
+
+
+def test_a_wrong_a_used_and_an_ended_key_are_told_apart_by_nothing(
+    station: Gateway, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    used, late = one_time_key(station, Role.owner), one_time_key(station, Role.owner, minutes=-1.0)
+    hashed: list[str] = []
+    verify = keys_module._HASHER.verify
+
+    class Counted:
+        def verify(self, kept: str, secret: str) -> bool:
+            hashed.append(kept)
+            return verify(kept, secret)
+
+    with person(station, Role.owner, "Owner") as owner:
+        with stranger(station) as ana:
+            ana.post("/access/enter", json={"key": used, "name": "Ana"}).raise_for_status()
+        revoked = owner.post("/access/invitations", json={}).json()
+        owner.delete(f"/access/invitations/{revoked['invitation']['id']}").raise_for_status()
+        open_one = owner.post("/access/invitations", json={}).json()["key"]
+        monkeypatch.setattr(keys_module, "_HASHER", Counted())
+        answers = []
+        for key in (
+            new_one_time_key()[0],
+            used,
+            late,
+            revoked["key"],
+            open_one[:-1] + ("0" if open_one[-1] != "0" else "1"),
+            "x",
+            "epf_00000000_" + "x" * 43,
+        ):
+            with stranger(station) as eve:
+                before = len(hashed)
+                answer = eve.post("/access/enter", json={"key": key, "name": "Eve"})
+                answers.append((answer.status_code, answer.content, len(hashed) - before))
+        assert len(set(answers)) == 1
+        assert answers[0][2] == 1, "one hash each"
+    assert len({kept.rpartition("$")[0].rpartition("$")[0] for kept in hashed}) == 1, "of the same cost"
+
+
+@pytest.mark.parametrize(
+    ("name", "status"),
+    [
+        ("Íñigo Ñandú", 200),
+        ("👩‍✈️ Ana", 200),
+        ("محمد", 200),
+        ("Ana\u202eoperador", 422),
+        ("A\u200bna", 422),
+        ("\u2066Ana\u2069", 422),
+        ("\u3164", 422),
+        ("Ana\nLuis", 422),
+        ("x" * 41, 422),
+        ("   ", 422),
+    ],
+)
+def test_a_name_is_what_others_see_and_nothing_else(station: Gateway, name: str, status: int) -> None:
+    with stranger(station) as ana:
+        body = {"key": one_time_key(station, Role.viewer), "name": name}
+        answer = ana.post("/access/enter", json=body)
+        assert answer.status_code == status
+        if status == 200:
+            assert answer.json()["name"] == name
+
+
+def test_half_a_character_and_a_megabyte_are_no_names(station: Gateway) -> None:
+    with stranger(station) as ana:
+        headers = {"Content-Type": "application/json"}
+        half = b'{"key": "0000-0000-0000-0000", "name": "\\ud800"}'
+        assert ana.post("/access/enter", content=half, headers=headers).status_code == 422
+        long = b'{"key": "0000-0000-0000-0000", "name": "' + b"x" * 1_000_000 + b'"}'
+        assert ana.post("/access/enter", content=long, headers=headers).status_code == 413

@@ -138,3 +138,48 @@ def test_a_flight_that_is_recorded_is_exported_when_it_has_ended(gateway: Gatewa
     ended = flown(gateway, board)
     answer = gateway.http.get(f"/flights/{ended}/export", params={"format": "mcap"}).raise_for_status()
     assert answer.content == (Path(gateway.flight_thread.data_dir) / "recordings" / f"{ended}.mcap").read_bytes()
+
+
+def test_a_file_that_nobody_fetches_goes_after_an_hour_and_at_once_where_room_is_wanted(
+    gateway: Gateway, flight: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def exported() -> str:
+        job_id = started(gateway, flight, format="gpx")
+        eventually(lambda: job(gateway, job_id)["state"] == "done", "it is made")
+        return job_id
+
+    job_id = exported()
+    policy = {"delete_oldest": False, "keep_free_bytes": 10**9}
+    gateway.http.put("/flights/policy", json=policy).raise_for_status()
+    gateway.http.get("/flights/bin").raise_for_status()
+    assert job(gateway, job_id)["result"] is not None
+    monkeypatch.setattr("epf_gcs.web.flights.flights._RESULT_KEPT_S", 0.0)
+    gateway.http.put("/flights/policy", json=policy).raise_for_status()
+    eventually(lambda: job(gateway, job_id)["result"] is None, "it goes")
+    assert job(gateway, job_id)["state"] == "done"
+    assert gateway.http.get(f"/jobs/{job_id}/result").json()["code"] == "job_over"
+    assert left(gateway) == []
+    monkeypatch.setattr("epf_gcs.web.flights.flights._RESULT_KEPT_S", 3600.0)
+    job_id = exported()
+    gateway.http.patch(f"/flights/{flight}", json={"pinned": True}).raise_for_status()
+    wanted = {"delete_oldest": True, "keep_free_bytes": 10_000_000_000_000}
+    gateway.http.put("/flights/policy", json=wanted).raise_for_status()
+    eventually(lambda: job(gateway, job_id)["result"] is None, "files of jobs go before flights do")
+    assert listed(gateway)["total"] == 1
+
+
+def test_two_exports_of_one_flight_at_once_are_two_whole_files(gateway: Gateway, flight: str) -> None:
+    jobs = [started(gateway, flight, format="mcap-decoded") for _ in range(2)]
+    eventually(lambda: all(job(gateway, one)["state"] == "done" for one in jobs), "both are made")
+    first, second = (gateway.http.get(f"/jobs/{one}/result").raise_for_status().content for one in jobs)
+    assert first == second
+    assert first.endswith(b"\x89MCAP0\r\n")
+
+
+def test_a_flight_that_is_deleted_while_it_is_exported_leaves_no_file(gateway: Gateway, flight: str) -> None:
+    job_id = started(gateway, flight, format="mcap-decoded")
+    gateway.http.delete(f"/flights/{flight}", params={"confirm": flight}).raise_for_status()
+    assert job(gateway, job_id)["state"] in ("cancelled", "done")
+    assert gateway.http.get(f"/flights/{flight}/export", params={"format": "gpx"}).status_code == 404
+    if job(gateway, job_id)["state"] == "cancelled":
+        assert left(gateway) == []

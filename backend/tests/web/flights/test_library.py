@@ -15,6 +15,7 @@ from epf_gcs.recordings.places import Places, stamp_of
 from epf_gcs.web.flights.about import About, read_about
 from epf_gcs.web.flights.folder import KEPT_S, FlightFolder
 from epf_gcs.web.flights.library import SUMMARY_VERSION, Library, Row, Wanted
+from tests.support.files import the_one_like
 
 FIRST, SECOND, THIRD = "20260101T100000Z", "20260102T100000Z", "20260102T100000Z-2"
 
@@ -171,7 +172,7 @@ def test_words_that_cannot_be_read_are_kept_aside_and_not_overwritten(places: Pl
     library.refresh(None)
     assert row_of(library, FIRST).about == About()
     library.say(FIRST, About(title="neu"))
-    assert places.about(FIRST).with_suffix(".json.damaged").read_bytes() == b'{"title": 5}'
+    assert the_one_like(places.recordings, f"{FIRST}.json.damaged-*").read_bytes() == b'{"title": 5}'
     assert read_about(places.about(FIRST)).title == "neu"
 
 
@@ -201,3 +202,50 @@ def test_the_bin_keeps_a_flight_for_thirty_days(places: Places) -> None:
     assert folder.purge(1000.0 + KEPT_S - 1) == []
     assert folder.purge(1000.0 + KEPT_S) == [FIRST]
     assert list(places.bin.iterdir()) == []
+
+
+def test_a_flight_that_began_under_a_wrong_clock_is_filed_under_its_true_time(places: Places) -> None:
+    for flight, ahead_s in ((FIRST, 86400.0), (SECOND, 0.0)):
+        record(places, flight)
+        index(places, flight, clock_ahead_s=ahead_s)
+    library = Library(places)
+    library.refresh(None)
+    assert row_of(library, FIRST).started_s - row_of(library, SECOND).started_s == 86400.0
+    assert ids(library, sort="started") == [FIRST, SECOND]
+
+
+def test_what_was_made_of_a_recording_that_has_gone_goes_too_but_not_when_its_disk_has_gone(places: Places) -> None:
+    for flight in (FIRST, SECOND):
+        record(places, flight)
+        index(places, flight)
+        keep_keys(places, flight)
+    folder = FlightFolder(places)
+    assert folder.drop_orphans() == []
+    places.recording(FIRST).unlink()
+    assert folder.drop_orphans() == [FIRST]
+    assert places.made_of(FIRST) is None
+    assert [path.stem for path in places.all_keyframes.iterdir()] == [SECOND]
+    away = places.recordings.rename(places.data_dir / "away")
+    assert folder.drop_orphans() == []
+    away.rename(places.recordings)
+    assert places.made_of(SECOND) is not None
+
+
+def test_the_bytes_of_a_flight_are_those_of_its_columns_and_key_frames_too(places: Places) -> None:
+    record(places, FIRST, 100)
+    folder = FlightFolder(places)
+    assert (folder.used_bytes(), folder.made_bytes(FIRST)) == (100, 0)
+    summary = index(places, FIRST) / "summary.json"
+    keep_keys(places, FIRST, 1000)
+    made = 1000 + summary.stat().st_size
+    assert (folder.used_bytes(), folder.made_bytes(FIRST)) == (100 + made, made)
+    record(places, SECOND, 30)
+    folder.delete(SECOND, 1000.0)
+    words = (places.bin / f"{SECOND}.json").stat().st_size
+    assert folder.used_bytes() == 100 + made + 30 + words, "the bin is on the disk too"
+
+
+def keep_keys(places: Places, flight: str, size: int = 10) -> None:
+    """Key frames as a replay leaves them."""
+    places.all_keyframes.mkdir(exist_ok=True)
+    places.keyframes(flight).write_bytes(bytes(size))

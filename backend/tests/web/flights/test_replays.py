@@ -24,7 +24,7 @@ from tests.replay.recordings import SECOND_NS, STARTS_NS, flight, plain, write
 from tests.support.gateway import Gateway, Stream, running_gateway
 from tests.support.outlet import KeptOutlet
 from tests.support.programs import children_of, gateway_process
-from tests.support.waiting import eventually
+from tests.support.waiting import DEADLINE_S, eventually, first_of
 
 ID = "20260101T120000Z"
 
@@ -47,14 +47,16 @@ def replays() -> list[int]:
 def samples_until(stream: Stream, wanted: Any) -> list[dict[str, Any]]:
     """The samples until a playback message of which `wanted` says yes; every batch is acknowledged."""
     found: list[dict[str, Any]] = []
-    while True:
-        message = stream.receive()
+
+    def told(message: dict[str, Any]) -> bool | None:
         if message["type"] == "batch":
             assert message["missed"] == 0
-            found += message["samples"]
+            found.extend(message["samples"])
             stream.acknowledge(message)
-        elif message["type"] == "playback" and wanted(message):
-            return found
+        return True if message["type"] == "playback" and wanted(message) else None
+
+    first_of(stream.receive, told, "a playback that was wanted")
+    return found
 
 
 def test_it_says_hello_as_the_past_and_shows_the_moment(station: Gateway) -> None:
@@ -202,7 +204,7 @@ def test_a_replay_ends_when_the_web_process_is_killed(tmp_path: Path) -> None:
     with gateway_process(tmp_path) as gateway:
         url = gateway.wait_for_words(r"url=(http://\S+)").replace("http", "ws")
         with connect(f"{url}/api/v1/stream?flight={ID}") as connection:
-            assert orjson.loads(connection.recv())["type"] == "hello"
+            assert orjson.loads(connection.recv(DEADLINE_S))["type"] == "hello"
             (web,) = [pid for pid in children_of(gateway.process.pid) if b"epf_gcs.web" in _words(pid)]
             (replay,) = [pid for pid in children_of(web) if b"epf_gcs.replay" in _words(pid)]
             os.kill(web, signal.SIGKILL)
@@ -238,3 +240,41 @@ def test_a_viewer_asks_what_was_known_and_measured_at_the_moment_shown(station: 
         assert known.parameters is None, "nobody noted a gain"
         stream.send({"type": "ask", "about": "secrets"})
         assert stream.event("error")["code"] == "stream_message_invalid"
+
+
+def test_a_flight_that_is_deleted_or_whose_file_is_removed_goes_on_for_those_who_look_at_it(tmp_path: Path) -> None:
+    other = "20260101T120000Z-2"
+    (tmp_path / "recordings").mkdir()
+    for name in (ID, other):
+        write(tmp_path / "recordings" / f"{name}.mcap", flight(12.0))
+    with running_gateway(tmp_path) as gateway:
+        eventually(lambda: gateway.http.get(f"/flights/{ID}").json()["state"] == "indexed", "it is prepared")
+        for name in (ID, other):
+            with gateway.stream(f"?flight={name}&at_s=2") as stays:
+                if name == ID:
+                    gateway.http.delete(f"/flights/{name}", params={"confirm": name}).raise_for_status()
+                else:
+                    (tmp_path / "recordings" / f"{name}.mcap").unlink()
+                stays.send({"type": "rate", "rate": 0})
+                stays.send({"type": "seek", "at_s": 0})
+                stays.send({"type": "play", "rate": 100})
+                samples = samples_until(stays, lambda playback: playback["state"] == "ended")
+                assert [one["topic"] for one in samples].count("ahrs") >= 200, "all of it is shown, to its end"
+                with pytest.raises(InvalidStatus) as refused, gateway.stream(f"?flight={name}"):
+                    pass
+                assert refused.value.response.status_code == 404
+                answer = gateway.http.get(f"/flights/{name}/signals", params={"names": "ahrs.roll_deg"})
+                assert (answer.status_code, answer.json()["code"]) == (404, "flight_unknown")
+
+
+def test_a_flight_that_is_looked_at_is_not_deleted_to_make_room(tmp_path: Path) -> None:
+    names = (ID, f"{ID}-2")
+    (tmp_path / "recordings").mkdir()
+    for name in names:
+        write(tmp_path / "recordings" / f"{name}.mcap", flight(4.0))
+    with running_gateway(tmp_path) as gateway, gateway.stream(f"?flight={ID}"):
+        policy = {"delete_oldest": True, "keep_free_bytes": 10_000_000_000_000}
+        gateway.http.put("/flights/policy", json=policy).raise_for_status()
+        eventually(
+            lambda: [one.stem for one in (tmp_path / "recordings").glob("*.mcap")] == [ID], "only the other goes"
+        )

@@ -124,6 +124,16 @@ def test_a_recording_of_another_machine_becomes_a_flight(gateway: Gateway) -> No
     eventually(lambda: not any(incoming.iterdir()), "nothing of the upload stays")
 
 
+def test_what_was_wrong_with_an_imported_file_is_told_with_its_flight(gateway: Gateway) -> None:
+    content = recording([NOW_NS, NOW_NS + 10**9, NOW_NS + 2 * 10**9])
+    job = upload(gateway, content[: content.index(data_end())] + b"\x77" * 20)
+    flight = indexed(gateway, str(job["flight"]))
+    assert flight["damage"] is not None
+    assert "begins no record" in flight["damage"]
+    whole = upload(gateway, recording([NOW_NS + 10**12, NOW_NS + 2 * 10**12]))
+    assert indexed(gateway, str(whole["flight"]))["damage"] is None
+
+
 @pytest.mark.parametrize(
     ("content", "code"),
     [
@@ -179,9 +189,14 @@ def asked(gateway: Gateway, path: str, **query: Any) -> dict[str, Any]:
 
 
 def test_a_flight_is_prepared_by_itself_and_answers_what_is_in_it(gateway: Gateway, board: FakeBoard) -> None:
+    assert gateway.http.put("/flights/aircraft", json={"name": " Ala fija "}).json() == {"name": "Ala fija"}
+    assert listed(gateway)["aircraft"] == "Ala fija"
+    assert gateway.http.put("/flights/aircraft", json={"name": "x" * 61}).status_code == 422
     flight = flown(gateway, board)
     row = indexed(gateway, flight)
     assert row["frames"] > 0
+    assert row["aircraft"] == "Ala fija"
+    assert listed(gateway, text="ala fija")["total"] == 1
     assert row["duration_s"] > 0
     path = f"/flights/{flight}"
     topics = {one["name"]: one for one in asked(gateway, f"{path}/topics")["topics"]}
@@ -303,3 +318,45 @@ def test_a_question_about_a_flight_that_is_not_prepared_says_so(gateway: Gateway
     (data_dir / "recordings" / "20260101T100000Z.mcap").write_bytes(b"no recording at all")
     refused = gateway.http.get("/flights/20260101T100000Z/topics")
     assert (refused.status_code, refused.json()["code"]) == (409, "flight_not_indexed")
+
+
+def test_a_flight_that_the_disk_had_no_room_for_is_prepared_when_it_has(
+    gateway: Gateway, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("epf_gcs.web.flights.flights._AGAIN_S", 0.0)
+    columns = Path(gateway.flight_thread.data_dir) / "columns"
+    # No folder can be made there, as on a disk that refuses.
+    columns.write_bytes(b"")
+    flight = str(upload(gateway, recording([NOW_NS, NOW_NS + 10**9]))["flight"])
+
+    def failed() -> list[str]:
+        jobs = gateway.http.get("/jobs").json()["jobs"]
+        return [job["fault"]["code"] for job in jobs if (job["kind"], job["state"]) == ("index", "failed")]
+
+    eventually(lambda: bool(failed()), "the disk refuses")
+    assert set(failed()) == {"flight_not_written"}
+    assert gateway.http.get(f"/flights/{flight}").json()["state"] in ("waiting", "indexing"), "it is not damaged"
+    columns.unlink()
+    # Whatever wakes the station: here the policy of the disk, which nobody changes.
+    gateway.http.put("/flights/policy", json={"delete_oldest": False, "keep_free_bytes": 10**9}).raise_for_status()
+    indexed(gateway, flight)
+
+
+def test_a_flight_that_is_prepared_has_its_key_frames_before_anybody_opens_it(
+    gateway: Gateway, board: FakeBoard, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    keyframes = Path(gateway.flight_thread.data_dir) / "keyframes"
+    short = flown(gateway, board)
+    indexed(gateway, short)
+    monkeypatch.setattr("epf_gcs.web.flights.flights._WORTH_KEYS_NS", 0)
+    flight = flown(gateway, board)
+    indexed(gateway, flight)
+
+    def jobs() -> list[tuple[str, str]]:
+        found = gateway.http.get("/jobs").json()["jobs"]
+        return [(one["flight"], one["state"]) for one in found if one["kind"] == "keys"]
+
+    eventually(lambda: jobs() == [(flight, "done")], "its key frames are made")
+    assert [path.name for path in keyframes.iterdir()] == [f"{flight}.keys"]
+    gateway.http.delete(f"/flights/{flight}", params={"confirm": flight}).raise_for_status()
+    assert list(keyframes.iterdir()) == []

@@ -17,7 +17,7 @@ from websockets.typing import Origin
 from epf_gcs.web.state.schemas import Status
 from tests.support.fake_board import FakeBoard
 from tests.support.gateway import Gateway, Stream
-from tests.support.waiting import eventually
+from tests.support.waiting import DEADLINE_S, eventually
 
 HANDSHAKE = (
     b"GET /api/v1/stream HTTP/1.1\r\nHOST\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
@@ -215,14 +215,14 @@ def test_a_foreign_page_gets_no_stream(gateway: Gateway, origin: str) -> None:
 
 def test_our_own_page_gets_the_stream(gateway: Gateway) -> None:
     with connect(f"ws://127.0.0.1:{gateway.server.port}/api/v1/stream", origin=Origin(gateway.base)) as stream:
-        assert orjson.loads(stream.recv())["type"] == "hello"
+        assert orjson.loads(stream.recv(DEADLINE_S))["type"] == "hello"
 
 
 def test_a_page_that_pointed_its_own_name_at_us_gets_no_stream(gateway: Gateway) -> None:
-    with socket.create_connection(("127.0.0.1", gateway.server.port)) as peer:
+    with socket.create_connection(("127.0.0.1", gateway.server.port), DEADLINE_S) as peer:
         peer.sendall(HANDSHAKE.replace(b"HOST", b"Host: evil.example"))
         assert peer.recv(4096).startswith(b"HTTP/1.1 403")
-    with socket.create_connection(("127.0.0.1", gateway.server.port)) as peer:
+    with socket.create_connection(("127.0.0.1", gateway.server.port), DEADLINE_S) as peer:
         peer.sendall(HANDSHAKE.replace(b"HOST", b"Host: 127.0.0.1\r\nHost: evil.example"))
         assert peer.recv(4096).startswith(b"HTTP/1.1 4")
 

@@ -16,6 +16,7 @@ import httpx
 import pytest
 from cryptography import x509
 
+from epf_gcs.web.tls import keeper as keeper_module
 from epf_gcs.web.tls.routes import MEDIA_TYPE
 from tests.support.gateway import Gateway, running_gateway
 from tests.support.programs import children_of, gateway_process
@@ -170,6 +171,19 @@ def test_a_brought_certificate_is_insisted_on(tmp_path: Path) -> None:
         answer = gateway.http.get("/access/authority")
         assert (answer.status_code, answer.json()["code"]) == (404, "tls_no_authority")
         assert not (tmp_path / "data" / "tls").exists()
+
+
+def test_everybody_who_looks_is_told_that_the_certificate_cannot_be_renewed(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(keeper_module, "LOOK_EVERY_S", 0.05)
+    data = tmp_path / "data"
+    with running_gateway(data, tls=True) as gateway, gateway.stream() as stream:
+        (data / "tls").rename(data / "away")
+        (data / "tls").write_bytes(b"a file where the folder was")
+        told = stream.event("error")
+        assert (told["code"], told["params"]["folder"]) == ("tls_not_renewed", str(data / "tls"))
+        assert gateway.http.get("/access/certificates").json()["fault"]["code"] == "tls_not_renewed"
 
 
 def test_without_tls_the_interface_says_so(gateway: Gateway) -> None:

@@ -131,6 +131,7 @@ def test_who_has_some_points_gets_the_others(steps: int, after: int) -> None:
     assert points(flown(steps), after) == [place(step) for step in range(after, steps)]
 
 
+@pytest.mark.uncounted
 def test_four_hours_are_kept_and_the_newest_two_are_whole_after_the_first_thinning() -> None:
     track = Track(1000.0)
     for step in range(715_000):

@@ -1,52 +1,36 @@
-import { createContext, type ReactNode, useContext, useMemo, useState } from "react";
+import { type ReactNode, useMemo, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { Button } from "../../ui/Button";
 import { ConfirmDialog } from "../../ui/ConfirmDialog";
 import { Dialog } from "../../ui/Dialog";
 import { type LazyPart, lazyPart } from "../../ui/lazyPart";
 import { Notice } from "../../ui/Notice";
+import { type DialogName, DialogsContext, type Question } from "./useDialogs";
 
-/** The dialogs that a menu or a key opens; each is loaded on first use. */
+/** Each dialog is loaded on first use. */
 export const DIALOGS = {
   about: lazyPart(async () => (await import("../../features/about/AboutDialog")).AboutContent),
   guide: lazyPart(async () => (await import("../../features/guide/GuideContent")).GuideContent),
+  checklist: lazyPart(
+    async () => (await import("../../features/checklist/ChecklistContent")).ChecklistContent,
+  ),
   log: lazyPart(async () => (await import("../../features/log/LogContent")).LogContent),
   settings: lazyPart(async () => (await import("./SettingsDialog")).SettingsContent),
   tablet: lazyPart(async () => (await import("../../features/access/TabletContent")).TabletContent),
+  drawer: lazyPart(async () => (await import("../compact/Drawer")).Drawer),
   shortcuts: lazyPart(async () => (await import("./ShortcutsDialog")).ShortcutsContent),
-} as const satisfies Readonly<Record<string, LazyPart>>;
+} as const satisfies Readonly<Record<DialogName, LazyPart>>;
 
-export type DialogName = keyof typeof DIALOGS;
-
-export interface Question {
-  readonly title: string;
-  readonly text: string;
-  readonly confirm: string;
-  readonly danger: boolean;
-  readonly onConfirm: () => void;
-}
-
-interface Dialogs {
-  readonly open: (name: DialogName) => void;
-  /** Ask before an action that cannot be undone. */
-  readonly ask: (question: Question) => void;
-}
-
-const DialogsContext = createContext<Dialogs | null>(null);
-
-export function useDialogs(): Dialogs {
-  const dialogs = useContext(DialogsContext);
-  if (dialogs === null) {
-    throw new Error("DialogsProvider is missing above a part that opens windows");
-  }
-  return dialogs;
-}
+const SIZES: Readonly<Partial<Record<DialogName, "normal" | "drawer">>> = {
+  settings: "normal",
+  drawer: "drawer",
+};
 
 /** Holds the one dialog that may be open. */
 export function DialogsProvider({ children }: { children: ReactNode }) {
   const [name, setName] = useState<DialogName | null>(null);
   const [question, setQuestion] = useState<Question | null>(null);
-  const dialogs = useMemo(() => ({ open: setName, ask: setQuestion }), []);
+  const dialogs = useMemo(() => ({ open: setName, close: () => setName(null), ask: setQuestion }), []);
   return (
     <DialogsContext value={dialogs}>
       {children}
@@ -60,7 +44,7 @@ function Window({ name, onClose }: { name: DialogName; onClose: () => void }) {
   const { t } = useTranslation();
   const { Part } = DIALOGS[name];
   return (
-    <Dialog title={t(`dialog.${name}`)} open onClose={onClose} size={name === "settings" ? "normal" : "wide"}>
+    <Dialog title={t(`dialog.${name}`)} open onClose={onClose} size={SIZES[name] ?? "wide"}>
       <Part waiting={t("window.loading")} failed={NotLoaded} />
     </Dialog>
   );

@@ -1,6 +1,8 @@
 import { useTranslation } from "react-i18next";
+import { useStore } from "zustand";
 import { type Source, useSource } from "../../features/controls/useSource";
 import { GAMEPADS } from "../../features/gamepad/gamepadList";
+import { TOUCH_STICK } from "../../features/gamepad/touchStick";
 import { useGamepadBlocked } from "../../features/gamepad/useGamepadBlocked";
 import { useStickIsMine, useStickKind } from "../../readouts/useStick";
 import { ACTIONS } from "../../requests/actions";
@@ -8,6 +10,7 @@ import { useBoardBlocked, useGatewayBlocked } from "../../requests/useBlocked";
 import { usePage, usePart, useTelemetry } from "../../store/hooks";
 import { choose } from "../../store/settings";
 import { Menu, MenuAction, MenuGroup, MenuRule } from "../../ui/MenuBar";
+import { useDialogs } from "../dialogs/useDialogs";
 import { CommandItem, useOutcome } from "./items";
 
 /** Numbers of `servos_control_mode` on the wire. */
@@ -53,6 +56,9 @@ function StickItems() {
   const gamepads = usePart(GAMEPADS);
   const kind = useStickKind();
   const isMine = useStickIsMine();
+  const touch = usePart(TOUCH_STICK);
+  const isOnScreen = useStore(touch.store, ({ isOpen }) => isOpen);
+  const { close } = useDialogs();
   return (
     <>
       <MenuAction
@@ -68,6 +74,14 @@ function StickItems() {
         disabledReason={useGamepadBlocked()}
         onChoose={() => void gamepads.fly({ control: "stick", asked: "gamepad" })}
         {...useOutcome("stick", "gamepad")}
+      />
+      <MenuAction
+        label={t("touchStick.open")}
+        isCurrent={isOnScreen}
+        onChoose={() => {
+          touch.store.setState({ isOpen: !isOnScreen });
+          close();
+        }}
       />
       <MenuAction label={t("gamepad.adjust")} onChoose={() => choose(settings, "tab", "setup")} />
     </>

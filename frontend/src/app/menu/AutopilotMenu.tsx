@@ -8,7 +8,7 @@ import { useBoardBlocked } from "../../requests/useBlocked";
 import { useConnection, usePart, useTelemetry } from "../../store/hooks";
 import type { TelemetryStore } from "../../store/telemetry";
 import { Menu, MenuChoice, MenuRule } from "../../ui/MenuBar";
-import { useDialogs } from "../dialogs/dialogs";
+import { useDialogs } from "../dialogs/useDialogs";
 import { CommandItem, useOutcome } from "./items";
 
 export function AutopilotMenu() {

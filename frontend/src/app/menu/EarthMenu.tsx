@@ -3,7 +3,7 @@ import { TRACK_EDITS } from "../../features/map/trackEdits";
 import { useGatewayBlocked } from "../../requests/useBlocked";
 import { usePart } from "../../store/hooks";
 import { Menu, MenuAction, MenuLink, MenuRule } from "../../ui/MenuBar";
-import { useDialogs } from "../dialogs/dialogs";
+import { useDialogs } from "../dialogs/useDialogs";
 import { useOutcome } from "./items";
 
 export function EarthMenu() {

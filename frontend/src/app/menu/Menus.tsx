@@ -9,10 +9,10 @@ import { ViewMenu } from "./ViewMenu";
 import { XPlaneMenu } from "./XPlaneMenu";
 
 /** The menus in the order in which the station's users know them. */
-export function Menus() {
+export function Menus({ orientation }: { readonly orientation?: "horizontal" | "vertical" }) {
   const { t } = useTranslation();
   return (
-    <MenuBar label={t("menu.bar")}>
+    <MenuBar label={t("menu.bar")} orientation={orientation}>
       <AutopilotMenu />
       <ParametersMenu />
       <EarthMenu />

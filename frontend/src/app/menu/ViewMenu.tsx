@@ -3,7 +3,7 @@ import { usePage, useSettings } from "../../store/hooks";
 import { choose, LANGUAGES } from "../../store/settings";
 import { THEMES } from "../../theme/theme";
 import { Menu, MenuAction, MenuChoice, MenuRule } from "../../ui/MenuBar";
-import { useDialogs } from "../dialogs/dialogs";
+import { useDialogs } from "../dialogs/useDialogs";
 import { BARS } from "../toolbars/Dock";
 import { placeKey } from "../toolbars/MovableToolbar";
 import { placeText } from "../toolbars/places";
@@ -17,6 +17,7 @@ export function ViewMenu() {
       <Language />
       <MenuRule />
       <LogItem />
+      <ChecklistItem />
       <TabletItem />
       <ToolbarsBack />
       <SettingsItem />
@@ -69,6 +70,12 @@ function LogItem() {
   const { t } = useTranslation();
   const { open } = useDialogs();
   return <MenuAction label={t("menu.log")} aside="L" onChoose={() => open("log")} />;
+}
+
+function ChecklistItem() {
+  const { t } = useTranslation();
+  const { open } = useDialogs();
+  return <MenuAction label={t("menu.checklist")} onChoose={() => open("checklist")} />;
 }
 
 function TabletItem() {

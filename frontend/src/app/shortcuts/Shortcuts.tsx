@@ -3,7 +3,7 @@ import { useTranslation } from "react-i18next";
 import { useSentence } from "../../i18n/useSentence";
 import { usePage, useSettings } from "../../store/hooks";
 import { say } from "../../store/messages";
-import { useDialogs } from "../dialogs/dialogs";
+import { useDialogs } from "../dialogs/useDialogs";
 import { areKeysOn } from "./choice";
 import { nextStep } from "./keys";
 import type { Shortcut } from "./table";

@@ -6,7 +6,7 @@ import { otherHolder } from "../../requests/useControl";
 import type { Page } from "../../store/hooks";
 import type { MessageParams } from "../../store/messages";
 import { choose } from "../../store/settings";
-import type { DialogName } from "../dialogs/dialogs";
+import type { DialogName } from "../dialogs/useDialogs";
 import { TABS, type TabName } from "../views";
 
 /** What a shortcut can use. */

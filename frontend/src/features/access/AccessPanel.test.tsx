@@ -1,4 +1,4 @@
-import { screen, within } from "@testing-library/react";
+import { screen, waitFor, within } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { expect, test } from "vitest";
 import { type Asked, Station } from "../../test/station";
@@ -96,4 +96,59 @@ test("an invitation shows its key, address and code once", async () => {
       .getByRole("img", { name: /Código QR/ })
       .getAttribute("src"),
   ).toContain("data:image/svg+xml");
+});
+
+const ANA = { ...EVA, id: "00000000000000a1", name: "Ana", place: "tableta", role: "operator", state: "in" };
+
+test("an owner ends somebody after being asked, and not by closing the question", async () => {
+  const station = await setup("owner");
+  await lists(station, [ANA]);
+  const end = within(panel()).getByRole("button", { name: "Terminar el acceso de Ana · tableta" });
+  await user.click(end);
+  const asked = screen.getByRole("alertdialog");
+  expect(asked.textContent).toContain("¿Terminar el acceso de Ana · tableta?");
+  await user.click(within(asked).getByRole("button", { name: "Dejarlo" }));
+  expect(station.askedAccess.some(({ method }) => method === "PATCH")).toBe(false);
+  await user.click(end);
+  await user.click(within(screen.getByRole("alertdialog")).getByRole("button", { name: "Terminar" }));
+  const change = newest(station, "PATCH", `people/${ANA.id}`);
+  expect(change.body).toEqual({ state: "ended" });
+  const asks = () => station.askedAccess.filter(({ path }) => path === "/api/v1/access/people").length;
+  const before = asks();
+  await change.answer({ ...ANA, state: "ended", sessions: 0 });
+  await waitFor(() => expect(asks()).toBe(before + 1));
+  station.send({}); // all those answers took longer than a stream may be silent
+  await lists(station, [{ ...ANA, state: "ended", sessions: 0 }]);
+  expect(screen.queryByRole("alertdialog")).toBeNull();
+  expect(within(panel()).queryByRole("button", { name: "Terminar el acceso de Ana · tableta" })).toBeNull();
+  expect(within(panel()).getByText("terminado")).toBeTruthy();
+  await user.click(within(panel()).getByRole("button", { name: "Quitar a Ana · tableta de la lista" }));
+  expect(newest(station, "DELETE", `people/${ANA.id}`)).toBeTruthy();
+});
+
+test("an address and the certificate are shown as codes when asked for", async () => {
+  const station = await setup("owner", "local");
+  await lists(station, []);
+  const address = "https://10.0.0.2:8000";
+  await newest(station, "GET", "addresses").answer({ addresses: [address], tls: true });
+  await newest(station, "GET", "certificates").answer({
+    certificate: {
+      kind: "made",
+      names: ["pc.local"],
+      addresses: ["10.0.0.2"],
+      fingerprint: "AA:BB",
+      since_s: 1,
+      until_s: 2,
+    },
+    authority: { name: "EPF GCS pc.local", fingerprint: "CC:DD", until_s: 3 },
+    fault: null,
+  });
+  await user.click(within(panel()).getByRole("tab", { name: "Direcciones y certificado" }));
+  expect(within(panel()).queryByRole("img", { name: /Código QR/ })).toBeNull();
+  await user.click(within(panel()).getByRole("button", { name: `Código QR de ${address}` }));
+  const code = within(panel()).getByRole("img", { name: `Código QR de ${address}` });
+  expect(code.getAttribute("src")).toBe(`/api/v1/access/code?address=${encodeURIComponent(address)}&to=page`);
+  await user.click(within(panel()).getByRole("button", { name: "Código QR del certificado" }));
+  const trusted = within(panel()).getByRole("img", { name: "Código QR de Descargar el certificado" });
+  expect(trusted.getAttribute("src")).toContain("to=authority");
 });

@@ -1,4 +1,4 @@
-import { screen } from "@testing-library/react";
+import { cleanup, screen } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { expect, test } from "vitest";
 import { type Asked, Station } from "../../test/station";
@@ -164,4 +164,14 @@ test("a station that does not answer is dialled on, and nobody is put out", asyn
   station.pass(5000);
   expect(station.wires.length).toBeGreaterThan(1);
   expect(screen.getByRole("tab", { name: "Datos de vuelo" })).toBeTruthy();
+});
+
+test("only a page that came encrypted explains how a phone trusts the station", async () => {
+  await stranger();
+  expect(screen.queryByText(/avisó de que esta estación/)).toBeNull();
+  cleanup();
+  await stranger("https://station/");
+  await user.click(screen.getByText(/avisó de que esta estación/));
+  const download = screen.getByRole("link", { name: "Descargar el certificado" });
+  expect(download.getAttribute("href")).toBe("/api/v1/access/authority");
 });

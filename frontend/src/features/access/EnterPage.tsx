@@ -13,12 +13,14 @@ import { deviceKind } from "./device";
 import "./enter.css";
 import { ENTRY, type Who } from "./entry";
 import { readKey } from "./keyAddress";
+import { TrustForStrangers } from "./Trust";
 
 /** All that a stranger sees: the way in with a one-time key, or by asking the owner. Made for a phone. */
 export function EnterPage() {
   const { t } = useTranslation();
   const isWaiting = useAdmission(({ state }) => state === "waiting");
-  const { message } = useStore(usePart(ENTRY).store);
+  const { store, isEncrypted } = usePart(ENTRY);
+  const { message } = useStore(store);
   const sentence = useSentence();
   return (
     <main className="enter">
@@ -31,6 +33,7 @@ export function EnterPage() {
           <Notice level={message.level === "info" ? "info" : message.level}>{sentence(message)}</Notice>
         )}
         {isWaiting ? <Waiting /> : <Form />}
+        {isEncrypted && <TrustForStrangers />}
       </div>
     </main>
   );

@@ -3,7 +3,8 @@ import { useSentence } from "../../i18n/useSentence";
 import { formatDateTime } from "../../lib/moment";
 import { failureMessage } from "../../store/messages";
 import { Notice } from "../../ui/Notice";
-import { CopyLine } from "./Made";
+import { AddressCode, CopyLine, Unfolding } from "./Made";
+import { TrustSteps } from "./Trust";
 import { useAccessLists } from "./useAccessLists";
 
 /** Where others reach this station, its certificate, and how a phone comes to trust it. */
@@ -19,7 +20,11 @@ export function StationAddresses() {
           <>
             <p>{t("access.addressesHint")}</p>
             {addresses.addresses.map((address) => (
-              <CopyLine key={address} label={t("access.address")} text={address} />
+              <CopyLine key={address} label={t("access.address")} text={address}>
+                <Unfolding label={t("access.code")} name={t("access.qrOf", { what: address })}>
+                  <AddressCode address={address} what={address} />
+                </Unfolding>
+              </CopyLine>
             ))}
             {!addresses.tls && <Notice level="warning">{t("access.insecure")}</Notice>}
           </>
@@ -33,6 +38,7 @@ function Certificate() {
   const { t } = useTranslation();
   const sentence = useSentence();
   const certificates = useAccessLists((lists) => lists.certificates);
+  const first = useAccessLists((lists) => lists.addresses?.addresses[0]);
   if (certificates === null) {
     return null;
   }
@@ -52,19 +58,15 @@ function Certificate() {
       {authority !== null && (
         <section className="access-section" aria-label={t("access.trustTitle")}>
           <h3>{t("access.trustTitle")}</h3>
-          <ol className="access-steps">
-            <li>
-              {t("access.trust1")}{" "}
-              <a href="/api/v1/access/authority" download="epf-gcs.crt">
-                {t("access.download")}
-              </a>
-            </li>
-            <li>{t("access.trust5")}</li>
-            <li>{t("access.trust2")}</li>
-            <li>{t("access.trust3")}</li>
-            <li>{t("access.trust4")}</li>
-          </ol>
+          <TrustSteps />
           <CopyLine label={t("access.fingerprint")} text={authority.fingerprint} />
+          {first !== undefined && (
+            <div className="access-copy">
+              <Unfolding label={t("access.codeOfCertificate")}>
+                <AddressCode address={first} to="authority" what={t("access.download")} />
+              </Unfolding>
+            </div>
+          )}
         </section>
       )}
     </>

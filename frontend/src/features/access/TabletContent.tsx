@@ -4,7 +4,7 @@ import { useSettings } from "../../store/hooks";
 import "./access.css";
 import { InviteForm } from "./Invite";
 import { addressOf } from "./keyAddress";
-import { CopyLine } from "./Made";
+import { AddressCode, CopyLine } from "./Made";
 import { useAccessAdmin, useFreshLists } from "./useAccessLists";
 
 /** "Open this tab on a tablet": an owner's invitation with its QR code, or the plain address of this tab. */
@@ -29,10 +29,12 @@ function ForOwner({ tab }: { readonly tab: string }) {
 function Plain({ tab }: { readonly tab: string }) {
   const { t } = useTranslation();
   const { address } = useAccessAdmin();
+  const text = addressOf(address(), tab);
   return (
     <>
       <p>{t("access.tabletPlain")}</p>
-      <CopyLine label={t("access.address")} text={addressOf(address(), tab)} />
+      <AddressCode address={new URL(text).origin} tab={tab} what={text} />
+      <CopyLine label={t("access.address")} text={text} />
     </>
   );
 }

@@ -36,6 +36,8 @@ export interface Entry {
   readonly leave: () => Promise<void>;
   readonly now_ms: () => number;
   readonly after: Timers["after"];
+  /** The page came by https: a browser that did not trust the station has warned of it. */
+  readonly isEncrypted: boolean;
 }
 
 export const ENTRY = partName<Entry>("entry");
@@ -48,6 +50,7 @@ interface EntryParts {
   readonly timers: Timers;
   readonly admission: AdmissionStore;
   readonly addressed: AddressedKey;
+  readonly isEncrypted: boolean;
   /** Admitted: the stream may be dialled. Called again without a stop between is harmless. */
   readonly start: () => void;
   /** Not admitted, or no longer: nothing of the vehicle is shown or asked any more. */
@@ -69,7 +72,8 @@ const ME = "/api/v1/access/me";
  * Finds out whether the station admits this page. The stream is dialled at the same time: on the station's own computer
  * nobody waits for the answer. Only a page that was opened with a key asks first.
  */
-export function createEntry({ rest, timers, admission, addressed, start, stop }: EntryParts): EntryProcess {
+export function createEntry(parts: EntryParts): EntryProcess {
+  const { rest, timers, admission, addressed, isEncrypted, start, stop } = parts;
   const store = createStore<EntryState>(() => ({
     key: addressed.key,
     isAsking: false,
@@ -163,6 +167,7 @@ export function createEntry({ rest, timers, admission, addressed, start, stop }:
     },
     now_ms: timers.now_ms,
     after: timers.after,
+    isEncrypted,
   };
 
   return {

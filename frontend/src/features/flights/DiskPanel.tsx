@@ -14,7 +14,11 @@ const GIGABYTE = 1_000_000_000;
 const FEW_HOURS = 2;
 
 /** Room for more flights, and what happens when it ends. */
-export function DiskPanel({ disk: { free_bytes, hours_left, policy } }: { readonly disk: FlightDisk }) {
+export function DiskPanel({
+  disk: { free_bytes, used_bytes, hours_left, policy },
+}: {
+  readonly disk: FlightDisk;
+}) {
   const { t } = useTranslation();
   const { setPolicy } = usePart(FLIGHTS);
   const control = "flights.policy";
@@ -27,6 +31,7 @@ export function DiskPanel({ disk: { free_bytes, hours_left, policy } }: { readon
         {free_bytes === null
           ? t("flights.freeUnknown")
           : t("flights.free", { bytes: formatBytes(free_bytes) })}{" "}
+        {t("flights.used", { bytes: formatBytes(used_bytes) })}{" "}
         <span data-caution={hours_left !== null && hours_left < FEW_HOURS} className="flights-hours">
           {hours_left === null
             ? t("flights.hoursUnknown")

@@ -121,6 +121,16 @@ describe("an export", () => {
     expect(link.getAttribute("download")).toBe("vuelo.zip");
   });
 
+  test("that has ended stays ended where an older answer says that it runs, and its file may go", async () => {
+    await user.click(screen.getByRole("button", { name: "Exportar" }));
+    const jobs = newest("GET", /\/jobs$/);
+    tell({ state: "done", progress: 1, result: { name: "vuelo.mcap", bytes: 4_200_000 } });
+    await jobs.answer({ jobs: [aJob({ progress: 0.5 })] });
+    expect(within(transfers()).getByRole("link", { name: /^Descargar vuelo.mcap/ })).toBeTruthy();
+    tell({ state: "done", progress: 1, result: null });
+    expect(screen.queryByRole("region", { name: "Archivos que entran y salen" })).toBeNull();
+  });
+
   test("of the whole flight says so, and is cancelled", async () => {
     await user.click(screen.getByRole("button", { name: "Exportar" }));
     expect(newest("POST", /exports$/).body).toMatchObject({ format: "mcap", from_s: null, to_s: null });

@@ -339,11 +339,29 @@ test("the bin tells the days left", async () => {
 test("the disk tells the hours left and what its policy does, and keeps what is chosen", async () => {
   await open();
   const disk = screen.getByRole("region", { name: "Disco" });
-  expect(disk.textContent).toContain("50.0 GB libres. Al ritmo de los últimos vuelos quedan 41 h");
+  expect(disk.textContent).toContain(
+    "50.0 GB libres. Los vuelos ocupan 3.40 GB. Al ritmo de los últimos vuelos quedan 41 h",
+  );
   expect(disk.textContent).toContain("No se borra nada solo");
   await user.click(within(disk).getByRole("checkbox"));
   const choice = newest("PUT", /policy$/);
   expect(choice.body).toEqual({ delete_oldest: true, keep_free_bytes: 5_000_000_000 });
   await choice.answer({ ...BOTH.disk, policy: choice.body });
   expect(disk.textContent).toContain("se borran para siempre los vuelos más antiguos");
+});
+
+test("the aircraft has the name that a person gives it, and why the station refuses one is said", async () => {
+  await open();
+  const panel = screen.getByRole("region", { name: "Aeronave" });
+  const field = within(panel).getByRole("textbox", { name: "Nombre de la aeronave" });
+  await user.type(field, " Ala fija 2 {Enter}");
+  const wish = newest("PUT", /aircraft$/);
+  expect(wish.body).toEqual({ name: "Ala fija 2" });
+  await wish.answer({ name: "Ala fija 2" });
+  expect((field as HTMLInputElement).value).toBe("Ala fija 2");
+  await user.clear(field);
+  await user.type(field, "Otra{Enter}");
+  await newest("PUT", /aircraft$/).answer({ code: "flight_away", detail: "x", params: {} }, 409);
+  expect((field as HTMLInputElement).value).toBe("Ala fija 2");
+  expect(within(panel).getByRole("alert").textContent).not.toBe("");
 });

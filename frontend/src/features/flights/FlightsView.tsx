@@ -7,6 +7,7 @@ import { usePart } from "../../store/hooks";
 import { Button } from "../../ui/Button";
 import { FileButton } from "../../ui/FileButton";
 import { Notice } from "../../ui/Notice";
+import { AircraftPanel } from "./AircraftPanel";
 import { BinDialog, RestoreButton } from "./BinDialog";
 import { DiskPanel } from "./DiskPanel";
 import { FlightDetail } from "./FlightDetail";
@@ -53,6 +54,7 @@ export function FlightsView() {
               <FlightPages />
               {past.length > 0 && <FlightRows flights={past} />}
               {past.length === 0 && (isFiltered(query) ? <NothingFound /> : <NothingYet />)}
+              <AircraftPanel aircraft={list.aircraft} />
               <DiskPanel disk={list.disk} />
             </>
           )}

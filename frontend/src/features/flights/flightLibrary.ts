@@ -115,6 +115,8 @@ export interface Flights {
   readonly indexAgain: (flight: string, asker: Asker) => Promise<void>;
   readonly readBin: () => Promise<void>;
   readonly setPolicy: (policy: FlightPolicy, asker: Asker) => Promise<void>;
+  /** What the aircraft is called from now on; empty for no name. */
+  readonly setAircraft: (name: string, asker: Asker) => Promise<void>;
   /** Choose a flight to be compared, or leave it out again. */
   readonly compare: (flight: string, isChosen: boolean) => void;
   readonly importFile: (file: File) => Promise<void>;

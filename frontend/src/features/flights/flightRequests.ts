@@ -2,6 +2,7 @@ import type { Timers } from "../../lib/timers";
 import type { StreamEvent } from "../../protocol/envelope";
 import {
   isFlight,
+  isFlightAircraft,
   isFlightBin,
   isFlightDisk,
   isFlightEvents,
@@ -133,11 +134,7 @@ export function createFlights(parts: Parts): {
   }
 
   function takeJob(job: Job): void {
-    const before = store.getState().jobs[job.id];
-    // An answer may be older than an event that came before it.
-    if (before === undefined || !isOver(before)) {
-      store.setState(({ jobs }) => ({ jobs: { ...jobs, [job.id]: job } }));
-    }
+    store.setState(({ jobs }) => ({ jobs: withJobs(jobs, [job]) }));
     if (isOver(job)) {
       ended(job);
     }
@@ -249,6 +246,12 @@ export function createFlights(parts: Parts): {
         return { state: "confirmed", message: info("flights.saidPolicy") };
       }),
 
+    setAircraft: (name, asker) =>
+      run(asker, rest.ask("PUT", `${FLIGHTS_PATH}/aircraft`, isFlightAircraft, { name }), (named) => {
+        store.setState(({ list }) => ({ list: list && { ...list, aircraft: named.name } }));
+        return { state: "confirmed", message: info("flights.saidAircraft") };
+      }),
+
     compare: (flight, isChosen) =>
       store.setState(({ compared }) => {
         const others = compared.filter((one) => one !== flight);
@@ -261,6 +264,11 @@ export function createFlights(parts: Parts): {
   return { flights, takeFlightEvent };
 }
 
-function withJobs(jobs: LibraryState["jobs"], newer: readonly Job[]): LibraryState["jobs"] {
-  return { ...jobs, ...Object.fromEntries(newer.map((job) => [job.id, job])) };
+/** With these jobs of an answer, which may be older than an event that came before it: what has ended stays ended. */
+function withJobs(jobs: LibraryState["jobs"], told: readonly Job[]): LibraryState["jobs"] {
+  const taken = told.filter((job) => {
+    const before = jobs[job.id];
+    return before === undefined || isOver(job) || !isOver(before);
+  });
+  return { ...jobs, ...Object.fromEntries(taken.map((job) => [job.id, job])) };
 }

@@ -18,6 +18,7 @@ import {
   type StickMapping,
   stickPosition,
 } from "./stickMapping";
+import { createTouchStick, type TouchStick, withTouchStick } from "./touchStick";
 
 /** The browser's gamepads, or a test's. */
 export interface GamepadReader {
@@ -56,11 +57,14 @@ const isStickEvent = shape({
 /** Reads the gamepads, maps the selected one, and sends its position while it flies. */
 export function createGamepadInput(parts: Parts): {
   readonly gamepads: GamepadInput;
+  readonly touchStick: TouchStick;
   readonly takeEvent: (event: StreamEvent) => void;
   readonly start: () => void;
   readonly stop: () => void;
 } {
-  const { reader, timers, connection, settings } = parts;
+  const { timers, connection, settings } = parts;
+  const touch = createTouchStick();
+  const reader = withTouchStick(parts.reader, touch.reader);
   const store = createGamepads();
   const watchers = new Set<(positions: AxisPositions) => void>();
   let cancelTimer: () => void = () => undefined;
@@ -75,7 +79,7 @@ export function createGamepadInput(parts: Parts): {
   }
 
   function mappingOf(pad: Pad): StickMapping {
-    return rememberedMapping(settings, pad.id) ?? defaultMapping(pad);
+    return pad.mapping ?? rememberedMapping(settings, pad.id) ?? defaultMapping(pad);
   }
 
   /** The selected gamepad if it is connected. Another one replaces it only while none flies. */
@@ -194,13 +198,13 @@ export function createGamepadInput(parts: Parts): {
     centre: () => {
       const { mapping } = store.getState();
       const pad = look();
-      if (mapping !== null && pad !== null) {
+      if (mapping !== null && pad !== null && pad.mapping === undefined) {
         keep(atRest(mapping, pad));
       }
     },
     reset: () => {
       const pad = look();
-      if (pad !== null) {
+      if (pad !== null && pad.mapping === undefined) {
         keep(defaultMapping(pad));
       }
     },
@@ -222,6 +226,7 @@ export function createGamepadInput(parts: Parts): {
 
   return {
     gamepads,
+    touchStick: touch.stick,
     takeEvent: ({ event, data }) => {
       const message = event === "stick" ? messageOf(data, connection.getState().client) : null;
       if (message !== null) {

@@ -13,6 +13,8 @@ export interface Pad {
   readonly isStandard: boolean;
   readonly axes: readonly number[];
   readonly buttons: readonly number[];
+  /** Of a device that needs no choice: which of its axes moves what. */
+  readonly mapping?: StickMapping;
 }
 
 /** An axis or a button of a gamepad, such as `a0` or `b7`. */

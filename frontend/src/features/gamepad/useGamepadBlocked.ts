@@ -1,8 +1,44 @@
 import { useTranslation } from "react-i18next";
 import { useGatewayBlocked } from "../../requests/useBlocked";
-import { useConnection } from "../../store/hooks";
+import { useConnection, useTelemetry } from "../../store/hooks";
 import { STICK_AXES } from "./stickMapping";
+import { TOUCH_PAD } from "./touchStick";
 import { useGamepads } from "./useGamepads";
+
+/** Why the stick on this page's screen cannot fly now; undefined if it can. */
+export function useTouchBlocked(): string | undefined {
+  const { t } = useTranslation();
+  const gateway = useGatewayBlocked();
+  const hasControl = useConnection(
+    ({ status, client }) => client !== null && status?.control.client === client,
+  );
+  const isEmulated = useConnection(({ status }) => status?.board.emulated === true);
+  const isSimulated = useConnection(({ status }) => status?.simulator.state === "open");
+  const isJoystick = useTelemetry((telemetry, now_ms) =>
+    telemetry.liveFlag("heartbeat", "source_joystick", now_ms),
+  );
+  const other = useConnection(({ status }) => otherGamepad(status?.hil.stick?.gamepad));
+  if (gateway !== undefined) {
+    return gateway;
+  }
+  if (!hasControl) {
+    return t("problem.stick_needs_control");
+  }
+  if (isEmulated) {
+    return t("problem.emulation_running");
+  }
+  if (!isSimulated) {
+    return t("touchStick.noSimulator");
+  }
+  if (isJoystick !== true) {
+    return t("touchStick.notJoystick");
+  }
+  return other === null ? undefined : t("touchStick.otherFlies", { gamepad: other });
+}
+
+function otherGamepad(flying: string | null | undefined): string | null {
+  return flying === undefined || flying === TOUCH_PAD.id ? null : flying;
+}
 
 /** Why this page's gamepad cannot fly now; undefined if it can. */
 export function useGamepadBlocked(): string | undefined {

@@ -9,10 +9,10 @@ import { choose } from "../../store/settings";
 import type { TelemetryStore } from "../../store/telemetry";
 import { usePaint } from "../../store/usePaint";
 import { Checkbox } from "../../ui/Checkbox";
-import { Panel } from "../../ui/Panel";
 import { Readout, ReadoutGrid, type ReadoutHandle } from "../../ui/Readout";
 import { SegmentedSwitch } from "../../ui/SegmentedSwitch";
 import { type Showing, showing } from "./aircraftFeed";
+import { FoldingPanel } from "./FoldingPanel";
 import { KIND_CHOICE, KINDS, useFlat, useMapKind } from "./flat/useFlat";
 import { FOLLOWED_CHOICE, useCameraMode, useFlightScene, useFollowed } from "./useFlightScene";
 import { useGlobe } from "./useGlobe";
@@ -35,7 +35,7 @@ export function CameraSection() {
   useEffect(() => globe?.ground.setGraticule(graticule), [globe, graticule]);
   useKeys(scene);
   return (
-    <Panel title={t("map.view.camera")} className="map-camera">
+    <FoldingPanel name="camera" title={t("map.view.camera")} className="map-camera">
       <SegmentedSwitch
         label={t("map.flat.kind")}
         hideLabel
@@ -70,7 +70,7 @@ export function CameraSection() {
         onChange={(checked) => choose(settings, GRATICULE_CHOICE, checked ? "on" : "off")}
       />
       {globe === null && !flat.isShown && <p>{t("map.view.loading")}</p>}
-    </Panel>
+    </FoldingPanel>
   );
 }
 

@@ -8,7 +8,7 @@ import { usePart } from "../../store/hooks";
 import { Button } from "../../ui/Button";
 import { FileButton } from "../../ui/FileButton";
 import { Notice } from "../../ui/Notice";
-import { Panel } from "../../ui/Panel";
+import { FoldingPanel } from "./FoldingPanel";
 import { ImportList } from "./layers/ImportList";
 import { LayerRow } from "./layers/LayerRow";
 import { MAP_LAYERS } from "./layers/layerList";
@@ -31,7 +31,7 @@ export function LayersSection() {
     if (isConnected) void mapLayers.read();
   }, [mapLayers, isConnected]);
   return (
-    <Panel title={t("map.layers.title")} className="map-layers">
+    <FoldingPanel name="layers" title={t("map.layers.title")} className="map-layers">
       <Failure />
       {ground.stack.length === 0 && <p className="map-layers-hint">{t("map.layers.none")}</p>}
       <ul className="map-layers-list">
@@ -59,7 +59,7 @@ export function LayersSection() {
         {t("map.layers.add")}
       </FileButton>
       <p className="map-layers-hint">{t("map.layers.addHint", { folder: folder ?? t("words.dash") })}</p>
-    </Panel>
+    </FoldingPanel>
   );
 }
 

@@ -2,6 +2,7 @@ import { useMemo, useRef, useState } from "react";
 import { useTranslation } from "react-i18next";
 import type { FlatScene } from "../../scene/flat/FlatScene";
 import { CameraSection } from "./CameraSection";
+import { FlightFigures } from "./FlightFigures";
 import { FlatMap } from "./flat/FlatMap";
 import { FlatContext, useMapKind } from "./flat/useFlat";
 import { GlobeMissing } from "./GlobeMissing";
@@ -10,11 +11,17 @@ import { Attribution } from "./layers/Attribution";
 import { MapDrop } from "./layers/MapDrop";
 import { MapCorner } from "./MapCorner";
 import { OnlineSection } from "./OnlineSection";
+import { PatternSection } from "./PatternSection";
 import { PlanSection } from "./PlanSection";
+import { ProfileSection } from "./ProfileSection";
+import { FlyHere } from "./plan/FlyHere";
 import { ThingCard } from "./ThingCard";
 import { ThingsSection } from "./ThingsSection";
 import { ToolsSection } from "./ToolsSection";
 import { TrackSection } from "./TrackSection";
+import { EditBar } from "./tools/EditBar";
+import { MapKeys } from "./tools/MapKeys";
+import { MapMenu } from "./tools/MapMenu";
 import { GlobeContext } from "./useGlobe";
 import { useKeptGlobe } from "./useKeptGlobe";
 import "./map.css";
@@ -23,6 +30,7 @@ import "./map.css";
 export function MapView() {
   const { t } = useTranslation();
   const host = useRef<HTMLDivElement>(null);
+  const picture = useRef<HTMLElement>(null);
   const isGlobeWanted = useMapKind() === "3d";
   const { globe, problem, retry } = useKeptGlobe(host, isGlobeWanted);
   const [scene, setScene] = useState<FlatScene | null>(null);
@@ -34,7 +42,7 @@ export function MapView() {
         <div className="map">
           <div className="map-main">
             {isGlobeWanted && problem !== null && <GlobeMissing problem={problem} onRetry={retry} />}
-            <section className="map-scene" aria-label={t("tab.map")}>
+            <section ref={picture} className="map-scene" aria-label={t("tab.map")}>
               {isGlobeWanted && (
                 <div
                   ref={host}
@@ -45,7 +53,14 @@ export function MapView() {
                 />
               )}
               {isFlat ? <FlatMap onScene={setScene} /> : <MapCorner />}
-              <ThingCard />
+              <div className="map-over">
+                <EditBar />
+                <ThingCard />
+              </div>
+              <FlightFigures />
+              <MapKeys picture={picture} />
+              <MapMenu />
+              <FlyHere />
               <Attribution />
               <MapDrop />
             </section>
@@ -55,6 +70,8 @@ export function MapView() {
             <ThingsSection />
             <TrackSection />
             <PlanSection />
+            <PatternSection />
+            <ProfileSection />
             <ToolsSection />
             <LayersSection />
             <OnlineSection />

@@ -13,7 +13,7 @@ import { Checkbox } from "../../ui/Checkbox";
 import { ConfirmDialog } from "../../ui/ConfirmDialog";
 import { Notice } from "../../ui/Notice";
 import { NumberField } from "../../ui/NumberField";
-import { Panel } from "../../ui/Panel";
+import { FoldingPanel } from "./FoldingPanel";
 import { MAP_LAYERS } from "./layers/layerList";
 import { SourceForm } from "./layers/SourceForm";
 import { useMapLayers } from "./layers/useMapLayers";
@@ -29,13 +29,13 @@ export function OnlineSection() {
   const { t } = useTranslation();
   const online = useMapLayers((known) => known.online);
   return (
-    <Panel title={t("map.online.title")} className="map-layers">
+    <FoldingPanel name="online" title={t("map.online.title")} className="map-layers">
       {online === null ? (
         <p className="map-layers-hint">{t("map.online.unknown")}</p>
       ) : (
         <Online online={online} />
       )}
-    </Panel>
+    </FoldingPanel>
   );
 }
 

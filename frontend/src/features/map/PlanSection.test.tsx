@@ -3,11 +3,11 @@ import userEvent from "@testing-library/user-event";
 import { describe, expect, test } from "vitest";
 import type { Waypoint } from "../../lib/plan";
 import { editPlan, MISSIONS } from "../../missions/planDrafts";
+import { SELECTION } from "../../missions/selection";
 import { aStatus } from "../../test/aStatus";
 import { type Asked, Station } from "../../test/station";
 import { WORDS } from "../../ui/test/testWords";
 import { WordsProvider } from "../../ui/words";
-import { MAP_SELECTION } from "./mapSelection";
 import { PlanSection } from "./PlanSection";
 import { ThingCard } from "./ThingCard";
 import { ThingsSection } from "./ThingsSection";
@@ -146,7 +146,7 @@ describe("an edited plan", () => {
     station.show();
     expect(button("Enviar").getAttribute("aria-disabled")).toBe("true");
     await user.click(button(/70000 ft/));
-    expect(station.page.parts.get(MAP_SELECTION).getState().thing).toEqual({
+    expect(station.page.parts.get(SELECTION).getState().thing).toEqual({
       kind: "waypoint",
       plan: "flight",
       row: 0,

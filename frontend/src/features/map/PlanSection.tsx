@@ -2,17 +2,18 @@ import { useCallback, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { AIRCRAFT, type Aircraft } from "../../lib/aircraft";
 import { legsOf } from "../../lib/plan";
+import { SELECTION, selectThing } from "../../missions/selection";
 import { useIssueText } from "../../missions/useIssueText";
 import { useUnit } from "../../readouts/useUnit";
 import { usePage, usePart, useSettings } from "../../store/hooks";
 import { choose } from "../../store/settings";
 import { Checkbox } from "../../ui/Checkbox";
-import { Panel } from "../../ui/Panel";
 import { SegmentedSwitch } from "../../ui/SegmentedSwitch";
 import { Select } from "../../ui/Select";
-import { MAP_SELECTION, selectThing } from "./mapSelection";
+import { FoldingPanel } from "./FoldingPanel";
 import { PlanTransfer } from "./plan/PlanTransfer";
 import { type MapPlan, useMapPlan } from "./plan/useMapPlan";
+import { useOpenPlan } from "./plan/useOpenPlan";
 import { type HeldWaypoint, usePlanScene } from "./plan/usePlanScene";
 import { WaypointEditor } from "./plan/WaypointEditor";
 import { useMapThing } from "./useMapThing";
@@ -22,31 +23,24 @@ import "./plan/map-plan.css";
 export function PlanSection() {
   const { t } = useTranslation();
   const { settings } = usePage();
-  const mapSelection = usePart(MAP_SELECTION);
+  const selection = usePart(SELECTION);
   const plans = { flight: useMapPlan("flight"), hil: useMapPlan("hil") };
   const isShown = {
     flight: useSettings(({ choices }) => choices["map.plan.flight"] !== "off"),
     hil: useSettings(({ choices }) => choices["map.plan.hil"] !== "off"),
   };
-  const chosen = useSettings(({ choices }) =>
-    AIRCRAFT.find((aircraft) => aircraft === choices["map.plan.open"]),
-  );
   const thing = useMapThing();
   const [held, setHeld] = useState<HeldWaypoint | null>(null);
   const onHold = useCallback((now: HeldWaypoint | null) => setHeld(now), []);
-  usePlanScene(plans, isShown, onHold);
+  const open = useOpenPlan(plans.flight);
+  usePlanScene(plans, isShown, open, onHold);
 
-  // The panel follows what is clicked on the map; without a choice it shows the plan that exists.
-  const open =
-    thing?.kind === "waypoint"
-      ? thing.plan
-      : (chosen ?? (plans.flight.waypoints.length === 0 ? "hil" : "flight"));
   const plan = plans[open];
   const row =
     thing?.kind === "waypoint" && thing.plan === open && thing.row < plan.waypoints.length ? thing.row : null;
 
   return (
-    <Panel title={t("map.plan.title")} className="map-plan">
+    <FoldingPanel name="plan" title={t("map.plan.title")} className="map-plan">
       <SegmentedSwitch
         label={t("map.plan.which")}
         hideLabel
@@ -57,7 +51,7 @@ export function PlanSection() {
         value={open}
         onChange={(next) => {
           choose(settings, "map.plan.open", next);
-          if (thing?.kind === "waypoint") selectThing(mapSelection, null);
+          if (thing?.kind === "waypoint") selectThing(selection, null);
         }}
       />
       <Checkbox
@@ -77,11 +71,8 @@ export function PlanSection() {
           held={held?.plan === open && held.row === row ? held.to : null}
         />
       )}
-      <Issues
-        plan={plan}
-        onGo={(at) => selectThing(mapSelection, { kind: "waypoint", plan: open, row: at })}
-      />
-    </Panel>
+      <Issues plan={plan} onGo={(at) => selectThing(selection, { kind: "waypoint", plan: open, row: at })} />
+    </FoldingPanel>
   );
 }
 
@@ -112,16 +103,14 @@ function PlanState({ plan }: { plan: MapPlan }) {
 
 function WaypointChoice({ aircraft, plan, row }: { aircraft: Aircraft; plan: MapPlan; row: number | null }) {
   const { t } = useTranslation();
-  const mapSelection = usePart(MAP_SELECTION);
+  const selection = usePart(SELECTION);
   const altitude = useUnit("altitude");
   return (
     <Select
       label={t("map.plan.waypoint")}
       placeholder={t("map.plan.waypointNone")}
       value={row === null ? null : String(row)}
-      onChange={(value) =>
-        selectThing(mapSelection, { kind: "waypoint", plan: aircraft, row: Number(value) })
-      }
+      onChange={(value) => selectThing(selection, { kind: "waypoint", plan: aircraft, row: Number(value) })}
       options={plan.waypoints.map(({ altitude_ft }, index) => ({
         value: String(index),
         label: `${index + 1} · ${altitude.format(altitude_ft) ?? t("words.dash")} ${altitude.label}`,

@@ -7,6 +7,7 @@ import { formatHeading } from "../../lib/format";
 import { bearing_deg, distance_m, type Position } from "../../lib/geodesy";
 import type { MapThing } from "../../lib/mapThing";
 import { captureRadius_m, unsentOf } from "../../lib/plan";
+import { SELECTION, selectThing } from "../../missions/selection";
 import { coordinate, heading } from "../../readouts/formats";
 import type { ReadoutRow, ReadoutRows } from "../../readouts/LiveReadout";
 import { ANGLE, COORDINATE, COUNT, HEADING } from "../../readouts/notations";
@@ -18,24 +19,26 @@ import type { TelemetryStore } from "../../store/telemetry";
 import { usePaint } from "../../store/usePaint";
 import { Readout, ReadoutGrid, type ReadoutHandle } from "../../ui/Readout";
 import { useWords } from "../../ui/words";
-import { MAP_SELECTION, selectThing } from "./mapSelection";
 import { aircraftPlace, PLACE_TOPIC } from "./plan/aircraftPlace";
 import { useHome } from "./plan/useHome";
 import { useMapPlan } from "./plan/useMapPlan";
+import { useMapTool } from "./tools/useMapTool";
 import { useMapThing } from "./useMapThing";
 import "./plan/card.css";
 
 /** A card with the values of what is selected on the map. Escape closes it. */
 export function ThingCard() {
   const thing = useMapThing();
-  return thing === null ? null : <Card thing={thing} />;
+  // While points are added the map is needed, not what was added last.
+  const isAdding = useMapTool(({ tool }) => tool === "add");
+  return thing === null || isAdding ? null : <Card thing={thing} />;
 }
 
 function Card({ thing }: { thing: MapThing }) {
-  const mapSelection = usePart(MAP_SELECTION);
+  const selection = usePart(SELECTION);
   const words = useWords();
   const title = useId();
-  const close = useCallback(() => selectThing(mapSelection, null), [mapSelection]);
+  const close = useCallback(() => selectThing(selection, null), [selection]);
   useEffect(() => {
     const press = (event: KeyboardEvent): void => {
       // Not for the card: an edit or a dialog has handled the key.

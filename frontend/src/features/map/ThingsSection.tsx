@@ -1,17 +1,18 @@
 import { House, Plane } from "lucide-react";
 import { useTranslation } from "react-i18next";
 import type { MapThing } from "../../lib/mapThing";
+import { SELECTION, selectThing } from "../../missions/selection";
 import { usePart, useTelemetry } from "../../store/hooks";
 import { Button } from "../../ui/Button";
-import { Panel } from "../../ui/Panel";
-import { MAP_SELECTION, selectThing } from "./mapSelection";
+import { FoldingPanel } from "./FoldingPanel";
+import { LookAt } from "./LookAt";
 import { PLACE_TOPIC } from "./plan/aircraftPlace";
 import { useMapThing } from "./useMapThing";
 
 /** Buttons for what can be clicked on the map, for keyboard users. Waypoints are selected with their plan. */
 export function ThingsSection() {
   const { t } = useTranslation();
-  const mapSelection = usePart(MAP_SELECTION);
+  const selection = usePart(SELECTION);
   const chosen = useMapThing();
   const flight = useTelemetry((telemetry, now_ms) => telemetry.state(PLACE_TOPIC.flight, now_ms));
   const hil = useTelemetry((telemetry, now_ms) => telemetry.state(PLACE_TOPIC.hil, now_ms));
@@ -30,7 +31,7 @@ export function ThingsSection() {
     { thing: { kind: "home" }, label: t("map.plan.home"), reason: undefined },
   ];
   return (
-    <Panel title={t("map.plan.things")}>
+    <FoldingPanel name="things" title={t("map.plan.things")}>
       <div className="map-plan-buttons">
         {things.map(({ thing, label, reason }) => {
           const isChosen = isSame(thing, chosen);
@@ -38,7 +39,7 @@ export function ThingsSection() {
             <Button
               key={label}
               pressed={isChosen}
-              onPress={() => selectThing(mapSelection, isChosen ? null : thing)}
+              onPress={() => selectThing(selection, isChosen ? null : thing)}
               disabledReason={reason}
               icon={
                 thing.kind === "home" ? (
@@ -53,7 +54,8 @@ export function ThingsSection() {
           );
         })}
       </div>
-    </Panel>
+      <LookAt />
+    </FoldingPanel>
   );
 }
 

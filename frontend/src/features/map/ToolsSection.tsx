@@ -1,77 +1,19 @@
 import { Crosshair, Ruler, Trash2, Undo2 } from "lucide-react";
-import { useEffect, useMemo, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { formatHeading } from "../../lib/format";
-import { bearing_deg, distance_m } from "../../lib/geodesy";
-import { useUnit } from "../../readouts/useUnit";
-import type { GroundPlace } from "../../scene/tools/MapPointer";
-import type { MapTools } from "../../scene/tools/MapTools";
 import { Button } from "../../ui/Button";
-import { Panel } from "../../ui/Panel";
-import { useFlat } from "./flat/useFlat";
-import { useMapTools } from "./tools/useMapTools";
-
-interface Leg {
-  readonly distance_m: number;
-  readonly bearing_deg: number | null;
-  readonly total_m: number;
-}
-
-/** The legs from each point to the next, with the sum so far. */
-export function measuredLegs(places: readonly GroundPlace[]): readonly Leg[] {
-  let total_m = 0;
-  return places.slice(1).map((to, index) => {
-    const from = places[index] ?? to;
-    const length_m = distance_m(from, to);
-    total_m += length_m;
-    return { distance_m: length_m, bearing_deg: bearing_deg(from, to), total_m };
-  });
-}
+import { FoldingPanel } from "./FoldingPanel";
+import { useMeasuring } from "./tools/useMeasuring";
 
 /** The distance tool: points clicked on the map or taken from its middle, and the distances between them. */
 export function ToolsSection() {
   const { t } = useTranslation();
-  const onGlobe = useMapTools();
-  const flat = useFlat();
-  const tools: Pick<MapTools, "measure" | "showDistance" | "centre"> | null = flat.isShown
-    ? flat.scene
-    : onGlobe;
-  const distance = useUnit("distance");
-  const [isOn, setOn] = useState(false);
-  const [places, setPlaces] = useState<readonly GroundPlace[]>([]);
-  const legs = useMemo(() => measuredLegs(places), [places]);
+  const { tools, distance, isOn, setOn, places, setPlaces, legs } = useMeasuring();
   const written = (length_m: number): string => `${distance.format(length_m)} ${distance.label}`;
   const icon = { size: 14, "aria-hidden": true } as const;
 
-  useEffect(() => {
-    tools?.measure(isOn ? (place) => setPlaces((before) => [...before, place]) : null);
-    return () => tools?.measure(null);
-  }, [tools, isOn]);
-  useEffect(() => {
-    tools?.showDistance(
-      places.map((place, index) => {
-        const leg = legs[index - 1];
-        const label = leg === undefined ? "" : `${distance.format(leg.total_m)} ${distance.label}`;
-        return { ...place, label };
-      }),
-    );
-  }, [tools, places, legs, distance]);
-  useEffect(() => {
-    if (!isOn) return undefined;
-    const press = (event: KeyboardEvent): void => {
-      const isTyping = event.target instanceof HTMLElement && event.target.matches("input, select, textarea");
-      if (event.defaultPrevented || isTyping) return;
-      if (event.key === "Escape") setOn(false);
-      else if (event.key === "Backspace") setPlaces((before) => before.slice(0, -1));
-      else return;
-      event.preventDefault();
-    };
-    window.addEventListener("keydown", press, { capture: true });
-    return () => window.removeEventListener("keydown", press, { capture: true });
-  }, [isOn]);
-
   return (
-    <Panel title={t("map.tools.title")} className="map-tools">
+    <FoldingPanel name="tools" title={t("map.tools.title")} className="map-tools">
       <div className="map-plan-buttons">
         <Button
           pressed={isOn}
@@ -84,7 +26,7 @@ export function ToolsSection() {
         <Button
           onPress={() => {
             const place = tools?.centre() ?? null;
-            if (place !== null) setPlaces([...places, place]);
+            if (place !== null) setPlaces((before) => [...before, place]);
           }}
           icon={<Crosshair {...icon} />}
           disabledReason={tools === null ? t("map.view.loading") : undefined}
@@ -92,7 +34,7 @@ export function ToolsSection() {
           {t("map.tools.fromCentre")}
         </Button>
         <Button
-          onPress={() => setPlaces(places.slice(0, -1))}
+          onPress={() => setPlaces((before) => before.slice(0, -1))}
           icon={<Undo2 {...icon} />}
           label={t("map.tools.undo")}
           disabledReason={places.length === 0 ? t("map.tools.nothing") : undefined}
@@ -100,7 +42,7 @@ export function ToolsSection() {
           {null}
         </Button>
         <Button
-          onPress={() => setPlaces([])}
+          onPress={() => setPlaces(() => [])}
           icon={<Trash2 {...icon} />}
           label={t("map.tools.clear")}
           disabledReason={places.length === 0 ? t("map.tools.nothing") : undefined}
@@ -121,6 +63,6 @@ export function ToolsSection() {
         ))}
       </ol>
       {legs.length > 1 && <p>{t("map.tools.total", { distance: written(legs.at(-1)?.total_m ?? 0) })}</p>}
-    </Panel>
+    </FoldingPanel>
   );
 }

@@ -9,8 +9,8 @@ import { usePage, usePart } from "../../store/hooks";
 import { choose } from "../../store/settings";
 import { Checkbox } from "../../ui/Checkbox";
 import { Notice } from "../../ui/Notice";
-import { Panel } from "../../ui/Panel";
 import { Select } from "../../ui/Select";
+import { FoldingPanel } from "./FoldingPanel";
 import { useFlat } from "./flat/useFlat";
 import { TrackLegend } from "./TrackLegend";
 import { TrackTools } from "./TrackTools";
@@ -40,7 +40,7 @@ export function TrackSection() {
     climb: t("map.track.colourClimb"),
   };
   return (
-    <Panel title={t("map.track.title")}>
+    <FoldingPanel name="track" title={t("map.track.title")}>
       <div className="map-track-rows">
         {AIRCRAFT.map((name) => (
           <TrackRow key={name} name={name} isShown={look.isShown[name]} />
@@ -63,7 +63,7 @@ export function TrackSection() {
       {failure !== null && <Notice level="warning">{sentence(failure)}</Notice>}
       {malformed > 0 && <p>{t("map.track.malformed", { count: malformed })}</p>}
       <TrackTools />
-    </Panel>
+    </FoldingPanel>
   );
 }
 

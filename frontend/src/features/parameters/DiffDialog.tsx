@@ -113,9 +113,12 @@ export function DiffDialog({ diff, onClose }: { diff: Diff; onClose: () => void 
   }
 }
 
+/** A file of another autopilot has a thousand parameters. */
+const MOST_NAMES = 12;
+
 function FileNotes({ file }: { file: ParameterFile }) {
   const { t } = useTranslation();
-  const { saved, board, missing } = file;
+  const { saved, board, missing, leftOut } = file;
   const at_ms = saved === null ? Number.NaN : Date.parse(saved);
   const name = [board?.name, board?.version].filter(Boolean).join(" ");
   return (
@@ -127,6 +130,14 @@ function FileNotes({ file }: { file: ParameterFile }) {
             board: name === "" ? t("paramFile.unknownBoard") : name,
           })}
         </p>
+      )}
+      {leftOut.length > 0 && (
+        <Notice level="warning">
+          {t("paramFile.leftOut", {
+            count: leftOut.length,
+            names: `${leftOut.slice(0, MOST_NAMES).join(", ")}${leftOut.length > MOST_NAMES ? "…" : ""}`,
+          })}
+        </Notice>
       )}
       {missing.length > 0 && <p>{t("paramFile.missing", { names: missing.join(", ") })}</p>}
     </>

@@ -64,7 +64,7 @@ export function ParamsTools({ onDiff }: { onDiff: (diff: Diff) => void }) {
         <span className="params-gap" />
         <SaveButton unknown={unknown} />
         <FileButton
-          accept=".json,application/json"
+          accept=".json,application/json,.params,.param"
           onFile={(file) => void open(file)}
           disabledReason={blocked ?? unknown}
           icon={<FolderOpen aria-hidden="true" size={14} />}

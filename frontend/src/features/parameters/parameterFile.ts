@@ -1,5 +1,6 @@
 import { isNumber, isObject, isText } from "../../lib/check";
 import { PARAMETERS, type ParameterInfo, type ParameterName } from "../../protocol/messages.gen";
+import { type OtherLine, readOtherParameters } from "./otherParameters";
 
 const FORMAT = "epf-gcs-parameters";
 const VERSION = 1;
@@ -29,10 +30,12 @@ export interface ParameterFile {
   readonly lines: readonly FileLine[];
   /** The parameters that it lacks. */
   readonly missing: readonly ParameterName[];
+  /** Parameters of another autopilot, which do not exist here. */
+  readonly leftOut: readonly string[];
 }
 
 /** Why the whole file cannot be read. */
-export type FileRefusal = "not_json" | "not_parameters" | "newer";
+export type FileRefusal = "not_json" | "not_parameters" | "newer" | "nothing_here";
 
 /** The text of a file with these values: a line each, in the order of the definition. */
 export function writeParameterFile(
@@ -54,7 +57,8 @@ export function writeParameterFile(
 export function readParameterFile(text: string): ParameterFile | FileRefusal {
   const file = parse(text);
   if (file === undefined) {
-    return "not_json";
+    const others = readOtherParameters(text);
+    return others === null ? "not_json" : readOthers(others);
   }
   if (!(isObject(file) && file["format"] === FORMAT && Array.isArray(file["parameters"]))) {
     return "not_parameters";
@@ -69,8 +73,35 @@ export function readParameterFile(text: string): ParameterFile | FileRefusal {
     saved: isText(saved) ? saved : null,
     board: isObject(board) ? { name: textOf(board["name"]), version: textOf(board["version"]) } : null,
     lines,
-    missing: PARAMETERS.map(({ name }) => name).filter((name) => !seen.has(name)),
+    missing: missingOf(seen),
+    leftOut: [],
   };
+}
+
+/**
+ * Gains by their own names; a parameter of another autopilot is none of them, however alike its name sounds: its unit
+ * and its law are others.
+ */
+function readOthers(others: readonly OtherLine[]): ParameterFile | FileRefusal {
+  const isKnown = (line: OtherLine): boolean => PARAMETERS.some(({ name }) => name === line.name);
+  const seen = new Set<string>();
+  const lines = others
+    .filter(isKnown)
+    .map(({ name, text }) => readLine({ name, value: numberOf(text) }, seen));
+  const leftOut = others.filter((line) => !isKnown(line)).map(({ name }) => name);
+  return lines.length === 0
+    ? "nothing_here"
+    : { saved: null, board: null, lines, missing: missingOf(seen), leftOut };
+}
+
+/** The text itself where it is no number, so that its line can be reported. */
+function numberOf(text: string): number | string {
+  const value = Number(text);
+  return Number.isFinite(value) ? value : text;
+}
+
+function missingOf(seen: ReadonlySet<string>): readonly ParameterName[] {
+  return PARAMETERS.map(({ name }) => name).filter((name) => !seen.has(name));
 }
 
 function readLine(entry: unknown, seen: Set<string>): FileLine {

@@ -1,15 +1,17 @@
-import { useState } from "react";
+import { type ReactNode, useCallback, useState } from "react";
 import { useTranslation } from "react-i18next";
+import { useStore } from "zustand";
 import { useSentence } from "../../i18n/useSentence";
+import { PlaceField } from "../../missions/PlaceField";
 import { MISSIONS, notePlan } from "../../missions/planDrafts";
 import { ReplaceDialog } from "../../missions/ReplaceDialog";
+import { SELECTION, selectThing } from "../../missions/selection";
 import { type ShownPlan, usePlan } from "../../missions/usePlan";
 import { usePlans } from "../../missions/usePlans";
 import type { PlanName } from "../../protocol/missions";
 import { useAsked } from "../../requests/useAsked";
 import { usePart } from "../../store/hooks";
 import { Notice } from "../../ui/Notice";
-import { LiveSketch } from "./LiveSketch";
 import { PlanHead } from "./PlanHead";
 import { PlanIssues } from "./PlanIssues";
 import { PlanTable } from "./PlanTable";
@@ -17,13 +19,20 @@ import { PlanTools } from "./PlanTools";
 import { RowTools } from "./RowTools";
 import { useEditing } from "./useEditing";
 
-/** One of the two plans: its table, its sketch, what is wrong with it, and the ways to and from board and files. */
-export function PlanEditor({ plan }: { plan: PlanName }) {
+/** One of the two plans: its table, its map, what is wrong with it, and the ways to and from board and files. */
+export function PlanEditor({ plan, map }: { plan: PlanName; map: ReactNode }) {
   const { t } = useTranslation();
   const shown = usePlan(plan);
   const { waypoints } = shown;
-  const [chosen, setChosen] = useState<number | null>(null);
+  const selection = usePart(SELECTION);
+  const thing = useStore(selection, (now) => now.thing);
+  const chosen = thing?.kind === "waypoint" && thing.plan === plan ? thing.row : null;
   const selected = chosen !== null && chosen < waypoints.length ? chosen : null;
+  const rows = useStore(selection, (now) => now.rows);
+  const setChosen = useCallback(
+    (row: number | null) => selectThing(selection, row === null ? null : { kind: "waypoint", plan, row }),
+    [selection, plan],
+  );
   const [question, setQuestion] = useState<(() => void) | null>(null);
   const edit = useEditing(plan, selected, setChosen);
 
@@ -60,7 +69,7 @@ export function PlanEditor({ plan }: { plan: PlanName }) {
                 waypoints={waypoints}
                 issues={shown.issues}
                 active={shown.active}
-                selected={selected}
+                selected={selected === null ? [] : rows}
                 isFixed={shown.isFixed}
                 onSelect={setChosen}
                 onEdit={edit.change}
@@ -68,16 +77,18 @@ export function PlanEditor({ plan }: { plan: PlanName }) {
               />
             )}
           </div>
+          {selected !== null && waypoints[selected] !== undefined && (
+            <PlaceField
+              key={selected}
+              place={waypoints[selected]}
+              fixed={shown.isFixed ? t("plans.fixed") : undefined}
+              onCommit={(place) => edit.place(selected, place)}
+            />
+          )}
           <p className="plans-keys">{t(shown.isFixed ? "plans.fixed" : "plans.keys")}</p>
         </div>
         <aside className="plans-side" aria-label={t("plans.issues")}>
-          <LiveSketch
-            plan={plan}
-            waypoints={waypoints}
-            active={shown.active}
-            selected={selected}
-            onSelect={(row) => edit.go(row, "latitude_deg")}
-          />
+          {map}
           <PlanIssues issues={shown.issues} onGo={edit.go} />
         </aside>
       </div>

@@ -12,7 +12,8 @@ interface Props {
   waypoints: readonly Waypoint[];
   issues: readonly PlanIssue[];
   active: number | null;
-  selected: number | null;
+  /** All selected rows. */
+  selected: readonly number[];
   /** A plan of the past: its cells are only read. */
   isFixed: boolean;
   onSelect: (row: number, field: WaypointField) => void;
@@ -53,7 +54,7 @@ export function PlanTable({ waypoints, issues, active, selected, isFixed, onSele
         {rowsOf(waypoints, legs, issues).map(({ index, waypoint, leg, found }) => (
           <tr
             key={index}
-            data-selected={selected === index}
+            data-selected={selected.includes(index)}
             data-active={active === index}
             data-level={worst(found)}
           >

@@ -117,7 +117,7 @@ function FileTools({ plan, count, onReplace }: Pick<Props, "plan" | "onReplace">
   return (
     <>
       <FileButton
-        accept=".kml,.kmz,.gpx,.csv,.plan"
+        accept=".kml,.kmz,.gpx,.csv,.plan,.waypoints"
         onFile={(file) =>
           onReplace(() => void missions.importFile(plan, file, { control: `plan.import.${plan}` }))
         }

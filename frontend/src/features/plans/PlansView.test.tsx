@@ -27,7 +27,7 @@ const legacy = aStatus({
 function open(status = aStatus()): void {
   station = new Station(
     <WordsProvider words={WORDS}>
-      <PlansView />
+      <PlansView map={() => null} />
     </WordsProvider>,
   );
   station.greet(status);

@@ -1,5 +1,6 @@
+import type { ReactNode } from "react";
 import { useTranslation } from "react-i18next";
-import { PLANS } from "../../protocol/missions";
+import { PLANS, type PlanName } from "../../protocol/missions";
 import { usePage, useSettings } from "../../store/hooks";
 import { choose } from "../../store/settings";
 import { Tabs } from "../../ui/Tabs";
@@ -7,7 +8,7 @@ import { PlanEditor } from "./PlanEditor";
 import "./plans.css";
 
 /** "Planes de vuelo": the plan of the aircraft and that of the HIL aircraft. */
-export function PlansView() {
+export function PlansView({ map }: { map: (plan: PlanName) => ReactNode }) {
   const { t } = useTranslation();
   const { settings } = usePage();
   const open = useSettings(({ choices }) => PLANS.find((plan) => plan === choices["plans.open"]) ?? "flight");
@@ -20,7 +21,7 @@ export function PlansView() {
       tabs={PLANS.map((plan) => ({
         value: plan,
         label: t(`planName.${plan}`),
-        content: <PlanEditor plan={plan} />,
+        content: <PlanEditor plan={plan} map={map(plan)} />,
       }))}
     />
   );

@@ -86,7 +86,12 @@ function answerTo(path: string): unknown {
       tags: [],
       boards: [],
       indexing: [],
-      disk: { free_bytes: 1, hours_left: null, policy: { delete_oldest: false, keep_free_bytes: 1 } },
+      disk: {
+        free_bytes: 1,
+        used_bytes: 1,
+        hours_left: null,
+        policy: { delete_oldest: false, keep_free_bytes: 1 },
+      },
     };
   }
   return {};

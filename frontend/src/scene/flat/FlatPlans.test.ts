@@ -33,12 +33,20 @@ function drawn(): DrawnPlan {
     active: null,
     loops: false,
     selected: null,
+    chosen: [],
     label: (_, row) => String(row + 1),
   };
 }
 
 function plans() {
-  const listener = { pick: vi.fn(), drag: vi.fn(), drop: vi.fn() };
+  const listener = {
+    pick: vi.fn(),
+    drag: vi.fn(),
+    drop: vi.fn(),
+    tap: vi.fn(),
+    double: vi.fn(),
+    menu: vi.fn(),
+  };
   const all = new FlatPlans(() => undefined);
   all.show("flight", drawn());
   all.showHome(HOME);
@@ -51,20 +59,20 @@ describe("a press on the flat map", () => {
     const { all, listener } = plans();
     for (const place of [waypoints[1], AIRCRAFT.place, HOME]) {
       const { x, y } = toScreen(VIEW, place ?? HOME);
-      all.find(() => VIEW, { x: x + 6, y: y - 6 }, [AIRCRAFT])?.click();
+      all.find(() => VIEW, { x: x + 6, y: y - 6 }, [AIRCRAFT], 14)?.click(false);
     }
     expect(listener.pick.mock.calls).toEqual([
-      [{ kind: "waypoint", plan: "flight", row: 1 }],
-      [{ kind: "aircraft", plan: "hil" }],
-      [{ kind: "home" }],
+      [{ kind: "waypoint", plan: "flight", row: 1 }, false],
+      [{ kind: "aircraft", plan: "hil" }, false],
+      [{ kind: "home" }, false],
     ]);
-    expect(all.find(() => VIEW, { x: 5, y: 5 }, [AIRCRAFT])).toBeNull();
+    expect(all.find(() => VIEW, { x: 5, y: 5 }, [AIRCRAFT], 14)).toBeNull();
   });
 
   test("takes hold of nothing while nobody listens", () => {
     const { all } = plans();
     all.listen(null);
-    expect(all.find(() => VIEW, toScreen(VIEW, HOME), [])).toBeNull();
+    expect(all.find(() => VIEW, toScreen(VIEW, HOME), [], 14)).toBeNull();
   });
 });
 
@@ -73,7 +81,7 @@ describe("a waypoint that is pulled", () => {
     const { all, listener } = plans();
     const from = toScreen(VIEW, waypoints[0] ?? HOME);
     const held = { x: from.x + 3, y: from.y + 2 };
-    const drag = all.find(view, held, [])?.drag?.(held, false);
+    const drag = all.find(view, held, [], 14)?.drag?.(held, false);
     return { listener, drag, held };
   }
 
@@ -105,5 +113,30 @@ describe("a waypoint that is pulled", () => {
     drag?.cancel();
     expect(listener.drop).not.toHaveBeenCalled();
     expect(listener.drag).toHaveBeenLastCalledWith(null);
+  });
+});
+
+describe("a place of the flat map", () => {
+  test("on a leg says which leg and how far along, away from it none", () => {
+    const { all, listener } = plans();
+    const [one, two] = [toScreen(VIEW, waypoints[0] ?? HOME), toScreen(VIEW, waypoints[1] ?? HOME)];
+    const at = { x: one.x + 0.25 * (two.x - one.x), y: one.y + 0.25 * (two.y - one.y) };
+    all.tell("double", VIEW, at, []);
+    const [target] = listener.double.mock.calls[0] ?? [];
+    expect(target.leg).toMatchObject({ plan: "flight", row: 1 });
+    expect(target.leg.share).toBeCloseTo(0.25, 2);
+    all.tell("tap", VIEW, { x: 5, y: 5 }, []);
+    expect(listener.tap.mock.calls[0]?.[0]).toMatchObject({ leg: null, thing: null });
+  });
+
+  test("that is pulled with others selected takes them along", () => {
+    const { all, listener } = plans();
+    all.show("flight", { ...drawn(), selected: 0, chosen: [0, 1] });
+    const from = toScreen(VIEW, waypoints[0] ?? HOME);
+    const drag = all.find(() => VIEW, from, [], 14)?.drag?.(from, false);
+    expect(listener.pick).not.toHaveBeenCalled();
+    drag?.move({ x: from.x + 30, y: from.y }, false);
+    drag?.drop();
+    expect(listener.drop).toHaveBeenCalledOnce();
   });
 });

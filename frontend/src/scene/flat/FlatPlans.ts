@@ -1,17 +1,17 @@
 import type { Aircraft } from "../../lib/aircraft";
 import type { Position } from "../../lib/geodesy";
 import type { MapThing } from "../../lib/mapThing";
-import { placed } from "../../lib/plan";
+import { carried } from "../../lib/planEdit";
 import { nearest, type Point } from "../plan/geometry";
+import { legAt } from "../plan/legHit";
 import type { PlanListener } from "../plan/PlanScene";
 import type { DrawnPlan } from "../plan/shape";
+import { LEG_REACH_PX, type MapTarget, REACH_PX } from "../plan/target";
 import type { Grip } from "../tools/MapPointer";
 import { drawHome, drawPlan, type FlatAircraft, type MarkedPlace } from "./flatThings";
 import { type FlatView, fromScreen, type ScreenPoint, toScreen } from "./projection";
 import type { Words } from "./Words";
 
-/** Within so many pixels of the pointer a thing is meant. */
-const REACH_PX = 14;
 /** What comes last lies above. */
 const ORDER: readonly Aircraft[] = ["hil", "flight"];
 
@@ -54,22 +54,65 @@ export class FlatPlans {
   }
 
   /** What can be taken hold of at this place of the view as it is now. */
-  find(view: () => FlatView, at: ScreenPoint, aircraft: readonly FlatAircraft[]): Grip | null {
+  find(
+    view: () => FlatView,
+    at: ScreenPoint,
+    aircraft: readonly FlatAircraft[],
+    reach_px: number,
+  ): Grip | null {
     const listener = this.#listener;
-    if (listener === null) {
+    const thing = listener === null ? null : this.#thingAt(view(), at, aircraft, reach_px);
+    if (listener === null || thing === null) {
       return null;
     }
-    const things = this.#things(aircraft);
-    const spots = things.map(({ place }) => toScreen(view(), place));
-    const found = nearest(spots, at, REACH_PX);
-    const thing = found === null ? undefined : things[found]?.thing;
-    if (thing === undefined) {
-      return null;
-    }
-    const click = (): void => listener.pick(thing);
+    const click = (isMore: boolean): void => listener.pick(thing, isMore);
     return thing.kind === "waypoint"
       ? { cursor: "grab", click, drag: (from) => this.#dragOf(listener, view, thing.plan, thing.row, from) }
       : { cursor: "pointer", click, drag: null };
+  }
+
+  /** Tell the listener about a gesture at this place of the view. */
+  tell(
+    gesture: "tap" | "double" | "menu",
+    view: FlatView,
+    at: ScreenPoint,
+    aircraft: readonly FlatAircraft[],
+    reach_px: number = REACH_PX.mouse,
+  ): void {
+    this.#listener?.[gesture](this.targetAt(view, at, aircraft, reach_px));
+  }
+
+  /** What lies at a place of the view. */
+  targetAt(
+    view: FlatView,
+    at: ScreenPoint,
+    aircraft: readonly FlatAircraft[],
+    reach_px: number = REACH_PX.mouse,
+  ): MapTarget {
+    const legs = ORDER.toReversed().flatMap((plan) => {
+      const drawn = this.#plans[plan];
+      return drawn === null
+        ? []
+        : (legAt(plan, drawn, (point) => toScreen(view, point), at, LEG_REACH_PX) ?? []);
+    });
+    return {
+      at,
+      place: { ...fromScreen(view, at), height_m: null },
+      thing: this.#thingAt(view, at, aircraft, reach_px),
+      leg: legs[0] ?? null,
+    };
+  }
+
+  #thingAt(
+    view: FlatView,
+    at: ScreenPoint,
+    aircraft: readonly FlatAircraft[],
+    reach_px: number,
+  ): MapThing | null {
+    const things = this.#things(aircraft);
+    const spots = things.map(({ place }) => toScreen(view, place));
+    const found = nearest(spots, at, reach_px);
+    return found === null ? null : (things[found]?.thing ?? null);
   }
 
   /** While a waypoint is held, its plan is drawn with it where the pointer has it. */
@@ -80,7 +123,7 @@ export class FlatPlans {
       ? drawn
       : {
           ...drawn,
-          waypoints: placed(drawn.waypoints, held.row, held.to),
+          waypoints: carried(drawn.waypoints, held.row, held.to, drawn.chosen),
           unsent: drawn.unsent.with(held.row, true),
         };
   }
@@ -107,7 +150,10 @@ export class FlatPlans {
       return null;
     }
     const start = toScreen(view(), waypoint);
-    listener.pick({ kind: "waypoint", plan, row });
+    // One of several selected ones takes the others along.
+    if (this.#plans[plan]?.chosen.includes(row) !== true) {
+      listener.pick({ kind: "waypoint", plan, row }, false);
+    }
     const hold = (to: Point | null): void => {
       this.#held = to === null ? null : { plan, row, to };
       listener.drag(this.#held);

@@ -11,6 +11,10 @@ function canvasWithGrip() {
   const hands = {
     find: ({ x, y }: { x: number; y: number }) =>
       x === 100 && y === 100 ? { cursor: "grab", click, drag: () => drag } : null,
+    cursor: () => "",
+    tap: vi.fn(),
+    double: vi.fn(),
+    menu: vi.fn(),
     pan: vi.fn(),
     zoom: vi.fn(),
     hover: vi.fn(),

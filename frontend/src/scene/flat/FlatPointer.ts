@@ -1,9 +1,14 @@
+import { REACH_PX, reachOf } from "../plan/target";
+import { type GestureHands, Gestures } from "../tools/Gestures";
 import type { Drag, Grip } from "../tools/MapPointer";
 import type { ScreenPoint } from "./projection";
 
 /** What the pointer finds and moves. */
-export interface FlatHands {
-  readonly find: (at: ScreenPoint) => Grip | null;
+export interface FlatHands extends GestureHands {
+  /** What can be taken hold of within so many pixels; taps are for what lies under nothing of that kind. */
+  readonly find: (at: ScreenPoint, reach_px: number) => Grip | null;
+  /** The pointer's look over bare ground; "": the usual one. */
+  readonly cursor: () => string;
   readonly pan: (right_px: number, down_px: number) => void;
   /** Larger by so many steps of two, about this place. */
   readonly zoom: (steps: number, at: ScreenPoint) => void;
@@ -22,6 +27,7 @@ export class FlatPointer {
   readonly #canvas: HTMLCanvasElement;
   readonly #hands: FlatHands;
   readonly #end = new AbortController();
+  readonly #gestures: Gestures;
   /** Where each pointer that is down is now. */
   readonly #down = new Map<number, ScreenPoint>();
   #pressed: ScreenPoint | null = null;
@@ -32,6 +38,16 @@ export class FlatPointer {
     this.#canvas = canvas;
     this.#hands = hands;
     const { signal } = this.#end;
+    this.#gestures = new Gestures(canvas, {
+      tap: (at) => hands.find(at, REACH_PX.mouse) === null && hands.tap(at),
+      double: (at) => hands.find(at, REACH_PX.mouse) === null && hands.double(at),
+      menu: (at, isFinger) => {
+        this.#letGo((drag) => drag.cancel());
+        // A finger that still rests on the map must not push it.
+        this.#down.clear();
+        hands.menu(at, isFinger);
+      },
+    });
     canvas.addEventListener("pointerdown", (event) => this.#press(event), { signal });
     canvas.addEventListener("pointermove", (event) => this.#move(event), { signal });
     canvas.addEventListener("pointerup", (event) => this.#lift(event), { signal });
@@ -43,6 +59,7 @@ export class FlatPointer {
 
   dispose(): void {
     this.#end.abort();
+    this.#gestures.dispose();
     this.#letGo((drag) => drag.cancel());
   }
 
@@ -54,7 +71,7 @@ export class FlatPointer {
     this.#letGo((drag) => drag.cancel());
     if (event.button === 0 && this.#down.size === 1) {
       this.#pressed = at;
-      this.#grip = this.#hands.find(at);
+      this.#grip = this.#hands.find(at, reachOf(event.pointerType));
     }
   }
 
@@ -62,7 +79,7 @@ export class FlatPointer {
     const at = spotOf(event);
     const before = this.#down.get(event.pointerId);
     if (before === undefined) {
-      this.#canvas.style.cursor = this.#hands.find(at)?.cursor ?? "";
+      this.#canvas.style.cursor = this.#hands.find(at, REACH_PX.mouse)?.cursor ?? this.#hands.cursor();
     } else if (this.#down.size > 1) {
       this.#spread(event.pointerId, before, at);
     } else {
@@ -101,7 +118,7 @@ export class FlatPointer {
     const grip = this.#pressed === null ? null : this.#grip;
     this.#down.delete(event.pointerId);
     this.#letGo((drag) => drag.drop());
-    grip?.click();
+    grip?.click(event.shiftKey || event.ctrlKey || event.metaKey);
   }
 
   #cancel(event: PointerEvent): void {

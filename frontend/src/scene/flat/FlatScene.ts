@@ -1,7 +1,9 @@
 import type { Position } from "../../lib/geodesy";
 import type { TrackPoints } from "../../lib/track/trackPoints";
+import { AREA } from "../colours";
 import type { Island } from "../globe/chart/coast";
 import type { CompassLetters } from "../globe/chart/graticule";
+import { type MapTarget, REACH_PX } from "../plan/target";
 import type { Grip, GroundPlace } from "../tools/MapPointer";
 import { FlatPlans } from "./FlatPlans";
 import { FlatPointer } from "./FlatPointer";
@@ -60,6 +62,10 @@ export class FlatScene {
   #aircraft: readonly FlatAircraft[] = [];
   #followed: Position | null = null;
   #measured: readonly MarkedPlace[] = [];
+  #area: readonly MarkedPlace[] = [];
+  #isAiming = false;
+  /** What is to be shown once the canvas has a size. */
+  #awaited: readonly Position[] | null = null;
   #onMeasure: ((place: GroundPlace) => void) | null = null;
   #handle: number | null = null;
 
@@ -67,7 +73,12 @@ export class FlatScene {
     this.#canvas = canvas;
     this.#listener = listener;
     this.#pointer = new FlatPointer(canvas, {
-      find: (at) => this.#find(at),
+      find: (at, reach_px) => this.#find(at, reach_px),
+      cursor: () => (this.#isAiming ? "crosshair" : ""),
+      tap: (at) => this.plans.tell("tap", this.#view, at, this.#aircraft),
+      double: (at) => this.plans.tell("double", this.#view, at, this.#aircraft),
+      menu: (at, isFinger) =>
+        this.plans.tell("menu", this.#view, at, this.#aircraft, isFinger ? REACH_PX.touch : REACH_PX.mouse),
       pan: (right_px, down_px) => {
         listener.onMoved();
         this.#look(panned(this.#view, right_px, down_px));
@@ -103,6 +114,16 @@ export class FlatScene {
     }
   }
 
+  /** Whether a tap on the ground puts something there: the pointer shows it. */
+  aim(isAiming: boolean): void {
+    this.#isAiming = isAiming;
+  }
+
+  /** What lies at a spot of the canvas. */
+  targetAt(at: ScreenPoint): MapTarget {
+    return this.plans.targetAt(this.#view, at, this.#aircraft);
+  }
+
   /** Who takes the places that are pressed; null: a press is for what lies under it. */
   measure(listener: ((place: GroundPlace) => void) | null): void {
     this.#onMeasure = listener;
@@ -110,6 +131,12 @@ export class FlatScene {
 
   showDistance(places: readonly MarkedPlace[]): void {
     this.#measured = places;
+    this.#change();
+  }
+
+  /** The outline of an area; the caller closes it. */
+  showArea(places: readonly MarkedPlace[]): void {
+    this.#area = places;
     this.#change();
   }
 
@@ -123,7 +150,16 @@ export class FlatScene {
   }
 
   lookAt(places: readonly Position[]): void {
-    this.#look(around(this.#view, places));
+    if (this.#view.width_px > 0 && this.#view.height_px > 0) {
+      this.#look(around(this.#view, places));
+    } else {
+      this.#awaited = places;
+    }
+  }
+
+  /** Show this place in the middle, as large as before. */
+  centreOn(centre: Position): void {
+    this.#look({ ...this.#view, centre });
   }
 
   /** True: the key means something here. */
@@ -148,10 +184,10 @@ export class FlatScene {
     }
   }
 
-  #find(at: ScreenPoint): Grip | null {
+  #find(at: ScreenPoint, reach_px: number): Grip | null {
     const measure = this.#onMeasure;
     return measure === null
-      ? this.plans.find(() => this.#view, at, this.#aircraft)
+      ? this.plans.find(() => this.#view, at, this.#aircraft, reach_px)
       : {
           cursor: "crosshair",
           click: () => measure({ ...fromScreen(this.#view, at), height_m: null }),
@@ -165,6 +201,11 @@ export class FlatScene {
     this.#canvas.width = Math.max(1, Math.round(clientWidth * ratio));
     this.#canvas.height = Math.max(1, Math.round(clientHeight * ratio));
     this.#look({ ...this.#view, width_px: clientWidth, height_px: clientHeight });
+    if (this.#awaited !== null && clientWidth > 0 && clientHeight > 0) {
+      const places = this.#awaited;
+      this.#awaited = null;
+      this.lookAt(places);
+    }
   }
 
   #look(view: FlatView): void {
@@ -203,6 +244,7 @@ export class FlatScene {
       }
     }
     this.plans.draw(context, this.#view, words);
+    drawDistance(context, this.#view, this.#area, words, AREA);
     drawDistance(context, this.#view, this.#measured, words);
     for (const aircraft of this.#aircraft) {
       drawAircraft(context, this.#view, aircraft, words);

@@ -138,12 +138,13 @@ function drawArrow(
   context.restore();
 }
 
-/** The line of the distance tool, with its length at each corner. */
+/** The line of the distance tool, with its length at each corner; or the outline of an area. */
 export function drawDistance(
   context: CanvasRenderingContext2D,
   view: FlatView,
   places: readonly MarkedPlace[],
   words: Words,
+  colour = MEASURE,
 ): void {
   for (const [index, to] of places.entries()) {
     const from = places[index - 1];
@@ -152,13 +153,13 @@ export function drawDistance(
       drawLine(
         context,
         way.map((place) => toScreen(view, place)),
-        { colour: MEASURE, width_px: 2.5 },
+        { colour, width_px: 2.5 },
       );
     }
   }
   for (const place of places) {
     const at = toScreen(view, place);
-    drawDot(context, at, 3.5, MEASURE, { colour: MEASURE, width_px: 1 });
-    words.write(place.label, at, 8, MEASURE);
+    drawDot(context, at, 3.5, colour, { colour, width_px: 1 });
+    words.write(place.label, at, 8, colour);
   }
 }

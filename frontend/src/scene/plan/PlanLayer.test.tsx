@@ -14,6 +14,7 @@ const plan: DrawnPlan = {
   active: 1,
   loops: false,
   selected: 0,
+  chosen: [0],
   label: (_, row) => String(row + 1),
 };
 

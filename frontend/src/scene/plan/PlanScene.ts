@@ -2,33 +2,38 @@ import { Cartesian3 } from "@cesium/engine";
 import type { Aircraft } from "../../lib/aircraft";
 import type { Position } from "../../lib/geodesy";
 import type { MapThing } from "../../lib/mapThing";
-import { placed } from "../../lib/plan";
+import { carried } from "../../lib/planEdit";
 import { METRES_PER_FOOT } from "../../lib/units";
 import type { Globe } from "../globe/Globe";
 import { type Grip, type MapPointer, pointerOf } from "../tools/MapPointer";
 import { spotOnScreen } from "../tools/screen";
 import { awayFromLine, nearest, type Point, type Spot } from "./geometry";
 import { HomeMark } from "./HomeMark";
+import { legAt } from "./legHit";
 import { PlanLayer } from "./PlanLayer";
 import type { DrawnPlan } from "./shape";
+import { LEG_REACH_PX, type MapTarget, REACH_PX } from "./target";
 import { type DragWay, WaypointDrag } from "./WaypointDrag";
 
 export interface PlanListener {
-  /** Clicked. */
-  readonly pick: (thing: MapThing) => void;
+  /** Clicked; `isMore`: with a key that adds it to what is selected. */
+  readonly pick: (thing: MapThing, isMore: boolean) => void;
   /** A waypoint is dragged to here; null: the drag ended or was cancelled. */
   readonly drag: (
     place: { readonly plan: Aircraft; readonly row: number; readonly to: Point } | null,
   ) => void;
   /** A waypoint was dropped here. */
   readonly drop: (plan: Aircraft, row: number, to: Point) => void;
+  /** A short press where nothing can be picked. */
+  readonly tap: (target: MapTarget) => void;
+  readonly double: (target: MapTarget) => void;
+  /** A right click or a long press. */
+  readonly menu: (target: MapTarget) => void;
 }
 
 /** Where an aircraft is drawn, if it is. */
 type AircraftPlace = (plan: Aircraft) => (Position & { readonly altitude_m: number }) | null;
 
-/** Greatest distance from the pointer to hit a thing, pixels. */
-const REACH_PX = 14;
 const STEM_REACH_PX = 6;
 
 /** Both flight plans, home, and the pointer's actions on them. */
@@ -37,9 +42,10 @@ export class PlanScene {
   readonly #pointer: MapPointer;
   readonly #layers: Readonly<Record<Aircraft, PlanLayer>>;
   readonly #home: HomeMark;
-  readonly #forget: () => void;
+  readonly #ends: readonly (() => void)[];
   readonly #plans: Record<Aircraft, DrawnPlan | null> = { flight: null, hil: null };
   #listener: PlanListener | null = null;
+  #isAiming = false;
   #aircraft: AircraftPlace = () => null;
   #held: { readonly plan: Aircraft; readonly row: number; readonly to: Point } | null = null;
 
@@ -48,13 +54,42 @@ export class PlanScene {
     this.#pointer = pointerOf(globe);
     this.#layers = { flight: new PlanLayer(globe, "flight"), hil: new PlanLayer(globe, "hil") };
     this.#home = new HomeMark(globe);
-    this.#forget = this.#pointer.addFinder((at) => this.#find(at));
+    this.#ends = [
+      this.#pointer.addFinder((at, reach_px) => this.#find(at, reach_px)),
+      this.#pointer.onGesture({
+        tap: (at) => this.#listener?.tap(this.targetAt(at)),
+        double: (at) => this.#listener?.double(this.targetAt(at)),
+        menu: (at, isFinger) =>
+          this.#listener?.menu(this.targetAt(at, isFinger ? REACH_PX.touch : REACH_PX.mouse)),
+      }),
+      this.#pointer.onCursor(() => (this.#isAiming ? "crosshair" : "")),
+    ];
   }
 
   /** The listener for clicks and drags; null: nothing can be clicked or dragged. */
   listen(listener: PlanListener | null, aircraft: AircraftPlace = () => null): void {
     this.#listener = listener;
     this.#aircraft = aircraft;
+  }
+
+  /** Whether a tap on the ground puts something there: the pointer shows it. */
+  aim(isAiming: boolean): void {
+    this.#isAiming = isAiming;
+  }
+
+  /** What lies at a spot of the canvas. */
+  targetAt(at: Spot, reach_px: number = REACH_PX.mouse): MapTarget {
+    const seen = (point: Point): Spot | null => spotOnScreen(this.#globe.scene, positionOf(point));
+    const legs = (["flight", "hil"] as const).flatMap((plan) => {
+      const drawn = this.#plans[plan];
+      return (drawn === null ? null : legAt(plan, drawn, seen, at, LEG_REACH_PX)) ?? [];
+    });
+    return {
+      at,
+      place: this.#pointer.placeAt(at),
+      thing: this.#thingAt(at, reach_px),
+      leg: legs[0] ?? null,
+    };
   }
 
   show(plan: Aircraft, drawn: DrawnPlan | null): void {
@@ -67,7 +102,9 @@ export class PlanScene {
   }
 
   dispose(): void {
-    this.#forget();
+    for (const end of this.#ends) {
+      end();
+    }
     this.#layers.flight.dispose();
     this.#layers.hil.dispose();
     this.#home.dispose();
@@ -82,25 +119,29 @@ export class PlanScene {
         ? drawn
         : {
             ...drawn,
-            waypoints: placed(drawn.waypoints, held.row, held.to),
+            waypoints: carried(drawn.waypoints, held.row, held.to, drawn.chosen),
             unsent: drawn.unsent.with(held.row, true),
           },
     );
   }
 
-  #find(at: Spot): Grip | null {
+  #thingAt(at: Spot, reach_px: number): MapThing | null {
+    const things = this.#things();
+    const spots = things.map(({ position }) => spotOnScreen(this.#globe.scene, position));
+    const found = nearest(spots, at, reach_px);
+    return found === null ? null : (things[found]?.thing ?? null);
+  }
+
+  #find(at: Spot, reach_px: number): Grip | null {
     const listener = this.#listener;
     if (listener === null) {
       return null;
     }
-    const things = this.#things();
-    const spots = things.map(({ position }) => spotOnScreen(this.#globe.scene, position));
-    const found = nearest(spots, at, REACH_PX);
-    const thing = found === null ? undefined : things[found]?.thing;
-    if (thing !== undefined) {
+    const thing = this.#thingAt(at, reach_px);
+    if (thing !== null) {
       return thing.kind === "waypoint"
         ? this.#waypointGrip(listener, thing.plan, thing.row, "level")
-        : { cursor: "pointer", click: () => listener.pick(thing), drag: null };
+        : { cursor: "pointer", click: (isMore) => listener.pick(thing, isMore), drag: null };
     }
     return this.#stemGrip(listener, at);
   }
@@ -152,7 +193,7 @@ export class PlanScene {
   #waypointGrip(listener: PlanListener, plan: Aircraft, row: number, way: DragWay): Grip {
     return {
       cursor: way === "level" ? "grab" : "ns-resize",
-      click: () => listener.pick({ kind: "waypoint", plan, row }),
+      click: (isMore) => listener.pick({ kind: "waypoint", plan, row }, isMore),
       drag: (from, isShift) => {
         const waypoint = this.#plans[plan]?.waypoints[row];
         if (waypoint === undefined) {
@@ -160,7 +201,10 @@ export class PlanScene {
         }
         const wayOf = (isShifted: boolean): DragWay => (isShifted ? "upright" : way);
         const pulled = new WaypointDrag(this.#globe.scene, waypoint, from, wayOf(isShift));
-        listener.pick({ kind: "waypoint", plan, row });
+        // One of several selected ones takes the others along.
+        if (this.#plans[plan]?.chosen.includes(row) !== true) {
+          listener.pick({ kind: "waypoint", plan, row }, false);
+        }
         const hold = (to: Point | null): void => {
           this.#held = to === null ? null : { plan, row, to };
           listener.drag(this.#held);

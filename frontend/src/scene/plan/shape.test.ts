@@ -16,6 +16,7 @@ function drawn(plan: Partial<DrawnPlan> = {}): DrawnPlan {
     active: null,
     loops: false,
     selected: null,
+    chosen: [],
     label: (waypoint, row) => `${row + 1} · ${waypoint.altitude_ft}`,
     ...plan,
   };

@@ -16,6 +16,8 @@ export interface DrawnPlan {
   /** Whether the first waypoint follows the last. */
   readonly loops: boolean;
   readonly selected: number | null;
+  /** All selected rows, that one among them. */
+  readonly chosen: readonly number[];
   /** The label beside a waypoint. */
   readonly label: (waypoint: Waypoint, row: number) => string;
 }
@@ -51,9 +53,9 @@ const CORNERS = 48;
  * board's.
  */
 export function linesOf(plan: DrawnPlan): readonly Line[] {
-  const { waypoints, board, active, loops, unsent, selected } = plan;
+  const { waypoints, board, active, loops, unsent, selected, chosen } = plan;
   const flown = board === null ? active : null;
-  const own = legsOf(waypoints, loops && board === null).map(({ from, to, row }) =>
+  const own = drawnLegs(plan).map(({ from, to, row }) =>
     leg(row === flown ? "activeLeg" : unsent[row] || unsent[row - 1] ? "unsentLeg" : "leg", from, to),
   );
   const old = legsOf(board ?? [], loops).map(({ from, to, row }) =>
@@ -61,7 +63,9 @@ export function linesOf(plan: DrawnPlan): readonly Line[] {
   );
   const rings = waypoints.map((waypoint, row) => circle(waypoint, row === flown ? "activeRing" : "ring"));
   const target = board === null || active === null ? undefined : board[active];
-  const stems = waypoints.map((waypoint, row) => stem(waypoint, row === selected ? "selectedStem" : "stem"));
+  const stems = waypoints.map((waypoint, row) =>
+    stem(waypoint, row === selected || chosen.includes(row) ? "selectedStem" : "stem"),
+  );
   return [
     ...old,
     ...own,
@@ -71,21 +75,34 @@ export function linesOf(plan: DrawnPlan): readonly Line[] {
   ];
 }
 
-export function dotsOf({ waypoints, board, active, selected, unsent, label }: DrawnPlan): readonly Dot[] {
+export function dotsOf({
+  waypoints,
+  board,
+  active,
+  selected,
+  chosen,
+  unsent,
+  label,
+}: DrawnPlan): readonly Dot[] {
   return waypoints.map((at, row) => ({
     at,
     label: label(at, row),
     isActive: board === null && row === active,
-    isSelected: row === selected,
+    isSelected: row === selected || chosen.includes(row),
     isUnsent: unsent[row] ?? false,
   }));
 }
 
-interface LegEnds {
+export interface LegEnds {
   readonly from: Waypoint;
   readonly to: Waypoint;
   /** Index of the waypoint at its end. */
   readonly row: number;
+}
+
+/** The legs of the draft as they are drawn. */
+export function drawnLegs({ waypoints, board, loops }: DrawnPlan): readonly LegEnds[] {
+  return legsOf(waypoints, loops && board === null);
 }
 
 function legsOf(waypoints: readonly Waypoint[], loops: boolean): readonly LegEnds[] {

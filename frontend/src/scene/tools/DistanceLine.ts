@@ -12,8 +12,6 @@ export interface MeasuredPlace extends GroundPlace {
   readonly label: string;
 }
 
-const COLOUR = Color.fromCssColorString(MEASURE);
-const LOOK: LineLook = { colour: COLOUR, width_px: 3 };
 const EDGE_COLOUR = Color.fromCssColorString(EDGE);
 /** Height of the line above the ground, metres: in the ground it would flicker. */
 const OVER_GROUND_M = 3;
@@ -26,8 +24,13 @@ export class DistanceLine {
   readonly #dots = new PointPrimitiveCollection();
   readonly #labels = new LabelCollection();
 
-  constructor(globe: Globe) {
+  readonly #colour: Color;
+  readonly #look: LineLook;
+
+  constructor(globe: Globe, colour = MEASURE) {
     this.#globe = globe;
+    this.#colour = Color.fromCssColorString(colour);
+    this.#look = { colour: this.#colour, width_px: 3 };
     this.#lines = new RibbonLines(globe);
     globe.scene.primitives.add(this.#dots);
     globe.scene.primitives.add(this.#labels);
@@ -44,11 +47,11 @@ export class DistanceLine {
       if (from !== undefined) {
         const way = legPoints({ ...from, altitude_ft: 0 }, { ...to, altitude_ft: 0 });
         const places = way.map((on, step) => overGround(on, step === 0 ? from.height_m : to.height_m));
-        lines.push({ look: LOOK, places });
+        lines.push({ look: this.#look, places });
       }
       this.#dots.add({
         position,
-        color: COLOUR,
+        color: this.#colour,
         pixelSize: 8,
         outlineColor: EDGE_COLOUR,
         outlineWidth: 2,
@@ -58,7 +61,7 @@ export class DistanceLine {
         ...LETTERING,
         position,
         text: to.label,
-        fillColor: COLOUR,
+        fillColor: this.#colour,
         pixelOffset: OFFSET,
       });
     }

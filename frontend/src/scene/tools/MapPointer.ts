@@ -2,6 +2,8 @@ import { Cartesian2, Cartographic, Math as CesiumMath, EllipsoidTerrainProvider 
 import type { Position } from "../../lib/geodesy";
 import type { Globe } from "../globe/Globe";
 import type { Spot } from "../plan/geometry";
+import { REACH_PX, reachOf } from "../plan/target";
+import { type GestureHands, Gestures } from "./Gestures";
 
 /** Something that is being dragged. */
 export interface Drag {
@@ -13,7 +15,8 @@ export interface Drag {
 /** Something under the pointer that can be clicked or dragged. */
 export interface Grip {
   readonly cursor: string;
-  readonly click: () => void;
+  /** `isMore`: with Shift, Ctrl or Command, which adds to what is selected. */
+  readonly click: (isMore: boolean) => void;
   /** Starts a drag at the pointer; null if it cannot be dragged. */
   readonly drag: ((from: Spot, isShift: boolean) => Drag | null) | null;
 }
@@ -23,7 +26,7 @@ export interface GroundPlace extends Position {
   readonly height_m: number | null;
 }
 
-type Finder = (at: Spot) => Grip | null;
+type Finder = (at: Spot, reach_px: number) => Grip | null;
 
 /** Movement up to this many pixels is a click, not a drag. */
 const CLICK_PX = 4;
@@ -48,6 +51,8 @@ export class MapPointer {
   readonly #canvas: HTMLCanvasElement;
   readonly #finders: Finder[] = [];
   readonly #hovers = new Set<(place: GroundPlace | null) => void>();
+  readonly #gestures = new Set<GestureHands>();
+  readonly #cursors = new Set<() => string>();
   #grip: Grip | null = null;
   #drag: Drag | null = null;
   #down: Spot | null = null;
@@ -58,6 +63,15 @@ export class MapPointer {
     this.#canvas = globe.scene.canvas;
     // Captured at the canvas itself, before the camera's listeners.
     const options = { capture: true };
+    new Gestures(this.#canvas, {
+      // What can be taken hold of is clicked as such.
+      tap: (at) => this.#find(at) === null && this.#gesture((hands) => hands.tap(at)),
+      double: (at) => this.#find(at) === null && this.#gesture((hands) => hands.double(at)),
+      menu: (at, isFinger) => {
+        this.#end((drag) => drag.cancel());
+        this.#gesture((hands) => hands.menu(at, isFinger));
+      },
+    });
     this.#canvas.addEventListener("pointerdown", this.#press, options);
     this.#canvas.addEventListener("pointermove", this.#move, options);
     this.#canvas.addEventListener("pointerup", this.#lift, options);
@@ -75,6 +89,18 @@ export class MapPointer {
         this.#finders.splice(at, 1);
       }
     };
+  }
+
+  /** Report taps on the ground, double taps, and what asks for a menu. */
+  onGesture(hands: GestureHands): () => void {
+    this.#gestures.add(hands);
+    return () => this.#gestures.delete(hands);
+  }
+
+  /** The pointer's look over bare ground; "": the usual one. */
+  onCursor(cursor: () => string): () => void {
+    this.#cursors.add(cursor);
+    return () => this.#cursors.delete(cursor);
   }
 
   /** Report the point under the pointer; null when it leaves the ground. */
@@ -102,9 +128,19 @@ export class MapPointer {
         };
   }
 
-  #find(at: Spot): Grip | null {
+  #groundCursor(): string {
+    return [...this.#cursors].map((cursor) => cursor()).find((cursor) => cursor !== "") ?? "";
+  }
+
+  #gesture(tell: (hands: GestureHands) => void): void {
+    for (const hands of this.#gestures) {
+      tell(hands);
+    }
+  }
+
+  #find(at: Spot, reach_px: number = REACH_PX.mouse): Grip | null {
     for (const finder of this.#finders) {
-      const grip = finder(at);
+      const grip = finder(at, reach_px);
       if (grip !== null) {
         return grip;
       }
@@ -124,7 +160,7 @@ export class MapPointer {
     }
     const at = spotOf(event);
     this.#down = at;
-    this.#grip = this.#find(at);
+    this.#grip = this.#find(at, reachOf(event.pointerType));
     if (this.#grip !== null) {
       event.stopImmediatePropagation();
       event.preventDefault();
@@ -144,7 +180,7 @@ export class MapPointer {
     }
     if (event.buttons === 0 && event.timeStamp - this.#hovered_ms >= HOVER_MS) {
       this.#hovered_ms = event.timeStamp;
-      this.#canvas.style.cursor = this.#find(at)?.cursor ?? "";
+      this.#canvas.style.cursor = this.#find(at)?.cursor ?? this.#groundCursor();
       if (this.#hovers.size > 0) {
         this.#tell(this.placeAt(at));
       }
@@ -160,7 +196,7 @@ export class MapPointer {
     const isPress = this.#drag === null && this.#down !== null && away(spotOf(event), this.#down) <= CLICK_PX;
     this.#end((drag) => drag.drop());
     if (isPress) {
-      grip.click();
+      grip.click(event.shiftKey || event.ctrlKey || event.metaKey);
     }
   };
 

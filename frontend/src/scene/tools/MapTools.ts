@@ -7,6 +7,7 @@ import {
   Matrix4,
 } from "@cesium/engine";
 import type { Position } from "../../lib/geodesy";
+import { AREA } from "../colours";
 import type { Globe } from "../globe/Globe";
 import { DistanceLine, type MeasuredPlace } from "./DistanceLine";
 import { type GroundPlace, type MapPointer, pointerOf } from "./MapPointer";
@@ -36,6 +37,7 @@ export class MapTools {
   readonly #globe: Globe;
   readonly #pointer: MapPointer;
   readonly #line: DistanceLine;
+  readonly #area: DistanceLine;
   readonly #ends: readonly (() => void)[];
   #onScale: ((scale: MapScale) => void) | null = null;
   #onMeasure: ((place: GroundPlace) => void) | null = null;
@@ -46,6 +48,7 @@ export class MapTools {
     this.#globe = globe;
     this.#pointer = pointerOf(globe);
     this.#line = new DistanceLine(globe);
+    this.#area = new DistanceLine(globe, AREA);
     this.#ends = [
       globe.onBeforePicture((now_ms) => this.#beforePicture(now_ms)),
       this.#pointer.addFinder((at) => {
@@ -75,6 +78,11 @@ export class MapTools {
     this.#line.show(places);
   }
 
+  /** The outline of an area; the caller closes it. */
+  showArea(places: readonly MeasuredPlace[]): void {
+    this.#area.show(places);
+  }
+
   /** The ground in the middle of the picture; null where there is sky. */
   centre(): GroundPlace | null {
     const { clientWidth, clientHeight } = this.#globe.scene.canvas;
@@ -92,19 +100,35 @@ export class MapTools {
     }
   }
 
+  /** Show this place in the middle, from as far and as steeply as what is there now; the camera must be free. */
+  centreOn(place: GroundPlace): void {
+    const { camera } = this.#globe.scene;
+    this.#lookFrom(place, camera.heading, this.#range_m(this.centre()));
+  }
+
   /** Turn about the middle of the picture until north is up. */
   northUp(): void {
     const { camera } = this.#globe.scene;
     const place = this.centre();
     if (place === null) {
       camera.setView({ orientation: { heading: 0, pitch: camera.pitch, roll: 0 } });
+      this.#globe.requestRender();
     } else {
-      const middle = Cartesian3.fromDegrees(place.longitude_deg, place.latitude_deg, place.height_m ?? 0);
-      const range = Cartesian3.distance(camera.positionWC, middle);
-      camera.lookAt(middle, new HeadingPitchRange(0, camera.pitch, range));
-      camera.lookAtTransform(Matrix4.IDENTITY);
+      this.#lookFrom(place, 0, this.#range_m(place));
     }
+  }
+
+  #lookFrom(place: GroundPlace, heading: number, range_m: number): void {
+    const { camera } = this.#globe.scene;
+    camera.lookAt(inSpace(place), new HeadingPitchRange(heading, camera.pitch, range_m));
+    camera.lookAtTransform(Matrix4.IDENTITY);
     this.#globe.requestRender();
+  }
+
+  #range_m(place: GroundPlace | null): number {
+    return place === null
+      ? NEAREST_M
+      : Cartesian3.distance(this.#globe.scene.camera.positionWC, inSpace(place));
   }
 
   dispose(): void {
@@ -112,6 +136,7 @@ export class MapTools {
       end();
     }
     this.#line.dispose();
+    this.#area.dispose();
   }
 
   #beforePicture(now_ms: number): void {
@@ -151,4 +176,8 @@ export class MapTools {
     const right = camera.pickEllipsoid(new Cartesian2(x + SPAN_PX / 2, y));
     return left === undefined || right === undefined ? null : Cartesian3.distance(left, right) / SPAN_PX;
   }
+}
+
+function inSpace({ longitude_deg, latitude_deg, height_m }: GroundPlace): Cartesian3 {
+  return Cartesian3.fromDegrees(longitude_deg, latitude_deg, height_m ?? 0);
 }

@@ -18,7 +18,10 @@ from epf_gcs.vehicle.parameters import as_values
 
 
 class KnownNotes:
-    """Each method is called when what it notes may have changed; what stayed the same is not noted again."""
+    """Each method is called when what it notes may have changed; what stayed the same is not noted again.
+
+    `aircraft` is what a person calls the aircraft, for no line names it; empty for no name.
+    """
 
     def __init__(
         self,
@@ -28,6 +31,7 @@ class KnownNotes:
         stick: Stick,
         supervisor: Supervisor,
         simulator: Simulator,
+        aircraft: str = "",
     ) -> None:
         self._notes = notes
         self._board = board
@@ -35,6 +39,7 @@ class KnownNotes:
         self._stick = stick
         self._supervisor = supervisor
         self._simulator = simulator
+        self._aircraft = aircraft
         self._plans: set[str] = set()
 
     def listen(self, outlet: NotedBroadcast, missions: Missions) -> None:
@@ -53,11 +58,16 @@ class KnownNotes:
             "station": __version__,
             "board": capabilities,
             "firmware": firmware,
-            "aircraft": None,  # no line names it, and nobody tells the station
+            "aircraft": self._aircraft or None,
             "operator": None if holder is None else holder.name,
             "emulated": self._board.is_emulated,
         }
         self._notes.know(IDENTITY, identity)
+
+    def name_aircraft(self, name: str) -> None:
+        """From now on the aircraft is called this; empty for no name."""
+        self._aircraft = name
+        self.identity()
 
     def parameters(self) -> None:
         """The gains, as a viewer is told them."""

@@ -10,6 +10,7 @@ from epf_gcs.bus.definition import Asker
 from epf_gcs.errors import ConflictError
 from epf_gcs.flight.memory import Memory
 from epf_gcs.flight.recording.flight_notes import FlightNotes
+from epf_gcs.flight.recording.known_notes import KnownNotes
 from epf_gcs.flight.recording.recorder import DiskPolicy, Recorder
 from epf_gcs.flight.requests.client_names import Table
 from epf_gcs.vehicle.outside import Outlet
@@ -24,10 +25,13 @@ def policy_of(remembered: Mapping[str, Any]) -> DiskPolicy:
     return DiskPolicy(remembered.get("delete_oldest") is True, keep)
 
 
-def recording_requests(recorder: Recorder | None, notes: FlightNotes, memory: Memory, outlet: Outlet) -> Table:
+def recording_requests(
+    recorder: Recorder | None, notes: FlightNotes, known: KnownNotes, memory: Memory, outlet: Outlet
+) -> Table:
     """recording.mark {text, by, ago_s}: puts a mark into the recording and answers it: {id, text, by, t_s}.
 
     recording.policy {delete_oldest, keep_free_bytes}: changes what is given, keeps it, and answers the whole policy.
+    recording.aircraft {name}: notes what the aircraft is called from now on if a name is given, and answers {name}.
     """
 
     if recorder is not None:
@@ -51,4 +55,11 @@ def recording_requests(recorder: Recorder | None, notes: FlightNotes, memory: Me
             recorder.policy = policy
         return asdict(policy)
 
-    return {"recording.mark": mark, "recording.policy": choose_policy}
+    async def name_aircraft(_: Asker, arguments: dict[str, Any]) -> dict[str, Any]:
+        name = arguments.get("name")
+        if isinstance(name, str):
+            memory.update(aircraft=name)
+            known.name_aircraft(name)
+        return {"name": memory.now.aircraft}
+
+    return {"recording.mark": mark, "recording.policy": choose_policy, "recording.aircraft": name_aircraft}

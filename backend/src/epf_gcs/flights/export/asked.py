@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import argparse
-import shutil
-from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Final, get_args
 
-from epf_gcs.errors import ConflictError, InvalidInputError, NotFoundError
+from epf_gcs.errors import InvalidInputError, NotFoundError
+from epf_gcs.flights.room import FreeBytes, check_room, free_bytes_of
 from epf_gcs.flights.worker import Say
 from epf_gcs.formats.kml_words import Language
 from epf_gcs.recordings.export_names import ExportFormat, check_export, file_name
@@ -60,7 +59,7 @@ class Progress:
         say: Say,
         folder: Path,
         name: str,
-        free_bytes: Callable[[Path], int] = lambda path: shutil.disk_usage(path).free,
+        free_bytes: FreeBytes = free_bytes_of,
     ) -> None:
         self._say = say
         self._folder = folder
@@ -73,16 +72,7 @@ class Progress:
         if share - self._said < _STEP and share < 1.0:
             return
         self._said = share
-        free_bytes = self._free_bytes(self._folder)
-        if free_bytes < RESERVE_BYTES:
-            raise ConflictError(
-                "flight_disk_full",
-                f"'{self._name}' does not fit: {free_bytes // 1_000_000} MB are free, and "
-                f"{RESERVE_BYTES // 1_000_000} MB of them are kept for flights. Free the disk.",
-                name=self._name,
-                free_mb=free_bytes // 1_000_000,
-                reserve_mb=RESERVE_BYTES // 1_000_000,
-            )
+        check_room(self._folder, self._name, RESERVE_BYTES, self._free_bytes)
         self._say(share, doing)
 
 

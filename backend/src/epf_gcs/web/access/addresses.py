@@ -6,6 +6,7 @@ import io
 import ipaddress
 import socket
 from collections.abc import Iterable
+from functools import lru_cache
 from typing import Final
 from urllib.parse import urlencode
 
@@ -16,15 +17,17 @@ from epf_gcs.web.tls.identity import addresses_here
 _ANY: Final = frozenset(("0.0.0.0", "::"))  # noqa: S104 - compared, not listened on
 
 
-def addresses(host: str, port: int, *, secure: bool) -> list[str]:
-    """Base URLs, those that most likely work first; `host` is what the station listens on.
+def addresses(host: str, port: int, *, secure: bool, reached_at: str | None = None) -> list[str]:
+    """Base URLs, those that most likely work first; `host` is what the station listens on, `reached_at` what its user
+    said.
 
     Empty where it listens on the loopback alone.
     """
     hosts = [host] if host not in _ANY else [*_own_addresses(with_ipv6=host == "::"), *own_names()[-1:]]
     scheme = "https" if secure else "http"
     reached = [_in_url(one) for one in hosts if not _is_loopback(one)]
-    return [f"{scheme}://{one}:{port}" for one in reached]
+    own = [f"{scheme}://{one}:{port}" for one in reached]
+    return list(dict.fromkeys([*([] if reached_at is None else [reached_at]), *own]))
 
 
 def with_key(address: str, key: str, tab: str | None) -> str:
@@ -39,6 +42,10 @@ def qr_svg(text: str) -> str:
         out, kind="svg", border=4, xmldecl=False, omitsize=True, dark="#000", light="#fff"
     )
     return out.getvalue().decode()
+
+
+# Not for addresses with a key, which is kept nowhere.
+qr_svg_of_plain: Final = lru_cache(maxsize=64)(qr_svg)
 
 
 def own_names() -> list[str]:

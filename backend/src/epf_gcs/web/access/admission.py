@@ -9,7 +9,6 @@ import asyncio
 import base64
 import binascii
 import contextlib
-import sqlite3
 import time
 from collections.abc import AsyncIterator, Callable
 from dataclasses import dataclass
@@ -18,10 +17,11 @@ from pathlib import Path
 from typing import Final
 
 from epf_gcs.clock import Clock
-from epf_gcs.errors import GatewayError, NotAdmittedError
+from epf_gcs.errors import GatewayError, NotAdmittedError, NotKeptError
 from epf_gcs.web.access.caller import LOCAL, LOCAL_SESSION, Caller, Shown, is_in_container, is_loopback
 from epf_gcs.web.access.invitations import Invitations
 from epf_gcs.web.access.log import DeedLog
+from epf_gcs.web.access.moment import Moment
 from epf_gcs.web.access.programs import Programs
 from epf_gcs.web.access.proving import Proving
 from epf_gcs.web.access.roles import Role
@@ -42,6 +42,7 @@ class Policy:
     anyone_may_fly: bool
     host: str
     launcher_key: str | None = None
+    reached_at: str | None = None
 
     @classmethod
     def of(cls, settings: Settings) -> Policy:
@@ -50,7 +51,13 @@ class Policy:
         if trusts is None:
             trusts = is_this_computers(settings.host) or not is_in_container()
         key = settings.launcher_key
-        return cls(trusts, settings.allow_anyone_to_fly, settings.host, None if key is None else key.get_secret_value())
+        return cls(
+            trusts,
+            settings.allow_anyone_to_fly,
+            settings.host,
+            None if key is None else key.get_secret_value(),
+            settings.reached_at,
+        )
 
     @property
     def is_reached_by_others(self) -> bool:
@@ -115,12 +122,12 @@ class Admission:
             self.store.close()
 
     def _open_store(self) -> AccessStore:
-        """On a disk that takes nothing the station starts all the same: this computer still flies."""
+        """On a disk that takes nothing the station starts all the same, and who was in is: they may be flying."""
         try:
             return AccessStore(self._data_dir)
-        except (sqlite3.Error, OSError) as error:
-            self._report(_not_written(error))
-            return AccessStore(None)
+        except NotKeptError as error:
+            self._report(error)
+            return AccessStore.copied(self._data_dir)
 
     def resolve(self, shown: Shown) -> Caller | None:
         """Who this is; None for a stranger, and for a program whose key `prove` has not seen yet."""
@@ -186,7 +193,7 @@ class Admission:
         Raises NotAdmittedError if the key is wrong, TooManyError, ConflictError.
         """
         address = shown.peer.host
-        role = await self.invitations.use(key, address, self.clock.now_s())
+        role = await self.invitations.use(key, address, self.moment())
         if role is None:
             self.log.note(None, address, "entered", "", "wrong key")
             raise NotAdmittedError(
@@ -196,7 +203,7 @@ class Admission:
         before = self.find(shown)
         entered = self.sessions.come_in(name, place, "in", role, address, self.clock.now_s())
         _, person, session = entered
-        await self.write(partial(self.store.put, person, session))
+        await self._write_new(person, session)
         if before is not None:
             await self.forget(before[1].id)
         self.log.note(self.sessions.current(session.id), address, "entered", role.name, "done")
@@ -211,7 +218,7 @@ class Admission:
         if before is not None:
             await self.forget(before[1].id)
         entered = self.sessions.come_in(name, place, "waiting", Role.viewer, address, self.clock.now_s())
-        await self.write(partial(self.store.put, entered[1], entered[2]))
+        await self._write_new(entered[1], entered[2])
         self.log.note(None, address, "asked", f"{name} · {place}" if place else name, "waiting")
         return entered
 
@@ -233,12 +240,31 @@ class Admission:
         await self.write(partial(self.store.remove, Program, program_id))
         return program
 
-    async def write(self, work: Callable[[], object]) -> None:
-        """Change the store. Raises GatewayError where the disk does not take it."""
+    async def make_program(self, name: str, role: Role) -> tuple[str, Program]:
+        """A new program and its key, which is kept nowhere. Raises ConflictError, NotKeptError."""
+        key, program = await self.programs.make(name, role, self.clock.now_s())
         try:
-            await self.proving.run(work)
-        except (sqlite3.Error, OSError) as error:
-            raise _not_written(error) from error
+            await self.write(partial(self.store.put, program))
+        except NotKeptError:
+            self.programs.end(program.id)
+            raise
+        return key, program
+
+    def moment(self) -> Moment:
+        """Now, by the station's clock."""
+        return Moment.now(self.clock.now_s())
+
+    async def write(self, work: Callable[[], object]) -> None:
+        """Change the store. Raises NotKeptError where the disk does not take it."""
+        await self.proving.run(work)
+
+    async def _write_new(self, person: Person, session: Session) -> None:
+        """Somebody whom the disk does not take has not come in."""
+        try:
+            await self.write(partial(self.store.put, person, session))
+        except NotKeptError:
+            self.sessions.remove(person.id)
+            raise
 
     def _tell_ended(self, ids: frozenset[str]) -> None:
         self.on_ended(ids)
@@ -255,7 +281,7 @@ class Admission:
 
     def _write_all(self, gone: list[str], sessions: dict[str, float], programs: dict[str, float]) -> None:
         """Where the disk does not take it, nothing but the list of who was here when suffers."""
-        with contextlib.suppress(sqlite3.Error, OSError):
+        with contextlib.suppress(NotKeptError):
             for person_id in gone:
                 self.store.remove(Person, person_id)
             if sessions:
@@ -266,14 +292,6 @@ class Admission:
 
 def _nobody_listens(_ids: frozenset[str]) -> None:
     """Until the stream's endpoint does."""
-
-
-def _not_written(error: Exception) -> GatewayError:
-    return GatewayError(
-        "access_not_written",
-        f"Who may come in could not be kept ({error}): free the disk or correct the permissions of the data folder.",
-        why=str(error),
-    )
 
 
 def bearer_key(authorization: str) -> str | None:

@@ -41,7 +41,7 @@ class Guessing:
 
         A try counts as failed until `succeeded`: many at the same moment are no way round the delay.
         """
-        key = _group(address)
+        key = group_of(address)
         failures = self._of.get(key)
         if failures is not None and failures.until_s > now_s:
             return failures.until_s - now_s
@@ -60,15 +60,17 @@ class Guessing:
 
     def succeeded(self, address: str) -> None:
         """A right key came from this address."""
-        self._of.pop(_group(address), None)
+        self._of.pop(group_of(address), None)
 
 
-def _group(address: str) -> str:
-    """An IPv6 host has a whole network of addresses: they count as one."""
+def group_of(address: str) -> str:
+    """What counts as one host: an IPv6 host has a whole network of addresses."""
     try:
         number = ipaddress.ip_address(address.partition("%")[0])
     except ValueError:
         return address
     if number.version == 4:
         return address
+    if number.ipv4_mapped is not None:
+        return str(number.ipv4_mapped)
     return str(ipaddress.ip_network((number, _IPV6_NETWORK_BITS), strict=False))

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import asyncio
 from functools import partial
-from typing import Annotated, Final
+from typing import Annotated, Final, Literal
 
 from fastapi import APIRouter, Path, Query, Request, Response, status
 
 from epf_gcs.errors import ConflictError, InvalidInputError
-from epf_gcs.web.access.addresses import addresses, qr_svg, with_key
+from epf_gcs.web.access.addresses import addresses, qr_svg, qr_svg_of_plain, with_key
 from epf_gcs.web.access.admission import ANYONE, Admission
 from epf_gcs.web.access.caller import Caller, Shown
 from epf_gcs.web.access.roles import Role, name_of
@@ -32,8 +33,10 @@ from epf_gcs.web.access.schemas import (
     ProgramState,
     SessionList,
     SessionState,
+    Tab,
 )
 from epf_gcs.web.access.store import Invitation, Person, Program, Session
+from epf_gcs.web.access.table import API
 from epf_gcs.web.deps import AdmissionDep, CallerDep, ShownDep
 from epf_gcs.web.problems import problems, reading_problems
 
@@ -41,6 +44,7 @@ router = APIRouter(prefix="/access", tags=["access"])
 
 Id = Annotated[str, Path(pattern="^[0-9a-f]{8,16}$", examples=["0123456789abcdef"])]
 _MOST_DEEDS: Final = 500
+SVG: Final = "image/svg+xml"
 
 
 @router.get("/me", responses=reading_problems())
@@ -49,7 +53,7 @@ async def get_me(caller: CallerDep, shown: ShownDep, admission: AdmissionDep) ->
     return _me(admission, caller, shown)
 
 
-@router.post("/enter", responses=problems(409))
+@router.post("/enter", responses=problems(409, 507))
 async def post_enter(body: EnterInput, response: Response, shown: ShownDep, admission: AdmissionDep) -> Me:
     """Come in with a one-time key. The answer sets the cookie of a new session; one from before ends."""
     cookie, _, session = await admission.enter(body.key, body.name, body.place, shown)
@@ -57,7 +61,7 @@ async def post_enter(body: EnterInput, response: Response, shown: ShownDep, admi
     return _me_of(admission, admission.current(session.id))
 
 
-@router.post("/ask", responses=problems(409))
+@router.post("/ask", responses=problems(409, 507))
 async def post_ask(body: AskInput, response: Response, shown: ShownDep, admission: AdmissionDep) -> Me:
     """Wait to be let in by an owner. The answer sets a cookie that is worth something once an owner agrees."""
     cookie, _, _ = await admission.ask(body.name, body.place, shown)
@@ -65,7 +69,7 @@ async def post_ask(body: AskInput, response: Response, shown: ShownDep, admissio
     return Me(state="waiting", kind=None, role=None, name=body.name, anyone_may_fly=admission.policy.anyone_may_fly)
 
 
-@router.post("/leave", responses=problems())
+@router.post("/leave", responses=problems(507))
 async def post_leave(response: Response, caller: CallerDep, shown: ShownDep, admission: AdmissionDep) -> Me:
     """End one's own session, or stop waiting."""
     found = admission.find(shown)
@@ -83,7 +87,7 @@ async def get_people(caller: CallerDep, admission: AdmissionDep) -> People:
     return People(people=[_person(admission, caller, person) for person in people])
 
 
-@router.patch("/people/{person_id}", responses=problems(404, 409))
+@router.patch("/people/{person_id}", responses=problems(404, 409, 507))
 async def patch_person(
     person_id: Id, body: PersonInput, caller: CallerDep, shown: ShownDep, admission: AdmissionDep
 ) -> PersonState:
@@ -99,7 +103,7 @@ async def patch_person(
     return _person(admission, caller, person)
 
 
-@router.delete("/people/{person_id}", status_code=status.HTTP_204_NO_CONTENT, responses=problems(404, 409))
+@router.delete("/people/{person_id}", status_code=status.HTTP_204_NO_CONTENT, responses=problems(404, 409, 507))
 async def delete_person(person_id: Id, caller: CallerDep, shown: ShownDep, admission: AdmissionDep) -> None:
     """Forget somebody; all sessions end."""
     _keep_an_owner(admission, person_id, stays=False)
@@ -114,7 +118,7 @@ async def get_sessions(caller: CallerDep, admission: AdmissionDep) -> SessionLis
     return SessionList(sessions=[_session(admission, caller, session) for session in admission.sessions.all()])
 
 
-@router.delete("/sessions/{session_id}", status_code=status.HTTP_204_NO_CONTENT, responses=problems(404))
+@router.delete("/sessions/{session_id}", status_code=status.HTTP_204_NO_CONTENT, responses=problems(404, 507))
 async def delete_session(session_id: Id, caller: CallerDep, shown: ShownDep, admission: AdmissionDep) -> None:
     """End the session of one browser."""
     session = await admission.end_session(session_id)
@@ -128,30 +132,29 @@ async def get_programs(admission: AdmissionDep) -> ProgramList:
     return ProgramList(programs=[_program(program, seen_s) for program, seen_s in admission.programs.all()])
 
 
-@router.post("/programs", status_code=status.HTTP_201_CREATED, responses=problems(409))
+@router.post("/programs", status_code=status.HTTP_201_CREATED, responses=problems(409, 507))
 async def post_program(body: ProgramInput, caller: CallerDep, shown: ShownDep, admission: AdmissionDep) -> NewProgram:
     """Make a key for a program. It is shown this once."""
-    key, program = await admission.programs.make(body.name, Role[body.role], admission.clock.now_s())
-    await admission.write(partial(admission.store.put, program))
+    key, program = await admission.make_program(body.name, Role[body.role])
     admission.log.note(caller, shown.peer.host, "program_made", f"{body.name}: {body.role}", "done")
     return NewProgram(program=_program(program, 0.0), key=key)
 
 
-@router.delete("/programs/{program_id}", status_code=status.HTTP_204_NO_CONTENT, responses=problems(404))
+@router.delete("/programs/{program_id}", status_code=status.HTTP_204_NO_CONTENT, responses=problems(404, 507))
 async def delete_program(program_id: Id, caller: CallerDep, shown: ShownDep, admission: AdmissionDep) -> None:
     """End a program's key."""
     program = await admission.end_program(program_id)
     admission.log.note(caller, shown.peer.host, "program_ended", program.name, "done")
 
 
-@router.get("/invitations", responses=reading_problems())
+@router.get("/invitations", responses=reading_problems(507))
 async def get_invitations(admission: AdmissionDep) -> InvitationList:
     """The one-time keys that can still be used."""
-    found = await admission.invitations.all(admission.clock.now_s())
-    return InvitationList(invitations=[_invitation(invitation) for invitation in found])
+    found = await admission.invitations.all(admission.moment())
+    return InvitationList(invitations=[_invitation(admission, invitation) for invitation in found])
 
 
-@router.post("/invitations", status_code=status.HTTP_201_CREATED, responses=problems())
+@router.post("/invitations", status_code=status.HTTP_201_CREATED, responses=problems(409, 507))
 async def post_invitation(
     body: InvitationInput, request: Request, caller: CallerDep, shown: ShownDep, admission: AdmissionDep
 ) -> NewInvitation:
@@ -162,13 +165,14 @@ async def post_invitation(
             "invalid_request", "'address' is none of this station's: see GET /access/addresses.", field="address"
         )
     base = body.address or (known[0] if known else str(request.base_url).rstrip("/"))
-    key, made = await admission.invitations.make(Role[body.role], body.minutes, admission.clock.now_s())
+    key, made = await admission.invitations.make(Role[body.role], body.minutes, admission.moment())
     admission.log.note(caller, shown.peer.host, "invited", f"{body.role}, {body.minutes} min", "done")
     address = with_key(base, key, body.tab)
-    return NewInvitation(invitation=_invitation(made), key=key, address=address, qr_svg=qr_svg(address))
+    code = await asyncio.to_thread(qr_svg, address)
+    return NewInvitation(invitation=_invitation(admission, made), key=key, address=address, qr_svg=code)
 
 
-@router.delete("/invitations/{invitation_id}", status_code=status.HTTP_204_NO_CONTENT, responses=problems(404))
+@router.delete("/invitations/{invitation_id}", status_code=status.HTTP_204_NO_CONTENT, responses=problems(404, 507))
 async def delete_invitation(invitation_id: Id, caller: CallerDep, shown: ShownDep, admission: AdmissionDep) -> None:
     """End a one-time key before it is used."""
     await admission.invitations.end(invitation_id)
@@ -179,6 +183,27 @@ async def delete_invitation(invitation_id: Id, caller: CallerDep, shown: ShownDe
 async def get_addresses(admission: AdmissionDep) -> Addresses:
     """Where browsers of other machines reach this station."""
     return Addresses(addresses=_addresses(admission), tls=admission.is_secure)
+
+
+@router.get(
+    "/code",
+    responses={200: {"content": {SVG: {"schema": {"type": "string"}}}}, **reading_problems()},
+    response_class=Response,
+)
+async def get_code(
+    request: Request,
+    admission: AdmissionDep,
+    address: Annotated[str, Query(max_length=200, description="Of `GET /access/addresses`, or the one asked at.")],
+    to: Annotated[Literal["page", "authority"], Query(description="What it leads to.")] = "page",
+    tab: Annotated[Tab | None, Query(description="The tab that is opened.")] = None,
+) -> Response:
+    """A QR code of an address of this station, without a key in it (SVG)."""
+    if address not in (*_addresses(admission), str(request.base_url).rstrip("/")):
+        raise InvalidInputError(
+            "invalid_request", "'address' is none of this station's: see GET /access/addresses.", field="address"
+        )
+    text = f"{address}{API}/access/authority" if to == "authority" else f"{address}/" + (f"#tab={tab}" if tab else "")
+    return Response(await asyncio.to_thread(qr_svg_of_plain, text), media_type=SVG)
 
 
 @router.get("/log", responses=reading_problems())
@@ -223,7 +248,8 @@ def _keep_an_owner(admission: Admission, person_id: str, *, stays: bool) -> None
 
 
 def _addresses(admission: Admission) -> list[str]:
-    return addresses(admission.policy.host, admission.port, secure=admission.is_secure)
+    policy = admission.policy
+    return addresses(policy.host, admission.port, secure=admission.is_secure, reached_at=policy.reached_at)
 
 
 def _person(admission: Admission, caller: Caller | None, person: Person) -> PersonState:
@@ -265,10 +291,13 @@ def _program(program: Program, seen_s: float) -> ProgramState:
     )
 
 
-def _invitation(invitation: Invitation) -> InvitationState:
+def _invitation(admission: Admission, invitation: Invitation) -> InvitationState:
+    """By the station's clock, also where the system's time was set since another program made it."""
+    now = admission.moment()
+    until_s = now.unix_s + invitation.left_s(now)
     return InvitationState(
         id=invitation.id,
         role=name_of(invitation.role),
-        since_s=invitation.made_s,
-        until_s=invitation.until_s,
+        since_s=until_s - (invitation.until_s - invitation.made_s),
+        until_s=until_s,
     )

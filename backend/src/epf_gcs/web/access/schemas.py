@@ -10,11 +10,14 @@ from epf_gcs.web.access.keys import MAX_KEY
 from epf_gcs.web.access.roles import RoleName
 from epf_gcs.web.schemas import Input, Output
 
-# What is shown to others: printable, and short enough for a button.
-Name = Annotated[
-    str, StringConstraints(strip_whitespace=True, min_length=1, max_length=40, pattern=r"^[^\x00-\x1f\x7f]*$")
-]
-Place = Annotated[str, StringConstraints(strip_whitespace=True, max_length=40, pattern=r"^[^\x00-\x1f\x7f]*$")]
+# What is shown to others, short enough for a button: no controls, nothing that nobody sees or that turns the direction
+# of what stands beside it (of two people who look the same one could ask for the other's control), no half characters.
+_SEEN = (
+    r"^[^\x00-\x1f\x7f-\x9f\u00ad\u034f\u061c\u115f\u1160\u17b4\u17b5\u180e\u200b\u200c\u200e\u200f"
+    r"\u2028-\u202e\u2060-\u206f\u3164\ufeff\uffa0\ufff0-\uffff]*$"
+)
+Name = Annotated[str, StringConstraints(strip_whitespace=True, min_length=1, max_length=40, pattern=_SEEN)]
+Place = Annotated[str, StringConstraints(strip_whitespace=True, max_length=40, pattern=_SEEN)]
 Tab = Annotated[str, StringConstraints(pattern=r"^[a-z0-9-]{1,20}$")]
 
 

@@ -10,16 +10,21 @@ import contextlib
 import os
 import sqlite3
 import threading
-import time
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import astuple, dataclass, fields
+from functools import partial
 from pathlib import Path
 from typing import Final, Literal, TypeVar
 
 import structlog
 
+from epf_gcs.disk import set_aside
+from epf_gcs.errors import NotKeptError
+from epf_gcs.web.access.moment import Moment
+from epf_gcs.web.access.roles import Role
+
 FILE: Final = "access.sqlite"
-_VERSION: Final = 1
+_VERSION: Final = 2
 _PATIENCE_S: Final = 5.0
 _TABLES: Final = """
 CREATE TABLE people (id TEXT PRIMARY KEY, name TEXT, place TEXT, role INTEGER, state TEXT, made_s REAL, seen_s REAL,
@@ -28,8 +33,13 @@ CREATE TABLE sessions (id TEXT PRIMARY KEY, person TEXT, digest TEXT UNIQUE, mad
   WITHOUT ROWID;
 CREATE TABLE programs (id TEXT PRIMARY KEY, name TEXT, role INTEGER, hash TEXT, made_s REAL, seen_s REAL)
   WITHOUT ROWID;
-CREATE TABLE invitations (id TEXT PRIMARY KEY, lookup TEXT UNIQUE, role INTEGER, hash TEXT, made_s REAL, until_s REAL)
-  WITHOUT ROWID;
+CREATE TABLE invitations (id TEXT PRIMARY KEY, lookup TEXT UNIQUE, role INTEGER, hash TEXT, made_s REAL, until_s REAL,
+  boot TEXT, until_steady_s REAL) WITHOUT ROWID;
+"""
+# Made before 2: by the system's time alone.
+_FROM_1: Final = """
+ALTER TABLE invitations ADD COLUMN boot TEXT DEFAULT '';
+ALTER TABLE invitations ADD COLUMN until_steady_s REAL DEFAULT 0;
 """
 
 PersonState = Literal["waiting", "in", "ended"]
@@ -77,7 +87,8 @@ class Program:
 
 @dataclass(frozen=True, slots=True)
 class Invitation:
-    """A one-time key. `lookup` is its first group, by which it is found."""
+    """A one-time key. `lookup` is its first group, by which it is found. `boot` and `until_steady_s` are told in
+    `Moment`."""
 
     id: str
     lookup: str
@@ -85,6 +96,12 @@ class Invitation:
     hash: str
     made_s: float
     until_s: float
+    boot: str
+    until_steady_s: float
+
+    def left_s(self, now: Moment) -> float:
+        """Seconds until it ends; 0 or less once it has."""
+        return Moment(self.until_s, self.until_steady_s, self.boot).left_s(now)
 
 
 Row = TypeVar("Row", Person, Session, Program, Invitation)
@@ -98,25 +115,27 @@ _NAMES: Final[dict[type, str]] = {
 
 
 class AccessStore:
-    """The open file. Methods raise sqlite3.Error where it cannot be read or written."""
+    """The open file. Methods raise NotKeptError where it cannot be read or written."""
 
     def __init__(self, data_dir: Path | None) -> None:
-        """Opens the file, makes it if there is none, and sets one aside that cannot be read. None: in memory."""
+        """Opens the file, makes it if there is none, and sets one aside that cannot be read. None: in memory.
+
+        Raises NotKeptError."""
         self._lock = threading.Lock()
-        if data_dir is None:
-            self._db = _tables(sqlite3.connect(":memory:", isolation_level=None, check_same_thread=False))
-            return
-        path = data_dir / FILE
-        data_dir.mkdir(parents=True, exist_ok=True)
-        try:
-            self._db = _open(path)
-        except sqlite3.DatabaseError as error:
-            if isinstance(error, sqlite3.OperationalError):
-                raise
-            aside = path.with_name(f"{path.name}.damaged-{time.time_ns() // 1_000_000_000}")
-            path.replace(aside)
-            log.exception("the list of people cannot be read: nobody has a key until invited again", kept_as=str(aside))
-            self._db = _open(path)
+        with _kept():
+            self._db = _in_memory() if data_dir is None else _opened(data_dir)
+
+    @classmethod
+    def copied(cls, data_dir: Path) -> AccessStore:
+        """What stands in a file that cannot be written, in memory: who is in stays in, and nothing new is kept."""
+        store = cls(None)
+        # Immutable: SQLite would else want a lock or a journal beside it.
+        address = f"{(data_dir / FILE).resolve().as_uri()}?mode=ro&immutable=1"
+        with contextlib.suppress(sqlite3.Error), contextlib.closing(sqlite3.connect(address, uri=True)) as kept:
+            copy = sqlite3.connect(":memory:", isolation_level=None, check_same_thread=False)
+            kept.backup(copy)
+            store._db = _tables(copy)
+        return store
 
     def close(self) -> None:
         """Close the file."""
@@ -125,7 +144,7 @@ class AccessStore:
 
     def all(self, kind: type[Row]) -> list[Row]:
         """Every row of this kind, oldest first."""
-        with self._lock:
+        with self._lock, _kept():
             rows = self._db.execute(f"SELECT * FROM {_NAMES[kind]} ORDER BY made_s, id").fetchall()  # noqa: S608
         return [kind(*row) for row in rows]
 
@@ -149,18 +168,16 @@ class AccessStore:
         with self._change():
             self._db.execute("DELETE FROM sessions WHERE person = ?", (person_id,))
 
-    def invitation(self, lookup: str, now_s: float) -> Invitation | None:
-        """The invitation with this first group, if it has not ended."""
-        with self._lock:
-            row = self._db.execute(
-                "SELECT * FROM invitations WHERE lookup = ? AND until_s > ?", (lookup, now_s)
-            ).fetchone()
+    def invitation(self, lookup: str) -> Invitation | None:
+        """The invitation with this first group."""
+        with self._lock, _kept():
+            row = self._db.execute("SELECT * FROM invitations WHERE lookup = ?", (lookup,)).fetchone()
         return None if row is None else Invitation(*row)
 
-    def forget_invitations(self, now_s: float) -> None:
-        """Remove those that have ended."""
+    def forget(self, those: Iterable[Invitation]) -> None:
+        """Remove these invitations."""
         with self._change():
-            self._db.execute("DELETE FROM invitations WHERE until_s <= ?", (now_s,))
+            self._db.executemany("DELETE FROM invitations WHERE id = ?", [(one.id,) for one in those])
 
     def seen(self, kind: type[Person | Session | Program], times: dict[str, float]) -> None:
         """Write when these were last heard."""
@@ -172,9 +189,39 @@ class AccessStore:
 
     @contextlib.contextmanager
     def _change(self) -> Iterator[None]:
-        with self._lock, self._db:
+        with self._lock, _kept(), self._db:
             self._db.execute("BEGIN IMMEDIATE")
             yield
+
+
+@contextlib.contextmanager
+def _kept() -> Iterator[None]:
+    try:
+        yield
+    except (sqlite3.Error, OSError) as error:
+        raise NotKeptError(
+            "access_not_written",
+            f"Who may come in could not be kept ({error}): free the disk or correct the permissions of the data "
+            "folder.",
+            why=str(error),
+        ) from error
+
+
+def _in_memory() -> sqlite3.Connection:
+    return _tables(sqlite3.connect(":memory:", isolation_level=None, check_same_thread=False))
+
+
+def _opened(data_dir: Path) -> sqlite3.Connection:
+    path = data_dir / FILE
+    data_dir.mkdir(parents=True, exist_ok=True)
+    try:
+        return _open(path)
+    except sqlite3.DatabaseError as error:
+        if isinstance(error, sqlite3.OperationalError):
+            raise
+        aside = set_aside(path)
+        log.exception("the list of people cannot be read: nobody has a key until invited again", kept_as=str(aside))
+        return _open(path)
 
 
 def _open(path: Path) -> sqlite3.Connection:
@@ -185,16 +232,42 @@ def _open(path: Path) -> sqlite3.Connection:
 
 
 def _tables(db: sqlite3.Connection) -> sqlite3.Connection:
+    # A name with a damaged letter is no reason to shut out everybody.
+    db.text_factory = partial(str, encoding="utf-8", errors="replace")
     try:
         db.execute("PRAGMA synchronous = FULL")
         db.execute("PRAGMA secure_delete = ON")
         with db:
             db.execute("BEGIN IMMEDIATE")
-            if db.execute("PRAGMA user_version").fetchone()[0] != _VERSION:
-                for statement in filter(str.strip, _TABLES.split(";")):
-                    db.execute(statement)
-                db.execute(f"PRAGMA user_version = {_VERSION}")
+            version = _version(db)
+            script = "" if version == _VERSION else _FROM_1 if version else _TABLES
+            for statement in filter(str.strip, script.split(";")):
+                db.execute(statement)
+            db.execute(f"PRAGMA user_version = {_VERSION}")
+        _check(db)
     except BaseException:
         db.close()
         raise
     return db
+
+
+def _version(db: sqlite3.Connection) -> int:
+    return int(db.execute("PRAGMA user_version").fetchone()[0])
+
+
+def _check(db: sqlite3.Connection) -> None:
+    """A flipped bit must not keep the station from starting. Raises DatabaseError."""
+    sound = db.execute("PRAGMA integrity_check").fetchone()[0]
+    if sound != "ok":
+        raise sqlite3.DatabaseError(sound)
+    for kind, name in _NAMES.items():
+        columns = {
+            field.name: {"str": "text", "int": "integer", "float": "real", "PersonState": "text"}[str(field.type)]
+            for field in fields(kind)
+        }
+        wrong = " OR ".join(f"typeof({column}) != '{what}'" for column, what in columns.items())
+        roles = ",".join(str(int(role)) for role in Role)
+        wrong += f" OR role NOT IN ({roles})" if "role" in columns else ""
+        wrong += " OR state NOT IN ('waiting','in','ended')" if "state" in columns else ""
+        if db.execute(f"SELECT count(*) FROM {name} WHERE {wrong}").fetchone()[0]:  # noqa: S608
+            raise sqlite3.DatabaseError(f"a row of {name} is damaged")

@@ -9,13 +9,14 @@ from typing import Any, Self
 
 import orjson
 
-from epf_gcs.disk import replace_file
+from epf_gcs.disk import replace_file, set_aside
 
 
 @dataclass(slots=True)
 class About:
     """`marks` were set after the flight: {"id", "t_ns", "text", "by"}, those of the recording itself with the words
-    they were given later, or {"id", "hidden": true} where they were removed. `deleted_s`: when it went to the bin."""
+    they were given later, or {"id", "hidden": true} where they were removed. `deleted_s`: when it went to the bin.
+    `came_damaged`: what was wrong with the file that was imported, a sentence; empty if nothing was."""
 
     title: str = ""
     tags: list[str] = field(default_factory=list)
@@ -24,6 +25,7 @@ class About:
     imported: bool = False
     marks: list[dict[str, Any]] = field(default_factory=list)
     deleted_s: float | None = None
+    came_damaged: str = ""
 
     @property
     def is_empty(self) -> bool:
@@ -56,7 +58,7 @@ def _is_mark(mark: Any) -> bool:
 
 
 def read_about(path: Path) -> About:
-    """What is said of a flight; nothing where there is no file. One that cannot be read is kept aside as `.damaged`.
+    """What is said of a flight; nothing where there is no file. One that cannot be read is kept aside.
 
     Raises OSError.
     """
@@ -66,7 +68,7 @@ def read_about(path: Path) -> About:
         return About()
     except ValueError:
         with contextlib.suppress(FileNotFoundError):
-            path.replace(path.with_suffix(".json.damaged"))
+            set_aside(path)
         return About()
 
 

@@ -129,6 +129,6 @@ def _as_answered(fault: GatewayError) -> GatewayError:
     kind: type[GatewayError] = InvalidInputError
     if fault.code == "export_topic_unknown":
         kind = NotFoundError
-    elif fault.code in ("flight_disk_full", "flight_not_indexed", "job_failed"):
+    elif fault.code in ("flight_disk_full", "flight_not_indexed", "flight_not_written", "job_failed"):
         kind = ConflictError
     return kind(fault.code, fault.detail, **fault.params)

@@ -1,7 +1,4 @@
-"""The flights of this station: their library, the jobs that prepare them, the bin, and the room on the disk.
-
-Nothing here has to do with the flight process but the name of the file that it writes now, which is left alone.
-"""
+"""The flights of this station: their library, the jobs that prepare them, the bin, and the room on the disk."""
 
 from __future__ import annotations
 
@@ -17,8 +14,10 @@ import structlog
 
 from epf_gcs.clock import Clock
 from epf_gcs.errors import ConflictError, GatewayError, NotFoundError
+from epf_gcs.extras import FLIGHTS
 from epf_gcs.recordings.places import Places
 from epf_gcs.web.flights.about import About
+from epf_gcs.web.flights.aircraft import AircraftName
 from epf_gcs.web.flights.folder import Deleted, FlightFolder
 from epf_gcs.web.flights.jobs import Job, Jobs
 from epf_gcs.web.flights.library import Library, Row, Wanted
@@ -30,6 +29,14 @@ _ROOM_EVERY_S: Final = 60.0
 # Flights whose bytes and seconds give the rate by which the hours left are judged.
 _JUDGED_BY: Final = 5
 
+# Work that the disk refused is tried again after so long: it may have room by then.
+_AGAIN_S: Final = 600.0
+_REFUSED: Final = ("flight_disk_full", "flight_not_written")
+_WORTH_KEYS_NS: Final = 60_000_000_000
+_KEYS_RESERVE_BYTES: Final = 1_200_000_000
+# How long the file that a job made waits to be fetched.
+_RESULT_KEPT_S: Final = 3600.0
+
 T = TypeVar("T")
 log = structlog.get_logger("web")
 
@@ -38,7 +45,8 @@ class Flights:
     """Owned by the event loop; one thread of its own reads and writes the disk.
 
     `growing` gives the id of the flight that is being recorded, or None; `is_known` says whether that is certain:
-    without the flight process no recording is prepared, for one of them may still be written.
+    without the flight process no recording is prepared, for one of them may still be written. `looked_at` gives the
+    flights that are replayed now: none of them is deleted to make room.
     """
 
     def __init__(
@@ -47,16 +55,20 @@ class Flights:
         jobs: Jobs,
         clock: Clock,
         policy: PolicyChoice,
+        aircraft: AircraftName,
         growing: Callable[[], str | None],
         is_known: Callable[[], bool],
+        looked_at: Callable[[], set[str]],
         report: Callable[[GatewayError], None],
     ) -> None:
         self.places = places
         self.jobs = jobs
         self._clock = clock
         self._policy = policy
+        self.aircraft = aircraft
         self._growing = growing
         self._is_known = is_known
+        self._looked_at = looked_at
         self._report = report
         self._library = Library(places)
         self._folder = FlightFolder(places)
@@ -65,7 +77,10 @@ class Flights:
         self._awake = asyncio.Event()
         self._was: tuple[bool, str | None] = (False, None)
         self._left_alone: set[str] = set()
+        self._again_at_s: dict[str, float] = {}
         self._room_at_s = 0.0
+        # Until when it is believed, on the loop's clock, and the bytes that all flights take.
+        self._used = (0.0, 0)
         self._preparing: Job | None = None
 
     @property
@@ -160,6 +175,7 @@ class Flights:
         await self.get(flight)
         await self._stop_work_on(flight)
         self._left_alone.discard(flight)
+        self._again_at_s.pop(flight, None)
         await self._writing(self._folder.drop_made, flight)
         await self.in_thread(self._library.forget, flight)
         await self._refresh()
@@ -187,14 +203,22 @@ class Flights:
         self.wake()
 
     async def room(self) -> tuple[int | None, float | None]:
-        """Free bytes, and the hours of recording for which they last; None where that is not known."""
+        """Free bytes, and the hours of flight for which they last; None where that is not known."""
         free_bytes = await self.free_bytes()
         rows = await self.in_thread(self._library.newest, _JUDGED_BY)
-        recorded = sum(row.bytes for row in rows)
+        made = await self.in_thread(lambda: sum(self._folder.made_bytes(row.id) for row in rows))
+        recorded = made + sum(row.bytes for row in rows)
         duration_ns = sum(row.summary["ended_ns"] - row.summary["started_ns"] for row in rows if row.summary)
         if free_bytes is None or not recorded:
             return free_bytes, None
         return free_bytes, free_bytes / recorded * duration_ns / 3.6e12
+
+    async def used_bytes(self) -> int:
+        """What all flights take of the disk, as it was found lately."""
+        now_s = self._loop.time()
+        if now_s >= self._used[0]:
+            self._used = now_s + _ROOM_EVERY_S, await self.in_thread(self._folder.used_bytes)
+        return self._used[1]
 
     async def free_bytes(self) -> int | None:
         """Free space on the disk of the recordings; None if it cannot be measured."""
@@ -239,20 +263,39 @@ class Flights:
             await self._prepare_one(waiting[0].id)
 
     def _must_prepare(self, row: Row) -> bool:
-        return row.fault is None and row.id != self.growing and row.id not in self._left_alone
+        is_wrong = row.fault is not None and not (row.fault["code"] == "extra_missing" and FLIGHTS.is_here)
+        is_due = self._loop.time() >= self._again_at_s.get(row.id, 0.0)
+        return not is_wrong and row.id != self.growing and row.id not in self._left_alone and is_due
 
     async def _prepare_one(self, flight: str) -> None:
         path = str(self.places.recording(flight))
         # What could not be packed is indexed as it is: packing only saves room.
         if (await self._work("pack", path, flight)).state == "cancelled":
             return
-        job = await self._work("index", path, flight)
+        try:
+            job = await self._work("index", path, flight)
+        except ConflictError as error:  # packages are missing: who looks at the flight is told
+            await self.in_thread(self._library.refused, flight, error)
+            return
         if job.fault is not None:
             self._report(job.fault)
-            row = await self.in_thread(self._library.get, flight)
-            if row is not None:
-                fault = {"code": job.fault.code, "detail": job.fault.detail, "params": job.fault.params}
-                await self.in_thread(self._library.failed, flight, row.stamp, fault)
+            if job.fault.code in _REFUSED:  # nothing is wrong with the recording
+                self._again_at_s[flight] = self._loop.time() + _AGAIN_S
+                return
+            await self.in_thread(self._library.refused, flight, job.fault)
+        elif job.state == "done":
+            await self._make_keys(flight)
+
+    async def _make_keys(self, flight: str) -> None:
+        """Begin to make the key frames of a flight that is worth it: a short one is soon played to any moment."""
+        row = await self.in_thread(self._library.get, flight)
+        free_bytes = await self.free_bytes()
+        if row is None or row.summary is None or free_bytes is None or free_bytes < _KEYS_RESERVE_BYTES:
+            return
+        if row.summary["ended_ns"] - row.summary["started_ns"] >= _WORTH_KEYS_NS:
+            files = ["--recording", str(self.places.recording(flight)), "--keys", str(self.places.keyframes(flight))]
+            with contextlib.suppress(ConflictError):
+                self.jobs.start("keys", files, flight=flight)
 
     async def _work(self, kind: Literal["pack", "index"], path: str, flight: str) -> Job:
         job = self._preparing = self.jobs.start(kind, [path], flight=flight)
@@ -266,15 +309,19 @@ class Flights:
             await self.jobs.cancel(job)
 
     async def _make_room(self) -> None:
-        """Empty the bin of what is old, and delete the oldest flights if the person allowed it."""
+        """Remove what is old or belongs to nothing, and delete the oldest flights if the person allowed it."""
         now_s = self._loop.time()
         if now_s < self._room_at_s:
             return
         self._room_at_s = now_s + _ROOM_EVERY_S
         await self.in_thread(self._folder.purge, self._clock.now_s())
+        await self.in_thread(self._folder.drop_orphans)
+        self.jobs.drop_results(_RESULT_KEPT_S)
         policy = await self.policy()
         if not policy.delete_oldest or not self._is_known():
             return
+        if await self.in_thread(self._folder.free_bytes) < policy.keep_free_bytes:
+            self.jobs.drop_results(0.0)
         for flight in reversed(await self.bin()):
             if await self.in_thread(self._folder.free_bytes) >= policy.keep_free_bytes:
                 return
@@ -283,7 +330,8 @@ class Flights:
         for row in await self.all():
             if await self.in_thread(self._folder.free_bytes) >= policy.keep_free_bytes:
                 return
-            if not row.about.pinned and row.id != self.growing:
+            # The room of a file that is open comes back only when it is closed.
+            if not row.about.pinned and row.id != self.growing and row.id not in self._looked_at():
                 await self._stop_work_on(row.id)
                 await self.in_thread(self._folder.remove, row.id)
                 await self.in_thread(self._library.forget, row.id)

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import contextlib
+import os
 import shutil
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Final
 
 from epf_gcs.errors import ConflictError, NotFoundError
@@ -96,7 +98,41 @@ class FlightFolder:
                 with contextlib.suppress(OSError):
                     parent.rmdir()
 
+    def drop_orphans(self) -> list[str]:
+        """Remove what was made of flights whose recording has gone; returns their ids.
+
+        Where the folder of the recordings itself is not there, all stays: its disk may come back.
+        """
+        if not self._places.recordings.is_dir():
+            return []
+        made = {*self._places.made(), *(path.stem for path in self._places.all_keyframes.glob("*.keys"))}
+        orphans = sorted(flight for flight in made if is_id(flight) and not self._places.recording(flight).exists())
+        for flight in orphans:
+            self.drop_made(flight)
+        return orphans
+
+    def made_bytes(self, flight: str) -> int:
+        """What was made of a flight takes so much of the disk: its columns and its key frames."""
+        folder = self._places.made_of(flight)
+        return (0 if folder is None else _size(folder)) + _size(self._places.keyframes(flight))
+
+    def used_bytes(self) -> int:
+        """What all flights take of the disk, with the bin, what was made of them, and the results of jobs."""
+        places = self._places
+        kept = (places.recordings, places.bin, places.columns, places.all_keyframes, places.exports, places.incoming)
+        return sum(_size(path) for path in kept)
+
     def free_bytes(self) -> int:
         """Free space on the disk of the recordings."""
         folder = self._places.recordings.absolute()
         return shutil.disk_usage(next(path for path in (folder, *folder.parents) if path.exists())).free
+
+
+def _size(path: Path) -> int:
+    """Bytes of a file, or of all files in a folder; those that go meanwhile, and what is not there, count nothing."""
+    try:
+        if not path.is_dir():
+            return path.stat().st_size
+        return sum(_size(Path(entry.path)) for entry in os.scandir(path))
+    except OSError:
+        return 0

@@ -23,6 +23,7 @@ RESERVE_BYTES: Final = 1_500_000_000
 """Space that imports leave free, so that no file of another machine ever stops the recording of a flight."""
 _PIECE_BYTES: Final = 1 << 20
 _LONGEST_TITLE: Final = 200
+_LONGEST_DAMAGE: Final = 2000
 
 
 class FlightImports:
@@ -101,18 +102,23 @@ class FlightImports:
         known = await self._flights.with_fingerprint(job.answer["fingerprint"])
         if known is not None:
             raise ConflictError("flight_known", f"'{name}' is the flight '{known}' of the library.", flight=known)
-        job.flight = await self._flights.in_thread(self._place, int(job.answer["started_ns"]), checked, name)
+        damage = str(job.answer["damage"] or "")[:_LONGEST_DAMAGE]
+        job.flight = await self._flights.in_thread(self._place, int(job.answer["started_ns"]), checked, name, damage)
         self._flights.wake()
 
-    def _place(self, started_ns: int, checked: Path, name: str) -> str:
+    def _place(self, started_ns: int, checked: Path, name: str, damage: str) -> str:
         places = self._flights.places
         taken = {path.stem for folder in (places.recordings, places.bin) for path in folder.glob("*.mcap")}
         flight = free_id(started_ns, taken)
         title = name.removesuffix(".mcap")[:_LONGEST_TITLE]
         places.recordings.mkdir(parents=True, exist_ok=True)
-        write_about(places.about(flight), About(title="" if title == flight else title, imported=True))
+        write_about(places.about(flight), _about(flight, title, damage))
         checked.replace(places.recording(flight))
         return flight
+
+
+def _about(flight: str, title: str, damage: str) -> About:
+    return About(title="" if title == flight else title, imported=True, came_damaged=damage)
 
 
 def incomplete(name: str) -> GatewayError:

@@ -18,12 +18,16 @@ import orjson
 import structlog
 
 from epf_gcs.errors import ConflictError, GatewayError, NotFoundError
+from epf_gcs.extras import FLIGHTS
+from epf_gcs.web.missing import require
 from epf_gcs.web.stream.hub import Hub
 
-JobKind = Literal["pack", "index", "import", "export", "report"]
+JobKind = Literal["pack", "index", "keys", "import", "export", "report"]
 JobState = Literal["waiting", "running", "done", "failed", "cancelled"]
 
 _PROGRAM: Final = "epf_gcs.flights"
+_NEED_TABLES: Final = frozenset({"index", "export", "report"})
+_KEYS_PROGRAM: Final = ("epf_gcs.replay", "--make-keys")
 # How many run at once: what prepares flights, and what a person waits for.
 _PREPARING: Final = 1
 _RESULTS: Final = 2
@@ -55,6 +59,7 @@ class Job:
     result_name: str = ""
     ended: asyncio.Event = field(default_factory=asyncio.Event)
     task: asyncio.Task[None] | None = None
+    ended_s: float = 0.0
 
     @property
     def is_over(self) -> bool:
@@ -91,6 +96,7 @@ class Jobs:
         self._lanes: dict[JobKind, asyncio.Semaphore] = {
             "pack": preparing,
             "index": preparing,
+            "keys": asyncio.Semaphore(_PREPARING),
             "import": preparing,
             "export": results,
             "report": results,
@@ -123,11 +129,13 @@ class Jobs:
         result_name: str = "",
         then: Callable[[Job], Awaitable[None]] | None = None,
     ) -> Job:
-        """Queue `python -m epf_gcs.flights KIND ARGUMENTS`, which writes `result`.
+        """Queue `python -m epf_gcs.flights KIND ARGUMENTS` (key frames: `epf_gcs.replay`), which writes `result`.
 
         `then` is awaited with the job's answer before the job counts as done; it may raise GatewayError or OSError.
-        Raises ConflictError while too many jobs are waiting.
+        Raises ConflictError while too many jobs are waiting, and where the kind needs packages that are not installed.
         """
+        if kind in _NEED_TABLES:
+            require(FLIGHTS)
         if sum(job.state == "waiting" for job in self._jobs.values()) >= _MOST_WAITING:
             raise ConflictError(
                 "jobs_busy", f"{_MOST_WAITING} jobs are waiting already: wait, or cancel one.", limit=_MOST_WAITING
@@ -146,6 +154,14 @@ class Jobs:
     def drop(self, job: Job) -> None:
         """Delete the file that a job made: it was fetched."""
         _drop(job)
+
+    def drop_results(self, kept_s: float) -> None:
+        """Delete the files that were made at least so long ago, whether they were fetched or not."""
+        for job in self._jobs.values():
+            is_old = job.is_over and self._loop.time() - job.ended_s >= kept_s
+            if is_old and job.result is not None and job.result.exists():
+                _drop(job)
+                self._tell(job)
 
     async def close(self) -> None:
         """Stop all of them, and forget their results."""
@@ -178,8 +194,7 @@ class Jobs:
         process = await asyncio.create_subprocess_exec(
             sys.executable,
             "-m",
-            _PROGRAM,
-            job.kind,
+            *(_KEYS_PROGRAM if job.kind == "keys" else (_PROGRAM, job.kind)),
             *arguments,
             stdin=asyncio.subprocess.PIPE,
             stdout=asyncio.subprocess.PIPE,
@@ -213,6 +228,7 @@ class Jobs:
         else:
             _drop(job)
         job.doing = job.state
+        job.ended_s = self._loop.time()
         self._tell(job)
         job.ended.set()
 

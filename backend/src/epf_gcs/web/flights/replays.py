@@ -41,6 +41,11 @@ class Replays:
         """How many there are now."""
         return self._hosts.total()
 
+    @property
+    def flights(self) -> set[str]:
+        """The flights that are replayed now."""
+        return {file.stem for file in self._processes}
+
     def open(
         self,
         connection: SocketConnection,

@@ -67,5 +67,7 @@ async def _recording(flights: Flights, flight: str) -> str:
 
 
 def _as_answer(fault: GatewayError) -> GatewayError:
-    kind = ConflictError if fault.code in ("flight_not_indexed", "job_failed") else InvalidInputError
+    kind = (
+        ConflictError if fault.code in ("flight_not_indexed", "flight_not_written", "job_failed") else InvalidInputError
+    )
     return kind(fault.code, fault.detail, **fault.params)

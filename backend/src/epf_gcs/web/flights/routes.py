@@ -24,13 +24,17 @@ from epf_gcs.web.flights.schemas import (
     Flight,
     FlightBin,
     FlightChange,
-    FlightDisk,
     FlightList,
-    FlightPolicy,
-    FlightPolicyInput,
     FlightState,
     Job,
     JobStarted,
+)
+from epf_gcs.web.flights.settings_schemas import (
+    FlightAircraft,
+    FlightAircraftInput,
+    FlightDisk,
+    FlightPolicy,
+    FlightPolicyInput,
 )
 from epf_gcs.web.problems import problems, reading_problems
 from epf_gcs.web.vehicle.mirror import VehicleMirror
@@ -72,6 +76,7 @@ async def get_flights(
             Job(**job.as_dict()) for job in flights.jobs.all() if job.kind in ("pack", "index") and not job.is_over
         ],
         disk=await _disk(flights),
+        aircraft=await flights.aircraft.now(),
     )
 
 
@@ -97,6 +102,12 @@ async def set_flight_policy(choice: FlightPolicyInput, flights: FlightsDep, _: O
     """Choose what happens when the disk fills."""
     await flights.set_policy(Policy(choice.delete_oldest, choice.keep_free_bytes))
     return await _disk(flights)
+
+
+@router.put("/aircraft", responses=problems(409))
+async def set_flight_aircraft(named: FlightAircraftInput, flights: FlightsDep, _: OperatorDep) -> FlightAircraft:
+    """Say what the aircraft is called: each recording has the name from now on, the one under way too."""
+    return FlightAircraft(name=await flights.aircraft.choose(named.name))
 
 
 @router.post(
@@ -176,6 +187,7 @@ async def _disk(flights: Flights) -> FlightDisk:
     free_bytes, hours_left = await flights.room()
     return FlightDisk(
         free_bytes=free_bytes,
+        used_bytes=await flights.used_bytes(),
         hours_left=hours_left,
         policy=FlightPolicy(delete_oldest=policy.delete_oldest, keep_free_bytes=policy.keep_free_bytes),
     )
@@ -188,18 +200,21 @@ def _flight(row: Row, flights: Flights, mirror: VehicleMirror) -> Flight:
     added = sum(not mark.get("recorded", False) for mark in about.marks)
     hidden = sum(bool(mark.get("hidden", False)) for mark in about.marks)
     taken = ("board", "firmware", "station", "aircraft", "operator", "highest_ft", "fastest_kt", "distance_nm")
-    counted = ("frames", "frames_damaged", "waypoints", "alarms", "damage", "thumbnail")
+    counted = ("frames", "frames_damaged", "waypoints", "alarms", "thumbnail")
     return Flight(
         id=row.id,
         active=active,
         state=_state(row, flights, active=active),
         fault=None if row.fault is None else Fault(**row.fault),
         started_s=row.started_s,
+        clock_ahead_s=known.get("clock_ahead_s", 0.0),
+        clock_unsure=known.get("clock_unsure", False),
         duration_s=(known["ended_ns"] - known["started_ns"]) * 1e-9 if known else None,
         bytes=mirror.status["recording"]["bytes"] if active else row.bytes,
         marks=known["marks"] + added - hidden if known else None,
         emulated=bool(known.get("emulated", False)),
         imported=about.imported,
+        damage=" ".join(sentence for sentence in (about.came_damaged, known.get("damage")) if sentence) or None,
         title=about.title,
         tags=about.tags,
         notes=about.notes,

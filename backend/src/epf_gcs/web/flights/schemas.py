@@ -12,12 +12,13 @@ from pydantic import Field, StringConstraints
 from epf_gcs.errors import ErrorCode
 from epf_gcs.formats.kml_words import Language
 from epf_gcs.recordings.export_names import ExportFormat
+from epf_gcs.web.flights.settings_schemas import FlightDisk
 from epf_gcs.web.missions.schemas import WaypointModel
 from epf_gcs.web.parameters.schemas import ParameterState
 from epf_gcs.web.schemas import Input, Output, ParamValue, PlanName
 
 FlightState = Literal["recording", "waiting", "indexing", "indexed", "damaged"]
-JobKind = Literal["pack", "index", "import", "export", "report"]
+JobKind = Literal["pack", "index", "keys", "import", "export", "report"]
 JobState = Literal["waiting", "running", "done", "failed", "cancelled"]
 EventKind = Literal[
     "alarm",
@@ -92,11 +93,10 @@ class Thumbnail(Output):
 
 
 class Flight(Output):
-    """One recording.
+    """One recording. What only its content tells is null until it is indexed (`state`), and where it does not have it.
 
-    What can only be known from its content is null until it is indexed (`state`), and where the recording does not
-    have it. `fault` says why a flight could not be indexed. `frames_damaged` counts what the line damaged.
-    `damage` is a sentence where the file itself was cut or is damaged; all that is whole is shown.
+    `fault`: why a flight could not be indexed. `frames_damaged` counts what the line damaged, `damage` is a sentence
+    about the file. `started_s` is corrected by `clock_ahead_s`, samples are not; `clock_unsure`: nobody gave the time.
     """
 
     id: str
@@ -105,6 +105,8 @@ class Flight(Output):
     fault: Fault | None
     damage: str | None
     started_s: float
+    clock_ahead_s: float
+    clock_unsure: bool
     duration_s: float | None
     bytes: int
     frames: int | None
@@ -129,25 +131,10 @@ class Flight(Output):
     pinned: bool
 
 
-class FlightPolicy(Output):
-    """What happens when the disk fills: with `delete_oldest` the oldest flights that are not pinned are deleted
-    until `keep_free_bytes` are free; without, recording stops there."""
-
-    delete_oldest: bool
-    keep_free_bytes: int
-
-
-class FlightDisk(Output):
-    """Room for recordings. `hours_left` at the rate of the newest flights; null if there is none to judge by."""
-
-    free_bytes: int | None
-    hours_left: float | None
-    policy: FlightPolicy
-
-
 class FlightList(Output):
     """One page of the flights that were asked for. `total` counts all pages; `tags` and `boards` are those of the
-    whole library; `indexing` are the jobs that prepare flights now."""
+    whole library; `indexing` are the jobs that prepare flights now; `aircraft` is what the aircraft that flies now is
+    called, empty for no name."""
 
     flights: list[Flight]
     total: int
@@ -155,6 +142,7 @@ class FlightList(Output):
     boards: list[str]
     indexing: list[Job]
     disk: FlightDisk
+    aircraft: str
 
 
 class DeletedFlight(Output):
@@ -181,13 +169,6 @@ class FlightChange(Input):
     tags: Annotated[list[Tag], Field(max_length=20)] | None = None
     notes: Annotated[str, Field(max_length=20_000)] | None = None
     pinned: bool | None = None
-
-
-class FlightPolicyInput(Input):
-    """What the person wants to happen when the disk fills."""
-
-    delete_oldest: bool
-    keep_free_bytes: Annotated[int, Field(ge=1_000_000_000, le=10_000_000_000_000)]
 
 
 class FlightEvent(Output):

@@ -68,7 +68,7 @@ async def export_mission(body: MissionExport, format: FileFormat) -> Response:  
     },
 )
 async def import_mission(request: Request, name: FileName) -> MissionImport:
-    """Read a KML, KMZ, GPX, CSV or .plan file, whole or not at all; what it is, its content says."""
+    """Read a KML, KMZ, GPX, CSV, .plan or .waypoints file, whole or not at all; what it is, its content says."""
     # In a thread: the largest file takes a second, and the stream must not wait for it.
     found = await asyncio.to_thread(read_mission_file, plain(name), await request.body())
     return MissionImport(

@@ -22,6 +22,7 @@ class MissionNote(Output):
     altitude_above_ground {count}: heights above the terrain, taken as above mean sea level: they must be corrected.
     altitude_clamped {count}: the file puts them on the ground, yet gives altitudes, which were taken.
     altitude_from_home {count, home_ft}: the planned home's altitude was added.
+    home_skipped {latitude_deg, longitude_deg}: the first item of a .waypoints file is where the flight begins.
     items_skipped {count, kinds}, shapes_skipped {count}, columns_skipped {names}: what is no waypoint was left out.
     """
 

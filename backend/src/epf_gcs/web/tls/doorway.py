@@ -1,7 +1,8 @@
 """The listening socket under TLS. The first byte of a connection says what it is: TLS, or HTTP in plain text.
 
 asyncio's own server can only expect one of the two. A connection counts as a visitor from its first moment, so those
-that never finish their handshake take nobody's place but that of their own host, and they are ended in time.
+that never finish their handshake take nobody's place but that of their own host, and they are ended in time; those that
+finish one after another are slowed down (`handshakes.py`).
 """
 
 from __future__ import annotations
@@ -16,6 +17,7 @@ from typing import Any, Final
 
 import structlog
 
+from epf_gcs.web.tls.handshakes import Handshakes
 from epf_gcs.web.visitors import Visitor, Visitors
 
 SHUTDOWN_S: Final = 5.0
@@ -41,6 +43,7 @@ class Doorway:
         encrypted: Factory,
         plain: Factory,
         visitors: Visitors,
+        handshakes: Handshakes | None = None,
     ) -> None:
         """`context` is asked for each connection. `plain` gets those that do not speak TLS."""
         listener.setblocking(False)
@@ -49,6 +52,7 @@ class Doorway:
         self.encrypted = encrypted
         self.plain = plain
         self.visitors = visitors
+        self.handshakes = handshakes or Handshakes()
         self.loop = asyncio.get_running_loop()
         self._listener = listener
         self._arrivals: dict[Arrival, None] = {}
@@ -141,8 +145,13 @@ class Arrival:
         if not first:
             self.make_room()
             return
+        is_tls = first == _HANDSHAKE
+        if is_tls and not self._doorway.handshakes.begin(self.host, self._doorway.loop.time()):
+            self._doorway.visitors.refused["handshake"] += 1
+            self.make_room()
+            return
         self._doorway.loop.remove_reader(self._connection)
-        self.task = self._doorway.loop.create_task(self._hand_over(is_tls=first == _HANDSHAKE))
+        self.task = self._doorway.loop.create_task(self._hand_over(is_tls=is_tls))
 
     async def _hand_over(self, *, is_tls: bool) -> None:
         doorway = self._doorway

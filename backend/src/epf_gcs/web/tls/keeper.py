@@ -6,7 +6,7 @@ import asyncio
 import ssl
 from collections.abc import Callable
 from dataclasses import dataclass
-from datetime import UTC, datetime
+from datetime import UTC, datetime, timedelta
 from pathlib import Path
 from typing import Final, Literal
 
@@ -19,6 +19,8 @@ from epf_gcs.web.tls.context import make_context
 from epf_gcs.web.tls.source import Found, Source
 
 LOOK_EVERY_S: Final = 60.0
+_SAID_AGAIN: Final = timedelta(hours=1)
+"""A fault that lasts is said again, for those who have come since."""
 
 log = structlog.get_logger("gateway")
 
@@ -60,7 +62,7 @@ class Keeper:
     be in flight, one that browsers refuse is better than none: a person can pass their warning.
 
     `context` is replaced as a whole when the certificate changes, so that no connection gets a mixture; those that are
-    open stay as they are. `on_fault` hears each new fault.
+    open stay as they are. `on_fault` hears each new fault, and each hour one that lasts.
     """
 
     def __init__(self, source: Source, now: Callable[[], datetime] = _now, *, again: bool = False) -> None:
@@ -75,6 +77,7 @@ class Keeper:
         self.context = _context(found)
         self.fault: GatewayError | None = found.fault
         self.on_fault: Callable[[GatewayError], None] = lambda _fault: None
+        self._said = datetime.min.replace(tzinfo=UTC)
 
     async def keep(self) -> None:
         """Look every minute, forever."""
@@ -113,8 +116,11 @@ class Keeper:
             )
 
     def _set_fault(self, fault: GatewayError | None) -> None:
-        if fault is not None and (self.fault is None or fault.detail != self.fault.detail):
+        now = self._now()
+        is_new = fault is not None and (self.fault is None or fault.detail != self.fault.detail)
+        if fault is not None and (is_new or not timedelta() <= now - self._said < _SAID_AGAIN):
             log.warning("the certificate has a fault", code=fault.code, detail=fault.detail)
+            self._said = now
             self.on_fault(fault)
         self.fault = fault
 

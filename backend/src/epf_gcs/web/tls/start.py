@@ -29,9 +29,8 @@ def keeper_of(settings: Settings) -> Keeper | None:
         )
     if not settings.tls:
         return None
-    chosen = (settings.host, *settings.allowed_hosts)
 
     def identity() -> Identity:
-        return identity_of(socket.gethostname(), chosen, addresses_here())
+        return identity_of(socket.gethostname(), settings.names, addresses_here())
 
     return Keeper(Made(Path(settings.data_dir) / FOLDER, identity))

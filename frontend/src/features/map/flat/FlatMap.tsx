@@ -17,30 +17,41 @@ import { useHome } from "../plan/useHome";
 import { useMapPlan } from "../plan/useMapPlan";
 import { useFollowed } from "../useFlightScene";
 import { flatAircraft } from "./flatAircraft";
+import { FOLLOW_CHOICE } from "./useFlat";
 import { useFlatContents } from "./useFlatContents";
 import { useFlatScene } from "./useFlatScene";
 import "../tools/tools.css";
 import "./flat.css";
 
-const FOLLOW = "map.flat.follow";
 /** Drawing order: the last is on top. */
 const DRAWN: readonly Aircraft[] = ["hil", "flight"];
 /** Greatest length of the scale bar, pixels. */
 const LONGEST_PX = 130;
 
+interface Props {
+  onScene: (scene: FlatScene | null) => void;
+  /** The setting that stores whether it follows the aircraft; the map's own tab follows unless told otherwise. */
+  followChoice?: typeof FOLLOW_CHOICE | "plans.map.follow";
+}
+
 /**
  * The map without WebGL: the same flight from straight above. `onScene` is called with the scene, and with null when
  * it is gone.
  */
-export function FlatMap({ onScene }: { onScene: (scene: FlatScene | null) => void }) {
+export function FlatMap({ onScene, followChoice = FOLLOW_CHOICE }: Props) {
   const { t } = useTranslation();
   const { settings } = usePage();
   const canvas = useRef<HTMLCanvasElement>(null);
   const pointer = useRef<HTMLSpanElement>(null);
   const [pixel_m, setPixel_m] = useState(0);
   const contents = useFlatContents();
-  const isFollowing = useSettings(({ choices }) => choices[FOLLOW] !== "off");
-  const follow = useCallback((isOn: boolean) => choose(settings, FOLLOW, isOn ? "on" : "off"), [settings]);
+  const isFollowing = useSettings(
+    ({ choices }) => (choices[followChoice] ?? (followChoice === FOLLOW_CHOICE ? "on" : "off")) === "on",
+  );
+  const follow = useCallback(
+    (isOn: boolean) => choose(settings, followChoice, isOn ? "on" : "off"),
+    [settings, followChoice],
+  );
   const deg = t("unit.deg");
   const dash = t("words.dash");
   const scene = useFlatScene(canvas, {

@@ -4,6 +4,8 @@ import { useSettings } from "../../../store/hooks";
 
 /** The setting that stores which map is chosen. */
 export const KIND_CHOICE = "map.kind";
+/** The setting that stores whether the flat map follows the aircraft. */
+export const FOLLOW_CHOICE = "map.flat.follow";
 export const KINDS = ["3d", "2d"] as const;
 type MapKind = (typeof KINDS)[number];
 

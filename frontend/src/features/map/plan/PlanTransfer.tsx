@@ -6,6 +6,7 @@ import { inserted, removed } from "../../../lib/plan";
 import { editPlan, MISSIONS, redoPlan, undoPlan } from "../../../missions/planDrafts";
 import { ReplaceDialog } from "../../../missions/ReplaceDialog";
 import { SendPlan } from "../../../missions/SendPlan";
+import { SELECTION, selectThing } from "../../../missions/selection";
 import { usePlans } from "../../../missions/usePlans";
 import { PLAN_LIMITS } from "../../../protocol/missions";
 import { useAsked } from "../../../requests/useAsked";
@@ -13,7 +14,6 @@ import { useBoardBlocked } from "../../../requests/useBlocked";
 import { usePart } from "../../../store/hooks";
 import { Button } from "../../../ui/Button";
 import { Notice } from "../../../ui/Notice";
-import { MAP_SELECTION, selectThing } from "../mapSelection";
 import type { MapPlan } from "./useMapPlan";
 
 interface Props {
@@ -82,7 +82,7 @@ function Transfer({ aircraft, plan }: Omit<Props, "row">) {
 function Rows({ aircraft, plan, row }: Props) {
   const { t } = useTranslation();
   const missions = usePart(MISSIONS);
-  const mapSelection = usePart(MAP_SELECTION);
+  const selection = usePart(SELECTION);
   const canUndo = usePlans((plans) => plans[aircraft].draft.past.length > 0);
   const canRedo = usePlans((plans) => plans[aircraft].draft.future.length > 0);
   const { waypoints } = plan;
@@ -93,14 +93,14 @@ function Rows({ aircraft, plan, row }: Props) {
   function insert(): void {
     const behind = row ?? waypoints.length - 1;
     editPlan(missions.plans, aircraft, inserted(waypoints, behind));
-    selectThing(mapSelection, { kind: "waypoint", plan: aircraft, row: behind + 1 });
+    selectThing(selection, { kind: "waypoint", plan: aircraft, row: behind + 1 });
   }
 
   function remove(at: number): void {
     editPlan(missions.plans, aircraft, removed(waypoints, at));
     const left = waypoints.length - 1;
     selectThing(
-      mapSelection,
+      selection,
       left === 0 ? null : { kind: "waypoint", plan: aircraft, row: Math.min(at, left - 1) },
     );
   }

@@ -3,16 +3,18 @@ import { type KeyboardEvent, type ReactNode, useId } from "react";
 import { useTranslation } from "react-i18next";
 import type { Aircraft } from "../../../lib/aircraft";
 import { changed, type Push, pushed, type Waypoint, type WaypointField } from "../../../lib/plan";
+import { PlaceField } from "../../../missions/PlaceField";
 import { amendPlan, editPlan, MISSIONS, redoPlan, undoPlan } from "../../../missions/planDrafts";
 import { COLUMN } from "../../../missions/planFacts";
 import { PLAN_LIMITS } from "../../../protocol/missions";
 import { type Unit, useUnit } from "../../../readouts/useUnit";
-import { usePage, usePart, useSettings } from "../../../store/hooks";
+import { usePage, usePart } from "../../../store/hooks";
 import { choose } from "../../../store/settings";
 import { NumberField } from "../../../ui/NumberField";
 import { SegmentedSwitch } from "../../../ui/SegmentedSwitch";
 import { useFlat } from "../flat/useFlat";
 import type { HeldWaypoint } from "./usePlanScene";
+import { STEP_CHOICE, STEPS, type Step, useStepChoice } from "./useStep";
 
 interface Props {
   aircraft: Aircraft;
@@ -21,10 +23,6 @@ interface Props {
   /** Where the pointer drags it; null if it is not being dragged. */
   held: HeldWaypoint["to"] | null;
 }
-
-/** Step sizes of the buttons: metres along the ground, feet upwards. */
-const STEPS = { "1": 1, "10": 10, "100": 100 } as const;
-type Step = keyof typeof STEPS;
 
 const KEYS: Readonly<Record<string, (step: number) => Push>> = {
   ArrowUp: (north_m) => ({ north_m }),
@@ -79,6 +77,13 @@ function Fields({ aircraft, waypoints, row, waypoint }: Omit<Props, "held"> & { 
 
   return (
     <div className="map-plan-fields">
+      <PlaceField
+        place={waypoint}
+        fixed={undefined}
+        onCommit={(place) =>
+          editPlan(missions.plans, aircraft, waypoints.with(row, { ...waypoint, ...place }))
+        }
+      />
       {field("latitude_deg", 0.0001, 6, null)}
       {field("longitude_deg", 0.0001, 6, null)}
       {field("altitude_ft", 10, altitude.digits, altitude)}
@@ -94,10 +99,7 @@ function Pusher({ aircraft, waypoints, row }: Omit<Props, "held">) {
   const { settings } = usePage();
   const missions = usePart(MISSIONS);
   const hint = useId();
-  const step = useSettings(
-    ({ choices }) =>
-      (Object.keys(STEPS) as Step[]).find((known) => known === choices["map.plan.step"]) ?? "10",
-  );
+  const step = useStepChoice();
 
   function push(by: Push, isRepeat: boolean): void {
     // The repeats of a held key are one step to the undo.
@@ -139,7 +141,7 @@ function Pusher({ aircraft, waypoints, row }: Omit<Props, "held">) {
           label: `${value} ${t("unit.m")} · ${value} ${t("unit.ft")}`,
         }))}
         value={step}
-        onChange={(next) => choose(settings, "map.plan.step", next)}
+        onChange={(next) => choose(settings, STEP_CHOICE, next)}
       />
       {/* biome-ignore lint/a11y/useSemanticElements: a fieldset would say its name twice */}
       <div

@@ -1,19 +1,23 @@
 import { useEffect, useMemo } from "react";
 import { useTranslation } from "react-i18next";
+import { useStore } from "zustand";
 import type { Aircraft } from "../../../lib/aircraft";
-import { placed, unsentOf, type Waypoint } from "../../../lib/plan";
+import { unsentOf, type Waypoint } from "../../../lib/plan";
+import { carried } from "../../../lib/planEdit";
 import { editPlan, MISSIONS } from "../../../missions/planDrafts";
+import { SELECTION } from "../../../missions/selection";
 import { useUnit } from "../../../readouts/useUnit";
 import type { PlanScene } from "../../../scene/plan/PlanScene";
 import type { DrawnPlan } from "../../../scene/plan/shape";
-import { usePage } from "../../../store/hooks";
+import { usePage, usePart } from "../../../store/hooks";
 import { useFlat } from "../flat/useFlat";
-import { MAP_SELECTION, selectThing } from "../mapSelection";
-import { useGlobeLayer } from "../useGlobe";
+import { useMapTool } from "../tools/useMapTool";
 import { useMapThing } from "../useMapThing";
 import { aircraftPlace } from "./aircraftPlace";
 import { useHome } from "./useHome";
 import type { MapPlan } from "./useMapPlan";
+import { usePlanHands } from "./usePlanHands";
+import { usePlanLayer } from "./usePlanLayer";
 
 /** A waypoint that is being dragged, and where it is now. */
 export interface HeldWaypoint {
@@ -22,21 +26,24 @@ export interface HeldWaypoint {
   readonly to: Pick<Waypoint, "latitude_deg" | "longitude_deg" | "altitude_ft">;
 }
 
+const NONE: readonly number[] = [];
+
 /** Shows the plans on the globe or the flat map, and applies clicks and drags to them. */
 export function usePlanScene(
   plans: Readonly<Record<Aircraft, MapPlan>>,
   isShown: Readonly<Record<Aircraft, boolean>>,
+  open: Aircraft,
   onHold: (held: HeldWaypoint | null) => void,
 ): void {
   const page = usePage();
-  const onGlobe = useGlobeLayer(
-    "plan",
-    async () => (await import("../../../scene/plan/PlanScene")).PlanScene,
-  );
+  const onGlobe = usePlanLayer();
   const flat = useFlat();
   const scene: Pick<PlanScene, "show" | "showHome" | "listen"> | null = flat.isShown
     ? (flat.scene?.plans ?? null)
     : onGlobe;
+  const aiming: Pick<PlanScene, "aim"> | null = flat.isShown ? flat.scene : onGlobe;
+  const isAdding = useMapTool(({ tool }) => tool === "add");
+  const hands = usePlanHands(plans, open);
   const { flight, hil } = plans;
   const drawnFlight = useDrawn("flight", flight, isShown.flight);
   const drawnHil = useDrawn("hil", hil, isShown.hil);
@@ -55,20 +62,22 @@ export function usePlanScene(
       }),
     [scene, home.latitude_deg, home.longitude_deg, homeLabel],
   );
+  useEffect(() => aiming?.aim(isAdding), [aiming, isAdding]);
   useEffect(() => {
     scene?.listen(
       {
-        pick: (thing) => selectThing(page.parts.get(MAP_SELECTION), thing),
+        ...hands,
         drag: onHold,
         drop: (plan, row, to) => {
           const { waypoints } = plan === "flight" ? flight : hil;
-          editPlan(page.parts.get(MISSIONS).plans, plan, placed(waypoints, row, to));
+          const { rows } = page.parts.get(SELECTION).getState();
+          editPlan(page.parts.get(MISSIONS).plans, plan, carried(waypoints, row, to, rows));
         },
       },
       (plan) => aircraftPlace(page.telemetry, plan),
     );
     return () => scene?.listen(null);
-  }, [scene, page, onHold, flight, hil]);
+  }, [scene, page, onHold, hands, flight, hil]);
 }
 
 /** A plan as it is drawn; the same object while nothing of it changes. */
@@ -77,6 +86,8 @@ function useDrawn(plan: Aircraft, { waypoints, onBoard, state, flownTo, ending }
   const altitude = useUnit("altitude");
   const thing = useMapThing();
   const selected = thing?.kind === "waypoint" && thing.plan === plan ? thing.row : null;
+  const rows = useStore(usePart(SELECTION), (now) => now.rows);
+  const chosen = selected === null ? NONE : rows;
   return useMemo((): DrawnPlan | null => {
     const board = state === "differs" ? onBoard : null;
     const last = waypoints.length - 1;
@@ -88,11 +99,12 @@ function useDrawn(plan: Aircraft, { waypoints, onBoard, state, flownTo, ending }
           active: onBoard !== null && flownTo !== null && flownTo < onBoard.length ? flownTo : null,
           loops: ending === "loop" && board === null,
           selected,
+          chosen,
           label: (waypoint, row) => {
             const height = `${row + 1} · ${altitude.format(waypoint.altitude_ft)} ${altitude.label}`;
             return row === last && ending === "hold" ? `${height} · ${t("map.plan.holds")}` : height;
           },
         }
       : null;
-  }, [t, altitude, waypoints, onBoard, state, flownTo, ending, selected, isShown]);
+  }, [t, altitude, waypoints, onBoard, state, flownTo, ending, selected, chosen, isShown]);
 }

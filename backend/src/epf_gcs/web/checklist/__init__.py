@@ -1,0 +1,1 @@
+"""The checklist before take-off: one for all who fly with this station."""

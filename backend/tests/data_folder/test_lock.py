@@ -1,0 +1,52 @@
+"""A data folder belongs to one process at a time."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from epf_gcs.data_folder.lock import DataFolder
+from epf_gcs.errors import ConflictError
+
+HOLDER = """
+import sys
+from pathlib import Path
+from epf_gcs.data_folder.lock import DataFolder
+folder = DataFolder(Path(sys.argv[1]))
+print("held", flush=True)
+sys.stdin.read()
+"""
+
+
+def test_a_second_process_is_told_who_has_it(tmp_path: Path) -> None:
+    with subprocess.Popen(
+        [sys.executable, "-c", HOLDER, str(tmp_path)], stdin=subprocess.PIPE, stdout=subprocess.PIPE
+    ) as holder:
+        assert holder.stdout is not None
+        assert holder.stdout.readline() == b"held\n"
+        with pytest.raises(ConflictError) as taken:
+            DataFolder(tmp_path)
+        assert (taken.value.code, taken.value.params["pid"]) == ("data_folder_taken", str(holder.pid))
+        assert str(holder.pid) in taken.value.detail
+        holder.kill()
+        holder.wait()
+        with DataFolder(tmp_path):
+            pass
+
+
+def test_a_folder_that_is_not_there_is_made_and_can_be_had_again_after_the_end(tmp_path: Path) -> None:
+    folder = tmp_path / "deep" / "data"
+    with DataFolder(folder), pytest.raises(ConflictError, match=str(os.getpid())):
+        DataFolder(folder)
+    with DataFolder(folder):
+        assert (folder / ".lock").read_text() == f"{os.getpid()}\n"
+
+
+def test_the_number_of_one_before_with_more_digits_leaves_nothing_behind(tmp_path: Path) -> None:
+    (tmp_path / ".lock").write_text("123456789012345\n")
+    with DataFolder(tmp_path):
+        assert (tmp_path / ".lock").read_text() == f"{os.getpid()}\n"

@@ -1,0 +1,81 @@
+"""Mission Planner's lists of waypoints: what it saves is understood, and what is left out is said."""
+
+from __future__ import annotations
+
+import contextlib
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from epf_gcs.codec.tables import Waypoint
+from epf_gcs.errors import InvalidInputError
+from epf_gcs.formats.recognise import read_mission_file
+from tests.formats.plans import notes, read, refusal
+
+HOME = "0\t1\t0\t16\t0\t0\t0\t0\t27.931900\t-15.386600\t24.384000\t1"
+
+
+def item(seq: int, command: int, params: str, frame: int = 3) -> str:
+    return f"{seq}\t0\t{frame}\t{command}\t{params}\t1"
+
+
+def waypoint(seq: int, latitude: str, longitude: str, altitude: str, frame: int = 3) -> str:
+    return item(seq, 16, f"0.00\t0.00\t0.00\t0.00\t{latitude}\t{longitude}\t{altitude}", frame)
+
+
+def wpl(*lines: str, version: str = "110", end: str = "\r\n") -> bytes:
+    return end.join([f"QGC WPL {version}", *lines, ""]).encode()
+
+
+def test_the_first_item_is_home_and_heights_count_from_it() -> None:
+    found = read(wpl(HOME, waypoint(1, "27.94", "-15.37", "121.92"), waypoint(2, "27.95", "-15.36", "304.8", 0)))
+    assert found.format == "waypoints"
+    assert found.waypoints == (Waypoint(27.94, -15.37, 480.0, 55.0), Waypoint(27.95, -15.36, 1000.0, 55.0))
+    assert notes(found)["altitude_from_home"] == {"count": 1, "home_ft": 80.0}
+    assert notes(found)["home_skipped"] == {"latitude_deg": 27.9319, "longitude_deg": -15.3866}
+
+
+def test_take_off_landing_and_jumps_are_left_out_and_named_and_a_speed_holds() -> None:
+    lines = (
+        HOME,
+        item(1, 22, "15\t0\t0\t0\t0\t0\t30"),
+        item(2, 178, "0\t30.866666667\t0\t0\t0\t0\t0"),
+        waypoint(3, "27.94", "-15.37", "304.8", 0),
+        item(4, 177, "1\t-1\t0\t0\t0\t0\t0"),
+        item(5, 21, "0\t0\t0\t0\t27.9\t-15.4\t0"),
+    )
+    found = read(wpl(*lines))
+    assert [at.speed_kt for at in found.waypoints] == [60.0]
+    assert notes(found)["items_skipped"] == {"count": 3, "kinds": "22, 177, 21"}
+
+
+def test_a_byte_order_mark_spaces_and_empty_lines_do_no_harm() -> None:
+    lines = (HOME.replace("\t", "  "), "", waypoint(1, "27.94", "-15.37", "304.8", 0))
+    assert len(read(b"\xef\xbb\xbf" + wpl(*lines, end="\n")).waypoints) == 1
+
+
+@pytest.mark.parametrize(
+    ("data", "code"),
+    [
+        (wpl(HOME), "mission_file_no_waypoints"),
+        (wpl(HOME, "1\t0\t3\t16\t0\t0"), "mission_file_damaged"),
+        (wpl(HOME, waypoint(1, "north", "-15.37", "100")), "mission_file_unreadable"),
+        (wpl(HOME, waypoint(1, "97.94", "-15.37", "100")), "mission_file_out_of_range"),
+        (wpl(HOME, waypoint(1, "27.94", "-15.37", "100", 1)), "mission_file_frame"),
+        (wpl(item(0, 22, "0\t0\t0\t0\t0\t0\t9"), waypoint(1, "27.94", "-15.37", "100")), "mission_file_no_home"),
+        (wpl(HOME, waypoint(1, "27.94", "-15.37", "100"), version="120"), "mission_file_unknown"),
+        (b"QGC WPL 110\n\xff\xfe", "mission_file_damaged"),
+        (wpl(HOME, *(waypoint(n, "27.94", "-15.37", "100", 0) for n in range(1, 102))), "mission_file_too_long"),
+    ],
+)
+def test_what_is_no_plan_is_refused_with_its_reason(data: bytes, code: str) -> None:
+    assert refusal(data).code == code
+
+
+@given(st.text(max_size=300), st.integers(0, 200))
+def test_any_text_behind_the_first_line_is_refused_or_a_whole_plan(text: str, cut: int) -> None:
+    data = (wpl(HOME, waypoint(1, "27.94", "-15.37", "100")) + text.encode("utf-8", "ignore"))[: 20 + cut]
+    # Anything else that is raised is a fault of the reader.
+    with contextlib.suppress(InvalidInputError):
+        assert read_mission_file("plan", data).waypoints

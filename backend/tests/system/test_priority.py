@@ -1,0 +1,72 @@
+"""The flight process takes the best priority that the system gives, and says which."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from epf_gcs.system import priority
+
+_SAY_ALL = """
+import os, threading
+from epf_gcs.system.priority import go_first
+told = go_first()
+found = []
+def look():
+    found.append((os.sched_getscheduler(0) == os.SCHED_RR, os.getpriority(os.PRIO_PROCESS, 0) < 0))
+look()
+thread = threading.Thread(target=look)
+thread.start()
+thread.join()
+expected = {"real-time": [(True, False)] * 2, "raised": [(False, True)] * 2, "normal": [(False, False)] * 2}[told]
+assert found == expected, (told, found)
+"""
+
+_REPAIR = """
+import os, sys, threading
+from pathlib import Path
+from epf_gcs.system.priority import go_first
+from epf_gcs.flight.recording.repair import repair_all
+def mine():
+    return os.sched_getscheduler(0), os.getpriority(os.PRIO_PROCESS, threading.get_native_id())
+go_first()
+before, found = mine(), []
+def look():
+    found.append(mine())
+    return False
+thread = threading.Thread(target=repair_all, args=([Path(sys.argv[1])], look))
+thread.start()
+thread.join()
+assert found[0] == (os.SCHED_OTHER, 19), found
+assert mine() == before, "the thread that flies keeps its own"
+"""
+
+
+def _refuse(*_: object) -> None:
+    raise PermissionError
+
+
+def test_what_it_says_is_what_the_process_and_its_threads_have() -> None:
+    subprocess.run([sys.executable, "-c", _SAY_ALL], check=True, timeout=20)
+
+
+def test_the_repair_of_old_recordings_gives_way_to_everything(tmp_path: Path) -> None:
+    subprocess.run([sys.executable, "-c", _REPAIR, str(tmp_path / "absent.mcap")], check=True, timeout=20)
+
+
+def test_without_the_permission_for_real_time_it_is_raised(monkeypatch: pytest.MonkeyPatch) -> None:
+    asked: list[int] = []
+    monkeypatch.setattr(os, "sched_setscheduler", _refuse)
+    monkeypatch.setattr(os, "setpriority", lambda _which, _who, niceness: asked.append(niceness))
+    assert priority.go_first() == "raised"
+    assert asked[0] < 0
+
+
+def test_without_any_permission_it_flies_at_normal_priority(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(os, "sched_setscheduler", _refuse)
+    monkeypatch.setattr(os, "setpriority", _refuse)
+    assert priority.go_first() == "normal"

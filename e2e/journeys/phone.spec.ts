@@ -1,0 +1,134 @@
+import AxeBuilder from "@axe-core/playwright";
+import type { Page } from "@playwright/test";
+import { expect, open, test } from "../support/fixtures.js";
+import { Walk } from "../support/walk.js";
+
+const PHONE = { viewport: { width: 360, height: 640 }, hasTouch: true, isMobile: true };
+
+/** What a pilot reads and presses, in both languages. */
+const WORDS = {
+  es: {
+    name: "Tu nombre",
+    enter: "Entrar",
+    mine: "Tienes el control",
+    release: "Soltar",
+    take: "Tomar el control",
+    plans: "Planes de vuelo",
+    hilPlan: "Plan HIL",
+    read: "Descargar de la placa",
+    insert: "Insertar",
+    send: "Enviar a la placa",
+    goTo: /^Ir a \d+$/,
+    gone: /Ir al waypoint: confirmado/,
+    proven: /Plan HIL: la placa tiene los \d+ waypoints/,
+    alarms: "Alarmas",
+    lost: /Se ha perdido el latido de la placa/,
+    acknowledge: /^Reconocer que terminó: latido perdido/,
+    log: "Abrir el registro de mensajes",
+    close: "Cerrar",
+    last: "Último mensaje",
+    back: "Datos de vuelo",
+  },
+  en: {
+    name: "Your name",
+    enter: "Enter",
+    mine: "You have control",
+    release: "Release",
+    take: "Take control",
+    plans: "Flight plans",
+    hilPlan: "HIL plan",
+    read: "Download from board",
+    insert: "Insert",
+    send: "Send to board",
+    goTo: /^Go to \d+$/,
+    gone: /Go to waypoint: confirmed/,
+    proven: /HIL plan: the board has the \d+ waypoints/,
+    alarms: "Alarms",
+    lost: /The board.s heartbeat on .* is lost/,
+    acknowledge: /^Acknowledge that it ended: heartbeat lost/,
+    log: "Open the log of messages",
+    close: "Close",
+    last: "Last message",
+    back: "Flight data",
+  },
+} as const;
+
+test.describe("a pilot with nothing but a phone", () => {
+  test.use({ trustsThisComputer: false });
+
+  for (const language of ["es", "en"] as const) {
+    test(`joins, takes control, adds a waypoint and flies it, sees and acknowledges an alarm (${language})`, async ({
+      browser,
+      flying,
+    }) => {
+      const say = WORDS[language];
+      const context = await browser.newContext({ ...PHONE, locale: language });
+      await context.addInitScript((code) => {
+        localStorage.setItem("epf-gcs.settings", JSON.stringify({ language: code }));
+      }, language);
+      const page = await context.newPage();
+      const tap = async (name: string | RegExp) =>
+        await page.getByRole("button", { name, exact: typeof name === "string" }).tap();
+
+      await page.goto(`${flying.url}/#key=${await flying.invite("operator")}`, { waitUntil: "domcontentloaded" });
+      await page.getByRole("textbox", { name: say.name }).fill("Ana");
+      await tap(say.enter);
+      const mine = page.getByText(say.mine, { exact: true });
+      await expect(mine).toBeVisible();
+      await tap(say.release);
+      await tap(say.take);
+      await expect(mine).toBeVisible();
+
+      await page.getByRole("tab", { name: say.plans, exact: true }).tap();
+      await page.getByRole("tab", { name: say.hilPlan, exact: true }).tap();
+      await tap(say.read);
+      const rows = page.getByRole("tabpanel", { name: say.hilPlan }).getByRole("row");
+      await expect.poll(async () => await rows.count(), "the route that the board flies").toBeGreaterThan(3);
+      const before = await rows.count();
+      await tap(say.insert);
+      await expect(rows).toHaveCount(before + 1);
+      await tap(say.send);
+      const last = page.getByRole("status", { name: say.last });
+      await expect(last).toContainText(say.proven);
+      await tap(say.goTo);
+      await expect(last).toContainText(say.gone);
+
+      await flying.line.pull();
+      const alarm = page.getByRole("alert").filter({ hasText: say.lost }).first();
+      await expect(alarm).toBeInViewport({ ratio: 1 });
+      await flying.line.plugIn();
+      await page.getByRole("button", { name: say.acknowledge }).tap();
+      await expect(page.getByRole("button", { name: say.acknowledge })).toHaveCount(0);
+
+      await tap(say.log);
+      await expect(page.getByRole("dialog")).toBeVisible();
+      await page.getByRole("dialog").getByRole("button", { name: say.close, exact: true }).tap();
+      await page.getByRole("tab", { name: say.back, exact: true }).tap();
+      await expect(page.getByRole("tabpanel", { name: say.back })).toBeVisible();
+      await context.close();
+    });
+  }
+});
+
+/** Serious for an eye or a hand; the rest of the rules is the barriers' journey. */
+async function barriers(page: Page): Promise<string[]> {
+  const { violations } = await new AxeBuilder({ page }).setLegacyMode().exclude("[data-base-ui-focus-guard]").analyze();
+  return violations.map(({ id, nodes }) => `${id} ${nodes[0]?.html}`);
+}
+
+test("nothing is cut, covered or too small for a finger, on a phone and at a zoom of 400 %", async ({
+  page,
+  flying,
+}) => {
+  await open(page, flying);
+  const walk = await Walk.of(page);
+  const faults: string[] = [];
+  await walk.resize({ width: 360, height: 640, touch: true });
+  faults.push(...(await walk.tabs()), ...(await walk.overlays()), ...(await barriers(page)));
+  await walk.speak("en");
+  await walk.resize({ width: 915, height: 412, touch: true });
+  faults.push(...(await walk.tabs()));
+  await walk.resize({ width: 320, height: 256, zoom: 4 });
+  faults.push(...(await walk.tabs()));
+  expect(faults).toEqual([]);
+});

@@ -1,0 +1,58 @@
+import { useRef } from "react";
+import { useTranslation } from "react-i18next";
+import { readAutopilot, readAutotrim } from "../../features/controls/axes";
+import { LiveAttitude } from "../../readouts/LiveAttitude";
+import { LiveFlag } from "../../readouts/LiveFlag";
+import { boardBearing_deg, boardHeading_deg, LiveHeading } from "../../readouts/LiveHeading";
+import type { ReadoutLayout, ReadoutRows } from "../../readouts/LiveReadout";
+import { Readouts } from "../../readouts/ReadoutTable";
+import { YAW } from "../../readouts/rows";
+import { ReadoutGrid } from "../../ui/Readout";
+import { useScrolledByKey } from "../../ui/useScrolledByKey";
+import "./flying.css";
+
+type Shown = ReadoutRows & ReadoutLayout;
+
+const AIRSPEED: Shown = {
+  topic: "analog",
+  chars: 5,
+  rows: [{ field: "calibrated_airspeed_kt", label: "flying.airspeed", as: "speed" }],
+};
+const GROUND_SPEED: Shown = {
+  topic: "gps",
+  chars: 5,
+  rows: [{ field: "speed_kt", label: "flying.groundSpeed", as: "speed" }],
+};
+const ALTITUDE: Shown = {
+  topic: "analog",
+  chars: 5,
+  rows: [{ field: "altitude_m", label: "analog.altitude", as: "altitude" }],
+};
+const ATTITUDE_HEADING: Shown = { topic: "ahrs", chars: 5, rows: [YAW] };
+
+/** What the aircraft is flown by, in a small window: attitude, heading, speeds, altitude, and whether it flies by itself. */
+export function FlightInstruments() {
+  const { t } = useTranslation();
+  const panel = useRef<HTMLElement>(null);
+  useScrolledByKey(panel);
+  return (
+    <aside ref={panel} className="flying" aria-label={t("left.label")}>
+      <div className="flying-dials">
+        <LiveAttitude topic="ahrs" />
+        <LiveHeading heading_deg={boardHeading_deg} bearing_deg={boardBearing_deg} />
+      </div>
+      <div className="flying-numbers">
+        <ReadoutGrid>
+          <Readouts {...AIRSPEED} />
+          <Readouts {...GROUND_SPEED} />
+          <Readouts {...ALTITUDE} />
+          <Readouts {...ATTITUDE_HEADING} />
+        </ReadoutGrid>
+        <div className="flying-flags">
+          <LiveFlag topic="heartbeat" read={readAutopilot} label={t("flag.autopilot")} />
+          <LiveFlag topic="heartbeat" read={readAutotrim} label={t("flag.autotrim")} />
+        </div>
+      </div>
+    </aside>
+  );
+}

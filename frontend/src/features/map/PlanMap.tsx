@@ -1,0 +1,87 @@
+import { useEffect, useMemo, useRef, useState } from "react";
+import { useTranslation } from "react-i18next";
+import type { Aircraft } from "../../lib/aircraft";
+import type { Waypoint } from "../../lib/plan";
+import type { FlatScene } from "../../scene/flat/FlatScene";
+import { FoldingPanel } from "./FoldingPanel";
+import { FlatMap } from "./flat/FlatMap";
+import { FlatContext } from "./flat/useFlat";
+import { Attribution } from "./layers/Attribution";
+import { FlyHere } from "./plan/FlyHere";
+import { useMapPlan } from "./plan/useMapPlan";
+import { OpenPlanContext } from "./plan/useOpenPlan";
+import { usePlanScene } from "./plan/usePlanScene";
+import { PlanProfile } from "./profile/PlanProfile";
+import { EditBar } from "./tools/EditBar";
+import { MapKeys } from "./tools/MapKeys";
+import { MapMenu } from "./tools/MapMenu";
+import { Measuring } from "./tools/Measuring";
+import "./map.css";
+
+/** The map of one plan, beside its table: the same map, tools, menu and keys as in the map's own tab. */
+export function PlanMap({ plan }: { plan: Aircraft }) {
+  const { t } = useTranslation();
+  const [scene, setScene] = useState<FlatScene | null>(null);
+  const flat = useMemo(() => ({ isShown: true, scene }), [scene]);
+  return (
+    <OpenPlanContext value={plan}>
+      <FlatContext value={flat}>
+        <Shown plan={plan} scene={scene} onScene={setScene} />
+        <FoldingPanel name="planProfile" title={t("map.profile.title")}>
+          <PlanProfile aircraft={plan} />
+        </FoldingPanel>
+      </FlatContext>
+    </OpenPlanContext>
+  );
+}
+
+interface ShownProps {
+  plan: Aircraft;
+  scene: FlatScene | null;
+  onScene: (scene: FlatScene | null) => void;
+}
+
+function Shown({ plan, scene, onScene }: ShownProps) {
+  const { t } = useTranslation();
+  const picture = useRef<HTMLElement>(null);
+  const plans = { flight: useMapPlan("flight"), hil: useMapPlan("hil") };
+  const { waypoints } = plans[plan];
+  const isShown = useMemo(() => ({ flight: plan === "flight", hil: plan === "hil" }), [plan]);
+  usePlanScene(plans, isShown, plan, ignore);
+  useFirstLook(scene, plan, waypoints);
+  return (
+    <section ref={picture} className="map-scene map-beside" aria-label={t("map.edit.planMap")}>
+      <FlatMap onScene={onScene} followChoice="plans.map.follow" />
+      <div className="map-over">
+        <EditBar />
+      </div>
+      <Measuring />
+      <MapKeys picture={picture} />
+      <MapMenu />
+      <FlyHere />
+      <Attribution />
+    </section>
+  );
+}
+
+/**
+ * Shows all of a plan when there is one: at first, and where it came whole. One that is drawn point by point stays where
+ * it is, and so does the map.
+ */
+function useFirstLook(scene: FlatScene | null, plan: Aircraft, waypoints: readonly Waypoint[]): void {
+  const looked = useRef<{ readonly scene: FlatScene; readonly plan: Aircraft; readonly count: number }>(null);
+  useEffect(() => {
+    if (scene !== null) {
+      const before = looked.current;
+      const isSame = before?.scene === scene && before.plan === plan;
+      if (!isSame || (before.count === 0 && waypoints.length > 1)) {
+        scene.lookAt(waypoints);
+      }
+      looked.current = { scene, plan, count: waypoints.length };
+    }
+  }, [scene, plan, waypoints]);
+}
+
+function ignore(): void {
+  // A waypoint that is pulled has no number fields here: the table shows it when it is put down.
+}

@@ -1,0 +1,27 @@
+import { useTranslation } from "react-i18next";
+import { sameRow } from "../../../lib/plan";
+import { PLAN_LIMITS } from "../../../protocol/missions";
+import { useBoardBlocked } from "../../../requests/useBlocked";
+import type { MapPlan } from "./useMapPlan";
+
+/** Why the board cannot be sent to a place of the map now; undefined if it can. */
+export function useFlyHereBlocked(plan: MapPlan): string | undefined {
+  const { t } = useTranslation();
+  const blocked = useBoardBlocked();
+  const { maximum } = PLAN_LIMITS.count;
+  const errors = plan.issues.filter(({ level, code }) => level === "error" && code !== "count").length;
+  return (
+    blocked ??
+    (plan.isFixed ? t("plans.fixed") : undefined) ??
+    (plan.canTransfer ? undefined : t("plans.unsupportedShort")) ??
+    // What is not known would be overwritten.
+    (plan.onBoard === null && plan.waypoints.length === 0 ? t("map.fly.readFirst") : undefined) ??
+    (plan.waypoints.length >= maximum ? t("plans.isFull", { maximum }) : undefined) ??
+    (errors > 0 ? t("plans.fixFirst", { count: errors }) : undefined)
+  );
+}
+
+/** The row of the shown plan that the board flies to now; null if it is not known. */
+export function flownRow({ waypoints, onBoard, flownTo }: MapPlan): number | null {
+  return flownTo === null ? null : sameRow(waypoints, onBoard, flownTo);
+}

@@ -1,0 +1,43 @@
+import { createStore, type StoreApi } from "zustand/vanilla";
+import type { Position } from "../../../lib/geodesy";
+import type { GroundPlace } from "../../../scene/tools/MapPointer";
+import { partName } from "../../../store/parts";
+
+/** What a press on the map does: picks a thing, adds a waypoint, measures, or puts a corner of an area. */
+export type Tool = "pick" | "add" | "measure" | "area";
+
+/** A spot of the map whose menu is open. */
+export interface OpenMenu {
+  /** Pixels from the map's upper left corner. */
+  readonly x: number;
+  readonly y: number;
+  readonly place: GroundPlace | null;
+  readonly waypoint: { readonly plan: "flight" | "hil"; readonly row: number } | null;
+  readonly leg: { readonly plan: "flight" | "hil"; readonly row: number; readonly share: number } | null;
+}
+
+export interface MapToolState {
+  readonly tool: Tool;
+  readonly measured: readonly GroundPlace[];
+  /** The corners of the area that a survey covers. */
+  readonly area: readonly GroundPlace[];
+  readonly menu: OpenMenu | null;
+  /** The place that "fly here" asks about. */
+  readonly flyTo: Position | null;
+}
+
+export type MapToolStore = StoreApi<MapToolState>;
+
+export const MAP_TOOL = partName<MapToolStore>("map tool");
+
+export function createMapTool(): MapToolStore {
+  return createStore<MapToolState>(() => ({ tool: "pick", measured: [], area: [], menu: null, flyTo: null }));
+}
+
+export function chooseTool(store: MapToolStore, tool: Tool): void {
+  store.setState({ tool });
+}
+
+export function measureFrom(store: MapToolStore, place: GroundPlace): void {
+  store.setState({ tool: "measure", measured: [place] });
+}
