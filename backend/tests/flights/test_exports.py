@@ -313,7 +313,7 @@ def two_lengths(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]:
 
 
 @pytest.mark.uncounted
-@pytest.mark.parametrize("kind", ["mcap-decoded", "csv", "kmz"])
+@pytest.mark.parametrize("kind", ["mcap", "mcap-decoded", "csv", "parquet", "kmz", "gpx", "czml"])
 def test_the_memory_of_an_export_does_not_grow_with_the_flight(two_lengths: tuple[Path, Path], kind: str) -> None:
     short, long = (_peak_kb(path, kind) for path in two_lengths)
     # All samples of the longer flight are 20 MB as numbers, and several times that as text or objects.

@@ -17,7 +17,7 @@ from epf_gcs.recordings.mcap_file import Tally, closing, data_end, message_recor
 from epf_gcs.recordings.reading import read_file
 from epf_gcs.recordings.topics import BOARD_RECEIVED, TOPICS
 from tests.flights.flown_flights import quiet, recording
-from tests.recordings.files import START_NS, messages, packed, plain
+from tests.recordings.files import START_NS, mark, messages, packed, plain
 
 DAY_NS = 86_400 * 10**9
 
@@ -175,9 +175,15 @@ def test_where_a_clock_was_set_back_in_flight_time_goes_on_and_it_is_told(tmp_pa
     # Half an hour in all, and a hundredth of a second, which is how records of two lines interleave.
     jumped = times[:20] + [t_ns - hour_ns for t_ns in times[20:40]] + [t_ns - 2 * hour_ns for t_ns in times[40:]]
     jumped[5] += 2 * step_ns
-    answer, target = imported(tmp_path, at_times(*jumped))
+    content = at_times(*jumped)
+    end = content.index(data_end())
+    # A mark by the clock as it was last.
+    content = content[:end] + mark(jumped[-1], "late") + content[end:]
+    answer, target = imported(tmp_path, content)
     assert answer["damage"] == "The clock was set back 2 times in flight; here time goes on."
-    found = read_file(target).messages.t_ns
+    recording_read = read_file(target)
+    found = recording_read.messages.t_ns
+    assert [note.t_ns for note in recording_read.notes] == [int(found[-1])], "notes go with the messages"
     assert int(found[0]) == answer["started_ns"] == START_NS
     # The step itself is lost: what was read after it counts as read at once.
     assert int(found[-1]) == times[-1] - 2 * step_ns

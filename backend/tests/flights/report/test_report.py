@@ -39,6 +39,11 @@ def test_the_page_shows_each_manoeuvre_beside_the_earlier_flights(language: str)
     assert len(both["manoeuvres"]) > 5
     shown = html.fromstring(page(both, language))
     assert len(shown.xpath("//svg")) >= len(both["manoeuvres"])
+    # Of two pictures each says which flight it is of.
+    for figures in ([*card.iter("figure")] for card in shown.find_class("card")):
+        captions = [figure.findtext("figcaption") for figure in figures]
+        assert len(set(captions)) == len(figures)
+        assert (captions == [None]) == (len(figures) == 1)
 
 
 def test_a_report_is_made_once_of_an_indexed_flight_and_kept(tmp_path: Path) -> None:

@@ -2,6 +2,7 @@ import { useMemo, useRef, useState } from "react";
 import { useTranslation } from "react-i18next";
 import type { FlatScene } from "../../scene/flat/FlatScene";
 import { CameraSection } from "./CameraSection";
+import { FlightFigures } from "./FlightFigures";
 import { FlatMap } from "./flat/FlatMap";
 import { FlatContext, useMapKind } from "./flat/useFlat";
 import { GlobeMissing } from "./GlobeMissing";
@@ -56,6 +57,7 @@ export function MapView() {
                 <EditBar />
                 <ThingCard />
               </div>
+              <FlightFigures />
               <MapKeys picture={picture} />
               <MapMenu />
               <FlyHere />

@@ -26,6 +26,9 @@ table { border-collapse: collapse; font-variant-numeric: tabular-nums }
 th, td { padding: 2px 10px 2px 0; border-bottom: 1px solid #ccc; text-align: left; font-weight: 400 }
 td { text-align: right }
 thead th { font-weight: 600 }
+thead th:not(:first-child) { text-align: right }
+tr { break-inside: avoid }
+figure { margin: 0 } figcaption { color: #444; font-size: 9.5pt }
 .quiet { color: #444; font-size: 9.5pt; margin: .2em 0 }
 .cards { display: grid; grid-template-columns: 1fr 1fr; gap: 12px }
 .card { border: 1px solid #999; padding: 8px; break-inside: avoid }
@@ -121,7 +124,9 @@ def _manoeuvres(report: Report, words: Words) -> str:
             rows = LEG if one["kind"] == "leg" else ANSWER
             head = [words["figure"], words["this"], *([words["otherShort"]] if other else [])]
             content = _table(head, [[words["figures"][row.name], *(row.read(flown) for flown in both)] for row in rows])
-        pictures = "".join(picture(flown, f"{kind} {at}") for flown in both)
+        drawn = [picture(flown, f"{kind} {at}") for flown in both]
+        names = [f"<figcaption>{escape(words[name])}</figcaption>" if other else "" for name in ("this", "otherShort")]
+        pictures = "".join(f"<figure>{name}{svg}</figure>" for name, svg in zip(names, drawn, strict=False))
         quiet = "".join(f"<p class=quiet>{escape(note)}</p>" for note in notes)
         cards.append(f"<div class=card><h3>{escape(f'{kind} {at}')}</h3>{pictures}{content}{quiet}</div>")
     return f"<div class=cards>{''.join(cards)}</div>"
