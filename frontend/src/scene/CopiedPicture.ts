@@ -7,10 +7,11 @@ export class CopiedPicture {
   readonly #source: HTMLCanvasElement;
   readonly #context: CanvasRenderingContext2D | null;
 
-  constructor(source: HTMLCanvasElement) {
+  /** `isClear`: where the source is transparent, what lies behind is seen. */
+  constructor(source: HTMLCanvasElement, isClear = false) {
     this.#source = source;
     // In main memory, from which the page is composed.
-    this.#context = this.canvas.getContext("2d", { alpha: false, willReadFrequently: true });
+    this.#context = this.canvas.getContext("2d", { alpha: isClear, willReadFrequently: true });
   }
 
   copy(): void {
@@ -19,6 +20,10 @@ export class CopiedPicture {
     if (canvas.width !== width || canvas.height !== height) {
       [canvas.width, canvas.height] = [width, height];
     }
-    this.#context?.drawImage(this.#source, 0, 0);
+    if (this.#context !== null) {
+      // A canvas that was resized has forgotten how it draws.
+      this.#context.globalCompositeOperation = "copy";
+      this.#context.drawImage(this.#source, 0, 0);
+    }
   }
 }

@@ -1,17 +1,9 @@
-import { Color, LabelStyle } from "@cesium/engine";
-import { EDGE } from "./colours";
-
 /** Nearer than this, metres, a mark is visible even through the ground: it must never be lost. */
 export const THROUGH_GROUND_M = 400_000;
 
 const FAMILY = '"Inter Variable", system-ui, sans-serif';
+export const PLAIN_FONT = `600 15px ${FAMILY}`;
 export const STRONG_FONT = `700 16px ${FAMILY}`;
 
-/** Lettering on the globe: with a dark outline, readable on any ground. */
-export const LETTERING = {
-  font: `600 15px ${FAMILY}`,
-  style: LabelStyle.FILL_AND_OUTLINE,
-  outlineColor: Color.fromCssColorString(EDGE),
-  outlineWidth: 3,
-  disableDepthTestDistance: THROUGH_GROUND_M,
-};
+/** What belongs to the flight stands above all names of the ground. */
+export const FLIGHT_RANK = 1000;

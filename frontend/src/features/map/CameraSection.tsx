@@ -4,6 +4,7 @@ import { AIRCRAFT, type Aircraft } from "../../lib/aircraft";
 import { formatFixed, formatHeading } from "../../lib/format";
 import { CAMERA_CHOICE, CAMERAS } from "../../lib/mapCamera";
 import type { FlightScene } from "../../scene/aircraft/FlightScene";
+import { LIGHTS } from "../../scene/world/look";
 import { usePage, useTelemetry } from "../../store/hooks";
 import { choose } from "../../store/settings";
 import type { TelemetryStore } from "../../store/telemetry";
@@ -17,6 +18,7 @@ import { KIND_CHOICE, KINDS, useFlat, useMapKind } from "./flat/useFlat";
 import { FOLLOWED_CHOICE, useCameraMode, useFlightScene, useFollowed } from "./useFlightScene";
 import { useGlobe } from "./useGlobe";
 import { GRATICULE_CHOICE, useGraticule } from "./useGraticule";
+import { LIGHT_CHOICE, useGlobeNames, useLight } from "./useGroundNames";
 
 /** Which map is seen and where from, and which aircraft are on it or why not. */
 export function CameraSection() {
@@ -32,7 +34,11 @@ export function CameraSection() {
   const kinds = { "3d": t("map.flat.kind3d"), "2d": t("map.flat.kind2d") };
   const cameras = { follow: t("map.view.follow"), free: t("map.view.free"), cockpit: t("map.view.cockpit") };
   const names = { flight: t("map.view.flight"), hil: t("map.view.hil") };
-  useEffect(() => globe?.ground.setGraticule(graticule), [globe, graticule]);
+  const light = useLight();
+  const lights = { day: t("map.view.day"), night: t("map.view.night") };
+  useEffect(() => globe?.ground.setGraticule(graticule !== null), [globe, graticule]);
+  useEffect(() => globe?.ground.setLight(light), [globe, light]);
+  useGlobeNames();
   useKeys(scene);
   return (
     <FoldingPanel name="camera" title={t("map.view.camera")} className="map-camera">
@@ -64,6 +70,12 @@ export function CameraSection() {
       ))}
       {!flat.isShown && <Eye scene={scene} />}
       {!flat.isShown && globe?.isSoftware === true && <p className="map-how">{t("map.view.software")}</p>}
+      <SegmentedSwitch
+        label={t("map.view.light")}
+        options={LIGHTS.map((value) => ({ value, label: lights[value] }))}
+        value={light}
+        onChange={(value) => choose(settings, LIGHT_CHOICE, value)}
+      />
       <Checkbox
         label={t("map.view.graticule")}
         checked={graticule !== null}

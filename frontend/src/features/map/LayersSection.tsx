@@ -33,7 +33,7 @@ export function LayersSection() {
   return (
     <FoldingPanel name="layers" title={t("map.layers.title")} className="map-layers">
       <Failure />
-      {ground.stack.length === 0 && <p className="map-layers-hint">{t("map.layers.none")}</p>}
+      {ground.stack.length === 0 && <p className="map-layers-hint">{t("map.ground.plain")}</p>}
       <ul className="map-layers-list">
         {ground.stack.map((stacked, place) => (
           <LayerRow

@@ -1,6 +1,7 @@
 import { useMemo, useRef, useState } from "react";
 import { useTranslation } from "react-i18next";
 import type { FlatScene } from "../../scene/flat/FlatScene";
+import { AirfieldsSection } from "./airfields/AirfieldsSection";
 import { CameraSection } from "./CameraSection";
 import { FlightFigures } from "./FlightFigures";
 import { FlatMap } from "./flat/FlatMap";
@@ -68,6 +69,7 @@ export function MapView() {
           <div className="map-side">
             <CameraSection />
             <ThingsSection />
+            <AirfieldsSection />
             <TrackSection />
             <PlanSection />
             <PatternSection />

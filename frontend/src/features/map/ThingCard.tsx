@@ -1,25 +1,21 @@
-import type { ParseKeys } from "i18next";
 import { X } from "lucide-react";
-import { type ReactNode, useCallback, useEffect, useId, useRef } from "react";
+import { type ReactNode, useCallback, useEffect, useId } from "react";
 import { useTranslation } from "react-i18next";
 import type { Aircraft } from "../../lib/aircraft";
 import { formatHeading } from "../../lib/format";
-import { bearing_deg, distance_m, type Position } from "../../lib/geodesy";
+import { bearing_deg, distance_m } from "../../lib/geodesy";
 import type { MapThing } from "../../lib/mapThing";
 import { captureRadius_m, unsentOf } from "../../lib/plan";
 import { SELECTION, selectThing } from "../../missions/selection";
-import { coordinate, heading } from "../../readouts/formats";
 import type { ReadoutRow, ReadoutRows } from "../../readouts/LiveReadout";
 import { ANGLE, COORDINATE, COUNT, HEADING } from "../../readouts/notations";
 import { ReadoutTable } from "../../readouts/ReadoutTable";
 import { LiveBadge } from "../../readouts/StreamPanel";
 import { type Unit, useUnit } from "../../readouts/useUnit";
 import { usePart } from "../../store/hooks";
-import type { TelemetryStore } from "../../store/telemetry";
-import { usePaint } from "../../store/usePaint";
-import { Readout, ReadoutGrid, type ReadoutHandle } from "../../ui/Readout";
 import { useWords } from "../../ui/words";
-import { aircraftPlace, PLACE_TOPIC } from "./plan/aircraftPlace";
+import { AirfieldValues } from "./airfields/AirfieldValues";
+import { type Fact, Facts, FromAircraft } from "./cardParts";
 import { useHome } from "./plan/useHome";
 import { useMapPlan } from "./plan/useMapPlan";
 import { useMapTool } from "./tools/useMapTool";
@@ -75,6 +71,8 @@ function Title({ thing }: { thing: MapThing }) {
       return t("map.plan.home");
     case "aircraft":
       return thing.plan === "flight" ? t("map.plan.aircraftFlight") : t("map.plan.aircraftHil");
+    case "airfield":
+      return thing.code;
     case "waypoint":
       return `${t("map.plan.editing", { number: thing.row + 1 })} · ${t(`planName.${thing.plan}`)}`;
   }
@@ -86,6 +84,8 @@ function Values({ thing }: { thing: MapThing }): ReactNode {
       return <HomeValues />;
     case "aircraft":
       return <AircraftValues aircraft={thing.plan} />;
+    case "airfield":
+      return <AirfieldValues {...thing} />;
     case "waypoint":
       return <WaypointValues plan={thing.plan} row={thing.row} />;
   }
@@ -204,54 +204,5 @@ function WaypointValues({ plan, row }: { plan: Aircraft; row: number }) {
       <Facts place={waypoint} more={facts} />
       <FromAircraft aircraft={plan} to={waypoint} />
     </>
-  );
-}
-
-type Fact = readonly [label: ParseKeys, text: string];
-
-/** Position and other facts that come from no stream. */
-function Facts({ place, more = [] }: { place: Position; more?: readonly Fact[] }) {
-  const { t } = useTranslation();
-  const facts: readonly Fact[] = [
-    ["plans.latitude", `${coordinate(place.latitude_deg)}${t("unit.deg")}`],
-    ["plans.longitude", `${coordinate(place.longitude_deg)}${t("unit.deg")}`],
-    ...more,
-  ];
-  return (
-    <dl className="map-card-facts">
-      {facts.map(([label, text]) => (
-        <div key={label}>
-          <dt>{t(label)}</dt>
-          <dd>{text}</dd>
-        </div>
-      ))}
-    </dl>
-  );
-}
-
-/** Distance and bearing of the place from an aircraft; stale when the aircraft's position is. */
-function FromAircraft({ aircraft, to }: { aircraft: Aircraft; to: Position }) {
-  const { t } = useTranslation();
-  const unit = useUnit("distance");
-  const away = useRef<ReadoutHandle>(null);
-  const bearing = useRef<ReadoutHandle>(null);
-  const { latitude_deg, longitude_deg } = to;
-  const paint = useCallback(
-    (telemetry: TelemetryStore, now_ms: number) => {
-      const from = aircraftPlace(telemetry, aircraft);
-      const place = { latitude_deg, longitude_deg };
-      const state = telemetry.state(PLACE_TOPIC[aircraft], now_ms);
-      away.current?.paint(from === null ? null : unit.format(distance_m(from, place)), state);
-      bearing.current?.paint(from === null ? null : heading(bearing_deg(from, place)), state);
-    },
-    [aircraft, latitude_deg, longitude_deg, unit],
-  );
-  usePaint("text", paint);
-  const name = aircraft === "flight" ? t("map.plan.fromFlight") : t("map.plan.fromHil");
-  return (
-    <ReadoutGrid columns={1}>
-      <Readout ref={away} label={name} unit={unit.label} />
-      <Readout ref={bearing} label={t("plans.bearing")} unit={t("unit.deg")} />
-    </ReadoutGrid>
   );
 }

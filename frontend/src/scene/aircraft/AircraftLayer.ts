@@ -1,20 +1,10 @@
-import {
-  Cartesian2,
-  Cartesian3,
-  Color,
-  ColorBlendMode,
-  HorizontalOrigin,
-  type Label,
-  LabelCollection,
-  Matrix4,
-  Model,
-  VerticalOrigin,
-} from "@cesium/engine";
+import { Cartesian3, Color, ColorBlendMode, Matrix4, Model } from "@cesium/engine";
 import type { Aircraft } from "../../lib/aircraft";
 import type { FullAttitude } from "../../lib/attitude";
 import { AIRCRAFT_COLOURS } from "../colours";
 import type { Globe } from "../globe/Globe";
-import { LETTERING } from "../lettering";
+import type { SpaceText } from "../globe/GlobeLabels";
+import { FLIGHT_RANK, PLAIN_FONT } from "../lettering";
 import { airframeFaces } from "./airframe";
 import { gltfAddress } from "./gltf";
 import { modelMatrix, type Place, type Pose, poseOf } from "./pose";
@@ -39,11 +29,9 @@ export type AircraftFeed = (now_ms: number) => AllSeen;
 const GHOST = 0.32;
 /** From afar it is drawn larger, to stay visible. */
 const LEAST_PX = 112;
-/** Labels above and below, in pixels: both aircraft are often in one place. */
-const NAME_PLACE: Readonly<Record<Aircraft, Cartesian2>> = {
-  flight: new Cartesian2(22, -18),
-  hil: new Cartesian2(22, 34),
-};
+/** Between the aircraft and its name, pixels. */
+const NAME_AWAY_PX = 22;
+const NOT_LIVE = "#ffffff";
 /** Smaller movements are ignored: metres, and the sine of an angle. */
 const STILL_M = 0.004;
 const STILL_TURN = 2e-4;
@@ -52,7 +40,6 @@ const STILL_TURN = 2e-4;
 export class AircraftLayer {
   readonly #globe: Globe;
   readonly #drawn: Readonly<Record<Aircraft, DrawnAircraft>>;
-  readonly #labels = new LabelCollection();
   readonly #endPictures: () => void;
   #feed: AircraftFeed | null = null;
   #seen: AllSeen = { flight: null, hil: null };
@@ -60,10 +47,9 @@ export class AircraftLayer {
 
   constructor(globe: Globe) {
     this.#globe = globe;
-    globe.scene.primitives.add(this.#labels);
     this.#drawn = {
-      flight: new DrawnAircraft(globe, this.#labels, "flight"),
-      hil: new DrawnAircraft(globe, this.#labels, "hil"),
+      flight: new DrawnAircraft(globe, "flight"),
+      hil: new DrawnAircraft(globe, "hil"),
     };
     this.#endPictures = globe.onBeforePicture((now_ms) => this.#beforePicture(now_ms));
   }
@@ -88,13 +74,15 @@ export class AircraftLayer {
     this.#endPictures();
     this.#drawn.flight.dispose();
     this.#drawn.hil.dispose();
-    this.#globe.scene.primitives.remove(this.#labels);
+    this.#globe.labels.show(this, []);
   }
 
   #beforePicture(now_ms: number): void {
     this.#seen = this.#feed?.(now_ms) ?? { flight: null, hil: null };
     const flightMoved = this.#drawn.flight.show(this.#seen.flight, this.#within === "flight");
     const hilMoved = this.#drawn.hil.show(this.#seen.hil, this.#within === "hil");
+    const names = [this.#drawn.flight.name, this.#drawn.hil.name].filter((name) => name !== null);
+    this.#globe.labels.show(this, names);
     if (flightMoved || hilMoved) {
       this.#globe.requestRender();
     }
@@ -103,28 +91,25 @@ export class AircraftLayer {
 
 class DrawnAircraft {
   readonly #globe: Globe;
-  readonly #labels: LabelCollection;
-  readonly #label: Label;
+  readonly #aircraft: Aircraft;
   readonly #colour: Color;
+  #name: Omit<SpaceText, "position"> | null = null;
+  #position = Cartesian3.ZERO;
   #model: Model | null = null;
   #isDisposed = false;
   #matrix: readonly number[] = [];
   #shown = "";
 
-  constructor(globe: Globe, labels: LabelCollection, aircraft: Aircraft) {
+  constructor(globe: Globe, aircraft: Aircraft) {
     this.#globe = globe;
-    this.#labels = labels;
+    this.#aircraft = aircraft;
     this.#colour = Color.fromCssColorString(AIRCRAFT_COLOURS[aircraft]);
-    this.#label = labels.add({
-      ...LETTERING,
-      position: Cartesian3.ZERO,
-      show: false,
-      horizontalOrigin: HorizontalOrigin.LEFT,
-      verticalOrigin: VerticalOrigin.BOTTOM,
-      pixelOffset: NAME_PLACE[aircraft],
-      disableDepthTestDistance: Number.POSITIVE_INFINITY,
-    });
     void this.#load();
+  }
+
+  /** Its name beside it; null while it is not drawn. */
+  get name(): SpaceText | null {
+    return this.#name === null ? null : { ...this.#name, position: this.#position };
   }
 
   /** Returns whether anything visible has changed. */
@@ -132,7 +117,7 @@ class DrawnAircraft {
     const shown = seen === null ? "" : `${seen.label}|${seen.isLive}|${seen.attitude === null}|${isWithin}`;
     const isOther = shown !== this.#shown;
     this.#shown = shown;
-    this.#label.show = seen !== null && !isWithin;
+    this.#name = seen === null || isWithin ? null : this.#named(seen);
     if (this.#model !== null) {
       this.#model.show = seen?.attitude != null && !isWithin;
     }
@@ -147,9 +132,19 @@ class DrawnAircraft {
     return this.#place(pose) || isOther;
   }
 
+  #named(seen: AircraftSeen): Omit<SpaceText, "position"> {
+    return {
+      key: `aircraft ${this.#aircraft}`,
+      text: seen.attitude === null ? `✕ ${seen.label}` : seen.label,
+      font: PLAIN_FONT,
+      colour: seen.isLive ? AIRCRAFT_COLOURS[this.#aircraft] : NOT_LIVE,
+      rank: FLIGHT_RANK + 50,
+      away_px: NAME_AWAY_PX,
+      isSought: true,
+    };
+  }
+
   #dress(seen: AircraftSeen): void {
-    this.#label.text = seen.attitude === null ? `✕ ${seen.label}` : seen.label;
-    this.#label.fillColor = seen.isLive ? this.#colour : Color.WHITE;
     if (this.#model !== null) {
       this.#model.color = this.#colour.withAlpha(seen.isLive ? 1 : GHOST);
     }
@@ -157,7 +152,6 @@ class DrawnAircraft {
 
   dispose(): void {
     this.#isDisposed = true;
-    this.#labels.remove(this.#label);
     if (this.#model !== null) {
       this.#globe.scene.primitives.remove(this.#model);
     }
@@ -170,7 +164,7 @@ class DrawnAircraft {
     );
     if (moved) {
       this.#matrix = matrix;
-      this.#label.position = new Cartesian3(...pose.position);
+      this.#position = new Cartesian3(...pose.position);
       if (this.#model !== null) {
         this.#model.modelMatrix = Matrix4.fromArray(matrix);
       }

@@ -1,18 +1,32 @@
 import type { Position } from "../../lib/geodesy";
 import type { TrackPoints } from "../../lib/track/trackPoints";
 import { AREA } from "../colours";
-import type { Island } from "../globe/chart/coast";
 import type { CompassLetters } from "../globe/chart/graticule";
+import { LabelSheet } from "../labels/LabelSheet";
+import { NamedThings } from "../labels/NamedThings";
+import { type CountryNames, textOf } from "../labels/thingTexts";
 import { type MapTarget, REACH_PX } from "../plan/target";
+import type { PickedAirfield } from "../tools/airfields";
 import type { Grip, GroundPlace } from "../tools/MapPointer";
+import type { Light } from "../world/look";
+import type { World } from "../world/World";
+import { FlatGround, nameLevel } from "./FlatGround";
 import { FlatPlans } from "./FlatPlans";
 import { FlatPointer } from "./FlatPointer";
 import { type FlatLayer, FlatTiles } from "./FlatTiles";
 import { FlatTrack, type FlatTrackLook } from "./FlatTrack";
 import { drawGraticule } from "./flatGraticule";
-import { drawGround, drawRunways } from "./flatGround";
 import { drawAircraft, drawDistance, type FlatAircraft, type MarkedPlace } from "./flatThings";
-import { around, type FlatView, fromScreen, panned, type ScreenPoint, zoomed } from "./projection";
+import {
+  around,
+  type FlatView,
+  fromScreen,
+  metresPerPixel,
+  panned,
+  type ScreenPoint,
+  toScreen,
+  zoomed,
+} from "./projection";
 import { Words } from "./Words";
 
 /** What lies on the map and does not move. */
@@ -23,6 +37,8 @@ export interface FlatContents {
   readonly tracks: ReadonlyArray<{ readonly points: TrackPoints; readonly look: FlatTrackLook }>;
   /** Null: no lines of latitude and longitude. */
   readonly graticule: CompassLetters | null;
+  readonly light: Light;
+  readonly countries: CountryNames;
 }
 
 export interface FlatListener {
@@ -32,6 +48,7 @@ export interface FlatListener {
   readonly onPointer: (place: Position | null) => void;
   /** A person has moved the map away from what it followed. */
   readonly onMoved: () => void;
+  readonly onAirfield: (picked: PickedAirfield) => void;
 }
 
 const START: Position = { latitude_deg: 27.93, longitude_deg: -15.38 };
@@ -54,11 +71,19 @@ export class FlatScene {
   readonly #listener: FlatListener;
   readonly #pointer: FlatPointer;
   readonly #tiles = new FlatTiles(() => this.#change());
+  readonly #ground: FlatGround;
+  readonly #names: NamedThings;
+  readonly #sheet = new LabelSheet();
   readonly #tracks = new Map<TrackPoints, FlatTrack>();
   readonly #sizes: ResizeObserver;
   #view: FlatView = { centre: START, zoom: START_ZOOM, width_px: 0, height_px: 0 };
-  #islands: readonly Island[] = [];
-  #contents: FlatContents = { layers: [], tracks: [], graticule: null };
+  #contents: FlatContents = {
+    layers: [],
+    tracks: [],
+    graticule: null,
+    light: "day",
+    countries: (code) => code,
+  };
   #aircraft: readonly FlatAircraft[] = [];
   #followed: Position | null = null;
   #measured: readonly MarkedPlace[] = [];
@@ -69,9 +94,11 @@ export class FlatScene {
   #onMeasure: ((place: GroundPlace) => void) | null = null;
   #handle: number | null = null;
 
-  constructor(canvas: HTMLCanvasElement, listener: FlatListener) {
+  constructor(canvas: HTMLCanvasElement, world: World, listener: FlatListener) {
     this.#canvas = canvas;
     this.#listener = listener;
+    this.#ground = new FlatGround(world, () => this.#change());
+    this.#names = new NamedThings(world, () => this.#change());
     this.#pointer = new FlatPointer(canvas, {
       find: (at, reach_px) => this.#find(at, reach_px),
       cursor: () => (this.#isAiming ? "crosshair" : ""),
@@ -92,13 +119,9 @@ export class FlatScene {
     this.#size();
   }
 
-  setIslands(islands: readonly Island[]): void {
-    this.#islands = islands;
-    this.#change();
-  }
-
   setContents(contents: FlatContents): void {
     this.#contents = contents;
+    this.#ground.setLight(contents.light);
     this.#change();
   }
 
@@ -179,6 +202,8 @@ export class FlatScene {
     this.#pointer.dispose();
     this.#sizes.disconnect();
     this.#tiles.clear();
+    this.#ground.clear();
+    this.#names.dispose();
     if (this.#handle !== null) {
       cancelAnimationFrame(this.#handle);
     }
@@ -187,12 +212,23 @@ export class FlatScene {
   #find(at: ScreenPoint, reach_px: number): Grip | null {
     const measure = this.#onMeasure;
     return measure === null
-      ? this.plans.find(() => this.#view, at, this.#aircraft, reach_px)
+      ? (this.plans.find(() => this.#view, at, this.#aircraft, reach_px) ?? this.#findAirfield(at, reach_px))
       : {
           cursor: "crosshair",
           click: () => measure({ ...fromScreen(this.#view, at), height_m: null }),
           drag: null,
         };
+  }
+
+  #findAirfield(at: ScreenPoint, reach_px: number): Grip | null {
+    const key = this.#sheet.find(at, reach_px);
+    const thing = this.#names.things.find((one) => one.key === key);
+    if (thing?.kind !== "airfield") {
+      return null;
+    }
+    const { code, latitude_deg, longitude_deg } = thing.airfield;
+    const click = (): void => this.#listener.onAirfield({ code, latitude_deg, longitude_deg });
+    return { cursor: "pointer", click, drag: null };
   }
 
   #size(): void {
@@ -229,13 +265,13 @@ export class FlatScene {
     const { layers, tracks, graticule } = this.#contents;
     const ratio = window.devicePixelRatio || 1;
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
-    const words = new Words(context);
-    drawGround(context, this.#view, this.#islands);
+    const words = new Words();
+    this.#ground.draw(context, this.#view, ratio);
     this.#tiles.draw(context, this.#view, layers);
-    drawRunways(context, this.#view, words);
     if (graticule !== null) {
-      drawGraticule(context, this.#view, graticule);
+      drawGraticule(context, this.#view, graticule, words);
     }
+    this.#name(words);
     for (const { points, look } of tracks) {
       const track = this.#trackOf(points);
       track.draw(context, this.#view, look);
@@ -248,6 +284,25 @@ export class FlatScene {
     drawDistance(context, this.#view, this.#measured, words);
     for (const aircraft of this.#aircraft) {
       drawAircraft(context, this.#view, aircraft, words);
+    }
+    words.paint(context, this.#sheet, this.#view.width_px, this.#view.height_px, ratio);
+  }
+
+  /** What the ground's things are called. */
+  #name(words: Words): void {
+    const view = this.#view;
+    const { light, countries } = this.#contents;
+    const pixel_m = metresPerPixel(view);
+    const half_m = (pixel_m * Math.hypot(view.width_px, view.height_px)) / 2;
+    if (half_m > 0) {
+      this.#names.see({
+        centre: view.centre,
+        sight_m: 2 * half_m,
+        zones: [{ level: nameLevel(view), from_m: 0, to_m: 1.4 * half_m }],
+      });
+    }
+    for (const thing of this.#names.things) {
+      words.add(textOf(thing, toScreen(view, thing), light, countries));
     }
   }
 

@@ -1,48 +1,46 @@
 import { expect, test } from "vitest";
+import { meets } from "../../lib/labels";
+import { LabelSheet } from "../labels/LabelSheet";
 import { Words } from "./Words";
 
-interface Written {
-  readonly text: string;
-  readonly x: number;
-  readonly y: number;
-}
-
-/** Letters ten pixels high, and eight wide each. */
-function paper() {
-  const written: Written[] = [];
-  const context = {
-    measureText: (text: string) => ({ width: 8 * text.length, fontBoundingBoxAscent: 10 }),
-    strokeText: () => undefined,
-    fillText: (text: string, x: number, y: number) => written.push({ text, x, y }),
-  };
-  return { words: new Words(context as unknown as CanvasRenderingContext2D), written };
-}
-
-test("words stand right above their place", () => {
-  const { words, written } = paper();
-  words.write("Casa", { x: 100, y: 50 }, 8, "#fff");
-  expect(written[0]?.x).toBeGreaterThan(100);
-  expect(written[0]?.y).toBeLessThan(50);
+const context = new Proxy({} as CanvasRenderingContext2D, {
+  get: () => () => undefined,
+  set: () => true,
 });
 
-test("the words of two things in one place do not stand over each other", () => {
-  const { words, written } = paper();
-  for (const text of ["HIL", "Real", "3 · 1000 ft", "Casa"]) {
-    words.write(text, { x: 100, y: 50 }, 8, "#fff");
+/** Letters eight pixels wide, in lines 18 high. */
+const letters = {
+  sizeOf: ({ text }: { readonly text: string }) => ({ width: 8 * text.length, height: 18 }),
+  draw: () => undefined,
+};
+
+/** Texts at one place of a picture of 800 by 600, painted. */
+function written(texts: readonly string[], sheet = new LabelSheet(letters)): LabelSheet {
+  const words = new Words();
+  for (const text of texts) {
+    words.write(text, { x: 400, y: 300 }, 8, "#fff");
   }
-  const boxes = written.map(({ text, x, y }) => ({ left: x, right: x + 8 * text.length, y }));
+  words.paint(context, sheet, 800, 600, 1);
+  return sheet;
+}
+
+test("the words of two things in one place do not stand over each other", () => {
+  const boxes = [...written(["HIL", "Real", "3 · 1000 ft", "Casa"]).placed.values()].map(({ box }) => box);
+  expect(boxes).toHaveLength(4);
   for (const [index, one] of boxes.entries()) {
     for (const other of boxes.slice(index + 1)) {
-      const isBeside = one.right <= other.left || other.right <= one.left;
-      expect(isBeside || Math.abs(one.y - other.y) >= 12).toBe(true);
+      expect(meets(one, other)).toBe(false);
     }
   }
 });
 
-test("where there is no room they are written all the same", () => {
-  const { words, written } = paper();
-  for (let index = 0; index < 10; index += 1) {
-    words.write("Real", { x: 100, y: 50 }, 8, "#fff");
-  }
-  expect(written).toHaveLength(10);
+test("all words of the flight are read, however many stand in one place", () => {
+  expect(written(Array.from({ length: 10 }, () => "Real")).placed.size).toBe(10);
+});
+
+test("a word stays on its side when another comes", () => {
+  const sheet = written(["Casa"]);
+  const before = [...sheet.placed.values()][0];
+  written(["Casa", "Real"], sheet);
+  expect([...sheet.placed.values()][0]).toEqual(before);
 });

@@ -1,17 +1,18 @@
 import { angleText, type CompassLetters, graticuleStep_s, linesBetween_s } from "../globe/chart/graticule";
+import { GRATICULE_TEXT } from "../labels/graticuleText";
 import { boxSeen, type FlatView, toScreen } from "./projection";
+import type { Words } from "./Words";
 
 const LINE = "rgb(255 255 255 / 34%)";
-const INK = "rgb(255 255 255 / 88%)";
-const EDGE = "rgb(8 20 30 / 75%)";
-const FONT = '11px "B612 Mono", "DejaVu Sans Mono", monospace';
-const GAP_PX = 4;
+/** From the bottom and from the left: the scale and the buttons stand in the corners. */
+const EDGE_PX = 44;
 
-/** Lines of latitude and longitude, and at each crossing the two angles, as on the globe. */
+/** Lines of latitude and longitude, each with its angle, as on the globe. */
 export function drawGraticule(
   context: CanvasRenderingContext2D,
   view: FlatView,
   letters: CompassLetters,
+  words: Words,
 ): void {
   const box = boxSeen(view);
   // A tile of the globe's levels is half as wide as one of Web Mercator.
@@ -36,21 +37,11 @@ export function drawGraticule(
     context.lineTo(view.width_px, y);
   }
   context.stroke();
-  context.font = FONT;
-  context.fillStyle = INK;
-  context.strokeStyle = EDGE;
-  context.lineWidth = 3;
-  context.lineJoin = "round";
-  for (const { x, name: longitude } of meridians) {
-    for (const { y, name: latitude } of parallels) {
-      context.strokeText(latitude, x + GAP_PX, y - GAP_PX);
-      context.fillText(latitude, x + GAP_PX, y - GAP_PX);
-      context.save();
-      context.translate(x - GAP_PX, y - GAP_PX);
-      context.rotate(-Math.PI / 2);
-      context.strokeText(longitude, 0, 0);
-      context.fillText(longitude, 0, 0);
-      context.restore();
-    }
+  // Each line is named once, near the picture's edge, where it does not meet another name.
+  for (const { x, name } of meridians) {
+    words.add({ ...GRATICULE_TEXT, key: `m${name}`, text: name, at: { x, y: view.height_px - EDGE_PX } });
+  }
+  for (const { y, name } of parallels) {
+    words.add({ ...GRATICULE_TEXT, key: `p${name}`, text: name, at: { x: EDGE_PX, y } });
   }
 }

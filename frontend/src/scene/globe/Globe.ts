@@ -13,13 +13,13 @@ import { tellTiming } from "../../lib/timing";
 import { CopiedPicture } from "../CopiedPicture";
 import { drawsInSoftware, PictureCost } from "../graphics";
 import { PictureBudget } from "../pictureBudget";
+import { GlobeLabels } from "./GlobeLabels";
 import { globeLimits, softwareScale } from "./globeBudget";
 import { Ground } from "./ground";
 import { hastenTiles, setQuality, setScale } from "./quality";
 
 /** The globe always shows this day: without day and night nothing else needs to be loaded. */
 const NOON = "2026-06-21T13:00:00Z";
-const SKY = "#8fb6d3";
 /** For this long after the wheel was turned, the user counts as moving the globe. */
 const WHEEL_MS = 400;
 /**
@@ -34,7 +34,7 @@ const MOST_MS = 500;
  */
 const softwareContext = () => ({
   allowTextureFilterAnisotropic: false,
-  webgl: { antialias: false, preserveDrawingBuffer: true },
+  webgl: { alpha: true, antialias: false, preserveDrawingBuffer: true },
 });
 
 /**
@@ -49,6 +49,7 @@ export class Globe {
   readonly widget: CesiumWidget;
   readonly scene: Scene;
   readonly ground: Ground;
+  readonly labels: GlobeLabels;
   /** Drawn without a graphics processor: coarser while something moves. */
   readonly isSoftware = drawsInSoftware();
   readonly #element = document.createElement("div");
@@ -94,15 +95,17 @@ export class Globe {
       creditContainer: document.createElement("div"),
       blurActiveElementOnCanvasFocus: false,
       automaticallyTrackDataSourceClocks: false,
-      ...(this.isSoftware && { contextOptions: softwareContext() }),
+      // The sky is a canvas of its own behind the picture.
+      contextOptions: this.isSoftware ? softwareContext() : { webgl: { alpha: true } },
     });
     this.scene = this.widget.scene;
-    this.scene.backgroundColor = Color.fromCssColorString(SKY);
+    this.scene.backgroundColor = Color.TRANSPARENT;
     this.scene.canvas.classList.add("globe-picture");
     this.#copied = this.isSoftware ? this.#seenBy(this.scene.canvas) : null;
     this.#cost = new PictureCost(this.scene.canvas.getContext("webgl2"), "globe.picture");
     this.#budget = new PictureBudget(this.isSoftware, globeLimits(this.isSoftware));
     this.ground = new Ground(this);
+    this.labels = new GlobeLabels(this.scene, this.#element);
     this.scene.camera.setView({
       destination: Cartesian3.fromDegrees(-15.3, 27.75, 25_000),
       orientation: { heading: CesiumMath.toRadians(-12), pitch: CesiumMath.toRadians(-40), roll: 0 },
@@ -150,6 +153,14 @@ export class Globe {
     this.scene.requestRender();
   }
 
+  /** The texts have changed, and the picture below them has not. */
+  repaintLabels(): void {
+    if (this.#drawn > 0 && !this.#cost.isWaiting) {
+      this.labels.arrange();
+      this.labels.paint();
+    }
+  }
+
   /** Called before each picture; a listener that moves something calls `requestRender`. */
   onBeforePicture(listener: (now_ms: number) => void): () => void {
     this.#listeners.add(listener);
@@ -195,6 +206,10 @@ export class Globe {
       this.#drawn_ms = now_ms;
       this.#drawn += 1;
       this.#cost.finish();
+      this.labels.arrange();
+      if (this.#copied === null) {
+        this.labels.paint();
+      }
       tellTiming("globe.script", started_ms);
     }
   };
@@ -206,6 +221,7 @@ export class Globe {
     }
     if (this.#copied !== null) {
       this.#copied.copy();
+      this.labels.paint();
       hastenTiles(this.scene, cost_ms);
     }
     // The cost of a fine picture at rest says nothing about the next moving one.
@@ -244,7 +260,7 @@ export class Globe {
 
   /** The WebGL canvas is invisible, but still receives the pointer. */
   #seenBy(picture: HTMLCanvasElement): CopiedPicture {
-    const copied = new CopiedPicture(picture);
+    const copied = new CopiedPicture(picture, true);
     copied.canvas.className = "globe-picture";
     picture.before(copied.canvas);
     picture.classList.replace("globe-picture", "globe-unseen");

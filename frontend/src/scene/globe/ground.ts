@@ -7,22 +7,17 @@ import {
   TileMapServiceImageryProvider,
   UrlTemplateImageryProvider,
 } from "@cesium/engine";
-import { GRAN_CANARIA } from "./chart/airfields";
+import type { Light } from "../world/look";
+import { keptWorld } from "../world/World";
 import { CanvasTiles } from "./chart/CanvasTiles";
-import { CHART, drawCoast, fadeBorder, type Island, needsFade, readIslands } from "./chart/coast";
-import { type CompassLetters, drawGraticule } from "./chart/graticule";
-import { drawAirfield } from "./chart/runways";
+import { drawGraticule } from "./chart/graticule";
+import { WorldTiles } from "./chart/WorldTiles";
 import type { Globe } from "./Globe";
 import { coveredBy, type ImagerySource, lowestLevel } from "./imagery";
 
-/** The page's own coastline, and the deepest levels of it and of the graticule: tiles of 300 and of 150 m. */
-const COASTLINE = "/map/canary-coastline.json";
-const CHART_LEVELS = 16;
+/** The graticule's deepest level: tiles of 150 m. */
 const GRATICULE_LEVELS = 17;
 const WORLD = { west_deg: -180, south_deg: -90, east_deg: 180, north_deg: 90 };
-
-/** The lowest layer, which covers the whole Earth. */
-export type BaseKind = "natural" | "none";
 
 export type { ImagerySource } from "./imagery";
 
@@ -40,14 +35,14 @@ export interface ImageryHandle {
 }
 
 /**
- * The globe's layers, from the lowest: the Earth's image, the chart of the Canary Islands, other layers in the order
+ * The globe's layers, from the lowest: the Earth's image, the chart of the world, other layers in the order
  * in which they were added, the graticule.
  */
 export class Ground {
   readonly #globe: Globe;
   readonly #natural: ImageryLayer;
-  #chart: ImageryLayer | null = null;
-  #isCharted = true;
+  #chart: ImageryLayer;
+  #light: Light = "day";
   #graticule: ImageryLayer | null = null;
   #terrain = 0;
 
@@ -56,54 +51,44 @@ export class Ground {
     this.#natural = ImageryLayer.fromProviderAsync(
       TileMapServiceImageryProvider.fromUrl(buildModuleUrl("Assets/Textures/NaturalEarthII")),
     );
+    this.#chart = this.#chartOf(this.#light);
     globe.scene.imageryLayers.add(this.#natural);
-    void this.#loadChart();
+    globe.scene.imageryLayers.add(this.#chart);
   }
 
-  /** The chart of the Canary Islands. */
-  setChart(isVisible: boolean): void {
-    this.#isCharted = isVisible;
-    if (this.#chart !== null) {
-      this.#chart.show = isVisible;
-      this.#globe.requestRender();
+  #chartOf(light: Light): ImageryLayer {
+    // Those that had to wait are asked for with the next picture.
+    return new ImageryLayer(new WorldTiles(keptWorld(), light, () => this.#globe.scene.requestRender()));
+  }
+
+  /** Draw the chart for the day or for the night. */
+  setLight(light: Light): void {
+    if (light === this.#light) {
+      return;
     }
+    this.#light = light;
+    const layers = this.#globe.scene.imageryLayers;
+    const at = layers.indexOf(this.#chart);
+    layers.remove(this.#chart, true);
+    this.#chart = this.#chartOf(light);
+    layers.add(this.#chart, at);
+    this.#natural.show = light === "day";
+    this.#globe.requestRender();
   }
 
-  /** The graticule with the page's compass letters; null: none. */
-  setGraticule(letters: CompassLetters | null): void {
+  /** Lines of latitude and longitude. */
+  setGraticule(isVisible: boolean): void {
     const layers = this.#globe.scene.imageryLayers;
     if (this.#graticule !== null) {
       layers.remove(this.#graticule, true);
       this.#graticule = null;
     }
-    if (letters !== null) {
+    if (isVisible) {
       this.#graticule = new ImageryLayer(
-        new CanvasTiles(WORLD, GRATICULE_LEVELS, (context, box, level) =>
-          drawGraticule(context, box, level, letters),
-        ),
+        new CanvasTiles(WORLD, GRATICULE_LEVELS, (context, box, level) => drawGraticule(context, box, level)),
       );
       layers.add(this.#graticule);
     }
-    this.#globe.requestRender();
-  }
-
-  async #loadChart(): Promise<void> {
-    const islands = await fetchIslands();
-    const provider = new CanvasTiles(CHART, CHART_LEVELS, (context, box) => {
-      drawCoast(context, box, islands);
-      drawAirfield(context, box, GRAN_CANARIA);
-      if (needsFade(box)) {
-        fadeBorder(context, box);
-      }
-    });
-    this.#chart = new ImageryLayer(provider, { show: this.#isCharted });
-    const { imageryLayers } = this.#globe.scene;
-    imageryLayers.add(this.#chart, Math.min(1, imageryLayers.length));
-    this.#globe.requestRender();
-  }
-
-  setBase(kind: BaseKind): void {
-    this.#natural.show = kind === "natural";
     this.#globe.requestRender();
   }
 
@@ -148,12 +133,4 @@ export class Ground {
       this.#globe.requestRender();
     }
   }
-}
-
-async function fetchIslands(): Promise<readonly Island[]> {
-  const answer = await fetch(COASTLINE);
-  if (!answer.ok) {
-    throw new Error(`${COASTLINE}: ${answer.status}`);
-  }
-  return readIslands(await answer.text());
 }

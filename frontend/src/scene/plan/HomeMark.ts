@@ -1,16 +1,8 @@
-import {
-  Cartesian2,
-  Cartesian3,
-  Color,
-  type Label,
-  LabelCollection,
-  type PointPrimitive,
-  PointPrimitiveCollection,
-} from "@cesium/engine";
+import { Cartesian3, Color, type PointPrimitive, PointPrimitiveCollection } from "@cesium/engine";
 import type { Position } from "../../lib/geodesy";
 import { HOME } from "../colours";
 import type { Globe } from "../globe/Globe";
-import { LETTERING, THROUGH_GROUND_M } from "../lettering";
+import { FLIGHT_RANK, PLAIN_FONT, THROUGH_GROUND_M } from "../lettering";
 import { EDGE_COLOUR } from "./style";
 
 const HOME_COLOUR = Color.fromCssColorString(HOME);
@@ -19,15 +11,12 @@ const HOME_COLOUR = Color.fromCssColorString(HOME);
 export class HomeMark {
   readonly #globe: Globe;
   readonly #dots = new PointPrimitiveCollection();
-  readonly #labels = new LabelCollection();
   readonly #dot: PointPrimitive;
-  readonly #label: Label;
   #shown: (Position & { readonly label: string }) | null = null;
 
   constructor(globe: Globe) {
     this.#globe = globe;
     globe.scene.primitives.add(this.#dots);
-    globe.scene.primitives.add(this.#labels);
     this.#dot = this.#dots.add({
       show: false,
       color: HOME_COLOUR,
@@ -35,13 +24,6 @@ export class HomeMark {
       outlineColor: EDGE_COLOUR,
       outlineWidth: 3,
       disableDepthTestDistance: THROUGH_GROUND_M,
-    });
-    this.#label = this.#labels.add({
-      ...LETTERING,
-      position: Cartesian3.ZERO,
-      show: false,
-      fillColor: HOME_COLOUR,
-      pixelOffset: new Cartesian2(10, 16),
     });
   }
 
@@ -59,19 +41,33 @@ export class HomeMark {
     }
     this.#shown = home;
     this.#dot.show = home !== null;
-    this.#label.show = home !== null;
     if (home !== null) {
       const position = Cartesian3.fromDegrees(home.longitude_deg, home.latitude_deg);
       this.#dot.position = position;
-      this.#label.position = position;
-      this.#label.text = home.label;
     }
+    this.#globe.labels.show(
+      this,
+      home === null
+        ? []
+        : [
+            {
+              key: "home",
+              position: this.#dot.position,
+              text: home.label,
+              font: PLAIN_FONT,
+              colour: HOME,
+              rank: FLIGHT_RANK - 20,
+              away_px: 10,
+              isSought: true,
+            },
+          ],
+    );
     this.#globe.requestRender();
   }
 
   dispose(): void {
     this.#globe.scene.primitives.remove(this.#dots);
-    this.#globe.scene.primitives.remove(this.#labels);
+    this.#globe.labels.show(this, []);
     this.#globe.requestRender();
   }
 }

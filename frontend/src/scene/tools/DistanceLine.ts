@@ -1,8 +1,9 @@
-import { Cartesian2, Cartesian3, Color, LabelCollection, PointPrimitiveCollection } from "@cesium/engine";
+import { Cartesian3, Color, PointPrimitiveCollection } from "@cesium/engine";
 import type { Position } from "../../lib/geodesy";
 import { EDGE, MEASURE } from "../colours";
 import type { Globe } from "../globe/Globe";
-import { LETTERING, THROUGH_GROUND_M } from "../lettering";
+import type { SpaceText } from "../globe/GlobeLabels";
+import { FLIGHT_RANK, PLAIN_FONT, THROUGH_GROUND_M } from "../lettering";
 import { legPoints } from "../plan/geometry";
 import { type LineLook, type RibbonLine, RibbonLines } from "../ribbon/RibbonLines";
 import type { Place } from "../ribbon/vertices";
@@ -15,14 +16,12 @@ export interface MeasuredPlace extends GroundPlace {
 const EDGE_COLOUR = Color.fromCssColorString(EDGE);
 /** Height of the line above the ground, metres: in the ground it would flicker. */
 const OVER_GROUND_M = 3;
-const OFFSET = new Cartesian2(10, -12);
 
 /** The distance tool's line along the ground, with the length at each corner. */
 export class DistanceLine {
   readonly #globe: Globe;
   readonly #lines: RibbonLines;
   readonly #dots = new PointPrimitiveCollection();
-  readonly #labels = new LabelCollection();
 
   readonly #colour: Color;
   readonly #look: LineLook;
@@ -33,13 +32,12 @@ export class DistanceLine {
     this.#look = { colour: this.#colour, width_px: 3 };
     this.#lines = new RibbonLines(globe);
     globe.scene.primitives.add(this.#dots);
-    globe.scene.primitives.add(this.#labels);
   }
 
   show(places: readonly MeasuredPlace[]): void {
     const lines: RibbonLine[] = [];
     this.#dots.removeAll();
-    this.#labels.removeAll();
+    const texts: SpaceText[] = [];
     for (const [index, to] of places.entries()) {
       const from = places[index - 1];
       const place = overGround(to, to.height_m);
@@ -57,21 +55,25 @@ export class DistanceLine {
         outlineWidth: 2,
         disableDepthTestDistance: THROUGH_GROUND_M,
       });
-      this.#labels.add({
-        ...LETTERING,
+      texts.push({
+        key: `${this.#colour.toCssHexString()} ${index}`,
         position,
         text: to.label,
-        fillColor: this.#colour,
-        pixelOffset: OFFSET,
+        font: PLAIN_FONT,
+        colour: this.#colour.toCssColorString(),
+        rank: FLIGHT_RANK + 30,
+        away_px: 10,
+        isSought: true,
       });
     }
+    this.#globe.labels.show(this, texts);
     this.#lines.show(lines);
   }
 
   dispose(): void {
     this.#lines.dispose();
     this.#globe.scene.primitives.remove(this.#dots);
-    this.#globe.scene.primitives.remove(this.#labels);
+    this.#globe.labels.show(this, []);
   }
 }
 

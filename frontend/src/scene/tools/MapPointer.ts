@@ -50,6 +50,7 @@ export class MapPointer {
   readonly #globe: Globe;
   readonly #canvas: HTMLCanvasElement;
   readonly #finders: Finder[] = [];
+  readonly #last = new Set<Finder>();
   readonly #hovers = new Set<(place: GroundPlace | null) => void>();
   readonly #gestures = new Set<GestureHands>();
   readonly #cursors = new Set<() => string>();
@@ -89,6 +90,12 @@ export class MapPointer {
         this.#finders.splice(at, 1);
       }
     };
+  }
+
+  /** Add a finder that is asked after all others: for things of the ground. */
+  addLastFinder(finder: Finder): () => void {
+    this.#last.add(finder);
+    return () => this.#last.delete(finder);
   }
 
   /** Report taps on the ground, double taps, and what asks for a menu. */
@@ -139,7 +146,7 @@ export class MapPointer {
   }
 
   #find(at: Spot, reach_px: number = REACH_PX.mouse): Grip | null {
-    for (const finder of this.#finders) {
+    for (const finder of [...this.#finders, ...this.#last]) {
       const grip = finder(at, reach_px);
       if (grip !== null) {
         return grip;

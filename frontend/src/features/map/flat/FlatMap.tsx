@@ -16,6 +16,7 @@ import { aircraftPlace } from "../plan/aircraftPlace";
 import { useHome } from "../plan/useHome";
 import { useMapPlan } from "../plan/useMapPlan";
 import { useFollowed } from "../useFlightScene";
+import { usePickAirfield } from "../useGroundNames";
 import { flatAircraft } from "./flatAircraft";
 import { FOLLOW_CHOICE } from "./useFlat";
 import { useFlatContents } from "./useFlatContents";
@@ -65,6 +66,7 @@ export function FlatMap({ onScene, followChoice = FOLLOW_CHOICE }: Props) {
       }
     },
     onMoved: () => isFollowing && follow(false),
+    onAirfield: usePickAirfield(),
   });
   useEffect(() => scene?.setContents(contents), [scene, contents]);
   useEffect(() => {

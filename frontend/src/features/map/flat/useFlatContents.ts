@@ -7,6 +7,7 @@ import { useMapLayers } from "../layers/useMapLayers";
 import { TRACK_KINDS } from "../trackKinds";
 import { TRACK_LOG } from "../trackLog";
 import { useGraticule } from "../useGraticule";
+import { useCountries, useLight } from "../useGroundNames";
 import { useTrackLook } from "../useTrackLook";
 
 /** What the flat map shows beside the plans: the same layers and tracks that are chosen for the globe. */
@@ -14,6 +15,8 @@ export function useFlatContents(): FlatContents {
   const trackLog = usePart(TRACK_LOG);
   const { colouring, range, isShown } = useTrackLook();
   const graticule = useGraticule();
+  const light = useLight();
+  const countries = useCountries();
   const known = useMapLayers((all) => all.layers);
   const remembered = useSettings(({ choices }) => choices["map.layers.stack"]);
   const layers = useMemo(
@@ -31,5 +34,8 @@ export function useFlatContents(): FlatContents {
         })),
     [isShown, trackLog, colouring, range],
   );
-  return useMemo(() => ({ layers, tracks, graticule }), [layers, tracks, graticule]);
+  return useMemo(
+    () => ({ layers, tracks, graticule, light, countries }),
+    [layers, tracks, graticule, light, countries],
+  );
 }

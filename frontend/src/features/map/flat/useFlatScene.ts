@@ -2,15 +2,15 @@ import { type RefObject, useEffect, useRef, useState } from "react";
 import type { Position } from "../../../lib/geodesy";
 import { FlatScene } from "../../../scene/flat/FlatScene";
 import { metresPerPixel } from "../../../scene/flat/projection";
-import { readIslands } from "../../../scene/globe/chart/coast";
+import type { PickedAirfield } from "../../../scene/tools/airfields";
+import { keptWorld } from "../../../scene/world/World";
 
 interface Listener {
   readonly onScale: (pixel_m: number) => void;
   readonly onPointer: (place: Position | null) => void;
   readonly onMoved: () => void;
+  readonly onAirfield: (picked: PickedAirfield) => void;
 }
-
-const COASTLINE = "/map/canary-coastline.json";
 
 /** The flat map on this canvas; null without a canvas. */
 export function useFlatScene(
@@ -26,19 +26,14 @@ export function useFlatScene(
     if (canvas.current === null) {
       return undefined;
     }
-    const made = new FlatScene(canvas.current, {
+    const made = new FlatScene(canvas.current, keptWorld(), {
       onView: (view) => newest.current.onScale(metresPerPixel(view)),
       onPointer: (place) => newest.current.onPointer(place),
       onMoved: () => newest.current.onMoved(),
+      onAirfield: (picked) => newest.current.onAirfield(picked),
     });
     setScene(made);
-    const end = new AbortController();
-    fetch(COASTLINE, { signal: end.signal })
-      .then(async (answer) => made.setIslands(readIslands(await answer.text())))
-      // Without the coastline the map still shows the flight.
-      .catch(() => undefined);
     return () => {
-      end.abort();
       made.dispose();
     };
   }, [canvas]);

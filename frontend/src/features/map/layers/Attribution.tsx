@@ -1,10 +1,12 @@
+import { useTranslation } from "react-i18next";
 import { useSettings } from "../../../store/hooks";
 import { useFlat } from "../flat/useFlat";
 import { stackOfLayers } from "./useGround";
 import { useMapLayers } from "./useMapLayers";
 
-/** The attributions of the visible layers. */
+/** The attributions of the visible layers, and of the map that ships with the page. */
 export function Attribution() {
+  const { t } = useTranslation();
   const layers = useMapLayers((known) => known.layers);
   const remembered = useSettings(({ choices }) => choices["map.layers.stack"]);
   const terrain = useSettings(({ choices }) => choices["map.layers.terrain"]);
@@ -20,5 +22,5 @@ export function Attribution() {
         problem === null && attribution !== "" && (shown.has(id) || (id === terrain && !isFlat)),
     )
     .map(({ attribution }) => attribution);
-  return names.length === 0 ? null : <p className="map-attribution">{[...new Set(names)].join(" · ")}</p>;
+  return <p className="map-attribution">{[...new Set([...names, t("map.ground.credit")])].join(" · ")}</p>;
 }

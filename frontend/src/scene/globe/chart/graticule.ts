@@ -1,3 +1,4 @@
+import type { Position } from "../../../lib/geodesy";
 import type { Box } from "./geometry";
 
 /** Possible distances between the lines, in seconds of arc: round for people. */
@@ -40,65 +41,83 @@ export function angleText(angle_s: number, step_s: number, positive: string, neg
   return whole === 0 ? text : text + (angle_s > 0 ? positive : negative);
 }
 
-/** Room for the label of a neighbouring tile, as a share of the tile. */
-const REACH = 0.4;
 const LINE = "rgb(255 255 255 / 34%)";
-const INK = "rgb(255 255 255 / 88%)";
-const EDGE = "rgb(8 20 30 / 75%)";
 
-/** Draw the lines of a tile, and at each crossing the two angles, onto a square canvas. */
-export function drawGraticule(
-  context: CanvasRenderingContext2D,
-  box: Box,
-  level: number,
-  letters: CompassLetters,
-): void {
+/** Draw the lines of a tile onto a square canvas. */
+export function drawGraticule(context: CanvasRenderingContext2D, box: Box, level: number): void {
   const size_px = context.canvas.width;
   const size_deg = box.east_deg - box.west_deg;
   const step_s = graticuleStep_s(level);
-  const reach_deg = REACH * size_deg;
-  const x = (longitude_s: number): number => ((longitude_s / 3600 - box.west_deg) / size_deg) * size_px;
-  const y = (latitude_s: number): number => ((box.north_deg - latitude_s / 3600) / size_deg) * size_px;
-  const meridians = linesBetween_s(
-    Math.max(-180, box.west_deg - reach_deg),
-    Math.min(180, box.east_deg + reach_deg),
-    step_s,
-  );
-  const parallels = linesBetween_s(
-    Math.max(-90, box.south_deg - reach_deg),
-    Math.min(90, box.north_deg + reach_deg),
-    step_s,
-  );
   context.strokeStyle = LINE;
   context.lineWidth = 1;
   context.beginPath();
-  for (const longitude of meridians) {
-    context.moveTo(x(longitude), 0);
-    context.lineTo(x(longitude), size_px);
+  for (const longitude of linesBetween_s(box.west_deg, box.east_deg, step_s)) {
+    const x = ((longitude / 3600 - box.west_deg) / size_deg) * size_px;
+    context.moveTo(x, 0);
+    context.lineTo(x, size_px);
   }
-  for (const latitude of parallels) {
-    context.moveTo(0, y(latitude));
-    context.lineTo(size_px, y(latitude));
+  for (const latitude of linesBetween_s(box.south_deg, box.north_deg, step_s)) {
+    const y = ((box.north_deg - latitude / 3600) / size_deg) * size_px;
+    context.moveTo(0, y);
+    context.lineTo(size_px, y);
   }
   context.stroke();
-  context.font = `${size_px / 22}px "B612 Mono", "DejaVu Sans Mono", monospace`;
-  context.fillStyle = INK;
-  context.strokeStyle = EDGE;
-  context.lineWidth = size_px / 90;
-  context.lineJoin = "round";
-  const write = (text: string, at_x: number, at_y: number): void => {
-    context.strokeText(text, at_x, at_y);
-    context.fillText(text, at_x, at_y);
-  };
-  const gap = size_px / 70;
-  for (const longitude of meridians) {
-    for (const latitude of parallels) {
-      write(angleText(latitude, step_s, letters.north, letters.south), x(longitude) + gap, y(latitude) - gap);
-      context.save();
-      context.translate(x(longitude) - gap, y(latitude) - gap);
-      context.rotate(-Math.PI / 2);
-      write(angleText(longitude, step_s, letters.east, letters.west), 0, 0);
-      context.restore();
+}
+
+/** Pixels of a tile at level 0 are so large; the engine shows tiles that are up to this much too coarse. */
+const LEVEL_0_M = 78_271;
+const COARSE = 1.6;
+/** So many lines to each side of the middle are named. */
+const NAMED = 3;
+
+interface NamedAngle {
+  readonly key: string;
+  readonly text: string;
+  readonly place: Position;
+}
+
+/**
+ * Names of lines around the middle of the picture, where a pixel is so large: meridians along the nearest parallel,
+ * parallels along the nearest meridian. Only lines that are drawn on the neighbouring levels too are named: which level
+ * is drawn where only the engine knows.
+ */
+export function nameAngles(
+  { latitude_deg, longitude_deg }: Position,
+  pixel_m: number,
+  letters: CompassLetters,
+): NamedAngle[] {
+  const level = Math.max(0, Math.round(Math.log2(LEVEL_0_M / (pixel_m * COARSE))));
+  const step_s = commonStep_s(
+    [level - 1, level, level + 1].map((near) => graticuleStep_s(Math.max(0, near))),
+  );
+  const nearest = (angle_deg: number): number => Math.round((angle_deg * 3600) / step_s) * step_s;
+  const [parallel_s, meridian_s] = [nearest(latitude_deg), nearest(longitude_deg)];
+  const names: NamedAngle[] = [];
+  for (let away = -NAMED; away <= NAMED; away += 1) {
+    const latitude_s = parallel_s + away * step_s;
+    const longitude_s = wrapped_s(meridian_s + away * step_s);
+    if (Math.abs(latitude_s) < 90 * 3600) {
+      names.push({
+        key: `p${latitude_s}`,
+        text: angleText(latitude_s, step_s, letters.north, letters.south),
+        place: { latitude_deg: latitude_s / 3600, longitude_deg: meridian_s / 3600 },
+      });
     }
+    names.push({
+      key: `m${longitude_s}`,
+      text: angleText(longitude_s, step_s, letters.east, letters.west),
+      place: { latitude_deg: parallel_s / 3600, longitude_deg: longitude_s / 3600 },
+    });
   }
+  return names;
+}
+
+/** The smallest of the steps that is a multiple of all of these. */
+function commonStep_s(steps: readonly number[]): number {
+  return STEPS_S.find((step) => steps.every((one) => step % one === 0)) ?? 324_000;
+}
+
+function wrapped_s(longitude_s: number): number {
+  const whole = 360 * 3600;
+  return ((((longitude_s + whole / 2) % whole) + whole) % whole) - whole / 2;
 }

@@ -1,0 +1,1 @@
+"""Tools that make files of the tree; nothing of them ships."""

@@ -1,0 +1,20 @@
+import { answerOf } from "./answer";
+import { CellStore } from "./cellStore";
+import type { NumberedAnswer, NumberedQuestion } from "./messages";
+
+// Beside the page: reads the map's cells and draws its tiles, so that the instruments never wait for them.
+const store = new CellStore((address) => fetch(address));
+
+/** The part of a worker's global scope that is used here. */
+const page = globalThis as unknown as {
+  onmessage: ((event: MessageEvent<NumberedQuestion>) => void) | null;
+  postMessage: (answer: NumberedAnswer, given: Transferable[]) => void;
+};
+
+page.onmessage = ({ data }) => {
+  answerOf(store, data).then(
+    (answer) =>
+      page.postMessage({ number: data.number, answer }, answer instanceof ImageBitmap ? [answer] : []),
+    (error: unknown) => page.postMessage({ number: data.number, fault: String(error) }, []),
+  );
+};
