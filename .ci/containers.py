@@ -21,9 +21,10 @@ from pathlib import Path
 from typing import Any, Final
 
 import yaml
+from jsonschema import Draft202012Validator
+
 from epf_gcs.codec.messages_gen import RECEIVE_PORT, SEND_PORT
 from epf_gcs.web.settings import Settings
-from jsonschema import Draft202012Validator
 
 COMPOSE: Final = ("docker-compose.yml", "docker-compose.use.yml")
 DEVELOPMENT: Final = COMPOSE[0]
