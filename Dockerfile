@@ -3,7 +3,7 @@
 #
 #     docker build -t epf-gcs .        (or `podman build --format docker`: the OCI format has no health check)
 #
-# Built twice from the same sources and base images it holds the same files, byte for byte (`make image-digest`).
+# Built twice from the same sources and base images it holds the same files, byte for byte.
 
 FROM docker.io/library/node:20-bookworm-slim AS page-packages
 # The base's own user, by number: its sources belong to it, and Vite writes beside its packages.

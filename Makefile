@@ -18,7 +18,7 @@ PORT ?= 8000
 ARGS ?=
 MINUTES ?= 30
 
-.PHONY: help setup images generate check test test-backend test-protocol test-firmware test-frontend e2e soak fuzz mutate mutate-page run board wheel bench clean tools browser
+.PHONY: help setup images generate check test test-backend test-protocol test-firmware test-frontend e2e soak fuzz mutate mutate-page run board wheel sdist check-platforms bench clean
 
 help: ## list the verbs
 	@awk -F':.*## ' '/^[a-z-]+:.*## / { printf "  make %-14s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -54,22 +54,18 @@ $(DONE)/e2e: e2e/package-lock.json $(DONE)/tools
 	@cd e2e && npm ci --no-audit --no-fund --loglevel=error
 	@touch $@
 
-$(DONE)/browser: .ci/browser $(DONE)/e2e
-	@bash .ci/browser
-	@touch $@
+# Not remembered while something is missing, so that it is looked for again. One after the other: Debian installs one
+# thing at a time.
+machine := $(DONE)/arm $(DONE)/clang $(DONE)/browser
+$(machine): $(DONE)/%: .ci/% $(DONE)/tools
+	@bash .ci/$*
+	@if [ -z "$$(bash .ci/$* --lacking)" ]; then touch $@; fi
+$(DONE)/clang: | $(DONE)/arm
+$(DONE)/browser: $(DONE)/e2e | $(DONE)/clang
 
-# Not remembered while something is missing, so that it is looked for again.
-$(DONE)/arm: .ci/arm
-	@mkdir -p $(DONE)
-	@bash .ci/arm
-	@if command -v arm-none-eabi-gcc >/dev/null && command -v qemu-system-arm >/dev/null; then touch $@; fi
-
-$(DONE)/clang: .ci/clang
-	@mkdir -p $(DONE)
-	@bash .ci/clang
-	@if [ -n "$$(bash .ci/clang --name)" ]; then touch $@; fi
-
-setup: $(DONE)/venv-dev $(DONE)/frontend $(DONE)/e2e $(DONE)/browser $(DONE)/arm $(DONE)/clang ## install everything that tests and development need
+# Each waits for the network or for one processor: three at a time.
+setup: $(DONE)/tools ## install everything that tests and development need
+	@$(MAKE) --no-print-directory -j 3 $(DONE)/venv-dev $(DONE)/frontend $(machine)
 
 # ---- building -------------------------------------------------------------------------------------
 
@@ -83,10 +79,18 @@ frontend/dist/index.html: $(frontend_sources) $(DONE)/frontend
 board: $(DONE)/tools ## build the board's firmware for this machine
 	@$(MAKE) --no-print-directory -C firmware board
 
-wheel: $(DONE)/venv frontend/dist/index.html board ## one file in dist/ that installs the whole station, without Node and without a compiler
-	@$(MAKE) --no-print-directory -C firmware board-static
-	@$(BIN)/python .ci/wheel.py . dist
+# The board's program of another processor needs its compiler: on Debian, gcc-aarch64-linux-gnu.
+PLATFORM ?= $(shell uname -m)
+wheel: $(DONE)/venv frontend/dist/index.html ## one file in dist/ that installs the whole station, without Node and without a compiler; PLATFORM=aarch64, or none: without a board's program
+	@if [ $(PLATFORM) = "$$(uname -m)" ]; then $(MAKE) --no-print-directory -C firmware board-static; \
+	elif [ $(PLATFORM) != none ]; then \
+	  $(MAKE) --no-print-directory -C firmware board-static BUILD=build/$(PLATFORM) CC=$(PLATFORM)-linux-gnu-gcc; fi
+	@$(BIN)/python .ci/wheel.py . dist $(PLATFORM)
 	@ls dist/*.whl
+
+sdist: $(DONE)/venv frontend/dist/index.html ## a source archive in dist/ with the built page inside
+	@$(BIN)/python .ci/wheel.py . dist sdist
+	@ls dist/*.tar.gz
 
 images: $(DONE)/tools $(DONE)/arm ## build the board's firmware for its processors (STM32F405, MPS2)
 	@$(MAKE) --no-print-directory -C firmware images
@@ -114,38 +118,65 @@ CORE := */codec/*,*/xplane/*,*/vehicle/*,*/bus/*,*/flight/board/*,*/flight/hil/*
 
 # ---- proving --------------------------------------------------------------------------------------
 
-check: $(DONE)/venv-dev $(DONE)/frontend $(DONE)/e2e ## format, lint, types, import rules, generated files up to date
+CHECKS := check-generated check-gateway check-types check-firmware check-page check-journeys
+
+check: setup ## format, lint, types, import rules, generated files up to date
+	@$(MAKE) --no-print-directory -j 2 --output-sync=target $(CHECKS)
+
+.PHONY: $(CHECKS)
+
+check-generated: $(DONE)/venv-dev $(DONE)/frontend
 	cd protocol && ../$(BIN)/python -m generator --check
 	$(BIN)/python -m epf_gcs.web --print-openapi > $(DONE)/openapi.json
 	cd frontend && npm run --silent generate:check -- ../$(DONE)/openapi.json
-	$(BIN)/ruff format --check backend protocol
-	$(BIN)/ruff check backend protocol
-	$(BIN)/ruff format --check --config backend/pyproject.toml .ci
-	$(BIN)/ruff check --config backend/pyproject.toml .ci
 	$(BIN)/python .ci/one_version.py .
 	$(BIN)/python .ci/licences.py .
-	cd backend && ../$(BIN)/mypy
+	$(BIN)/python .ci/containers.py .
+
+check-gateway: $(DONE)/venv-dev
+	$(BIN)/ruff format --check backend protocol .ci
+	$(BIN)/ruff check backend protocol .ci
 	cd backend && ../$(BIN)/lint-imports
+
+check-types: $(DONE)/venv-dev
+	cd backend && ../$(BIN)/mypy
+
+check-firmware: $(DONE)/venv-dev
 	$(FIRMWARE) format-check layers-check
+
+check-page: $(DONE)/frontend
 	cd frontend && npm run --silent check
+
+check-journeys: $(DONE)/e2e
 	cd e2e && npm run --silent check
 
-test: $(DONE)/setup-done check test-protocol test-firmware test-backend test-frontend e2e ## everything, from nothing
-	@$(BIN)/python .ci/summary.py $(RESULTS)
+check-platforms: $(DONE)/venv-dev ## types as macOS and Windows see them (half a minute)
+	cd backend && ../$(BIN)/mypy --no-warn-unreachable --platform darwin --cache-dir .mypy_cache/darwin src
+	cd backend && ../$(BIN)/mypy --no-warn-unreachable --platform win32 --cache-dir .mypy_cache/win32 src
 
-$(DONE)/setup-done: $(DONE)/venv-dev $(DONE)/frontend $(DONE)/browser
+# One after the other, whatever -j says: each uses all of the machine.
+TESTS := test-protocol test-firmware test-backend test-frontend e2e
+
+test: fresh-results ## everything, from nothing; what this machine cannot run is told at the end, which is red then
+	@$(MAKE) --no-print-directory check
+	@for part in $(TESTS); do $(MAKE) --no-print-directory $$part; done
+	@python3 .ci/summary.py $(RESULTS)
+
+.PHONY: fresh-results
+fresh-results:
 	@rm -rf $(RESULTS) && mkdir -p $(RESULTS)
 
-.PHONY: $(DONE)/setup-done
+# Where this machine lacks what a part of the tests needs, the results say so.
+PART = bash .ci/part $(abspath $(RESULTS))
 
 test-protocol: $(DONE)/venv-dev
+	cd .ci/tests && ../../$(BIN)/pytest -q --junitxml=$(abspath $(RESULTS))/ci.xml
 	cd protocol && ../$(BIN)/pytest -q --junitxml=../$(RESULTS)/protocol.xml
 
-# Without clang its parts are left out, and .ci/clang has said so.
 test-firmware: $(DONE)/venv-dev $(DONE)/arm $(DONE)/clang
 	$(FIRMWARE) -j 2 test coverage analyse-tidy analyse-misra
-	@if [ -n "$$(bash .ci/clang --name)" ]; then $(FIRMWARE) -j 2 fuzz-test analyse-clang; fi
-	@if command -v arm-none-eabi-gcc >/dev/null; then $(MAKE) --no-print-directory -C firmware images size; fi
+	@$(PART) firmware clang $(FIRMWARE) -j 2 fuzz-test analyse-clang
+	@$(PART) firmware arm $(MAKE) --no-print-directory -C firmware images size
 
 # More workers than cores: half of the time they wait for lines, processes and clocks.
 test-backend: $(DONE)/venv-dev $(DONE)/arm board frontend/dist/index.html
@@ -158,7 +189,7 @@ test-frontend: $(DONE)/frontend
 	cd frontend && npm run --silent test -- --coverage --reporter=default --reporter=junit --outputFile.junit=../$(RESULTS)/frontend.xml
 
 e2e: $(DONE)/venv $(DONE)/browser board frontend/dist/index.html ## journeys in a real browser through the real gateway, board and simulator
-	cd e2e && PLAYWRIGHT_JUNIT_OUTPUT_FILE=$(abspath $(RESULTS))/e2e.xml npm run --silent test
+	@$(PART) e2e browser env PLAYWRIGHT_JUNIT_OUTPUT_FILE=$(abspath $(RESULTS))/e2e.xml npm --prefix e2e run --silent test
 
 soak: $(DONE)/venv $(DONE)/browser board frontend/dist/index.html ## a long flight at real time; MINUTES=30
 	cd e2e && SOAK_MINUTES=$(MINUTES) npm run --silent soak

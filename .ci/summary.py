@@ -1,48 +1,98 @@
-"""Print one plain line of what passed, from the JUnit files that the test runners wrote.
+"""Print one plain line of what passed and what was skipped, from the JUnit files that the test runners wrote.
 
-Usage: summary.py FOLDER. Fails when a runner left no file or a file without a test, so that a suite
-which did not run cannot pass for one that did.
+Usage: summary.py FOLDER [LIST]. Fails when a test failed, when a runner left no file or a file without a test, so that
+a suite which did not run cannot pass for one that did, and when a test was skipped that LIST (`skips.txt` beside this
+program) does not allow.
 """
 
 from __future__ import annotations
 
 import sys
+from collections import Counter
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from fnmatch import fnmatchcase
 from pathlib import Path
 from xml.etree import ElementTree as ET
 
-SUITES = ("protocol", "firmware", "backend", "frontend", "e2e")
+SUITES = ("ci", "protocol", "firmware", "backend", "frontend", "e2e")
 
 
-def count(paths: list[Path]) -> tuple[int, int, int]:
-    """Return (passed, failed, skipped) over the test cases of these files."""
-    passed = failed = skipped = 0
+class BadListError(Exception):
+    """A line of the list that says not all of it."""
+
+
+@dataclass
+class Counts:
+    """What became of the tests of a suite. `skipped`: names and reasons."""
+
+    passed: int = 0
+    failed: int = 0
+    skipped: list[tuple[str, str]] = field(default_factory=list)
+
+    @property
+    def total(self) -> int:
+        """How many tests there are."""
+        return self.passed + self.failed + len(self.skipped)
+
+    def __str__(self) -> str:
+        return f"{self.passed} passed, {self.failed} failed, {len(self.skipped)} skipped"
+
+
+def count(paths: list[Path]) -> Counts:
+    """The test cases of these files."""
+    found = Counts()
     for path in paths:
         for case in ET.parse(path).iter("testcase"):  # noqa: S314 (written by our own runners)
-            kinds = {child.tag for child in case}
-            if kinds & {"failure", "error"}:
-                failed += 1
+            kinds = {child.tag: child for child in case}
+            if kinds.keys() & {"failure", "error"}:
+                found.failed += 1
             elif "skipped" in kinds:
-                skipped += 1
+                name = f"{case.get('classname', '')}::{case.get('name', '')}"
+                found.skipped.append((name, kinds["skipped"].get("message") or "no reason given"))
             else:
-                passed += 1
-    return passed, failed, skipped
+                found.passed += 1
+    return found
 
 
-def main(folder: Path) -> int:
+def allowed(text: str) -> Iterator[tuple[str, str]]:
+    """Suite and pattern of each line of the list. Raises BadListError."""
+    for number, line in enumerate(text.splitlines(), 1):
+        words = line.split(maxsplit=2)
+        if not words or words[0].startswith("#"):
+            continue
+        if len(words) < 3 or words[0] not in SUITES:
+            raise BadListError(f"line {number} of the list of skips does not say suite, test and reason: {line}")
+        yield words[0], words[1]
+
+
+def tell_skips(suite: str, skipped: list[tuple[str, str]], patterns: list[str]) -> bool:
+    """Print the skips of a suite by reason; returns whether the list allows all of them."""
+    lines: Counter[str] = Counter()
+    good = True
+    for name, reason in skipped:
+        is_allowed = any(fnmatchcase(name, pattern) for pattern in patterns)
+        good = good and is_allowed
+        lines[f"{'allowed' if is_allowed else 'NOT ALLOWED'}: {reason}"] += 1
+    for line, times in lines.items():
+        print(f"  {suite}, {times} skipped, {line}")
+    return good
+
+
+def main(folder: Path, listed: Path) -> int:
     """Print a line for each suite and the sum; return the exit code."""
-    totals = [0, 0, 0]
-    complete = True
+    may_skip = list(allowed(listed.read_text(encoding="utf-8")))
+    sums = Counts()
+    good = True
     for suite in SUITES:
         counts = count(sorted(folder.glob(f"{suite}*.xml")))
-        if sum(counts) == 0:
-            print(f"{suite}: no test was run")
-            complete = False
-        else:
-            print(f"{suite}: {counts[0]} passed, {counts[1]} failed, {counts[2]} skipped")
-        totals = [total + new for total, new in zip(totals, counts, strict=True)]
-    print(f"{totals[0]} passed, {totals[1]} failed, {totals[2]} skipped")
-    return 0 if complete and totals[1] == 0 else 1
+        print(f"{suite}: {counts if counts.total else 'no test was run'}")
+        good = good and counts.total > 0 and counts.failed == 0
+        good = tell_skips(suite, counts.skipped, [pattern for of, pattern in may_skip if of == suite]) and good
+        sums = Counts(sums.passed + counts.passed, sums.failed + counts.failed, sums.skipped + counts.skipped)
+    print(f"{sums}{'' if good else ': NOT all that has to pass has passed'}")
+    return 0 if good else 1
 
 
 if __name__ == "__main__":
-    sys.exit(main(Path(sys.argv[1])))
+    sys.exit(main(Path(sys.argv[1]), Path(sys.argv[2]) if len(sys.argv) > 2 else Path(__file__).with_name("skips.txt")))

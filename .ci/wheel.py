@@ -1,9 +1,11 @@
 """Build the wheel that holds the whole product: gateway, page, the board's program, and the licences of all of it.
 
-Usage: wheel.py ROOT OUT [PLATFORM]
+Usage: wheel.py ROOT OUT [MACHINE]
 
-The page and the board's program have been built before. With a board's program the wheel is for one platform, by
-default this machine's; the program is linked statically, so that any Linux of that processor runs it.
+The page and the board's program have been built before. The program is linked statically, so that any Linux of its
+processor runs it: the wheel is for MACHINE, by default this one (x86_64, aarch64). With `none` it holds no program and
+is for every system: it connects real boards, and flies no demonstration. `sdist` makes a source archive of the same
+contents, from which such a wheel can be built.
 """
 
 from __future__ import annotations
@@ -17,15 +19,17 @@ from pathlib import Path
 from typing import Final
 
 PAGE: Final = Path("frontend/dist")
-BOARD: Final = Path("firmware/build/static/epf-board")
+BUILT: Final = Path("firmware/build")
+PROGRAM: Final = Path("static/epf-board")
 THIRD_PARTY: Final = Path("firmware/third_party")
 # What the board's program holds of others; cmocka is in its tests alone.
 IN_BOARD: Final = {"freertos": "LICENSE.md", "littlefs": "LICENSE.md"}
+WITHOUT: Final = ("none", "sdist")
 # glibc is linked in; the kernel of any Linux since 2014 runs it.
 _LINUX: Final = "manylinux_2_17"
 
 
-def stage(root: Path, folder: Path) -> None:
+def stage(root: Path, folder: Path, board: Path | None) -> None:
     """Copy the gateway's sources and put beside them what is built elsewhere. Raises FileNotFoundError."""
     for name in ("pyproject.toml", "README.md"):
         shutil.copy2(root / "backend" / name, folder / name)
@@ -35,33 +39,51 @@ def stage(root: Path, folder: Path) -> None:
     )
     product = folder / "src" / "epf_gcs" / "_product"
     shutil.copytree(root / PAGE, product / "page")
-    board = product / "board" / "posix"
-    board.mkdir(parents=True)
-    shutil.copy2(root / BOARD, board / "epf-board")
+    if board is None:
+        return
+    target = product / "board" / "posix"
+    target.mkdir(parents=True)
+    shutil.copy2(root / board, target / "epf-board")
     for name, licence in IN_BOARD.items():
-        shutil.copy2(root / THIRD_PARTY / name / licence, board.parent / f"licence-{name}.txt")
+        shutil.copy2(root / THIRD_PARTY / name / licence, target.parent / f"licence-{name}.txt")
+
+
+def program_of(machine: str) -> Path | None:
+    """Where the board's program for a processor is built; None for wheels without one."""
+    if machine in WITHOUT:
+        return None
+    return BUILT / PROGRAM if machine == platform.machine() else BUILT / machine / PROGRAM
+
+
+def command(machine: str, staged: str, out: Path) -> list[str]:
+    """The program that builds what was staged."""
+    if machine == "sdist":
+        build = f"from setuptools import build_meta; build_meta.build_sdist({str(out)!r})"
+        return [sys.executable, "-c", build]
+    tag = [] if machine in WITHOUT else [f"--config-settings=--build-option=--plat-name={_LINUX}_{machine}"]
+    return [
+        *(sys.executable, "-m", "pip", "wheel", "--quiet", "--disable-pip-version-check", "--no-deps"),
+        *("--no-build-isolation", "--wheel-dir", str(out), *tag, staged),
+    ]
 
 
 def main() -> int:
     """Build it; returns the exit code."""
     root, out = Path(sys.argv[1]).resolve(), Path(sys.argv[2]).resolve()
-    tag = sys.argv[3] if len(sys.argv) > 3 else f"{_LINUX}_{platform.machine()}"
+    machine = sys.argv[3] if len(sys.argv) > 3 else platform.machine()
     out.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as staged:
         try:
-            stage(root, Path(staged))
+            stage(root, Path(staged), program_of(machine))
         except FileNotFoundError as error:
             print(f"wheel: {error.filename} is missing: run `make wheel`, which builds it first.", file=sys.stderr)
             return 1
-        return subprocess.run(
-            [
-                *(sys.executable, "-m", "pip", "wheel", "--quiet", "--disable-pip-version-check", "--no-deps"),
-                *("--no-build-isolation", "--wheel-dir", str(out)),
-                f"--config-settings=--build-option=--plat-name={tag}",
-                staged,
-            ],
-            check=False,
-        ).returncode
+        built = subprocess.run(
+            command(machine, staged, out), cwd=staged, check=False, stdout=subprocess.PIPE, text=True
+        )
+        if built.returncode:
+            print(built.stdout, file=sys.stderr)
+        return built.returncode
 
 
 if __name__ == "__main__":

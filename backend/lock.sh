@@ -8,6 +8,6 @@ compile() { # compile OUTPUT EXTRA...
   uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-emit-index-url \
     --custom-compile-command "backend/lock.sh" "$@" --output-file "$output" pyproject.toml
 }
-compile requirements.lock --extra build --extra sim
-compile requirements-dev.lock --extra build --extra sim --extra dev
-compile requirements-mutate.lock --extra build --extra sim --extra dev --extra mutate
+compile requirements.lock --extra build --extra all
+compile requirements-dev.lock --extra build --extra all --extra lab --extra dev
+compile requirements-mutate.lock --extra build --extra all --extra lab --extra dev --extra mutate

@@ -2,4 +2,4 @@ import { defineConfig } from "@playwright/test";
 import base from "./playwright.config.js";
 
 /** Pictures are no journeys: `npm run shots` and `npm run guide-shots` ask for them. */
-export default defineConfig(base, { testDir: "shots", timeout: 900_000, reporter: [["list"]] });
+export default defineConfig(base, { testDir: "shots", workers: 1, timeout: 900_000, reporter: [["list"]] });

@@ -12,7 +12,7 @@ import socket
 import sys
 
 from epf_gcs.codec.encode import encode_command
-from epf_gcs.flight.priority import go_first
+from epf_gcs.system.priority import go_first
 
 _FRAME = encode_command("xplane_info", *([0.0] * 15))
 

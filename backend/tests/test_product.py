@@ -87,3 +87,23 @@ def test_a_wheel_holds_them_and_the_program_stays_one_that_can_be_run(tmp_path: 
     assert found == [installed / "page" / "index.html", installed / "board" / "posix" / "epf-board"]
     assert found[1].stat().st_mode & 0o111
     assert (installed / "page" / "assets" / "a.js").is_file()
+
+
+def test_a_source_archive_holds_the_page_and_builds_a_wheel_with_it(tmp_path: Path) -> None:
+    tree = tmp_path / "tree"
+    shutil.copytree(
+        BACKEND / "src", tree / "backend" / "src", ignore=shutil.ignore_patterns("__pycache__", "*.egg-info")
+    )
+    for name in ("backend/pyproject.toml", "backend/README.md", "LICENSE"):
+        shutil.copy(BACKEND.parent / name, tree / name)
+    put(tree, "frontend/dist/index.html", "frontend/dist/assets/a.js")
+    builder = BACKEND.parent / ".ci" / "wheel.py"
+    subprocess.run([sys.executable, str(builder), str(tree), str(tmp_path / "out"), "sdist"], check=True)
+    (archive,) = (tmp_path / "out").glob("*.tar.gz")
+    pip = [sys.executable, "-m", "pip", "install", "--no-deps", "--no-build-isolation", "--no-index", "--quiet"]
+    subprocess.run([*pip, "--target", str(tmp_path / "site"), str(archive)], check=True)
+    installed = tmp_path / "site" / "epf_gcs" / "_product"
+    assert (installed / "page" / "assets" / "a.js").read_text() == "frontend/dist/assets/a.js"
+    assert asked(tmp_path / "site").stdout.split() == [str(installed / "page" / "index.html")]
+    assert "board's program is missing" in asked(tmp_path / "site").stderr
+    assert list(tmp_path.glob("site/*.dist-info/licenses/LICENSE")), "the licence comes with it"

@@ -75,28 +75,44 @@ export async function until<T>(what: string, ask: () => Promise<T | undefined> |
   throw new Error(`gave up waiting for ${what}${last === undefined ? "" : `: ${last}`}`);
 }
 
+/** Journeys run beside each other: each of their workers looks for ports of its own. */
+const WORKERS_MOST = 16;
+const WORKER = Number(process.env.TEST_PARALLEL_INDEX ?? 0) % WORKERS_MOST;
+
+/** Below what systems give to whoever connects, so that nobody gets it between the looking and the use. */
+function somePort(): number {
+  const [first, last] = [10_000, 32_000];
+  return first + WORKER + WORKERS_MOST * Math.floor((Math.random() * (last - first)) / WORKERS_MOST);
+}
+
+/** A port of the loopback that is free now, as `isFree` says. */
+async function freePort(isFree: (port: number) => Promise<boolean>): Promise<number> {
+  return await until("a free port", async () => {
+    const port = somePort();
+    return (await isFree(port)) ? port : undefined;
+  });
+}
+
 /** A TCP port of the loopback that is free now. */
 export async function freeTcpPort(): Promise<number> {
-  return await new Promise((resolve, reject) => {
-    const server = createServer();
-    server.once("error", reject);
-    server.listen(0, "127.0.0.1", () => {
-      const address = server.address();
-      server.close(() =>
-        typeof address === "object" && address ? resolve(address.port) : reject(new Error("no port")),
-      );
-    });
-  });
+  return await freePort(
+    (port) =>
+      new Promise((resolve) => {
+        const server = createServer();
+        server.once("error", () => resolve(false));
+        server.listen(port, "127.0.0.1", () => server.close(() => resolve(true)));
+      }),
+  );
 }
 
 /** A UDP port of the loopback that is free now. */
 export async function freeUdpPort(): Promise<number> {
-  return await new Promise((resolve, reject) => {
-    const socket = createSocket("udp4");
-    socket.once("error", reject);
-    socket.bind(0, "127.0.0.1", () => {
-      const { port } = socket.address();
-      socket.close(() => resolve(port));
-    });
-  });
+  return await freePort(
+    (port) =>
+      new Promise((resolve) => {
+        const socket = createSocket("udp4");
+        socket.once("error", () => resolve(false));
+        socket.bind(port, "127.0.0.1", () => socket.close(() => resolve(true)));
+      }),
+  );
 }

@@ -37,7 +37,11 @@ export class Station {
     const there = stationThere();
     if (there === undefined) return undefined;
     const station = new Station(there.url, undefined, { receive_port: 49003, send_port: 49000 }, false, there.cookie);
-    await station.closeLinks();
+    // The page of the journey before has control until the station has noticed that it is gone.
+    await until("both links to be closed", async () => {
+      await station.closeLinks();
+      return true;
+    });
     return station;
   }
 
@@ -177,7 +181,7 @@ export class Station {
   }
 
   async stop(): Promise<void> {
-    if (this.ownParts === undefined) return await this.closeLinks();
+    if (this.ownParts === undefined) return;
     await this.own.programs.gateway.stop();
     await this.own.programs.simulator.stop();
     await this.own.programs.board.stop();

@@ -64,7 +64,7 @@ class Station:
 
     def _answer(self, method: str, path: str, body: object) -> Any:
         data = None if body is None else json.dumps(body).encode()
-        request = urllib.request.Request(f"{self._base}/{path}", data, self._headers, method=method)
+        request = urllib.request.Request(f"{self._base}/{path}", data, self._headers, method=method)  # noqa: S310
         try:
             return self._opener.open(request, timeout=15)
         except urllib.error.HTTPError as error:
@@ -87,7 +87,12 @@ def main() -> None:
         station.ask("PUT", "links/board", {"url": options.board})
         station.wait("the board answers", "board", "state", "open")
     if options.simulator is not None:
-        link = {"receive_port": 49003, "send_host": options.simulator, "send_port": 49000, "profile": options.generation}
+        link = {
+            "receive_port": 49003,
+            "send_host": options.simulator,
+            "send_port": 49000,
+            "profile": options.generation,
+        }
         station.ask("PUT", "links/simulator", link)
     if options.circuit:
         station.ask("PUT", "hil", {"source": "joystick", "path": "assisted"})

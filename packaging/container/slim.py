@@ -1,7 +1,8 @@
 """Take out of an installed environment what no station uses, and compile the rest so that each build gives the same.
 
-Usage: slim.py ENVIRONMENT. The standard library that it runs on is slimmed too. Each pattern has to match: a package that changed its layout stops the build, and is looked at.
-Licence texts stay. What is left is imported at the end, so that nothing is taken that is needed.
+Usage: slim.py ENVIRONMENT. The standard library that it runs on is slimmed too. Each pattern of a package has to match:
+one that changed its layout stops the build, and is looked at. Licence texts stay. What is left is imported at the end,
+so that nothing is taken that is needed.
 """
 
 from __future__ import annotations
@@ -42,6 +43,9 @@ UNUSED: Final = (
     # sources of compiled modules, and packages' own tests
     "pyarrow/*.px[di]",
     "pyarrow/*.pyx",
+    "adbc_driver_duckdb",
+    "_duckdb-stubs",
+    "duckdb/experimental",
     "**/tests",
     "test",
     "**/*.a",
@@ -49,8 +53,17 @@ UNUSED: Final = (
     "numpy/_core/include",
     "numpy/f2py",
 )
-# Below the standard library: installers, editors, tests.
-UNUSED_STANDARD: Final = ("ensurepip", "idlelib", "lib2to3", "pydoc_data", "turtledemo", "site-packages/pip", "site-packages/pip-*")
+# Below the standard library: installers, editors, tests, as far as the base image has them.
+UNUSED_STANDARD: Final = (
+    "ensurepip",
+    "idlelib",
+    "lib2to3",
+    "pydoc_data",
+    "turtledemo",
+    "tkinter",
+    "test",
+    "site-packages/*",
+)
 # What the station's parts load, each of which would miss a library that is not there.
 NEEDED: Final = (
     "epf_gcs.web.app",
@@ -64,17 +77,18 @@ NEEDED: Final = (
     "rasterio.vrt",
     "zstandard",
 )
-# Loads every module of ours but the programs, and prints the sources of all that is then loaded: what is worth compiling.
+# Loads every module of ours but the programs, and prints the sources of all that is loaded then: what is compiled.
 _WALK: Final = """
 import importlib, pkgutil, sys, epf_gcs
 for found in pkgutil.walk_packages(epf_gcs.__path__, "epf_gcs."):
     if not found.name.endswith("__main__"):
         importlib.import_module(found.name)
-print(*sorted({m.__file__ for m in list(sys.modules.values()) if str(getattr(m, "__file__", "")).endswith(".py")}), sep="\\n")
+files = {str(getattr(module, "__file__", "")) for module in list(sys.modules.values())}
+print(*sorted(name for name in files if name.endswith(".py")), sep="\\n")
 """
 _SCRIPTS: Final = ("pip*", "Activate.ps1", "activate*", "f2py", "numpy-config")
-# Their symbols stay. jsbsim: its licence lets it be shipped unchanged. *.libs: what the wheels' makers moved into them has
-# been patched, and cannot be loaded after `strip`.
+# Their symbols stay. jsbsim: its licence lets it be shipped unchanged. *.libs: what the wheels' makers moved into them
+# has been patched, and cannot be loaded after `strip`.
 _UNCHANGED: Final = ("jsbsim", "*.libs")
 _PAGE_BYTES: Final = 4096
 
@@ -85,13 +99,14 @@ def main() -> int:
     (packages,) = environment.glob("lib/python3.*/site-packages")
     before = size(environment)
     standard = Path(os.__file__).parent
-    for folder, patterns in ((packages, UNUSED), (standard, UNUSED_STANDARD)):
-        for pattern in patterns:
-            if not (found := list(folder.glob(pattern))):
-                print(f"slim: nothing matches {pattern}: look at the package, then correct the list.", file=sys.stderr)
-                return 1
-            for path in found:
-                remove(path)
+    for pattern in UNUSED:
+        if not (found := list(packages.glob(pattern))):
+            print(f"slim: nothing matches {pattern}: look at the package, then correct the list.", file=sys.stderr)
+            return 1
+        for path in found:
+            remove(path)
+    for path in (path for pattern in UNUSED_STANDARD for path in list(standard.glob(pattern))):
+        remove(path)
     for path in [*packages.rglob("__pycache__"), *standard.rglob("__pycache__")]:
         remove(path)
     for pattern in _SCRIPTS:
@@ -102,17 +117,20 @@ def main() -> int:
     result = subprocess.run(
         [str(environment / "bin" / "python"), "-B", "-c", code], check=False, cwd="/", stdout=subprocess.PIPE, text=True
     )
-    for path in result.stdout.splitlines():
+    compiled = result.stdout.splitlines()
+    for path in compiled:
         # Unchecked: they hold no time of their sources, and a read-only image has none newer.
         py_compile.compile(path, doraise=True, invalidation_mode=py_compile.PycInvalidationMode.UNCHECKED_HASH)
-    print(f"slim: {before // 1_000_000} MB, now {size(environment) // 1_000_000} MB, {len(result.stdout.splitlines())} modules compiled.")
+    print(f"slim: {before // 1_000_000} MB, now {size(environment) // 1_000_000} MB, {len(compiled)} modules compiled.")
     return result.returncode
 
 
 def strip(packages: Path) -> None:
     """Take the symbols for debuggers out of compiled modules: a fifth of all that there is."""
     found = [path for path in packages.rglob("*.so*") if path.is_file() and not path.is_symlink()]
-    changed = [path for path in found if not any(fnmatch(path.relative_to(packages).parts[0], name) for name in _UNCHANGED)]
+    changed = [
+        path for path in found if not any(fnmatch(path.relative_to(packages).parts[0], name) for name in _UNCHANGED)
+    ]
     subprocess.run(["strip", "--strip-unneeded", *map(str, changed)], check=True)
     for path in changed:
         if not is_loadable(path):

@@ -12,6 +12,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 program=/opt/epf-gcs
 data=/var/lib/epf-gcs
 unit=/etc/systemd/system/epf-gcs.service
+first_key=/etc/systemd/system/epf-gcs-first-key.service
 rules=/etc/udev/rules.d/70-epf-gcs.rules
 
 fail() { echo "install.sh: $1" >&2; exit 1; }
@@ -19,8 +20,8 @@ fail() { echo "install.sh: $1" >&2; exit 1; }
 [ "$(id -u)" = 0 ] || fail "this changes the system: run it with sudo."
 
 if [ "${1:-}" = --remove ]; then
-  systemctl disable --now epf-gcs 2>/dev/null || true
-  rm -rf "$program" "$unit" "$rules" /usr/local/bin/epf-gcs
+  systemctl disable --now epf-gcs epf-gcs-first-key 2>/dev/null || true
+  rm -rf "$program" "$unit" "$first_key" "$rules" /usr/local/bin/epf-gcs
   systemctl daemon-reload
   udevadm control --reload || true
   echo "The station is gone; its data are still in $data."
@@ -54,6 +55,7 @@ mv "$new" "$program"
 sed -i "1s|$new/|$program/|" "$program"/bin/* 2>/dev/null || true
 
 install -m 644 "$here/epf-gcs.service" "$unit"
+install -m 644 "$here/epf-gcs-first-key.service" "$first_key"
 install -m 644 "$here/70-epf-gcs.rules" "$rules"
 ln -sf "$program/bin/epf-gcs" /usr/local/bin/epf-gcs
 [ -f /etc/epf-gcs.conf ] || cat > /etc/epf-gcs.conf <<'CONF'
@@ -64,7 +66,8 @@ CONF
 systemctl daemon-reload
 udevadm control --reload && udevadm trigger --subsystem-match=tty || true
 systemctl enable --now epf-gcs
+systemctl enable --now epf-gcs-first-key
 rm -rf "$old"
 
-echo "The station runs. Let the first person in with:"
+echo "The station runs. The first person's key is on this computer's own screen; here with:"
 echo "  sudo -u epf-gcs epf-gcs invite --role owner --data-dir $data"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import time
 from collections.abc import Callable
 from pathlib import Path
 
@@ -21,6 +22,18 @@ def replace_file(path: Path, data: bytes, mode: int | None = None) -> None:
         os.fsync(file.fileno())
     temporary.replace(path)
     sync_folder(path.parent)
+
+
+def set_aside(path: Path, unix_s: Callable[[], float] = time.time) -> Path:
+    """Rename a file that cannot be read, for a person to look at; no earlier one is lost. Raises OSError."""
+    stamp = time.strftime("%Y%m%dT%H%M%SZ", time.gmtime(unix_s()))
+    kept, number = path.with_name(f"{path.name}.damaged-{stamp}"), 1
+    while kept.exists():
+        number += 1
+        kept = path.with_name(f"{path.name}.damaged-{stamp}-{number}")
+    path.rename(kept)
+    sync_folder(kept.parent)
+    return kept
 
 
 def _with_rights(mode: int) -> Callable[[str, int], int]:

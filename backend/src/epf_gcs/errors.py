@@ -49,6 +49,7 @@ ErrorCode = Literal[
     "export_stretch_empty",
     "export_topic_unknown",
     "export_topics_unused",
+    "extra_missing",
     "flight_away",
     "flight_delete_unconfirmed",
     "flight_disk_full",

@@ -35,7 +35,7 @@ class Part:
         if not path.is_file():
             raise FileNotFoundError(
                 f"{self.name} is missing: {path} does not exist. In a source tree build it with `{self.made_by}`; "
-                "otherwise install epf-gcs again."
+                "otherwise install epf-gcs again, from the wheel for this kind of computer."
             )
         return path
 

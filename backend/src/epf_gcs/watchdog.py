@@ -7,6 +7,7 @@ import contextlib
 import os
 import select
 import subprocess
+import sys
 from collections.abc import Callable
 from typing import Final
 
@@ -24,7 +25,8 @@ _MANY: Final = 4096
 async def feed(descriptor: int) -> None:
     """The child's part, on its event loop until cancelled: a loop that hangs falls silent."""
     os.set_inheritable(descriptor, False)
-    os.set_blocking(descriptor, False)
+    if sys.platform != "win32":
+        os.set_blocking(descriptor, False)
     while True:
         # A parent that does not read, or has died, is not this process's trouble here.
         with contextlib.suppress(BlockingIOError, BrokenPipeError):

@@ -240,3 +240,17 @@ def test_a_line_that_is_opened_is_told_once_and_its_silence_beside_it() -> None:
         ("link", "board_closed", 40.0),
     ]
     assert len(found(MadeFlight({}, told[1:3]))) == 2, "an old recording has no notes of lines"
+
+
+def clocks(*noted: dict[str, Any]) -> tuple[float, bool]:
+    row = summarise(MadeFlight({}, [Note(START_NS, notes.CLOCK, one) for one in noted]), [])
+    return row["clock_ahead_s"], row["clock_unsure"]
+
+
+def test_the_last_word_about_the_clock_holds_for_the_whole_flight() -> None:
+    unset = {"ahead_s": 0.0, "synchronised": False}
+    assert clocks() == (0.0, False)
+    assert clocks(unset) == (0.0, True)
+    assert clocks(unset, {"ahead_s": 8.4e8, "synchronised": True}) == (8.4e8, False)
+    assert clocks({"ahead_s": 1.9, "synchronised": None}) == (0.0, False)
+    assert clocks({"ahead_s": "much"}, {"ahead_s": None}) == (0.0, False)

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 
+from epf_gcs.data_folder.version import FORMAT, Format, read_format, write_format
 from epf_gcs.launcher.errors import LaunchError
 from epf_gcs.launcher.keeping import LIST, backup, restore
 
@@ -134,3 +135,27 @@ def test_an_earlier_backup_is_not_written_over(data: Path, tmp_path: Path) -> No
     with pytest.raises(LaunchError, match="is there already"):
         backup(data, tmp_path / "station.tar", quiet)
     assert (tmp_path / "station.tar").read_text() == "the earlier one"
+
+
+def test_a_backup_of_a_newer_version_is_refused_and_nothing_changes(data: Path, tmp_path: Path) -> None:
+    write_format(data, FORMAT + 1, "9.0.0")
+    backup(data, tmp_path / "station.tar", quiet)
+    write_format(data, FORMAT)
+    before = files(data)
+    with pytest.raises(LaunchError, match=r"epf-gcs 9.0.0 .format"):
+        restore(tmp_path / "station.tar", data, quiet)
+    assert files(data) == before
+
+
+def test_a_backup_of_an_older_version_comes_back_as_it_was(data: Path, tmp_path: Path) -> None:
+    backup(data, tmp_path / "station.tar", quiet)
+    write_format(data, FORMAT)
+    restore(tmp_path / "station.tar", data, quiet)
+    assert read_format(data) == Format(1)
+
+
+def test_an_interrupted_change_of_format_is_not_kept_as_if_it_were_whole(data: Path, tmp_path: Path) -> None:
+    (data / ".upgrade").mkdir()
+    with pytest.raises(LaunchError, match="was interrupted"):
+        backup(data, tmp_path / "station.tar", quiet)
+    assert not (tmp_path / "station.tar").exists()

@@ -4,7 +4,6 @@ from pathlib import Path
 
 import pytest
 
-from epf_gcs.launcher import options
 from epf_gcs.launcher.errors import LaunchError
 from epf_gcs.launcher.options import EVERY_INTERFACE, Options, XPlane
 
@@ -73,6 +72,6 @@ def test_what_is_no_address_of_x_plane_is_told_with_what_would_be(address: str) 
 
 
 def test_without_flight_dynamics_the_sentence_says_how_to_get_them(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(options, "find_spec", lambda _name: None)
-    with pytest.raises(LaunchError, match=r"pip install 'epf-gcs\[sim\]', or fly with X-Plane"):
+    monkeypatch.setattr("epf_gcs.extras.find_spec", lambda _name: None)
+    with pytest.raises(LaunchError, match=r"(?s)jsbsim.*install jsbsim==.*Or fly with X-Plane"):
         DEMONSTRATION.simulator_command(XPlane("127.0.0.1", 49000, 49003))

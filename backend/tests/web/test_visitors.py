@@ -7,8 +7,9 @@ import resource
 import pytest
 
 from epf_gcs.errors import ConflictError
+from epf_gcs.system.limits import raise_open_files
 from epf_gcs.web.access.uploads import FROM_ELSEWHERE, PER_HOST, Uploads
-from epf_gcs.web.visitors import Limits, Visitors, fitting, is_this_computer, raise_descriptors
+from epf_gcs.web.visitors import Limits, Visitors, fitting, is_this_computer
 
 LIMITS = Limits(
     connections=6,
@@ -95,7 +96,7 @@ def test_what_the_system_allows_is_taken() -> None:
     soft, hard = resource.getrlimit(resource.RLIMIT_NOFILE)
     try:
         resource.setrlimit(resource.RLIMIT_NOFILE, (min(soft, 1000), hard))
-        assert raise_descriptors() == hard
+        assert raise_open_files() == hard
         assert resource.getrlimit(resource.RLIMIT_NOFILE) == (hard, hard)
     finally:
         resource.setrlimit(resource.RLIMIT_NOFILE, (soft, hard))

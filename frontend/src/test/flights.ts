@@ -8,6 +8,8 @@ export function aFlight(parts: Partial<Flight> = {}): Flight {
     state: "indexed",
     fault: null,
     damage: null,
+    clock_ahead_s: 0,
+    clock_unsure: false,
     started_s: 1_699_956_000,
     duration_s: 754,
     bytes: 12_300_000,

@@ -18,12 +18,13 @@ from typing import Any, Final
 
 import orjson
 
+from epf_gcs.system.sockets import HAS_LOCAL, bound_for_owner, local_socket
+
 FILE: Final = "flight.json"
 _SOCKET: Final = "flight.sock"
 # The kernel's limit for the path of a Unix socket is 108 bytes, 104 on macOS.
 _LONGEST_PATH: Final = 100
 _SECRET_BYTES: Final = 32
-_HAS_UNIX: Final = hasattr(socket, "AF_UNIX")
 
 
 class Listener:
@@ -36,15 +37,10 @@ class Listener:
         self._path: Path | None = None
         self.secret = b""
         where: dict[str, Any]
-        if _HAS_UNIX:
+        if HAS_LOCAL:
             self._path = _socket_path(folder)
             self._path.unlink(missing_ok=True)
-            self.socket = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
-            before = os.umask(0o177)
-            try:
-                self.socket.bind(str(self._path))
-            finally:
-                os.umask(before)
+            self.socket = bound_for_owner(self._path)
             where = {"unix": str(self._path)}
         else:
             self.socket = socket.create_server(("127.0.0.1", 0))
@@ -89,7 +85,7 @@ async def connect(folder: Path) -> socket.socket:
     where = orjson.loads((folder / FILE).read_bytes())
     loop = asyncio.get_running_loop()
     if "unix" in where:
-        connection = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
+        connection = local_socket()
         target: Any = where["unix"]
     else:
         connection = socket.socket(socket.AF_INET, socket.SOCK_STREAM)

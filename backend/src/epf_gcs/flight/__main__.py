@@ -6,28 +6,28 @@ import argparse
 import asyncio
 import gc
 import os
-import signal
 import sys
 import threading
-import time
 from pathlib import Path
 from typing import Final
 
 import structlog
 
-from epf_gcs.errors import ConflictError, GatewayError
-from epf_gcs.flight.data_folder import DataFolder
+from epf_gcs import __version__
+from epf_gcs.data_folder.lock import held
+from epf_gcs.data_folder.place import DEFAULT, data_folder
+from epf_gcs.data_folder.upgrade import upgrade
+from epf_gcs.data_folder.version import FormatError
+from epf_gcs.errors import GatewayError
 from epf_gcs.flight.flight import Flight
-from epf_gcs.flight.priority import Priority, go_first, stay_in_memory
 from epf_gcs.link.address import parse_address
 from epf_gcs.logs import set_up_logging
-from epf_gcs.watchdog import feed
+from epf_gcs.system.priority import Priority, go_first, stay_in_memory
+from epf_gcs.system.signals import on_polite_end
+from epf_gcs.watchdog import REFUSED, feed
 
 # How long another thread (the recorder's) may hold the interpreter while the event loop waits for it.
 _SWITCH_INTERVAL_S: Final = 0.0002
-_FOLDER_S: Final = 3.0
-_LOOK_AGAIN_S: Final = 0.05
-_POLITE: Final = (signal.SIGTERM, signal.SIGINT, getattr(signal, "SIGHUP", signal.SIGTERM))
 
 log = structlog.get_logger("flight")
 
@@ -46,10 +46,16 @@ def main() -> None:
             print(f"epf-flight: {error.detail}", file=sys.stderr)
             sys.exit(2)
     try:
-        with asyncio.Runner(loop_factory=_loop_factory()) as runner:
-            runner.run(_fly(options, priority))
+        with held(options.data_dir):
+            # Other programs wait for it: the web process opens what the station's launcher has brought up to date.
+            upgrade(options.data_dir, log.warning)
+            with asyncio.Runner(loop_factory=_loop_factory()) as runner:
+                runner.run(_fly(options, priority))
     except GatewayError as error:
         sys.exit(f"epf-flight: {error.detail}")
+    except FormatError as error:
+        print(f"epf-flight: {error}", file=sys.stderr)
+        sys.exit(REFUSED)
     except OSError as error:
         sys.exit(f"epf-flight: {options.data_dir} cannot be used ({error.strerror or error}): correct its permissions.")
 
@@ -57,19 +63,10 @@ def main() -> None:
 async def _fly(options: argparse.Namespace, priority: Priority) -> None:
     ended = asyncio.Event()
     loop = asyncio.get_running_loop()
-    for name in set(_POLITE):
-        try:
-            loop.add_signal_handler(name, ended.set)
-        except NotImplementedError:
-            signal.signal(name, lambda *_: loop.call_soon_threadsafe(ended.set))
+    on_polite_end(ended.set, loop)
     if options.with_parent:
         # A daemon thread, not the loop's executor: the loop would wait at its end for a read that blocks.
         threading.Thread(target=_wait_for_parent, args=(loop, ended), daemon=True).start()
-    with await _held(options.data_dir):
-        await _fly_until(ended, options, priority)
-
-
-async def _fly_until(ended: asyncio.Event, options: argparse.Namespace, priority: Priority) -> None:
     flight = Flight(options.data_dir, record=options.recording, board_url=options.board)
     async with flight.running():
         # All objects made so far live as long as the process. Frozen, they are not scanned again, which would
@@ -82,18 +79,6 @@ async def _fly_until(ended: asyncio.Event, options: argparse.Namespace, priority
         log.info("flying", data=str(options.data_dir), pid=os.getpid(), priority=priority)
         await ended.wait()
     del fed
-
-
-async def _held(data_dir: Path) -> DataFolder:
-    """The data folder, locked. A process that is ending may still hold the lock: retry for a short time."""
-    give_up_s = time.monotonic() + _FOLDER_S
-    while True:
-        try:
-            return DataFolder(data_dir)
-        except ConflictError:
-            if time.monotonic() > give_up_s:
-                raise
-        await asyncio.sleep(_LOOK_AGAIN_S)
 
 
 def _wait_for_parent(loop: asyncio.AbstractEventLoop, ended: asyncio.Event) -> None:
@@ -117,14 +102,25 @@ def _options() -> argparse.Namespace:
         description="The flight process of EPF GCS: board and simulator, HIL, recorder. Flies without any page; "
         "stations find it in its data folder.",
     )
-    parser.add_argument("--data-dir", type=Path, default=Path(os.environ.get("GCS_DATA_DIR", "data")))
+    parser.add_argument("--version", action="version", version=f"%(prog)s {__version__}")
     parser.add_argument(
-        "--board", default=os.environ.get("GCS_BOARD"), help="serial:///dev/..., tcp://host:port, pty:///path"
+        "--data-dir",
+        type=Path,
+        default=Path(os.environ.get("GCS_DATA_DIR") or data_folder()),
+        help=f"Folder of the recordings and the remembered links; GCS_DATA_DIR. Default: {DEFAULT}.",
     )
-    parser.add_argument("--recording", action=argparse.BooleanOptionalAction, default=True)
+    parser.add_argument(
+        "--board",
+        default=os.environ.get("GCS_BOARD"),
+        help="serial:///dev/ttyUSB0?baud=115200, tcp://host:port or pty:///path; GCS_BOARD. "
+        "Default: that of the last run.",
+    )
+    parser.add_argument(
+        "--recording", action=argparse.BooleanOptionalAction, default=True, help="Record every byte of the lines."
+    )
     parser.add_argument("--with-parent", action="store_true", help="End when standard input closes.")
     parser.add_argument("--watchdog", type=int, help="Pipe on which the parent expects signs of life.")
-    parser.add_argument("--verbose", action="store_true")
+    parser.add_argument("--verbose", action="store_true", help="Log more.")
     return parser.parse_args()
 
 

@@ -26,6 +26,7 @@ from epf_gcs.flight.board.journal import Journal
 from epf_gcs.flight.board.missions import Missions
 from epf_gcs.flight.board.parameters import Parameters
 from epf_gcs.flight.board.rearming import Rearming
+from epf_gcs.flight.clock_watch import ClockWatch
 from epf_gcs.flight.flight_log import FlightLog
 from epf_gcs.flight.hil.hil import Hil
 from epf_gcs.flight.hil.simulator import Simulator
@@ -179,6 +180,7 @@ class Flight:
             alarms=self.alarms,
             recorder=self.recorder,
             log=self._log,
+            clock_watch=ClockWatch(self.clock, self.notes.know),
             on_change=self.changed,
         )
 

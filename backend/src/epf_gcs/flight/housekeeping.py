@@ -10,6 +10,7 @@ from typing import Final
 from epf_gcs.clock import Clock
 from epf_gcs.flight.board.ahrs_test import AhrsTestRun
 from epf_gcs.flight.board.board_link import Supervisor
+from epf_gcs.flight.clock_watch import ClockWatch
 from epf_gcs.flight.flight_log import FlightLog
 from epf_gcs.flight.hil.simulator import Simulator
 from epf_gcs.flight.hil.stick import Stick
@@ -40,6 +41,7 @@ class Housekeeping:
         alarms: Alarms,
         recorder: Recorder | None,
         log: FlightLog,
+        clock_watch: ClockWatch,
         on_change: Callable[[], None],
     ) -> None:
         self._clock = clock
@@ -53,6 +55,7 @@ class Housekeeping:
         self._alarms = alarms
         self._recorder = recorder
         self._log = log
+        self._clock_watch = clock_watch
         self._on_change = on_change
         self._recording: Path | None = None
 
@@ -68,6 +71,7 @@ class Housekeeping:
             if ticks % _STATUS_EVERY_TICKS == 0:
                 self._rates.note(self._clock.steady_s(), self._board, self._simulator)
                 self.log_links()
+                self._clock_watch.look()
                 self._on_change()
             if self._alarms.look(self._clock.now_s()):
                 self._on_change()

@@ -9,12 +9,9 @@ from collections import deque
 from collections.abc import Callable, Iterable
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
-from typing import Final
 
-from epf_gcs.disk import replace_file
+from epf_gcs.disk import replace_file, set_aside
 from epf_gcs.errors import ErrorCode, GatewayError
-
-_DAMAGED: Final = ".damaged"
 
 
 class LinesFile:
@@ -102,7 +99,7 @@ class LinesFile:
         self._on_disk += 1
 
     def _set_aside(self) -> None:
-        self._path.replace(self._path.with_name(self._path.name + _DAMAGED))
+        set_aside(self._path)
         self._rewrite()
 
     def _rewrite(self) -> None:

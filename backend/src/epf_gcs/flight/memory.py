@@ -8,13 +8,12 @@ import threading
 import time
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
-from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any, Final
 
 import orjson
 
-from epf_gcs.disk import replace_file, sync_folder
+from epf_gcs.disk import replace_file, set_aside
 from epf_gcs.errors import GatewayError
 from epf_gcs.flight.flight_log import say
 from epf_gcs.vehicle.wanted import Wanted
@@ -32,9 +31,6 @@ class Remembered:
     hil_path: str = "manual"
     wanted: Wanted = field(default_factory=Wanted)
     thresholds: dict[str, Any] = field(default_factory=dict)
-    # The choice of online maps of version 0.1.0, which had one process: only carried along until the web process, which
-    # keeps its own file since (`web/maps/online_file.py`), has taken it over.
-    online: dict[str, Any] = field(default_factory=dict)
     # The policy of the disk, as `DiskPolicy` has it; empty for the default.
     recording: dict[str, Any] = field(default_factory=dict)
     # What the aircraft is called, as a person said it; empty for no name.
@@ -148,14 +144,10 @@ class Memory:
 
     def _set_aside(self) -> Path | None:
         """Keep an unreadable file under another name, for a person to look at. None if the disk refuses."""
-        stamp = datetime.fromtimestamp(self._unix_s(), UTC).strftime("%Y%m%dT%H%M%SZ")
-        kept = self._path.with_name(f"{self._path.name}.damaged-{stamp}")
         try:
-            self._path.replace(kept)
-            sync_folder(kept.parent)
+            return set_aside(self._path, self._unix_s)
         except OSError:
             return None
-        return kept
 
 
 def _running_loop() -> asyncio.AbstractEventLoop | None:
@@ -176,7 +168,6 @@ def _encode(values: Remembered) -> bytes:
             "periods_ms": dict(values.wanted.periods_ms),
             "source": values.wanted.source,
             "thresholds": values.thresholds,
-            "online": values.online,
             "recording": values.recording,
             "aircraft": values.aircraft,
         },
@@ -198,7 +189,6 @@ def _decode(values: dict[str, Any]) -> Remembered:
         ),
         # Not in the files of earlier versions.
         thresholds=dict(values.get("thresholds", {})),
-        online=dict(values.get("online", {})),
         recording=dict(values.get("recording", {})),
         aircraft=str(values.get("aircraft", "")),
     )

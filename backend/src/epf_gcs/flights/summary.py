@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 from typing import Any, Final
 
@@ -19,6 +20,8 @@ from epf_gcs.vehicle.noted import identity_of
 VERSION: Final = 1
 """Said again in `web/flights/library.py`: summaries of another version are made anew."""
 
+# Less is not worth another time in the list.
+_CLOCK_OFF_S: Final = 2.0
 _FT_PER_M: Final = 1 / 0.3048
 _M_PER_NM: Final = 1852.0
 _M_PER_DEG: Final = 111_195.0
@@ -41,7 +44,9 @@ def summarise(flight: FlightData, events: list[Event]) -> dict[str, Any]:
         if note.name == notes.IDENTITY:
             newer = identity_of(note.content)
             identity = {name: newer[name] or identity[name] for name in identity}
+    clock = _clock(flight)
     return {
+        **clock,
         "started_ns": flight.start_ns,
         "ended_ns": flight.end_ns,
         **identity,
@@ -52,6 +57,17 @@ def summarise(flight: FlightData, events: list[Event]) -> dict[str, Any]:
         "alarms": kinds.count("alarm"),
         "marks": kinds.count("mark"),
         "thumbnail": None if place is None else _thumbnail(*place, flight.end_ns - flight.start_ns),
+    }
+
+
+def _clock(flight: FlightData) -> dict[str, Any]:
+    """How far the times of the recording turned out to be off, and whether anybody ever vouched for them."""
+    found = [note.content for note in flight.notes() if note.name == notes.CLOCK and isinstance(note.content, dict)]
+    ahead = found[-1].get("ahead_s") if found else 0.0
+    is_far = isinstance(ahead, int | float) and math.isfinite(ahead) and abs(ahead) > _CLOCK_OFF_S
+    return {
+        "clock_ahead_s": float(ahead) if is_far and isinstance(ahead, int | float) else 0.0,
+        "clock_unsure": bool(found) and all(one.get("synchronised") is False for one in found),
     }
 
 

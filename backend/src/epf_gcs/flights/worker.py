@@ -7,7 +7,6 @@ one of {"done": {...}} and {"fault": {"code", "detail", "params"}}.
 from __future__ import annotations
 
 import contextlib
-import ctypes
 import os
 import signal
 import sys
@@ -18,14 +17,11 @@ from typing import Any, Final
 import orjson
 
 from epf_gcs.errors import GatewayError
+from epf_gcs.system.limits import limit_memory, limit_time
+from epf_gcs.system.priority import be_nice, read_last
 
 _MOST_MEMORY_BYTES: Final = 4_000_000_000
 _MOST_CPU_S: Final = 3600
-_NICE: Final = 19
-# The system call ioprio_set on these processors, its "this process" and the class "only while nobody else reads".
-_IOPRIO_SET: Final = {"x86_64": 251, "aarch64": 30, "armv7l": 314, "riscv64": 30}
-_THIS_PROCESS: Final = 1
-_IDLE: Final = 3 << 13
 # How long a cancelled worker may take to remove its half-written files.
 _GRACE_S: Final = 2.0
 
@@ -42,16 +38,11 @@ def be_modest(most_cpu_s: int | None = _MOST_CPU_S) -> None:
 
     With None the processor time is not limited.
     """
-    with contextlib.suppress(AttributeError, OSError):  # not on every system
-        os.nice(_NICE)
-    with contextlib.suppress(AttributeError, OSError, KeyError):
-        ctypes.CDLL(None).syscall(_IOPRIO_SET[os.uname().machine], _THIS_PROCESS, 0, _IDLE)
-    with contextlib.suppress(ImportError, ValueError, OSError):
-        import resource  # noqa: PLC0415 - not on every system
-
-        resource.setrlimit(resource.RLIMIT_AS, (_MOST_MEMORY_BYTES, _MOST_MEMORY_BYTES))
-        if most_cpu_s is not None:
-            resource.setrlimit(resource.RLIMIT_CPU, (most_cpu_s, most_cpu_s))
+    be_nice()
+    read_last()
+    limit_memory(_MOST_MEMORY_BYTES)
+    if most_cpu_s is not None:
+        limit_time(most_cpu_s)
 
 
 def end_with_parent() -> None:

@@ -1,6 +1,5 @@
 """`epf-run`: the whole demonstration with one command, and the station for a real board or X-Plane."""
 
-import fcntl
 import signal
 import sys
 from collections.abc import Iterator
@@ -12,16 +11,17 @@ from typing import Annotated
 
 import typer
 
+from epf_gcs.data_folder.place import DEFAULT, data_folder
 from epf_gcs.launcher.access import invite_command, print_invitation
 from epf_gcs.launcher.demonstration import Demonstration, Stopped
 from epf_gcs.launcher.emulated import EmulatedBoard
 from epf_gcs.launcher.errors import LaunchError
-from epf_gcs.launcher.folder import DEFAULT, data_folder
 from epf_gcs.launcher.options import STATION_PORT, Options, XPlane
+from epf_gcs.launcher.upkeep import print_version
+from epf_gcs.system.locks import lock
+from epf_gcs.system.signals import POLITE
 
-app = typer.Typer(
-    add_completion=False, pretty_exceptions_enable=False, context_settings={"help_option_names": ["-h", "--help"]}
-)
+app = typer.Typer(pretty_exceptions_enable=False, context_settings={"help_option_names": ["-h", "--help"]})
 
 
 class Profile(StrEnum):
@@ -96,6 +96,9 @@ def run(
             help="Folder for recordings, settings, the board's card and the programs' logs.", show_default=DEFAULT
         ),
     ] = data_folder(),  # noqa: B008 - it does not change while the program runs
+    version: Annotated[
+        bool, typer.Option("--version", callback=print_version, is_eager=True, help="Print the version and end.")
+    ] = False,
 ) -> None:
     """Start the board, the simulator and the gateway, and fly the Gando route.
 
@@ -150,7 +153,7 @@ class _StopRequest:
 
     def __init__(self) -> None:
         self.heard = False
-        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+        for number in POLITE:
             signal.signal(number, self._hear)
 
     def _hear(self, _number: int, _frame: FrameType | None) -> None:
@@ -167,13 +170,11 @@ def _alone(data: Path) -> Iterator[None]:
         raise LaunchError(
             f"The folder {data} cannot be written to ({error.strerror}): choose another with --data."
         ) from None
-    with opened as lock:
-        try:
-            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except OSError:
+    with opened as file:
+        if not lock(file):
             raise LaunchError(
                 f"Another epf-run is using the folder {data}: stop that one, or choose another with --data."
-            ) from None
+            )
         yield
 
 

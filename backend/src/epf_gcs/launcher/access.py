@@ -11,7 +11,7 @@ from typing import Annotated, Final
 
 import typer
 
-from epf_gcs.launcher.folder import data_folder
+from epf_gcs.data_folder.place import data_folder
 
 LAUNCHER_KEY: Final = "GCS_LAUNCHER_KEY"
 """The variable by which the gateway knows the program that started it. Others of this machine cannot read it."""
@@ -53,6 +53,7 @@ def invite(
         typer.Option(help="viewer, operator or owner.", show_default="operator; owner for the first of a container"),
     ] = "",
     minutes: Annotated[float, typer.Option(help="How long the key can be used.")] = 60.0,
+    first: Annotated[bool, typer.Option("--first", help="Only while nobody is owner yet; else nothing.")] = False,
     data_dir: Annotated[
         Path, typer.Option(show_envvar=False, envvar="GCS_DATA_DIR", help="The station's folder.")
     ] = _DATA,
@@ -66,6 +67,6 @@ def invite(
 
     It is written into the data folder; the station, running or not, takes it once.
     """
-    more = ["--minutes", str(minutes), *(["--role", role] if role else [])]
+    more = ["--minutes", str(minutes), *(["--role", role] if role else []), *(["--first"] if first else [])]
     command = invite_command(data_dir, host, port, tls=tls, more=more)
     raise typer.Exit(subprocess.run(command, check=False).returncode)

@@ -1,22 +1,19 @@
 """One program of the demonstration: started in its own process group, logged, and stopped, by force if it hangs."""
 
 import contextlib
-import ctypes
 import os
-import signal
 import subprocess
-import sys
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Final
 
 from epf_gcs.launcher.errors import LaunchError
+from epf_gcs.system.processes import ask_group_to_end, kill_group, started
 
 STOP_TIMEOUT_S: Final = 5.0
 _TAIL_LINES: Final = 8
 _TAIL_BYTES: Final = 4096
 MOST_LOG_BYTES: Final = 5_000_000
-_PR_SET_PDEATHSIG: Final = 1
 
 
 class Child:
@@ -48,16 +45,8 @@ class Child:
         # Append, so that what a program logged before it died stays after its restart.
         with self.log_path.open("ab") as log:
             try:
-                self._process = subprocess.Popen(
-                    command,
-                    env=self._variables,
-                    stdin=subprocess.DEVNULL,
-                    stdout=log,
-                    stderr=subprocess.STDOUT,
-                    # A terminal's Ctrl-C must not reach it: the launcher stops the programs in their order.
-                    process_group=0,
-                    preexec_fn=_die_with_launcher(),  # noqa: PLW1509 (the launcher has one thread)
-                )
+                # A terminal's Ctrl-C must not reach it: the launcher stops the programs in their order.
+                self._process = started(command, log=log, environment=self._variables)
             except OSError as error:
                 raise LaunchError(f"The {self.name} ({command[0]}) cannot be started: {error.strerror}.") from error
 
@@ -75,15 +64,15 @@ class Child:
         """Stop the process group, by SIGKILL if it hangs; returns False if it had to be killed."""
         if self._process is None:
             return True
-        self._signal(signal.SIGTERM)
+        ask_group_to_end(self._process)
         try:
             self._process.wait(timeout_s)
         except subprocess.TimeoutExpired:
-            self._signal(signal.SIGKILL)
+            kill_group(self._process)
             self._process.wait()
             return False
         # The program is gone, but a process that it started may still be there.
-        self._signal(signal.SIGKILL)
+        kill_group(self._process)
         return True
 
     def turn_log_over(self, most_bytes: int = MOST_LOG_BYTES) -> None:
@@ -109,17 +98,3 @@ class Child:
                 lines = log.read().decode(errors="replace").splitlines()
             return "\n".join(f"    {line}" for line in lines[-_TAIL_LINES:])
         return ""
-
-    def _signal(self, number: signal.Signals) -> None:
-        if self._process is not None:
-            # The group may be gone; the process itself is not reaped before `poll`, so its number is not another's.
-            with contextlib.suppress(ProcessLookupError, PermissionError):
-                os.killpg(self._process.pid, number)
-
-
-def _die_with_launcher() -> Callable[[], None] | None:
-    """Linux: have the kernel stop the child when the launcher is killed and cannot do it itself."""
-    if sys.platform != "linux":
-        return None
-    prctl = ctypes.CDLL(None).prctl
-    return lambda: prctl(_PR_SET_PDEATHSIG, signal.SIGTERM)

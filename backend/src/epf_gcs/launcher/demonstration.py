@@ -69,7 +69,9 @@ class Demonstration:
         if options.xplane is None:
             self._children.append(Child("simulator", options.simulator_command(simulator), logs))
         gateway = [options.gateway_command(first=first) for first in (True, False)]
-        self._children.append(Child("gateway", gateway[0], logs, gateway[1], {LAUNCHER_KEY: self._key}))
+        # A board of the environment would be opened at a restart in flight.
+        variables = {LAUNCHER_KEY: self._key, "GCS_BOARD": ""}
+        self._children.append(Child("gateway", gateway[0], logs, gateway[1], variables))
         self._say("Starting " + ", ".join(f"the {child.name}" for child in self._children) + " ...")
         for child in self._children:
             child.start()

@@ -10,17 +10,24 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
 from importlib import import_module
+from importlib.metadata import PackageNotFoundError, requires, version
 from pathlib import Path
-from typing import Final, Literal
+from typing import Final
+
+from packaging.requirements import InvalidRequirement, Requirement
 
 from epf_gcs import __version__
+from epf_gcs.data_folder.lock import is_in_use
+from epf_gcs.data_folder.version import FORMAT, newer, read_format
 from epf_gcs.errors import GatewayError
+from epf_gcs.extras import ALL
+from epf_gcs.launcher.doctor_serial import serial_ports, takers_of_ports
+from epf_gcs.launcher.findings import Finding
+from epf_gcs.launcher.ports import listener_of
 from epf_gcs.listening import listen
 from epf_gcs.product import BOARD, PAGE
-
-State = Literal["ok", "note", "fault"]
+from epf_gcs.system.time_source import is_synchronised
 
 # An hour of a full line takes 150 MB before it is packed.
 _LEAST_FREE_BYTES: Final = 2_000_000_000
@@ -28,23 +35,7 @@ _LEAST_FREE_BYTES: Final = 2_000_000_000
 _FIRST_YEAR: Final = 2026
 _SIMULATOR_PORT: Final = 49003
 _PROGRAM_S: Final = 10.0
-# What a Python package needs of the system is found only when it is loaded.
-_PACKAGES: Final = {
-    "jsbsim": "The simulator and the demonstration need it: pip install 'epf-gcs[sim]'",
-    "rasterio": "It imports heights; on Debian: sudo apt install libexpat1",
-    "duckdb": "The flights' tab needs it: install epf-gcs again",
-    "pyarrow": "The flights' tab needs it: install epf-gcs again",
-}
-_OPTIONAL: Final = frozenset({"jsbsim"})
-
-
-@dataclass(frozen=True, slots=True)
-class Finding:
-    """One thing that was looked at. `mend` is what to do about it, "" if nothing."""
-
-    state: State
-    what: str
-    mend: str = ""
+_SHOWN: Final = 3
 
 
 def findings(data: Path, port: int) -> Iterator[Finding]:
@@ -52,18 +43,19 @@ def findings(data: Path, port: int) -> Iterator[Finding]:
     checks: tuple[Callable[[], Iterator[Finding]], ...] = (
         _versions,
         lambda: _data_folder(data),
-        lambda: _ports(port),
-        _serial_ports,
-        _modem_manager,
+        lambda: _room(data),
+        lambda: _ports(data, port),
+        serial_ports,
+        takers_of_ports,
         _clock,
         _product,
-        _packages,
+        _extras,
         _priority,
     )
     for check in checks:
         try:
             yield from check()
-        except (OSError, GatewayError) as error:
+        except (OSError, GatewayError, subprocess.SubprocessError) as error:
             yield Finding("fault", f"A check failed: {error}.", "Tell this to whoever looks after the computer.")
 
 
@@ -82,18 +74,80 @@ def report(found: list[Finding]) -> str:
 
 def _versions() -> Iterator[Finding]:
     system = f"{platform.system()} {platform.machine()}"
-    yield Finding("ok", f"epf-gcs {__version__}, Python {platform.python_version()}, {system}")
+    yield Finding(
+        "ok", f"epf-gcs {__version__}, Python {platform.python_version()}, {system}; packages in {sys.prefix}"
+    )
+    wrong = list(_wrong_packages())
+    if wrong:
+        yield Finding(
+            "fault",
+            f"Python's packages are not those that epf-gcs was tried with: {'; '.join(wrong[:_SHOWN])}"
+            + (f"; and {len(wrong) - _SHOWN} more." if len(wrong) > _SHOWN else "."),
+            "Install epf-gcs again in an environment of its own: pipx install --force FILE.whl",
+        )
+
+
+def _wrong_packages() -> Iterator[str]:
+    """What is missing or of another version than our package asks for, extras left aside."""
+    for line in requires("epf-gcs") or ():
+        try:
+            wanted = Requirement(line)
+        except InvalidRequirement:
+            continue
+        if wanted.marker is not None and not wanted.marker.evaluate({"extra": ""}):
+            continue
+        try:
+            there = version(wanted.name)
+        except PackageNotFoundError:
+            yield f"{wanted.name} is missing"
+        else:
+            if there not in wanted.specifier:
+                yield f"{wanted.name} is {there}, not {str(wanted.specifier).removeprefix('==')}"
 
 
 def _data_folder(data: Path) -> Iterator[Finding]:
     place = next(folder for folder in (data, *data.parents) if folder.exists())
-    if not os.access(place, os.W_OK):
+    choose = "or choose another folder with --data-dir"
+    if _is_read_only(place):
         yield Finding(
             "fault",
-            f"The data folder {data} cannot be written to.",
-            f'Give it to yourself: sudo chown -R "$USER" {place}; or choose another with --data-dir.',
+            f"The disk of the data folder {data} is mounted read-only.",
+            f"sudo mount -o remount,rw $(df --output=target {place} | tail -1)   ({choose})",
         )
         return
+    not_ours = next((path for path in (place, *_files_of(data)) if not os.access(path, os.W_OK)), None)
+    if not_ours is not None:
+        whose = place if not_ours == place else data
+        yield Finding(
+            "fault",
+            f"{not_ours} in the data folder {data} may not be written by this user."
+            if not_ours != place
+            else f"The data folder {data} may not be written by this user.",
+            f'sudo chown -R "$USER" {whose}   ({choose})',
+        )
+        return
+    found = read_format(data) if data.exists() else None
+    if found is not None and found.number > FORMAT:
+        yield Finding("fault", newer(data, found), f"Install epf-gcs {found.written_by or 'of the newest version'}")
+    elif found is not None and found.number < FORMAT:
+        yield Finding("note", f"{data} is of format {found.number}: the next start brings it to {FORMAT}.")
+    else:
+        yield Finding("ok", f"Data folder {data}")
+
+
+def _files_of(data: Path) -> Iterator[Path]:
+    if data.is_dir() and os.access(data, os.R_OK | os.X_OK):
+        yield from (path for path in data.iterdir() if not path.is_symlink() and not path.is_socket())
+
+
+def _is_read_only(place: Path) -> bool:
+    if sys.platform == "win32":
+        return False
+    return bool(os.statvfs(place).f_flag & os.ST_RDONLY)
+
+
+def _room(data: Path) -> Iterator[Finding]:
+    place = next(folder for folder in (data, *data.parents) if folder.exists())
     free = shutil.disk_usage(place).free
     if free < _LEAST_FREE_BYTES:
         yield Finding(
@@ -102,14 +156,23 @@ def _data_folder(data: Path) -> Iterator[Finding]:
             "Delete old flights in the tab Vuelos, or choose another disk with --data-dir.",
         )
     else:
-        yield Finding("ok", f"Data folder {data}, {free / 1e9:.0f} GB free")
+        yield Finding("ok", f"{free / 1e9:.0f} GB free on its disk")
 
 
-def _ports(port: int) -> Iterator[Finding]:
+def _ports(data: Path, port: int) -> Iterator[Finding]:
+    if is_in_use(data):
+        yield Finding("ok", "A station runs with this data folder: its ports are its own")
+        return
     try:
         listen("127.0.0.1", port).close()
     except GatewayError as error:
-        yield Finding("note", error.detail, "If that is the station itself, all is well; else choose with --port.")
+        who = listener_of(port)
+        other = 8001 if port != 8001 else 8002
+        yield Finding(
+            "fault",
+            f"TCP port {port} is taken by {who}." if who else error.detail,
+            f"End that program, or: epf-gcs --port {other}" if who else f"epf-gcs --port {other}",
+        )
     else:
         yield Finding("ok", f"TCP port {port} for the page is free")
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
@@ -117,65 +180,31 @@ def _ports(port: int) -> Iterator[Finding]:
             probe.bind(("", _SIMULATOR_PORT))
         except OSError:
             yield Finding(
-                "note",
-                f"UDP port {_SIMULATOR_PORT}, where X-Plane sends to, is in use.",
-                "If the station runs, that is the station; else end what uses it, or choose another in Setup.",
+                "fault",
+                f"UDP port {_SIMULATOR_PORT}, where X-Plane sends to, is taken by another program.",
+                f"sudo ss -ulpn 'sport = :{_SIMULATOR_PORT}'   (shows which; end it, or choose another port in Setup)",
             )
         else:
             yield Finding("ok", f"UDP port {_SIMULATOR_PORT} for X-Plane is free")
 
 
-def _serial_ports() -> Iterator[Finding]:
-    from serial.tools.list_ports import comports  # noqa: PLC0415 - slow on some systems
-
-    found = sorted(port.device for port in comports() if port.hwid != "n/a")
-    if not found:
-        yield Finding("note", "No serial port is here.", "Plug the board in; a PTY or TCP address needs none.")
-    for path in found:
-        if os.name == "nt" or os.access(path, os.R_OK | os.W_OK):
-            yield Finding("ok", f"Serial port {path} can be opened")
-        else:
-            yield Finding(
-                "fault",
-                f"Serial port {path} may not be opened by this user.",
-                f'sudo usermod -a -G {_group_of(path)} "$USER"   (then log out and in again)',
-            )
-
-
-def _group_of(path: str) -> str:
-    try:
-        return Path(path).group()
-    except (KeyError, OSError, NotImplementedError):
-        return "dialout"
-
-
-def _modem_manager() -> Iterator[Finding]:
-    if any(name == "ModemManager" for name in _process_names()):
-        yield Finding(
-            "note",
-            "ModemManager runs: it writes to each new serial port for some seconds.",
-            "sudo systemctl disable --now ModemManager   (if this computer has no mobile modem)",
-        )
-
-
-def _process_names() -> Iterator[str]:
-    for path in Path("/proc").glob("[0-9]*/comm"):
-        try:
-            yield path.read_text().strip()
-        except OSError:
-            continue  # it has ended meanwhile
-
-
 def _clock() -> Iterator[Finding]:
-    year = time.gmtime().tm_year
-    if year < _FIRST_YEAR:
+    now = time.gmtime()
+    said = time.strftime("%Y-%m-%d %H:%M:%S UTC", now)
+    if now.tm_year < _FIRST_YEAR:
         yield Finding(
             "fault",
-            f"The clock says {year}: recordings would be filed under that day.",
-            'sudo date -s "2026-01-31 12:00"   (with the right time)',
+            f"The clock says {said}: recordings would be filed under that day.",
+            'sudo date -u -s "2026-01-31 12:00"   (with the right time)',
+        )
+    elif is_synchronised() is False:
+        yield Finding(
+            "note",
+            f"The clock says {said}, and no time server vouches for it: recordings say so.",
+            "sudo timedatectl set-ntp true   (with a network; else compare it with your watch)",
         )
     else:
-        yield Finding("ok", f"The clock says {time.strftime('%Y-%m-%d %H:%M:%S UTC', time.gmtime())}")
+        yield Finding("ok", f"The clock says {said}")
 
 
 def _product() -> Iterator[Finding]:
@@ -196,17 +225,29 @@ def _product() -> Iterator[Finding]:
         yield Finding("ok", "The demonstration's board runs")
 
 
-def _packages() -> Iterator[Finding]:
-    for name, need in _PACKAGES.items():
+def _extras() -> Iterator[Finding]:
+    for extra in ALL:
+        if not extra.is_here:
+            yield Finding("note", f"{extra.what}: {' and '.join(extra.modules)} not installed.", extra.command())
+            continue
         try:
-            import_module(name)
+            for module in extra.modules:
+                import_module(module)
         except ImportError as error:
-            yield Finding("note" if name in _OPTIONAL else "fault", f"{name} cannot be loaded: {error}.", need)
-    yield Finding("ok", f"Python's packages are in {sys.prefix}")
+            # What a package needs of the system is found only when it is loaded.
+            yield Finding("fault", f"{extra.what} fails: {error}.", _mend_library(str(error), extra.command()))
+        else:
+            yield Finding("ok", f"{extra.what}: {' and '.join(extra.modules)}")
+
+
+def _mend_library(said: str, again: str) -> str:
+    if "libexpat" in said:
+        return "sudo apt install libexpat1   (on Debian and Ubuntu)"
+    return f"{again} --force-reinstall" if " -m pip " in again else again
 
 
 def _priority() -> Iterator[Finding]:
-    if not hasattr(os, "sched_setscheduler"):
+    if sys.platform != "linux":
         return
     # Tried in a process of its own, which ends at once.
     tried = subprocess.run(

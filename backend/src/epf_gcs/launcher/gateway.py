@@ -16,95 +16,28 @@ from typing import Annotated, Final
 
 import typer
 
+from epf_gcs.data_folder.place import data_folder
+from epf_gcs.data_folder.upgrade import bring_up_to_date
+from epf_gcs.data_folder.version import FormatError
 from epf_gcs.errors import GatewayError
 from epf_gcs.launcher.access import access_arguments, invite, invite_command, print_invitation
+from epf_gcs.launcher.config import NAME, entries_of, load_config
 from epf_gcs.launcher.encryption import tls_arguments
-from epf_gcs.launcher.folder import data_folder
+from epf_gcs.launcher.errors import LaunchError
+from epf_gcs.launcher.part import Part
 from epf_gcs.launcher.ports import is_loopback
 from epf_gcs.launcher.service import Service
-from epf_gcs.launcher.upkeep import add_commands
+from epf_gcs.launcher.upkeep import add_commands, print_version
 from epf_gcs.listening import listen
-from epf_gcs.watchdog import REFUSED, SILENT_S, wait_for_end
+from epf_gcs.system.signals import POLITE
 
-# The first restart is immediate, because the aircraft may be in flight; repeated ones wait longer, up to this.
-_LONGEST_WAIT_S: Final = 5.0
-_LIVED_S: Final = 10.0
 _STOP_S: Final = 8.0
 # A process that was being started when the signal came gets another signal after this time.
 _SIGNAL_AGAIN_S: Final = 2.0
 
 _DATA: Final = data_folder()
 
-app = typer.Typer(add_completion=False, context_settings={"help_option_names": ["-h", "--help"]})
-
-
-class Part:
-    """One of the two processes. `again` is the command of every restart; `silent_s` is told in `watchdog.py`."""
-
-    def __init__(
-        self,
-        name: str,
-        command: Sequence[str],
-        again: Sequence[str],
-        stdin: int,
-        files: Sequence[int] = (),
-        silent_s: float = SILENT_S,
-    ) -> None:
-        self.name = name
-        self._command = tuple(command)
-        self._again = tuple(again)
-        self._stdin = stdin
-        self._files = tuple(files)
-        self._silent_s = silent_s
-        self._quick_deaths = 0
-        self.process: subprocess.Popen[bytes] | None = None
-
-    def keep_running(self, stopping: threading.Event) -> int | None:
-        """Start it again whenever it dies or hangs, until `stopping`. Returns its exit status if it refused."""
-        is_first = True
-        while not stopping.is_set():
-            began_s = time.monotonic()
-            code = self._run(self._command if is_first else self._again)
-            if stopping.is_set():
-                return None
-            has_lived = time.monotonic() - began_s > _LIVED_S
-            if is_first and (code == REFUSED or (code > 0 and not has_lived)):
-                return code
-            is_first = False
-            how = f"by signal {-code}" if code < 0 else f"with status {code}"
-            print(f"epf-gcs: the {self.name} process ended {how} and is started again.", file=sys.stderr, flush=True)
-            stopping.wait(self._wait_s(has_lived=has_lived))
-        return None
-
-    def signal(self, number: int) -> None:
-        """Send a signal if it runs."""
-        if self.process is not None and self.process.poll() is None:
-            self.process.send_signal(number)
-
-    def _run(self, command: Sequence[str]) -> int:
-        # Only we hold the write end of its standard input, so it notices when we die, and ends. A process group of its
-        # own: a terminal's Ctrl-C reaches only us, and we end both in order.
-        watched, fed = os.pipe()
-        try:
-            self.process = subprocess.Popen(
-                [*command, "--watchdog", str(fed)],
-                stdin=self._stdin,
-                pass_fds=(*self._files, fed),
-                process_group=0,
-            )
-        finally:
-            os.close(fed)
-        try:
-            return wait_for_end(self.process, watched, self._silent_s, self._report_hung)
-        finally:
-            os.close(watched)
-
-    def _report_hung(self) -> None:
-        print(f"epf-gcs: the {self.name} process hangs and is killed.", file=sys.stderr, flush=True)
-
-    def _wait_s(self, *, has_lived: bool) -> float:
-        self._quick_deaths = 1 if has_lived else self._quick_deaths + 1
-        return 0.0 if self._quick_deaths <= 1 else min(_LONGEST_WAIT_S, 0.1 * 2.0**self._quick_deaths)
+app = typer.Typer(context_settings={"help_option_names": ["-h", "--help"]}, pretty_exceptions_enable=False)
 
 
 class Gateway:
@@ -117,7 +50,7 @@ class Gateway:
 
     def run(self) -> int:
         """Run until a signal, or until one of the two refuses to start; returns the exit code."""
-        for number in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP):
+        for number in POLITE:
             signal.signal(number, self._stop)
         watchers = [threading.Thread(target=self._watch, args=(part,), name=part.name) for part in self._parts]
         for watcher in watchers:
@@ -143,14 +76,21 @@ class Gateway:
     def _end(self, watchers: Sequence[threading.Thread]) -> None:
         """End both; one that hangs is killed."""
         give_up_s = time.monotonic() + _STOP_S
-        number: int = signal.SIGTERM
         while any(watcher.is_alive() for watcher in watchers):
             for part in self._parts:
-                part.signal(number)
+                part.end(by_force=time.monotonic() > give_up_s)
             for watcher in watchers:
                 watcher.join(_SIGNAL_AGAIN_S)
-            if time.monotonic() > give_up_s:
-                number = signal.SIGKILL
+
+
+def _configure(context: typer.Context, path: Path | None) -> Path | None:
+    if context.resilient_parsing:  # a shell asks for completions
+        return path
+    try:
+        return load_config(context, path, entries_of(run))
+    except LaunchError as error:
+        _say(str(error))
+        raise typer.Exit(2) from error
 
 
 @app.callback(invoke_without_command=True)
@@ -233,20 +173,44 @@ def run(
     ] = False,
     print_key: Annotated[
         bool,
-        typer.Option(help="Print a one-time key with its QR code, where it listens beyond this computer."),
+        typer.Option(
+            show_envvar=False,
+            envvar="GCS_PRINT_KEY",
+            help="Print a one-time key with its QR code, where it listens beyond this computer.",
+        ),
     ] = True,
-    verbose: Annotated[bool, typer.Option(help="Log more.")] = False,
+    verbose: Annotated[bool, typer.Option(show_envvar=False, envvar="GCS_VERBOSE", help="Log more.")] = False,
     print_openapi: Annotated[bool, typer.Option(help="Print the OpenAPI document and end.")] = False,
+    config: Annotated[
+        Path | None,
+        typer.Option(
+            callback=_configure,
+            is_eager=True,
+            show_envvar=False,
+            envvar="GCS_CONFIG",
+            show_default=f"{NAME} in the user's folder for settings, if it is there",
+            help="File with entries like port = 8080 (TOML).",
+        ),
+    ] = None,
+    version: Annotated[
+        bool, typer.Option("--version", callback=print_version, is_eager=True, help="Print the version and end.")
+    ] = False,
 ) -> None:
     """The gateway of EPF GCS: connects a board and a flight simulator with browsers.
 
-    Without --board it opens the links of its last run. Every option is also a variable: GCS_HOST, GCS_PORT,
-    GCS_BOARD, GCS_DATA_DIR, GCS_PAGE_DIR, GCS_RECORDING, GCS_TLS, GCS_TLS_CERT, GCS_TLS_KEY;
-    GCS_REACHED_AT (http://HOST:PORT) is where others reach it, if it cannot know (in a container, behind a proxy);
-    GCS_ALLOWED_HOSTS and GCS_ALLOWED_ORIGINS (JSON lists) let more names and pages in; GCS_LOCAL_MAPS (a JSON list of
-    host:port) names servers of map tiles in the own network.
+    Without --board it opens the links of its last run. Every option is also a variable (--data-dir: GCS_DATA_DIR) and
+    an entry of the config file (data_dir = "/srv/flights"); an option goes before a variable, a variable before the
+    file. GCS_REACHED_AT (http://HOST:PORT) is where others reach it, if it cannot know (container, proxy);
+    GCS_ALLOWED_HOSTS and GCS_ALLOWED_ORIGINS (JSON lists; in the file allowed_hosts and allowed_origins) let more
+    names and pages in; GCS_LOCAL_MAPS (host:port) names servers of map tiles in the own network.
 
     It runs as two processes: `epf-flight` owns the lines and flies on when `epf-web`, which serves the page, does not.
+
+    Examples:
+      epf-gcs
+      epf-gcs --board serial:///dev/ttyUSB0?baud=57600
+      epf-gcs --host 0.0.0.0 --tls
+      epf-gcs doctor
     """
     if context.invoked_subcommand is not None:
         return
@@ -255,9 +219,16 @@ def run(
             subprocess.run([sys.executable, "-m", "epf_gcs.web", "--print-openapi"], check=False).returncode
         )
     try:
+        bring_up_to_date(data_dir, _say)
         listener = listen(host, port)
     except GatewayError as error:
-        print(f"epf-gcs: {error.detail}", file=sys.stderr)
+        _say(error.detail)
+        raise typer.Exit(1) from error
+    except FormatError as error:
+        _say(str(error))
+        raise typer.Exit(1) from error
+    except OSError as error:
+        _say(f"The data folder {data_dir} cannot be used ({error.strerror or error}): see to its disk and rights.")
         raise typer.Exit(1) from error
     encryption = tls_arguments(tls_cert, tls_key, tls=tls)
     access = access_arguments(trust_this_computer=trust_this_computer, allow_anyone_to_fly=allow_anyone_to_fly)
@@ -299,6 +270,10 @@ def _gateway(
     # We keep the listening socket open, so that browsers wait during a restart of the web process, and are not refused.
     parts = Part("flight", first, flight, alive), Part("web", web, [*web, "--again"], alive, [listener.fileno()])
     return Gateway(*parts)
+
+
+def _say(text: str) -> None:
+    print(f"epf-gcs: {text}", file=sys.stderr, flush=True)
 
 
 app.command()(invite)

@@ -21,6 +21,8 @@ from typing import Any, BinaryIO, Final
 import orjson
 
 from epf_gcs import __version__
+from epf_gcs.data_folder.upgrade import is_interrupted
+from epf_gcs.data_folder.version import FORMAT, read_format
 from epf_gcs.disk import sync_folder
 from epf_gcs.launcher.errors import LaunchError
 
@@ -44,6 +46,12 @@ def backup(data: Path, target: Path, say: Say) -> int:
         raise LaunchError(f"{data} is no folder: name the station's data folder with --data-dir.")
     if target.exists():
         raise LaunchError(f"{target} is there already: choose another name.")
+    if is_interrupted(data):
+        raise LaunchError(f"A change of the format of {data} was interrupted: start the station once, then try again.")
+    try:
+        found = read_format(data)
+    except ValueError:
+        found = None  # the station keeps such a file aside
     part = target.with_name(f".{target.name}.part")
     listed: dict[str, dict[str, Any]] = {}
     try:
@@ -53,7 +61,7 @@ def backup(data: Path, target: Path, say: Say) -> int:
                     name = path.relative_to(data).as_posix()
                     say(name)
                     listed[name] = _add(archive, path, name)
-                _add_list(archive, listed)
+                _add_list(archive, listed, None if found is None else found.number)
             file.flush()
             os.fsync(file.fileno())
         part.replace(target)
@@ -80,6 +88,7 @@ def restore(source: Path, data: Path, say: Say) -> Path | None:
             raise _not_whole(source, str(error)) from error
         _prove(source, fresh)
         (fresh / LIST).unlink()
+        _prove_readable(source, fresh)
         if hasattr(os, "sync"):
             os.sync()  # what takes the old folder's place survives a power cut
         kept = None
@@ -141,8 +150,8 @@ class _Hashing:
         return data
 
 
-def _add_list(archive: tarfile.TarFile, listed: dict[str, dict[str, Any]]) -> None:
-    text = orjson.dumps({"version": __version__, "made_t_s": int(time.time()), "files": listed})
+def _add_list(archive: tarfile.TarFile, listed: dict[str, dict[str, Any]], number: int | None) -> None:
+    text = orjson.dumps({"version": __version__, "format": number, "made_t_s": int(time.time()), "files": listed})
     entry = tarfile.TarInfo(LIST)
     entry.size, entry.mtime = len(text), int(time.time())
     archive.addfile(entry, io.BytesIO(text))
@@ -171,6 +180,19 @@ def _prove(source: Path, fresh: Path) -> None:
     for name, (size, digest) in listed.items():
         if (fresh / name).stat().st_size != size or _digest(fresh / name) != digest:
             raise _not_whole(source, f"{name} is damaged")
+
+
+def _prove_readable(source: Path, fresh: Path) -> None:
+    """Raises LaunchError if a newer version made it; an older one's folder is brought up to date at the next start."""
+    try:
+        found = read_format(fresh)
+    except ValueError:
+        return  # the station keeps such a file aside
+    if found is not None and found.number > FORMAT:
+        raise LaunchError(
+            f"{source} is of epf-gcs {found.written_by} (format {found.number}); this is {__version__}, which knows "
+            f"format {FORMAT}. Nothing was changed: install that version or a newer one first."
+        )
 
 
 def _digest(path: Path) -> str:

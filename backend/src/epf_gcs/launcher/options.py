@@ -1,16 +1,17 @@
 """What the launcher was asked to run, and with which programs."""
 
+import os
 import sys
 from dataclasses import dataclass, field
-from importlib.util import find_spec
 from pathlib import Path
 from typing import Final, Self
 
+from epf_gcs.data_folder.place import data_folder
+from epf_gcs.extras import SIM
 from epf_gcs.launcher.access import access_arguments
 from epf_gcs.launcher.emulated import EmulatedBoard
 from epf_gcs.launcher.encryption import tls_arguments
 from epf_gcs.launcher.errors import LaunchError
-from epf_gcs.launcher.folder import data_folder
 from epf_gcs.launcher.ports import LOOPBACK
 from epf_gcs.product import BOARD
 
@@ -118,11 +119,8 @@ class Options:
 
         Raises LaunchError if its flight dynamics are not installed.
         """
-        if find_spec("jsbsim") is None:
-            raise LaunchError(
-                "The embedded simulator needs the package jsbsim, which is not installed: add it with "
-                "pip install 'epf-gcs[sim]', or fly with X-Plane by --xplane."
-            )
+        if not SIM.is_here:
+            raise LaunchError(f"{SIM.sentence()}\nOr fly with X-Plane by --xplane, or connect a board by epf-gcs.")
         return [
             *(sys.executable, "-m", "epf_gcs.simulator", "--profile", simulator.profile),
             *("--listen", f"{LOOPBACK}:{simulator.port}", "--send-to", f"{LOOPBACK}:{simulator.receive_port}"),
@@ -137,6 +135,8 @@ class Options:
         return [
             *(sys.executable, "-m", "epf_gcs.launcher.gateway"),
             *("--host", self.host, "--port", str(self.port), "--data-dir", str(self.data)),
+            # The demonstration takes nothing from the user's config file.
+            *("--config", os.devnull),
             *tls_arguments(self.tls_cert, self.tls_key, tls=self.tls),
             *access_arguments(
                 trust_this_computer=self.trust_this_computer, allow_anyone_to_fly=self.allow_anyone_to_fly

@@ -8,6 +8,8 @@ import socket
 from collections.abc import Mapping
 from typing import Final
 
+from epf_gcs.system.sockets import local_socket
+
 _SOCKET: Final = "NOTIFY_SOCKET"
 _WATCHDOG: Final = "WATCHDOG_USEC"
 
@@ -38,5 +40,5 @@ class Service:
     def _say(self, text: str) -> None:
         if not self._address:
             return
-        with contextlib.suppress(OSError), socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM) as to:
+        with contextlib.suppress(OSError), local_socket(socket.SOCK_DGRAM) as to:
             to.sendto(text.encode(), self._address)

@@ -9,9 +9,13 @@ from typing import Annotated, Final
 import typer
 
 from epf_gcs import __version__
+from epf_gcs.data_folder.lock import is_in_use
+from epf_gcs.data_folder.place import data_folder
+from epf_gcs.data_folder.upgrade import downgrade as put_back
+from epf_gcs.data_folder.version import FormatError
+from epf_gcs.errors import GatewayError
 from epf_gcs.launcher.doctor import findings, report
 from epf_gcs.launcher.errors import LaunchError
-from epf_gcs.launcher.folder import data_folder, is_in_use
 from epf_gcs.launcher.keeping import backup as write_backup
 from epf_gcs.launcher.keeping import restore as read_backup
 
@@ -24,8 +28,15 @@ _DATA: Final = data_folder()
 
 def add_commands(app: typer.Typer) -> None:
     """Add them to a program."""
-    for command in (version, doctor, backup, restore):
+    for command in (version, doctor, backup, restore, downgrade):
         app.command()(command)
+
+
+def print_version(asked: bool) -> None:  # noqa: FBT001 - how an option's callback is called
+    """For `--version` of a program."""
+    if asked:
+        version()
+        raise typer.Exit
 
 
 def version() -> None:
@@ -70,6 +81,21 @@ def restore(
     except (LaunchError, OSError) as error:
         raise _failed(error) from error
     print(f"{data_dir} is as it was." + ("" if kept is None else f" What was there before is in {kept}."))
+
+
+def downgrade(*, data_dir: _Folder = _DATA) -> None:
+    """Put back what the last change of the data folder's format changed, for an earlier version of epf-gcs.
+
+    Recordings made since then stay; settings made since then are kept beside.
+    """
+    try:
+        number, written_by = put_back(data_dir)
+    except (FormatError, GatewayError, OSError) as error:
+        raise _failed(error) from error
+    who = f"epf-gcs {written_by}" if written_by else "epf-gcs 1.0.0 or older"
+    print(
+        f"{data_dir} is of format {number} again, as {who} had it: install that now. This version would change it back."
+    )
 
 
 def _say(name: str) -> None:

@@ -62,6 +62,7 @@ class LinkCallbacks:
 class Device:
     """An opened, non-blocking descriptor and the functions that belong to it.
 
+    `read(most)` and `write(data)` take what is there, or raise BlockingIOError; they raise OSError once it is lost.
     `wait_for` makes the descriptor readable only when so many bytes are there (1 to 255); None if not supported.
     """
 
@@ -70,4 +71,6 @@ class Device:
     baud: int
     close: Callable[[], None]
     kernel_backlog: Callable[[], int]
+    read: Callable[[int], bytes]
+    write: Callable[[bytes | bytearray], int]
     wait_for: Callable[[int], None] | None = None

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import asyncio
-import os
 from collections.abc import Callable
 from typing import Final
 
@@ -80,7 +79,7 @@ class DescriptorLink:
         written = 0
         if not self._pending:
             try:
-                written = os.write(self._device.fd, data)
+                written = self._device.write(data)
             except (BlockingIOError, InterruptedError):
                 written = 0
             except OSError as error:
@@ -107,7 +106,7 @@ class DescriptorLink:
 
     def _readable(self) -> None:
         try:
-            data = os.read(self._device.fd, _READ_BYTES)
+            data = self._device.read(_READ_BYTES)
         except (BlockingIOError, InterruptedError):
             return
         except OSError as error:
@@ -153,7 +152,7 @@ class DescriptorLink:
 
     def _writable(self) -> None:
         try:
-            written = os.write(self._device.fd, self._pending)
+            written = self._device.write(self._pending)
         except (BlockingIOError, InterruptedError):
             return
         except OSError as error:

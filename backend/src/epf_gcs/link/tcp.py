@@ -47,7 +47,15 @@ async def open_tcp(address: LinkAddress, look_up: Resolve = _look_up) -> Device:
         except OSError as error:
             failures.append(error)
         else:
-            return Device(address.name, connection.fileno(), address.baud, connection.close, lambda: 0)
+            return Device(
+                address.name,
+                connection.fileno(),
+                address.baud,
+                connection.close,
+                lambda: 0,
+                connection.recv,
+                connection.send,
+            )
     # That this machine has no route to an address says nothing about the host: prefer another address's error.
     telling = [error for error in failures if error.errno not in _NO_WAY]
     cause = (telling or failures or [OSError(errno.EADDRNOTAVAIL, "no address")])[0]

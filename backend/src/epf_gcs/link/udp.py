@@ -21,6 +21,7 @@ from typing import Any, Final
 from epf_gcs.errors import LinkError
 from epf_gcs.link.base import Tap
 from epf_gcs.link.failures import link_error
+from epf_gcs.system.sockets import receive_with_notes
 
 # All rows that a simulator has are 5 kB.
 _MAX_DATAGRAM_BYTES: Final = 16384
@@ -226,7 +227,7 @@ class UdpLink:
         while left and not self._closed:
             left -= 1
             try:
-                datagram, ancillary, _, sender = door.recvmsg(_MAX_DATAGRAM_BYTES, _ANCILLARY_BYTES)
+                datagram, ancillary, _, sender = receive_with_notes(door, _MAX_DATAGRAM_BYTES, _ANCILLARY_BYTES)
             except OSError:
                 break
             strangers += self._newly_dropped(family, ancillary)

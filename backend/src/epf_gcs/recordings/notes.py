@@ -29,6 +29,10 @@ LOST: Final = "epf/lost"
 # {"line": "board" or "simulator", "open": bool, "url": text or null, "baud": number or null, "profile": text or null,
 #  "emulated": bool}: from here on the bytes of this line belong to this device.
 LINE: Final = "epf/line"
+# {"ahead_s": by how much the system's clock is ahead of the times in this file, "synchronised": bool or null}: a
+# computer without a battery for its clock may learn the time in the middle of a flight, whose stamps go on unbroken.
+# The newest note holds for the whole file.
+CLOCK: Final = "epf/clock"
 
 
 @dataclass(frozen=True, slots=True)

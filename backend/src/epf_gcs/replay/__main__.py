@@ -7,7 +7,6 @@ import asyncio
 import contextlib
 import gc
 import os
-import signal
 import sys
 import threading
 from pathlib import Path
@@ -18,13 +17,16 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 import orjson
 
+from epf_gcs import __version__
 from epf_gcs.errors import GatewayError
 from epf_gcs.logs import set_up_logging
 from epf_gcs.replay.making_keys import make_keys
 from epf_gcs.replay.vehicle_process import VehicleProcess
+from epf_gcs.system.limits import limit_memory
+from epf_gcs.system.priority import be_nice
+from epf_gcs.system.signals import on_polite_end
 
 _MEMORY_BYTES: Final = 2 << 30
-_POLITE: Final = (signal.SIGTERM, signal.SIGINT)
 
 
 def main() -> None:
@@ -46,9 +48,7 @@ def main() -> None:
 async def _replay(options: argparse.Namespace) -> None:
     ended = asyncio.Event()
     loop = asyncio.get_running_loop()
-    for name in _POLITE:
-        with contextlib.suppress(NotImplementedError):
-            loop.add_signal_handler(name, ended.set)
+    on_polite_end(ended.set, loop)
     process = VehicleProcess(options.recording, options.keys)
     if options.folder is not None:
         process.open(options.folder, options.at)
@@ -72,12 +72,8 @@ async def _replay(options: argparse.Namespace) -> None:
 
 def _be_modest() -> None:
     """The lowest priority, and a limit of memory: no flight is slower for it, no file can take the machine."""
-    with contextlib.suppress(OSError, AttributeError):
-        os.nice(19)
-    with contextlib.suppress(ImportError, ValueError, OSError):
-        import resource  # noqa: PLC0415 - not there on every system
-
-        resource.setrlimit(resource.RLIMIT_AS, (_MEMORY_BYTES, _MEMORY_BYTES))
+    be_nice()
+    limit_memory(_MEMORY_BYTES)
 
 
 def _listen_to_parent(loop: asyncio.AbstractEventLoop, process: VehicleProcess, ended: asyncio.Event) -> None:
@@ -108,6 +104,7 @@ def _options() -> argparse.Namespace:
         description="A recording of EPF GCS as a vehicle, for any number of viewers: a station finds it in a folder, "
         "and plays, pauses and seeks by notices of the stream.",
     )
+    parser.add_argument("--version", action="version", version=f"%(prog)s {__version__}")
     parser.add_argument("--recording", type=Path, required=True, help="The MCAP file; it may still be growing.")
     parser.add_argument("--folder", type=Path, default=None, help="Where a viewer's socket is made.")
     parser.add_argument("--at", type=float, default=0.0, help="Seconds after the start of the flight, for that viewer.")

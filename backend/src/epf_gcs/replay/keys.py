@@ -9,7 +9,6 @@ from __future__ import annotations
 import contextlib
 import json
 import os
-import sys
 import zlib
 from bisect import bisect_right
 from pathlib import Path
@@ -17,9 +16,8 @@ from struct import Struct
 from typing import Any, Final
 
 from epf_gcs import __version__
-
-if sys.platform != "win32":
-    import fcntl
+from epf_gcs.system.files import read_at, write_at
+from epf_gcs.system.locks import lock
 
 EVERY_NS: Final = 2_000_000_000
 _FORMAT: Final = 2
@@ -39,7 +37,7 @@ class Keys:
         self._file: int | None = None
         self._end = 0
         self.is_writer = True
-        if file is not None and sys.platform != "win32":
+        if file is not None:
             with contextlib.suppress(OSError):
                 self._open(file)
 
@@ -54,8 +52,7 @@ class Keys:
             return
         with contextlib.suppress(OSError):
             if not self.is_writer:
-                fcntl.flock(self._file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-                self.is_writer = True
+                self.is_writer = lock(self._file)
         with contextlib.suppress(OSError):
             self._read_on(self._file)
 
@@ -75,7 +72,7 @@ class Keys:
         if self._file is not None:
             try:
                 record = _HEAD.pack(t_ns, len(packed)) + packed
-                if os.pwrite(self._file, record, self._end) == len(record):
+                if write_at(self._file, record, self._end) == len(record):
                     self._take(t_ns, None, self._end + _HEAD.size, len(packed))
                     self._end += len(record)
                     return
@@ -92,16 +89,13 @@ class Keys:
     def _open(self, file: Path) -> None:
         file.parent.mkdir(parents=True, exist_ok=True)
         self._file = descriptor = os.open(file, os.O_RDWR | os.O_CREAT, 0o600)
-        try:
-            fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except BlockingIOError:
-            self.is_writer = False
-        if os.pread(descriptor, len(self._title), 0) == self._title:
+        self.is_writer = lock(descriptor)
+        if read_at(descriptor, len(self._title), 0) == self._title:
             self._end = len(self._title)
             self._read_on(descriptor)
         elif self.is_writer:
             os.ftruncate(descriptor, 0)
-            os.pwrite(descriptor, self._title, 0)
+            write_at(descriptor, self._title, 0)
             self._end = len(self._title)
         else:
             # Another version is writing its own: keep ours in memory.
@@ -111,7 +105,7 @@ class Keys:
     def _read_on(self, descriptor: int) -> None:
         size = os.fstat(descriptor).st_size
         while self._end + _HEAD.size <= size:
-            t_ns, length = _HEAD.unpack(os.pread(descriptor, _HEAD.size, self._end))
+            t_ns, length = _HEAD.unpack(read_at(descriptor, _HEAD.size, self._end))
             after = self._end + _HEAD.size + length
             if after > size or length > _LONGEST or (self._times and t_ns <= self._times[-1]):
                 break
@@ -127,5 +121,5 @@ class Keys:
         if self._file is None:
             return b""
         with contextlib.suppress(OSError):
-            return os.pread(self._file, length, place)
+            return read_at(self._file, length, place)
         return b""

@@ -9,6 +9,7 @@ from typing import Annotated, NoReturn
 
 import typer
 
+from epf_gcs import __version__
 from epf_gcs.codec.messages_gen import RECEIVE_PORT, SEND_PORT
 from epf_gcs.simulator.airframe import AirframeError
 from epf_gcs.simulator.link import LinkQuality
@@ -24,12 +25,17 @@ from epf_gcs.simulator.situation import (
     Wind,
     parse_wind,
 )
+from epf_gcs.system.signals import POLITE
 
 LOOPBACK = "127.0.0.1"
 
-app = typer.Typer(
-    add_completion=False, pretty_exceptions_enable=False, context_settings={"help_option_names": ["-h", "--help"]}
-)
+app = typer.Typer(pretty_exceptions_enable=False, context_settings={"help_option_names": ["-h", "--help"]})
+
+
+def _print_version(asked: bool) -> None:  # noqa: FBT001 - how an option's callback is called
+    if asked:
+        print(f"epf-sim {__version__}")
+        raise typer.Exit
 
 
 class Aircraft(StrEnum):
@@ -162,6 +168,9 @@ def simulate(
             min=0.0, help="Stop after so many simulated seconds.", show_default="never", rich_help_panel=_TIME
         ),
     ] = None,
+    version: Annotated[
+        bool, typer.Option("--version", callback=_print_version, is_eager=True, help="Print the version and end.")
+    ] = False,
 ) -> None:
     """Fly an aircraft with JSBSim's dynamics and speak X-Plane's UDP.
 
@@ -204,7 +213,7 @@ class _StopRequest:
 
     def __init__(self) -> None:
         self.heard = False
-        for number in (signal.SIGINT, signal.SIGTERM):
+        for number in POLITE:
             signal.signal(number, self._hear)
 
     def _hear(self, _number: int, _frame: FrameType | None) -> None:

@@ -5,20 +5,21 @@ engines, throttle), the engine that has to spin up before the first instant, opp
 elevator and rudder, and angles of attack that are noise when the aircraft stands.
 """
 
+from __future__ import annotations
+
 import math
 import os
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
-# JSBSim prints a banner on every start unless this is set before the import.
-os.environ.setdefault("JSBSIM_DEBUG", "0")
-
-import jsbsim
-
+from epf_gcs.extras import SIM
 from epf_gcs.simulator.models import AircraftModel
 from epf_gcs.simulator.situation import AIRPORT_ELEVATION_FT, FT_S_PER_KT, Situation, Start, Turbulence
 from epf_gcs.simulator.state import Controls, FlightState
+
+if TYPE_CHECKING:
+    from jsbsim import FGFDMExec
 
 STEP_HZ: Final = 200
 STEP_S: Final = 1.0 / STEP_HZ
@@ -247,7 +248,13 @@ class Airframe:
         return node.get_double_value
 
 
-def _load(model: AircraftModel) -> jsbsim.FGFDMExec:
+def _load(model: AircraftModel) -> FGFDMExec:
+    if not SIM.is_here:
+        raise AirframeError(SIM.sentence())
+    # It prints a banner on every start unless this is set before the import.
+    os.environ.setdefault("JSBSIM_DEBUG", "0")
+    import jsbsim  # noqa: PLC0415 - an extra: there is no wheel of it for every processor
+
     fdm = jsbsim.FGFDMExec(None)
     fdm.set_debug_level(0)
     fdm.set_dt(STEP_S)

@@ -11,6 +11,9 @@ from typing import Any, Final
 
 import orjson
 
+from epf_gcs import __version__
+from epf_gcs.data_folder.upgrade import bring_up_to_date
+from epf_gcs.data_folder.version import FormatError
 from epf_gcs.errors import GatewayError
 from epf_gcs.logs import set_up_logging
 from epf_gcs.watchdog import REFUSED
@@ -40,9 +43,13 @@ def main() -> None:
     if options.with_parent:
         threading.Thread(target=_wait_for_parent, daemon=True).start()
     try:
+        bring_up_to_date(settings.data_dir, lambda said: print(f"epf-web: {said}", file=sys.stderr))
         Server(settings).serve_until_signal()
     except GatewayError as error:
         print(f"epf-web: {error.detail}", file=sys.stderr)
+        sys.exit(REFUSED)
+    except FormatError as error:
+        print(f"epf-web: {error}", file=sys.stderr)
         sys.exit(REFUSED)
 
 
@@ -52,6 +59,7 @@ def _options() -> argparse.Namespace:
         description="The web process of EPF GCS: page, interface and stream of the flight process of its data folder. "
         "The variables GCS_... of epf-gcs hold here too.",
     )
+    parser.add_argument("--version", action="version", version=f"%(prog)s {__version__}")
     parser.add_argument("--host", help="Address to listen on.")
     parser.add_argument("--port", type=int, help="TCP port; 0 takes any free one.")
     parser.add_argument("--fd", type=int, help="A listening socket that was inherited, in place of host and port.")

@@ -16,6 +16,7 @@ from uvicorn.server import ServerState
 
 from epf_gcs.kept_alive import keep_alive
 from epf_gcs.listening import listen
+from epf_gcs.system.limits import raise_open_files
 from epf_gcs.watchdog import feed
 from epf_gcs.web.app import create_app
 from epf_gcs.web.connection import Connection, watch
@@ -25,7 +26,7 @@ from epf_gcs.web.tls.doorway import Doorway, Factory
 from epf_gcs.web.tls.keeper import Keeper
 from epf_gcs.web.tls.redirect import Redirect
 from epf_gcs.web.tls.start import keeper_of
-from epf_gcs.web.visitors import Limits, Visitors, fitting, raise_descriptors
+from epf_gcs.web.visitors import Limits, Visitors, fitting
 
 # How long another thread (one that reads a download) may hold the interpreter while the event loop waits for it.
 _SWITCH_INTERVAL_S: Final = 0.0002
@@ -50,7 +51,7 @@ class Server(uvicorn.Server):
     def serve_until_signal(self) -> None:
         """Run until a signal. Raises LinkError before anything else is started if the port cannot be taken."""
         sys.setswitchinterval(_SWITCH_INTERVAL_S)
-        self.visitors.limits = fitting(self.visitors.limits, raise_descriptors())
+        self.visitors.limits = fitting(self.visitors.limits, raise_open_files())
         with self._listener() as listener:
             secure = self.certificates is not None
             self._app.state.admission.listen_at(listener.getsockname()[1], secure=secure)
@@ -63,8 +64,9 @@ class Server(uvicorn.Server):
 
     async def serve(self, sockets: list[Any] | None = None) -> None:
         """Run until a signal."""
-        with contextlib.suppress(NotImplementedError, RuntimeError, ValueError):
-            asyncio.get_running_loop().add_signal_handler(signal.SIGHUP, self._hang_up)
+        if sys.platform != "win32":
+            with contextlib.suppress(RuntimeError, ValueError):  # not in the main thread
+                asyncio.get_running_loop().add_signal_handler(signal.SIGHUP, self._hang_up)
         jobs = [asyncio.create_task(watch(self.visitors, self._look_every_s))]
         if self.certificates is not None:
             keeping = keep_alive("web", "certificates", self.certificates.keep, lambda: None)

@@ -8,6 +8,8 @@ from urllib.parse import urlsplit
 from pydantic import Field, SecretStr
 from pydantic_settings import BaseSettings, SettingsConfigDict
 
+from epf_gcs.data_folder.place import data_folder
+
 
 class Settings(BaseSettings):
     """Immutable; made in `__main__` and handed to the parts by `app`."""
@@ -16,7 +18,7 @@ class Settings(BaseSettings):
 
     host: str = Field(default="127.0.0.1", description="Address to listen on; beyond 127.0.0.1 everybody needs a key.")
     port: int = Field(default=8000, ge=0, le=65535, description="TCP port to listen on; 0 takes any free one.")
-    data_dir: Path = Field(default=Path("data"), description="Where recordings and the remembered links live.")
+    data_dir: Path = Field(default_factory=data_folder, description="Where recordings and the remembered links live.")
     page_dir: Path | None = Field(
         default=None, description="The built page; by default the one that ships with the gateway."
     )

@@ -6,7 +6,6 @@ can lock others out by holding connections open. This computer has limits of its
 
 from __future__ import annotations
 
-import contextlib
 import ipaddress
 from collections import Counter
 from collections.abc import Iterable, Iterator
@@ -53,19 +52,6 @@ def fitting(limits: Limits, descriptors: int) -> Limits:
         connections_per_host=min(limits.connections_per_host, (most - own) // 2),
         for_this_computer=own,
     )
-
-
-def raise_descriptors() -> int:
-    """Raise the limit of open file descriptors as far as the system allows; returns it."""
-    with contextlib.suppress(ImportError, ValueError, OSError):
-        import resource  # noqa: PLC0415 - not on every system
-
-        soft, hard = resource.getrlimit(resource.RLIMIT_NOFILE)
-        with contextlib.suppress(ValueError, OSError):
-            resource.setrlimit(resource.RLIMIT_NOFILE, (hard, hard))
-            soft = hard
-        return 1 << 20 if soft == resource.RLIM_INFINITY else soft
-    return 1024
 
 
 class Visitor(Protocol):

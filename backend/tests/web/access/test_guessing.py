@@ -10,6 +10,7 @@ from epf_gcs.web.access.guessing import (
     TRIES_AT_ONCE,
     TRIES_PER_S,
     Guessing,
+    group_of,
 )
 
 
@@ -61,6 +62,18 @@ def test_a_network_of_addresses_is_one() -> None:
     tries = [guessing.begin(f"2001:db8::{number:x}", 0.0) for number in range(10)]
     assert tries.count(0) == FREE_FAILURES
     assert guessing.begin("2001:db8:0:1::1", 0.0) == 0
+
+
+def test_ipv4_behind_a_socket_for_both_is_not_one_network() -> None:
+    guessing = Guessing()
+    patient(guessing, "::ffff:10.0.0.1", 20)
+    assert guessing.begin("::ffff:10.0.0.2", 1e6) == 0
+    assert group_of("::ffff:10.0.0.1") == group_of("10.0.0.1")
+
+
+def test_a_zone_and_a_name_are_no_way_round_either() -> None:
+    assert group_of("fe80::1%eth0") == group_of("fe80::2%eth0")
+    assert group_of("testclient") == "testclient"
 
 
 def test_all_together_have_a_limit() -> None:

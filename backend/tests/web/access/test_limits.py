@@ -31,6 +31,16 @@ def granted(limits: CallerLimits, who: Caller | None, address: str = "10.0.0.1")
     return count
 
 
+def test_a_stranger_with_a_whole_network_of_addresses_is_one() -> None:
+    limits = CallerLimits(lambda: 0.0)
+    asked = 0
+    with contextlib.suppress(TooManyError):
+        for number in range(int(STRANGERS.requests_at_once) + 100):
+            limits.request(None, f"2001:db8::{number:x}")
+            asked += 1
+    assert asked == STRANGERS.requests_at_once
+
+
 def test_requests_are_counted_by_session_and_strangers_by_address() -> None:
     now_s = [0.0]
     limits = CallerLimits(lambda: now_s[0])

@@ -15,6 +15,7 @@ from epf_gcs.recordings.places import Places, stamp_of
 from epf_gcs.web.flights.about import About, read_about
 from epf_gcs.web.flights.folder import KEPT_S, FlightFolder
 from epf_gcs.web.flights.library import SUMMARY_VERSION, Library, Row, Wanted
+from tests.support.files import the_one_like
 
 FIRST, SECOND, THIRD = "20260101T100000Z", "20260102T100000Z", "20260102T100000Z-2"
 
@@ -171,7 +172,7 @@ def test_words_that_cannot_be_read_are_kept_aside_and_not_overwritten(places: Pl
     library.refresh(None)
     assert row_of(library, FIRST).about == About()
     library.say(FIRST, About(title="neu"))
-    assert places.about(FIRST).with_suffix(".json.damaged").read_bytes() == b'{"title": 5}'
+    assert the_one_like(places.recordings, f"{FIRST}.json.damaged-*").read_bytes() == b'{"title": 5}'
     assert read_about(places.about(FIRST)).title == "neu"
 
 
@@ -201,6 +202,16 @@ def test_the_bin_keeps_a_flight_for_thirty_days(places: Places) -> None:
     assert folder.purge(1000.0 + KEPT_S - 1) == []
     assert folder.purge(1000.0 + KEPT_S) == [FIRST]
     assert list(places.bin.iterdir()) == []
+
+
+def test_a_flight_that_began_under_a_wrong_clock_is_filed_under_its_true_time(places: Places) -> None:
+    for flight, ahead_s in ((FIRST, 86400.0), (SECOND, 0.0)):
+        record(places, flight)
+        index(places, flight, clock_ahead_s=ahead_s)
+    library = Library(places)
+    library.refresh(None)
+    assert row_of(library, FIRST).started_s - row_of(library, SECOND).started_s == 86400.0
+    assert ids(library, sort="started") == [FIRST, SECOND]
 
 
 def test_what_was_made_of_a_recording_that_has_gone_goes_too_but_not_when_its_disk_has_gone(places: Places) -> None:

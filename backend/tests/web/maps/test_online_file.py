@@ -1,11 +1,10 @@
-"""The chosen online sources are on the disk whole after a power cut; those of version 0.1.0 are taken over."""
+"""The chosen online sources are on the disk whole after a power cut; a damaged file is kept aside."""
 
 from __future__ import annotations
 
 import os
 from pathlib import Path
 
-import orjson
 import pytest
 
 from epf_gcs.errors import GatewayError
@@ -34,19 +33,17 @@ def test_the_new_file_is_on_the_disk_before_it_takes_the_old_one_s_place(
     assert synced == [tmp_path / "online-maps.json.new", tmp_path]
 
 
-def test_the_choice_of_version_0_1_0_is_taken_over_once(tmp_path: Path) -> None:
-    old = tmp_path / "state.json"
-    old.write_bytes(orjson.dumps({"online": CHOICE}))
+@pytest.mark.parametrize("content", [b"{", b"5", b"\xff"])
+def test_a_file_that_makes_no_sense_is_reported_and_kept_aside(tmp_path: Path, content: bytes) -> None:
+    (tmp_path / "online-maps.json").write_bytes(content)
+    file, reported = a_file(tmp_path)
+    assert file.read() == {}
+    (aside,) = tmp_path.glob("online-maps.json.damaged-*")
+    assert aside.read_bytes() == content
+    assert [error.code for error in reported] == ["memory_unreadable"]
+    assert aside.name in reported[0].detail
+    file.write(CHOICE)
     assert a_file(tmp_path)[0].read() == CHOICE
-    old.write_bytes(orjson.dumps({"online": {}}))
-    assert a_file(tmp_path)[0].read() == CHOICE
-
-
-@pytest.mark.parametrize("content", [b"{", b"[]", b'{"online": 5}', b"{}"])
-def test_an_unusable_old_file_is_no_choice(tmp_path: Path, content: bytes) -> None:
-    (tmp_path / "state.json").write_bytes(content)
-    assert a_file(tmp_path)[0].read() == {}
-    assert not (tmp_path / "online-maps.json").exists()
 
 
 def test_a_disk_that_refuses_is_reported(tmp_path: Path) -> None:

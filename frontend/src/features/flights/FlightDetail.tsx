@@ -46,7 +46,8 @@ export function FlightDetail({ flight }: { readonly flight: Flight }) {
 }
 
 /** What is wrong with the recording, in a sentence. */
-function Faults({ flight: { fault, damage, state } }: { readonly flight: Flight }) {
+function Faults({ flight }: { readonly flight: Flight }) {
+  const { fault, damage, state, clock_ahead_s, clock_unsure } = flight;
   const { t } = useTranslation();
   const sentence = useSentence();
   return (
@@ -55,6 +56,8 @@ function Faults({ flight: { fault, damage, state } }: { readonly flight: Flight 
       {state === "indexing" && <Notice level="info">{t("flights.preparing")}</Notice>}
       {fault !== null && <Notice level="warning">{sentence(failureMessage(fault))}</Notice>}
       {damage !== null && <Notice level="warning">{t("flights.damage", { why: damage })}</Notice>}
+      {clock_ahead_s !== 0 && <Notice level="info">{t("flights.clockCorrected")}</Notice>}
+      {clock_ahead_s === 0 && clock_unsure && <Notice level="info">{t("flights.clockUnsure")}</Notice>}
     </>
   );
 }

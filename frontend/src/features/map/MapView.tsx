@@ -3,6 +3,7 @@ import { useTranslation } from "react-i18next";
 import type { FlatScene } from "../../scene/flat/FlatScene";
 import { AirfieldsSection } from "./airfields/AirfieldsSection";
 import { CameraSection } from "./CameraSection";
+import { FlightFigures } from "./FlightFigures";
 import { FlatMap } from "./flat/FlatMap";
 import { FlatContext, useMapKind } from "./flat/useFlat";
 import { GlobeMissing } from "./GlobeMissing";
@@ -57,6 +58,7 @@ export function MapView() {
                 <EditBar />
                 <ThingCard />
               </div>
+              <FlightFigures />
               <MapKeys picture={picture} />
               <MapMenu />
               <FlyHere />

@@ -1,6 +1,7 @@
 import { useEffect, useMemo, useRef, useState } from "react";
 import { useTranslation } from "react-i18next";
 import type { Aircraft } from "../../lib/aircraft";
+import type { Waypoint } from "../../lib/plan";
 import type { FlatScene } from "../../scene/flat/FlatScene";
 import { FoldingPanel } from "./FoldingPanel";
 import { FlatMap } from "./flat/FlatMap";
@@ -47,10 +48,7 @@ function Shown({ plan, scene, onScene }: ShownProps) {
   const { waypoints } = plans[plan];
   const isShown = useMemo(() => ({ flight: plan === "flight", hil: plan === "hil" }), [plan]);
   usePlanScene(plans, isShown, plan, ignore);
-  const isEmpty = waypoints.length === 0;
-  // All of the plan when there is one, and not with each edit: the map stays where a person has put it.
-  // biome-ignore lint/correctness/useExhaustiveDependencies: only for another scene, plan, or the first waypoints
-  useEffect(() => scene?.lookAt(waypoints), [scene, plan, isEmpty]);
+  useFirstLook(scene, plan, waypoints);
   return (
     <section ref={picture} className="map-scene map-beside" aria-label={t("map.edit.planMap")}>
       <FlatMap onScene={onScene} followChoice="plans.map.follow" />
@@ -64,6 +62,24 @@ function Shown({ plan, scene, onScene }: ShownProps) {
       <Attribution />
     </section>
   );
+}
+
+/**
+ * Shows all of a plan when there is one: at first, and where it came whole. One that is drawn point by point stays where
+ * it is, and so does the map.
+ */
+function useFirstLook(scene: FlatScene | null, plan: Aircraft, waypoints: readonly Waypoint[]): void {
+  const looked = useRef<{ readonly scene: FlatScene; readonly plan: Aircraft; readonly count: number }>(null);
+  useEffect(() => {
+    if (scene !== null) {
+      const before = looked.current;
+      const isSame = before?.scene === scene && before.plan === plan;
+      if (!isSame || (before.count === 0 && waypoints.length > 1)) {
+        scene.lookAt(waypoints);
+      }
+      looked.current = { scene, plan, count: waypoints.length };
+    }
+  }, [scene, plan, waypoints]);
 }
 
 function ignore(): void {

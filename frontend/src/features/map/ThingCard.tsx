@@ -18,13 +18,16 @@ import { AirfieldValues } from "./airfields/AirfieldValues";
 import { type Fact, Facts, FromAircraft } from "./cardParts";
 import { useHome } from "./plan/useHome";
 import { useMapPlan } from "./plan/useMapPlan";
+import { useMapTool } from "./tools/useMapTool";
 import { useMapThing } from "./useMapThing";
 import "./plan/card.css";
 
 /** A card with the values of what is selected on the map. Escape closes it. */
 export function ThingCard() {
   const thing = useMapThing();
-  return thing === null ? null : <Card thing={thing} />;
+  // While points are added the map is needed, not what was added last.
+  const isAdding = useMapTool(({ tool }) => tool === "add");
+  return thing === null || isAdding ? null : <Card thing={thing} />;
 }
 
 function Card({ thing }: { thing: MapThing }) {

@@ -5,6 +5,7 @@ import { SELECTION, selectThing } from "../../missions/selection";
 import { usePart, useTelemetry } from "../../store/hooks";
 import { Button } from "../../ui/Button";
 import { FoldingPanel } from "./FoldingPanel";
+import { LookAt } from "./LookAt";
 import { PLACE_TOPIC } from "./plan/aircraftPlace";
 import { useMapThing } from "./useMapThing";
 
@@ -53,6 +54,7 @@ export function ThingsSection() {
           );
         })}
       </div>
+      <LookAt />
     </FoldingPanel>
   );
 }

@@ -2,6 +2,7 @@ import { type ReactNode, useCallback, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useStore } from "zustand";
 import { useSentence } from "../../i18n/useSentence";
+import { PlaceField } from "../../missions/PlaceField";
 import { MISSIONS, notePlan } from "../../missions/planDrafts";
 import { ReplaceDialog } from "../../missions/ReplaceDialog";
 import { SELECTION, selectThing } from "../../missions/selection";
@@ -76,6 +77,14 @@ export function PlanEditor({ plan, map }: { plan: PlanName; map: ReactNode }) {
               />
             )}
           </div>
+          {selected !== null && waypoints[selected] !== undefined && (
+            <PlaceField
+              key={selected}
+              place={waypoints[selected]}
+              fixed={shown.isFixed ? t("plans.fixed") : undefined}
+              onCommit={(place) => edit.place(selected, place)}
+            />
+          )}
           <p className="plans-keys">{t(shown.isFixed ? "plans.fixed" : "plans.keys")}</p>
         </div>
         <aside className="plans-side" aria-label={t("plans.issues")}>

@@ -1,4 +1,5 @@
 import { type KeyboardEvent, type RefObject, useEffect, useRef } from "react";
+import type { Position } from "../../lib/geodesy";
 import { changed, inserted, moved, removed, type Waypoint, type WaypointField } from "../../lib/plan";
 import { editPlan, MISSIONS, redoPlan, undoPlan } from "../../missions/planDrafts";
 import { PLAN_LIMITS, type PlanName } from "../../protocol/missions";
@@ -6,6 +7,8 @@ import { usePart } from "../../store/hooks";
 
 export interface Editing {
   readonly box: RefObject<HTMLDivElement | null>;
+  /** Put a waypoint to another place, as it was typed. */
+  readonly place: (row: number, place: Position) => void;
   readonly change: (row: number, field: WaypointField, value: number) => void;
   /** Put the cursor into a cell, once it is rendered. */
   readonly go: (row: number, field: WaypointField) => void;
@@ -91,6 +94,10 @@ export function useEditing(
     insert: () => insert(),
     remove: () => remove(),
     move: (by) => move(by),
+    place: (row, place) => {
+      const waypoint = present()[row];
+      if (waypoint !== undefined) put(present().with(row, { ...waypoint, ...place }));
+    },
     change: (row, field, value) => put(changed(present(), row, field, value)),
     onKeyDown,
   };

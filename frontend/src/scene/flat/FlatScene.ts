@@ -89,6 +89,8 @@ export class FlatScene {
   #measured: readonly MarkedPlace[] = [];
   #area: readonly MarkedPlace[] = [];
   #isAiming = false;
+  /** What is to be shown once the canvas has a size. */
+  #awaited: readonly Position[] | null = null;
   #onMeasure: ((place: GroundPlace) => void) | null = null;
   #handle: number | null = null;
 
@@ -171,7 +173,11 @@ export class FlatScene {
   }
 
   lookAt(places: readonly Position[]): void {
-    this.#look(around(this.#view, places));
+    if (this.#view.width_px > 0 && this.#view.height_px > 0) {
+      this.#look(around(this.#view, places));
+    } else {
+      this.#awaited = places;
+    }
   }
 
   /** Show this place in the middle, as large as before. */
@@ -231,6 +237,11 @@ export class FlatScene {
     this.#canvas.width = Math.max(1, Math.round(clientWidth * ratio));
     this.#canvas.height = Math.max(1, Math.round(clientHeight * ratio));
     this.#look({ ...this.#view, width_px: clientWidth, height_px: clientHeight });
+    if (this.#awaited !== null && clientWidth > 0 && clientHeight > 0) {
+      const places = this.#awaited;
+      this.#awaited = null;
+      this.lookAt(places);
+    }
   }
 
   #look(view: FlatView): void {

@@ -15,8 +15,8 @@ from typing import BinaryIO, Final
 from mcap.opcode import Opcode
 
 from epf_gcs.flight.flight_log import say
-from epf_gcs.flight.priority import go_last
 from epf_gcs.recordings.mcap_file import MAGIC, Tally, closing, data_end
+from epf_gcs.system.priority import go_last
 
 _OURS: Final = re.compile(r"[0-9]{8}T[0-9]{6}Z(-[0-9]+)?\.mcap")
 _HEAD: Final = Struct("<BQ")

@@ -9,9 +9,11 @@ from typing import Final
 
 from packaging.requirements import InvalidRequirement, Requirement
 
+from epf_gcs.extras import ALL
+
 _OURS: Final = "epf-gcs"
 # What a user may have installed besides; it is listed where it is there.
-_EXTRAS: Final = frozenset({"sim"})
+_EXTRAS: Final = frozenset(extra.name for extra in ALL)
 _LICENCE_CLASSIFIER: Final = "License :: "
 # A longer value in the licence field is the full text of the licence, not its name.
 _LONGEST_NAME: Final = 80

@@ -71,4 +71,6 @@ def group_of(address: str) -> str:
         return address
     if number.version == 4:
         return address
+    if number.ipv4_mapped is not None:
+        return str(number.ipv4_mapped)
     return str(ipaddress.ip_network((number, _IPV6_NETWORK_BITS), strict=False))

@@ -14,6 +14,8 @@ from typing import Final
 
 import segno
 
+from epf_gcs.data_folder.upgrade import bring_up_to_date
+from epf_gcs.data_folder.version import FormatError
 from epf_gcs.errors import GatewayError
 from epf_gcs.web.access.addresses import addresses, with_key
 from epf_gcs.web.access.admission import Policy
@@ -37,12 +39,17 @@ def main() -> None:
     except ValueError as error:
         sys.exit(f"epf-gcs invite: {error}")
     try:
+        bring_up_to_date(settings.data_dir, lambda said: print(said, file=sys.stderr))
         store = AccessStore(settings.data_dir)
         with contextlib.closing(store):
+            if options.first and _has_owner(store):
+                return
             role = Role[options.role] if options.role else _first_role(store, settings)
             key, invitation = new_invitation(store, role, options.minutes, Moment.now())
     except GatewayError as error:
         sys.exit(f"No key could be made in {settings.data_dir}: {error.detail}")
+    except FormatError as error:
+        sys.exit(str(error))
     until = time.strftime("%H:%M", time.localtime(invitation.until_s))
     print(f"One-time key for one {role.name}, until {until}:  {key}")
     reached = addresses(settings.host, settings.port, secure=options.tls, reached_at=settings.reached_at)
@@ -65,6 +72,7 @@ def _options() -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="epf-gcs invite", description=__doc__)
     parser.add_argument("--role", choices=[role.name for role in Role])
     parser.add_argument("--minutes", type=_minutes, default=_MINUTES)
+    parser.add_argument("--first", action="store_true")
     parser.add_argument("--data-dir", type=Path)
     parser.add_argument("--host")
     parser.add_argument("--port", type=int)
@@ -81,8 +89,11 @@ def _minutes(text: str) -> float:
 
 def _first_role(store: AccessStore, settings: Settings) -> Role:
     """Where not even this computer is trusted, the first one in has to be an owner, or there would never be one."""
-    has_owner = any(person.role == Role.owner and person.state == "in" for person in store.all(Person))
-    return Role.operator if has_owner or Policy.of(settings).trusts_this_computer else Role.owner
+    return Role.operator if _has_owner(store) or Policy.of(settings).trusts_this_computer else Role.owner
+
+
+def _has_owner(store: AccessStore) -> bool:
+    return any(person.role == Role.owner and person.state == "in" for person in store.all(Person))
 
 
 def _print_qr(text: str) -> None:

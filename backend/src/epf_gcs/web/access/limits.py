@@ -9,6 +9,7 @@ from typing import Final, NamedTuple
 
 from epf_gcs.errors import TooManyError
 from epf_gcs.web.access.caller import LOCAL_SESSION, Caller
+from epf_gcs.web.access.guessing import group_of
 from epf_gcs.web.access.roles import Role
 from epf_gcs.web.stream.allowance import Allowance
 
@@ -53,7 +54,7 @@ class CallerLimits:
         if caller is not None and caller.session == LOCAL_SESSION:
             return
         most = STRANGERS if caller is None else OF_ROLE[caller.role]
-        key = address if caller is None else caller.session
+        key = group_of(address) if caller is None else caller.session
         allowance = _remembered(self._requests, key, most.requests_per_s, most.requests_at_once)
         if not allowance.take(self._steady_s()):
             wait_s = max(1, ceil(1.0 / most.requests_per_s))

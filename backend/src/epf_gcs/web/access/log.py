@@ -18,6 +18,7 @@ import orjson
 
 from epf_gcs.disk import sync_folder
 from epf_gcs.errors import GatewayError
+from epf_gcs.system.files import read_at
 from epf_gcs.web.access.caller import Caller
 
 FILE: Final = "people.jsonl"
@@ -108,7 +109,7 @@ class DeedLog:
         try:
             size = os.fstat(descriptor).st_size
             # A power cut may have torn the last line: the next one does not continue it.
-            is_torn = size > 0 and os.pread(descriptor, 1, size - 1) != b"\n"
+            is_torn = size > 0 and read_at(descriptor, 1, size - 1) != b"\n"
             whole = b"\n" + data if is_torn else data
             if os.write(descriptor, whole) != len(whole):
                 raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))

@@ -24,6 +24,8 @@ _ESTABLISHED: Final = 1
 _TABLES: Final = Path("/proc/net")
 # linux/netlink.h, linux/inet_diag.h: header, request (family, protocol, extensions, states, ports, addresses,
 # interface, any cookie) and what the answer begins with.
+# Only Linux has this family of sockets.
+_NETLINK: Final = getattr(socket, "AF_NETLINK", 0)
 _SOCK_DIAG: Final = 4
 _BY_FAMILY: Final = 20
 _REQUEST: Final = 1
@@ -70,7 +72,7 @@ def _asked(connection: Connection) -> int | None:
         _ANY,
         _ANY,
     )
-    with contextlib.suppress(OSError), socket.socket(socket.AF_NETLINK, socket.SOCK_DGRAM, _SOCK_DIAG) as kernel:
+    with contextlib.suppress(OSError), socket.socket(_NETLINK, socket.SOCK_DGRAM, _SOCK_DIAG) as kernel:
         kernel.settimeout(_PATIENCE_S)
         kernel.send(_HEADER.pack(_HEADER.size + len(request), _BY_FAMILY, _REQUEST, 1, 0) + request)
         answer = kernel.recv(4096)

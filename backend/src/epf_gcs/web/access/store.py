@@ -10,7 +10,6 @@ import contextlib
 import os
 import sqlite3
 import threading
-import time
 from collections.abc import Iterable, Iterator
 from dataclasses import astuple, dataclass, fields
 from functools import partial
@@ -19,6 +18,7 @@ from typing import Final, Literal, TypeVar
 
 import structlog
 
+from epf_gcs.disk import set_aside
 from epf_gcs.errors import NotKeptError
 from epf_gcs.web.access.moment import Moment
 from epf_gcs.web.access.roles import Role
@@ -219,8 +219,7 @@ def _opened(data_dir: Path) -> sqlite3.Connection:
     except sqlite3.DatabaseError as error:
         if isinstance(error, sqlite3.OperationalError):
             raise
-        aside = path.with_name(f"{path.name}.damaged-{time.time_ns() // 1_000_000_000}")
-        path.replace(aside)
+        aside = set_aside(path)
         log.exception("the list of people cannot be read: nobody has a key until invited again", kept_as=str(aside))
         return _open(path)
 

@@ -9,7 +9,7 @@ from typing import Any, Self
 
 import orjson
 
-from epf_gcs.disk import replace_file
+from epf_gcs.disk import replace_file, set_aside
 
 
 @dataclass(slots=True)
@@ -58,7 +58,7 @@ def _is_mark(mark: Any) -> bool:
 
 
 def read_about(path: Path) -> About:
-    """What is said of a flight; nothing where there is no file. One that cannot be read is kept aside as `.damaged`.
+    """What is said of a flight; nothing where there is no file. One that cannot be read is kept aside.
 
     Raises OSError.
     """
@@ -68,7 +68,7 @@ def read_about(path: Path) -> About:
         return About()
     except ValueError:
         with contextlib.suppress(FileNotFoundError):
-            path.replace(path.with_suffix(".json.damaged"))
+            set_aside(path)
         return About()
 
 

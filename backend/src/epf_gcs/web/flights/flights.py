@@ -1,7 +1,4 @@
-"""The flights of this station: their library, the jobs that prepare them, the bin, and the room on the disk.
-
-Nothing here has to do with the flight process but the name of the file that it writes now, which is left alone.
-"""
+"""The flights of this station: their library, the jobs that prepare them, the bin, and the room on the disk."""
 
 from __future__ import annotations
 
@@ -17,6 +14,7 @@ import structlog
 
 from epf_gcs.clock import Clock
 from epf_gcs.errors import ConflictError, GatewayError, NotFoundError
+from epf_gcs.extras import FLIGHTS
 from epf_gcs.recordings.places import Places
 from epf_gcs.web.flights.about import About
 from epf_gcs.web.flights.aircraft import AircraftName
@@ -265,24 +263,26 @@ class Flights:
             await self._prepare_one(waiting[0].id)
 
     def _must_prepare(self, row: Row) -> bool:
+        is_wrong = row.fault is not None and not (row.fault["code"] == "extra_missing" and FLIGHTS.is_here)
         is_due = self._loop.time() >= self._again_at_s.get(row.id, 0.0)
-        return row.fault is None and row.id != self.growing and row.id not in self._left_alone and is_due
+        return not is_wrong and row.id != self.growing and row.id not in self._left_alone and is_due
 
     async def _prepare_one(self, flight: str) -> None:
         path = str(self.places.recording(flight))
         # What could not be packed is indexed as it is: packing only saves room.
         if (await self._work("pack", path, flight)).state == "cancelled":
             return
-        job = await self._work("index", path, flight)
+        try:
+            job = await self._work("index", path, flight)
+        except ConflictError as error:  # packages are missing: who looks at the flight is told
+            await self.in_thread(self._library.refused, flight, error)
+            return
         if job.fault is not None:
             self._report(job.fault)
             if job.fault.code in _REFUSED:  # nothing is wrong with the recording
                 self._again_at_s[flight] = self._loop.time() + _AGAIN_S
                 return
-            row = await self.in_thread(self._library.get, flight)
-            if row is not None:
-                fault = {"code": job.fault.code, "detail": job.fault.detail, "params": job.fault.params}
-                await self.in_thread(self._library.failed, flight, row.stamp, fault)
+            await self.in_thread(self._library.refused, flight, job.fault)
         elif job.state == "done":
             await self._make_keys(flight)
 

@@ -18,12 +18,15 @@ import orjson
 import structlog
 
 from epf_gcs.errors import ConflictError, GatewayError, NotFoundError
+from epf_gcs.extras import FLIGHTS
+from epf_gcs.web.missing import require
 from epf_gcs.web.stream.hub import Hub
 
 JobKind = Literal["pack", "index", "keys", "import", "export", "report"]
 JobState = Literal["waiting", "running", "done", "failed", "cancelled"]
 
 _PROGRAM: Final = "epf_gcs.flights"
+_NEED_TABLES: Final = frozenset({"index", "export", "report"})
 _KEYS_PROGRAM: Final = ("epf_gcs.replay", "--make-keys")
 # How many run at once: what prepares flights, and what a person waits for.
 _PREPARING: Final = 1
@@ -129,8 +132,10 @@ class Jobs:
         """Queue `python -m epf_gcs.flights KIND ARGUMENTS` (key frames: `epf_gcs.replay`), which writes `result`.
 
         `then` is awaited with the job's answer before the job counts as done; it may raise GatewayError or OSError.
-        Raises ConflictError while too many jobs are waiting.
+        Raises ConflictError while too many jobs are waiting, and where the kind needs packages that are not installed.
         """
+        if kind in _NEED_TABLES:
+            require(FLIGHTS)
         if sum(job.state == "waiting" for job in self._jobs.values()) >= _MOST_WAITING:
             raise ConflictError(
                 "jobs_busy", f"{_MOST_WAITING} jobs are waiting already: wait, or cancel one.", limit=_MOST_WAITING

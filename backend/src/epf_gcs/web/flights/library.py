@@ -18,6 +18,7 @@ from typing import Any, Final, Literal
 import orjson
 import structlog
 
+from epf_gcs.errors import GatewayError
 from epf_gcs.recordings.places import SUMMARY, Places, Stamp, is_id, stamp_of, started_s
 from epf_gcs.web.flights.about import About, read_about, write_about
 
@@ -193,6 +194,12 @@ class Library:
         kept = orjson.dumps({"stamp": stamp, "fault": fault}).decode()
         self._change(lambda: self._execute("UPDATE flight SET fault = ? WHERE id = ?", kept, flight))
 
+    def refused(self, flight: str, why: GatewayError) -> None:
+        """The same for a flight's content as it is now."""
+        row = self.get(flight)
+        if row is not None:
+            self.failed(flight, row.stamp, {"code": why.code, "detail": why.detail, "params": why.params})
+
     def forget(self, flight: str) -> None:
         """Forget what is known of a flight, so that it is looked at anew."""
         self._change(lambda: self._execute("DELETE FROM flight WHERE id = ?", flight))
@@ -215,7 +222,7 @@ class Library:
     def _tell(self, flight: str, about: About, summary: dict[str, Any] | None) -> None:
         known = summary or {}
         values = {
-            "started_s": known["started_ns"] * 1e-9 if summary else started_s(flight),
+            "started_s": known["started_ns"] * 1e-9 + known.get("clock_ahead_s", 0.0) if summary else started_s(flight),
             "duration_s": (known["ended_ns"] - known["started_ns"]) * 1e-9 if summary else None,
             **{name: known.get(name) for name in ("highest_ft", "fastest_kt", "board", "fingerprint")},
             "summary": orjson.dumps(summary).decode() if summary else None,

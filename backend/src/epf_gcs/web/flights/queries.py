@@ -14,7 +14,9 @@ from typing import Any, Final
 import structlog
 
 from epf_gcs.errors import ConflictError, GatewayError, InvalidInputError, NotFoundError
+from epf_gcs.extras import FLIGHTS
 from epf_gcs.web.asked_process import AskedProcess
+from epf_gcs.web.missing import require
 
 _LONGEST_S: Final = 30.0
 _IDLE_S: Final = 600.0
@@ -37,6 +39,7 @@ class Queries:
 
     async def ask(self, do: str, flight: str, *, growing: bool, **what: Any) -> bytes:
         """The answer's bytes. Raises GatewayError."""
+        require(FLIGHTS)
         self._asked_s = self._loop.time()
         question = {"do": do, "flight": flight, "growing": growing, **what}
         answer = await self._loop.run_in_executor(self._thread, self._process.ask, question, self._longest_s)

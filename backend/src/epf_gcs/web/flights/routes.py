@@ -207,6 +207,8 @@ def _flight(row: Row, flights: Flights, mirror: VehicleMirror) -> Flight:
         state=_state(row, flights, active=active),
         fault=None if row.fault is None else Fault(**row.fault),
         started_s=row.started_s,
+        clock_ahead_s=known.get("clock_ahead_s", 0.0),
+        clock_unsure=known.get("clock_unsure", False),
         duration_s=(known["ended_ns"] - known["started_ns"]) * 1e-9 if known else None,
         bytes=mirror.status["recording"]["bytes"] if active else row.bytes,
         marks=known["marks"] + added - hidden if known else None,

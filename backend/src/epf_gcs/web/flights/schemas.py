@@ -93,11 +93,10 @@ class Thumbnail(Output):
 
 
 class Flight(Output):
-    """One recording.
+    """One recording. What only its content tells is null until it is indexed (`state`), and where it does not have it.
 
-    What can only be known from its content is null until it is indexed (`state`), and where the recording does not
-    have it. `fault` says why a flight could not be indexed. `frames_damaged` counts what the line damaged.
-    `damage` is a sentence where the file itself was cut or is damaged; all that is whole is shown.
+    `fault`: why a flight could not be indexed. `frames_damaged` counts what the line damaged, `damage` is a sentence
+    about the file. `started_s` is corrected by `clock_ahead_s`, samples are not; `clock_unsure`: nobody gave the time.
     """
 
     id: str
@@ -106,6 +105,8 @@ class Flight(Output):
     fault: Fault | None
     damage: str | None
     started_s: float
+    clock_ahead_s: float
+    clock_unsure: bool
     duration_s: float | None
     bytes: int
     frames: int | None

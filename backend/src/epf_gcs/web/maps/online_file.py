@@ -8,12 +8,10 @@ from typing import Any, Final
 
 import orjson
 
-from epf_gcs.disk import replace_file
+from epf_gcs.disk import replace_file, set_aside
 from epf_gcs.errors import GatewayError
 
 _FILE: Final = "online-maps.json"
-# The file in which version 0.1.0 kept this choice too. The flight process carries it along until it is taken over.
-_OLD_FILE: Final = "state.json"
 
 
 class OnlineFile:
@@ -21,18 +19,22 @@ class OnlineFile:
 
     def __init__(self, data_dir: Path, report: Callable[[GatewayError], None]) -> None:
         self._path = data_dir / _FILE
-        self._old_path = data_dir / _OLD_FILE
         self._report = report
 
     def read(self) -> dict[str, Any]:
-        """The last choice; empty if there is none, or if the file cannot be read."""
+        """The last choice; empty if there is none, or if the file cannot be read: then it is kept aside."""
         try:
             return dict(orjson.loads(self._path.read_bytes()))
         except FileNotFoundError:
-            return self._take_over()
-        except (OSError, ValueError, TypeError) as error:
-            self._complain("read", error)
             return {}
+        except OSError as error:
+            self._complain("read", error.strerror or str(error))
+        except (ValueError, TypeError):
+            try:
+                self._complain("read", f"its content makes no sense; it is kept as {set_aside(self._path).name}")
+            except OSError:
+                self._complain("read", "its content makes no sense")
+        return {}
 
     def write(self, choice: dict[str, Any]) -> None:
         """Replace the file as a whole: after a power cut it holds the old or the new choice."""
@@ -40,22 +42,13 @@ class OnlineFile:
             self._path.parent.mkdir(parents=True, exist_ok=True)
             replace_file(self._path, orjson.dumps(choice, option=orjson.OPT_INDENT_2))
         except OSError as error:
-            self._complain("written", error)
+            self._complain("written", error.strerror or str(error))
 
-    def _take_over(self) -> dict[str, Any]:
-        try:
-            choice = dict(orjson.loads(self._old_path.read_bytes()).get("online") or {})
-        except (OSError, ValueError, TypeError, AttributeError):
-            return {}
-        if choice:
-            self.write(choice)
-        return choice
-
-    def _complain(self, done: str, error: Exception) -> None:
+    def _complain(self, done: str, why: str) -> None:
         self._report(
             GatewayError(
                 "memory_not_written" if done == "written" else "memory_unreadable",
-                f"The choice of online maps in {self._path} could not be {done} ({error}): "
+                f"The choice of online maps in {self._path} could not be {done} ({why}): "
                 "free the disk or correct its permissions.",
                 path=str(self._path),
             )

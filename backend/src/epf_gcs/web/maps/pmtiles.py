@@ -13,6 +13,7 @@ import orjson
 from pmtiles.tile import Compression, TileType, deserialize_header, find_tile, zxy_to_tileid
 
 from epf_gcs.errors import GatewayError
+from epf_gcs.system.files import read_at
 from epf_gcs.web.maps import faults
 from epf_gcs.web.maps.layer import MAX_TILE_BYTES, Bounds, Description, Tile, checked_bounds, credit, picture
 from epf_gcs.web.maps.pmtiles_directory import read_directory, unpacked
@@ -130,7 +131,7 @@ class PmTiles:
         if not 0 <= length <= most_bytes or offset < 0:
             raise ValueError("a length that no part of a file has")
         with self._lock:
-            data = os.pread(self._open_file(), length, offset)
+            data = read_at(self._open_file(), length, offset)
         if len(data) < length:
             raise EOFError(_CUT_OFF)
         return data

@@ -16,7 +16,7 @@ from epf_gcs.errors import GatewayError
 from epf_gcs.web.maps import faults
 from epf_gcs.web.maps.layer import Tile, TileSource
 from epf_gcs.web.maps.open_files import OpenFiles
-from epf_gcs.web.maps.reading import limit_memory, limit_time, open_source, raster_inside
+from epf_gcs.web.maps.reading import limit_question, limit_reading, open_source, raster_inside
 from epf_gcs.worker_pipe import receive, send
 
 OUT_OF_MEMORY: Final = 3
@@ -26,7 +26,7 @@ def main() -> None:
     """Answer requests until stdin is closed."""
     # Ctrl-C in a terminal reaches all its processes: ignore it here, the station ends this one.
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    limit_memory()
+    limit_reading()
     try:
         send(sys.stdout.buffer, {})
         serve(sys.stdin.buffer, sys.stdout.buffer)
@@ -38,7 +38,7 @@ def serve(requests: BinaryIO, answers: BinaryIO) -> None:
     """Answer one request after the other. Raises MemoryError."""
     opened = OpenFiles()
     while (message := receive(requests)) is not None:
-        limit_time()
+        limit_question()
         send(answers, *_answer(opened, message[0]))
     opened.close()
 

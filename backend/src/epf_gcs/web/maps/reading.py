@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import contextlib
 from pathlib import Path
 from typing import Final
 
 from epf_gcs.formats.zip_faults import ZIP_FAULTS
+from epf_gcs.system.limits import limit_memory, limit_time_from_now
 from epf_gcs.web.maps.layer import LayerFormat, TileSource
 from epf_gcs.web.maps.mbtiles import MbTiles
 from epf_gcs.web.maps.mesh_files import MeshFiles, is_mesh_zip, only_raster
@@ -35,22 +35,11 @@ def raster_inside(path: Path) -> str | None:
         return None  # the reason is reported when the file is opened
 
 
-def limit_memory() -> None:
-    """Limit this process's memory permanently, on systems that support it."""
-    with contextlib.suppress(ImportError, ValueError, OSError):
-        import resource  # noqa: PLC0415 - not on every system
-
-        resource.setrlimit(resource.RLIMIT_AS, (_MOST_MEMORY_BYTES, _MOST_MEMORY_BYTES))
+def limit_reading() -> None:
+    """Limit this process's memory for good."""
+    limit_memory(_MOST_MEMORY_BYTES)
 
 
-def limit_time() -> None:
-    """Limit this process's CPU time from now on; called anew before each request.
-
-    The system then ends the process even if the station that would kill it is gone.
-    """
-    with contextlib.suppress(ImportError, ValueError, OSError):
-        import resource  # noqa: PLC0415 - not on every system
-
-        used = resource.getrusage(resource.RUSAGE_SELF)
-        until_s = int(used.ru_utime + used.ru_stime) + _MOST_CPU_S
-        resource.setrlimit(resource.RLIMIT_CPU, (until_s, resource.getrlimit(resource.RLIMIT_CPU)[1]))
+def limit_question() -> None:
+    """Limit its processor time from now on; called anew before each request."""
+    limit_time_from_now(_MOST_CPU_S)

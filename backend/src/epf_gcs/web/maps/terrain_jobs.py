@@ -12,10 +12,12 @@ import orjson
 import structlog
 
 from epf_gcs.errors import GatewayError, InvalidInputError
+from epf_gcs.extras import MAPS
 from epf_gcs.web.maps import faults
 from epf_gcs.web.maps.files import MapFile
 from epf_gcs.web.maps.folder import MapFolder
 from epf_gcs.web.maps.open_files import Stamp
+from epf_gcs.web.missing import missing
 
 _WORKER: Final = "epf_gcs.web.maps.terrain_worker"
 
@@ -74,6 +76,10 @@ class TerrainJobs:
 
     async def _convert(self, file: MapFile) -> None:
         if not await self._in_thread(file.path.exists):
+            return
+        if not MAPS.is_here:
+            self._failed[file.id, file.stamp] = missing(MAPS)
+            await self.ended(file, self._failed[file.id, file.stamp])
             return
         self._was_cancelled = False
         target = self._folder.terrain_of(file)

@@ -14,14 +14,19 @@ import sqlite3
 import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 import orjson
 
 from epf_gcs.errors import GatewayError
 from epf_gcs.formats.quantized_mesh import CELLS, encode_tile, tile_nodes
-from epf_gcs.web.maps.heights import Heights
+from epf_gcs.system.limits import limit_memory, limit_time
+from epf_gcs.system.priority import be_nice
+from epf_gcs.web.maps import faults
 from epf_gcs.web.maps.layer import Bounds
+
+if TYPE_CHECKING:
+    from epf_gcs.web.maps.heights import Heights
 
 MOST_TILES: Final = 400_000
 """About 3 GB. Finer zoom levels are left out."""
@@ -38,6 +43,13 @@ def main(arguments: list[str]) -> int:
     raster, target, name, inside = arguments
     _be_modest()
     try:
+        # GDAL's libraries need some of the system's, which small systems do not have (libexpat.so.1).
+        import epf_gcs.web.maps.heights  # noqa: F401, PLC0415 - here for its failure alone
+    except ImportError as error:
+        problem = faults.not_converted(name, str(error))
+        _say({"code": problem.code, "detail": problem.detail, "params": problem.params})
+        return 1
+    try:
         convert(Path(raster), Path(target), name, inside or None, lambda percent: _say({"percent": percent}))
     except GatewayError as error:
         _say({"code": error.code, "detail": error.detail, "params": error.params})
@@ -47,6 +59,8 @@ def main(arguments: list[str]) -> int:
 
 def convert(raster: Path, target: Path, name: str, inside: str | None, told: Callable[[int], None]) -> None:
     """Write the tiles; `target` appears only when it is complete. Raises GatewayError, OSError."""
+    from epf_gcs.web.maps.heights import Heights  # noqa: PLC0415 - `main` tells of its failure
+
     heights = Heights(raster, name, inside)
     part = target.with_suffix(".part")
     part.unlink(missing_ok=True)
@@ -123,13 +137,9 @@ def _touched(first: float, last: float, count: int) -> range:
 
 
 def _be_modest() -> None:
-    with contextlib.suppress(AttributeError, OSError):  # not on every system
-        os.nice(_NICE)
-    with contextlib.suppress(ImportError, ValueError, OSError):
-        import resource  # noqa: PLC0415 - not on every system
-
-        resource.setrlimit(resource.RLIMIT_AS, (_MOST_MEMORY_BYTES, _MOST_MEMORY_BYTES))
-        resource.setrlimit(resource.RLIMIT_CPU, (_MOST_CPU_S, _MOST_CPU_S))
+    be_nice(_NICE)
+    limit_memory(_MOST_MEMORY_BYTES)
+    limit_time(_MOST_CPU_S)
 
 
 def _say(message: dict[str, object]) -> None:

@@ -71,7 +71,7 @@ class KeptTrack:
                 file.seek(_HEADER.size + first * _RECORD)
                 file.write(records.tobytes())
                 file.truncate()
-                os.fdatasync(file.fileno())
+                os.fsync(file.fileno())
         self._written = _Written(epoch, total)
 
     def first_unwritten(self, track: Track) -> int:

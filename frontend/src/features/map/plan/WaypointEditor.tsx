@@ -3,6 +3,7 @@ import { type KeyboardEvent, type ReactNode, useId } from "react";
 import { useTranslation } from "react-i18next";
 import type { Aircraft } from "../../../lib/aircraft";
 import { changed, type Push, pushed, type Waypoint, type WaypointField } from "../../../lib/plan";
+import { PlaceField } from "../../../missions/PlaceField";
 import { amendPlan, editPlan, MISSIONS, redoPlan, undoPlan } from "../../../missions/planDrafts";
 import { COLUMN } from "../../../missions/planFacts";
 import { PLAN_LIMITS } from "../../../protocol/missions";
@@ -76,6 +77,13 @@ function Fields({ aircraft, waypoints, row, waypoint }: Omit<Props, "held"> & { 
 
   return (
     <div className="map-plan-fields">
+      <PlaceField
+        place={waypoint}
+        fixed={undefined}
+        onCommit={(place) =>
+          editPlan(missions.plans, aircraft, waypoints.with(row, { ...waypoint, ...place }))
+        }
+      />
       {field("latitude_deg", 0.0001, 6, null)}
       {field("longitude_deg", 0.0001, 6, null)}
       {field("altitude_ft", 10, altitude.digits, altitude)}

@@ -5,8 +5,11 @@ from __future__ import annotations
 import contextlib
 import ctypes
 import os
+import sys
 import threading
 from typing import Final, Literal
+
+from epf_gcs.system.limits import may_lock_memory
 
 Priority = Literal["real-time", "raised", "normal"]
 
@@ -18,6 +21,10 @@ _LOWEST: Final = 19
 _LOCK_NOW: Final = 1
 _LOCK_LATER: Final = 2
 _LOCK_ON_USE: Final = 4
+# Linux's system call ioprio_set on these processors, its "this process" and the class "only while nobody else reads".
+_IOPRIO_SET: Final = {"x86_64": 251, "aarch64": 30, "armv7l": 314, "riscv64": 30}
+_THIS_PROCESS: Final = 1
+_IDLE: Final = 3 << 13
 
 
 def go_first() -> Priority:
@@ -28,19 +35,13 @@ def go_first() -> Priority:
     help: it takes it from later threads too), so the flight process starts none. The system itself keeps a share of the
     processor for all others. Both need a permission (Linux: CAP_SYS_NICE, or the limits rtprio and nice).
     """
-    if hasattr(os, "sched_setscheduler"):
-        try:
+    if sys.platform == "linux":
+        with contextlib.suppress(OSError):
             os.sched_setscheduler(0, os.SCHED_RR, os.sched_param(_REAL_TIME))
-        except OSError:
-            pass
-        else:
             return "real-time"
-    if hasattr(os, "setpriority"):
-        try:
+    if sys.platform != "win32":
+        with contextlib.suppress(OSError):
             os.setpriority(os.PRIO_PROCESS, 0, _RAISED)
-        except OSError:
-            pass
-        else:
             return "raised"
     return "normal"
 
@@ -51,10 +52,8 @@ def stay_in_memory() -> bool:
     Pages are locked when they are first used (MCL_ONFAULT), so that a thread's unused stack costs nothing. Under a
     limit it is left alone: the first allocation beyond the limit would fail.
     """
-    with contextlib.suppress(ImportError, AttributeError, OSError):  # not on every system
-        import resource  # noqa: PLC0415
-
-        if resource.getrlimit(resource.RLIMIT_MEMLOCK)[0] == resource.RLIM_INFINITY:
+    if sys.platform == "linux" and may_lock_memory():
+        with contextlib.suppress(AttributeError, OSError):
             return bool(ctypes.CDLL(None).mlockall(_LOCK_NOW | _LOCK_LATER | _LOCK_ON_USE) == 0)
     return False
 
@@ -64,7 +63,22 @@ def go_last() -> None:
 
     For work that takes long and that no flight waits for. It must hold the interpreter for moments only.
     """
-    with contextlib.suppress(AttributeError, OSError):  # not on every system
-        os.sched_setscheduler(0, os.SCHED_OTHER, os.sched_param(0))
-    with contextlib.suppress(AttributeError, OSError):
-        os.setpriority(os.PRIO_PROCESS, threading.get_native_id(), _LOWEST)
+    if sys.platform == "linux":
+        with contextlib.suppress(OSError):
+            os.sched_setscheduler(0, os.SCHED_OTHER, os.sched_param(0))
+        with contextlib.suppress(OSError):
+            os.setpriority(os.PRIO_PROCESS, threading.get_native_id(), _LOWEST)
+
+
+def be_nice(niceness: int = _LOWEST) -> None:
+    """Let this process take the processor only while nobody else wants it."""
+    if sys.platform != "win32":
+        with contextlib.suppress(OSError):
+            os.nice(niceness)
+
+
+def read_last() -> None:
+    """Let this process use the disk only while nobody else does."""
+    if sys.platform == "linux":
+        with contextlib.suppress(AttributeError, OSError, KeyError):
+            ctypes.CDLL(None).syscall(_IOPRIO_SET[os.uname().machine], _THIS_PROCESS, 0, _IDLE)

@@ -9,13 +9,13 @@ from pathlib import Path
 
 import pytest
 
+from epf_gcs.data_folder.lock import DataFolder
 from epf_gcs.errors import ConflictError
-from epf_gcs.flight.data_folder import DataFolder
 
 HOLDER = """
 import sys
 from pathlib import Path
-from epf_gcs.flight.data_folder import DataFolder
+from epf_gcs.data_folder.lock import DataFolder
 folder = DataFolder(Path(sys.argv[1]))
 print("held", flush=True)
 sys.stdin.read()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import signal
+import subprocess
 import sys
 import threading
 from collections.abc import Iterator
@@ -12,8 +13,8 @@ from pathlib import Path
 
 import pytest
 
-from epf_gcs.launcher import gateway
-from epf_gcs.launcher.gateway import Part
+from epf_gcs.launcher import part as part_module
+from epf_gcs.launcher.part import Part
 from epf_gcs.watchdog import REFUSED
 from tests.support.waiting import DEADLINE_S, eventually
 
@@ -44,7 +45,7 @@ class Kept:
 
     def stop(self) -> None:
         self.stopping.set()
-        self.part.signal(9)
+        self.part.end(by_force=True)
         self.thread.join(DEADLINE_S)
         for end in self._pipe:
             os.close(end)
@@ -69,13 +70,13 @@ def test_one_that_refuses_to_start_at_all_is_not_started_again(kept: Kept) -> No
 def test_one_that_is_killed_is_started_again_each_time(kept: Kept) -> None:
     for starts in (1, 2):
         kept.runs(starts)
-        kept.part.signal(9)
+        kept.part.end(by_force=True)
     kept.runs(3)
     assert kept.refusal is None
 
 
 def test_one_that_fails_after_it_has_lived_is_started_again(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(gateway, "_LIVED_S", 0.0)
+    monkeypatch.setattr(part_module, "_LIVED_S", 0.0)
     kept = Kept(tmp_path, "sys.exit(1)", "time.sleep(1000)")
     kept.thread.start()
     kept.runs(2)
@@ -84,12 +85,20 @@ def test_one_that_fails_after_it_has_lived_is_started_again(tmp_path: Path, monk
 
 
 def test_one_that_refuses_says_so_however_long_its_start_took(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(gateway, "_LIVED_S", 0.0)
+    monkeypatch.setattr(part_module, "_LIVED_S", 0.0)
     kept = Kept(tmp_path, f"sys.exit({REFUSED})")
     kept.thread.start()
     kept.thread.join(DEADLINE_S)
     assert (kept.refusal, kept.count()) == (REFUSED, 1)
     kept.stop()
+
+
+def test_a_board_of_the_environment_is_not_opened_again_in_flight(tmp_path: Path) -> None:
+    """The launcher alone reads that variable: a flight process that is started again opens what was open."""
+    program = "import os; from epf_gcs.launcher.part import _ENVIRONMENT; print('GCS_BOARD' in _ENVIRONMENT)"
+    environment = {**os.environ, "GCS_BOARD": "tcp://another:1"}
+    said = subprocess.run([sys.executable, "-c", program], env=environment, capture_output=True, check=True)
+    assert said.stdout == b"False\n"
 
 
 @contextmanager
@@ -104,7 +113,7 @@ def watched(name: str, command: list[str]) -> Iterator[Part]:
         yield part
     finally:
         stopping.set()
-        part.signal(signal.SIGKILL)
+        part.end(by_force=True)
         thread.join(DEADLINE_S)
         os.close(alive)
         os.close(held)

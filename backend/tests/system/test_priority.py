@@ -9,11 +9,11 @@ from pathlib import Path
 
 import pytest
 
-from epf_gcs.flight import priority
+from epf_gcs.system import priority
 
 _SAY_ALL = """
 import os, threading
-from epf_gcs.flight.priority import go_first
+from epf_gcs.system.priority import go_first
 told = go_first()
 found = []
 def look():
@@ -29,7 +29,7 @@ assert found == expected, (told, found)
 _REPAIR = """
 import os, sys, threading
 from pathlib import Path
-from epf_gcs.flight.priority import go_first
+from epf_gcs.system.priority import go_first
 from epf_gcs.flight.recording.repair import repair_all
 def mine():
     return os.sched_getscheduler(0), os.getpriority(os.PRIO_PROCESS, threading.get_native_id())

@@ -3,20 +3,18 @@
 from __future__ import annotations
 
 import os
-import sys
+import time
 from pathlib import Path
 from types import TracebackType
-from typing import BinaryIO, Self
+from typing import BinaryIO, Final, Self
 
 from epf_gcs.errors import ConflictError
+from epf_gcs.system.locks import lock
 
-if sys.platform == "win32":
-    import msvcrt
-else:
-    import fcntl
-
-# Windows locks byte ranges and makes them unreadable: this byte lies behind the process id, which stays readable.
-_LOCKED_BYTE = 4096
+_FILE: Final = ".lock"
+# A process that is ending may hold the lock for this long.
+_PATIENCE_S: Final = 3.0
+_LOOK_AGAIN_S: Final = 0.05
 
 
 class DataFolder:
@@ -29,10 +27,8 @@ class DataFolder:
         self.path = path
         path.mkdir(parents=True, exist_ok=True)
         # Not truncated: it may hold the id of the process that has the lock.
-        self._file: BinaryIO | None = os.fdopen(os.open(path / ".lock", os.O_RDWR | os.O_CREAT, 0o644), "r+b")
-        try:
-            _lock(self._file)
-        except OSError:
+        self._file: BinaryIO | None = os.fdopen(os.open(path / _FILE, os.O_RDWR | os.O_CREAT, 0o644), "r+b")
+        if not lock(self._file):
             other = self._file.read(32).decode("ascii", "replace").strip()
             self._file.close()
             raise ConflictError(
@@ -62,13 +58,22 @@ class DataFolder:
         self.release()
 
 
-def _lock(file: BinaryIO) -> None:
-    """Raises OSError if another process has the lock."""
-    if sys.platform == "win32":
-        file.seek(_LOCKED_BYTE)
+def held(path: Path, patience_s: float = _PATIENCE_S) -> DataFolder:
+    """The folder, locked, after a short wait if a process that is ending has it still. Raises as `DataFolder` does."""
+    give_up_s = time.monotonic() + patience_s
+    while True:
         try:
-            msvcrt.locking(file.fileno(), msvcrt.LK_NBLCK, 1)
-        finally:
-            file.seek(0)
-    else:
-        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            return DataFolder(path)
+        except ConflictError:
+            if time.monotonic() > give_up_s:
+                raise
+        time.sleep(_LOOK_AGAIN_S)
+
+
+def is_in_use(path: Path) -> bool:
+    """Whether a flight process has the folder. Makes nothing. Raises OSError."""
+    try:
+        with (path / _FILE).open("r+b" if os.name == "nt" else "rb") as file:
+            return not lock(file)
+    except FileNotFoundError:
+        return False

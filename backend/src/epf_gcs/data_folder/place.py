@@ -1,0 +1,19 @@
+"""Where the station's data lie unless the user says otherwise."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Final
+
+from platformdirs import user_data_path
+
+from epf_gcs.product import source_tree
+
+DEFAULT: Final = "data in a source tree, else this user's place for data"
+"""The same in words, for help texts."""
+
+
+def data_folder() -> Path:
+    """`data` in a source tree; else the place that this system has for a user's data, never where one stands."""
+    tree = source_tree()
+    return user_data_path("epf-gcs", appauthor=False) if tree is None else tree / "data"

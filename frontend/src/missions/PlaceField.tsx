@@ -1,0 +1,88 @@
+import { useId, useState } from "react";
+import { useTranslation } from "react-i18next";
+import { type CoordinateNotation, formatPlace, NOTATIONS, parsePlace } from "../lib/coordinates";
+import type { Position } from "../lib/geodesy";
+import { usePage, useSettings } from "../store/hooks";
+import { choose } from "../store/settings";
+import { Select } from "../ui/Select";
+import "./place.css";
+
+const CHOICE = "plans.notation";
+
+interface Props {
+  place: Position;
+  /** Why it cannot be changed. */
+  fixed: string | undefined;
+  onCommit: (place: Position) => void;
+}
+
+/**
+ * A waypoint's place in the notation that the person chose; typed in any of them. Enter and leaving the field finish an
+ * edit, Escape takes it back, and what is no place is said and changes nothing.
+ */
+export function PlaceField({ place, fixed, onCommit }: Props) {
+  const { t } = useTranslation();
+  const { settings } = usePage();
+  const id = useId();
+  const note = useId();
+  const notation = useSettings(
+    ({ choices }): CoordinateNotation => NOTATIONS.find((known) => known === choices[CHOICE]) ?? "decimal",
+  );
+  const [typed, setTyped] = useState<string | null>(null);
+  const shown = formatPlace(place, notation);
+  const found = typed === null ? null : parsePlace(typed);
+  const isWrong = typed !== null && typed.trim() !== "" && found === null;
+  const names: Readonly<Record<CoordinateNotation, string>> = {
+    decimal: t("plans.notationDecimal"),
+    dms: t("plans.notationDms"),
+    utm: t("plans.notationUtm"),
+  };
+
+  function finish(): void {
+    if (found !== null && typed !== shown) {
+      onCommit({
+        latitude_deg: Number(found.latitude_deg.toFixed(7)),
+        longitude_deg: Number(found.longitude_deg.toFixed(7)),
+      });
+    }
+    setTyped(null);
+  }
+
+  return (
+    <div className="place-field">
+      <label htmlFor={id} className="ui-field-label">
+        {t("plans.place")}
+      </label>
+      <input
+        id={id}
+        type="text"
+        autoComplete="off"
+        spellCheck={false}
+        readOnly={fixed !== undefined}
+        title={fixed}
+        aria-invalid={isWrong || undefined}
+        aria-describedby={note}
+        value={typed ?? shown}
+        onChange={(event) => setTyped(event.currentTarget.value)}
+        onBlur={finish}
+        onKeyDown={(event) => {
+          if (event.key === "Enter" && !isWrong) finish();
+          else if (event.key === "Escape" && typed !== null) setTyped(null);
+          else return;
+          event.preventDefault();
+        }}
+      />
+      <Select
+        label={t("plans.notation")}
+        hideLabel
+        placeholder=""
+        value={notation}
+        onChange={(value) => choose(settings, CHOICE, value)}
+        options={NOTATIONS.map((value) => ({ value, label: names[value] }))}
+      />
+      <p id={note} className="place-note" role="status" data-wrong={isWrong}>
+        {isWrong ? t("plans.noPlace") : t("plans.placeHint")}
+      </p>
+    </div>
+  );
+}
