@@ -63,9 +63,10 @@ def test_a_line_that_is_cut_has_no_gap_at_the_border() -> None:
 
 def test_points_that_are_left_out_lie_near_the_simpler_line() -> None:
     angles = np.linspace(0, 2 * np.pi, 4000)
-    ring = np.column_stack([np.cos(angles), np.sin(angles) + 40])
+    rough = 1 + 1e-4 * np.sin(977 * angles)
+    ring = np.column_stack([rough * np.cos(angles), rough * np.sin(angles) + 40])
     (kept,) = simpler([ring], even_tolerance(100))
-    assert 20 < len(kept) < 400
+    assert 20 < len(kept) < 1000
     assert kept[0].tolist() == ring[0].tolist()
     # What a circle loses to its polygon is the height of its arcs: some tolerances at most, for passes add up.
     assert area(kept) == pytest.approx(area(ring), rel=0.004)
@@ -92,7 +93,7 @@ def test_a_cell_holds_its_shapes_and_tables_as_the_page_reads_them(tmp_path: Pat
 
 def test_no_land_is_empty_of_names_and_large_towns_are_never_left_out() -> None:
     crowd = [Place(f"Large {n}", 40.1, -3.9, 1_000_000 - n, "ES") for n in range(9)]
-    alone = [Place("Alone", 27.0, -13.0, 600, "EH"), Place("Smaller", 27.1, -13.1, 550, "EH")]
+    alone = [Place("Alone", 27.1, -12.9, 600, "EH"), Place("Smaller", 27.2, -12.8, 550, "EH")]
     chosen = largest_around([*crowd, *alone], least=30_000, of_each=1, around_deg=0.5)
     assert chosen == [*crowd, alone[0]]
 

@@ -1,6 +1,7 @@
 import { PrimitiveCollection } from "@cesium/engine";
 import { beforeAll, expect, test, vi } from "vitest";
 import type { Globe } from "../globe/Globe";
+import type { SpaceText } from "../globe/GlobeLabels";
 import { PlanLayer } from "./PlanLayer";
 import type { DrawnPlan } from "./shape";
 
@@ -31,7 +32,16 @@ function bareGlobe() {
   const globe = {
     scene: { primitives: new PrimitiveCollection() },
     asked: 0,
+    /** What each who draws has written. */
+    written: new Map<object, readonly string[]>(),
+    labels: { show: (_owner: object, _texts: readonly SpaceText[]): void => undefined },
     requestRender: () => undefined,
+  };
+  globe.labels.show = (owner, texts) => {
+    globe.written.set(
+      owner,
+      texts.map(({ text }) => text),
+    );
   };
   globe.requestRender = () => {
     globe.asked += 1;
@@ -54,7 +64,9 @@ test("what drew a plan is gone with it", () => {
   const globe = bareGlobe();
   const layer = new PlanLayer(globe as unknown as Globe, "flight");
   layer.show(plan);
-  expect(globe.scene.primitives.length).toBe(3);
+  expect(globe.scene.primitives.length).toBe(2);
+  expect(globe.written.get(layer)).toEqual(["1", "2"]);
   layer.dispose();
   expect(globe.scene.primitives.length).toBe(0);
+  expect(globe.written.get(layer)).toEqual([]);
 });

@@ -19,7 +19,9 @@ export function AirfieldValues({ code, latitude_deg, longitude_deg }: Position &
   return (
     <>
       {typeof airfield === "string" ? (
-        <p className="map-card-note">{t(`map.airfields.${airfield}`)}</p>
+        <p className="map-card-note">
+          {airfield === "reading" ? t("map.airfields.reading") : t("map.airfields.failed")}
+        </p>
       ) : (
         <Known {...airfield} />
       )}
@@ -97,17 +99,20 @@ function Runway({ runway }: { runway: RunwayOf }) {
   const length = useUnit("distance");
   const { ends, length_ft, surface, isLit } = runway;
   const length_m = length_ft === null ? runwayLength_m(runway) : length_ft * METRES_PER_FOOT;
+  const surfaces: Readonly<Record<string, string>> = {
+    asphalt: t("map.airfields.surface.asphalt"),
+    concrete: t("map.airfields.surface.concrete"),
+    grass: t("map.airfields.surface.grass"),
+    gravel: t("map.airfields.surface.gravel"),
+    earth: t("map.airfields.surface.earth"),
+    water: t("map.airfields.surface.water"),
+    snow: t("map.airfields.surface.snow"),
+  };
   const parts = [
     ends.filter((end) => end !== "").join("/"),
     length_m > 0 ? `${length.format(length_m)} ${length.label}` : t("words.dash"),
-    surfaceKey(surface) === null ? surface : t(`map.airfields.surface.${surfaceKey(surface) ?? "earth"}`),
+    surfaces[surface] ?? "",
     isLit ? t("map.airfields.lit") : "",
   ];
   return parts.filter((part) => part !== "").join(" · ");
-}
-
-const SURFACES = ["asphalt", "concrete", "grass", "gravel", "earth", "water", "snow"] as const;
-
-function surfaceKey(surface: string): (typeof SURFACES)[number] | null {
-  return SURFACES.find((known) => known === surface) ?? null;
 }

@@ -29,6 +29,11 @@ export function AirfieldsSection() {
   const distance = useUnit("distance");
   const { place, name } = usePlace();
   const near = useNear(place);
+  const states = {
+    none: t("map.airfields.none"),
+    failed: t("map.airfields.failed"),
+    reading: t("map.airfields.reading"),
+  };
   const names = {
     flight: t("map.airfields.fromFlight"),
     hil: t("map.airfields.fromHil"),
@@ -37,9 +42,7 @@ export function AirfieldsSection() {
   return (
     <Panel title={t("map.airfields.title")}>
       <p className="map-layers-hint">
-        {typeof near === "string"
-          ? t(`map.airfields.${near}`)
-          : t("map.airfields.from", { place: names[name] })}
+        {typeof near === "string" ? states[near] : t("map.airfields.from", { place: names[name] })}
       </p>
       <ul className="map-airfield-buttons">
         {(typeof near === "string" ? [] : near).map(({ airfield }) => {
