@@ -161,7 +161,7 @@ def running_gateway(
     thread = threading.Thread(target=server.serve_until_signal, name="web", daemon=True)
     thread.start()
     # Under TLS uvicorn has "started" a moment before the doorway listens.
-    eventually(lambda: (server.started and server.servers) or not thread.is_alive(), "the gateway starts")
+    eventually(lambda: (server.started and bool(server.servers)) or not thread.is_alive(), "the gateway starts")
     gateway = Gateway(server, flight)
     try:
         yield gateway

@@ -4,6 +4,7 @@ import { useTranslation } from "react-i18next";
 import type { CommandName } from "../protocol/messages.gen";
 import type { NumberField } from "../protocol/topics";
 import { CommandButton } from "../requests/CommandButton";
+import { useTelemetry } from "../store/hooks";
 import type { ReadoutRow } from "./LiveReadout";
 import { COUNT, HEADING } from "./notations";
 import { ReadoutTable } from "./ReadoutTable";
@@ -26,12 +27,23 @@ const ROWS: readonly ReadoutRow<NumberField<"fms_plan">>[] = [
   { field: "waypoint", label: "fms.waypoint", as: COUNT },
 ];
 
+/** Why a live stream has only dashes: the board flies by no plan. */
+function NoPlan({ topic }: { topic: keyof typeof PLANS }) {
+  const { t } = useTranslation();
+  const isEmpty = useTelemetry(
+    (telemetry, now_ms) =>
+      telemetry.state(topic, now_ms) === "live" && telemetry.newestNumber(topic, "waypoint") === null,
+  );
+  return isEmpty ? <p className="live-note">{t(`fms.none.${topic}`)}</p> : null;
+}
+
 /** The targets of a flight plan, and two buttons that step through its waypoints. */
 export function FmsReadouts({ topic, columns }: { topic: keyof typeof PLANS; columns: number }) {
   const { t } = useTranslation();
   const plan = PLANS[topic];
   return (
     <div className="live-fms">
+      <NoPlan topic={topic} />
       <ReadoutTable topic={topic} rows={ROWS} columns={columns} size="large" chars={6} />
       <div className="live-fms-steps">
         <CommandButton command={plan.previous} icon={<ChevronLeft aria-hidden="true" />}>
