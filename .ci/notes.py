@@ -1,7 +1,7 @@
 """Print the notes of a release: its part of CHANGELOG.md.
 
-Usage: notes.py ROOT [TAG]. With a tag (v1.2.3) it has to be the version that backend/pyproject.toml says, its part has to
-be the newest, and nothing may stand under Unreleased: that would ship and be told nowhere.
+Usage: notes.py ROOT [TAG]. With a tag (v1.2.3) it has to be the version that backend/pyproject.toml says, its part has
+to be the newest, and nothing may stand under Unreleased: that would ship and be told nowhere.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Write the bill of materials of the product as CycloneDX 1.6: what it is made of, under which licences, what needs what.
+"""Write the bill of materials of the product as CycloneDX 1.6: what it is made of, its licences, and what needs what.
 
 Usage: sbom.py ROOT OUT. The same sources give the same bytes: no time stands in it, and its serial number is made from
 its contents, for the image that holds it is the same each time it is built.

@@ -1,4 +1,4 @@
-"""What the product is made of besides our own code: the gateway's packages, the page's, the board's, and the map's data.
+"""What the product is made of besides our own code: the gateway's packages, the page's, the board's, the map's data.
 
 Read from what is installed and locked, so that the bill of materials (`sbom.py`) and the licence texts cannot tell of
 something else than what ships. The gateway itself need not be installed: an image is built before it is.
@@ -23,7 +23,7 @@ PROJECT: Final = "backend/pyproject.toml"
 PAGE_LOCK: Final = "frontend/package-lock.json"
 MAP_DATA: Final = "frontend/scripts/mapData.json"
 THIRD_PARTY: Final = "firmware/third_party"
-# What the board's program holds of others, by folder: name, version, licence, where it is. cmocka is in its tests alone.
+# What the board's program holds of others, by folder: name, version, licence, where it is. Only its tests hold cmocka.
 IN_BOARD: Final = {
     "freertos": ("FreeRTOS-Kernel", "11.2.0", "MIT", "pkg:github/FreeRTOS/FreeRTOS-Kernel@V11.2.0"),
     "littlefs": ("littlefs", "2.9", "BSD-3-Clause", "pkg:github/littlefs-project/littlefs@v2.9.0"),
@@ -99,7 +99,9 @@ def of_page(root: Path) -> list[Component]:
     found = []
     for path in sorted(shipped):
         entry = shipped[path]
-        needs = {_npm(at, shipped[at]) for name in entry.get("dependencies", ()) if (at := _beside(path, name, shipped))}
+        needs = {
+            _npm(at, shipped[at]) for name in entry.get("dependencies", ()) if (at := _beside(path, name, shipped))
+        }
         algorithm, _, digest = entry["integrity"].partition("-")
         found.append(
             Component(
@@ -120,7 +122,9 @@ def of_board(root: Path) -> Iterator[Component]:
     for folder, (name, number, licence, where) in IN_BOARD.items():
         readme = root / THIRD_PARTY / folder / "README.md"
         if number not in readme.read_text(encoding="utf-8"):
-            raise ValueError(f"{THIRD_PARTY}/{folder}/README.md does not say {number}: put the new one into .ci/shipped.py")
+            raise ValueError(
+                f"{THIRD_PARTY}/{folder}/README.md does not say {number}: put the new one into .ci/shipped.py"
+            )
         yield Component("board", name, number, licence, where)
 
 
@@ -208,6 +212,7 @@ def _licence(package: Distribution) -> str | None:
     for name in (*(metadata.get_all("License-Expression") or ()), *(metadata.get_all("License") or ())):
         if name.strip() and "\n" not in name and len(name) <= _LONGEST_NAME:
             return str(name.strip())
-    filed = [line.rpartition(" :: ")[2] for line in metadata.get_all("Classifier") or () if line.startswith(_CLASSIFIER)]
+    filed = [
+        line.rpartition(" :: ")[2] for line in metadata.get_all("Classifier") or () if line.startswith(_CLASSIFIER)
+    ]
     return ", ".join(filed) or None
-
