@@ -19,8 +19,9 @@ LINK: Final = re.compile(r"(!?)\[([^\]]*)\]\(([^()\s]+)\)")
 FENCE: Final = re.compile(r"^(```|~~~).*?^\1", re.MULTILINE | re.DOTALL)
 _CODE: Final = re.compile(r"`[^`\n]*`")
 _HEADING: Final = re.compile(r"^#+ +(.+?) *#*$", re.MULTILINE)
-# Kept as others have made it; and the guide's pictures are names, which its own tests hold.
-_NOT_OURS: Final = ("firmware/third_party/", "frontend/src/features/guide/")
+# Kept as others have made it; the guide, whose pictures are names that its own tests hold; and pages that link pages of
+# the site, which is looked at when it is built.
+_NOT_OURS: Final = ("firmware/third_party/", "frontend/src/features/guide/", "docs/es/", "docs/en/")
 _IN_STYLE: Final = re.compile(r"url\(\s*['\"]?((?:https?:)?//[^)'\"]+)")
 # What a browser fetches by itself; a link is followed by people.
 _LOADED: Final = {"img": "src", "script": "src", "iframe": "src", "source": "src", "video": "src", "audio": "src"}
