@@ -1,7 +1,6 @@
 """The station on a quarter of one core: a stand-in for a core of a Raspberry Pi, which is not here.
 
-A cgroup gives both processes and the launcher 25 ms of one core in each 100 ms; nothing else of a Pi is imitated. A
-quarter of a PC's core is between one of a Pi 4 and one of a Pi Zero 2, roughly.
+A cgroup gives both processes and the launcher 25 ms of one core in each 100 ms. Nothing else of a Pi is imitated.
 """
 
 from __future__ import annotations
