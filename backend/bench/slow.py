@@ -1,6 +1,7 @@
 """The station on a quarter of one core: a stand-in for a core of a Raspberry Pi, which is not here.
 
-A cgroup gives both processes and the launcher 25 ms of one core in each 100 ms. Nothing else of a Pi is imitated.
+A cgroup gives both processes and the launcher 25 ms of one core in each 100 ms. Nothing else of a Pi is imitated,
+and the flight process has no real-time priority meanwhile.
 """
 
 from __future__ import annotations
@@ -80,6 +81,8 @@ def limited(pids: list[int]) -> Iterator[Path]:
         for pid in pids:
             for thread in Path(f"/proc/{pid}/task").iterdir():
                 with contextlib.suppress(ProcessLookupError):
+                    # A share holds for ordinary threads alone; the flight's goes first where it is real time.
+                    os.sched_setscheduler(int(thread.name), os.SCHED_OTHER, os.sched_param(0))
                     os.sched_setaffinity(int(thread.name), {core})
             (group / "cgroup.procs").write_text(str(pid))
         yield group
