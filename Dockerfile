@@ -41,11 +41,14 @@ RUN /opt/epf-gcs/bin/pip install --no-cache-dir --no-compile --disable-pip-versi
 
 FROM packages AS wheel
 WORKDIR /station
-COPY .ci/wheel.py .ci/
+COPY .ci/wheel.py .ci/sbom.py .ci/shipped.py .ci/
 COPY LICENSE ./
 COPY backend/pyproject.toml backend/README.md backend/
 COPY backend/src backend/src
 COPY firmware/third_party firmware/third_party
+# What the bill of materials and the licences are made from, beside what is installed.
+COPY frontend/package-lock.json frontend/
+COPY frontend/scripts/mapData.json frontend/scripts/
 COPY --from=page /station/frontend/dist frontend/dist
 COPY --from=board /station/firmware/build/static/epf-board firmware/build/static/epf-board
 COPY packaging/container/slim.py packaging/container/

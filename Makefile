@@ -18,7 +18,7 @@ PORT ?= 8000
 ARGS ?=
 MINUTES ?= 30
 
-.PHONY: help setup images generate check test test-backend test-protocol test-firmware test-frontend e2e soak fuzz mutate mutate-page run board wheel sdist check-platforms bench clean
+.PHONY: help setup images generate check test test-backend test-protocol test-firmware test-frontend e2e soak fuzz mutate mutate-page run board wheel sdist container docs docs-archive release check-platforms check-workflows bench clean
 
 help: ## list the verbs
 	@awk -F':.*## ' '/^[a-z-]+:.*## / { printf "  make %-14s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -81,16 +81,49 @@ board: $(DONE)/tools ## build the board's firmware for this machine
 
 # The board's program of another processor needs its compiler: on Debian, gcc-aarch64-linux-gnu.
 PLATFORM ?= $(shell uname -m)
+OUT ?= dist
 wheel: $(DONE)/venv frontend/dist/index.html ## one file in dist/ that installs the whole station, without Node and without a compiler; PLATFORM=aarch64, or none: without a board's program
 	@if [ $(PLATFORM) = "$$(uname -m)" ]; then $(MAKE) --no-print-directory -C firmware board-static; \
 	elif [ $(PLATFORM) != none ]; then \
 	  $(MAKE) --no-print-directory -C firmware board-static BUILD=build/$(PLATFORM) CC=$(PLATFORM)-linux-gnu-gcc; fi
-	@$(BIN)/python .ci/wheel.py . dist $(PLATFORM)
-	@ls dist/*.whl
+	@$(BIN)/python .ci/wheel.py . $(OUT) $(PLATFORM)
+	@ls $(OUT)/*.whl
 
 sdist: $(DONE)/venv frontend/dist/index.html ## a source archive in dist/ with the built page inside
-	@$(BIN)/python .ci/wheel.py . dist sdist
-	@ls dist/*.tar.gz
+	@$(BIN)/python .ci/wheel.py . $(OUT) sdist
+	@ls $(OUT)/*.tar.gz
+
+# ENGINE=podman where docker is not; its own format has no health check.
+ENGINE ?= docker
+IMAGE ?= epf-gcs
+container: ## build the container's image for this processor; ENGINE=podman, IMAGE=name:tag
+	$(ENGINE) build $(if $(filter podman,$(notdir $(ENGINE))),--format docker) --tag $(IMAGE) \
+	  --build-arg VERSION="$$(sed -n 's/^version = "\(.*\)"$$/\1/p' backend/pyproject.toml)" \
+	  --build-arg REVISION="$$(git rev-parse HEAD 2>/dev/null || echo unknown)" .
+
+# ---- documents and releases --------------------------------------------------------------------------
+
+$(DONE)/venv-publish: backend/requirements-publish.lock $(DONE)/venv-dev
+	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes -r backend/requirements-publish.lock
+	@touch $@
+
+docs: $(DONE)/venv-publish ## the documents as a site in dist/docs that needs no network; fails on a broken link
+	@$(BIN)/python docs/build.py . dist/docs
+
+docs-archive: docs
+	@mkdir -p $(OUT)
+	@$(BIN)/python -c 'import shutil; shutil.make_archive("$(OUT)/epf-gcs-docs", "zip", "dist/docs")'
+
+release: $(DONE)/venv-publish frontend/dist/index.html ## all files of a release in dist/release, with checksums and notes; TAG=v1.2.3 holds it against the version. Red where one is missing
+	@$(BIN)/python .ci/release.py . dist/release $(TAG)
+
+check-workflows: $(DONE)/venv-publish ## what the forge reads (workflows, updates, forms) against its schemas, and for what an attacker could use
+	@$(BIN)/check-jsonschema --builtin-schema vendor.github-workflows .github/workflows/*.yml
+	@$(BIN)/check-jsonschema --builtin-schema custom.github-workflows-require-timeout .github/workflows/*.yml
+	@$(BIN)/check-jsonschema --builtin-schema vendor.dependabot .github/dependabot.yml
+	@$(BIN)/check-jsonschema --builtin-schema vendor.github-issue-config .github/ISSUE_TEMPLATE/config.yml
+	@$(BIN)/check-jsonschema --builtin-schema vendor.github-issue-forms .github/ISSUE_TEMPLATE/[!c]*.yml
+	@$(BIN)/zizmor --offline --quiet .github
 
 images: $(DONE)/tools $(DONE)/arm ## build the board's firmware for its processors (STM32F405, MPS2)
 	@$(MAKE) --no-print-directory -C firmware images
@@ -132,10 +165,11 @@ check-generated: $(DONE)/venv-dev $(DONE)/frontend
 	$(BIN)/python .ci/one_version.py .
 	$(BIN)/python .ci/licences.py .
 	$(BIN)/python .ci/containers.py .
+	$(BIN)/python docs/links.py .
 
 check-gateway: $(DONE)/venv-dev
-	$(BIN)/ruff format --check backend protocol .ci
-	$(BIN)/ruff check backend protocol .ci
+	$(BIN)/ruff format --check backend protocol .ci docs
+	$(BIN)/ruff check backend protocol .ci docs
 	cd backend && ../$(BIN)/lint-imports
 
 check-types: $(DONE)/venv-dev

@@ -1,4 +1,5 @@
-"""Build the wheel that holds the whole product: gateway, page, the board's program, and the licences of all of it.
+"""Build the wheel that holds the whole product: gateway, page, the board's program, the licences of all of it, and the
+bill of materials (PEP 770: `.dist-info/sboms`).
 
 Usage: wheel.py ROOT OUT [MACHINE]
 
@@ -10,20 +11,28 @@ contents, from which such a wheel can be built.
 
 from __future__ import annotations
 
+import base64
+import hashlib
 import platform
 import shutil
 import subprocess
 import sys
 import tempfile
+import zipfile
 from pathlib import Path
 from typing import Final
+
+sys.path.insert(0, str(Path(__file__).parent))
+
+import sbom
+import shipped
 
 PAGE: Final = Path("frontend/dist")
 BUILT: Final = Path("firmware/build")
 PROGRAM: Final = Path("static/epf-board")
-THIRD_PARTY: Final = Path("firmware/third_party")
-# What the board's program holds of others; cmocka is in its tests alone.
-IN_BOARD: Final = {"freertos": "LICENSE.md", "littlefs": "LICENSE.md"}
+# The texts of the page's packages, which the About window links.
+LICENCES: Final = "licences.txt"
+BILL: Final = "epf-gcs.cdx.json"
 WITHOUT: Final = ("none", "sdist")
 # glibc is linked in; the kernel of any Linux since 2014 runs it.
 _LINUX: Final = "manylinux_2_17"
@@ -39,13 +48,36 @@ def stage(root: Path, folder: Path, board: Path | None) -> None:
     )
     product = folder / "src" / "epf_gcs" / "_product"
     shutil.copytree(root / PAGE, product / "page")
+    with (product / "page" / LICENCES).open("a", encoding="utf-8") as licences:
+        for component, text in shipped.texts(root):
+            licences.write(f"\n## {component.name} - {component.version} ({component.licence})\n\n{text}\n")
     if board is None:
         return
     target = product / "board" / "posix"
     target.mkdir(parents=True)
     shutil.copy2(root / board, target / "epf-board")
-    for name, licence in IN_BOARD.items():
-        shutil.copy2(root / THIRD_PARTY / name / licence, target.parent / f"licence-{name}.txt")
+    for name in shipped.IN_BOARD:
+        shutil.copy2(root / shipped.THIRD_PARTY / name / "LICENSE.md", target.parent / f"licence-{name}.txt")
+
+
+def add_bill(wheel: Path, bill: str) -> None:
+    """Put the bill of materials into a wheel, and into the wheel's list of its files."""
+    data = bill.encode()
+    with zipfile.ZipFile(wheel) as built:
+        held = [(entry, built.read(entry)) for entry in built.infolist()]
+    (record,) = (entry.filename for entry, _ in held if entry.filename.endswith(".dist-info/RECORD"))
+    name = f"{record.rpartition('/')[0]}/sboms/{BILL}"
+    digest = base64.urlsafe_b64encode(hashlib.sha256(data).digest()).rstrip(b"=").decode()
+    row = f"{name},sha256={digest},{len(data)}\n".encode()
+    with zipfile.ZipFile(wheel, "w", zipfile.ZIP_DEFLATED) as made:
+        for entry, content in held:
+            if entry.filename == record:
+                # Of the list's own time, so that nothing depends on when this was done.
+                added = zipfile.ZipInfo(name, entry.date_time)
+                added.external_attr, added.compress_type = entry.external_attr, zipfile.ZIP_DEFLATED
+                made.writestr(added, data)
+                content = row + content  # noqa: PLW2901
+            made.writestr(entry, content)
 
 
 def program_of(machine: str) -> Path | None:
@@ -72,18 +104,23 @@ def main() -> int:
     root, out = Path(sys.argv[1]).resolve(), Path(sys.argv[2]).resolve()
     machine = sys.argv[3] if len(sys.argv) > 3 else platform.machine()
     out.mkdir(parents=True, exist_ok=True)
-    with tempfile.TemporaryDirectory() as staged:
+    with tempfile.TemporaryDirectory() as staged, tempfile.TemporaryDirectory() as made:
         try:
             stage(root, Path(staged), program_of(machine))
         except FileNotFoundError as error:
             print(f"wheel: {error.filename} is missing: run `make wheel`, which builds it first.", file=sys.stderr)
             return 1
         built = subprocess.run(
-            command(machine, staged, out), cwd=staged, check=False, stdout=subprocess.PIPE, text=True
+            command(machine, staged, Path(made)), cwd=staged, check=False, stdout=subprocess.PIPE, text=True
         )
         if built.returncode:
             print(built.stdout, file=sys.stderr)
-        return built.returncode
+            return built.returncode
+        for path in Path(made).iterdir():
+            if path.suffix == ".whl":
+                add_bill(path, sbom.text(root))
+            shutil.move(path, out / path.name)
+        return 0
 
 
 if __name__ == "__main__":

@@ -11,3 +11,4 @@ compile() { # compile OUTPUT EXTRA...
 compile requirements.lock --extra build --extra all
 compile requirements-dev.lock --extra build --extra all --extra lab --extra dev
 compile requirements-mutate.lock --extra build --extra all --extra lab --extra dev --extra mutate
+compile requirements-publish.lock --extra build --extra all --extra lab --extra dev --extra publish

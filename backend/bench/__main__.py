@@ -16,6 +16,7 @@ MODULES = (
     "latency",
     "tls",
     "cpu",
+    "slow",
     "line",
     "hil",
     "control",

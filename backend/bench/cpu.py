@@ -29,16 +29,16 @@ REACH_PERCENT: Final = 5.0
 
 def run() -> list[Row]:
     """Both get the same paced bytes, in turns, so that both meet the same load of the machine."""
-    stream = _stream()
+    stream = stream_of_line()
     ours, peer = 0.0, 0.0
     with station() as (gateway, line), _peer_process() as (peer_line, process):
         assert process.stdout is not None
         viewer = gateway.stream(60)
         peer_viewer = foxglove_peer.subscribe(int(process.stdout.readline()))
-        with _reading(viewer, viewer.acknowledge), _reading(peer_viewer, lambda _: None):
+        with reading(viewer, viewer.acknowledge), reading(peer_viewer, lambda _: None):
             for _ in range(ROUNDS):
-                ours += _percent([gateway.process.pid, *gateway.parts.values()], line, stream) / ROUNDS
-                peer += _percent([process.pid], peer_line, stream, line) / ROUNDS
+                ours += percent_used([gateway.process.pid, *gateway.parts.values()], line, stream) / ROUNDS
+                peer += percent_used([process.pid], peer_line, stream, line) / ROUNDS
         viewer.close()
         peer_viewer.close()
     what = "gateway's processor time at the full 115200 line, both processes, one viewer at 60 Hz"
@@ -46,7 +46,7 @@ def run() -> list[Row]:
     return [Row(what, ours, "%", reach, ours <= max(REACH_PERCENT, peer), peer, foxglove_peer.NAME)]
 
 
-def _stream() -> bytes:
+def stream_of_line() -> bytes:
     """Half a second of the line: all streams, with heartbeats, so that the session stays open."""
     frames: list[bytes] = []
     size = 0
@@ -58,7 +58,7 @@ def _stream() -> bytes:
     return b"".join(frames)
 
 
-def _percent(pids: Sequence[int], line: Line, stream: bytes, waiting: Line | None = None) -> float:
+def percent_used(pids: Sequence[int], line: Line, stream: bytes, waiting: Line | None = None) -> float:
     """Feed the line as a serial port would, on an absolute schedule; returns percent of one core.
 
     `waiting` gets heartbeats meanwhile, so that its session stays open.
@@ -93,7 +93,7 @@ def _cut(stream: bytes, start: int, stop: int) -> bytes:
 
 
 @contextlib.contextmanager
-def _reading(viewer: WebSocket, shown: Callable[[bytes], None]) -> Iterator[None]:
+def reading(viewer: WebSocket, shown: Callable[[bytes], None]) -> Iterator[None]:
     """A viewer that reads every message."""
 
     def read() -> None:

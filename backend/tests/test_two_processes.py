@@ -110,6 +110,12 @@ def hand_on(pilot: Page) -> Iterator[None]:
 
 @pytest.fixture
 def flying(tmp_path: Path, board: FakeBoard) -> Iterator[Flying]:
+    with flight(tmp_path, board) as made:
+        yield made
+
+
+@contextmanager
+def flight(tmp_path: Path, board: FakeBoard) -> Iterator[Flying]:
     with Simulator() as simulator, gateway_process(tmp_path / "data") as program:
         made = Flying(program, board, simulator)
         simulator.port = free_udp_port()
@@ -123,6 +129,24 @@ def flying(tmp_path: Path, board: FakeBoard) -> Iterator[Flying]:
         eventually(lambda: state.exists() and b'"assisted"' in state.read_bytes(), "the links are remembered")
         yield made
         made.http.close()
+
+
+def test_a_system_without_local_sockets_flies_over_tcp_and_comes_back_after_a_kill(
+    tmp_path: Path, board: FakeBoard, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    # As Windows is: the programs are told so before they load anything of ours.
+    (tmp_path / "told").mkdir()
+    told = "import epf_gcs.system.sockets\nepf_gcs.system.sockets.HAS_LOCAL = False\n"
+    (tmp_path / "told" / "sitecustomize.py").write_text(told)
+    path = os.pathsep.join(filter(None, (str(tmp_path / "told"), os.environ.get("PYTHONPATH"))))
+    monkeypatch.setenv("PYTHONPATH", path)
+    with flight(tmp_path, board) as flying:
+        where = orjson.loads((tmp_path / "data" / "flight.json").read_bytes())
+        assert "tcp" in where
+        assert not (tmp_path / "data" / "flight.sock").exists()
+        os.kill(flying.pid("web"), signal.SIGKILL)
+        flying.fly_a_frame()
+        eventually(lambda: (flying.status() or {}).get("board", {}).get("state") == "open", "the web process is back")
 
 
 def test_the_loop_and_the_recording_go_on_while_the_web_process_is_dead(flying: Flying, tmp_path: Path) -> None:

@@ -10,7 +10,8 @@ export function fontLicences(folder: string, fileName: string): Plugin {
   return {
     name: "font-licences",
     apply: "build",
-    closeBundle() {
+    // After all is written; a build that failed writes nothing, and says why itself.
+    writeBundle() {
       for (const font of FONTS) {
         const text = readFileSync(join(folder, "node_modules", font, "LICENSE"), "utf8");
         appendFileSync(join(folder, "dist", fileName), `\n## ${font}\n\n${text}\n`);

