@@ -136,7 +136,7 @@ export function createEntry(parts: EntryParts): EntryProcess {
     asked += 1;
     if (answer.ok) {
       take(answer.value);
-      isUnproven = true;
+      isUnproven = answer.value.state === "in";
     } else {
       failed(answer.problem);
     }
