@@ -211,9 +211,7 @@ async def get_code(
 @router.get("/log", responses=reading_problems())
 async def get_log(
     admission: AdmissionDep,
-    before: Annotated[
-        int | None, Query(ge=0, le=_FARTHEST, description="`at` of the last deed that was read.")
-    ] = None,
+    before: Annotated[int | None, Query(ge=0, le=_FARTHEST, description="`at` of the last deed that was read.")] = None,
     limit: Annotated[int, Query(ge=1, le=_MOST_DEEDS)] = 100,
     text: Annotated[str, Query(max_length=100, description="Only lines that have this in them.")] = "",
 ) -> Deeds:
