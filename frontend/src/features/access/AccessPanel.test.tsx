@@ -161,7 +161,9 @@ test("the log goes on where its last line stands, and lines that say the same ar
   const same = { ...deed, deed: "command", what: "POST /commands/ahrs_on", result: "200" };
   const first = newest(station, "GET", "log");
   expect(new URLSearchParams(first.path.split("?")[1]).has("before")).toBe(false);
-  await first.answer({ deeds: Array.from({ length: 100 }, (_, row) => ({ ...same, at: 20_000 - 100 * row })) });
+  await first.answer({
+    deeds: Array.from({ length: 100 }, (_, row) => ({ ...same, at: 20_000 - 100 * row })),
+  });
   await user.click(within(panel()).getByRole("button", { name: "Más antiguos" }));
   const second = newest(station, "GET", "log");
   expect(new URLSearchParams(second.path.split("?")[1]).get("before")).toBe("10100");

@@ -155,14 +155,14 @@ class DeedLog:
             with contextlib.suppress(FileNotFoundError):
                 files.append(opened.enter_context(self._path.open("rb")))
             for path in reversed(self._older()):
-                file = opened.enter_context(path.open("rb"))
+                file: BinaryIO = opened.enter_context(path.open("rb"))
                 if not files or not os.path.sameopenfile(files[0].fileno(), file.fileno()):
                     files.append(file)
             sizes = [file.seek(0, os.SEEK_END) for file in files]
             end = sum(sizes)
-            for file, size in zip(files, sizes, strict=True):
+            for one, size in zip(files, sizes, strict=True):
                 end -= size
-                for at, line in _backwards(file, size):
+                for at, line in _backwards(one, size):
                     yield end + at, line
 
 
