@@ -58,8 +58,6 @@ def _loss_ms(base: str, port: int, lose: Callable[[Page, CutLine], None]) -> flo
             pilot.act("take", confirm=True).raise_for_status()
             while watching.event("control")["client"] != pilot.client:
                 pass
-            # A page that has loaded: until it has acknowledged some batches, a busy browser has longer to answer.
-            time.sleep(1.0)
             begun_s = time.monotonic()
             lose(pilot, line)
             while watching.event("control")["client"] is not None:

@@ -10,15 +10,13 @@ from epf_gcs.web.access.watch import Found, Watch
 CUT_LOOKS = 7
 HUNG_LOOKS = 20
 STUCK_LOOKS = 100
-LOADED = 30
 
 
 class Line:
     """A line that is told what came. `answers`: its browser answers pings."""
 
     def __init__(self, *, answers: bool = False, is_waited_for: bool = True) -> None:
-        self.heard = self.pings = 0
-        self.said = LOADED
+        self.heard = self.said = self.pings = 0
         self.answers = answers
         self.is_waited_for = is_waited_for
 
@@ -44,12 +42,6 @@ def test_a_line_on_which_nothing_comes_is_pinged_and_counts_as_cut(is_waited_for
     line = Line(is_waited_for=is_waited_for)
     assert looks_until("silent", line) == CUT_LOOKS
     assert line.pings == 3
-
-
-def test_a_browser_that_is_still_loading_its_page_has_longer() -> None:
-    line = Line()
-    line.said = LOADED - 1
-    assert looks_until("silent", line) == HUNG_LOOKS
 
 
 def test_a_page_whose_browser_answers_but_which_acknowledges_nothing_hangs_and_at_last_is_stuck() -> None:

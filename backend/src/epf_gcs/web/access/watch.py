@@ -13,8 +13,6 @@ LOOK_EVERY_S: Final = 0.1
 _PING_EVERY: Final = 2
 # 0.7 s: with the time until the next look and the way back, control is free a second after a line was cut.
 _LINE_LOOKS: Final = 7
-# A browser that is loading its page may not even answer a ping for a second. One that has said so much has loaded it.
-_LOADED: Final = 30
 # 2 s, when the throttle is closed, too: until then a page is only slow, for its browser answers.
 _PAGE_LOOKS: Final = 20
 # 10 s: a globe that loads on an old laptop keeps its page busy for some of them; longer, and the page is stuck.
@@ -68,7 +66,6 @@ class Watch:
             self._said, self._hung_looks = line.said, 0
         else:
             self._hung_looks += 1
-        most_quiet = _LINE_LOOKS if line.said >= _LOADED else _PAGE_LOOKS
-        if self._quiet_looks >= most_quiet or self._hung_looks >= _STUCK_LOOKS:
+        if self._quiet_looks >= _LINE_LOOKS or self._hung_looks >= _STUCK_LOOKS:
             return "silent"
         return "hangs" if self._hung_looks >= _PAGE_LOOKS else "heard"
