@@ -96,9 +96,12 @@ class Walk:
         assert flight.hand == rules.stick
         if holder is None:
             assert rules.stick is None, "no stick without a holder"
+            assert rules.hung is None
             assert all(client in rules.silent_pages for client in rules.requests), "nobody waits for what is free"
         else:
             assert rules.stick in (None, holder.client), "no other hand on the stick"
+            assert rules.hung in (None, holder.client)
+            assert rules.hung is None or rules.stick is None, "no stick of a page that does nothing"
             assert rules.pages.get(holder.client) is holder, "who has control is there"
             assert holder.client not in rules.silent_pages, "and is heard"
             assert holder.may_command
@@ -146,6 +149,8 @@ class Walk:
             self._move_own,
             rules.withdraw,
             lambda client: rules.silent(client, self._now_s) if client in rules.pages else [],
+            lambda client: rules.hang(client) if client in rules.pages else [],
+            lambda _: rules.hang(self._holder()) if rules.holder is not None else [],
             lambda client: rules.heard(client, self._now_s) if client in rules.pages else [],
             lambda client: rules.heard(client, self._now_s) if client in rules.pages else [],
             lambda client: rules.deed(client, self._now_s) if client in rules.pages else [],

@@ -12,9 +12,12 @@ import orjson
 import pytest
 from websockets.exceptions import ConnectionClosed
 
+from epf_gcs.web.access.roles import Role
 from epf_gcs.xplane.datagram import Surfaces, surfaces_datagram
+from tests.support.callers import program
 from tests.support.fake_board import FakeBoard
 from tests.support.gateway import Gateway, Stream
+from tests.support.page import Page, page
 from tests.support.ports import free_udp_port
 from tests.support.simulator import ROWS, WHOLE, Simulator
 from tests.support.waiting import eventually
@@ -42,7 +45,7 @@ def sample(position: Surfaces, **others: Any) -> dict[str, Any]:
 
 
 @contextmanager
-def hand_on(stream: Stream, position: Surfaces) -> Iterator[None]:
+def hand_on(stream: Stream | Page, position: Surfaces) -> Iterator[None]:
     """A gamepad that is held in this position, as a page sends it."""
     stop = threading.Event()
 
@@ -167,6 +170,23 @@ def test_who_loses_control_loses_the_stick_and_the_simulators_rows_fly(
         eventually(
             lambda: gateway.status()["hil"]["stick"]["samples"]["not_operator"] > 0, "the old one's do not count"
         )
+
+
+def test_a_pilot_that_an_owner_puts_out_lets_the_stick_go_as_if_the_network_had(
+    gateway: Gateway, board: FakeBoard, simulator: Simulator
+) -> None:
+    pilot, key, program_id = program(gateway, Role.operator, gateway.http, "Pilot")
+    with gateway.stream() as owner, pilot, page(gateway.base, key=key) as stream, hand_on(stream, TURN):
+        gateway.http.post("/control", json={"client": owner.hello["client"], "action": "release"}).raise_for_status()
+        stream.act("take").raise_for_status()
+        stream.http.put("/hil", json={"stick": "gamepad", "gamepad": "Test Pad"}).raise_for_status()
+        eventually(lambda: flies(simulator, board, TURN), "the gamepad flies")
+        gateway.http.delete(f"/access/programs/{program_id}").raise_for_status()
+        eventually(lambda: flies(simulator, board, LET_GO), "the stick is let go")
+        assert gateway.status()["control"]["client"] is None
+        eventually(lambda: flies(simulator, board, GLIDE), "the throttle is closed")
+        eventually(lambda: flies(simulator, board, ROWS_STICK), "and the simulator's own stick flies on")
+        assert [owner.event("stick")["reason"] for _ in range(3)] == ["chosen", "lost", "control_lost"]
 
 
 def test_only_the_page_that_has_control_may_choose_and_only_with_a_gamepad_that_speaks(gateway: Gateway) -> None:

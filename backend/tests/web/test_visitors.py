@@ -44,6 +44,21 @@ def test_a_host_that_holds_many_gives_up_the_one_that_was_idle_longest(visitors:
     assert len(visitors) == LIMITS.connections_per_host
 
 
+@pytest.mark.parametrize("address", ["2001:db8::{:x}", "fe80::{:x}%eth0"])
+def test_a_network_of_addresses_is_one_host(visitors: Visitors, address: str) -> None:
+    assert all(visitors.come_in(Visitor(address.format(number))) for number in range(3))
+    assert not visitors.come_in(Visitor(address.format(9)))
+    assert visitors.come_in(Visitor("2001:db8:0:1::1")), "another network has its own share"
+    assert all(visitors.become_socket(Visitor(address.format(number))) for number in range(2))
+    assert not visitors.become_socket(Visitor(address.format(9)))
+    uploads = Uploads()
+    with uploads.one_more(address.format(1)), uploads.one_more(address.format(2)), uploads.one_more(address.format(3)):
+        with pytest.raises(ConflictError), uploads.one_more(address.format(4)):
+            pass
+        with uploads.one_more("10.0.0.1"):
+            pass
+
+
 def test_who_is_at_work_is_not_sent_away(visitors: Visitors) -> None:
     busy = [Visitor("10.0.0.1") for _ in range(3)]
     assert all(visitors.come_in(one) for one in busy)

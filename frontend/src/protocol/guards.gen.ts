@@ -295,9 +295,10 @@ export const isControlState = shape({
 });
 export type ControlState = Checked<typeof isControlState>;
 
-/** Something that somebody did; `role` null: a stranger. */
+/** Something that somebody did; `role` null: a stranger. `at`: where it stands in the log. */
 export const isDeedState = shape({
   address: isText,
+  at: isNumber,
   deed: isText,
   kind: oneOf("local", "person", "program", "stranger"),
   name: isText,

@@ -54,7 +54,12 @@ export class ManualTimers implements Timers {
     };
   };
 
-  /** Let this time pass; timers run in their order, each at its own time. */
+  /** So long the page itself does nothing: what is due meanwhile runs when it goes on. */
+  holdUp(duration_ms: number): void {
+    this.#now_ms += duration_ms;
+  }
+
+  /** Let this time pass; timers run in their order, each at its own time, or now where that is over. */
   pass(duration_ms: number): void {
     const end_ms = this.#now_ms + duration_ms;
     for (;;) {
@@ -65,7 +70,7 @@ export class ManualTimers implements Timers {
         break;
       }
       this.#waiting = this.#waiting.filter((timer) => timer !== next);
-      this.#now_ms = next.due_ms;
+      this.#now_ms = Math.max(this.#now_ms, next.due_ms);
       next.run();
     }
     this.#now_ms = end_ms;

@@ -112,6 +112,25 @@ describe("silence", () => {
     expect(states.map(({ kind }) => kind)).toEqual(["connecting", "open"]);
   });
 
+  test("of a page that was busy itself is none: what came meanwhile is still to be read", () => {
+    wire().deliver(status);
+    timers.holdUp(9000);
+    timers.pass(0);
+    wire().deliver(status);
+    timers.pass(900);
+    expect(wires).toHaveLength(1);
+    expect(states.map(({ kind }) => kind)).toEqual(["connecting", "open"]);
+  });
+
+  test("is noticed also where every look comes late, as in a hidden tab", () => {
+    wire().deliver(status);
+    for (let minute = 0; minute < 2; minute += 1) {
+      timers.holdUp(60_000);
+      timers.pass(0);
+    }
+    expect(wires[0]?.closed).toBe(true);
+  });
+
   test("that lasts gives the line up and dials again", () => {
     wire().deliver(status);
     timers.pass(6000);

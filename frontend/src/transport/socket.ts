@@ -40,6 +40,7 @@ const SILENT_AFTER_MS = 1000;
 /** A line that stays silent so long is given up and dialled again. */
 const GIVE_UP_AFTER_MS = 5000;
 const CHECK_EVERY_MS = 250;
+const LATE_MS = 750;
 const FIRST_RETRY_MS = 250;
 const LAST_RETRY_MS = 4000;
 
@@ -49,6 +50,8 @@ export class StreamSocket {
   #wire: Wire | null = null;
   #state: SocketState = { kind: "connecting" };
   #heard_ms = 0;
+  #looked_ms = 0;
+  #wasHeldUp = false;
   #failures = 0;
   #cancelTimer: () => void = () => undefined;
   #stopped = true;
@@ -95,6 +98,7 @@ export class StreamSocket {
       onClose: () => this.#wire === wire && this.#lost(),
     });
     this.#wire = wire;
+    this.#looked_ms = this.#heard_ms;
     this.#watch();
   }
 
@@ -121,18 +125,36 @@ export class StreamSocket {
 
   /** Look at the silence every quarter of a second, for as long as the line stands. */
   #watch(): void {
-    const { timers } = this.#options;
-    this.#cancelTimer = timers.after(CHECK_EVERY_MS, () => {
-      const silence_ms = timers.now_ms() - this.#heard_ms;
-      if (silence_ms >= GIVE_UP_AFTER_MS) {
+    this.#cancelTimer = this.#options.timers.after(CHECK_EVERY_MS, () => {
+      if (this.#isHeldUp() || this.#look()) {
+        this.#watch();
+      } else {
         this.#lost();
-        return;
       }
-      if (silence_ms >= SILENT_AFTER_MS && this.#state.kind === "open") {
-        this.#become({ kind: "silent" });
-      }
-      this.#watch();
     });
+  }
+
+  /**
+   * Whether this look comes much too late: the page itself was busy, and what came meanwhile is still to be read. Never
+   * twice in a row, for in a hidden tab every look is late.
+   */
+  #isHeldUp(): boolean {
+    const before_ms = this.#looked_ms;
+    this.#looked_ms = this.#options.timers.now_ms();
+    this.#wasHeldUp = !this.#wasHeldUp && this.#looked_ms - before_ms > LATE_MS;
+    return this.#wasHeldUp;
+  }
+
+  /** Notice silence; false if it has lasted too long. */
+  #look(): boolean {
+    const silence_ms = this.#options.timers.now_ms() - this.#heard_ms;
+    if (silence_ms >= GIVE_UP_AFTER_MS) {
+      return false;
+    }
+    if (silence_ms >= SILENT_AFTER_MS && this.#state.kind === "open") {
+      this.#become({ kind: "silent" });
+    }
+    return true;
   }
 
   #lost(): void {

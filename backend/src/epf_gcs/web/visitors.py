@@ -1,7 +1,8 @@
 """The open connections, and their limits for each host and in total.
 
 At a limit a new connection replaces an idle one, the longest idle of the host with the most connections, so that nobody
-can lock others out by holding connections open. This computer has limits of its own, apart from all other hosts.
+can lock others out by holding connections open. This computer has limits of its own, apart from all other hosts. A
+network of IPv6 addresses is one host: any of its computers may use all of them.
 """
 
 from __future__ import annotations
@@ -12,6 +13,8 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import Final, Protocol
+
+from epf_gcs.web.access.guessing import group_of
 
 RESERVED_DESCRIPTORS: Final = 200
 """Descriptors kept for files, links, recordings and worker processes."""
@@ -27,7 +30,8 @@ class Limits:
     connections_per_host: int = 200
     for_this_computer: int = 300
     sockets: int = 400
-    sockets_per_host: int = 40
+    sockets_per_host: int = 120
+    """A class behind one address, with a second page each. Who opens more than a few is somebody that was let in."""
     sockets_for_this_computer: int = 250
     handshake_s: float = 10.0
     """From the connection to the end of the TLS handshake."""
@@ -88,7 +92,7 @@ class Visitors:
 
     def come_in(self, visitor: Visitor) -> bool:
         """Add a connection; False if the limit is reached and no idle connection can be closed."""
-        key, limits = _key(visitor.host), self.limits
+        key, limits = host_of(visitor.host), self.limits
         most = limits.connections_per_host if key else limits.for_this_computer
         fits = len(self._of.get(key, ())) < most or self._make_room([key])
         if fits and key and len(self) - len(self._of.get("", ())) >= limits.connections:
@@ -102,7 +106,7 @@ class Visitors:
 
     def become_socket(self, visitor: Visitor) -> bool:
         """Count this connection as a WebSocket; False if the limit is reached."""
-        key, limits = _key(visitor.host), self.limits
+        key, limits = host_of(visitor.host), self.limits
         most = limits.sockets_per_host if key else limits.sockets_for_this_computer
         others = self.sockets - len(self._sockets.get("", ()))
         if len(self._sockets.get(key, ())) >= most or (key and others >= limits.sockets):
@@ -113,7 +117,7 @@ class Visitors:
 
     def leave(self, visitor: Visitor) -> None:
         """Remove a connection. Idempotent."""
-        key = _key(visitor.host)
+        key = host_of(visitor.host)
         if (those := self._of.get(key)) is not None:
             those.pop(visitor, None)
             if not those:
@@ -135,8 +139,10 @@ class Visitors:
         return False
 
 
-def _key(host: str) -> str:
-    return "" if is_this_computer(host) else host
+@lru_cache(maxsize=4096)
+def host_of(host: str) -> str:
+    """What counts as one host: the same text for all of its addresses, "" for this computer."""
+    return "" if is_this_computer(host) else group_of(host)
 
 
 @lru_cache(maxsize=4096)

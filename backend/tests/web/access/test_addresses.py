@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 from pydantic import ValidationError
 
+from epf_gcs.web.access.addresses import addresses
 from epf_gcs.web.access.roles import Role
 from epf_gcs.web.settings import Settings
 from tests.support.callers import person, strict_gateway
@@ -35,6 +36,25 @@ def test_what_the_user_said_comes_first_in_addresses_and_invitations(contained: 
 def test_the_certificate_is_for_it_too(tmp_path: Path) -> None:
     with running_gateway(tmp_path / "data", tls=True, reached_at="https://[fd00::7]:9000") as gateway:
         assert "fd00::7" in gateway.http.get("/access/certificates").json()["certificate"]["addresses"]
+
+
+@pytest.mark.parametrize(
+    ("listens_on", "numbers"),
+    [
+        ("0.0.0.0", ["http://192.168.1.5:8000"]),  # noqa: S104 - nothing listens
+        ("::", ["http://[fd00::2]:8000"]),
+        ("fd00::2", ["http://[fd00::2]:8000"]),
+        ("127.0.0.1", []),
+        ("::1", []),
+    ],
+)
+def test_only_addresses_at_which_the_station_answers_a_browser_are_told(
+    monkeypatch: pytest.MonkeyPatch, listens_on: str, numbers: list[str]
+) -> None:
+    here = ["127.0.0.1", "::1", "192.168.1.5", "fd00::2", "fe80::1%eth0"]
+    monkeypatch.setattr("epf_gcs.web.access.addresses.addresses_here", lambda: here)
+    told = addresses(listens_on, 8000, secure=False)
+    assert [address for address in told if not address.endswith(".local:8000")] == numbers
 
 
 @pytest.mark.parametrize(

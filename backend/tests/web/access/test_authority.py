@@ -279,6 +279,55 @@ def test_a_lost_holders_control_is_free_at_once_the_stick_first_and_is_kept_for_
     assert desk.rules.kept_for is None
 
 
+def test_a_busy_holder_has_its_hand_off_the_stick_and_keeps_control_while_nobody_asks() -> None:
+    desk = Desk(ANA, BEA)
+    desk.rules.move_stick("ana", 1.0, moved=True)
+    assert desk.rules.hang("ana") == [StickLost("ana")]
+    assert desk.rules.tick(100.0) == []
+    assert desk.holder == "ana"
+    assert desk.rules.heard("ana", 100.0) == []
+    desk.rules.ask("bea", 101.0)
+    assert desk.rules.tick(101.1) == [], "who goes on is asked as anybody is"
+
+
+@pytest.mark.parametrize("asks_first", [True, False])
+def test_whoever_asks_a_holder_that_does_nothing_gets_control_at_once(asks_first: bool) -> None:
+    desk = Desk(ANA, BEA)
+    if asks_first:
+        desk.rules.ask("bea", 1.0)
+    desk.rules.hang("ana")
+    if not asks_first:
+        desk.rules.ask("bea", 1.0)
+    assert reasons(desk.rules.tick(1.1)) == [(None, "silent"), ("bea", "asked")]
+    assert desk.rules.heard("ana", 2.0) == []
+    assert desk.holder == "bea"
+
+
+def test_who_gets_control_from_a_page_that_hung_is_asked_as_anybody_is() -> None:
+    desk = Desk(ANA, BEA, OLGA)
+    desk.rules.hang("ana")
+    desk.rules.take("olga", 1.0, confirmed=True)
+    desk.rules.ask("bea", 2.0)
+    assert desk.rules.tick(2.1) == []
+
+
+def test_a_stick_that_moves_is_a_page_that_goes_on() -> None:
+    desk = Desk(ANA, BEA)
+    desk.rules.hang("ana")
+    assert desk.rules.move_stick("ana", 1.0, moved=False)
+    desk.rules.ask("bea", 2.0)
+    assert desk.rules.tick(2.1) == []
+
+
+def test_a_page_without_control_that_hangs_is_nobody_to_give_it_to() -> None:
+    desk = Desk(ANA, BEA)
+    desk.rules.ask("bea", 1.0)
+    assert desk.rules.hang("bea") == []
+    refused(lambda: desk.rules.grant("ana", "bea", 2.0), "client_silent")
+    desk.rules.hang("ana")
+    assert desk.rules.tick(20.0) == [], "who asked does not answer either"
+
+
 def test_what_is_kept_for_a_return_goes_to_who_asks() -> None:
     desk = Desk(ANA, BEA)
     desk.rules.disconnect("ana", 1.0)

@@ -204,15 +204,26 @@ def test_a_page_that_comes_back_on_another_line_takes_the_place_of_its_cut_one(g
     line.close()
 
 
-def test_a_page_that_hangs_loses_control_although_its_browser_answers_and_has_it_again_when_it_goes_on(
+def test_a_page_that_is_busy_lets_the_stick_go_and_keeps_control_unless_somebody_asks(
     gateway: Gateway, opened: Open
 ) -> None:
-    ana, eve = opened("ana"), opened("eve")
+    ana, bea, eve = opened("ana"), opened("bea"), opened("eve")
+    sample = {"type": "stick", "elevator": 1, "aileron": 0, "rudder": 0, "throttle": 1}
+    ana.send({**sample, "t_ms": 1})
     ana.hangs = True
-    assert eve.event("control")["reason"] == "silent"
-    ana.wake()
-    assert eve.event("control")["reason"] == "back"
+    eventually(lambda: gateway.web.control.is_hung, "its page does nothing")
     assert gateway.status()["control"]["client"] == ana.client
+    ana.wake()
+    eventually(lambda: not gateway.web.control.is_hung, "it goes on")
+    ana.send({**sample, "t_ms": 2})
+    eventually(lambda: gateway.flight.stick.counts["taken"] == 2, "and flies on")
+    assert not [kind for kind in eve.unread() if kind == "control"], "nobody heard of a change"
+
+    ana.hangs = True
+    bea.act("ask")
+    assert [eve.event("control")["reason"], eve.event("control")["reason"]] == ["silent", "asked"]
+    ana.wake()
+    assert gateway.status()["control"]["client"] == bea.client
 
 
 def test_samples_of_a_stick_without_control_do_not_reach_the_flight(gateway: Gateway, opened: Open) -> None:

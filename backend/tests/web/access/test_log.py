@@ -49,7 +49,8 @@ async def test_deeds_come_newest_first_and_can_be_searched(deeds: DeedLog) -> No
         deeds.note(LOCAL if number % 2 else None, "10.0.0.1", "command", f"Número {number}", "200")
     await settled(deeds)
     assert [deed["what"] for deed in await deeds.newest(None, 3, "")] == ["Número 19", "Número 18", "Número 17"]
-    assert [deed["t_s"] for deed in await deeds.newest(3.0, 10, "")] == [2.0, 1.0]
+    third = (await deeds.newest(None, 20, ""))[-3]["at"]
+    assert [deed["t_s"] for deed in await deeds.newest(third, 10, "")] == [2.0, 1.0]
     assert [deed["what"] for deed in await deeds.newest(None, 10, "NÚMERO 7")] == ["Número 7"]
     assert {deed["kind"] for deed in await deeds.newest(None, 10, "")} == {"local", "stranger"}
 
@@ -79,6 +80,29 @@ async def test_a_full_file_is_put_aside_and_still_read(
         await settled(deeds)
     assert written(tmp_path) == [str(number) for number in range(30)]
     assert [deed["what"] for deed in await deeds.newest(None, 100, "")] == [str(number) for number in range(29, -1, -1)]
+
+
+@pytest.mark.anyio
+@pytest.mark.parametrize("block", [7, 65536])
+async def test_page_after_page_shows_each_deed_once_whatever_the_clock_does_and_while_files_are_put_aside(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, block: int
+) -> None:
+    monkeypatch.setattr(log_module, "TURNED_OVER_BYTES", 700)
+    monkeypatch.setattr(log_module, "_BLOCK", block)
+    times = iter([5.0] * 10 + [3.0] * 10 + [4.0] * 100)
+    deeds = DeedLog(tmp_path, lambda: next(times), lambda fault: pytest.fail(fault.detail))
+    for number in range(25):
+        deeds.note(None, "", "command", str(number), "200")
+        await settled(deeds)
+    read: list[str] = []
+    before = None
+    while page := await deeds.newest(before, 4, ""):
+        read += [deed["what"] for deed in page]
+        before = page[-1]["at"]
+        deeds.note(None, "", "command", "later", "200")
+        await settled(deeds)
+    assert read == [str(number) for number in range(24, -1, -1)]
+    deeds.close()
 
 
 @pytest.mark.anyio

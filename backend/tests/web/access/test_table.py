@@ -59,6 +59,41 @@ def _calls(dependant: Any) -> Iterator[Any]:
         yield from _calls(part)
 
 
+FOR_ANYONE = {
+    ("GET", "/{path:path}"),
+    ("GET", "/health"),
+    ("GET", "/api/v1/access/me"),
+    ("GET", "/api/v1/access/authority"),
+    ("POST", "/api/v1/access/enter"),
+    ("POST", "/api/v1/access/ask"),
+    ("POST", "/api/v1/access/leave"),
+}
+# An answer that is made for whoever asks, and a note in the flight that is being recorded.
+A_VIEWER_MAY_SEND = {
+    ("POST", "/api/v1/missions/export"),
+    ("POST", "/api/v1/flights/{flight_id}/exports"),
+    ("POST", "/api/v1/flights/{flight_id}/marks"),
+}
+FOR_OWNERS = {
+    ("PUT", "/api/v1/flights/policy"),
+    ("DELETE", "/api/v1/flights/{flight_id}"),
+    ("POST", "/api/v1/flights/{flight_id}/restore"),
+}
+
+
+def test_the_table_says_what_it_was_decided_to_say() -> None:
+    """Written down a second time: the other tests believe the table."""
+    least = {key: entry.least for key, entry in ROUTES.items()}
+    assert {key for key in least if least[key] == OPEN} == FOR_ANYONE
+    changing = {key for key in least if key[0] not in ("GET", "HEAD")} - FOR_ANYONE
+    assert {key for key in changing if least[key] == Role.viewer} == A_VIEWER_MAY_SEND
+    administering = {key for key in least if "/access/" in key[1]} - FOR_ANYONE
+    shown_to_all = {("GET", "/api/v1/access/addresses"), ("GET", "/api/v1/access/code")}
+    assert administering > shown_to_all
+    assert {key for key in least if least[key] == Role.owner} == FOR_OWNERS | administering - shown_to_all
+    assert all(least[key] >= Role.operator for key, entry in ROUTES.items() if entry.control)
+
+
 @pytest.mark.parametrize(
     ("method", "path", "least"),
     [

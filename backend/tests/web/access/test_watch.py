@@ -5,10 +5,11 @@ from __future__ import annotations
 import pytest
 
 from epf_gcs.web.access.changes import Page
-from epf_gcs.web.access.watch import Watch
+from epf_gcs.web.access.watch import Found, Watch
 
 CUT_LOOKS = 7
 HUNG_LOOKS = 20
+STUCK_LOOKS = 100
 
 
 class Line:
@@ -30,30 +31,36 @@ class Line:
         raise AssertionError(f"looking does not rename {page}")
 
 
-def looks_until_silent(line: Line) -> int | None:
+def looks_until(found: Found, line: Line) -> int | None:
     watch = Watch()
-    assert not watch.look(line)
-    return next((look for look in range(1, 50) if watch.look(line)), None)
+    assert watch.look(line) == "heard"
+    return next((look for look in range(1, 200) if watch.look(line) == found), None)
 
 
 @pytest.mark.parametrize("is_waited_for", [True, False])
 def test_a_line_on_which_nothing_comes_is_pinged_and_counts_as_cut(is_waited_for: bool) -> None:
     line = Line(is_waited_for=is_waited_for)
-    assert looks_until_silent(line) == CUT_LOOKS
+    assert looks_until("silent", line) == CUT_LOOKS
     assert line.pings == 3
 
 
-def test_a_page_whose_browser_answers_but_which_acknowledges_nothing_hangs() -> None:
-    assert looks_until_silent(Line(answers=True)) == HUNG_LOOKS
+def test_a_page_whose_browser_answers_but_which_acknowledges_nothing_hangs_and_at_last_is_stuck() -> None:
+    assert looks_until("hangs", Line(answers=True)) == HUNG_LOOKS
+    assert looks_until("silent", Line(answers=True)) == STUCK_LOOKS
 
 
 def test_a_page_that_is_sent_nothing_owes_nothing() -> None:
-    assert looks_until_silent(Line(answers=True, is_waited_for=False)) is None
+    assert looks_until("hangs", Line(answers=True, is_waited_for=False)) is None
 
 
 def test_whatever_is_said_begins_it_anew() -> None:
     line, watch = Line(), Watch()
     for _ in range(5):
-        assert not any(watch.look(line) for _ in range(CUT_LOOKS - 1))
+        assert {watch.look(line) for _ in range(CUT_LOOKS - 1)} == {"heard"}
         line.heard += 1
         line.said += 1
+    line.answers = True
+    for _ in range(STUCK_LOOKS):
+        watch.look(line)
+    line.said += 1
+    assert watch.look(line) == "heard", "a page that was stuck goes on"

@@ -23,7 +23,7 @@ export function AccessLog() {
 
   const read = useCallback(
     async (before: readonly DeedState[]): Promise<void> => {
-      const answer = await readLog(text, before.at(-1)?.t_s ?? null);
+      const answer = await readLog(text, before.at(-1)?.at ?? null);
       if ("deeds" in answer) {
         setDeeds([...before, ...answer.deeds]);
         setMore(answer.deeds.length === LOG_LINES);
@@ -52,7 +52,7 @@ export function AccessLog() {
           ]}
         >
           {deeds.map((deed) => (
-            <Deed key={`${deed.t_s} ${deed.deed} ${deed.what}`} deed={deed} />
+            <Deed key={deed.at} deed={deed} />
           ))}
         </Rows>
       )}

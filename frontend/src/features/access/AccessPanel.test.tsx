@@ -152,3 +152,22 @@ test("an address and the certificate are shown as codes when asked for", async (
   const trusted = within(panel()).getByRole("img", { name: "Código QR de Descargar el certificado" });
   expect(trusted.getAttribute("src")).toContain("to=authority");
 });
+
+test("the log goes on where its last line stands, and lines that say the same are all shown", async () => {
+  const station = await setup("owner");
+  await lists(station, []);
+  await user.click(within(panel()).getByRole("tab", { name: "Registro" }));
+  const deed = { t_s: 5, name: "Ana", kind: "person", role: "operator", address: "10.0.0.7" };
+  const same = { ...deed, deed: "command", what: "POST /commands/ahrs_on", result: "200" };
+  const first = newest(station, "GET", "log");
+  expect(new URLSearchParams(first.path.split("?")[1]).has("before")).toBe(false);
+  await first.answer({
+    deeds: Array.from({ length: 100 }, (_, row) => ({ ...same, at: 20_000 - 100 * row })),
+  });
+  await user.click(within(panel()).getByRole("button", { name: "Más antiguos" }));
+  const second = newest(station, "GET", "log");
+  expect(new URLSearchParams(second.path.split("?")[1]).get("before")).toBe("10100");
+  await second.answer({ deeds: [{ ...same, at: 300 }] });
+  expect(within(panel()).getAllByRole("row", { name: /ahrs_on/ })).toHaveLength(101);
+  expect(within(panel()).queryByRole("button", { name: "Más antiguos" })).toBeNull();
+});

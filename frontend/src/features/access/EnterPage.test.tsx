@@ -1,6 +1,6 @@
 import { cleanup, screen } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
-import { expect, test } from "vitest";
+import { expect, test, vi } from "vitest";
 import { type Asked, Station } from "../../test/station";
 
 const user = userEvent.setup();
@@ -70,6 +70,26 @@ test("who is in already needs no key: the one in the address stays unused", asyn
   await newest(station, "me").answer({ ...ANA, kind: "local", role: "owner" });
   expect(station.wires.length).toBe(1);
   expect(station.askedAccess.map(({ path }) => path)).not.toContain("/api/v1/access/enter");
+});
+
+test("a browser without cookies says so before a key is spent", async () => {
+  vi.spyOn(window.navigator, "cookieEnabled", "get").mockReturnValue(false);
+  const station = await stranger("http://station/#key=7K2Q-AAAA-BBBB-CCCC");
+  expect(screen.getAllByText(/no guarda cookies/)[0]?.closest("[role=status]")).toBeTruthy();
+  await sayWho();
+  await user.click(screen.getByRole("button", { name: "Entrar" }));
+  await user.click(screen.getByRole("button", { name: "Pedir entrar" }));
+  expect(station.askedAccess.map(({ path }) => path)).toEqual(["/api/v1/access/me"]);
+});
+
+test("a cookie that was not kept is told apart from an access that has ended", async () => {
+  const station = await stranger();
+  await sayWho();
+  await user.type(screen.getByRole("textbox", { name: "Clave de un solo uso" }), "aaaabbbbccccdddd{Enter}");
+  await newest(station, "enter").answer(ANA);
+  station.wires.at(-1)?.breakOff();
+  await newest(station, "me").answer(STRANGER);
+  expect(screen.getByRole("alert").textContent).toMatch(/no ha guardado la cookie/);
 });
 
 test("a wrong key says so and can be typed again", async () => {

@@ -29,6 +29,7 @@ export function EnterPage() {
           <h1>{t("access.enterTitle")}</h1>
           <LanguageSwitch />
         </header>
+        {!window.navigator.cookieEnabled && <Notice level="warning">{t("access.cookiesOff")}</Notice>}
         {message !== null && (
           <Notice level={message.level === "info" ? "info" : message.level}>{sentence(message)}</Notice>
         )}
@@ -66,9 +67,11 @@ function Form() {
       ? t("access.retryIn", { seconds: retry_s })
       : isAsking
         ? t("words.pending")
-        : isNamed
-          ? undefined
-          : t("access.nameFirst");
+        : !window.navigator.cookieEnabled
+          ? t("access.cookiesOff")
+          : isNamed
+            ? undefined
+            : t("access.nameFirst");
 
   function enter(): void {
     if (reason === undefined && key !== "") {

@@ -67,8 +67,8 @@ export interface AccessAdmin {
   readonly invite: (wish: InvitationWish, asker: Asker) => Promise<void>;
   readonly endInvitation: (id: string, asker: Asker) => Promise<void>;
   readonly putAway: () => void;
-  /** The newest deeds before a Unix time that have this text in them. */
-  readonly readLog: (text: string, before_s: number | null) => Promise<Deeds | Message>;
+  /** The newest deeds that have this text in them, or those before the one that stands at `before`. */
+  readonly readLog: (text: string, before: number | null) => Promise<Deeds | Message>;
   /** The address line of this page, for the address of a tab without a key. */
   readonly address: () => string;
 }
@@ -193,10 +193,10 @@ export function createAccessAdmin(parts: AdminParts): AccessAdmin {
     endInvitation: (id, asker) =>
       change(simply(asker, ["DELETE", `${ROOT}/invitations/${id}`], info("access.invitationEnded"))),
     putAway: () => store.setState({ made: null }),
-    readLog: async (text, before_s) => {
+    readLog: async (text, before) => {
       const query = new URLSearchParams({ limit: String(LOG_LINES), text });
-      if (before_s !== null) {
-        query.set("before", String(before_s));
+      if (before !== null) {
+        query.set("before", String(before));
       }
       const answer = await rest.ask("GET", `${ROOT}/log?${query}`, isDeeds);
       return answer.ok ? answer.value : failureMessage(answer.problem);

@@ -82,6 +82,8 @@ export function createEntry(parts: EntryParts): EntryProcess {
   }));
   let cancel: () => void = () => undefined;
   let asked = 0;
+  // Let in, and not yet known by the cookie that came with it.
+  let isUnproven = false;
 
   async function review(): Promise<void> {
     asked += 1;
@@ -92,6 +94,7 @@ export function createEntry(parts: EntryParts): EntryProcess {
     }
     if (answer.ok) {
       take(answer.value);
+      isUnproven = false;
     } else if (admission.getState().state === "unknown") {
       // A station that does not answer is dialled until it does, and asked again then.
       start();
@@ -110,7 +113,9 @@ export function createEntry(parts: EntryParts): EntryProcess {
       return;
     }
     stop();
-    if (before.state === "in") {
+    if (isUnproven && me.state === "stranger") {
+      store.setState({ message: { level: "error", key: "access.cookieNotKept", params: {} } });
+    } else if (before.state === "in") {
       store.setState({ message: { level: "warning", key: "access.ended", params: {} } });
     } else if (before.state === "waiting" && me.state === "stranger") {
       store.setState({ message: { level: "warning", key: "access.notLetIn", params: {} } });
@@ -131,6 +136,7 @@ export function createEntry(parts: EntryParts): EntryProcess {
     asked += 1;
     if (answer.ok) {
       take(answer.value);
+      isUnproven = answer.value.state === "in";
     } else {
       failed(answer.problem);
     }

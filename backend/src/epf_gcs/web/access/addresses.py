@@ -23,7 +23,7 @@ def addresses(host: str, port: int, *, secure: bool, reached_at: str | None = No
 
     Empty where it listens on the loopback alone.
     """
-    hosts = [host] if host not in _ANY else [*_own_addresses(with_ipv6=host == "::"), *own_names()[-1:]]
+    hosts = [host] if host not in _ANY else [*_own_addresses(6 if host == "::" else 4), *own_names()[-1:]]
     scheme = "https" if secure else "http"
     reached = [_in_url(one) for one in hosts if not _is_loopback(one)]
     own = [f"{scheme}://{one}:{port}" for one in reached]
@@ -55,17 +55,18 @@ def own_names() -> list[str]:
     return [name, short, f"{short}.local"] if short else []
 
 
-def _own_addresses(*, with_ipv6: bool) -> list[str]:
-    return sorted(_reachable(addresses_here(), with_ipv6=with_ipv6), key=lambda number: ":" in number)
+def _own_addresses(version: int) -> list[str]:
+    return _reachable(addresses_here(), version)
 
 
-def _reachable(numbers: Iterable[str], *, with_ipv6: bool) -> list[str]:
-    """A link-local address needs its zone in the URL, which browsers refuse."""
+def _reachable(numbers: Iterable[str], version: int) -> list[str]:
+    """Whoever listens on all addresses of one version is not reached by the other. A link-local address needs its zone
+    in the URL, which browsers refuse."""
     parsed = [ipaddress.ip_address(number.partition("%")[0]) for number in numbers]
     return [
         str(number)
         for number in parsed
-        if (number.version == 4 or with_ipv6) and not number.is_loopback and not number.is_link_local
+        if number.version == version and not number.is_loopback and not number.is_link_local
     ]
 
 

@@ -47,6 +47,8 @@ class Authority:
         self.kept_until_s: float | None = None
         # Whose stream is open, although nothing is heard.
         self.silent_pages: set[str] = set()
+        # The page that has control and does nothing, although its line stands: busy, or stuck.
+        self.hung: str | None = None
         self._refused_s: dict[str, float] = {}
         self._did_s = 0.0
         self._effects: list[Effect] = []
@@ -119,9 +121,23 @@ class Authority:
             self._lose("silent", now_s)
         return self._done()
 
+    def hang(self, client: str) -> list[Effect]:
+        """A page does nothing, although its line stands: a globe is loading, or it is stuck.
+
+        Its hand is off the stick, and whoever asks gets control; while nobody does, a busy page loses nothing.
+        """
+        if self.holder is not None and self.holder.client == client:
+            self.hung = client
+            self._let_stick_go()
+        else:
+            self.silent_pages.add(client)
+        return self._done()
+
     def heard(self, client: str, now_s: float) -> list[Effect]:
         """A page is heard again, or did something."""
         self.silent_pages.discard(client)
+        if self.hung == client:
+            self.hung = None
         page, last = self.pages[client], self.last
         if self.holder is None:
             if last is not None and (last.client, last.session) == (client, page.session) and page.may_command:
@@ -141,7 +157,7 @@ class Authority:
         """A sample of a page's stick, `moved` since the one before. False: it does not count, for it has no control."""
         if self.holder is None or self.holder.client != client:
             return False
-        self.stick = client
+        self.stick, self.hung = client, None
         if moved:
             self._did_s = now_s
         return True
@@ -223,7 +239,10 @@ class Authority:
                 self._kept_over(now_s)
         else:
             asker = self._longest_asker()
-            if asker is not None and now_s >= self.given_s(asker.client):
+            if asker is not None and self.hung is not None:
+                self.silent_pages.add(self.hung)
+                self._lose("silent", now_s)
+            elif asker is not None and now_s >= self.given_s(asker.client):
                 self._give(asker, "unanswered", now_s)
         return self._done()
 
@@ -235,14 +254,14 @@ class Authority:
     def _give(self, page: Page, reason: Reason, now_s: float) -> None:
         before = self.holder
         self._let_stick_go()
-        self.holder = page
+        self.holder, self.hung = page, None
         self.since_s = self._did_s = now_s
         self.last = self.kept_until_s = None
         self._close(page, "given")
         self._effects.append(HolderChanged(page, reason, before))
 
     def _free(self, reason: Reason) -> None:
-        before, self.holder = self.holder, None
+        before, self.holder, self.hung = self.holder, None, None
         self._let_stick_go()
         self._effects.append(HolderChanged(None, reason, before))
 

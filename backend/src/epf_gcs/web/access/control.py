@@ -12,7 +12,7 @@ from typing import Any, Final, Protocol
 from epf_gcs.bus.definition import Asker
 from epf_gcs.clock import Clock
 from epf_gcs.web.access import refusals
-from epf_gcs.web.access.authority import Authority
+from epf_gcs.web.access.authority import KEPT_S, Authority
 from epf_gcs.web.access.caller import LOCAL_SESSION, Caller
 from epf_gcs.web.access.changes import Effect, HolderChanged, KeptOver, Page, RequestClosed, RequestOpened, StickLost
 from epf_gcs.web.access.roles import Role
@@ -64,6 +64,11 @@ class Control:
     def holder(self) -> Page | None:
         """The page that has control."""
         return self._rules.holder
+
+    @property
+    def is_hung(self) -> bool:
+        """Whether the page that has control does nothing, although its line stands."""
+        return self._rules.hung is not None
 
     def is_connected(self, client_id: str) -> bool:
         """Whether a live stream has this id."""
@@ -135,9 +140,13 @@ class Control:
             self._apply(self._rules.restore(page, self._clock.steady_s()))
             self._arm()
 
-    def tell_flight(self) -> None:
-        """Tell the flight process who may move the stick, or for whom it is kept meanwhile."""
-        page = self._rules.holder or self._rules.kept_for
+    def tell_flight(self, put_out: Page | None = None) -> None:
+        """Tell the flight process who may move the stick, or for whom it is kept meanwhile.
+
+        `put_out` has just lost control for good. To the aircraft that is a radio that fell silent: nobody else's hand
+        is on another stick yet.
+        """
+        page = self._rules.holder or self._rules.kept_for or put_out
         if page is None:
             self._told.notice("control", client=None, name=None)
             return
@@ -246,7 +255,9 @@ class Control:
             match effect:
                 case HolderChanged(page, reason, before):
                     self._stick_at = None
-                    self.tell_flight()
+                    self.tell_flight(before if reason == "ended" else None)
+                    if reason == "ended":
+                        self._loop.call_later(KEPT_S, self.tell_flight)
                     self.on_holder(effect)
                     before_fields = None if before is None else fields(before)
                     self._told.event("control", {**fields(page), "reason": reason, "before": before_fields})
@@ -275,9 +286,14 @@ class Control:
         watched = [*rules.requests, *rules.silent_pages, *(() if rules.holder is None else (rules.holder.client,))]
         self._watches = {client: self._watches.get(client) or Watch() for client in dict.fromkeys(watched)}
         for client, watch in tuple(self._watches.items()):
-            is_silent = watch.look(self._lines[client])
-            if is_silent != (client in rules.silent_pages):
-                tell = rules.silent if is_silent else rules.heard
+            found = watch.look(self._lines[client])
+            known = "silent" if client in rules.silent_pages else "hangs" if client == rules.hung else "heard"
+            if found == known or (found, known) == ("hangs", "silent"):
+                continue
+            if found == "hangs":
+                self._apply(rules.hang(client))
+            else:
+                tell = rules.silent if found == "silent" else rules.heard
                 self._apply(tell(client, self._clock.steady_s()))
         self._apply(rules.tick(self._clock.steady_s()))
         if self._lines or rules.kept_for is not None:

@@ -7,12 +7,13 @@ are put aside under a number and never deleted. Written and synced by a thread o
 from __future__ import annotations
 
 import asyncio
+import contextlib
 import errno
 import os
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
-from typing import Any, Final
+from typing import Any, BinaryIO, Final
 
 import orjson
 
@@ -70,10 +71,13 @@ class DeedLog:
                 self._written
             )
 
-    async def newest(self, before_s: float | None, limit: int, text: str) -> list[Deed]:
-        """Up to `limit` deeds before this Unix time that have this text in them, newest first."""
+    async def newest(self, before: int | None, limit: int, text: str) -> list[Deed]:
+        """Up to `limit` deeds that have this text in them and stand before the one at `before`, newest first.
+
+        Each says as `at` where it stands: its byte in all files together. Times can be the same, and go back.
+        """
         return await asyncio.get_running_loop().run_in_executor(
-            None, lambda: list(self._search(before_s, limit, text.casefold()))
+            None, lambda: list(self._search(before, limit, text.casefold()))
         )
 
     def _take(self) -> bytes:
@@ -126,40 +130,55 @@ class DeedLog:
     def _older(self) -> list[Path]:
         return sorted(self._folder.glob("people.[0-9][0-9][0-9][0-9].jsonl"))
 
-    def _search(self, before_s: float | None, limit: int, text: str) -> Iterator[Deed]:
+    def _search(self, before: int | None, limit: int, text: str) -> Iterator[Deed]:
         found = 0
-        for path in (self._path, *reversed(self._older())):
-            for line in _backwards(path):
-                # A line that a power cut tore is left out.
-                try:
-                    deed = orjson.loads(line)
-                except orjson.JSONDecodeError:
-                    continue
-                if before_s is not None and deed["t_s"] >= before_s:
-                    continue
-                if text and text not in line.decode("utf-8", "replace").casefold():
-                    continue
-                yield deed
-                found += 1
-                if found >= limit:
-                    return
+        for at, line in self._lines_backwards():
+            # A line that a power cut tore is left out.
+            try:
+                deed = orjson.loads(line)
+            except orjson.JSONDecodeError:
+                continue
+            if before is not None and at >= before:
+                continue
+            if text and text not in line.decode("utf-8", "replace").casefold():
+                continue
+            yield {**deed, "at": at}
+            found += 1
+            if found >= limit:
+                return
+
+    def _lines_backwards(self) -> Iterator[tuple[int, bytes]]:
+        """All lines with their places, the last one first."""
+        with contextlib.ExitStack() as opened:
+            files: list[BinaryIO] = []
+            # The newest first: if it is put aside meanwhile, it is found among the older ones too, and left out there.
+            with contextlib.suppress(FileNotFoundError):
+                files.append(opened.enter_context(self._path.open("rb")))
+            for path in reversed(self._older()):
+                file: BinaryIO = opened.enter_context(path.open("rb"))
+                if not files or not os.path.sameopenfile(files[0].fileno(), file.fileno()):
+                    files.append(file)
+            sizes = [file.seek(0, os.SEEK_END) for file in files]
+            end = sum(sizes)
+            for one, size in zip(files, sizes, strict=True):
+                end -= size
+                for at, line in _backwards(one, size):
+                    yield end + at, line
 
 
-def _backwards(path: Path) -> Iterator[bytes]:
-    """The lines of a file, the last one first, without reading it whole."""
-    try:
-        file = path.open("rb")
-    except FileNotFoundError:
-        return
-    with file:
-        start = file.seek(0, os.SEEK_END)
-        rest = b""
-        while start > 0:
-            size = min(_BLOCK, start)
-            start -= size
-            file.seek(start)
-            lines = (file.read(size) + rest).split(b"\n")
-            rest = lines.pop(0)
-            yield from (line for line in reversed(lines) if line)
-        if rest:
-            yield rest
+def _backwards(file: BinaryIO, size: int) -> Iterator[tuple[int, bytes]]:
+    """The lines of a file with their places, the last one first, without reading it whole."""
+    start, rest = size, b""
+    while start > 0:
+        block = min(_BLOCK, start)
+        start -= block
+        file.seek(start)
+        lines = (file.read(block) + rest).split(b"\n")
+        rest = lines.pop(0)
+        at = start + len(rest) + sum(len(line) + 1 for line in lines) + 1
+        for line in reversed(lines):
+            at -= len(line) + 1
+            if line:
+                yield at, line
+    if rest:
+        yield 0, rest

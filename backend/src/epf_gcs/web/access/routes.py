@@ -44,6 +44,8 @@ router = APIRouter(prefix="/access", tags=["access"])
 
 Id = Annotated[str, Path(pattern="^[0-9a-f]{8,16}$", examples=["0123456789abcdef"])]
 _MOST_DEEDS: Final = 500
+# Whole in every language, and farther than a disk reaches.
+_FARTHEST: Final = 2**53 - 1
 SVG: Final = "image/svg+xml"
 
 
@@ -209,7 +211,7 @@ async def get_code(
 @router.get("/log", responses=reading_problems())
 async def get_log(
     admission: AdmissionDep,
-    before: Annotated[float | None, Query(description="Unix time; for the page after the last one.")] = None,
+    before: Annotated[int | None, Query(ge=0, le=_FARTHEST, description="`at` of the last deed that was read.")] = None,
     limit: Annotated[int, Query(ge=1, le=_MOST_DEEDS)] = 100,
     text: Annotated[str, Query(max_length=100, description="Only lines that have this in them.")] = "",
 ) -> Deeds:

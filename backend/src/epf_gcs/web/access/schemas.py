@@ -168,8 +168,9 @@ class Addresses(Output):
 
 
 class DeedState(Output):
-    """Something that somebody did; `role` null: a stranger."""
+    """Something that somebody did; `role` null: a stranger. `at`: where it stands in the log."""
 
+    at: int
     t_s: float
     name: str
     kind: Literal["local", "person", "program", "stranger"]

@@ -8,7 +8,7 @@ from contextlib import contextmanager
 from typing import Final
 
 from epf_gcs.errors import ConflictError
-from epf_gcs.web.visitors import is_this_computer
+from epf_gcs.web.visitors import host_of
 
 PER_HOST: Final = 3
 FROM_ELSEWHERE: Final = 4
@@ -23,7 +23,7 @@ class Uploads:
     @contextmanager
     def one_more(self, host: str) -> Iterator[None]:
         """Count an upload while inside. Raises ConflictError if the limit is reached."""
-        key = "" if is_this_computer(host) else host
+        key = host_of(host)
         elsewhere = self._of.total() - self._of[""]
         if self._of[key] >= PER_HOST or (key and elsewhere >= FROM_ELSEWHERE):
             raise ConflictError(

@@ -5,7 +5,7 @@ Looks are counted, not seconds: where this process itself was held up, what came
 
 from __future__ import annotations
 
-from typing import Final, Protocol
+from typing import Final, Literal, Protocol
 
 from epf_gcs.web.access.changes import Page
 
@@ -13,8 +13,13 @@ LOOK_EVERY_S: Final = 0.1
 _PING_EVERY: Final = 2
 # 0.7 s: with the time until the next look and the way back, control is free a second after a line was cut.
 _LINE_LOOKS: Final = 7
-# 2 s, when the throttle is closed, too: until then a page is only busy, for its browser answers.
+# 2 s, when the throttle is closed, too: until then a page is only slow, for its browser answers.
 _PAGE_LOOKS: Final = 20
+# 10 s: a globe that loads on an old laptop keeps its page busy for some of them; longer, and the page is stuck.
+_STUCK_LOOKS: Final = 100
+
+Found = Literal["heard", "hangs", "silent"]
+"""`hangs`: the browser answers, its page does nothing. `silent`: the line is cut, or the page is stuck."""
 
 
 class Line(Protocol):
@@ -49,8 +54,8 @@ class Watch:
         self._heard = self._said = -1
         self._quiet_looks = self._hung_looks = 0
 
-    def look(self, line: Line) -> bool:
-        """Whether the line is cut, or its page does not answer: nothing is heard of it."""
+    def look(self, line: Line) -> Found:
+        """What is heard of this line, and of its page."""
         if line.heard != self._heard:
             self._heard, self._quiet_looks = line.heard, 0
         else:
@@ -61,4 +66,6 @@ class Watch:
             self._said, self._hung_looks = line.said, 0
         else:
             self._hung_looks += 1
-        return self._quiet_looks >= _LINE_LOOKS or self._hung_looks >= _PAGE_LOOKS
+        if self._quiet_looks >= _LINE_LOOKS or self._hung_looks >= _STUCK_LOOKS:
+            return "silent"
+        return "hangs" if self._hung_looks >= _PAGE_LOOKS else "heard"
