@@ -20,6 +20,7 @@ MODULES = (
     "hil",
     "control",
     "strangers",
+    "terrain",
     "besieged",
     "kill",
     "plots",

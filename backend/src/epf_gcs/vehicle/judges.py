@@ -21,6 +21,9 @@ AlarmId = Literal[
     "card_failed",
     "flight_lost",
     "recorder_failed",
+    "terrain_ahead",
+    "fence_left",
+    "fence_ahead",
 ]
 Level = Literal["warning", "critical"]
 Values = Mapping[str, Any]
