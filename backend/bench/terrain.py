@@ -55,15 +55,16 @@ class RealGround:
         step_deg = 180.0 / (1 << _ZOOM) / CELLS
         x, y = (longitude_deg + 180.0) / step_deg, (latitude_deg + 90.0) / step_deg
         left, low = np.floor(x).astype(int), np.floor(y).astype(int)
+        east, north = x - left, y - low
+        columns, rows = left // CELLS, low // CELLS
         found = np.empty(latitude_deg.shape)
-        for index in range(found.size):
-            column, row = int(left[index]) // CELLS, int(low[index]) // CELLS
+        for column, row in set(zip(columns.tolist(), rows.tolist(), strict=True)):
+            here = (columns == column) & (rows == row)
             grid = self._tile(column, row)
-            i, j = int(left[index]) - column * CELLS, int(low[index]) - row * CELLS
-            east, north = float(x[index]) - int(left[index]), float(y[index]) - int(low[index])
-            lower = grid[j, i] * (1 - east) + grid[j, i + 1] * east
-            upper = grid[j + 1, i] * (1 - east) + grid[j + 1, i + 1] * east
-            found[index] = lower * (1 - north) + upper * north
+            i, j = left[here] - column * CELLS, low[here] - row * CELLS
+            lower = grid[j, i] * (1 - east[here]) + grid[j, i + 1] * east[here]
+            upper = grid[j + 1, i] * (1 - east[here]) + grid[j + 1, i + 1] * east[here]
+            found[here] = lower * (1 - north[here]) + upper * north[here]
         return found
 
     def true(self, latitude_deg: float, longitude_deg: float) -> float:

@@ -106,10 +106,10 @@ def test_the_take_off_and_the_landing_where_it_took_off_are_not_warned_of() -> N
 
     def back() -> Iterable[Fix]:
         yield from climbing()
-        for index in range(150):
-            t_s = 30 + index / 5
-            east_m = max(0.0, 750.0 - 25.0 * (t_s - 30))
-            yield Fix(t_s, PLACE[0], PLACE[1] + east_m / M_PER_DEG / ACROSS, 191.0 - 3.0 * (t_s - 30))
+        for index in range(145):
+            after_s = index / 5
+            east_m = 750.0 - 25.0 * after_s
+            yield Fix(40.0 + after_s, PLACE[0], PLACE[1] + east_m / M_PER_DEG / ACROSS, 191.0 - 3.0 * after_s)
 
     assert all(seen.terrain is None for _, seen in flown(standing_then(back()), GROUND))
 

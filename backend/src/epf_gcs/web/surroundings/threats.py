@@ -11,9 +11,9 @@ from epf_gcs.web.surroundings.motion import Vector
 from epf_gcs.web.surroundings.path import Path
 
 WARN_S: Final = 30.0
-AHEAD_S: Final = 37.0
+AHEAD_S: Final = 38.0
 """How far the path is followed: the 30 s of warning, and the time that the estimate of the track lags behind."""
-_RAISE_S: Final = 0.4
+_RAISE_S: Final = 1.0
 _END_S: Final = 6.0
 # An ended warning must be over by more than the limit that raised it.
 _WIDER: Final = 1.5
