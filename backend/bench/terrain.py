@@ -158,9 +158,7 @@ def measure_fence(encounters: int, quiet: int) -> Score:
         corners_deg, ceiling_m = some_fence(seed, place_deg, altitude_m)
         kinds = _KINDS if counts == "encounters" else _QUIET_KINDS
         plan = some_plan(seed, place_deg, altitude_m, kinds[seed % len(kinds)])
-        wanted = Wanted(
-            fence=True, corners_deg=corners_deg, ceiling_m=ceiling_m, fence_margin_m=_FENCE_MARGIN_M
-        )
+        wanted = Wanted(fence=True, corners_deg=corners_deg, ceiling_m=ceiling_m, fence_margin_m=_FENCE_MARGIN_M)
         clearance = fence_clearance(corners_deg, ceiling_m)
         judge(plan, wanted, no_heights, clearance, _FENCE_MARGIN_M, score, counts=counts)
     return score

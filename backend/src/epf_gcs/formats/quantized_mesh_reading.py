@@ -73,7 +73,7 @@ def _grid(data: bytes) -> npt.NDArray[np.float64]:
     if triangles > _MOST_TRIANGLES:
         raise ValueError(f"a tile of terrain has {triangles} triangles")
     indices = _unmarked(_numbers(data, at, 3 * triangles, width))
-    if indices.size and not (0 <= int(indices.min()) and int(indices.max()) < count):
+    if indices.size and not (int(indices.min()) >= 0 and int(indices.max()) < count):
         raise ValueError("a tile of terrain has triangles without corners")
     at += 3 * triangles * width
     heights_m = lowest_m + h / _LARGEST * (highest_m - lowest_m)

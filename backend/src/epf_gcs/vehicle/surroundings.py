@@ -6,7 +6,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any, Final
 
-from epf_gcs.vehicle.judges import AlarmId, Finding, Level
+from epf_gcs.vehicle.alarm_ids import AlarmId
+from epf_gcs.vehicle.judges import Finding, Level
 
 LASTS_S: Final = 2.0
 """A finding that is not said again for so long ends: whoever said it has gone."""

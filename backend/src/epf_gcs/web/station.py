@@ -65,9 +65,7 @@ class Station:
         self.surroundings = Surroundings(
             self.mirror, self.maps, KeptSurroundings(data_dir), self.clock.now_s, self.vehicle.notice
         )
-        self.status = WholeStatus(
-            lambda: self.mirror.status, self.control, errors, self.hub, self.surroundings.state
-        )
+        self.status = WholeStatus(lambda: self.mirror.status, self.control, errors, self.hub, self.surroundings.state)
         self.flights = Flights(
             Places(data_dir),
             Jobs(self.hub),

@@ -103,7 +103,7 @@ def some_plan(seed: int, place_deg: tuple[float, float], altitude_m: float, kind
 @dataclass
 class Score:
     """`warned` of `encounters` in time; `alarmed` of `quiet` minutes. `avoided`: minutes in which the pilot would have
-    met it and turned away after the warning: neither. `lead_s`: how long before, of each encounter."""
+    met it and turned away: neither. `near`: quiet minutes with less than twice the margin."""
 
     encounters: int = 0
     warned: int = 0
@@ -223,7 +223,8 @@ def some_fence(
     scale_m = chance.choice((2500.0, 4000.0, 6000.0, 9000.0))
     for angle in angles:
         reach_deg = scale_m * chance.uniform(0.5, 1.0) / 111_195.0
-        corners.append((place_deg[0] + reach_deg * math.cos(angle), place_deg[1] + reach_deg * math.sin(angle) / across))
+        north_deg, east_deg = reach_deg * math.cos(angle), reach_deg * math.sin(angle) / across
+        corners.append((place_deg[0] + north_deg, place_deg[1] + east_deg))
     return tuple(corners), ceiling_m
 
 

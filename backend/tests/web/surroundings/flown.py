@@ -18,8 +18,8 @@ _LATENCY_STEPS = 2
 _G = 9.81
 _EARTH_M_PER_DEG = 111_195.0
 FREE_S = 34.0
-"""An encounter counts when the pilot has flown as he does for so long before it: 30 s, and the time to roll in and to be
-measured. Nobody can be warned of a turn that was not begun."""
+"""An encounter counts when the pilot has flown as he does for so long before it: 30 s, and the time to roll in and to
+be measured. Nobody can be warned of a turn that was not begun."""
 
 TrueHeight = Callable[[float, float], float]
 """Metres above the sea at latitude and longitude; NaN: nobody knows."""

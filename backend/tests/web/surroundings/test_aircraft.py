@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Iterable
 
@@ -88,7 +89,7 @@ def test_it_does_not_chatter_at_the_edge_of_the_margin() -> None:
         fix._replace(altitude_m=1050.0 + 4.0 * math.sin(fix.t_s * 2.0)) for fix in eastward(0, 95, altitude_m=1050.0)
     )
     shown = [seen.terrain is not None for _, seen in flown(rocking, GROUND)]
-    assert sum(one != other for one, other in zip(shown, shown[1:], strict=False)) <= 2
+    assert sum(one != other for one, other in itertools.pairwise(shown)) <= 2
     assert any(shown)
 
 

@@ -1,4 +1,4 @@
-"""Made flights over made mountains: warned in time, and not when nothing is ahead. `make bench` does it over real ones."""
+"""Made flights over made mountains: warned in time, and not when nothing is ahead. `make bench`: over real ones."""
 
 from __future__ import annotations
 

@@ -26,9 +26,7 @@ def write_terrain(path: Path) -> None:
     known[:, CELLS // 2 + 1 :] = False
     with contextlib.closing(sqlite3.connect(path)) as output:
         output.execute("CREATE TABLE metadata (name TEXT, value TEXT)")
-        output.execute(
-            "CREATE TABLE tiles (zoom_level INTEGER, tile_column INTEGER, tile_row INTEGER, tile_data BLOB)"
-        )
+        output.execute("CREATE TABLE tiles (zoom_level INTEGER, tile_column INTEGER, tile_row INTEGER, tile_data BLOB)")
         bounds = f"{WEST},{SOUTH},{WEST + SIZE_DEG},{SOUTH + SIZE_DEG}"
         output.executemany(
             "INSERT INTO metadata VALUES (?, ?)",
@@ -64,7 +62,7 @@ def test_heights_come_when_they_were_read_and_unknown_ones_never(tmp_path: Path)
         assert not ground.has_heights
         reading = asyncio.create_task(ground.run())
         async with asyncio.timeout(20):
-            while np.isnan(ground.heights(north, east)).all():
+            while np.isnan(ground.heights(north, east)).all():  # noqa: ASYNC110 - nobody tells when a tile was read
                 await asyncio.sleep(0.02)
         assert ground.has_heights
         found = ground.heights(north, east)

@@ -79,7 +79,7 @@ class Reader:
     def grid(
         self, path: Path, name: str, form: LayerFormat, stamp: Stamp, zoom: int, column: int, row: int
     ) -> bytes | None:
-        """The heights of one tile of terrain; None if there is none. Rows in the file's own scheme. Raises as `tile`."""
+        """The heights of one tile of terrain; None if there is none. Rows and errors as with `tile`."""
         asked = {
             "do": "grid",
             "path": str(path),

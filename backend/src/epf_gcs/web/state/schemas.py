@@ -7,7 +7,7 @@ from typing import Literal
 from pydantic import Field
 
 from epf_gcs.errors import ErrorCode
-from epf_gcs.vehicle.judges import AlarmId
+from epf_gcs.vehicle.alarm_ids import AlarmId
 from epf_gcs.web.schemas import Input, LinkState, Output, ParamValue
 from epf_gcs.web.surroundings.schemas import SurroundingsState
 

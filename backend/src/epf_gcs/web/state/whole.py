@@ -18,8 +18,14 @@ from epf_gcs.web.stream.hub import Hub
 class WholeStatus:
     """`flight` returns the part that the flight process sent last, `around` what was seen of ground and fence."""
 
-    def __init__(self, flight: Callable[[], dict[str, Any]], control: Control, errors: ErrorLog, hub: Hub,
-        around: Callable[[], dict[str, Any]]) -> None:
+    def __init__(
+        self,
+        flight: Callable[[], dict[str, Any]],
+        control: Control,
+        errors: ErrorLog,
+        hub: Hub,
+        around: Callable[[], dict[str, Any]],
+    ) -> None:
         self._loop = asyncio.get_running_loop()
         self._flight = flight
         self._control = control

@@ -1,4 +1,4 @@
-"""The heights around the aircraft, from the station's terrain: a few tiles in memory, the others read as they are needed.
+"""The heights around the aircraft, from the station's terrain: a few tiles in memory, the others read when needed.
 
 `heights` never waits: a tile that is not here yet is not known, and is asked for.
 """
@@ -119,7 +119,7 @@ class Ground:
             held = self._look_up(_Key(layer.id, zoom, column, row), now_s)
             if held is not None and held.grid is not None:
                 here = (columns == column) & (rows == row)
-                found[here] = _between(held, latitude_deg[here], longitude_deg[here])
+                found[here] = _between(held, held.grid, latitude_deg[here], longitude_deg[here])
         return found
 
     def _look_up(self, key: _Key, now_s: float) -> _Held | None:
@@ -159,15 +159,13 @@ def _covered(layer: Layer, latitude_deg: Vector, longitude_deg: Vector) -> npt.N
     return across & (latitude_deg >= bounds.south_deg) & (latitude_deg <= bounds.north_deg)
 
 
-def _between(held: _Held, latitude_deg: Vector, longitude_deg: Vector) -> Vector:
+def _between(held: _Held, grid: npt.NDArray[np.float32], latitude_deg: Vector, longitude_deg: Vector) -> Vector:
     """Bilinear between the four points around each place; not known if one of them is not."""
-    assert held.grid is not None
     step_deg = 180.0 / (1 << held.zoom) / CELLS
     x = np.clip((longitude_deg + 180.0) / step_deg - held.column * CELLS, 0.0, CELLS)
     y = np.clip((latitude_deg + 90.0) / step_deg - held.row * CELLS, 0.0, CELLS)
     left, low = np.minimum(x.astype(int), CELLS - 1), np.minimum(y.astype(int), CELLS - 1)
     east, north = x - left, y - low
-    grid = held.grid
     lower = grid[low, left] * (1 - east) + grid[low, left + 1] * east
     upper = grid[low + 1, left] * (1 - east) + grid[low + 1, left + 1] * east
     found: Vector = (lower * (1 - north) + upper * north).astype(np.float64)

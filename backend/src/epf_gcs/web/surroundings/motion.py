@@ -130,7 +130,7 @@ class MotionEstimate:
         newest = self._fixes[-1]
         self._measure_wind(newest.t_s)
         wind_east_mps, wind_north_mps = self._wind if newest.t_s - self._wind_s <= _WIND_LASTS_S else (0.0, 0.0)
-        recent = np.array([one for one in self._since(newest.t_s - _LONG_S)])
+        recent = np.array(self._since(newest.t_s - _LONG_S))
         times_s = recent[:, 0] - newest.t_s
         air_east, air_north = recent[:, 1] - wind_east_mps, recent[:, 2] - wind_north_mps
         airspeed_mps = float(np.hypot(air_east, air_north).mean())

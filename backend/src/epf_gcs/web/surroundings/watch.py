@@ -5,7 +5,6 @@ from __future__ import annotations
 import asyncio
 import math
 from collections.abc import Callable
-from pathlib import Path
 from typing import Any, Final, Literal, Protocol
 
 from epf_gcs.formats.units import ft_from_m, m_from_ft

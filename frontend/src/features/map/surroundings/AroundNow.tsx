@@ -15,7 +15,7 @@ export function AroundNow() {
   if (around === null || around.height_ft === null) {
     return (
       <p className="map-around-now" data-level="blind" role="status">
-        {t(`map.around.blind.${around?.blind ?? "no_position"}`, { name })}
+        {t(`mapBlind.${around?.blind ?? "no_position"}`, { name })}
       </p>
     );
   }
@@ -26,7 +26,7 @@ export function AroundNow() {
       <p>{t("map.around.height", { name, height: written(around.height_ft) })}</p>
       {threats.map(({ what, in_s }) => (
         <p key={what} data-level="warned">
-          {t(`map.around.ahead.${what}`, { seconds: Math.round(in_s) })}
+          {t(`mapAhead.${what}`, { seconds: Math.round(in_s) })}
         </p>
       ))}
     </div>

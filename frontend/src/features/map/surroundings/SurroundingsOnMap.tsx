@@ -78,7 +78,7 @@ function useWarnedTracks(): void {
       around === null
         ? []
         : AIRCRAFT.map((aircraft) =>
-            warnedTrack(around[aircraft], (what, seconds) => t(`map.around.ahead.${what}`, { seconds })),
+            warnedTrack(around[aircraft], (what, seconds) => t(`mapAhead.${what}`, { seconds })),
           ).filter((track) => track.length > 0),
     [around, t],
   );
