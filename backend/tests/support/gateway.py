@@ -160,7 +160,8 @@ def running_gateway(
     server = Server(chosen) if limits is None else Server(chosen, limits, look_every_s=0.02)
     thread = threading.Thread(target=server.serve_until_signal, name="web", daemon=True)
     thread.start()
-    eventually(lambda: server.started or not thread.is_alive(), "the gateway starts")
+    # Under TLS uvicorn has "started" a moment before the doorway listens.
+    eventually(lambda: (server.started and bool(server.servers)) or not thread.is_alive(), "the gateway starts")
     gateway = Gateway(server, flight)
     try:
         yield gateway

@@ -30,6 +30,19 @@ export type TuningSignal = {
   readonly scale?: (value: number) => number;
 };
 
+/** The least that a plot of this unit spans: what one would still call a change in flight. Controls move by fractions of 1. */
+export const LEAST_SPAN: Readonly<Record<NonNullable<TuningSignal["unit"]> | "none", number>> = {
+  ft: 50,
+  ftPerMin: 500,
+  deg: 10,
+  degPerS: 10,
+  kt: 10,
+  none: 0.4,
+};
+
+/** Signals that go on at zero after 360 degrees. */
+export const TURNING: ReadonlySet<SignalName> = new Set<SignalName>(["bearingAsked", "track"]);
+
 /** `hil`: of the simulator and the HIL plan. `flight`: of the board's own sensors. */
 const SIGNALS: Readonly<Record<SignalName, Readonly<Record<Aircraft, TuningSignal>>>> = {
   altitude: {

@@ -2,13 +2,13 @@ import "./plot.css";
 import { Pause, Play } from "lucide-react";
 import { useCallback, useEffect, useMemo, useRef, useState } from "react";
 import { useTranslation } from "react-i18next";
-import { formatMeasured } from "../lib/format";
+import { formatAge, formatMeasured } from "../lib/format";
 import { extent, type HistoryWindow, SignalHistory } from "../lib/signalHistory";
 import type { TelemetryStore } from "../store/telemetry";
 import { usePaint } from "../store/usePaint";
 import { Button } from "../ui/Button";
 import { Notice } from "../ui/Notice";
-import type { PlotData, PlotHandle } from "../ui/Plot";
+import type { PlotData, PlotHandle, PlotMark } from "../ui/Plot";
 import { PlotKey, type PlotKeyHandle } from "./PlotKey";
 import { liveSignal, type Signal, signalKey } from "./signals";
 import { useLazyPlot } from "./useLazyPlot";
@@ -21,7 +21,16 @@ interface Props {
   height?: string;
   /** Accessible name. */
   label: string;
+  /** What happened, in its order: each is marked at the moment at which it was first given. */
+  events?: readonly PlotEvent[];
 }
+
+export interface PlotEvent {
+  readonly key: string;
+  readonly label: string;
+}
+
+const NO_EVENTS: readonly PlotEvent[] = [];
 
 /** Shortest time between rows: a little under the period of 60 Hz. */
 const ROW_MS = 15;
@@ -35,7 +44,7 @@ const SUMMARY_MS = 1000;
  * Signals over the last seconds, with gaps where they were not live: recorded in each animation frame, drawn ten
  * times a second, all without a render. A pause stops the drawing, not the recording. A sentence describes the plot.
  */
-export function LivePlot({ signals, window_s = 30, height, label }: Props) {
+export function LivePlot({ signals, window_s = 30, height, label, events = NO_EVENTS }: Props) {
   const { t } = useTranslation();
   const plot = useRef<PlotHandle>(null);
   const key = useRef<PlotKeyHandle>(null);
@@ -43,16 +52,17 @@ export function LivePlot({ signals, window_s = 30, height, label }: Props) {
   const [isPaused, setPaused] = useState(false);
   const shown = useStable(signals);
   const recording = useRecording(shown, window_s);
+  const marksAt = useMarks(events);
   const point = useRef<number | null>(null);
-  const frozen = useRef<HistoryWindow | null>(null);
+  const frozen = useRef<{ window: HistoryWindow; marks: readonly PlotMark[] } | null>(null);
   const said = useRef<{ say: unknown; at_ms: number }>({ say: null, at_ms: Number.NEGATIVE_INFINITY });
   const drawn = useRef<readonly Signal[] | null>(null);
   const { Plot, failed } = useLazyPlot();
 
   const say = useCallback(
-    (window: HistoryWindow): string =>
-      shown
-        .map((signal) => {
+    (window: HistoryWindow, marks: readonly PlotMark[]): string =>
+      [
+        ...shown.map((signal) => {
           const values = window.values.get(signalKey(signal)) ?? [];
           const newest = formatMeasured(values.at(-1) ?? null);
           const range = extent(values);
@@ -65,18 +75,25 @@ export function LivePlot({ signals, window_s = 30, height, label }: Props) {
                 minimum: formatMeasured(range.min) ?? "",
                 maximum: formatMeasured(range.max) ?? "",
               });
-        })
-        .join(" "),
-    [shown, t],
+        }),
+        ...marks
+          .filter(({ before_s }) => before_s >= -window_s)
+          .map(({ before_s, label: event }) => t("plot.event", { event, ago: formatAge(-before_s) })),
+      ].join(" "),
+    [shown, t, window_s],
   );
 
   const paint = useCallback(
     (telemetry: TelemetryStore, now_ms: number) => {
-      const window = (isPaused ? frozen.current : null) ?? recording(telemetry, now_ms);
-      frozen.current = window;
+      const seen = (isPaused ? frozen.current : null) ?? {
+        window: recording(telemetry, now_ms),
+        marks: marksAt(telemetry, now_ms),
+      };
+      const { window, marks } = seen;
+      frozen.current = seen;
       // A paused plot is redrawn only when its signals change.
       if (plot.current !== null && !(isPaused && drawn.current === shown)) {
-        plot.current.draw(dataOf(window, shown));
+        plot.current.draw(dataOf(window, shown), marks);
         drawn.current = shown;
       }
       key.current?.paint(shown.map((signal) => valueAt(window, signal, point.current)));
@@ -85,15 +102,20 @@ export function LivePlot({ signals, window_s = 30, height, label }: Props) {
         (said.current.say !== say || now_ms - said.current.at_ms >= SUMMARY_MS)
       ) {
         said.current = { say, at_ms: now_ms };
-        summary.current.textContent = say(window);
+        summary.current.textContent = say(window, marks);
       }
     },
-    [isPaused, recording, shown, say],
+    [isPaused, recording, shown, say, marksAt],
   );
   usePaint("text", paint);
 
   const series = useMemo(
-    () => shown.map((signal) => ({ key: signalKey(signal), unit: signal.unit ?? "" })),
+    () =>
+      shown.map((signal) => ({
+        key: signalKey(signal),
+        unit: signal.unit ?? "",
+        least_span: signal.least_span,
+      })),
     [shown],
   );
   const onPoint = useCallback((index: number | null) => {
@@ -186,7 +208,62 @@ function useRecording(signals: readonly Signal[], window_s: number): Recording {
 }
 
 function dataOf({ before_s, values }: HistoryWindow, signals: readonly Signal[]): PlotData {
-  return [before_s, ...signals.map((signal) => values.get(signalKey(signal)) ?? before_s.map(() => null))];
+  return [
+    before_s,
+    ...signals.map((signal) =>
+      brokenAtTurns(values.get(signalKey(signal)) ?? before_s.map(() => null), signal.turn),
+    ),
+  ];
+}
+
+/** Without the lines across the whole picture where an angle goes on at the other end. */
+function brokenAtTurns(
+  values: ReadonlyArray<number | null>,
+  turn: number | undefined,
+): ReadonlyArray<number | null> {
+  if (turn === undefined) {
+    return values;
+  }
+  return values.map((value, index) => {
+    const before = values[index - 1] ?? value;
+    return value !== null && before !== null && Math.abs(value - before) > turn / 2 ? null : value;
+  });
+}
+
+/** The events as marks at the moments at which they were first given; all are forgotten when a playback jumps. */
+function useMarks(
+  events: readonly PlotEvent[],
+): (telemetry: TelemetryStore, now_ms: number) => readonly PlotMark[] {
+  const first = useRef<{ jumps: number; at_s: Map<string, number> }>({ jumps: 0, at_s: new Map() });
+  const mark = useCallback(
+    (telemetry: TelemetryStore, now_ms: number) => {
+      const at_s = telemetry.axis_s(now_ms);
+      if (first.current.jumps !== telemetry.jumps) {
+        // Marks after the moment gone back to have not happened yet.
+        first.current = {
+          jumps: telemetry.jumps,
+          at_s: new Map(events.map(({ key }) => [key, Number.NEGATIVE_INFINITY])),
+        };
+      }
+      for (const { key } of events) {
+        if (!first.current.at_s.has(key)) {
+          first.current.at_s.set(key, at_s);
+        }
+      }
+    },
+    [events],
+  );
+  usePaint("movement", mark);
+  return useCallback(
+    (telemetry, now_ms) => {
+      const now_s = telemetry.axis_s(now_ms);
+      return events.flatMap(({ key, label }): readonly PlotMark[] => {
+        const at_s = first.current.at_s.get(key);
+        return at_s === undefined || !Number.isFinite(at_s) ? [] : [{ before_s: at_s - now_s, label }];
+      });
+    },
+    [events],
+  );
 }
 
 /** The value under the pointer; without a pointer, the newest. */

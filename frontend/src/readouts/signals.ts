@@ -8,6 +8,10 @@ interface Shown {
   readonly unit?: string;
   /** Conversion from the topic's unit to the plot's; defined at module level. */
   readonly scale?: (value: number) => number;
+  /** Its axis spans at least this, in the plot's unit, so that noise does not fill the picture. */
+  readonly least_span?: number;
+  /** An angle that goes on at zero after this; the line is broken there. */
+  readonly turn?: number;
 }
 
 /** A number of a topic to be plotted. */

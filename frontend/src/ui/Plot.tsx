@@ -3,20 +3,29 @@ import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
 import "./Plot.css";
 import { PLOT_DASHES, plotColour } from "./plotColours";
-import { axisWidth, type Look, lookOf, MOST_AXES, roomy, scaleOf, sizeOf } from "./plotLook";
+import { axisWidth, type Look, lookOf, MOST_AXES, roomy, scaleOf, sizeOf, steady } from "./plotLook";
 
 /** Times in seconds relative to now (zero or less), and each series' values; null is a gap. */
 export type PlotData = readonly [readonly number[], ...ReadonlyArray<ReadonlyArray<number | null>>];
 
 export interface PlotHandle {
   /** Draw these; the plot always spans from `window_s` before now to now. */
-  draw(data: PlotData): void;
+  draw(data: PlotData, marks?: readonly PlotMark[]): void;
 }
 
 export interface PlotSeries {
   readonly key: string;
   /** Series of one unit share an axis. */
   readonly unit: string;
+  /** The axis spans at least this, and ends at round numbers; the greatest of a unit counts. */
+  readonly least_span?: number | undefined;
+}
+
+/** A moment to be marked by a line. */
+export interface PlotMark {
+  /** Relative to now, zero or less. */
+  readonly before_s: number;
+  readonly label: string;
 }
 
 interface Props {
@@ -37,6 +46,7 @@ export function Plot({ ref, series, window_s, secondsUnit, onPoint }: Props) {
   const box = useRef<HTMLDivElement>(null);
   const plot = useRef<uPlot | null>(null);
   const newest = useRef<PlotData | null>(null);
+  const marked = useRef<readonly PlotMark[]>([]);
   const point = useRef(onPoint);
   useEffect(() => {
     point.current = onPoint;
@@ -58,6 +68,7 @@ export function Plot({ ref, series, window_s, secondsUnit, onPoint }: Props) {
         fontSize_px: look.fontSize_px,
         fontFamily: look.fontFamily,
         onPoint: (index) => point.current?.(index),
+        marks: () => marked.current,
       }),
       aligned(fitting(newest.current, series.length)),
       element,
@@ -81,8 +92,9 @@ export function Plot({ ref, series, window_s, secondsUnit, onPoint }: Props) {
   useImperativeHandle(
     ref,
     () => ({
-      draw(data) {
+      draw(data, marks = []) {
         newest.current = data;
+        marked.current = marks;
         plot.current?.setData(aligned(data));
       },
     }),
@@ -109,10 +121,11 @@ interface Wanted extends Look {
   readonly secondsUnit: string;
   readonly size: { readonly width: number; readonly height: number };
   readonly onPoint: (index: number | null) => void;
+  readonly marks: () => readonly PlotMark[];
 }
 
 function options(wanted: Wanted): uPlot.Options {
-  const { series, window_s, secondsUnit, size, colour, fontSize_px, fontFamily, onPoint } = wanted;
+  const { series, window_s, secondsUnit, size, colour, fontSize_px, fontFamily, onPoint, marks } = wanted;
   const units = [...new Set(series.map(({ unit }) => unit))];
   const font = `${fontSize_px}px ${fontFamily}`;
   const look = {
@@ -128,7 +141,7 @@ function options(wanted: Wanted): uPlot.Options {
     cursor: { drag: { x: false, y: false }, points: { size: 6 }, y: false },
     scales: {
       x: { time: false, range: [-window_s, 0] },
-      ...Object.fromEntries(units.map((unit) => [scaleOf(unit), { range: roomy }])),
+      ...Object.fromEntries(units.map((unit) => [scaleOf(unit), { range: rangeOf(series, unit) }])),
     },
     axes: [
       {
@@ -159,6 +172,40 @@ function options(wanted: Wanted): uPlot.Options {
         }),
       ),
     ],
-    hooks: { setCursor: [({ cursor }) => onPoint(cursor.idx ?? null)] },
+    hooks: {
+      setCursor: [({ cursor }) => onPoint(cursor.idx ?? null)],
+      draw: [(plot) => drawMarks(plot, marks(), colour("--text"), font)],
+    },
   };
+}
+
+function rangeOf(series: readonly PlotSeries[], unit: string) {
+  const least_span = Math.max(...series.filter((one) => one.unit === unit).map((one) => one.least_span ?? 0));
+  return least_span > 0 ? steady(least_span) : roomy;
+}
+
+/** A line from top to bottom for each mark, its label beside its top; later ones a line lower, so that none is covered. */
+function drawMarks(plot: uPlot, marks: readonly PlotMark[], colour: string, font: string): void {
+  const { ctx, bbox } = plot;
+  ctx.save();
+  ctx.beginPath();
+  ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
+  ctx.clip();
+  ctx.font = font.replace(/^([\d.]+)px/, (_, px) => `${Number(px) * devicePixelRatio}px`);
+  ctx.fillStyle = colour;
+  ctx.strokeStyle = colour;
+  ctx.setLineDash([4 * devicePixelRatio, 4 * devicePixelRatio]);
+  const line_px = 1.2 * (Number.parseFloat(font) || 12) * devicePixelRatio;
+  for (const [index, { before_s, label }] of marks.entries()) {
+    const x = Math.round(plot.valToPos(before_s, "x", true));
+    ctx.beginPath();
+    ctx.moveTo(x, bbox.top);
+    ctx.lineTo(x, bbox.top + bbox.height);
+    ctx.stroke();
+    // At the right end there is no room beside the line.
+    const isLeft = x + ctx.measureText(label).width + 8 > bbox.left + bbox.width;
+    ctx.textAlign = isLeft ? "right" : "left";
+    ctx.fillText(label, x + (isLeft ? -4 : 4), bbox.top + line_px * (1 + (index % 3)));
+  }
+  ctx.restore();
 }

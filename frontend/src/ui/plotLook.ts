@@ -44,6 +44,29 @@ export function roomy(_: uPlot, min: number | null, max: number | null): uPlot.R
   return [min - pad, max + pad];
 }
 
+/** Numbers in a decade at which a steady axis may end. */
+const ROUND = [1, 2, 5, 10] as const;
+/** About as many steps from end to end. */
+const STEPS = 5;
+
+/**
+ * The ends of an axis that shows at least `least_span` and ends at round numbers: a small noise does not fill the
+ * picture, and the axis stands still until a value leaves it.
+ */
+export function steady(
+  least_span: number,
+): (_: uPlot, min: number | null, max: number | null) => uPlot.Range.MinMax {
+  return (_, min, max) => {
+    const [low, high] = min === null || max === null ? [0, 0] : [min, max];
+    const short = Math.max(0, least_span - (high - low)) / 2;
+    const [from, to] = [low - short, high + short];
+    const raw = (to - from) / STEPS;
+    const decade = 10 ** Math.floor(Math.log10(raw));
+    const step = decade * (ROUND.find((round) => round * decade >= raw * (1 - 1e-9)) ?? 10);
+    return [Math.floor(from / step) * step, Math.ceil(to / step) * step];
+  };
+}
+
 /** Wide enough for the longest number, and for at least five digits, so that the plot does not jump. */
 export function axisWidth(values: readonly string[] | null, fontSize_px: number): number {
   const longest = Math.max(5, ...(values ?? []).map((text) => text.length));

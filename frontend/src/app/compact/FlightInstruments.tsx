@@ -1,12 +1,13 @@
 import { useRef } from "react";
 import { useTranslation } from "react-i18next";
-import { readAutopilot, readAutotrim } from "../../features/controls/axes";
+import { isJoystick } from "../../features/controls/axes";
+import { AutomaticFlags } from "../../readouts/AutomaticFlags";
 import { LiveAttitude } from "../../readouts/LiveAttitude";
-import { LiveFlag } from "../../readouts/LiveFlag";
 import { boardBearing_deg, boardHeading_deg, LiveHeading } from "../../readouts/LiveHeading";
 import type { ReadoutLayout, ReadoutRows } from "../../readouts/LiveReadout";
 import { Readouts } from "../../readouts/ReadoutTable";
 import { YAW } from "../../readouts/rows";
+import { useTelemetry } from "../../store/hooks";
 import { ReadoutGrid } from "../../ui/Readout";
 import { useScrolledByKey } from "../../ui/useScrolledByKey";
 import "./flying.css";
@@ -35,6 +36,7 @@ export function FlightInstruments() {
   const { t } = useTranslation();
   const panel = useRef<HTMLElement>(null);
   useScrolledByKey(panel);
+  const isHil = useTelemetry((telemetry) => isJoystick(telemetry));
   return (
     <aside ref={panel} className="flying" aria-label={t("left.label")}>
       <div className="flying-dials">
@@ -49,8 +51,7 @@ export function FlightInstruments() {
           <Readouts {...ATTITUDE_HEADING} />
         </ReadoutGrid>
         <div className="flying-flags">
-          <LiveFlag topic="heartbeat" read={readAutopilot} label={t("flag.autopilot")} />
-          <LiveFlag topic="heartbeat" read={readAutotrim} label={t("flag.autotrim")} />
+          <AutomaticFlags of={isHil ? "hil" : "flight"} />
         </div>
       </div>
     </aside>

@@ -1,15 +1,15 @@
 import { useCallback, useRef } from "react";
 import { useTranslation } from "react-i18next";
 import { ControlCross, type ControlCrossHandle } from "../../instruments/controls/ControlCross";
+import { AutomaticFlags } from "../../readouts/AutomaticFlags";
 import { hundredths } from "../../readouts/formats";
-import { LiveFlag } from "../../readouts/LiveFlag";
 import { stickKind, useStickKind } from "../../readouts/useStick";
-import { usePage } from "../../store/hooks";
+import { usePage, useTelemetry } from "../../store/hooks";
 import type { TelemetryStore } from "../../store/telemetry";
 import { usePaint } from "../../store/usePaint";
 import { Panel } from "../../ui/Panel";
 import { Readout, ReadoutGrid, type ReadoutHandle } from "../../ui/Readout";
-import { AXES, type Axis, axisNumber, axisState, readAutopilot, readAutotrim } from "./axes";
+import { AXES, type Axis, axisNumber, axisState, isJoystick } from "./axes";
 import { useSource } from "./useSource";
 
 /** "Controles": stick and throttle of the chosen source, and its autopilot and autotrim. */
@@ -17,6 +17,8 @@ export function ControlsPanel() {
   const { t } = useTranslation();
   const source = useSource() ?? "unknown";
   const stick = useStickKind();
+  // The last reported source, however old: the flags show their age themselves.
+  const flown = useTelemetry((telemetry) => isJoystick(telemetry));
   return (
     <Panel
       title={t("controls.title")}
@@ -36,8 +38,7 @@ export function ControlsPanel() {
         ))}
       </ReadoutGrid>
       <div className="left-flags">
-        <LiveFlag topic="heartbeat" read={readAutopilot} label={t("flag.autopilot")} />
-        <LiveFlag topic="heartbeat" read={readAutotrim} label={t("flag.autotrim")} />
+        <AutomaticFlags of={flown ? "hil" : "flight"} />
       </div>
     </Panel>
   );

@@ -14,7 +14,7 @@ const RC_CHANNELS: Readonly<Record<Axis, NumberField<"servos_in">>> = {
 };
 
 /** Whether the joystick was the last reported source, however old: the age is shown beside it. */
-function isJoystick(telemetry: TelemetryStore): boolean {
+export function isJoystick(telemetry: TelemetryStore): boolean {
   return telemetry.newestFlag("heartbeat", "source_joystick") === true;
 }
 

@@ -1,8 +1,8 @@
 import type { ReactNode } from "react";
 import { useTranslation } from "react-i18next";
 import type { NumberField, TopicName } from "../../protocol/topics";
+import { AutomaticFlags, OtherAutopilot } from "../../readouts/AutomaticFlags";
 import { FmsReadouts } from "../../readouts/FmsReadouts";
-import { LiveFlag } from "../../readouts/LiveFlag";
 import { LiveControlBars, LiveServoBar } from "../../readouts/LiveServoBar";
 import { ReadoutTable } from "../../readouts/ReadoutTable";
 import { StreamHead } from "../../readouts/StreamPanel";
@@ -56,22 +56,13 @@ export function BoardTabs({ servosOut }: { servosOut: ReactNode }) {
 }
 
 function Fms() {
-  const { t } = useTranslation();
   return (
     <>
       <FmsReadouts topic="fms_plan" columns={3} />
       <div className="flight-automatic">
-        <LiveFlag
-          topic="heartbeat"
-          read={(telemetry) => telemetry.newestFlag("heartbeat", "autopilot")}
-          label={t("flag.autopilot")}
-        />
-        <LiveFlag
-          topic="heartbeat"
-          read={(telemetry) => telemetry.newestFlag("heartbeat", "autotrim")}
-          label={t("flag.autotrim")}
-        />
+        <AutomaticFlags of="flight" />
       </div>
+      <OtherAutopilot />
     </>
   );
 }

@@ -1,5 +1,6 @@
 import { useTranslation } from "react-i18next";
 import type { FlagField } from "../../protocol/topics";
+import { OtherAutopilot } from "../../readouts/AutomaticFlags";
 import { LiveFlag } from "../../readouts/LiveFlag";
 import { LiveBadge } from "../../readouts/StreamPanel";
 import { CommandButton } from "../../requests/CommandButton";
@@ -39,6 +40,7 @@ export function StateReport() {
           </li>
         ))}
       </ul>
+      <OtherAutopilot />
     </Panel>
   );
 }

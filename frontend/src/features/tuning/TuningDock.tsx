@@ -1,10 +1,17 @@
 import { Maximize2, Minimize2, X } from "lucide-react";
-import { Fragment, type ReactNode, useMemo } from "react";
+import { Fragment, type ReactNode, useMemo, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { AIRCRAFT, type Aircraft } from "../../lib/aircraft";
-import type { ParameterName } from "../../protocol/messages.gen";
-import { LOOPS, type LoopName, loopParameters, loopSignals } from "../../protocol/tuning";
-import { LivePlot } from "../../readouts/LivePlot";
+import { PARAMETERS, type ParameterName } from "../../protocol/messages.gen";
+import {
+  LEAST_SPAN,
+  LOOPS,
+  type LoopName,
+  loopParameters,
+  loopSignals,
+  TURNING,
+} from "../../protocol/tuning";
+import { LivePlot, type PlotEvent } from "../../readouts/LivePlot";
 import type { Signal } from "../../readouts/signals";
 import { usePage, useSettings } from "../../store/hooks";
 import { choose } from "../../store/settings";
@@ -12,6 +19,12 @@ import { Button } from "../../ui/Button";
 import { SegmentedSwitch } from "../../ui/SegmentedSwitch";
 import { Select } from "../../ui/Select";
 import "./tuning.css";
+
+interface Props {
+  readonly field: (name: ParameterName) => ReactNode;
+  /** The gains that the board has; null: unknown. */
+  readonly values: Readonly<Record<ParameterName, number | null>>;
+}
 
 /** The loop whose tuning view is open, or null. */
 export function useTuningLoop(): LoopName | null {
@@ -22,7 +35,7 @@ export function useTuningLoop(): LoopName | null {
  * The gains of one control loop beside a live plot of its signals. It is docked under every tab, so that the
  * aircraft's answer can be watched while a gain is changed; its plot keeps its past when the tab changes.
  */
-export function TuningDock({ field }: { field: (name: ParameterName) => ReactNode }) {
+export function TuningDock({ field, values }: Props) {
   const { t } = useTranslation();
   const { settings } = usePage();
   const loop = useTuningLoop();
@@ -31,6 +44,7 @@ export function TuningDock({ field }: { field: (name: ParameterName) => ReactNod
   );
   const isLarge = useSettings(({ choices }) => choices["tuning.size"] === "large");
   const signals = useSignals(loop, aircraft);
+  const changes = useChanges(values);
   if (loop === null) {
     return null;
   }
@@ -80,7 +94,11 @@ export function TuningDock({ field }: { field: (name: ParameterName) => ReactNod
             <Fragment key={name}>{field(name)}</Fragment>
           ))}
         </div>
-        <LivePlot signals={signals} label={t("tuning.plot", { loop: t(`tuningLoop.${loop}`) })} />
+        <LivePlot
+          signals={signals}
+          label={t("tuning.plot", { loop: t(`tuningLoop.${loop}`) })}
+          events={changes}
+        />
       </div>
     </section>
   );
@@ -96,9 +114,49 @@ function useSignals(loop: LoopName | null, aircraft: Aircraft): readonly Signal[
             ([name, { unit, ...signal }]): Signal => ({
               ...signal,
               label: t(`signal.${name}`),
+              least_span: LEAST_SPAN[unit ?? "none"],
+              ...(TURNING.has(name) ? { turn: 360 } : {}),
               ...(unit === null ? {} : { unit: t(`unit.${unit}`) }),
             }),
           ),
     [t, loop, aircraft],
   );
+}
+
+/** As many changes as a plot of half a minute can show. */
+const KEPT = 20;
+
+interface Changes {
+  readonly given: Props["values"];
+  /** The last value known of each: a change made while the gateway was away is a change. */
+  readonly known: Props["values"];
+  readonly events: readonly PlotEvent[];
+  readonly count: number;
+}
+
+/** Each change of a gain on the board since the view was opened. A gain that becomes known has not changed. */
+function useChanges(values: Props["values"]): readonly PlotEvent[] {
+  const [seen, setSeen] = useState<Changes>({ given: values, known: values, events: [], count: 0 });
+  if (seen.given === values) {
+    return seen.events;
+  }
+  const next = changed(seen, values);
+  setSeen(next);
+  return next.events;
+}
+
+function changed({ known, events, count }: Changes, values: Props["values"]): Changes {
+  const moved = PARAMETERS.flatMap(({ name }) => {
+    const [before, after] = [known[name], values[name]];
+    return before === null || after === null || before === after ? [] : [`${name} ${before} → ${after}`];
+  });
+  const fresh = moved.map((label, index): PlotEvent => ({ key: `${count + index}`, label }));
+  const names = PARAMETERS.map(({ name }) => name);
+  return {
+    given: values,
+    known: Object.fromEntries(names.map((name) => [name, values[name] ?? known[name]])) as Props["values"],
+    // A mark is kept as long as it may be in the picture.
+    events: fresh.length === 0 ? events : [...events, ...fresh].slice(-KEPT),
+    count: count + fresh.length,
+  };
 }
