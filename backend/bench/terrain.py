@@ -47,8 +47,8 @@ class RealGround:
 
         self._raster = Heights(path, path.name)
         self.bounds = self._raster.bounds
-        self._tiles: dict[tuple[int, int], np.ndarray] = {}  # type: ignore[type-arg]
-        self._true: dict[tuple[int, int], np.ndarray] = {}  # type: ignore[type-arg]
+        self._tiles: dict[tuple[int, int], np.ndarray] = {}
+        self._true: dict[tuple[int, int], np.ndarray] = {}
 
     def station(self, latitude_deg: Vector, longitude_deg: Vector) -> Vector:
         """As the station reads its tiles; NaN: not known."""
@@ -84,7 +84,7 @@ class RealGround:
         upper = grid[j + 1, i] * (1 - east) + grid[j + 1, i + 1] * east
         return float(lower * (1 - north) + upper * north)
 
-    def _tile(self, column: int, row: int) -> np.ndarray:  # type: ignore[type-arg]
+    def _tile(self, column: int, row: int) -> np.ndarray:
         key = (column, row)
         if key not in self._tiles:
             longitudes_deg, latitudes_deg = tile_nodes(_ZOOM, column, row)

@@ -16,11 +16,11 @@ from epf_gcs.formats.quantized_mesh_reading import SIDE, read_grid
 PLACE = (10, 936, 671)
 
 
-def grid_of(data: bytes) -> np.ndarray:  # type: ignore[type-arg]
+def grid_of(data: bytes) -> np.ndarray:
     return np.frombuffer(read_grid(data), "<f4").reshape(SIDE, SIDE)
 
 
-def slope() -> np.ndarray:  # type: ignore[type-arg]
+def slope() -> np.ndarray:
     """Rises to the north by 10 m a cell and to the east by 1 m a cell."""
     return np.arange(SIDE)[:, None] * 10.0 + np.arange(SIDE)[None, :] * 1.0
 

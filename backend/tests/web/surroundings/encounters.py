@@ -228,6 +228,6 @@ def some_fence(
     return tuple(corners), ceiling_m
 
 
-def no_heights(latitude_deg: np.ndarray, longitude_deg: np.ndarray) -> np.ndarray:  # type: ignore[type-arg]
+def no_heights(latitude_deg: np.ndarray, longitude_deg: np.ndarray) -> np.ndarray:
     """For fences alone."""
     return np.full(latitude_deg.shape, np.nan)

@@ -40,7 +40,7 @@ class Station:
     """The mountains as the station's own tiles of them."""
 
     def __init__(self) -> None:
-        self._grids: dict[tuple[int, int], np.ndarray] = {}  # type: ignore[type-arg]
+        self._grids: dict[tuple[int, int], np.ndarray] = {}
 
     def heights(self, latitude_deg: Vector, longitude_deg: Vector) -> Vector:
         step_deg = 180.0 / (1 << ZOOM) / CELLS

@@ -59,7 +59,6 @@ def test_heights_come_when_they_were_read_and_unknown_ones_never(tmp_path: Path)
     async def look() -> None:
         ground = Ground(FolderTiles(folder))
         assert np.isnan(ground.heights(north, east)).all()
-        assert not ground.has_heights
         reading = asyncio.create_task(ground.run())
         async with asyncio.timeout(20):
             while np.isnan(ground.heights(north, east)).all():  # noqa: ASYNC110 - nobody tells when a tile was read

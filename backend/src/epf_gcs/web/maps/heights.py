@@ -168,6 +168,7 @@ class Heights:
         except RasterioError as error:
             raise faults.damaged(self._name, _words(error)) from error
         known = ~np.ma.getmaskarray(read) & np.isfinite(read.data)
+        values: Grid
         if of == "known":
             values = known.astype(np.float64)
             known = np.ones_like(known)

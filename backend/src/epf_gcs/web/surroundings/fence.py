@@ -31,7 +31,8 @@ def inside_m(corners_deg: Sequence[tuple[float, float]], latitude_deg: Vector, l
     safe_y = np.where(np.abs(along_y) < 1e-9, 1e-9, along_y)
     crossing_x = border_x + (y[:, None] - border_y) / safe_y * along_x
     is_inside: npt.NDArray[np.bool_] = (spans & (x[:, None] < crossing_x)).sum(axis=1) % 2 == 1
-    return np.where(is_inside, distance, -distance)
+    found: Vector = np.where(is_inside, distance, -distance)
+    return found
 
 
 def _plane(origin_deg: tuple[float, float], latitude_deg: Vector, longitude_deg: Vector) -> tuple[Vector, Vector]:
