@@ -21,6 +21,7 @@ MODULES = (
     "hil",
     "control",
     "strangers",
+    "terrain",
     "besieged",
     "kill",
     "plots",

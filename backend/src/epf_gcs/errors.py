@@ -162,6 +162,7 @@ ErrorCode = Literal[
     "stick_needs_control",
     "stick_silent",
     "stream_message_invalid",
+    "surroundings_not_kept",
     "threshold_out_of_range",
     "threshold_unknown",
     "tls_certificate_early",

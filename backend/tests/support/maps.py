@@ -138,6 +138,10 @@ def decode_mesh(data: bytes) -> Mesh:
         indices.append(next_new - code)
         next_new += code == 0
     edges = [list(numbers("H", numbers("I", 1)[0])) for _ in range(4)]
+    if at < len(data):
+        # Our own extension: which heights are known.
+        assert numbers("B", 1) + numbers("I", 1) == (100, 529)
+        numbers("B", 529)
     assert at == len(data), "something is left over"
     return Mesh(
         (centre[0], centre[1], centre[2]),

@@ -8,8 +8,9 @@ from typing import Any
 import pytest
 
 from epf_gcs.errors import InvalidInputError, NotFoundError
+from epf_gcs.vehicle.alarm_ids import AlarmId
 from epf_gcs.vehicle.alarms import Alarm, Alarms
-from epf_gcs.vehicle.judges import AlarmId, Finding, Level
+from epf_gcs.vehicle.judges import Finding, Level
 from epf_gcs.vehicle.thresholds import THRESHOLDS
 from tests.support.outlet import KeptOutlet
 

@@ -25,12 +25,6 @@ import { createGamepadInput, type GamepadReader } from "../features/gamepad/game
 import { GAMEPADS } from "../features/gamepad/gamepadList";
 import { TOUCH_STICK } from "../features/gamepad/touchStick";
 import { FLIGHT_LOG } from "../features/log/flightLog";
-import { MAP_LAYERS } from "../features/map/layers/layerList";
-import { createMapLayerActions } from "../features/map/layers/layerRequests";
-import { createMapTool, MAP_TOOL } from "../features/map/tools/mapTool";
-import { createTrackEdits, TRACK_EDITS } from "../features/map/trackEdits";
-import { TRACK_LOG } from "../features/map/trackLog";
-import { createTrackLog } from "../features/map/trackRequests";
 import { createInspector, INSPECTOR } from "../features/messages/inspectorRequests";
 import { createParameterActions, takeParameterEvent } from "../features/parameters/parameterRequests";
 import { createParameters, forget, PARAMETER_REQUESTS } from "../features/parameters/parameterValues";
@@ -65,6 +59,7 @@ import { openAddressedTab } from "./addressedTab";
 import { eventMessage, linkMessages } from "./announcements";
 import { rememberClient, rememberedClient } from "./clientMemory";
 import { createFlightBook } from "./flightBook";
+import { createMapParts } from "./mapParts";
 import type { PageVersions } from "./pageVersion";
 import { createPasts, SHOWN } from "./past";
 import { plotTimeline } from "./plotTimeline";
@@ -153,8 +148,7 @@ export function createPage(world: World): {
     takeConsole(message);
     takeParameterEvent(parameterValues, message, world.wall_ms());
     takePlanEvent(plans, message, client());
-    takeMapEvent(message);
-    takeTrackEvent(message);
+    map.takeEvent(message);
     takeFlightEvent(message);
     book.takeEvent(message);
     gamepads.takeEvent(message);
@@ -242,8 +236,7 @@ export function createPage(world: World): {
     sounder: world.sounder,
     speaker: world.speaker,
   });
-  const { mapLayers, takeMapEvent } = createMapLayerActions({ ...asking, timers: world.timers });
-  const { trackLog, takeTrackEvent } = createTrackLog({ rest, timers: world.timers, report: fail });
+  const map = createMapParts(asking, world.timers, fail);
   const address = createFlightAddress(world.address, world.timers);
   const playback: Playback = createPlayback({
     rest,
@@ -270,7 +263,8 @@ export function createPage(world: World): {
   });
   const plots = createPlots({ rest, timers: world.timers, timeline: plotTimeline(playback) });
   const comparison = twoFlights({ reports, plots, settings });
-  const parts = new Parts()
+  const parts = map
+    .addTo(new Parts())
     .with(PLAYBACK, playback)
     .with(ENTRY, entry)
     .with(NEW_VERSION, newVersion)
@@ -283,10 +277,6 @@ export function createPage(world: World): {
     .with(AHRS, createAhrs3d(asking))
     .with(SOURCE_RETURN, sourceReturn)
     .with(SELECTION, createSelection())
-    .with(MAP_TOOL, createMapTool())
-    .with(MAP_LAYERS, mapLayers)
-    .with(TRACK_LOG, trackLog)
-    .with(TRACK_EDITS, createTrackEdits(asking))
     .with(SERVO_SLIDERS, servos.sliders)
     .with(GAMEPADS, gamepads.gamepads)
     .with(TOUCH_STICK, gamepads.touchStick)

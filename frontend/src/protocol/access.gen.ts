@@ -115,6 +115,8 @@ export const ACCESS_TABLE: readonly AccessRow[] = [
   { path: "/recordings/{recording_id}", method: "GET", tag: "recordings", least: "viewer", control: false },
   { path: "/recordings/{recording_id}/export", method: "GET", tag: "recordings", least: "viewer", control: false },
   { path: "/status", method: "GET", tag: "state", least: "viewer", control: false },
+  { path: "/surroundings", method: "GET", tag: "surroundings", least: "viewer", control: false },
+  { path: "/surroundings", method: "PUT", tag: "surroundings", least: "operator", control: false },
   { path: "/telemetry", method: "GET", tag: "state", least: "viewer", control: false },
   { path: "/track", method: "GET", tag: "track", least: "viewer", control: false },
   { path: "/track.czml", method: "GET", tag: "track", least: "viewer", control: false },

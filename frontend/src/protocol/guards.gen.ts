@@ -44,6 +44,36 @@ export const isAdviceState = shape({
 });
 export type AdviceState = Checked<typeof isAdviceState>;
 
+/** What the present track leads to: in `in_s` (0: now), at this place, at this altitude above the sea. */
+export const isThreatAhead = shape({
+  altitude_ft: isNumber,
+  in_s: isNumber,
+  latitude_deg: isNumber,
+  longitude_deg: isNumber,
+  what: oneOf("terrain", "fence", "ceiling"),
+});
+export type ThreatAhead = Checked<typeof isThreatAhead>;
+
+/** A place on the present track. */
+export const isTrackPlace = shape({
+  latitude_deg: isNumber,
+  longitude_deg: isNumber,
+});
+export type TrackPlace = Checked<typeof isTrackPlace>;
+
+/** Ground and fence of one aircraft. `blind`: why nothing is known of the ground; `path`: the present track, while
+ * there is a warning. `outside`: beyond the fence's border or over its ceiling. */
+export const isAircraftAround = shape({
+  blind: nullable(oneOf("no_position", "no_heights", "no_heights_here")),
+  fence: nullable(isThreatAhead),
+  ground_ft: nullable(isNumber),
+  height_ft: nullable(isNumber),
+  outside: isFlag,
+  path: list(isTrackPlace),
+  terrain: nullable(isThreatAhead),
+});
+export type AircraftAround = Checked<typeof isAircraftAround>;
+
 /** Something that is wrong now; an acknowledged one is shown quietly until its cause goes.
  *
  * `until_s` is null while it lasts. One that has an end has recovered, and is listed until it is acknowledged. */
@@ -165,7 +195,7 @@ export type CertificateAuthority = Checked<typeof isCertificateAuthority>;
 
 /** What is wrong with the certificate, or soon will be. */
 export const isCertificateFault = shape({
-  code: oneOf("access_key_wrong", "access_last_owner", "access_not_written", "access_too_many_invitations", "access_too_many_programs", "access_too_many_requests", "access_too_many_sessions", "access_too_many_tries", "access_too_many_waiting", "access_unknown", "access_upload_limit", "ahrs_test_in_flight", "ahrs_test_lost", "ahrs_test_running", "alarm_not_active", "alarms_not_written", "alarms_unreadable", "bad_json", "board_line_full", "board_not_open", "body_too_large", "checklist_not_kept", "client_may_not_command", "client_not_yours", "client_silent", "client_unknown", "command_link_lost", "command_unknown", "control_held", "control_not_asked", "control_not_held", "control_refused", "control_unconfirmed", "data_folder_taken", "datagram_malformed", "datagram_stranger", "emulation_running", "export_no_position", "export_stretch_empty", "export_topic_unknown", "export_topics_unused", "extra_missing", "flight_away", "flight_delete_unconfirmed", "flight_disk_full", "flight_exists", "flight_import_incomplete", "flight_known", "flight_not_indexed", "flight_not_recorded", "flight_not_written", "flight_recording", "flight_unknown", "foreign_host", "foreign_origin", "http_error", "internal", "invalid_request", "job_failed", "job_over", "job_unknown", "jobs_busy", "journal_not_written", "journal_unreadable", "line_garbage", "link_address_invalid", "link_busy", "link_failed", "link_lost", "link_no_device", "link_not_serial", "link_permission", "link_refused", "link_timeout", "link_unknown_host", "link_unreachable", "listen_failed", "listen_unknown_host", "map_cache_not_written", "map_disk_full", "map_exists", "map_file_damaged", "map_file_empty", "map_file_no_layer_json", "map_file_not_mesh", "map_file_vector", "map_folder_unreadable", "map_import_incomplete", "map_import_unknown", "map_imports_busy", "map_kind_unknown", "map_layer_unknown", "map_name_invalid", "map_not_written", "map_raster_converting", "map_raster_failed", "map_raster_no_place", "map_raster_not_height", "map_source_invalid", "map_source_local", "map_source_refused", "map_source_silent", "map_tile_missing", "mark_unknown", "memory_not_written", "memory_unreadable", "method_not_allowed", "mission_differs", "mission_file_archive", "mission_file_damaged", "mission_file_empty", "mission_file_forbidden", "mission_file_frame", "mission_file_header", "mission_file_no_home", "mission_file_no_waypoints", "mission_file_out_of_range", "mission_file_too_long", "mission_file_unknown", "mission_file_unreadable", "mission_invalid", "mission_not_read", "mission_refused", "no_such_address", "not_admitted", "not_supported", "nothing_to_redo", "nothing_to_undo", "parameter_out_of_range", "parameter_unknown", "parameters_not_read", "people_log_not_written", "port_taken", "rate_invalid", "recording_changed", "recording_clock_wrong", "recording_empty", "recording_foreign", "recording_not_packed", "recording_not_whole", "recording_packing_unknown", "recording_too_large", "recording_two_boards", "recording_unknown", "recording_unreadable", "role_too_low", "signal_units_differ", "signal_unknown", "simulator_unknown_host", "source_not_taken", "stick_invalid", "stick_needs_control", "stick_silent", "stream_message_invalid", "threshold_out_of_range", "threshold_unknown", "tls_certificate_early", "tls_certificate_expired", "tls_certificate_refused", "tls_ends_soon", "tls_file_unreadable", "tls_key_differs", "tls_key_locked", "tls_no_authority", "tls_no_certificate", "tls_no_key", "tls_not_renewed", "track_not_kept", "track_not_written", "value_not_allowed"),
+  code: oneOf("access_key_wrong", "access_last_owner", "access_not_written", "access_too_many_invitations", "access_too_many_programs", "access_too_many_requests", "access_too_many_sessions", "access_too_many_tries", "access_too_many_waiting", "access_unknown", "access_upload_limit", "ahrs_test_in_flight", "ahrs_test_lost", "ahrs_test_running", "alarm_not_active", "alarms_not_written", "alarms_unreadable", "bad_json", "board_line_full", "board_not_open", "body_too_large", "checklist_not_kept", "client_may_not_command", "client_not_yours", "client_silent", "client_unknown", "command_link_lost", "command_unknown", "control_held", "control_not_asked", "control_not_held", "control_refused", "control_unconfirmed", "data_folder_taken", "datagram_malformed", "datagram_stranger", "emulation_running", "export_no_position", "export_stretch_empty", "export_topic_unknown", "export_topics_unused", "extra_missing", "flight_away", "flight_delete_unconfirmed", "flight_disk_full", "flight_exists", "flight_import_incomplete", "flight_known", "flight_not_indexed", "flight_not_recorded", "flight_not_written", "flight_recording", "flight_unknown", "foreign_host", "foreign_origin", "http_error", "internal", "invalid_request", "job_failed", "job_over", "job_unknown", "jobs_busy", "journal_not_written", "journal_unreadable", "line_garbage", "link_address_invalid", "link_busy", "link_failed", "link_lost", "link_no_device", "link_not_serial", "link_permission", "link_refused", "link_timeout", "link_unknown_host", "link_unreachable", "listen_failed", "listen_unknown_host", "map_cache_not_written", "map_disk_full", "map_exists", "map_file_damaged", "map_file_empty", "map_file_no_layer_json", "map_file_not_mesh", "map_file_vector", "map_folder_unreadable", "map_import_incomplete", "map_import_unknown", "map_imports_busy", "map_kind_unknown", "map_layer_unknown", "map_name_invalid", "map_not_written", "map_raster_converting", "map_raster_failed", "map_raster_no_place", "map_raster_not_height", "map_source_invalid", "map_source_local", "map_source_refused", "map_source_silent", "map_tile_missing", "mark_unknown", "memory_not_written", "memory_unreadable", "method_not_allowed", "mission_differs", "mission_file_archive", "mission_file_damaged", "mission_file_empty", "mission_file_forbidden", "mission_file_frame", "mission_file_header", "mission_file_no_home", "mission_file_no_waypoints", "mission_file_out_of_range", "mission_file_too_long", "mission_file_unknown", "mission_file_unreadable", "mission_invalid", "mission_not_read", "mission_refused", "no_such_address", "not_admitted", "not_supported", "nothing_to_redo", "nothing_to_undo", "parameter_out_of_range", "parameter_unknown", "parameters_not_read", "people_log_not_written", "port_taken", "rate_invalid", "recording_changed", "recording_clock_wrong", "recording_empty", "recording_foreign", "recording_not_packed", "recording_not_whole", "recording_packing_unknown", "recording_too_large", "recording_two_boards", "recording_unknown", "recording_unreadable", "role_too_low", "signal_units_differ", "signal_unknown", "simulator_unknown_host", "source_not_taken", "stick_invalid", "stick_needs_control", "stick_silent", "stream_message_invalid", "surroundings_not_kept", "threshold_out_of_range", "threshold_unknown", "tls_certificate_early", "tls_certificate_expired", "tls_certificate_refused", "tls_ends_soon", "tls_file_unreadable", "tls_key_differs", "tls_key_locked", "tls_no_authority", "tls_no_certificate", "tls_no_key", "tls_not_renewed", "track_not_kept", "track_not_written", "value_not_allowed"),
   detail: isText,
   params: dictionary(nullable(either(isText, isNumber, isFlag))),
 });
@@ -477,6 +507,13 @@ export const isFault = shape({
   params: dictionary(nullable(either(isText, isNumber, isFlag))),
 });
 export type Fault = Checked<typeof isFault>;
+
+/** One corner of the fence, WGS 84. */
+export const isFenceCorner = shape({
+  latitude_deg: isNumber,
+  longitude_deg: isNumber,
+});
+export type FenceCorner = Checked<typeof isFenceCorner>;
 
 /** A small picture: `track` as [x, y] pairs with x to the east and y to the north, `altitude` evenly spaced in
  * time. All values are 0 to 1; null altitudes are not known. */
@@ -1214,6 +1251,13 @@ export const isSimulatorStatus = shape({
 });
 export type SimulatorStatus = Checked<typeof isSimulatorStatus>;
 
+/** The board's aircraft by its GPS, and the simulator's. */
+export const isSurroundingsState = shape({
+  flight: isAircraftAround,
+  hil: isAircraftAround,
+});
+export type SurroundingsState = Checked<typeof isSurroundingsState>;
+
 /** How well a topic arrives; older than `stale_after_s` its value is not live. */
 export const isTopicHealth = shape({
   age_s: nullable(isNumber),
@@ -1234,11 +1278,23 @@ export const isStatus = shape({
   recording: isRecordingState,
   server_time_s: isNumber,
   simulator: isSimulatorStatus,
+  surroundings: isSurroundingsState,
   topics: dictionary(isTopicHealth),
   version: isText,
   viewers: isNumber,
 });
 export type Status = Checked<typeof isStatus>;
+
+/** What the operator chose, for everybody. */
+export const isSurroundingsChoice = shape({
+  ceiling_ft: nullable(isNumber),
+  corners: list(isFenceCorner),
+  fence_margin_ft: isNumber,
+  fence_on: isFlag,
+  margin_ft: isNumber,
+  terrain_on: isFlag,
+});
+export type SurroundingsChoice = Checked<typeof isSurroundingsChoice>;
 
 /** One limit of an alarm; its unit stands in its name too. */
 export const isThresholdState = shape({

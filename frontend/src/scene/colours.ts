@@ -16,6 +16,9 @@ export const HOME = "#8df0b8";
 export const MEASURE = "#b7f55a";
 /** The area of a survey. */
 export const AREA = "#ff9d7a";
+/** The fence, and the track that leads into the ground or out of the fence. */
+export const FENCE = "#c9a6ff";
+export const WARNED = "#ff4d4d";
 
 export const SEA = "#2a5c85";
 export const LAND = "#837f5b";

@@ -14,6 +14,14 @@ export function heldBy(client: string | null, name: string | null): Status["cont
   return { client, name, ...page, reserved: null, requests: [] };
 }
 
+/** Nothing seen around an aircraft, with some parts changed. */
+export function anAround(
+  parts: Partial<Status["surroundings"]["flight"]> = {},
+): Status["surroundings"]["flight"] {
+  const nothing = { ground_ft: null, height_ft: null, terrain: null, fence: null, outside: false, path: [] };
+  return { blind: "no_position", ...nothing, ...parts };
+}
+
 /** A status as the gateway sends it in flight, with some parts changed. */
 export function aStatus(parts: Partial<Status> = {}): Status {
   return {
@@ -81,6 +89,7 @@ export function aStatus(parts: Partial<Status> = {}): Status {
     },
     topics: { ahrs: aTopic(), heartbeat: aTopic() },
     alarms: [],
+    surroundings: { flight: anAround(), hil: anAround() },
     errors: {},
     viewers: 1,
     ...parts,

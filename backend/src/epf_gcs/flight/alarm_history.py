@@ -10,8 +10,9 @@ import orjson
 
 from epf_gcs.errors import GatewayError
 from epf_gcs.flight.lines_file import LinesFile
+from epf_gcs.vehicle.alarm_ids import AlarmId
 from epf_gcs.vehicle.alarms import KEPT, Alarm
-from epf_gcs.vehicle.judges import AlarmId, Finding, Level
+from epf_gcs.vehicle.judges import Finding, Level
 
 # An alarm is written when it ends, and once more when it is acknowledged afterwards.
 _LINES: Final = 2 * KEPT

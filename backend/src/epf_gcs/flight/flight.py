@@ -43,16 +43,17 @@ from epf_gcs.flight.recording.recorder import Recorder
 from epf_gcs.flight.recording.taps import line_taps
 from epf_gcs.flight.requests.client_names import ClientNames
 from epf_gcs.flight.requests.commands import command_requests
-from epf_gcs.flight.requests.hil import HilSwitches, stick_notices
+from epf_gcs.flight.requests.hil import HilSwitches
 from epf_gcs.flight.requests.lines import line_requests
+from epf_gcs.flight.requests.notices import notices
 from epf_gcs.flight.requests.parameters import mission_requests, parameter_requests
 from epf_gcs.flight.requests.recording import recording_requests
 from epf_gcs.flight.requests.state import alarm_requests, state_requests
 from epf_gcs.flight.status import StatusSources, build_status
 from epf_gcs.flight.watch import Watch
 from epf_gcs.kept_alive import keep_alive
+from epf_gcs.vehicle.alarm_ids import AlarmId
 from epf_gcs.vehicle.alarms import Alarms
-from epf_gcs.vehicle.judges import AlarmId
 from epf_gcs.vehicle.restart import Restart
 from epf_gcs.vehicle.vehicle import Vehicle
 
@@ -245,7 +246,7 @@ class Flight:
             hello=self._hello,
             samples=lambda: [(topic, one.t_s, one.values) for topic, one in self.telemetry.samples().items()],
             requests=self._requests,
-            on_notice=stick_notices(self.stick),
+            on_notice=notices(self.stick, self.watch.surroundings, self.clock.steady_s),
             on_gone=self.stick.let_go,
         )
         if self.recorder is not None:

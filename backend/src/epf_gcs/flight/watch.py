@@ -19,6 +19,7 @@ from epf_gcs.vehicle.judges import (
     judge_recording,
     judge_stick,
 )
+from epf_gcs.vehicle.surroundings import ToldSurroundings
 from epf_gcs.vehicle.telemetry import Telemetry
 from epf_gcs.vehicle.watch import VehicleWatch
 
@@ -46,6 +47,7 @@ class Watch:
         self._simulator = simulator
         self._hil = hil
         self._recorder = recorder
+        self.surroundings = ToldSurroundings()
         self._steady_s = steady_s
         self._wants = wants
         self._wanted_since_s: float | None = None
@@ -64,6 +66,7 @@ class Watch:
         if self._supervisor.address is None:
             self._vehicle.forget_gps()
         found = (
+            *self.surroundings.look(now_s),
             *self._vehicle.look(now_s, limits, self._line(now_s), self._loop(now_s), wants_gps=self._wants("gps")),
             self._strangers.look(now_s, self._simulator.dropped["stranger"], self._simulator.last_stranger),
             judge_stick(self._hil.stick.gamepad, self._hil.stick.state, flies=self._hil.source != "rc"),

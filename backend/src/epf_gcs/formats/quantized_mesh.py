@@ -16,7 +16,12 @@ import numpy.typing as npt
 CELLS: Final = 64
 """Cells along each side of a tile, which has one point more."""
 
+KNOWN_EXTENSION: Final = 100
+"""Our own extension of the format, which other readers skip: a bit for each point of the grid, row by row from the
+south, set where the source knows the height."""
+
 Heights = npt.NDArray[np.float64]
+Known = npt.NDArray[np.bool_]
 _Vectors = npt.NDArray[np.float64]
 
 # WGS 84, in metres.
@@ -62,8 +67,11 @@ def tile_nodes(zoom: int, column: int, row: int) -> tuple[_Vectors, _Vectors]:
     return (column * CELLS + places) * step_deg - 180.0, (row * CELLS + places) * step_deg - 90.0
 
 
-def encode_tile(zoom: int, column: int, row: int, heights_m: Heights) -> bytes:
-    """The tile as a file. `heights_m`: one row of CELLS + 1 numbers for each latitude, from the south."""
+def encode_tile(zoom: int, column: int, row: int, heights_m: Heights, known: Known | None = None) -> bytes:
+    """The tile as a file. `heights_m`: one row of CELLS + 1 numbers for each latitude, from the south.
+
+    `known`: which of them the source has; None: all. The others are drawn too, but are no heights.
+    """
     grid = _grid()
     longitudes_deg, latitudes_deg = tile_nodes(zoom, column, row)
     lowest_m, highest_m = float(heights_m.min()), float(heights_m.max())
@@ -77,8 +85,13 @@ def encode_tile(zoom: int, column: int, row: int, heights_m: Heights) -> bytes:
             grid.positions,
             _zigzag(quantized),
             grid.indices,
+            b"" if known is None or bool(known.all()) else _extension(KNOWN_EXTENSION, np.packbits(known).tobytes()),
         )
     )
+
+
+def _extension(number: int, data: bytes) -> bytes:
+    return struct.pack("<BI", number, len(data)) + data
 
 
 def _header(

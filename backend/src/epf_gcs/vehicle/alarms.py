@@ -8,7 +8,8 @@ from dataclasses import dataclass, replace
 from typing import Any, Final, Literal
 
 from epf_gcs.errors import InvalidInputError, NotFoundError
-from epf_gcs.vehicle.judges import AlarmId, Finding
+from epf_gcs.vehicle.alarm_ids import AlarmId
+from epf_gcs.vehicle.judges import Finding
 from epf_gcs.vehicle.outside import Outlet
 from epf_gcs.vehicle.thresholds import BY_NAME, chosen, threshold_fault
 

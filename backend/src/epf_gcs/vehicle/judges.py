@@ -7,21 +7,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, field
 from typing import Any, Final, Literal
 
-AlarmId = Literal[
-    "heartbeat_lost",
-    "no_heartbeat",
-    "hil_lost",
-    "foreign_datagrams",
-    "stick_lost",
-    "gps_lost",
-    "battery_low",
-    "cpu_high",
-    "frames_damaged",
-    "parameter_not_confirmed",
-    "card_failed",
-    "flight_lost",
-    "recorder_failed",
-]
+from epf_gcs.vehicle.alarm_ids import AlarmId
+
 Level = Literal["warning", "critical"]
 Values = Mapping[str, Any]
 Params = dict[str, str | int | float | bool | None]

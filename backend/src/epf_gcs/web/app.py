@@ -51,6 +51,7 @@ from epf_gcs.web.state.probes import disk_of, probe_router
 from epf_gcs.web.state.whole import WholeStatus
 from epf_gcs.web.station import Station
 from epf_gcs.web.stream.endpoint import StreamEndpoint
+from epf_gcs.web.surroundings import routes as surroundings
 from epf_gcs.web.tls import routes as certificate_routes
 from epf_gcs.web.tls.keeper import Keeper
 from epf_gcs.web.track import routes as track
@@ -77,6 +78,7 @@ def _interface() -> APIRouter:
         online_maps,
         alarms,
         checklist,
+        surroundings,
         recordings,
         flights,
         flight_reports,

@@ -23,6 +23,7 @@ from epf_gcs.web.inspector.shared import SharedInspector
 from epf_gcs.web.maps.maps import Maps
 from epf_gcs.web.state.whole import WholeStatus
 from epf_gcs.web.stream.hub import Hub
+from epf_gcs.web.surroundings.watch import Surroundings
 from epf_gcs.web.track.tracks import Tracks
 from epf_gcs.web.vehicle.mirror import VehicleMirror
 
@@ -52,6 +53,7 @@ ImportsDep = Annotated[FlightImports, _part("flight_imports")]
 InspectorDep = Annotated[SharedInspector, _part("inspector")]
 RecordingsDirDep = Annotated[Path, _part("recordings_dir")]
 ChecklistDep = Annotated[KeptChecklist, _part("checklist")]
+SurroundingsDep = Annotated[Surroundings, _part("surroundings")]
 HubDep = Annotated[Hub, _part("hub")]
 """Tells all viewers."""
 ClockDep = Annotated[Clock, _part("clock")]

@@ -36,6 +36,8 @@ from epf_gcs.web.state.whole import WholeStatus
 from epf_gcs.web.stream.endpoint import StreamParts
 from epf_gcs.web.stream.hub import Hub
 from epf_gcs.web.stream.open_streams import OpenStreams
+from epf_gcs.web.surroundings.kept import KeptSurroundings
+from epf_gcs.web.surroundings.watch import Surroundings
 from epf_gcs.web.track.tracks import Tracks
 from epf_gcs.web.vehicle.mirror import VehicleMirror
 
@@ -58,9 +60,12 @@ class Station:
         self.vehicle = StationEnd(data_dir, self.mirror)
         self.control = Control(loop, self.clock, self)
         self.streams = OpenStreams(self.control)
-        self.status = WholeStatus(lambda: self.mirror.status, self.control, errors, self.hub)
         self.tracks = Tracks(self.mirror, self.hub, self.clock, data_dir / "track", errors.report)
         self.maps = Maps(data_dir, self.hub, self.clock, errors.report)
+        self.surroundings = Surroundings(
+            self.mirror, self.maps, KeptSurroundings(data_dir), self.clock.now_s, self.vehicle.notice
+        )
+        self.status = WholeStatus(lambda: self.mirror.status, self.control, errors, self.hub, self.surroundings.state)
         self.flights = Flights(
             Places(data_dir),
             Jobs(self.hub),
@@ -91,6 +96,7 @@ class Station:
             "flight_queries": self.queries,
             "flight_imports": FlightImports(self.flights),
             "checklist": KeptChecklist(data_dir),
+            "surroundings": self.surroundings,
             "hub": self.hub,
             "clock": self.clock,
         }
@@ -124,6 +130,7 @@ class Station:
                         ("vehicle", self.vehicle.run),
                         ("maps", self.maps.run),
                         ("track", self.tracks.run),
+                        ("surroundings", self.surroundings.run),
                         ("flights", self.flights.run),
                         ("flight queries", self.queries.run),
                         ("status", self._repeat),

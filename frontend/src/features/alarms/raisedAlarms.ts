@@ -1,4 +1,5 @@
 import { BOARD_RESTARTED } from "../../protocol/boardRestart";
+import type { AircraftAround } from "../../protocol/guards.gen";
 import type { Alarm } from "../../protocol/status";
 import type { TopicName } from "../../protocol/topics";
 import type { Connection } from "../../store/connection";
@@ -63,6 +64,8 @@ export function alarmMessage(
     key = hilKey(simulator);
   } else if (id === "gps_lost" && params["reason"] === "silent") {
     key = "gps_lost_silent";
+  } else if (id.startsWith("fence_") && params["what"] === "ceiling") {
+    key = `${id}_ceiling`;
   } else if (id === BOARD_RESTARTED) {
     key = `board_restarted${"gains" in params ? "_gains" : ""}${"plans" in params ? "_plans" : ""}`;
   }
@@ -143,8 +146,16 @@ const PROOFS: Readonly<Record<string, (facts: Facts) => boolean>> = {
   recorder_failed: ({ status }) => status.recording.active && status.recording.failure === null,
   battery_low: (facts) => isFresh("analog", facts),
   gps_lost: (facts) => isFresh("gps", facts) && facts.telemetry.newestFlag("gps", "valid") === true,
+  terrain_ahead: (facts) => sees(facts, ({ height_ft }) => height_ft !== null),
+  fence_ahead: (facts) => sees(facts, ({ blind }) => blind !== "no_position"),
+  fence_left: (facts) => sees(facts, ({ blind }) => blind !== "no_position"),
   cpu_high: (facts) => isFresh("statistics", facts),
 };
+
+/** Whether the station still sees, around one of the aircraft, what the alarm was of. */
+function sees({ status }: Facts, isSeen: (around: AircraftAround) => boolean): boolean {
+  return isSeen(status.surroundings.flight) || isSeen(status.surroundings.hil);
+}
 
 /**
  * Whether the newest sample is at most one and a half periods old. "Live" is not enough: when a stream stops, its

@@ -58,11 +58,34 @@ export function FlightFigures() {
           {FIGURES[aircraft].map((row) => (
             <LiveReadout key={`${row.topic} ${row.field}`} {...row} chars={5} />
           ))}
+          <HeightFigure aircraft={aircraft} />
           {aircraft === "flight" && <WindFigure />}
         </ReadoutGrid>
       )}
     </section>
   );
+}
+
+/** Height above the ground, where the station knows the ground and the position is live. */
+function HeightFigure({ aircraft }: { aircraft: Aircraft }) {
+  const { t } = useTranslation();
+  const { connection } = usePage();
+  const altitude = useUnit("altitude");
+  const readout = useRef<ReadoutHandle>(null);
+  const paint = useCallback(
+    (telemetry: TelemetryStore, now_ms: number) => {
+      const isLive = telemetry.state(aircraft === "flight" ? "gps" : "simulator", now_ms) === "live";
+      const height_ft = connection.getState().status?.surroundings[aircraft].height_ft ?? null;
+      const shown = isLive ? height_ft : null;
+      readout.current?.paint(
+        shown === null ? null : altitude.format(shown),
+        shown === null ? "none" : "live",
+      );
+    },
+    [connection, altitude, aircraft],
+  );
+  usePaint("text", paint);
+  return <Readout ref={readout} label={t("map.figures.height")} unit={altitude.label} chars={5} />;
 }
 
 /** The wind that the real aircraft's values imply now; without all of them there is none. */

@@ -16,6 +16,8 @@ import { PatternSection } from "./PatternSection";
 import { PlanSection } from "./PlanSection";
 import { ProfileSection } from "./ProfileSection";
 import { FlyHere } from "./plan/FlyHere";
+import { SurroundingsOnMap } from "./surroundings/SurroundingsOnMap";
+import { SurroundingsSection } from "./surroundings/SurroundingsSection";
 import { ThingCard } from "./ThingCard";
 import { ThingsSection } from "./ThingsSection";
 import { ToolsSection } from "./ToolsSection";
@@ -59,6 +61,7 @@ export function MapView() {
                 <ThingCard />
               </div>
               <FlightFigures />
+              <SurroundingsOnMap />
               <MapKeys picture={picture} />
               <MapMenu />
               <FlyHere />
@@ -74,6 +77,7 @@ export function MapView() {
             <PlanSection />
             <PatternSection />
             <ProfileSection />
+            <SurroundingsSection />
             <ToolsSection />
             <LayersSection />
             <OnlineSection />

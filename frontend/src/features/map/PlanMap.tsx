@@ -12,6 +12,7 @@ import { useMapPlan } from "./plan/useMapPlan";
 import { OpenPlanContext } from "./plan/useOpenPlan";
 import { usePlanScene } from "./plan/usePlanScene";
 import { PlanProfile } from "./profile/PlanProfile";
+import { SurroundingsOnMap } from "./surroundings/SurroundingsOnMap";
 import { EditBar } from "./tools/EditBar";
 import { MapKeys } from "./tools/MapKeys";
 import { MapMenu } from "./tools/MapMenu";
@@ -56,6 +57,7 @@ function Shown({ plan, scene, onScene }: ShownProps) {
         <EditBar />
       </div>
       <Measuring />
+      <SurroundingsOnMap />
       <MapKeys picture={picture} />
       <MapMenu />
       <FlyHere />

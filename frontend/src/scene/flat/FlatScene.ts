@@ -10,6 +10,7 @@ import type { PickedAirfield } from "../tools/airfields";
 import type { Grip, GroundPlace } from "../tools/MapPointer";
 import type { Light } from "../world/look";
 import type { World } from "../world/World";
+import { FlatFence } from "./FlatFence";
 import { FlatGround, nameLevel } from "./FlatGround";
 import { FlatPlans } from "./FlatPlans";
 import { FlatPointer } from "./FlatPointer";
@@ -67,6 +68,7 @@ const KEYS: Readonly<Record<string, (view: FlatView) => FlatView>> = {
 /** The map on a plain canvas, north up: for browsers without WebGL, and by choice. It is drawn only when something has changed. */
 export class FlatScene {
   readonly plans = new FlatPlans(() => this.#change());
+  readonly fence = new FlatFence(() => this.#change());
   readonly #canvas: HTMLCanvasElement;
   readonly #listener: FlatListener;
   readonly #pointer: FlatPointer;
@@ -212,7 +214,9 @@ export class FlatScene {
   #find(at: ScreenPoint, reach_px: number): Grip | null {
     const measure = this.#onMeasure;
     return measure === null
-      ? (this.plans.find(() => this.#view, at, this.#aircraft, reach_px) ?? this.#findAirfield(at, reach_px))
+      ? (this.plans.find(() => this.#view, at, this.#aircraft, reach_px) ??
+          this.fence.find(() => this.#view, at, reach_px) ??
+          this.#findAirfield(at, reach_px))
       : {
           cursor: "crosshair",
           click: () => measure({ ...fromScreen(this.#view, at), height_m: null }),
@@ -280,6 +284,7 @@ export class FlatScene {
       }
     }
     this.plans.draw(context, this.#view, words);
+    this.fence.draw(context, this.#view, words);
     drawDistance(context, this.#view, this.#area, words, AREA);
     drawDistance(context, this.#view, this.#measured, words);
     for (const aircraft of this.#aircraft) {

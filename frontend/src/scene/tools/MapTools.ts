@@ -7,7 +7,7 @@ import {
   Matrix4,
 } from "@cesium/engine";
 import type { Position } from "../../lib/geodesy";
-import { AREA } from "../colours";
+import { AREA, FENCE, WARNED } from "../colours";
 import type { Globe } from "../globe/Globe";
 import { DistanceLine, type MeasuredPlace } from "./DistanceLine";
 import { type GroundPlace, type MapPointer, pointerOf } from "./MapPointer";
@@ -38,6 +38,8 @@ export class MapTools {
   readonly #pointer: MapPointer;
   readonly #line: DistanceLine;
   readonly #area: DistanceLine;
+  readonly #fence: DistanceLine;
+  readonly #warned: DistanceLine;
   readonly #ends: readonly (() => void)[];
   #onScale: ((scale: MapScale) => void) | null = null;
   #onMeasure: ((place: GroundPlace) => void) | null = null;
@@ -49,6 +51,8 @@ export class MapTools {
     this.#pointer = pointerOf(globe);
     this.#line = new DistanceLine(globe);
     this.#area = new DistanceLine(globe, AREA);
+    this.#fence = new DistanceLine(globe, FENCE);
+    this.#warned = new DistanceLine(globe, WARNED);
     this.#ends = [
       globe.onBeforePicture((now_ms) => this.#beforePicture(now_ms)),
       this.#pointer.addFinder((at) => {
@@ -81,6 +85,16 @@ export class MapTools {
   /** The outline of an area; the caller closes it. */
   showArea(places: readonly MeasuredPlace[]): void {
     this.#area.show(places);
+  }
+
+  /** The fence's border; the caller closes it. */
+  showFence(places: readonly MeasuredPlace[]): void {
+    this.#fence.show(places);
+  }
+
+  /** The present track that is warned of. */
+  showWarned(places: readonly MeasuredPlace[]): void {
+    this.#warned.show(places);
   }
 
   /** The ground in the middle of the picture; null where there is sky. */
@@ -137,6 +151,8 @@ export class MapTools {
     }
     this.#line.dispose();
     this.#area.dispose();
+    this.#fence.dispose();
+    this.#warned.dispose();
   }
 
   #beforePicture(now_ms: number): void {

@@ -73,6 +73,8 @@ _V1: Final[Mapping[tuple[str, str], Entry]] = {
     ("GET", "/checklist"): _SEES,
     ("PUT", "/checklist"): Entry(_operator, deed="checklist"),
     ("DELETE", "/checklist"): Entry(_operator, deed="checklist"),
+    ("GET", "/surroundings"): _SEES,
+    ("PUT", "/surroundings"): Entry(_operator, deed="surroundings"),
     ("GET", "/alarms/thresholds"): _SEES,
     ("PUT", "/alarms/thresholds"): _command("alarms"),
     ("POST", "/alarms/{alarm_id}/acknowledge"): _command("alarms"),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Literal
 
-from epf_gcs.vehicle.judges import AlarmId
+from epf_gcs.vehicle.alarm_ids import AlarmId
 from epf_gcs.web.schemas import Output, ParamValue
 from epf_gcs.web.state.schemas import AlarmState
 

@@ -21,6 +21,7 @@ from epf_gcs.web.stream.hub_state import HubState
 from epf_gcs.web.stream.messages import INVALID, RATE_SENTENCE, TOPICS
 from epf_gcs.web.stream.socket import SocketConnection
 from epf_gcs.web.stream.viewer import MAX_RATE_HZ, Viewer
+from epf_gcs.web.surroundings.watch import NOTHING_SEEN
 
 # With every sample wanted the replay sends ahead, up to some hundred.
 _LOG_SAMPLES: Final = 4096
@@ -259,4 +260,5 @@ class ReplayConversation:
                 self._connection.send([text])
 
     def _whole(self, status: dict[str, Any]) -> dict[str, Any]:
-        return {**status, "version": __version__, "control": NOBODY_STATE, "viewers": 1, "playback": self._playback}
+        whole = {**status, "version": __version__, "control": NOBODY_STATE, "surroundings": NOTHING_SEEN, "viewers": 1}
+        return {**whole, "playback": self._playback}

@@ -20,6 +20,10 @@ _MAX_ZOOM: Final = 30
 _MOST_ARCHIVES: Final = 200
 
 
+# 2: tiles say which heights the raster has.
+_MADE: Final = 2
+
+
 class MapFolder:
     """Blocks on the disk: call it in threads. `report` is called once for each file that cannot be shown.
 
@@ -49,12 +53,24 @@ class MapFolder:
         file = self._find(layer_id)
         stamp = self._source_stamp(file)
         description = self._description(file, stamp)
-        wide = 2 if description.kind == "terrain" and description.projection == "EPSG:4326" else 1
-        inside = 0 <= zoom <= _MAX_ZOOM and 0 <= column < wide << zoom and 0 <= row < 1 << zoom
-        if not inside:
+        if not _is_inside(description, zoom, column, row):
             return None, description, stamp
         path, form = self._tiles_of(file)
         return self._reader.tile(path, file.path.name, form, stamp, zoom, column, row), description, stamp
+
+    def grid(self, layer_id: str, zoom: int, column: int, row: int) -> bytes | None:
+        """The heights of a tile of terrain (`formats.quantized_mesh_reading`); None if there is no such tile. Rows from
+        the south. Raises NotFoundError, or why the file cannot be read."""
+        file = self._find(layer_id)
+        stamp = self._source_stamp(file)
+        description = self._description(file, stamp)
+        if description.kind != "terrain" or description.projection != "EPSG:4326":
+            return None
+        at_row = row if description.scheme == "tms" else (1 << zoom) - 1 - row
+        if not _is_inside(description, zoom, column, at_row):
+            return None
+        path, form = self._tiles_of(file)
+        return self._reader.grid(path, file.path.name, form, stamp, zoom, column, at_row)
 
     def description(self, layer_id: str) -> Description:
         """A layer's description. Raises NotFoundError, or why the file cannot be read."""
@@ -86,9 +102,9 @@ class MapFolder:
             file.path.rename(target)
 
     def terrain_of(self, file: MapFile) -> Path:
-        """The file of a raster's terrain tiles; its name changes when the raster changes."""
+        """The file of a raster's terrain tiles; its name changes when the raster changes, or how tiles are made."""
         stamp = "-".join(f"{part:x}" for part in file.stamp)
-        return self.path / TERRAIN / f"{file.id}-{stamp}.mbtiles"
+        return self.path / TERRAIN / f"{file.id}-{stamp}-{_MADE}.mbtiles"
 
     def unconverted(self) -> list[MapFile]:
         """Rasters without terrain."""
@@ -220,6 +236,11 @@ class MapFolder:
             self._files.pop(layer_id, None)
             raise unknown(layer_id)
         return now
+
+
+def _is_inside(description: Description, zoom: int, column: int, row: int) -> bool:
+    wide = 2 if description.kind == "terrain" and description.projection == "EPSG:4326" else 1
+    return 0 <= zoom <= _MAX_ZOOM and 0 <= column < wide << zoom and 0 <= row < 1 << zoom
 
 
 def unknown(layer_id: str) -> NotFoundError:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import re
 from pathlib import Path
-from typing import Any, Final
+from typing import Any, Final, Literal
 
 import numpy as np
 import numpy.typing as npt
@@ -30,7 +30,11 @@ _BEYOND_BOUNDS: Final = 0.02
 _MOST_BLOCK_PIXELS: Final = 16_000_000
 _MOST_BLOCK_SIDE: Final = 64
 
+# Less than the whole by no more than rounding.
+_WHOLLY: Final = 0.99
+
 Grid = npt.NDArray[np.float64]
+_Of = Literal["height", "known"]
 
 
 class Heights:
@@ -77,19 +81,26 @@ class Heights:
         `step_deg`: the spacing of the grid; finer pixels are averaged. Each height depends only on its own position
         and the step, so that neighbouring grids agree at their common edge. Raises InvalidInputError.
         """
+        return self._at(longitudes_deg, latitudes_deg, step_deg, of="height")
+
+    def known(self, longitudes_deg: Grid, latitudes_deg: Grid, step_deg: float) -> npt.NDArray[np.bool_]:
+        """Whether the raster has data at the places of `at`: in all that each height is made of."""
+        return self._at(longitudes_deg, latitudes_deg, step_deg, of="known") >= _WHOLLY
+
+    def close(self) -> None:
+        """Close the file."""
+        self._raster.close()
+
+    def _at(self, longitudes_deg: Grid, latitudes_deg: Grid, step_deg: float, of: _Of) -> Grid:
         longitude, latitude = np.meshgrid(longitudes_deg, latitudes_deg)
         columns, rows = self._pixels(longitude.ravel(), latitude.ravel())
         size = 1
         while 2 * size * self.pixel_deg <= step_deg:
             size *= 2
         # Coordinates in blocks of size x size pixels, 0 at the centre of the first block.
-        found = self._between(columns / size - 0.5, rows / size - 0.5, size)
+        found = self._between(columns / size - 0.5, rows / size - 0.5, size, of)
         inside = (columns >= 0) & (columns <= self._raster.width) & (rows >= 0) & (rows <= self._raster.height)
         return np.where(inside, found, 0.0).reshape(longitude.shape)
-
-    def close(self) -> None:
-        """Close the file."""
-        self._raster.close()
 
     def _pixels(self, longitude: Grid, latitude: Grid) -> tuple[Grid, Grid]:
         """Fractional columns and rows; -1e9 for places that the projection cannot represent."""
@@ -115,7 +126,7 @@ class Heights:
             x[near], y[near] = found[0], found[1]
         return x, y
 
-    def _between(self, columns: Grid, rows: Grid, size: int) -> Grid:
+    def _between(self, columns: Grid, rows: Grid, size: int, of: _Of) -> Grid:
         """Bilinear interpolation between the four blocks around each place."""
         last_column = math.ceil(self._raster.width / size) - 1
         last_row = math.ceil(self._raster.height / size) - 1
@@ -123,7 +134,7 @@ class Heights:
         left, top = np.floor(column).astype(int), np.floor(row).astype(int)
         right, bottom = np.minimum(left + 1, last_column), np.minimum(top + 1, last_row)
         base_column, base_row = int(left.min()), int(top.min())
-        blocks = self._blocks(base_column, base_row, int(right.max()) + 1, int(bottom.max()) + 1, size)
+        blocks = self._blocks(base_column, base_row, int(right.max()) + 1, int(bottom.max()) + 1, size, of)
 
         def block(at_row: npt.NDArray[np.int64], at_column: npt.NDArray[np.int64]) -> Grid:
             chosen: Grid = blocks[at_row - base_row, at_column - base_column]
@@ -135,17 +146,17 @@ class Heights:
         between: Grid = upper * (1 - south) + lower * south
         return between
 
-    def _blocks(self, left: int, top: int, right: int, bottom: int, size: int) -> Grid:
+    def _blocks(self, left: int, top: int, right: int, bottom: int, size: int, of: _Of) -> Grid:
         """The mean of each block in this rectangle of blocks, read in strips to bound the memory."""
         found = np.zeros((bottom - top, right - left))
         side = min(size, _MOST_BLOCK_SIDE)
         at_once = max(1, _MOST_BLOCK_PIXELS // (side * side * (right - left)))
         for first in range(top, bottom, at_once):
             last = min(first + at_once, bottom)
-            found[first - top : last - top] = self._means(left, first, right, last, size)
+            found[first - top : last - top] = self._means(left, first, right, last, size, of)
         return found
 
-    def _means(self, left: int, top: int, right: int, bottom: int, size: int) -> Grid:
+    def _means(self, left: int, top: int, right: int, bottom: int, size: int, of: _Of) -> Grid:
         raster = self._raster
         x0, y0 = left * size, top * size
         width, height = min(right * size, raster.width) - x0, min(bottom * size, raster.height) - y0
@@ -157,8 +168,13 @@ class Heights:
         except RasterioError as error:
             raise faults.damaged(self._name, _words(error)) from error
         known = ~np.ma.getmaskarray(read) & np.isfinite(read.data)
-        values = np.where(known, read.data.astype(np.float64) * raster.scales[0] + raster.offsets[0], 0.0)
-        values *= self._to_metres
+        values: Grid
+        if of == "known":
+            values = known.astype(np.float64)
+            known = np.ones_like(known)
+        else:
+            values = np.where(known, read.data.astype(np.float64) * raster.scales[0] + raster.offsets[0], 0.0)
+            values *= self._to_metres
         side = size // skip
         if side == 1:
             return values

@@ -73,6 +73,16 @@ class Maps:
         tile, description, stamp = await self._in_thread(self.folder.tile, layer_id, zoom, column, row)
         return (tile if description.kind == "terrain" else None), stamp
 
+    async def terrain_layers(self) -> list[Layer]:
+        """The layers of terrain that can be read, the finest first."""
+        found = [one for one in await self.layers() if one.description.kind == "terrain" and one.problem is None]
+        return sorted(found, key=lambda one: -one.description.maximum_zoom)
+
+    async def grid(self, layer_id: str, zoom: int, column: int, row: int) -> bytes | None:
+        """The heights of one tile of terrain (`formats.quantized_mesh_reading`), rows from the south; None if there is
+        none. Raises NotFoundError, or why it cannot be read."""
+        return await self._in_thread(self.folder.grid, layer_id, zoom, column, row)
+
     async def description(self, layer_id: str) -> Description:
         """A layer's description. Raises NotFoundError, or why it cannot be read."""
         return await self._in_thread(self.folder.description, layer_id)

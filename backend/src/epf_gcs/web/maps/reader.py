@@ -76,6 +76,20 @@ class Reader:
         head, data = self._ask(asked, path, stamp, self._longest_tile_s)
         return Tile(data, head["media_type"], head["encoding"]) if data else None
 
+    def grid(
+        self, path: Path, name: str, form: LayerFormat, stamp: Stamp, zoom: int, column: int, row: int
+    ) -> bytes | None:
+        """The heights of one tile of terrain; None if there is none. Rows and errors as with `tile`."""
+        asked = {
+            "do": "grid",
+            "path": str(path),
+            "name": name,
+            "format": form,
+            "stamp": stamp,
+            "place": (zoom, column, row),
+        }
+        return self._ask(asked, path, stamp, self._longest_tile_s)[1] or None
+
     def raster_inside(self, path: Path, stamp: Stamp) -> str | None:
         """The one raster in an archive; None if there is not exactly one, or if looking took too much."""
         try:

@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any, BinaryIO, Final
 
 from epf_gcs.errors import GatewayError
+from epf_gcs.formats.quantized_mesh_reading import read_grid
 from epf_gcs.web.maps import faults
 from epf_gcs.web.maps.layer import Tile, TileSource
 from epf_gcs.web.maps.open_files import OpenFiles
@@ -55,6 +56,10 @@ def _answer(opened: OpenFiles, asked: dict[str, Any]) -> tuple[dict[str, Any], b
             case "describe":
                 with opened.reading(str(path), tuple(asked["stamp"]), lambda: _open(path, asked)) as source:
                     return {"description": source.description.as_dict()}, b""
+            case "grid":
+                with opened.reading(str(path), tuple(asked["stamp"]), lambda: _open(path, asked)) as source:
+                    tile = source.tile(*asked["place"])
+                return {}, b"" if tile is None else read_grid(tile.data)
             case _:
                 with opened.reading(str(path), tuple(asked["stamp"]), lambda: _open(path, asked)) as source:
                     tile = source.tile(*asked["place"])

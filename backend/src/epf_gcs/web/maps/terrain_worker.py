@@ -114,8 +114,9 @@ def _write(heights: Heights, output: sqlite3.Connection, told: Callable[[int], N
 
 def _tile(heights: Heights, zoom: int, column: int, row: int) -> bytes:
     longitudes_deg, latitudes_deg = tile_nodes(zoom, column, row)
-    found = heights.at(longitudes_deg, latitudes_deg, 180.0 / (1 << zoom) / CELLS)
-    return encode_tile(zoom, column, row, found)
+    step_deg = 180.0 / (1 << zoom) / CELLS
+    found = heights.at(longitudes_deg, latitudes_deg, step_deg)
+    return encode_tile(zoom, column, row, found, heights.known(longitudes_deg, latitudes_deg, step_deg))
 
 
 def _level(bounds: Bounds, zoom: int) -> Iterator[tuple[int, int, int]]:

@@ -7,8 +7,9 @@ from typing import Literal
 from pydantic import Field
 
 from epf_gcs.errors import ErrorCode
-from epf_gcs.vehicle.judges import AlarmId
+from epf_gcs.vehicle.alarm_ids import AlarmId
 from epf_gcs.web.schemas import Input, LinkState, Output, ParamValue
+from epf_gcs.web.surroundings.schemas import SurroundingsState
 
 
 class Failure(Output):
@@ -239,6 +240,7 @@ class Status(Output):
     control: ControlState
     recording: RecordingState
     alarms: list[AlarmState]
+    surroundings: SurroundingsState
     errors: dict[str, int]
     topics: dict[str, TopicHealth]
     viewers: int

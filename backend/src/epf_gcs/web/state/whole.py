@@ -16,14 +16,22 @@ from epf_gcs.web.stream.hub import Hub
 
 
 class WholeStatus:
-    """`flight` returns the part that the flight process sent last."""
+    """`flight` returns the part that the flight process sent last, `around` what was seen of ground and fence."""
 
-    def __init__(self, flight: Callable[[], dict[str, Any]], control: Control, errors: ErrorLog, hub: Hub) -> None:
+    def __init__(
+        self,
+        flight: Callable[[], dict[str, Any]],
+        control: Control,
+        errors: ErrorLog,
+        hub: Hub,
+        around: Callable[[], dict[str, Any]],
+    ) -> None:
         self._loop = asyncio.get_running_loop()
         self._flight = flight
         self._control = control
         self._errors = errors
         self._hub = hub
+        self._around = around
         self._due = False
         # Samples of the stick that did not count: their page has no control.
         self.strange_samples = 0
@@ -40,6 +48,7 @@ class WholeStatus:
             "hil": hil,
             "version": __version__,
             "control": self._control.state(),
+            "surroundings": self._around(),
             "errors": Counter(known["errors"]) + self._errors.counts,
             "viewers": len(self._hub.viewers),
         }

@@ -62,6 +62,11 @@ class VehicleMirror:
         sample = self._hub.state.samples().get(topic)
         return None if sample is None else sample.values
 
+    def newest_at_s(self, topic: str) -> float | None:
+        """Unix time of the newest values of a topic."""
+        sample = self._hub.state.samples().get(topic)
+        return None if sample is None else sample.t_s
+
     def is_live(self, topic: str) -> bool:
         """Whether the topic's newest sample is not stale."""
         sample = self._hub.state.samples().get(topic)

@@ -3,8 +3,8 @@ import type { Position } from "../../../lib/geodesy";
 import type { GroundPlace } from "../../../scene/tools/MapPointer";
 import { partName } from "../../../store/parts";
 
-/** What a press on the map does: picks a thing, adds a waypoint, measures, or puts a corner of an area. */
-export type Tool = "pick" | "add" | "measure" | "area";
+/** What a press on the map does: picks a thing, adds a waypoint, measures, or puts a corner of an area or of the fence. */
+export type Tool = "pick" | "add" | "measure" | "area" | "fence";
 
 /** A spot of the map whose menu is open. */
 export interface OpenMenu {

@@ -1,0 +1,24 @@
+"""What can be wrong, by name."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+AlarmId = Literal[
+    "heartbeat_lost",
+    "no_heartbeat",
+    "hil_lost",
+    "foreign_datagrams",
+    "stick_lost",
+    "gps_lost",
+    "battery_low",
+    "cpu_high",
+    "frames_damaged",
+    "parameter_not_confirmed",
+    "card_failed",
+    "flight_lost",
+    "recorder_failed",
+    "terrain_ahead",
+    "fence_left",
+    "fence_ahead",
+]

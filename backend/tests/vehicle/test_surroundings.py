@@ -1,0 +1,65 @@
+"""The alarms of ground and fence: what the station says, for as long as it says it."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from epf_gcs.vehicle.surroundings import LASTS_S, ToldSurroundings
+
+TERRAIN = {"id": "terrain_ahead", "aircraft": "flight", "what": "terrain", "in_s": 28.4}
+
+
+def test_what_is_said_is_an_alarm_until_it_is_not_said_any_more() -> None:
+    told = ToldSurroundings()
+    assert told.look(100.0) == []
+    told.take([TERRAIN], 100.0)
+    (found,) = told.look(100.0 + LASTS_S)
+    assert (found.id, found.level) == ("terrain_ahead", "critical")
+    assert found.params == {"aircraft": "flight", "what": "terrain"}
+    assert "in 28 s" in found.text
+    told.take([], 101.0)
+    assert told.look(101.0) == []
+
+
+def test_whoever_said_it_has_gone_and_nothing_looks_live() -> None:
+    told = ToldSurroundings()
+    told.take([TERRAIN], 100.0)
+    assert told.look(100.0 + LASTS_S + 0.1) == []
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "terrain_ahead",
+        None,
+        {},
+        {**TERRAIN, "id": "battery_low"},
+        {**TERRAIN, "aircraft": "<b>"},
+        {**TERRAIN, "what": 3},
+        {**TERRAIN, "in_s": float("nan")},
+        {**TERRAIN, "in_s": -1},
+        {**TERRAIN, "in_s": "soon"},
+        {**TERRAIN, "in_s": 1e9},
+    ],
+)
+def test_what_has_no_known_form_is_no_alarm(said: Any) -> None:
+    told = ToldSurroundings()
+    told.take([said, *[TERRAIN]], 1.0)
+    assert [found.id for found in told.look(1.0)] == ["terrain_ahead"]
+
+
+def test_the_ceiling_and_the_border_are_told_apart() -> None:
+    told = ToldSurroundings()
+    told.take(
+        [
+            {"id": "fence_left", "aircraft": "hil", "what": "ceiling", "in_s": 0},
+            {"id": "fence_ahead", "aircraft": "flight", "what": "fence", "in_s": 12},
+        ],
+        1.0,
+    )
+    left, ahead = told.look(1.0)
+    assert (left.level, ahead.level) == ("critical", "warning")
+    assert "ceiling" in left.text
+    assert "border, in 12 s" in ahead.text

@@ -1,0 +1,36 @@
+import { MAP_LAYERS } from "../features/map/layers/layerList";
+import { createMapLayerActions } from "../features/map/layers/layerRequests";
+import { createSurroundings, SURROUNDINGS } from "../features/map/surroundings/surroundings";
+import { createMapTool, MAP_TOOL } from "../features/map/tools/mapTool";
+import { createTrackEdits, TRACK_EDITS } from "../features/map/trackEdits";
+import { TRACK_LOG } from "../features/map/trackLog";
+import { createTrackLog } from "../features/map/trackRequests";
+import type { Timers } from "../lib/timers";
+import type { StreamEvent } from "../protocol/envelope";
+import type { AskingParts } from "../requests/asking";
+import type { Parts } from "../store/parts";
+
+/** What the map is made of: layers, tracks, ground and fence, and what a press on it does. */
+export function createMapParts(
+  asking: AskingParts,
+  timers: Timers,
+  report: (error: unknown) => void,
+): { readonly addTo: (parts: Parts) => Parts; readonly takeEvent: (event: StreamEvent) => void } {
+  const { mapLayers, takeMapEvent } = createMapLayerActions({ ...asking, timers });
+  const { trackLog, takeTrackEvent } = createTrackLog({ rest: asking.rest, timers, report });
+  const { surroundings, takeSurroundingsEvent } = createSurroundings(asking.rest);
+  return {
+    addTo: (parts) =>
+      parts
+        .with(MAP_TOOL, createMapTool())
+        .with(MAP_LAYERS, mapLayers)
+        .with(TRACK_LOG, trackLog)
+        .with(TRACK_EDITS, createTrackEdits(asking))
+        .with(SURROUNDINGS, surroundings),
+    takeEvent: (event) => {
+      takeMapEvent(event);
+      takeTrackEvent(event);
+      takeSurroundingsEvent(event);
+    },
+  };
+}
