@@ -23,6 +23,7 @@ from epf_gcs.web.access.caller import Caller
 from epf_gcs.web.access.changes import HolderChanged
 from epf_gcs.web.access.control import Control
 from epf_gcs.web.checklist.kept import KeptChecklist
+from epf_gcs.web.fields.fields import Fields
 from epf_gcs.web.flights.aircraft import AircraftName
 from epf_gcs.web.flights.flights import Flights
 from epf_gcs.web.flights.imports import FlightImports
@@ -61,6 +62,7 @@ class Station:
         self.status = WholeStatus(lambda: self.mirror.status, self.control, errors, self.hub)
         self.tracks = Tracks(self.mirror, self.hub, self.clock, data_dir / "track", errors.report)
         self.maps = Maps(data_dir, self.hub, self.clock, errors.report)
+        self.fields = Fields(self.maps, self.hub, errors.report)
         self.flights = Flights(
             Places(data_dir),
             Jobs(self.hub),
@@ -85,6 +87,7 @@ class Station:
             "streams": self.streams,
             "tracks": self.tracks,
             "maps": self.maps,
+            "fields": self.fields,
             "inspector": SharedInspector(lambda: self.vehicle.request("inspector"), self.clock.steady_s),
             "recordings_dir": data_dir / "recordings",
             "flights": self.flights,
@@ -123,6 +126,7 @@ class Station:
                     for name, job in (
                         ("vehicle", self.vehicle.run),
                         ("maps", self.maps.run),
+                        ("fields", self.fields.run),
                         ("track", self.tracks.run),
                         ("flights", self.flights.run),
                         ("flight queries", self.queries.run),
@@ -144,6 +148,7 @@ class Station:
             await self.replays.close()
             await self.queries.close()
             await self.flights.close()
+            await self.fields.close()
             await self.maps.close()
             await self.tracks.close()
 
