@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 import signal
 import subprocess
@@ -278,7 +279,6 @@ def test_a_folder_that_goes_away_is_a_sentence(gateway: Gateway, server: BadServ
 
 
 def _middle(zoom: int) -> tuple[int, int]:
-    import math
 
     count = 2**zoom
     mercator = math.asinh(math.tan(math.radians(fields.LATITUDE_DEG)))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import time
 from collections import deque
 from collections.abc import Callable
@@ -47,6 +48,12 @@ class Progress:
         if problem is not None:
             self._retries += 1
         self.tell(now=(had is None) != (problem is None))
+
+    async def run(self) -> None:
+        """Tell it again and again, until cancelled."""
+        while True:
+            self.tell()
+            await asyncio.sleep(_TELL_EVERY_S)
 
     def tell(self, *, now: bool = False) -> None:
         """Say it, unless that was a moment ago."""

@@ -98,11 +98,16 @@ def _fetch(folder: Path, order: Order, arrived: PartFile, consent: Consent, pace
     async def all_parts() -> None:
         transport = OutsideTransport(consent)
         headers = {"User-Agent": USER_AGENT}
-        async with httpx.AsyncClient(
-            headers=headers, timeout=pace.silence_s, follow_redirects=False, transport=transport
-        ) as client:
-            for part in order.parts:
-                await _fetch_part(folder, order, part, arrived, client, progress, pace)
+        # Told also while nothing comes: the last piece before a silence, and how long it lasts.
+        telling = asyncio.create_task(progress.run())
+        try:
+            async with httpx.AsyncClient(
+                headers=headers, timeout=pace.silence_s, follow_redirects=False, transport=transport
+            ) as client:
+                for part in order.parts:
+                    await _fetch_part(folder, order, part, arrived, client, progress, pace)
+        finally:
+            telling.cancel()
 
     asyncio.run(all_parts())
     progress.tell(now=True)
