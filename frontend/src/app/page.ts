@@ -25,8 +25,6 @@ import { createGamepadInput, type GamepadReader } from "../features/gamepad/game
 import { GAMEPADS } from "../features/gamepad/gamepadList";
 import { TOUCH_STICK } from "../features/gamepad/touchStick";
 import { FLIGHT_LOG } from "../features/log/flightLog";
-import { MAP_LAYERS } from "../features/map/layers/layerList";
-import { createMapLayerActions } from "../features/map/layers/layerRequests";
 import { createMapTool, MAP_TOOL } from "../features/map/tools/mapTool";
 import { createTrackEdits, TRACK_EDITS } from "../features/map/trackEdits";
 import { TRACK_LOG } from "../features/map/trackLog";
@@ -65,6 +63,7 @@ import { openAddressedTab } from "./addressedTab";
 import { eventMessage, linkMessages } from "./announcements";
 import { rememberClient, rememberedClient } from "./clientMemory";
 import { createFlightBook } from "./flightBook";
+import { createGround } from "./ground";
 import type { PageVersions } from "./pageVersion";
 import { createPasts, SHOWN } from "./past";
 import { plotTimeline } from "./plotTimeline";
@@ -242,7 +241,7 @@ export function createPage(world: World): {
     sounder: world.sounder,
     speaker: world.speaker,
   });
-  const { mapLayers, takeMapEvent } = createMapLayerActions({ ...asking, timers: world.timers });
+  const { addTo, takeMapEvent } = createGround({ ...asking, timers: world.timers });
   const { trackLog, takeTrackEvent } = createTrackLog({ rest, timers: world.timers, report: fail });
   const address = createFlightAddress(world.address, world.timers);
   const playback: Playback = createPlayback({
@@ -270,7 +269,7 @@ export function createPage(world: World): {
   });
   const plots = createPlots({ rest, timers: world.timers, timeline: plotTimeline(playback) });
   const comparison = twoFlights({ reports, plots, settings });
-  const parts = new Parts()
+  const parts = addTo(new Parts())
     .with(PLAYBACK, playback)
     .with(ENTRY, entry)
     .with(NEW_VERSION, newVersion)
@@ -284,7 +283,6 @@ export function createPage(world: World): {
     .with(SOURCE_RETURN, sourceReturn)
     .with(SELECTION, createSelection())
     .with(MAP_TOOL, createMapTool())
-    .with(MAP_LAYERS, mapLayers)
     .with(TRACK_LOG, trackLog)
     .with(TRACK_EDITS, createTrackEdits(asking))
     .with(SERVO_SLIDERS, servos.sliders)
