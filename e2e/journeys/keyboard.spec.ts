@@ -30,11 +30,18 @@ async function stop(page: Page): Promise<Stop | null> {
 async function walk(page: Page, tab: string): Promise<void> {
   await page.evaluate(() => (document.activeElement as HTMLElement | null)?.blur());
   const stops: Stop[] = [];
+  let nowhere = 0;
   for (let press = 0; press < STOPS_MOST; press += 1) {
     await page.keyboard.press("Tab");
     const at = await stop(page);
-    // Behind the last stop the focus leaves the page, and the next press begins again.
-    if (at === null || (stops.length > 3 && at.what === stops[0]?.what)) break;
+    if (at === null) {
+      // Behind the last stop the focus leaves the page. An alarm that ends takes its focused button with it as well:
+      // then the next press goes on beside its place.
+      nowhere += 1;
+      if (nowhere > 1 || stops.some(({ isInPanel }) => isInPanel)) break;
+      continue;
+    }
+    if (stops.length > 3 && at.what === stops[0]?.what) break;
     stops.push(at);
   }
   expect(stops.length, `${tab}: the walk ends`).toBeLessThan(STOPS_MOST);
@@ -79,6 +86,7 @@ test("a pilot without a mouse reaches every tab, switches the autopilot, writes 
     await page.evaluate(() => (document.activeElement as HTMLElement | null)?.blur());
     await page.keyboard.press(key);
     await expect(page.getByRole("tab", { name: tab, exact: true })).toHaveAttribute("aria-selected", "true");
+    await expect(page.locator(".app-waiting"), `${tab} is loaded`).toHaveCount(0);
     await walk(page, tab);
   }
 

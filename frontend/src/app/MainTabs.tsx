@@ -1,5 +1,6 @@
 import type { ReactNode } from "react";
 import { useTranslation } from "react-i18next";
+import { UnseenAlarms } from "../features/alarms/UnseenAlarms";
 import { usePage } from "../store/hooks";
 import { choose } from "../store/settings";
 import { Tabs } from "../ui/Tabs";
@@ -35,6 +36,7 @@ export function MainTabs({ layout }: { readonly layout: Layout }) {
         value: tab,
         label: t(`tab.${tab}`),
         icon: isWide ? undefined : <TabIcon tab={tab} />,
+        badge: tab === "alarms" ? <UnseenAlarms /> : undefined,
         content: <View tab={tab} />,
       }))}
     />

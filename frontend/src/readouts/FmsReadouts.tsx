@@ -1,4 +1,5 @@
 import "./readouts.css";
+import type { ParseKeys } from "i18next";
 import { ChevronLeft, ChevronRight } from "lucide-react";
 import { useTranslation } from "react-i18next";
 import type { CommandName } from "../protocol/messages.gen";
@@ -12,11 +13,17 @@ import { ReadoutTable } from "./ReadoutTable";
 interface Plan {
   readonly previous: CommandName;
   readonly next: CommandName;
+  /** Why a live stream has only dashes. */
+  readonly none: ParseKeys;
 }
 
 const PLANS: Readonly<Record<"fms_plan" | "fms_hil_plan", Plan>> = {
-  fms_plan: { previous: "fms_previous_waypoint", next: "fms_next_waypoint" },
-  fms_hil_plan: { previous: "hil_fms_previous_waypoint", next: "hil_fms_next_waypoint" },
+  fms_plan: { previous: "fms_previous_waypoint", next: "fms_next_waypoint", none: "fms.none.fms_plan" },
+  fms_hil_plan: {
+    previous: "hil_fms_previous_waypoint",
+    next: "hil_fms_next_waypoint",
+    none: "fms.none.fms_hil_plan",
+  },
 };
 
 const ROWS: readonly ReadoutRow<NumberField<"fms_plan">>[] = [
@@ -34,7 +41,7 @@ function NoPlan({ topic }: { topic: keyof typeof PLANS }) {
     (telemetry, now_ms) =>
       telemetry.state(topic, now_ms) === "live" && telemetry.newestNumber(topic, "waypoint") === null,
   );
-  return isEmpty ? <p className="live-note">{t(`fms.none.${topic}`)}</p> : null;
+  return isEmpty ? <p className="live-note">{t(PLANS[topic].none)}</p> : null;
 }
 
 /** The targets of a flight plan, and two buttons that step through its waypoints. */

@@ -5,7 +5,7 @@ import { beforeEach, expect, test } from "vitest";
 import { Station } from "../test/station";
 import { WORDS } from "../ui/test/testWords";
 import { WordsProvider } from "../ui/words";
-import { LivePlot } from "./LivePlot";
+import { LivePlot, type PlotEvent } from "./LivePlot";
 import type { Signal } from "./signals";
 
 const ROLL: Signal = { topic: "ahrs", field: "roll_deg", label: "Roll", unit: "°" };
@@ -14,13 +14,16 @@ const DOUBLE: Signal = { row: 17, index: 0, label: "Doble", scale: (value) => 2 
 
 let station: Station;
 let show: (signals: readonly Signal[]) => void;
+let happen: (events: readonly PlotEvent[]) => void;
 
 function Bench() {
   const [signals, setSignals] = useState<readonly Signal[]>([ROLL]);
+  const [events, setEvents] = useState<readonly PlotEvent[]>([]);
   show = (next) => act(() => setSignals(next));
+  happen = (next) => act(() => setEvents(next));
   return (
     <WordsProvider words={WORDS}>
-      <LivePlot signals={signals} window_s={2} label="Alabeo" />
+      <LivePlot signals={signals} window_s={2} label="Alabeo" events={events} />
     </WordsProvider>
   );
 }
@@ -93,4 +96,14 @@ test("the drawing is fetched when it is needed, and stands on a canvas", async (
   show([ROLL, SPEED]);
   station.send({ ahrs: { roll_deg: 12 } });
   expect(screen.queryByRole("alert")).toBeNull();
+});
+
+test("what happened is said with the time since, until it leaves the picture", () => {
+  happen([{ key: "0", label: "k_roll 2 → 3" }]);
+  for (let tenth = 0; tenth < 12; tenth += 1) {
+    station.send({ ahrs: { roll_deg: 3 } });
+  }
+  expect(words()).toMatch(/k_roll 2 → 3, hace [01]\.\d s\.$/);
+  station.pass(3000);
+  expect(words()).not.toContain("k_roll");
 });

@@ -158,11 +158,8 @@ function Body({ label, aside, state = "idle", note, labelId, noteId }: BodyProps
           </span>
         )}
       </span>
-      {aside !== undefined && (
-        <span className="ui-menu-aside" aria-hidden="true">
-          {aside}
-        </span>
-      )}
+      {/* Drawn by the style sheet: as text it would be part of what is seen and not of the name that is heard. */}
+      {aside !== undefined && <span className="ui-menu-aside" aria-hidden="true" data-key={aside} />}
       <StateMark state={state} />
     </>
   );

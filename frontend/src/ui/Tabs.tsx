@@ -7,6 +7,8 @@ export interface Tab<V extends string> {
   label: string;
   /** Over the label, where the tabs are a bar of an app. */
   icon?: ReactNode;
+  /** Over the corner of the tab; of no width, so that no tab moves. */
+  badge?: ReactNode;
   content: ReactNode;
 }
 
@@ -57,6 +59,7 @@ export function Tabs<V extends string>(props: Props<V>) {
             <Base.Tab key={tab.value} value={tab.value} className="ui-tab">
               {tab.icon}
               {tab.icon === undefined ? tab.label : <span className="ui-tab-label">{tab.label}</span>}
+              {tab.badge}
             </Base.Tab>
           ))}
         </Base.List>

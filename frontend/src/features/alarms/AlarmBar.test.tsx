@@ -10,6 +10,7 @@ import { WORDS } from "../../ui/test/testWords";
 import { WordsProvider } from "../../ui/words";
 import { AlarmBar } from "./AlarmBar";
 import { ALARM_LOG } from "./alarmLog";
+import { UnseenAlarms } from "./UnseenAlarms";
 
 const user = userEvent.setup();
 const LOST = {
@@ -192,5 +193,31 @@ describe("a board that started anew", () => {
     const nothing = { silent_s: null, uptime_ms: null, parameters: [], plans: [] };
     station.deliver({ type: "event", event: "board_restarted", t_s: 1_699_999_998, data: nothing });
     expect(within(strip()).getByRole("alert").textContent).toContain("La placa se ha reiniciado");
+  });
+});
+
+describe("the number on the tab", () => {
+  function numbered(...alarms: Status["alarms"]): HTMLElement | null {
+    const station = new Station(
+      <WordsProvider words={WORDS}>
+        <UnseenAlarms />
+      </WordsProvider>,
+    );
+    station.greet();
+    raise(station, ...alarms);
+    return [...document.querySelectorAll<HTMLElement>(".alarms-unseen")].at(-1) ?? null;
+  }
+
+  test("counts what nobody has acknowledged, also what came and went", () => {
+    expect(numbered(ENDED, LOW, { ...SLOW, acknowledged: true })?.textContent).toBe("2");
+  });
+
+  test("has the colour of the most urgent one", () => {
+    expect(numbered(LOST, LOW)?.dataset["level"]).toBe("critical");
+    expect(numbered(LOW)?.dataset["level"]).toBe("warning");
+  });
+
+  test("is not there when all is known", () => {
+    expect(numbered({ ...LOST, acknowledged: true })).toBeNull();
   });
 });

@@ -1,6 +1,9 @@
 import { screen, within } from "@testing-library/react";
 import { describe, expect, test } from "vitest";
-import { openPage, row, station, user, writes } from "../../test/params";
+import { PARAMETERS } from "../../protocol/messages.gen";
+import { type Known, openPage, row, station, user, writes } from "../../test/params";
+
+const PITCH = PARAMETERS.find(({ name }) => name === "k_pitch")?.default ?? null;
 
 describe("the tuning view", () => {
   const dock = () => screen.getByRole("region", { name: "Ajuste" });
@@ -17,6 +20,24 @@ describe("the tuning view", () => {
     await user.clear(input);
     await user.type(input, "3{Enter}");
     expect(writes()).toEqual([{ k_roll: 3 }]);
+  });
+
+  test("marks each change of a gain in the plot, and nothing when a gain becomes known", async () => {
+    await openPage();
+    await user.click(within(row("k_roll")).getByRole("button", { name: "Ajustar k_roll con gráfica" }));
+    station.show();
+    const told = () => within(dock()).getByRole("figure").textContent;
+    const tell = (parameters: Known): void =>
+      station.deliver({ type: "event", event: "parameter", t_s: 1, data: { parameters } });
+    const held = { loaded: 2, state: "confirmed" } as const;
+    tell({ k_roll: { ...held, value: 2.5 } });
+    station.pass(2000);
+    expect(told()).toContain("→ 2.5, hace");
+    tell({ k_pitch: { value: null, loaded: null, state: "unknown" } });
+    const count = told()?.split("→").length;
+    tell({ k_pitch: { ...held, value: PITCH } });
+    station.pass(2000);
+    expect(told()?.split("→").length).toBe(count);
   });
 
   test("can show another loop, and be closed", async () => {
