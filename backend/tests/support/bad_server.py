@@ -104,6 +104,11 @@ def refuses_for_now(connection: socket.socket, _data: bytes) -> None:
     )
 
 
+def refuses_for_a_second(connection: socket.socket, _data: bytes) -> None:
+    """503, and when to come again."""
+    connection.sendall(b"HTTP/1.1 503 Busy\r\nRetry-After: 1\r\nContent-Length: 0\r\nConnection: close\r\n\r\n")
+
+
 def fails(connection: socket.socket, _data: bytes) -> None:
     """An error of its own."""
     connection.sendall(b"HTTP/1.1 500 Oops\r\nContent-Length: 0\r\nConnection: close\r\n\r\n")

@@ -183,3 +183,14 @@ def test_a_changed_or_missing_tile_or_a_cut_file_is_seen(tmp_path: Path, server:
     path.write_bytes(data[: len(data) // 2])
     with pytest.raises(GatewayError):
         prove(path, "x")
+
+
+def test_a_server_that_says_when_to_come_again_is_left_alone_till_then(tmp_path: Path, server: BadServer) -> None:
+    told: list[dict[str, Any]] = []
+    server.plan = lambda number, _path: bad.refuses_for_a_second if number == 0 else None
+    made(tmp_path, server, say=told.append)
+    waits = [one["waits_s"] for one in told if one.get("waits_s") is not None]
+    assert 0.5 < max(waits) <= 1.0, "a thousand times what the pace would wait"
+    assert any(
+        one["waits_for"] and one["waits_for"]["code"] == "field_source_silent" for one in told if "waits_for" in one
+    )

@@ -75,12 +75,12 @@ export function createFields(parts: AskingParts & { readonly onChanged: () => vo
   async function read(): Promise<void> {
     const asked = rest.ask("GET", LAYERS, isMapLayers);
     const answer = await rest.ask("GET", FIELDS, isFieldList);
-    const layers = await asked;
     store.setState(
       answer.ok
         ? { known: answer.value, failure: null }
         : { known: store.getState().known, failure: failureMessage(answer.problem) },
     );
+    const layers = await asked;
     if (layers.ok) {
       store.setState({ packs: packsOf(layers.value.layers) });
     }

@@ -85,14 +85,13 @@ class Fetcher:
 
     async def _one_after_the_other(self, places: Iterator[Place]) -> None:
         for place in places:
-            while True:
+            data: bytes | None = None
+            while data is None:
                 await self._until_allowed()
                 try:
                     data = await self._once(place)
                 except _LaterError as error:
                     self._fails(error)
-                else:
-                    break
             self._pause_s, self._spent = self._pace.first_pause_s, 0.0
             self._waits(None, 0.0)
             self._arrived(place, data)

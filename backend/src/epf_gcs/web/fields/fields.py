@@ -59,8 +59,8 @@ class Fields:
         while True:
             await self._awake.wait()
             self._awake.clear()
-            while (job := next((one for one in self._all.values() if one.state == "running"), None)) is not None:
-                await self._prepare(job)
+            while (first := next((one for one in self._all.values() if one.is_running()), None)) is not None:
+                await self._prepare(first)
 
     def all(self) -> list[FieldJob]:
         """Those under way, and those that were done since the start; the oldest first."""
@@ -103,8 +103,8 @@ class Fields:
         job.state = "paused"
         job.progress.update({"waits_s": None, "waits_for": None, "left_s": None, "bytes_per_s": 0})
         await self._end_worker(job)
-        if job.state != "paused":
-            return job  # it was done in this moment
+        if job.is_done():
+            return job  # in just this moment
         await self._write_state(job)
         self._tell(job)
         return job
@@ -163,7 +163,7 @@ class Fields:
             problem = not_written(job.order.name, error.strerror or str(error))
         finally:
             self._ended.set()
-        if job.state != "running":
+        if not job.is_running():
             return  # paused or removed meanwhile
         if problem is not None:
             job.problem = problem
@@ -172,12 +172,12 @@ class Fields:
 
     async def _until_done(self, job: FieldJob) -> GatewayError | None:
         tries, arrived = 0, -1
-        while job.state == "running":
+        while job.is_running():
             heard: dict[str, Any] = {}
 
             def hear(told: dict[str, Any], heard: dict[str, Any] = heard) -> None:
                 heard.update(told)
-                if "doing" in told and job.state == "running":
+                if "doing" in told and job.is_running():
                     job.hear(told)
                     self._tell(job)
 
@@ -186,7 +186,7 @@ class Fields:
                 hear,
                 lambda process: self._started(job, process),
             )
-            if job.state != "running":
+            if not job.is_running():
                 return None
             if problem is not None:
                 return problem

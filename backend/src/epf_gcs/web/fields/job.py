@@ -51,6 +51,14 @@ class FieldJob:
         """The name of its file in the maps' folder."""
         return f"{self.order.name}.field"
 
+    def is_running(self) -> bool:
+        """Whether it is to go on; asked anew after each wait, for others pause it meanwhile."""
+        return self.state == "running"
+
+    def is_done(self) -> bool:
+        """Whether its file is in the maps' folder."""
+        return self.state == "done"
+
     def as_dict(self) -> dict[str, Any]:
         """Plain values."""
         progress = {**self.progress}

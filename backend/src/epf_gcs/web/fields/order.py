@@ -144,12 +144,8 @@ def check(order: Order, consent: Consent) -> None:
 
 
 def _check_part(part: Part, consent: Consent) -> None:
-    try:
-        parts = urlsplit(part.url)
-        host, port = (parts.hostname or "").lower(), parts.port
-        is_address = parts.scheme in ("http", "https") and bool(host) and port != 0 and "{" not in parts.netloc
-    except ValueError:
-        is_address, host, port = False, "", None
+    scheme, host, port = _server(part.url)
+    is_address = scheme in ("http", "https") and bool(host) and "{" not in host
     placed = [_TILE_PLACES] if part.kind != "heights" else [_TILE_PLACES, _DEGREE_PLACES]
     if not is_address or not any(all(part.url.count(one) == 1 for one in names) for names in placed):
         raise InvalidInputError(
@@ -165,9 +161,18 @@ def _check_part(part: Part, consent: Consent) -> None:
             name=part.name,
             host=host,
         )
-    if not consent.covers(parts.scheme, host, port) and is_local_as_written(host):
+    if not consent.covers(scheme, host, port) and is_local_as_written(host):
         raise local(Source("field", part.name, part.url, part.attribution))
     if not 0 <= part.minimum_zoom <= part.maximum_zoom <= HIGHEST_ZOOM:
         raise InvalidInputError(
             "invalid_request", f"The levels of '{part.name}' go from 0 to {HIGHEST_ZOOM}.", field="parts"
         )
+
+
+def _server(url: str) -> tuple[str, str, int | None]:
+    """Scheme, host and port; empty if the URL is none."""
+    try:
+        parts = urlsplit(url)
+        return parts.scheme, (parts.hostname or "").lower(), parts.port or None
+    except ValueError:
+        return "", "", None

@@ -21,7 +21,8 @@ def is_whole_picture(data: bytes) -> bool:
     if data.startswith(_JPEG):
         return data.rstrip(b"\0").endswith(_JPEG_END) and _is_tile_jpeg(data)
     if data.startswith(b"RIFF") and data[8:12] == b"WEBP":
-        return struct.unpack_from("<I", data, 4)[0] + 8 in (len(data), len(data) + 1)
+        (length,) = struct.unpack_from("<I", data, 4)
+        return bool(length + 8 in (len(data), len(data) + 1))
     return False
 
 
