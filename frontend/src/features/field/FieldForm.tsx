@@ -90,7 +90,7 @@ export function FieldForm({ sources }: { sources: readonly FieldSource[] }) {
         minimum={0.5}
         maximum={MOST_KM}
         step={1}
-        unit="km"
+        unit={t("unit.km")}
         onCommit={(radius_km) => edit({ radius_km })}
       />
       {KINDS.map((kind) => (
@@ -144,7 +144,7 @@ function Estimate() {
         {levels.map((level) => (
           <li key={`${level.kind}${level.zoom}`}>
             {t(level.zoom < 0 ? "field.degrees" : "field.level", {
-              kind: t(`field.kind.${level.kind}`),
+              kind: t(`fieldKind.${level.kind}`),
               zoom: level.zoom,
               tiles: level.tiles,
               bytes: formatBytes(level.bytes),

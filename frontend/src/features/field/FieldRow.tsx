@@ -25,7 +25,7 @@ export function FieldRow({ field }: { field: PreparedField }) {
     <li className="field-row">
       <h3>{field.name}</h3>
       <progress aria-label={t("field.progress", { name: field.name })} max={100} value={share} />
-      <p>{`${t(`field.state.${field.state}`)} · ${t(`field.doing.${field.doing}`)}`}</p>
+      <p>{`${t(`fieldState.${field.state}`)} · ${t(`fieldDoing.${field.doing}`)}`}</p>
       <p className="field-figures">{figures()}</p>
       {field.problem !== null && (
         <Notice level={field.state === "failed" ? "error" : "warning"}>

@@ -17,7 +17,7 @@ export function SourceChoice({ kind, draft, sources, onChange }: Props) {
   const { t } = useTranslation();
   const offered = sources.filter((source) => source.kind === kind);
   const chosen = offered.find(({ id }) => id === draft.source);
-  const name = t(`field.kind.${kind}`);
+  const name = t(`fieldKind.${kind}`);
   const url = chosen?.url ?? draft.url;
 
   function choose(source: string): void {

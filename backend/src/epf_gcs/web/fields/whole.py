@@ -31,7 +31,7 @@ def is_whole_terrarium(data: bytes) -> bool:
     if not data.startswith(_PNG) or not _is_whole_png(data):
         return False
     width, height = struct.unpack_from(">II", data, 16)
-    return width == height and width in (256, 512)
+    return bool(width == height and width in (256, 512))
 
 
 def is_tiff(data: bytes) -> bool:
