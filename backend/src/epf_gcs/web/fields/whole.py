@@ -73,6 +73,6 @@ def _is_tile_jpeg(data: bytes) -> bool:
         marker = data[at + 1]
         if 0xC0 <= marker <= 0xCF and marker not in (0xC4, 0xC8, 0xCC):
             height, width = struct.unpack_from(">HH", data, at + 5)
-            return 0 < width <= _LARGEST_SIDE and 0 < height <= _LARGEST_SIDE
+            return bool(0 < width <= _LARGEST_SIDE and 0 < height <= _LARGEST_SIDE)
         at += 2 + struct.unpack_from(">H", data, at + 2)[0]
     return False
