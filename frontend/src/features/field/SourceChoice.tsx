@@ -5,6 +5,11 @@ import { Select } from "../../ui/Select";
 import { TextField } from "../../ui/TextField";
 import { hasLevels, highestZoom, type Kind, NONE, OWN, type PartDraft } from "./draft";
 
+/** Sources whose terms the catalogues have; those of another station's version come as it says them. */
+const KNOWN_IDS = ["terrain-tiles", "copernicus-glo30", "pnoa", "sentinel2", "usgs"] as const;
+type KnownId = (typeof KNOWN_IDS)[number];
+const KNOWN: ReadonlySet<string> = new Set(KNOWN_IDS);
+
 interface Props {
   kind: Kind;
   draft: PartDraft;
@@ -42,7 +47,7 @@ export function SourceChoice({ kind, draft, sources, onChange }: Props) {
       />
       {chosen !== undefined && (
         <p className="field-hint">
-          {`${chosen.terms} ${chosen.attribution}. `}
+          {`${KNOWN.has(chosen.id) ? t(`fieldTerms.${chosen.id as KnownId}`) : chosen.terms} ${chosen.attribution}. `}
           <a href={chosen.terms_url} target="_blank" rel="noreferrer">
             {t("field.terms")}
           </a>
