@@ -12,6 +12,8 @@ import controlsEn from "../features/controls/controls.en.json";
 import controlsEs from "../features/controls/controls.es.json";
 import emulationEn from "../features/emulation/emulation.en.json";
 import emulationEs from "../features/emulation/emulation.es.json";
+import fieldEn from "../features/field/field.en.json";
+import fieldEs from "../features/field/field.es.json";
 import flightEn from "../features/flight/flight.en.json";
 import flightEs from "../features/flight/flight.es.json";
 import flightsEn from "../features/flights/flights.en.json";
@@ -62,6 +64,7 @@ export const CATALOGUES = {
     ...checklistEs,
     ...controlsEs,
     ...emulationEs,
+    ...fieldEs,
     ...flightEs,
     ...flightsEs,
     ...gamepadEs,
@@ -90,6 +93,7 @@ export const CATALOGUES = {
     ...checklistEn,
     ...controlsEn,
     ...emulationEn,
+    ...fieldEn,
     ...flightEn,
     ...flightsEn,
     ...gamepadEn,

@@ -1,3 +1,4 @@
+import { createFields, FIELD } from "../features/field/field";
 import { MAP_LAYERS } from "../features/map/layers/layerList";
 import { createMapLayerActions } from "../features/map/layers/layerRequests";
 import { createSurroundings, SURROUNDINGS } from "../features/map/surroundings/surroundings";
@@ -10,13 +11,14 @@ import type { StreamEvent } from "../protocol/envelope";
 import type { AskingParts } from "../requests/asking";
 import type { Parts } from "../store/parts";
 
-/** What the map is made of: layers, tracks, ground and fence, and what a press on it does. */
+/** What the map is made of: layers, fields that are brought before a flight, tracks, ground and fence, and what a press on it does. */
 export function createMapParts(
   asking: AskingParts,
   timers: Timers,
   report: (error: unknown) => void,
 ): { readonly addTo: (parts: Parts) => Parts; readonly takeEvent: (event: StreamEvent) => void } {
   const { mapLayers, takeMapEvent } = createMapLayerActions({ ...asking, timers });
+  const { field, takeFieldEvent } = createFields({ ...asking, timers, onChanged: () => void mapLayers.read() });
   const { trackLog, takeTrackEvent } = createTrackLog({ rest: asking.rest, timers, report });
   const { surroundings, takeSurroundingsEvent } = createSurroundings(asking.rest);
   return {
@@ -24,11 +26,13 @@ export function createMapParts(
       parts
         .with(MAP_TOOL, createMapTool())
         .with(MAP_LAYERS, mapLayers)
+        .with(FIELD, field)
         .with(TRACK_LOG, trackLog)
         .with(TRACK_EDITS, createTrackEdits(asking))
         .with(SURROUNDINGS, surroundings),
     takeEvent: (event) => {
       takeMapEvent(event);
+      takeFieldEvent(event);
       takeTrackEvent(event);
       takeSurroundingsEvent(event);
     },

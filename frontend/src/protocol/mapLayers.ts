@@ -18,4 +18,4 @@ export interface OnlineChoice {
 }
 
 /** The kinds of files that hold maps. */
-export const MAP_FILES = ".mbtiles,.pmtiles,.tif,.tiff,.hgt,.zip";
+export const MAP_FILES = ".mbtiles,.pmtiles,.tif,.tiff,.hgt,.zip,.field";

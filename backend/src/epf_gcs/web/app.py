@@ -27,6 +27,7 @@ from epf_gcs.web.checklist import routes as checklist
 from epf_gcs.web.commands import ahrs_test_routes as ahrs_test
 from epf_gcs.web.commands import routes as commands
 from epf_gcs.web.earth import routes as earth
+from epf_gcs.web.fields import routes as fields
 from epf_gcs.web.flights import data_routes as flight_data
 from epf_gcs.web.flights import export_routes as flight_exports
 from epf_gcs.web.flights import job_routes as jobs
@@ -76,6 +77,7 @@ def _interface() -> APIRouter:
         track,
         maps,
         online_maps,
+        fields,
         alarms,
         checklist,
         surroundings,

@@ -16,6 +16,7 @@ from epf_gcs.web.access.control import Control
 from epf_gcs.web.access.guard import admitted
 from epf_gcs.web.access.roles import Role
 from epf_gcs.web.checklist.kept import KeptChecklist
+from epf_gcs.web.fields.fields import Fields
 from epf_gcs.web.flights.flights import Flights
 from epf_gcs.web.flights.imports import FlightImports
 from epf_gcs.web.flights.queries import Queries
@@ -44,6 +45,7 @@ MirrorDep = Annotated[VehicleMirror, _part("mirror")]
 StatusDep = Annotated[WholeStatus, _part("status")]
 ControlDep = Annotated[Control, _part("control")]
 TracksDep = Annotated[Tracks, _part("tracks")]
+FieldsDep = Annotated[Fields, _part("fields")]
 MapsDep = Annotated[Maps, _part("maps")]
 FlightsDep = Annotated[Flights, _part("flights")]
 QueriesDep = Annotated[Queries, _part("flight_queries")]

@@ -71,7 +71,8 @@ send `play`, `pause`, `seek`, `step` or `loop`. `{"type": "ask", "about": "inspe
 `console`, `control` (who has it now, the `reason`, and who had it `before`), `control_request` and
 `control_request_closed` (`result`: `given`, `refused`, `withdrawn`, `gone`), `error`, `flight` (the flight process:
 `state` is `lost` or `back`), `job` (as `GET /jobs/{id}`, at most four a second), `journal` (a new entry, and what undo
-and redo would write now), `link`, `map_import` (as `GET /map/imports/{id}`, at most four a second), `mission`,
+and redo would write now), `link`, `map_field` (as one of `GET /map/fields`,
+at most four a second), `map_import` (as `GET /map/imports/{id}`, at most four a second), `mission`,
 `parameter` (the gains that changed, each with value, state and loaded value), `recording`, `stick` (where the stick
 comes from, whether it is `live` or `lost`, and the `reason`: `chosen`, `control_lost`, `lost`, `back`) and `track`.
 """

@@ -23,6 +23,7 @@ from epf_gcs.web.access.caller import Caller
 from epf_gcs.web.access.changes import HolderChanged
 from epf_gcs.web.access.control import Control
 from epf_gcs.web.checklist.kept import KeptChecklist
+from epf_gcs.web.fields.fields import Fields
 from epf_gcs.web.flights.aircraft import AircraftName
 from epf_gcs.web.flights.flights import Flights
 from epf_gcs.web.flights.imports import FlightImports
@@ -66,6 +67,7 @@ class Station:
             self.mirror, self.maps, KeptSurroundings(data_dir), self.clock.now_s, self.vehicle.notice
         )
         self.status = WholeStatus(lambda: self.mirror.status, self.control, errors, self.hub, self.surroundings.state)
+        self.fields = Fields(self.maps, self.hub, errors.report)
         self.flights = Flights(
             Places(data_dir),
             Jobs(self.hub),
@@ -90,6 +92,7 @@ class Station:
             "streams": self.streams,
             "tracks": self.tracks,
             "maps": self.maps,
+            "fields": self.fields,
             "inspector": SharedInspector(lambda: self.vehicle.request("inspector"), self.clock.steady_s),
             "recordings_dir": data_dir / "recordings",
             "flights": self.flights,
@@ -129,6 +132,7 @@ class Station:
                     for name, job in (
                         ("vehicle", self.vehicle.run),
                         ("maps", self.maps.run),
+                        ("fields", self.fields.run),
                         ("track", self.tracks.run),
                         ("surroundings", self.surroundings.run),
                         ("flights", self.flights.run),
@@ -151,6 +155,7 @@ class Station:
             await self.replays.close()
             await self.queries.close()
             await self.flights.close()
+            await self.fields.close()
             await self.maps.close()
             await self.tracks.close()
 

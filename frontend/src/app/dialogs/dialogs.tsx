@@ -14,6 +14,7 @@ export const DIALOGS = {
   checklist: lazyPart(
     async () => (await import("../../features/checklist/ChecklistContent")).ChecklistContent,
   ),
+  field: lazyPart(async () => (await import("../../features/field/FieldContent")).FieldContent),
   log: lazyPart(async () => (await import("../../features/log/LogContent")).LogContent),
   settings: lazyPart(async () => (await import("./SettingsDialog")).SettingsContent),
   tablet: lazyPart(async () => (await import("../../features/access/TabletContent")).TabletContent),

@@ -4,6 +4,7 @@ import { createContext, useContext } from "react";
 export type DialogName =
   | "about"
   | "checklist"
+  | "field"
   | "guide"
   | "log"
   | "settings"

@@ -18,6 +18,7 @@ export function ViewMenu() {
       <MenuRule />
       <LogItem />
       <ChecklistItem />
+      <FieldItem />
       <TabletItem />
       <ToolbarsBack />
       <SettingsItem />
@@ -70,6 +71,12 @@ function LogItem() {
   const { t } = useTranslation();
   const { open } = useDialogs();
   return <MenuAction label={t("menu.log")} aside="L" onChoose={() => open("log")} />;
+}
+
+function FieldItem() {
+  const { t } = useTranslation();
+  const { open } = useDialogs();
+  return <MenuAction label={t("menu.field")} onChoose={() => open("field")} />;
 }
 
 function ChecklistItem() {

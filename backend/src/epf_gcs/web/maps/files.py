@@ -24,7 +24,11 @@ _FORMATS: Final[dict[str, LayerFormat]] = {
     ".tiff": "geotiff",
     ".hgt": "hgt",
     ".zip": "quantized_mesh",
+    ".field": "field",
 }
+FIELD_SETS: Final[tuple[LayerFormat, ...]] = ("field", "field_relief", "field_terrain")
+"""What the file of a field may hold: pictures, the relief and the terrain. Each is a layer of its own."""
+
 _LONGEST_NAME_BYTES: Final = 120
 _NOT_IN_NAMES: Final = re.compile(r'[/\\:*?"<>|]')
 _NOT_IN_IDS: Final = re.compile(r"[^a-z0-9]+")
@@ -53,7 +57,8 @@ def safe_name(name: str) -> str:
     if Path(cleaned).suffix.lower() not in _FORMATS:
         raise InvalidInputError(
             "map_kind_unknown",
-            f"'{cleaned}' is no map file: MBTiles, PMTiles, GeoTIFF (.tif), .hgt and terrain in a .zip are taken.",
+            f"'{cleaned}' is no map file: MBTiles, PMTiles, GeoTIFF (.tif), .hgt, terrain in a .zip and prepared "
+            "fields (.field) are taken.",
             name=cleaned,
         )
     return cleaned
@@ -63,6 +68,15 @@ def id_of(name: str) -> str:
     """The id of the file with this name: readable, and different for each name."""
     words = _NOT_IN_IDS.sub("-", name.lower()).strip("-")[:40].strip("-")
     return f"{words or 'map'}-{hashlib.blake2s(name.encode(), digest_size=4).hexdigest()}"
+
+
+def sets_of(file: MapFile) -> list[MapFile]:
+    """The layers that a file may have: one, except for a field's."""
+    if file.format != "field":
+        return [file]
+    return [
+        file._replace(id=file.id + form.removeprefix("field").replace("_", "-"), format=form) for form in FIELD_SETS
+    ]
 
 
 InsideOf = Callable[[Path, Stamp], str | None]

@@ -9,7 +9,7 @@ from typing import Final
 
 from epf_gcs.errors import ConflictError, GatewayError, NotFoundError
 from epf_gcs.web.maps import faults
-from epf_gcs.web.maps.files import RASTERS, MapFile, folder_bytes, free_name, look_at
+from epf_gcs.web.maps.files import FIELD_SETS, RASTERS, MapFile, folder_bytes, free_name, look_at, sets_of
 from epf_gcs.web.maps.layer import UNKNOWN, Description, Layer, LayerFormat, Tile
 from epf_gcs.web.maps.open_files import Stamp
 from epf_gcs.web.maps.reader import Reader, is_too_costly
@@ -18,6 +18,8 @@ REMOVED: Final = "removed"
 TERRAIN: Final = ".terrain"
 _MAX_ZOOM: Final = 30
 _MOST_ARCHIVES: Final = 200
+# What a set of tiles says that the file of a field does not have.
+_ABSENT: Final = "map_file_empty"
 
 
 # 2: tiles say which heights the raster has.
@@ -44,9 +46,10 @@ class MapFolder:
     def layers(self) -> list[Layer]:
         """Everything that looks like a map, by name. A raster has a problem as long as its terrain is missing."""
         with self._lock:
-            self._files = {file.id: file for file in self._scan(self.path)}
+            self._files = {one.id: one for file in self._scan(self.path) for one in sets_of(file)}
             self._known = {key: known for key, known in list(self._known.items()) if key in self._files}
-            return [self._layer(file) for file in sorted(self._files.values(), key=lambda file: file.path.name)]
+            found = [self._layer(file) for file in sorted(self._files.values(), key=lambda file: file.path.name)]
+        return [layer for layer in found if not _is_absent_set(layer)]
 
     def tile(self, layer_id: str, zoom: int, column: int, row: int) -> tuple[Tile | None, Description, Stamp]:
         """A tile, and its layer's description and stamp. Raises NotFoundError, or why the file cannot be read."""
@@ -88,12 +91,22 @@ class MapFolder:
             if older.exists():
                 older.rename(free_name(removed, file.path.name))
             file.path.rename(older)
-            self._files.pop(layer_id, None)
+            self._files = {key: one for key, one in self._files.items() if one.path != file.path}
+
+    def delete(self, layer_id: str) -> None:
+        """Delete a map's file for good. Raises NotFoundError, OSError."""
+        self.discard(self._find(layer_id))
+
+    def file_of(self, layer_id: str) -> Path | None:
+        """The path of a layer's one file; None for a folder of files. Raises NotFoundError."""
+        path = self._find(layer_id).path
+        return None if path.is_dir() else path
 
     def restore(self, layer_id: str) -> None:
         """Bring back the map removed last under this id. Raises NotFoundError, ConflictError."""
         with self._lock:
-            file = next((found for found in self._scan(self.path / REMOVED) if found.id == layer_id), None)
+            removed = [one for found in self._scan(self.path / REMOVED) for one in sets_of(found)]
+            file = next((found for found in removed if found.id == layer_id), None)
             if file is None:
                 raise unknown(layer_id)
             target = self.path / file.path.name
@@ -127,7 +140,7 @@ class MapFolder:
         if found is None:
             raise faults.damaged(path.name, "?")
         if found.format not in RASTERS:
-            self._reader.describe(found.path, found.path.name, found.format, found.stamp)
+            found = self._first_shown(found)
             self._reader.forget(found.path)
         with self._lock:
             target = self.path / path.name
@@ -140,7 +153,7 @@ class MapFolder:
         """Delete a file whose import was cancelled or failed after `take_in`. Raises OSError."""
         with self._lock:
             self._reader.forget(file.path)
-            self._files.pop(file.id, None)
+            self._files = {key: one for key, one in self._files.items() if one.path != file.path}
             file.path.unlink(missing_ok=True)
 
     def close(self) -> None:
@@ -172,6 +185,18 @@ class MapFolder:
         if isinstance(found, GatewayError):
             return Layer(file.id, file.path.name, file.format, _kind_of(file), size_bytes, found)
         return Layer(file.id, found.title or file.path.stem, file.format, found, size_bytes)
+
+    def _first_shown(self, file: MapFile) -> MapFile:
+        """The first of the file's sets of tiles that can be shown. Raises why there is none."""
+        problem: GatewayError | None = None
+        for one in sets_of(file):
+            try:
+                self._reader.describe(one.path, one.path.name, one.format, one.stamp)
+            except GatewayError as error:
+                problem = error if problem is None or error.code != _ABSENT else problem
+            else:
+                return one
+        raise problem or faults.empty(file.path.name)
 
     def _describe(self, file: MapFile) -> tuple[int, Description | GatewayError]:
         try:
@@ -211,7 +236,7 @@ class MapFolder:
         is_new = known is None or known[0] != stamp
         size_bytes, found = self._describe(file)
         self._known[file.id] = (stamp, size_bytes, found)
-        if is_new and isinstance(found, GatewayError):
+        if is_new and isinstance(found, GatewayError) and not (file.format in FIELD_SETS and found.code == _ABSENT):
             self._report(found)
         return size_bytes, found
 
@@ -227,11 +252,13 @@ class MapFolder:
     def _find(self, layer_id: str) -> MapFile:
         file = self._files.get(layer_id)
         if file is None:
-            file = next((found for found in self._scan(self.path) if found.id == layer_id), None)
+            found = (one for scanned in self._scan(self.path) for one in sets_of(scanned))
+            file = next((one for one in found if one.id == layer_id), None)
             if file is None:
                 raise unknown(layer_id)
             self._files[layer_id] = file
-        now = look_at(file.path, self._inside_of) if file.path.exists() else None
+        seen = look_at(file.path, self._inside_of) if file.path.exists() else None
+        now = None if seen is None else next((one for one in sets_of(seen) if one.id == layer_id), None)
         if now is None:
             self._files.pop(layer_id, None)
             raise unknown(layer_id)
@@ -252,6 +279,21 @@ def unknown(layer_id: str) -> NotFoundError:
     )
 
 
+def _is_absent_set(layer: Layer) -> bool:
+    return layer.format in FIELD_SETS and layer.problem is not None and layer.problem.code == _ABSENT
+
+
+def not_deleted(layer_id: str, error: OSError) -> ConflictError:
+    """The error for a file that the system does not delete."""
+    why = error.strerror or str(error)
+    return ConflictError(
+        "map_not_written",
+        f"'{layer_id}' could not be deleted ({why}): correct the permissions of the maps' folder.",
+        name=layer_id,
+        why=why,
+    )
+
+
 def exists(name: str) -> ConflictError:
     """The error for a name that is taken."""
     return ConflictError(
@@ -263,4 +305,4 @@ def _kind_of(file: MapFile) -> Description:
     """The description of an unreadable file: its kind, as far as the format tells."""
     if file.format in ("mbtiles", "pmtiles"):
         return UNKNOWN
-    return Description("", "terrain", UNKNOWN.bounds, 0, 0, "")
+    return Description("", "imagery" if file.format in FIELD_SETS else "terrain", UNKNOWN.bounds, 0, 0, "")

@@ -10,7 +10,9 @@ from typing import Any, Final, Literal, NamedTuple, Protocol
 from epf_gcs.errors import GatewayError
 
 LayerKind = Literal["imagery", "terrain"]
-LayerFormat = Literal["mbtiles", "pmtiles", "quantized_mesh", "geotiff", "hgt", "online"]
+LayerFormat = Literal[
+    "mbtiles", "pmtiles", "quantized_mesh", "geotiff", "hgt", "online", "field", "field_relief", "field_terrain"
+]
 
 MAX_TILE_BYTES: Final = 8_000_000
 """Larger ones are rejected: no real tile comes near."""

@@ -11,7 +11,7 @@ from typing import Any, Final
 
 from epf_gcs.clock import Clock
 from epf_gcs.errors import GatewayError
-from epf_gcs.web.maps.folder import MapFolder
+from epf_gcs.web.maps.folder import MapFolder, not_deleted, unknown
 from epf_gcs.web.maps.imports import INCOMING, Imports
 from epf_gcs.web.maps.layer import Description, Layer, Tile
 from epf_gcs.web.maps.online import Online
@@ -36,8 +36,8 @@ class Maps:
         self._threads = ThreadPoolExecutor(_THREADS, thread_name_prefix="maps")
         self.folder = MapFolder(path, lambda error: self._tell(report, error))
         self._listing: asyncio.Future[list[Layer]] | None = None
-        self._jobs = TerrainJobs(self.folder, self._in_thread, report)
-        self.imports = Imports(self.folder, self._jobs, self._in_thread, hub)
+        self._jobs = TerrainJobs(self.folder, self.in_thread, report)
+        self.imports = Imports(self.folder, self._jobs, self.in_thread, hub)
         self.online = Online(
             path / TILES,
             OnlineChoice.from_dict(chosen.read()),
@@ -48,14 +48,14 @@ class Maps:
 
     async def run(self) -> None:
         """Delete unfinished files of an earlier run, then convert rasters to terrain, forever."""
-        await self._in_thread(self._prepare)
+        await self.in_thread(self._prepare)
         await self._jobs.run()
 
     async def layers(self) -> list[Layer]:
         """All layers, of files and of online sources."""
         # Scanning the folder may take long: callers meanwhile share one scan and occupy no further thread.
         if self._listing is None or self._listing.done():
-            self._listing = asyncio.ensure_future(self._in_thread(self.folder.layers))
+            self._listing = asyncio.ensure_future(self.in_thread(self.folder.layers))
         found = await asyncio.shield(self._listing)
         if any(layer.problem is not None and layer.problem.code == "map_raster_converting" for layer in found):
             self._jobs.wake()
@@ -65,12 +65,12 @@ class Maps:
         """One picture, rows from the north; None if there is none. Raises NotFoundError, or why it cannot be read."""
         if self.online.has(layer_id):
             return await self.online.tile(layer_id, zoom, column, row)
-        tile, description, stamp = await self._in_thread(self.folder.tile, layer_id, zoom, column, row)
+        tile, description, stamp = await self.in_thread(self.folder.tile, layer_id, zoom, column, row)
         return (tile if description.kind == "imagery" else None), stamp
 
     async def terrain(self, layer_id: str, zoom: int, column: int, row: int) -> tuple[Tile | None, Stamp]:
         """One tile of terrain, rows in the scheme of its layer.json. Raises as `picture`."""
-        tile, description, stamp = await self._in_thread(self.folder.tile, layer_id, zoom, column, row)
+        tile, description, stamp = await self.in_thread(self.folder.tile, layer_id, zoom, column, row)
         return (tile if description.kind == "terrain" else None), stamp
 
     async def terrain_layers(self) -> list[Layer]:
@@ -85,15 +85,29 @@ class Maps:
 
     async def description(self, layer_id: str) -> Description:
         """A layer's description. Raises NotFoundError, or why it cannot be read."""
-        return await self._in_thread(self.folder.description, layer_id)
+        return await self.in_thread(self.folder.description, layer_id)
 
     async def remove(self, layer_id: str) -> None:
         """Take a map out of the list; it can be restored. Raises NotFoundError."""
-        await self._in_thread(self.folder.remove, layer_id)
+        await self.in_thread(self.folder.remove, layer_id)
+
+    async def delete(self, layer_id: str) -> None:
+        """Delete a map's file for good. Raises NotFoundError, ConflictError."""
+        try:
+            await self.in_thread(self.folder.delete, layer_id)
+        except OSError as error:
+            raise not_deleted(layer_id, error) from error
+
+    async def file_of(self, layer_id: str) -> Path:
+        """The path of a layer's file. Raises NotFoundError if it is none, or no layer of a file."""
+        path = None if self.online.has(layer_id) else await self.in_thread(self.folder.file_of, layer_id)
+        if path is None:
+            raise unknown(layer_id)
+        return path
 
     async def restore(self, layer_id: str) -> None:
         """Bring a removed map back. Raises NotFoundError, ConflictError."""
-        await self._in_thread(self.folder.restore, layer_id)
+        await self.in_thread(self.folder.restore, layer_id)
 
     async def close(self) -> None:
         """Close everything; waits for reads under way."""
@@ -101,7 +115,8 @@ class Maps:
         await asyncio.to_thread(self._threads.shutdown)
         self.folder.close()
 
-    def _in_thread(self, work: Callable[..., T], /, *values: Any) -> Awaitable[T]:
+    def in_thread(self, work: Callable[..., T], /, *values: Any) -> Awaitable[T]:
+        """Run blocking work on the maps' files in a thread of theirs."""
         return self._loop.run_in_executor(self._threads, work, *values)
 
     def _prepare(self) -> None:

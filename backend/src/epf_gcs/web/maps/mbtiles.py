@@ -33,15 +33,19 @@ _STEPS_BETWEEN_LOOKS: Final = 10_000
 _MAX_ZOOM: Final = 30
 _MAX_ROWS: Final = 200
 _MAX_META_LENGTH: Final = 20_000
-_METADATA: Final = f"SELECT substr(name, 1, 64), substr(value, 1, {_MAX_META_LENGTH}) FROM metadata"  # noqa: S608
+_METADATA: Final = f"SELECT substr(name, 1, 64), substr(value, 1, {_MAX_META_LENGTH}) FROM {{prefix}}metadata"  # noqa: S608
 
 
 class MbTiles:
     """One opened file. Its rows count from the south; callers give the row of a picture from the north."""
 
-    def __init__(self, path: Path, name: str) -> None:
-        """Open the file. Raises GatewayError if it cannot be shown."""
+    def __init__(self, path: Path, name: str, prefix: str = "") -> None:
+        """Open the file. Raises GatewayError if it cannot be shown.
+
+        `prefix` stands before the names of its tables, in a file of several sets; it is one of ours.
+        """
         self._name = name
+        self._prefix = prefix
         self._lock = threading.Lock()
         self._longest_s = _LONGEST_LISTING_S
         self._until_s = 0.0
@@ -81,7 +85,7 @@ class MbTiles:
             self._connection.close()
 
     def _blob(self, zoom: int, column: int, row: int) -> bytes | None:
-        sql = "SELECT tile_data FROM tiles WHERE zoom_level = ? AND tile_column = ? AND tile_row = ?"
+        sql = f"SELECT tile_data FROM {self._prefix}tiles WHERE zoom_level = ? AND tile_column = ? AND tile_row = ?"  # noqa: S608
         found = self._rows(sql, (zoom, column, row))
         data = found[0][0] if found else None
         return data if isinstance(data, bytes) else None
@@ -95,7 +99,7 @@ class MbTiles:
         return time.monotonic() > self._until_s
 
     def _describe(self) -> Description:
-        meta = {str(key): str(value) for key, value in self._rows(_METADATA)}
+        meta = {str(key): str(value) for key, value in self._rows(_METADATA.format(prefix=self._prefix))}
         kind = self._kind(meta.get("format", "").lower())
         bounds, zooms = _bounds(meta.get("bounds", "")), _zooms(meta)
         available: tuple[tuple[Range, ...], ...] | None = None
@@ -120,7 +124,7 @@ class MbTiles:
     def _levels(self) -> dict[int, Range]:
         """The bounding rectangle of the tiles of each level."""
         sizes = "min(tile_column), min(tile_row), max(tile_column), max(tile_row)"
-        rows = self._rows(f"SELECT zoom_level, {sizes} FROM tiles GROUP BY zoom_level")  # noqa: S608
+        rows = self._rows(f"SELECT zoom_level, {sizes} FROM {self._prefix}tiles GROUP BY zoom_level")  # noqa: S608
         levels = {
             int(str(zoom)): Range(*(int(str(value)) for value in rest))
             for zoom, *rest in rows
@@ -131,7 +135,7 @@ class MbTiles:
         return levels
 
     def _kind(self, said: str) -> LayerKind:
-        first = self._rows("SELECT tile_data FROM tiles LIMIT 1")
+        first = self._rows(f"SELECT tile_data FROM {self._prefix}tiles LIMIT 1")  # noqa: S608
         if not first:
             raise faults.empty(self._name)
         if any(word in said for word in _MESH_FORMATS):

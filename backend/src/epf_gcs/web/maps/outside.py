@@ -57,6 +57,11 @@ class Consent:
     def __init__(self, servers: Collection[str] = ()) -> None:
         self._servers = frozenset(server.lower() for server in servers)
 
+    @property
+    def servers(self) -> list[str]:
+        """Their names, as they were given."""
+        return sorted(self._servers)
+
     def covers(self, scheme: str, host: str, port: int | None) -> bool:
         """Whether this server may be requested wherever it is."""
         name = f"[{host}]" if ":" in host else host

@@ -10,12 +10,12 @@ import os
 import signal
 import sys
 from pathlib import Path
-from typing import Any, BinaryIO, Final
+from typing import Any, BinaryIO, Final, get_args
 
 from epf_gcs.errors import GatewayError
 from epf_gcs.formats.quantized_mesh_reading import read_grid
 from epf_gcs.web.maps import faults
-from epf_gcs.web.maps.layer import Tile, TileSource
+from epf_gcs.web.maps.layer import LayerFormat, Tile, TileSource
 from epf_gcs.web.maps.open_files import OpenFiles
 from epf_gcs.web.maps.reading import limit_question, limit_reading, open_source, raster_inside
 from epf_gcs.worker_pipe import receive, send
@@ -51,17 +51,22 @@ def _answer(opened: OpenFiles, asked: dict[str, Any]) -> tuple[dict[str, Any], b
             case "inside":
                 return {"inside": raster_inside(path)}, b""
             case "forget":
-                opened.forget(str(path))
+                for form in get_args(LayerFormat):
+                    opened.forget(_key(path, form))
                 return {}, b""
             case "describe":
-                with opened.reading(str(path), tuple(asked["stamp"]), lambda: _open(path, asked)) as source:
+                with opened.reading(
+                    _key(path, asked["format"]), tuple(asked["stamp"]), lambda: _open(path, asked)
+                ) as source:
                     return {"description": source.description.as_dict()}, b""
             case "grid":
                 with opened.reading(str(path), tuple(asked["stamp"]), lambda: _open(path, asked)) as source:
                     tile = source.tile(*asked["place"])
                 return {}, b"" if tile is None else read_grid(tile.data)
             case _:
-                with opened.reading(str(path), tuple(asked["stamp"]), lambda: _open(path, asked)) as source:
+                with opened.reading(
+                    _key(path, asked["format"]), tuple(asked["stamp"]), lambda: _open(path, asked)
+                ) as source:
                     tile = source.tile(*asked["place"])
                 return ({}, b"") if tile is None else (_head(tile), tile.data)
     except GatewayError as error:
@@ -69,6 +74,11 @@ def _answer(opened: OpenFiles, asked: dict[str, Any]) -> tuple[dict[str, Any], b
     except (OSError, ValueError, ArithmeticError, LookupError, TypeError, RecursionError) as error:
         fault = faults.damaged(asked.get("name", path.name), str(error) or type(error).__name__)
         return {"code": fault.code, "detail": fault.detail, "params": fault.params}, b""
+
+
+def _key(path: Path, form: str) -> str:
+    """The same file may be open for each of its sets of tiles."""
+    return f"{form} {path}"
 
 
 def _open(path: Path, asked: dict[str, Any]) -> TileSource:

@@ -7,6 +7,8 @@ from typing import Final
 
 from epf_gcs.formats.zip_faults import ZIP_FAULTS
 from epf_gcs.system.limits import limit_memory, limit_time_from_now
+from epf_gcs.web.maps.field_set import FieldSet
+from epf_gcs.web.maps.files import FIELD_SETS
 from epf_gcs.web.maps.layer import LayerFormat, TileSource
 from epf_gcs.web.maps.mbtiles import MbTiles
 from epf_gcs.web.maps.mesh_files import MeshFiles, is_mesh_zip, only_raster
@@ -22,6 +24,8 @@ def open_source(path: Path, name: str, form: LayerFormat) -> TileSource:
     """Open a file of tiles. Raises GatewayError if it cannot be shown."""
     if form == "mbtiles":
         return MbTiles(path, name)
+    if form in FIELD_SETS:
+        return FieldSet(path, name, form.removeprefix("field").lstrip("_"))
     if form == "pmtiles":
         return PmTiles(path, name)
     return MeshFiles(path, name)

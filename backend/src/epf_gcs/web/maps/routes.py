@@ -7,7 +7,7 @@ from typing import Annotated, Any, Final
 
 import orjson
 from fastapi import APIRouter, Path, Query, Request
-from fastapi.responses import Response
+from fastapi.responses import FileResponse, Response
 from starlette.requests import ClientDisconnect
 
 from epf_gcs.errors import ConflictError
@@ -35,6 +35,7 @@ LayerId = Annotated[str, Path(pattern=r"^[a-z0-9-]{1,64}$", examples=["canarias-
 ImportId = Annotated[str, Path(pattern=r"^[0-9a-f]{12}$")]
 Zoom = Annotated[int, Path(ge=0, le=30)]
 Place = Annotated[int, Path(ge=0, le=(1 << 31) - 1)]
+ForGood = Annotated[bool, Query(description="Delete the file; it cannot be restored.")]
 FileName = Annotated[str, Query(min_length=1, max_length=255, description="The file's name; its end says what it is.")]
 
 
@@ -107,10 +108,22 @@ async def get_terrain_tile(
 
 
 @router.delete("/layers/{layer_id}", responses=problems(404, 409))
-async def remove_map_layer(maps: MapsDep, layer_id: LayerId, _: OperatorDep) -> MapLayers:
-    """Take a layer out of the list. Its file moves into the folder `removed` and can be restored."""
-    await maps.remove(layer_id)
+async def remove_map_layer(maps: MapsDep, layer_id: LayerId, _: OperatorDep, *, for_good: ForGood = False) -> MapLayers:
+    """Take a layer out of the list. Its file moves into the folder `removed` and can be restored; `for_good` deletes it
+    with all its layers, and nothing of it is left."""
+    await (maps.delete(layer_id) if for_good else maps.remove(layer_id))
     return await get_map_layers(maps)
+
+
+@router.get(
+    "/layers/{layer_id}/file",
+    response_class=FileResponse,
+    responses={200: {"content": {"application/octet-stream": _FILE}}, **reading_problems(404)},
+)
+async def export_map_layer(maps: MapsDep, layer_id: LayerId) -> FileResponse:
+    """The file of a layer, whole, for another station's import."""
+    path = await maps.file_of(layer_id)
+    return FileResponse(path, media_type="application/octet-stream", filename=path.name)
 
 
 @router.post("/layers/{layer_id}/restore", responses=problems(404, 409))

@@ -32,7 +32,9 @@ class MapLayer(MapProblem):
     id: str
     name: str
     kind: Literal["imagery", "terrain"]
-    format: Literal["mbtiles", "pmtiles", "quantized_mesh", "geotiff", "hgt", "online"]
+    format: Literal[
+        "mbtiles", "pmtiles", "quantized_mesh", "geotiff", "hgt", "online", "field", "field_relief", "field_terrain"
+    ]
     west_deg: float
     south_deg: float
     east_deg: float

@@ -1,0 +1,169 @@
+import { Download, LocateFixed } from "lucide-react";
+import { useEffect, useState } from "react";
+import { useTranslation } from "react-i18next";
+import { useStore } from "zustand";
+import { useSentence } from "../../i18n/useSentence";
+import { formatBytes } from "../../lib/format";
+import type { Position } from "../../lib/geodesy";
+import { PlaceField } from "../../missions/PlaceField";
+import { usePlans } from "../../missions/usePlans";
+import type { FieldSource } from "../../protocol/guards.gen";
+import { useAsked } from "../../requests/useAsked";
+import { useGatewayBlocked } from "../../requests/useBlocked";
+import { usePart, useTelemetry } from "../../store/hooks";
+import { Button } from "../../ui/Button";
+import { Checkbox } from "../../ui/Checkbox";
+import { Notice } from "../../ui/Notice";
+import { NumberField } from "../../ui/NumberField";
+import { Select } from "../../ui/Select";
+import { TextField } from "../../ui/TextField";
+import { type Draft, KINDS, newDraft, orderOf } from "./draft";
+import { FIELD } from "./field";
+import { SourceChoice } from "./SourceChoice";
+
+const CONTROL = "field.prepare";
+const MOST_KM = 200;
+
+/** A new field: where, from which sources, and what that takes. Nothing is asked for before the button is pressed. */
+export function FieldForm({ sources }: { sources: readonly FieldSource[] }) {
+  const { t } = useTranslation();
+  const field = usePart(FIELD);
+  const blocked = useGatewayBlocked();
+  const { state, stateText } = useAsked(CONTROL);
+  const plans = {
+    flight: usePlans(({ flight }) => flight.draft.present),
+    hil: usePlans(({ hil }) => hil.draft.present),
+  };
+  const aircraft = useAircraft();
+  const [draft, setDraft] = useState<Draft>(() =>
+    newDraft(aircraft ?? plans.flight[0] ?? plans.hil[0] ?? { latitude_deg: 0, longitude_deg: 0 }, ""),
+  );
+  const [accepted, setAccepted] = useState<string | null>(null);
+  const plan = draft.where === "circle" ? [] : plans[draft.where];
+  const order = orderOf(draft, plan, sources);
+  const asked = JSON.stringify(order);
+  // Terms are accepted for the sources that were shown: other ones are other terms.
+  const terms = JSON.stringify(order?.parts.map(({ url }) => url));
+  const isAccepted = accepted === terms;
+  useEffect(() => void field.look(JSON.parse(asked)), [field, asked]);
+
+  function edit(change: Partial<Draft>): void {
+    setDraft((before) => ({ ...before, ...change }));
+  }
+
+  return (
+    <section className="field-form" aria-label={t("field.new")}>
+      <h3>{t("field.new")}</h3>
+      <TextField
+        label={t("field.name")}
+        value={draft.name}
+        onCommit={(name) => edit({ name: name.slice(0, 60) })}
+      />
+      <Select
+        label={t("field.where")}
+        value={draft.where}
+        placeholder=""
+        options={[
+          { value: "circle", label: t("field.circle") },
+          { value: "flight", label: t("field.planFlight") },
+          { value: "hil", label: t("field.planHil") },
+        ]}
+        onChange={(where) => edit({ where })}
+      />
+      {draft.where === "circle" ? (
+        <>
+          <PlaceField place={draft.centre} fixed={undefined} onCommit={(centre) => edit({ centre })} />
+          <Button
+            onPress={() => aircraft !== null && edit({ centre: aircraft })}
+            icon={<LocateFixed size={14} aria-hidden="true" />}
+            disabledReason={aircraft === null ? t("field.noAircraft") : undefined}
+          >
+            {t("field.atAircraft")}
+          </Button>
+        </>
+      ) : (
+        plan.length === 0 && <Notice level="info">{t("field.noPlan")}</Notice>
+      )}
+      <NumberField
+        label={t(draft.where === "circle" ? "field.radius" : "field.buffer")}
+        value={draft.radius_km}
+        minimum={0.5}
+        maximum={MOST_KM}
+        step={1}
+        unit={t("unit.km")}
+        onCommit={(radius_km) => edit({ radius_km })}
+      />
+      {KINDS.map((kind) => (
+        <SourceChoice
+          key={kind}
+          kind={kind}
+          draft={draft.parts[kind]}
+          sources={sources}
+          onChange={(part) => edit({ parts: { ...draft.parts, [kind]: part } })}
+        />
+      ))}
+      <Estimate />
+      <Checkbox
+        label={t("field.accept")}
+        checked={isAccepted}
+        onChange={(is) => setAccepted(is ? terms : null)}
+        disabledReason={order === null ? t("field.notYet") : undefined}
+      />
+      <Button
+        variant="primary"
+        onPress={() => order !== null && void field.prepare(order, { control: CONTROL })}
+        icon={<Download size={14} aria-hidden="true" />}
+        state={state}
+        stateText={stateText}
+        disabledReason={
+          blocked ?? (order === null ? t("field.notYet") : isAccepted ? undefined : t("field.notAccepted"))
+        }
+      >
+        {t("field.begin")}
+      </Button>
+      {state === "rejected" && <Notice level="error">{stateText}</Notice>}
+    </section>
+  );
+}
+
+function Estimate() {
+  const { t } = useTranslation();
+  const sentence = useSentence();
+  const found = useStore(usePart(FIELD).store, (state) => state.estimate);
+  if (found === null) {
+    return null;
+  }
+  if (!("levels" in found)) {
+    return <Notice level="warning">{sentence(found)}</Notice>;
+  }
+  const { tiles, bytes, free_bytes, levels } = found;
+  return (
+    <div role="status" className="field-estimate">
+      <p>{t("field.takes", { tiles, bytes: formatBytes(bytes), free: formatBytes(free_bytes) })}</p>
+      <ul>
+        {levels.map((level) => (
+          <li key={`${level.kind}${level.zoom}`}>
+            {t(level.zoom < 0 ? "field.degrees" : "field.level", {
+              kind: t(`fieldKind.${level.kind}`),
+              zoom: level.zoom,
+              tiles: level.tiles,
+              bytes: formatBytes(level.bytes),
+            })}
+          </li>
+        ))}
+      </ul>
+      {bytes > free_bytes && <Notice level="warning">{t("field.noRoom")}</Notice>}
+    </div>
+  );
+}
+
+/** Where the aircraft is, while that is known. */
+function useAircraft(): Position | null {
+  const latitude_deg = useTelemetry((telemetry, now_ms) =>
+    telemetry.liveNumber("gps", "latitude_deg", now_ms),
+  );
+  const longitude_deg = useTelemetry((telemetry, now_ms) =>
+    telemetry.liveNumber("gps", "longitude_deg", now_ms),
+  );
+  return latitude_deg === null || longitude_deg === null ? null : { latitude_deg, longitude_deg };
+}
