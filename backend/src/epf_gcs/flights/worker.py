@@ -18,7 +18,7 @@ import orjson
 
 from epf_gcs.errors import GatewayError
 from epf_gcs.system.limits import limit_memory, limit_time
-from epf_gcs.system.priority import be_nice, read_last, run_last
+from epf_gcs.system.priority import be_nice, read_last
 
 _MOST_MEMORY_BYTES: Final = 4_000_000_000
 _MOST_CPU_S: Final = 3600
@@ -55,7 +55,6 @@ def work(run: Run, arguments: list[str]) -> int:
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C reaches all programs of a terminal: the parent ends this one
     signal.signal(signal.SIGTERM, _cancel)
     be_modest()
-    run_last()
     end_with_parent()
     try:
         _write({"done": run(arguments, say)})

@@ -77,18 +77,6 @@ def be_nice(niceness: int = _LOWEST) -> None:
             os.nice(niceness)
 
 
-def run_last() -> None:
-    """Let this process run only in moments that nobody else wants (Linux: SCHED_IDLE): for work nobody waits for.
-
-    Niceness alone shares the processor by time, and lets a program that wakes wait for the end of a nice one's turn;
-    with this it never waits, nor does what the kernel does for it (a serial line's bytes).
-    """
-    be_nice()
-    if sys.platform == "linux":
-        with contextlib.suppress(OSError):
-            os.sched_setscheduler(0, os.SCHED_IDLE, os.sched_param(0))
-
-
 def read_last() -> None:
     """Let this process use the disk only while nobody else does."""
     if sys.platform == "linux":

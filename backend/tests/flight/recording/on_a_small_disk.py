@@ -1,6 +1,6 @@
 """Records until the disk is full, then makes room: run where FOLDER is a small disk of its own.
 
-`python -m tests.flight.recording.on_a_small_disk FOLDER` prints what it said and what its files hold, as JSON in its last line.
+`python -m tests.flight.recording.on_a_small_disk FOLDER` prints what it said and what its files hold as JSON, at last.
 """
 
 from __future__ import annotations

@@ -71,7 +71,6 @@ def test_a_cancelled_job_leaves_nothing_and_is_not_begun_again_by_itself(large: 
         before = (large / "recordings" / f"{FLIGHT}.mcap").read_bytes()
         (worker,) = found(os.getpid(), "epf_gcs.flights pack")
         assert os.getpriority(os.PRIO_PROCESS, worker) == 19
-        eventually(lambda: os.sched_getscheduler(worker) == os.SCHED_IDLE, "it runs while nobody else wants to")
         cancelled = gateway.http.delete(f"/jobs/{job['id']}").raise_for_status().json()
         assert (cancelled["state"], cancelled["fault"]) == ("cancelled", None)
         assert not is_alive(worker)
