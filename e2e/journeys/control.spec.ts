@@ -14,6 +14,13 @@ test("one operator has control at a time: the second page watches until the firs
   await expect(off).toBeDisabled();
   await expect(second.getByText("Tienes el control", { exact: true })).toHaveCount(0);
 
+  // In the narrowest window with menus nothing of the first row is cut, also while another has control.
+  await second.setViewportSize({ width: 1024, height: 768 });
+  const asking = second.getByRole("button", { name: "Pedir el control", exact: true });
+  for (const shown of [asking, ...(await second.getByRole("group", { name: "Idioma" }).locator("label").all())]) {
+    await expect(shown).toBeInViewport({ ratio: 1 });
+  }
+
   await page.getByRole("button", { name: "Soltar" }).click();
   await second.getByRole("button", { name: "Tomar el control" }).click();
   await expect(second.getByText("Tienes el control", { exact: true })).toBeVisible();

@@ -33,8 +33,8 @@ import { ScreenStick, Tuning } from "./Tuning";
 import { Dock } from "./toolbars/Dock";
 import { MovedContext } from "./toolbars/MovableToolbar";
 import { useLeaveWarning } from "./useLeaveWarning";
-import { useTitle } from "./useTitle";
 import { ENTER_PAGE } from "./views";
+import { WindowTitle } from "./WindowTitle";
 
 /** The whole page: the way in for a stranger, the window for everybody else. */
 export function App() {
@@ -112,7 +112,6 @@ function Window() {
   const layout = useLayout();
   const isWide = layout === "wide";
   useLayoutOnDocument(layout);
-  useTitle();
   const hasKeys = useSettings(areKeysOn);
   const hasTimeBar = useSettings(isTimeBarShown);
   useLeaveWarning();
@@ -122,6 +121,7 @@ function Window() {
       <PresentPage value={present}>
         <DialogsProvider>
           <MovedContext value={moved}>
+            <WindowTitle />
             <div
               className="app"
               data-past={isPast}

@@ -42,6 +42,7 @@ export function TimeTrack({ onMark }: Props) {
     view,
     edge_s,
     onView: setZoom,
+    onRelease: playback.settle,
     onMoment: (at_s) => {
       if (playback.store.getState().flight !== null) {
         playback.seek(at_s);

@@ -175,6 +175,19 @@ describe("an event", () => {
     expect(paint({ view, events: [command, alarm, mark, gap] }).boxes).toEqual([]);
   });
 
+  test("is drawn once where thousands of its kind would cover each other, and none of them is left out", () => {
+    const events = Array.from({ length: 6000 }, (_, tenth) =>
+      aFlightEvent({ kind: "command", at_s: tenth / 10 }),
+    );
+    const { boxes } = paint({ events });
+    expect(boxes.length).toBeLessThan(1300);
+    const gaps = boxes
+      .slice(1)
+      .map(([, left], index) => left - ((boxes[index]?.[1] ?? 0) + (boxes[index]?.[3] ?? 0)));
+    expect(Math.max(...gaps)).toBeLessThan(0.2);
+    expect((boxes.at(-1)?.[1] ?? 0) + 2).toBeGreaterThan(599);
+  });
+
   test("is drawn in the thin bar of the present only if one looks back for it", () => {
     const { boxes, texts } = paint({ isThin: true, events: [command, alarm, mark] });
     expect(new Set(boxes.map(([colour]) => colour))).toEqual(new Set(["alarm", "mark"]));

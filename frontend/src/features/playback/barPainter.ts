@@ -34,6 +34,7 @@ export interface BarPicture {
 /** Least height of a climb in the picture: a flat flight must not look like a mountain. */
 const LEAST_CLIMB_FT = 200;
 const LANE_PX = 6;
+const HALF_PX = 0.5;
 const TICK_GAP_PX = 80;
 
 /** Draws the flight under the handle: altitude, gaps, events and time. Sizes in CSS pixels. */
@@ -145,6 +146,8 @@ const THIN_LANES: ReadonlySet<Lane> = new Set(["alarm", "mark"]);
 
 function paintEvents(context: CanvasRenderingContext2D, picture: BarPicture, ground_px: number): void {
   const { events, view, width, height, isThin, colours, starts_s } = picture;
+  /** How far each lane is filled: what lies within changes nothing, and a long flight has thousands of events. */
+  const filled = new Map<Lane, number>();
   for (const event of events) {
     const lane = laneOf(event);
     if (lane === null || (isThin && !THIN_LANES.has(lane))) {
@@ -154,7 +157,7 @@ function paintEvents(context: CanvasRenderingContext2D, picture: BarPicture, gro
     const until_s =
       event.until_s === null ? event.at_s : event.until_s - (starts_s ?? event.t_s - event.at_s);
     const to = Math.max(from + 2, xOf(until_s, view, width));
-    if (to < 0 || from > width) {
+    if (to < 0 || from > width || !addsTo(filled, lane, to)) {
       continue;
     }
     const top = isThin ? height - LANE_PX : ground_px + LANES.indexOf(lane) * LANE_PX;
@@ -164,6 +167,15 @@ function paintEvents(context: CanvasRenderingContext2D, picture: BarPicture, gro
       context.fillRect(from - 1, 0, 1, top);
     }
   }
+}
+
+/** Whether an event that ends there would be seen in its lane; notes it. Oldest first. */
+function addsTo(filled: Map<Lane, number>, lane: Lane, to: number): boolean {
+  const isNew = to > (filled.get(lane) ?? Number.NEGATIVE_INFINITY) + HALF_PX;
+  if (isNew) {
+    filled.set(lane, to);
+  }
+  return isNew;
 }
 
 function paintAxis(context: CanvasRenderingContext2D, picture: BarPicture, height: number): void {

@@ -32,6 +32,8 @@ export interface FlightFacts {
 const NOTHING: FlightFactsState = { flight: null, overview: null, events: [], edge_s: 0, read_ms: null };
 /** A flight that is being recorded grows. */
 const EVERY_MS = 10_000;
+/** The edge of a finished flight is told by its replay and by its overview, which may differ by a little. */
+const GROWN_S = 1;
 /** Points of the altitude: about as many as the bar has pixels. */
 const POINTS = 1000;
 const CURRENT = "current";
@@ -79,7 +81,19 @@ export function createFlightFacts({ rest, timers, playback, isRecording }: Parts
       read_ms: overview.ok ? timers.now_ms() : null,
     });
     if (watchers > 0) {
-      cancel = timers.after(EVERY_MS, () => void read());
+      cancel = timers.after(EVERY_MS, again);
+    }
+  }
+
+  /** A finished flight is not read again: it takes both processors' time from the moments that somebody looks for. */
+  function again(): void {
+    const { flight, edge_s } = playback.getState();
+    const known = store.getState();
+    const isGrowing = flight === null || flight === CURRENT || edge_s > known.edge_s + GROWN_S;
+    if (isGrowing || known.overview === null) {
+      void read();
+    } else if (watchers > 0) {
+      cancel = timers.after(EVERY_MS, again);
     }
   }
 

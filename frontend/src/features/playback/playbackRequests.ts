@@ -52,6 +52,8 @@ export interface Playback {
   /** Back to the present. */
   readonly now: () => void;
   readonly seek: (at_s: number) => void;
+  /** The moment that was sought last is the one: it is asked for without a pause. */
+  readonly settle: () => void;
   readonly play: () => void;
   readonly pause: () => void;
   readonly step: (frames: 1 | -1) => void;
@@ -81,6 +83,14 @@ function stretchOf(loop: readonly number[] | null): Stretch | null {
   const [from_s, to_s] = loop ?? [];
   return from_s === undefined || to_s === undefined ? null : [from_s, to_s];
 }
+
+/** The start as it is known already, unless it is another one: a difference of two times is a little another each time. */
+function startOf(known_s: number | null, starts_s: number): number {
+  return known_s !== null && Math.abs(known_s - starts_s) < SAME_S ? known_s : starts_s;
+}
+
+/** Two times of a flight nearer than this are the same: floating point. */
+const SAME_S = 0.001;
 
 /** A moment nearer than this to an event counts as the event's own. */
 const BESIDE_S = 0.25;
@@ -130,7 +140,7 @@ export function createPlayback({ rest, timers, address, isRecording, open }: Pla
       loop: stretchOf(loop),
       duration_s,
       edge_s,
-      starts_s: t_s - at_s,
+      starts_s: startOf(before.starts_s, t_s - at_s),
       rate: isPlaying ? rate : before.rate,
       // A step back or a loop goes to another moment too.
       moves: before.moves + (at_s < before.at_s && !seeks.isBusy ? 1 : 0),
@@ -179,6 +189,7 @@ export function createPlayback({ rest, timers, address, isRecording, open }: Pla
     facts,
     openFlight,
     seek,
+    settle: () => seeks.hurry(),
     now: () => {
       close();
       store.setState(PRESENT);

@@ -34,6 +34,24 @@ test("a drag that is answered at once sends at most twenty a second", () => {
   expect(sent.length).toBeLessThanOrEqual(20);
 });
 
+test("where the hand lets go is asked for at once, or as soon as the one under way is answered", () => {
+  queue.ask(1);
+  queue.answered();
+  queue.ask(2);
+  expect(sent).toEqual([1]);
+  queue.hurry();
+  expect(sent).toEqual([1, 2]);
+  queue.ask(3);
+  queue.hurry();
+  expect(sent).toEqual([1, 2]);
+  queue.answered();
+  expect(sent).toEqual([1, 2, 3]);
+  queue.answered();
+  queue.hurry();
+  queue.ask(4);
+  expect(sent, "the next drag has its pace again").toEqual([1, 2, 3]);
+});
+
 test("an answer that never comes does not hold up the next one for ever", () => {
   queue.ask(1);
   queue.ask(2);

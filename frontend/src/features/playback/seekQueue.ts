@@ -12,6 +12,7 @@ export class SeekQueue {
   #isUnderWay = false;
   #sent_ms = Number.NEGATIVE_INFINITY;
   #waiting_s: number | null = null;
+  #isHurried = false;
   #cancel: () => void = () => undefined;
 
   constructor(send: (at_s: number) => void, timers: Timers) {
@@ -29,6 +30,12 @@ export class SeekQueue {
     this.#next();
   }
 
+  /** The hand has let go: what was asked for last goes as soon as nothing is under way. */
+  hurry(): void {
+    this.#isHurried = this.#waiting_s !== null;
+    this.#next();
+  }
+
   /** The gateway answered the one that is under way. */
   answered(): void {
     if (this.#isUnderWay) {
@@ -42,6 +49,7 @@ export class SeekQueue {
   clear(): void {
     this.#cancel();
     this.#isUnderWay = false;
+    this.#isHurried = false;
     this.#waiting_s = null;
   }
 
@@ -51,12 +59,13 @@ export class SeekQueue {
       return;
     }
     this.#cancel();
-    const wait_ms = this.#sent_ms + SPACING_MS - this.#timers.now_ms();
+    const wait_ms = this.#isHurried ? 0 : this.#sent_ms + SPACING_MS - this.#timers.now_ms();
     if (wait_ms > 0) {
       this.#cancel = this.#timers.after(wait_ms, () => this.#next());
       return;
     }
     this.#waiting_s = null;
+    this.#isHurried = false;
     this.#isUnderWay = true;
     this.#sent_ms = this.#timers.now_ms();
     this.#cancel = this.#timers.after(PATIENCE_MS, () => this.answered());

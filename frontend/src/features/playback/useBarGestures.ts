@@ -7,6 +7,8 @@ interface Gestures {
   readonly edge_s: number;
   /** The hand is at this moment. */
   readonly onMoment: (at_s: number) => void;
+  /** The hand has let go. */
+  readonly onRelease: () => void;
   readonly onView: (view: BarView) => void;
 }
 
@@ -22,10 +24,10 @@ const TREMBLE_PX = 4;
 const ZOOM_PER_PIXEL = 1.0015;
 
 /** One pointer drags the moment, two pinch and drag the view; the wheel zooms, with Shift it moves the view. */
-export function useBarGestures({ bar, view, edge_s, onMoment, onView }: Gestures): Handlers {
-  const newest = useRef({ view, edge_s, onMoment, onView });
+export function useBarGestures({ bar, view, edge_s, onMoment, onRelease, onView }: Gestures): Handlers {
+  const newest = useRef({ view, edge_s, onMoment, onRelease, onView });
   useEffect(() => {
-    newest.current = { view, edge_s, onMoment, onView };
+    newest.current = { view, edge_s, onMoment, onRelease, onView };
   });
   const pointers = useRef(new Map<number, number>());
   /** Where a finger came down that has not moved yet. */
@@ -87,6 +89,9 @@ export function useBarGestures({ bar, view, edge_s, onMoment, onView }: Gestures
       resting.current = null;
     }
     isPinch.current &&= pointers.current.size > 0;
+    if (pointers.current.size === 0) {
+      newest.current.onRelease();
+    }
   }
 
   return {

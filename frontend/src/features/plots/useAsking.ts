@@ -1,4 +1,4 @@
-import { useCallback, useEffect, useRef } from "react";
+import { useCallback, useEffect, useLayoutEffect, useRef } from "react";
 import { usePage, usePart } from "../../store/hooks";
 import type { TelemetryStore } from "../../store/telemetry";
 import { usePaint } from "../../store/usePaint";
@@ -64,7 +64,8 @@ export function useAsking(subject: string | null, panes: Panes, points: number):
     },
     [plots, telemetry, pump, view, compared, shift_s, names, points, subject, isBegun],
   );
-  useEffect(() => ask(false), [ask]);
+  // Before the plots draw what they have: the gateway looks for the rest meanwhile.
+  useLayoutEffect(() => ask(false), [ask]);
 
   const again = useCallback(() => {
     const { starts_s, to_s, failure } = plots.feed.store.getState();

@@ -8,9 +8,10 @@ import { useConnection } from "../store/hooks";
 
 /**
  * The window's title, which is seen from other windows too: that the past is shown and which, or the state of the
- * board's link; and the number of alarms of the present.
+ * board's link; and the number of alarms of the present. A component of its own, for while a flight is played it changes
+ * with each second, and only what renders with it is rendered again.
  */
-export function useTitle(): void {
+export function WindowTitle(): null {
   const { t } = useTranslation();
   const state = useConnection(({ status, phase }) =>
     phase === "open" ? (status?.board.state ?? "unknown") : "unknown",
@@ -28,6 +29,7 @@ export function useTitle(): void {
   useEffect(() => {
     document.title = alarms === 0 ? shown : `(${alarms}) ${shown}`;
   }, [alarms, shown]);
+  return null;
 }
 
 /** Number of active alarms; the gateway also lists the recovered ones. */
