@@ -50,7 +50,7 @@ class Ends:
 
     async def open(self) -> DescriptorLink:
         link = await open_link(parse_address(f"pty://{self.path}"))
-        link.start(LinkCallbacks(self._take, self.lost.append, self.tape, lambda: self.missing))
+        link.start(LinkCallbacks(self._take, self.lost.append, self.tape, lambda _: self.missing))
         return link
 
     @property

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager
 from typing import Any, Final, Protocol
 
 from epf_gcs.codec.frame import Damage, Frame, FrameDecoder
@@ -197,9 +197,17 @@ class Board:
         if found:
             self._take(found)
 
-    def missing_bytes(self) -> int:
-        """The least number of bytes still needed to complete a frame; 0 if unknown."""
-        return 0 if self.exclusive_user is not None else self._decoder.missing_bytes
+    def missing_bytes(self, ahead: bytes = b"") -> int:
+        """The least number of bytes still needed to complete a frame; 0 if unknown. `ahead`: what comes next."""
+        return 0 if self.exclusive_user is not None else self._decoder.missing_with(ahead)
+
+    def may_wait(self) -> bool:
+        """Whether nothing here needs the line's bytes as they come: the dialogue is open and no answer is awaited."""
+        return self.is_open and self.exclusive_user is None and not self._listeners
+
+    def together(self) -> AbstractContextManager[None]:
+        """Frames of bytes that are given inside are decoded and sent together."""
+        return self._telemetry.together()
 
     def tick(self) -> None:
         """Do what is due; called some times a second."""
@@ -253,6 +261,7 @@ class Board:
             listener(frame, meant)
 
     def _take_damages(self, found: list[Frame | Damage], t_s: float) -> None:
+        self._telemetry.catch_up()  # what came before an event goes out before it
         for item in found:
             if isinstance(item, Damage):
                 self._statistics.on_damage(item, t_s)
