@@ -28,7 +28,8 @@ class Tape:
     def __init__(self) -> None:
         self.entries: list[tuple[str, bytes]] = []
 
-    def received(self, data: bytes) -> None:
+    def received(self, data: bytes, ago_s: float = 0.0) -> None:
+        del ago_s
         self.entries.append(("received", data))
 
     def sent(self, data: bytes) -> None:

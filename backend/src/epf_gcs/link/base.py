@@ -34,6 +34,9 @@ class Link(Protocol):
     def start(self, callbacks: LinkCallbacks) -> None:
         """Begin to read; bytes that came before wait in the operating system's buffer."""
 
+    def deliver(self) -> None:
+        """Deliver at once what came and may have waited: what comes after this call is newer than it."""
+
     def write(self, data: bytes) -> bool:
         """Send now, or queue what the system does not take. False: the queue is full, nothing was taken."""
 

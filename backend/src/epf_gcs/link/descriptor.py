@@ -84,6 +84,11 @@ class DescriptorLink:
             return 0
         return len(self._pending) + self._device.kernel_backlog()
 
+    def deliver(self) -> None:
+        """Deliver at once what came during a rest."""
+        if self._rest is not None and not self._is_delivering:
+            self._look_late()
+
     def write(self, data: bytes) -> bool:
         """Write at once what the system takes and queue the rest; False if the whole of it does not fit."""
         if not self._closed:
@@ -173,17 +178,18 @@ class DescriptorLink:
         self._is_delivering = True
         try:
             with self._callbacks.together():
-                self._deliver(data, unbroken, lasted_s)
+                is_open = self._deliver(data, unbroken, lasted_s)
         finally:
             self._is_delivering = False
         rest.cancel()
         self._rest = None
-        if self._closed:
+        if not is_open:
             return
         self._counted_from_s, self._count = now_s, 0
         if unbroken.holds(len(data), lasted_s) and now_s > self._awake_until_s and self._callbacks.may_wait():
             # On a fixed grid, so that the mean rate is exact; after a pause it starts anew.
-            when_s = max(rest.when() + self._rest_s, self._loop.time() + 0.5 * self._rest_s)
+            now_s = self._loop.time()
+            when_s = max(min(rest.when(), now_s) + self._rest_s, now_s + 0.5 * self._rest_s)
             self._rest = self._loop.call_at(when_s, self._look_late)
             return
         self._loop.add_reader(self._device.fd, self._readable)
@@ -193,11 +199,10 @@ class DescriptorLink:
     def _wake_up(self) -> None:
         """Something is written: what came before is delivered, and so recorded, before it, and no answer waits."""
         self._awake_until_s = monotonic() + _AWAKE_S
-        if self._rest is not None and not self._is_delivering:
-            self._look_late()
+        self.deliver()
 
-    def _deliver(self, data: bytes, unbroken: Unbroken, lasted_s: float) -> None:
-        """Frame by frame, each with the time at which its last byte came."""
+    def _deliver(self, data: bytes, unbroken: Unbroken, lasted_s: float) -> bool:
+        """Frame by frame, each with the time at which its last byte came. False if the link was closed meanwhile."""
         start, count, tap = 0, len(data), self._tap
         while start < count and not self._closed:
             missing = self._callbacks.missing_bytes(data[start : start + _AHEAD_BYTES])
@@ -206,6 +211,7 @@ class DescriptorLink:
             if tap is not None:
                 tap.received(piece, unbroken.ago_s(count - stop, count, lasted_s))
             self._on_bytes(piece)
+        return not self._closed
 
     def _await_rest(self, wait_for: Callable[[int], None]) -> None:
         """Be woken only when all bytes missing to a frame can be there, not for each piece of it."""

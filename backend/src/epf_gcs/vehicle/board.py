@@ -50,6 +50,7 @@ class Board:
         self._errors = errors
         self._decoder = FrameDecoder()
         self._link: Line | None = None
+        self._deliver: Callable[[], None] = lambda: None
         self._listeners: list[Listener] = []
         self._listeners_of: dict[str, list[Listener]] = {}
         self._bytes_at_tick = 0
@@ -104,10 +105,10 @@ class Board:
         """Time since the board's last heartbeat on this link."""
         return self.session.heartbeat_age_s(self._clock.steady_s())
 
-    def attach(self, link: Line, *, is_emulated: bool = False) -> None:
-        """A link is open: begin the dialogue."""
+    def attach(self, link: Line, *, is_emulated: bool = False, deliver: Callable[[], None] = lambda: None) -> None:
+        """A link is open: begin the dialogue. `deliver` makes it hand over bytes that wait."""
         self._telemetry.catch_up()
-        self._link = link
+        self._link, self._deliver = link, deliver
         self.is_emulated = is_emulated
         if is_emulated:
             self._statistics.clear()
@@ -120,7 +121,7 @@ class Board:
 
     def detach(self) -> None:
         """The link is gone."""
-        self._link = None
+        self._link, self._deliver = None, lambda: None
         self._end_exclusive_use()
         self._take(self._decoder.finish())
         self._was_open = False
@@ -180,6 +181,7 @@ class Board:
     @contextmanager
     def listening(self, listener: Listener) -> Iterator[None]:
         """Call `listener` for every good frame that comes inside the `with` block, as soon as it comes."""
+        self._deliver()
         self._telemetry.catch_up()
         self._listeners.append(listener)
         try:
