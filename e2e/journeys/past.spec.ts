@@ -252,7 +252,10 @@ test.describe("on a tablet", () => {
   test("fingers go back, play and return to now, in English", async ({ page, flying }) => {
     const record = new LiveRecord(page);
     await open(page, flying);
+    await page.getByRole("button", { name: "Menú", exact: true }).tap();
     await page.getByRole("group", { name: "Idioma" }).getByText("English").tap();
+    await page.getByRole("group", { name: "Time of the flight" }).getByText("Shown", { exact: true }).tap();
+    await page.keyboard.press("Escape");
     await flown(page, "en", 8);
     const { x, y } = await placeOn(page, "en", 0.6);
     await page.touchscreen.tap(x, y);
