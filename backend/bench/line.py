@@ -172,7 +172,7 @@ async def _read(path: str, mode: str) -> None:
 
     link = await open_link(parse_address(f"pty://{path}"))
     if mode == "whole":
-        link.start(LinkCallbacks(take, lost, missing_bytes=lambda: decoder.missing_bytes))
+        link.start(LinkCallbacks(take, lost, missing_bytes=decoder.missing_with))
     else:
         link.start(LinkCallbacks(take, lost))
     os.write(1, b"ready\n")

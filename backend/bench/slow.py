@@ -13,7 +13,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Final
 
-from bench.cpu import percent_used, reading, stream_of_line
+from bench.cpu import measure, reading
 from bench.station import station
 from bench.table import Row
 
@@ -28,9 +28,9 @@ REACH_MB: Final = 300.0
 
 def run() -> list[Row]:
     """At the full 115200 line with one viewer at 60 Hz. No row where no cgroup can be made: that needs root."""
-    stream = stream_of_line()
     with station() as (gateway, line), contextlib.ExitStack() as held:
-        pids = [gateway.process.pid, *gateway.parts.values()]
+        processes = {"launcher": gateway.process.pid, **gateway.parts}
+        pids = list(processes.values())
         try:
             group = held.enter_context(limited(pids))
         except OSError as error:
@@ -39,7 +39,8 @@ def run() -> list[Row]:
         viewer = gateway.stream(60)
         with reading(viewer, viewer.acknowledge):
             before = stopped(group)
-            used = sum(percent_used(pids, line, stream) for _ in range(ROUNDS)) / ROUNDS
+            rounds = [measure(processes, line) for _ in range(ROUNDS)]
+            used = sum(part.percent for one in rounds for part in one.values()) / ROUNDS
             periods, held_up = (after - earlier for after, earlier in zip(stopped(group), before, strict=True))
         memory_mb = sum(map(own_mb, pids))
         viewer.close()

@@ -220,6 +220,16 @@ def run_s(*pids: int) -> float:
     return used_ns * 1e-9
 
 
+def wakes(*pids: int) -> int:
+    """How often the threads of the processes gave the processor up to wait; each of them is woken once for it."""
+    found = 0
+    for pid in pids:
+        for thread in Path(f"/proc/{pid}/task").iterdir():
+            said = re.search(r"^voluntary_ctxt_switches:\s+(\d+)", (thread / "status").read_text(), re.MULTILINE)
+            found += int(said[1]) if said is not None else 0
+    return found
+
+
 def percentile(values: Sequence[float], share: float) -> float:
     """The value below which this share (0..1) of all values lies."""
     ordered = sorted(values)

@@ -181,6 +181,23 @@ def test_what_is_missing_is_exactly_what_makes_the_next_frame_whole() -> None:
         assert len(frames(found)) == 1
 
 
+def test_with_the_next_bytes_in_hand_a_stream_is_cut_into_whole_frames() -> None:
+    decoder = FrameDecoder()
+    made = mixed_frames(100, seed=7)
+    stream = b"".join(made)
+    assert decoder.missing_with(stream[:7]) == 0, "seven bytes do not say what begins here"
+    # The first piece ends within a frame: what the decoder holds and what comes next tell its length together.
+    assert decoder.feed(stream[:5]) == []
+    place, pieces = 5, [stream[:5]]
+    while place < len(stream):
+        missing = decoder.missing_with(stream[place : place + 8])
+        pieces.append(stream[place : place + missing])
+        assert len(frames(decoder.feed(pieces[-1]))) == 1
+        place += missing
+    assert pieces[0] + pieces[1] == made[0]
+    assert pieces[2:] == made[1:]
+
+
 def test_the_least_is_never_more_than_the_next_frame_takes() -> None:
     stream = b"noise\n" + HEARTBEAT[:9] + b"".join(mixed_frames(60, seed=8)) + b"text" + HEARTBEAT
     for step in (1, 5, 12, 40):

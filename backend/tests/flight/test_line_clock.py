@@ -44,6 +44,21 @@ def test_reads_within_a_millisecond_of_the_first_have_its_time(steady: SteadyClo
     assert clock.received(BOARD_RECEIVED) == first + 977 * TICK_NS, "counted from the first, not from the one before"
 
 
+def test_bytes_that_were_read_late_have_the_time_at_which_they_came(steady: SteadyClock) -> None:
+    clock = LineClock()
+    first = clock.received(BOARD_RECEIVED)
+    steady.wait(20_000)
+    late = [clock.received(BOARD_RECEIVED, ticks * TICK_NS * 1e-9) for ticks in (8000, 4000, 0)]
+    assert late == [first + ticks * TICK_NS for ticks in (12_000, 16_000, 20_000)]
+
+
+def test_no_time_is_before_an_earlier_one_however_late_bytes_were_read(steady: SteadyClock) -> None:
+    clock = LineClock()
+    sent = clock.sent(BOARD_SENT)
+    steady.wait(1000)
+    assert clock.received(BOARD_RECEIVED, 1.0) == sent
+
+
 @pytest.mark.parametrize("between", [BOARD_SENT, SIMULATOR_RECEIVED, SIMULATOR_SENT])
 def test_another_topic_in_between_parts_them(steady: SteadyClock, between: int) -> None:
     clock = LineClock()

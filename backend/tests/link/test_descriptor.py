@@ -28,7 +28,8 @@ class Tape:
     def __init__(self) -> None:
         self.entries: list[tuple[str, bytes]] = []
 
-    def received(self, data: bytes) -> None:
+    def received(self, data: bytes, ago_s: float = 0.0) -> None:
+        del ago_s
         self.entries.append(("received", data))
 
     def sent(self, data: bytes) -> None:
@@ -50,7 +51,7 @@ class Ends:
 
     async def open(self) -> DescriptorLink:
         link = await open_link(parse_address(f"pty://{self.path}"))
-        link.start(LinkCallbacks(self._take, self.lost.append, self.tape, lambda: self.missing))
+        link.start(LinkCallbacks(self._take, self.lost.append, self.tape, lambda _: self.missing))
         return link
 
     @property

@@ -47,7 +47,8 @@ class Heard:
 
         return await open_udp(address, self.callbacks, look_up, lambda: self.now_s)
 
-    def received(self, data: bytes) -> None:
+    def received(self, data: bytes, ago_s: float = 0.0) -> None:
+        del ago_s
         self.recorded.append(data)
 
     def sent(self, data: bytes) -> None:

@@ -24,6 +24,26 @@ class SetClock:
         return self.at_s
 
 
+class Sink:
+    """A line that takes everything."""
+
+    baud = 115200
+    backlog = 0
+
+    def write(self, data: bytes) -> bool:
+        return bool(data)
+
+
+class Alone:
+    """Has the line for itself."""
+
+    def on_bytes(self, data: bytes) -> None:
+        del data
+
+    def on_line_released(self) -> bytes:
+        return b""
+
+
 class Flown:
     """A vehicle with a clock and an outlet of its own."""
 
@@ -93,6 +113,42 @@ def test_a_vehicle_whose_frames_wait_says_the_same_in_the_end() -> None:
     assert lazy.vehicle.telemetry.summary() == at_once.vehicle.telemetry.summary()
 
 
+def test_frames_that_were_read_together_wait_for_the_last_of_them() -> None:
+    flown = Flown(7.0)
+    with flown.vehicle.board.together():
+        flown.hear(1.0)
+        flown.hear(2.0)
+        assert flown.rolls() == []
+    assert flown.rolls() == [(7.02, 1.0), (7.04, 2.0)]
+    flown.hear(3.0)
+    assert len(flown.rolls()) == 3, "afterwards none waits"
+
+
+def test_a_line_of_text_among_frames_that_were_read_together_does_not_overtake_them() -> None:
+    flown = Flown(7.0)
+    with flown.vehicle.board.together():
+        flown.hear(1.0)
+        flown.vehicle.board.on_bytes(b"board says this\r\n")
+        assert [kind for kind, _ in flown.outlet.events] == ["console"]
+        assert flown.rolls() == [(7.02, 1.0)], "what came before the text is out before it"
+
+
+def test_the_bytes_of_a_board_may_wait_only_while_no_answer_of_it_is_awaited() -> None:
+    flown = Flown(7.0)
+    board = flown.vehicle.board
+    assert not board.may_wait(), "nobody has opened it"
+    board.attach(Sink())
+    board.on_bytes(encode_telemetry("heartbeat", *([1] * 10), 3, 0))
+    flown.clock.at_s += 1.0
+    board.tick()
+    assert board.may_wait()
+    with board.listening(lambda _frame, _meant: None):
+        assert not board.may_wait()
+    assert board.may_wait()
+    board.acquire_line(Alone())
+    assert not board.may_wait()
+
+
 def test_samples_of_the_simulator_do_not_overtake_frames_that_wait() -> None:
     flown = Flown(7.0, is_lazy=True)
     flown.hear(1.0)
@@ -114,6 +170,16 @@ def test_who_listens_gets_what_comes_from_then_on_and_at_once() -> None:
         assert heard == [2.0]
     flown.hear(3.0)
     flown.vehicle.board.tick()
+    assert heard == [2.0]
+
+
+def test_who_listens_does_not_get_what_the_line_had_before() -> None:
+    flown = Flown(7.0)
+    board, heard = flown.vehicle.board, []
+    board.attach(Sink(), deliver=lambda: flown.hear(1.0))
+    with board.listening(lambda _frame, meant: heard.append(meant.values["roll_deg"])):
+        assert flown.rolls() == [(7.02, 1.0)], "it was delivered before"
+        flown.hear(2.0)
     assert heard == [2.0]
 
 

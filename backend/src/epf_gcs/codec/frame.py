@@ -123,6 +123,11 @@ class FrameDecoder:
             return 0
         return max(self._need, self._smallest) - len(self._buffer)
 
+    def missing_with(self, ahead: bytes) -> int:
+        """`missing_bytes` where `ahead` are the next bytes: all of the frame that they begin or go on."""
+        layout = self._layouts.get((self._buffer[:_START_SIZE] + ahead)[:_START_SIZE])
+        return self.missing_bytes if layout is None else layout.size - len(self._buffer)
+
     def feed(self, chunk: bytes) -> list[Frame | Damage]:
         """Take the next bytes of the line and return what they complete, in the order of the line."""
         buffer = self._buffer + chunk

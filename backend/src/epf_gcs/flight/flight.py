@@ -109,7 +109,9 @@ class Flight:
         self.hil.path = "assisted" if self.memory.now.hil_path == "assisted" else "manual"
         self.simulator = Simulator(self.hil, self.clock, simulator_tap, self.errors.report, self._on_line)
         opener = LinkOpener(self.hil, lambda: self.simulator.address is not None)
-        self.supervisor = Supervisor(self.board, self.clock, board_tap, self.errors.report, self._on_line, opener)
+        self.supervisor = Supervisor(
+            self.board, self.clock, board_tap, self.errors.report, self._on_line, self._may_wait, opener
+        )
         self.lines = Lines(
             board=self.board,
             supervisor=self.supervisor,
@@ -137,14 +139,9 @@ class Flight:
             changed=self._on_ahrs_test,
         )
 
+        aircraft = self.memory.now.aircraft
         self._known = KnownNotes(
-            self.notes,
-            self.board,
-            self.parameters,
-            self.stick,
-            self.supervisor,
-            self.simulator,
-            self.memory.now.aircraft,
+            self.notes, self.board, self.parameters, self.stick, self.supervisor, self.simulator, aircraft
         )
 
         # Alarms and housekeeping.
@@ -308,6 +305,10 @@ class Flight:
         heartbeat = self.telemetry.newest("heartbeat") or {}
         moves = self.simulator.state == "open" and self.hil.path == "assisted"
         return moves or any(heartbeat.get(flag) is True for flag in ("autopilot", "autopilot_hil"))
+
+    def _may_wait(self) -> bool:
+        """Whether neither the HIL loop nor a station needs the board's bytes as they come."""
+        return self.hil.link is None and (self.outlet.gathers or not self.outlet.has_listeners)
 
     def _on_ahrs_test(self) -> None:
         if self.board.exclusive_user is not None:

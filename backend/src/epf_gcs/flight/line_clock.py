@@ -40,21 +40,24 @@ class LineClock(Clock):
         held_ns = self._held_ns
         return (self.now_ns() if held_ns is None else held_ns) * 1e-9
 
-    def sent(self, topic: int) -> int:
-        """Unix nanoseconds for bytes of this topic that are sent now; never less than an earlier stamp.
+    def sent(self, topic: int, ago_s: float = 0.0) -> int:
+        """Unix nanoseconds for bytes of this topic that are sent now; never less than an earlier stamp. `ago_s`: where
+        they were read so long after they came.
 
         A topic's bytes share the time of the first if nothing of another topic came in between, so that what is
         recorded in the order of the stamps keeps cause before effect.
         """
         now_ns = (self._offset_ns + time.monotonic_ns()) & _TICK
+        if ago_s:
+            now_ns = max(self._stamp_ns, (now_ns - int(ago_s * 1e9)) & _TICK)
         if topic == self._topic and topic in STREAMS and now_ns - self._stamp_ns < _TOGETHER_NS:
             return self._stamp_ns
         self._topic, self._stamp_ns = topic, now_ns
         return now_ns
 
-    def received(self, topic: int) -> int:
+    def received(self, topic: int, ago_s: float = 0.0) -> int:
         """The same for bytes that were read now, and the time at which what is `decoding` them stands."""
-        self._received_ns = self.sent(topic)
+        self._received_ns = self.sent(topic, ago_s)
         return self._received_ns
 
     def decoding(self, take: Callable[[bytes], R]) -> Callable[[bytes], R]:

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import asyncio
 from collections.abc import Callable
+from time import monotonic
 from typing import Final
 
 from epf_gcs.errors import LinkError
 from epf_gcs.link.base import Device, LinkCallbacks, Tap
 from epf_gcs.link.failures import lost_error
+from epf_gcs.link.unbroken import Unbroken
 
 # More than a second of the fastest line; older data would be useless to the board.
 _MAX_PENDING_BYTES: Final = 131072
@@ -18,21 +20,26 @@ _READ_BYTES: Final = 4096
 _MOST_AWAITED: Final = 255
 # If the line falls silent while we wait for more bytes, those already there are read after one to two times this.
 _PATIENCE_S: Final = 0.1
+# Time between two reads while nobody needs the bytes as they come: that between two pictures of a page.
+_REST_S: Final = 1.0 / 60.0
+# On a fast line less, so that half of what a terminal holds (4096 bytes) comes between two reads.
+_REST_BYTES: Final = 2048
+# Something was written: an answer is expected, which must not wait.
+_AWAKE_S: Final = 1.0
+# As many of the next bytes as tell how long a frame is.
+_AHEAD_BYTES: Final = 8
 
 
 def _nobody(_: object) -> None:
     """The callback before `start`: ignore."""
 
 
-def _unknown() -> int:
-    return 0
-
-
 class DescriptorLink:
     """Reads in the event loop's callback when the descriptor is readable: without a thread and its delay.
 
     A frame comes in many pieces, and only the last one completes it. Where the system supports it, we are woken for
-    the last one only. Made on a running loop. Implements `Link`.
+    the last one only. While nobody needs the bytes as they come, and they come without a gap, we rest: nothing wakes
+    us, and we read 60 times a second. Made on a running loop. Implements `Link`.
     """
 
     def __init__(self, device: Device) -> None:
@@ -43,18 +50,26 @@ class DescriptorLink:
         self._loop = asyncio.get_running_loop()
         self._pending = bytearray()
         self._closed = False
-        self._missing_bytes: Callable[[], int] = _unknown
+        self._callbacks = LinkCallbacks(_nobody, _nobody)
         self._wait_for = device.wait_for
         self._awaited = 1
         self._has_read = False
         self._patience: asyncio.TimerHandle | None = None
+        self._unbroken = Unbroken(device.baud) if device.is_serial else None
+        self._rest_s = min(_REST_S, _REST_BYTES * 10.0 / device.baud)
+        # Since when the bytes are counted that tell whether the line has a gap, and how many came.
+        self._counted_from_s = 0.0
+        self._count = 0
+        self._awake_until_s = 0.0
+        self._rest: asyncio.TimerHandle | None = None
+        self._is_delivering = False
 
     def start(self, callbacks: LinkCallbacks) -> None:
         """Begin to read; bytes that came before wait in the operating system's buffer."""
         self._on_bytes = callbacks.on_bytes
         self._on_lost = callbacks.on_lost
         self._tap = callbacks.tap
-        self._missing_bytes = callbacks.missing_bytes
+        self._callbacks = callbacks
         self._loop.add_reader(self._device.fd, self._readable)
 
     @property
@@ -69,11 +84,18 @@ class DescriptorLink:
             return 0
         return len(self._pending) + self._device.kernel_backlog()
 
+    def deliver(self) -> None:
+        """Deliver at once what came during a rest."""
+        if self._rest is not None and not self._is_delivering:
+            self._look_late()
+
     def write(self, data: bytes) -> bool:
         """Write at once what the system takes and queue the rest; False if the whole of it does not fit."""
+        if not self._closed:
+            self._wake_up()
         if self._closed or len(self._pending) + len(data) > _MAX_PENDING_BYTES:
             return False
-        if self._awaited > 1 and self._missing_bytes() < 1:
+        if self._awaited > 1 and self._callbacks.missing_bytes(b"") < 1:
             # The bytes that we waited for are no longer expected; the answer to this write may be shorter.
             self._await_any()
         written = 0
@@ -100,32 +122,101 @@ class DescriptorLink:
         self._closed = True
         self._loop.remove_reader(self._device.fd)
         self._loop.remove_writer(self._device.fd)
-        if self._patience is not None:
-            self._patience.cancel()
+        for timer in (self._patience, self._rest):
+            if timer is not None:
+                timer.cancel()
         self._device.close()
 
     def _readable(self) -> None:
-        try:
-            data = self._device.read(_READ_BYTES)
-        except (BlockingIOError, InterruptedError):
-            return
-        except OSError as error:
-            self._lose(error.strerror or str(error))
-            return
+        data = self._read()
         if not data:
-            self._lose("the other side closed it")
             return
         tap = self._tap
         if tap is not None:
             tap.received(data)
         self._on_bytes(data)
+        if self._unbroken is not None and self._may_rest(self._unbroken, len(data)):
+            self._loop.remove_reader(self._device.fd)
+            self._rest = self._loop.call_later(self._rest_s, self._look_late)
+        elif self._wait_for is not None:
+            self._await_rest(self._wait_for)
+
+    def _read(self) -> bytes:
+        """What is there; empty if there is nothing, or if the device was lost."""
+        try:
+            data = self._device.read(_READ_BYTES)
+        except (BlockingIOError, InterruptedError):
+            return b""
+        except OSError as error:
+            self._lose(error.strerror or str(error))
+            return b""
+        if not data:
+            self._lose("the other side closed it")
+        return data
+
+    def _may_rest(self, unbroken: Unbroken, count: int) -> bool:
+        """Whether nobody needs the bytes as they come, and they came without a gap for as long as a rest takes."""
+        now_s = monotonic()
+        lasted_s = now_s - self._counted_from_s
+        self._count += count
+        if lasted_s < self._rest_s:
+            return False
+        was_unbroken = unbroken.holds(self._count, lasted_s)
+        self._counted_from_s, self._count = now_s, 0
+        return was_unbroken and not self._closed and now_s > self._awake_until_s and self._callbacks.may_wait()
+
+    def _look_late(self) -> None:
+        """Read after a rest and deliver with the time of each frame; go on resting if nothing speaks against it."""
+        unbroken, rest = self._unbroken, self._rest
+        if unbroken is None or rest is None:
+            return
+        now_s = monotonic()
+        lasted_s = now_s - self._counted_from_s
+        data = self._read()
+        if self._closed:
+            return
+        self._is_delivering = True
+        try:
+            with self._callbacks.together():
+                is_open = self._deliver(data, unbroken, lasted_s)
+        finally:
+            self._is_delivering = False
+        rest.cancel()
+        self._rest = None
+        if not is_open:
+            return
+        self._counted_from_s, self._count = now_s, 0
+        if unbroken.holds(len(data), lasted_s) and now_s > self._awake_until_s and self._callbacks.may_wait():
+            # On a fixed grid, so that the mean rate is exact; after a pause it starts anew.
+            now_s = self._loop.time()
+            when_s = max(min(rest.when(), now_s) + self._rest_s, now_s + 0.5 * self._rest_s)
+            self._rest = self._loop.call_at(when_s, self._look_late)
+            return
+        self._loop.add_reader(self._device.fd, self._readable)
         if self._wait_for is not None:
             self._await_rest(self._wait_for)
+
+    def _wake_up(self) -> None:
+        """Something is written: what came before is delivered, and so recorded, before it, and no answer waits."""
+        self._awake_until_s = monotonic() + _AWAKE_S
+        self.deliver()
+
+    def _deliver(self, data: bytes, unbroken: Unbroken, lasted_s: float) -> bool:
+        """Frame by frame, each with the time at which its last byte came. False if the link was closed meanwhile."""
+        start, count, tap = 0, len(data), self._tap
+        while start < count and not self._closed:
+            missing = self._callbacks.missing_bytes(data[start : start + _AHEAD_BYTES])
+            stop = min(count, start + missing) if missing > 0 else count
+            piece, start = data[start:stop], stop
+            if tap is not None:
+                tap.received(piece, unbroken.ago_s(count - stop, count, lasted_s))
+            self._on_bytes(piece)
+        return not self._closed
 
     def _await_rest(self, wait_for: Callable[[int], None]) -> None:
         """Be woken only when all bytes missing to a frame can be there, not for each piece of it."""
         self._has_read = True
-        missing = self._missing_bytes()
+        missing = self._callbacks.missing_bytes(b"")
         awaited = 1 if missing < 1 else min(missing, _MOST_AWAITED)
         if awaited == self._awaited or self._closed:
             return

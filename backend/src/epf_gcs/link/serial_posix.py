@@ -66,9 +66,8 @@ def open_pty(address: LinkAddress) -> Device:
 
 
 def _device(address: LinkAddress, fd: int, close: Callable[[], None], backlog: Callable[[], int]) -> Device:
-    return Device(
-        address.target, fd, address.baud, close, backlog, partial(os.read, fd), partial(os.write, fd), waiter(fd)
-    )
+    read, write = partial(os.read, fd), partial(os.write, fd)
+    return Device(address.target, fd, address.baud, close, backlog, read, write, waiter(fd), is_serial=True)
 
 
 def waiter(fd: int) -> Callable[[int], None] | None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager
 from typing import Any, Final, Protocol
 
 from epf_gcs.codec.frame import Damage, Frame, FrameDecoder
@@ -50,6 +50,7 @@ class Board:
         self._errors = errors
         self._decoder = FrameDecoder()
         self._link: Line | None = None
+        self._deliver: Callable[[], None] = lambda: None
         self._listeners: list[Listener] = []
         self._listeners_of: dict[str, list[Listener]] = {}
         self._bytes_at_tick = 0
@@ -104,10 +105,10 @@ class Board:
         """Time since the board's last heartbeat on this link."""
         return self.session.heartbeat_age_s(self._clock.steady_s())
 
-    def attach(self, link: Line, *, is_emulated: bool = False) -> None:
-        """A link is open: begin the dialogue."""
+    def attach(self, link: Line, *, is_emulated: bool = False, deliver: Callable[[], None] = lambda: None) -> None:
+        """A link is open: begin the dialogue. `deliver` makes it hand over bytes that wait."""
         self._telemetry.catch_up()
-        self._link = link
+        self._link, self._deliver = link, deliver
         self.is_emulated = is_emulated
         if is_emulated:
             self._statistics.clear()
@@ -120,7 +121,7 @@ class Board:
 
     def detach(self) -> None:
         """The link is gone."""
-        self._link = None
+        self._link, self._deliver = None, lambda: None
         self._end_exclusive_use()
         self._take(self._decoder.finish())
         self._was_open = False
@@ -180,6 +181,7 @@ class Board:
     @contextmanager
     def listening(self, listener: Listener) -> Iterator[None]:
         """Call `listener` for every good frame that comes inside the `with` block, as soon as it comes."""
+        self._deliver()
         self._telemetry.catch_up()
         self._listeners.append(listener)
         try:
@@ -197,9 +199,17 @@ class Board:
         if found:
             self._take(found)
 
-    def missing_bytes(self) -> int:
-        """The least number of bytes still needed to complete a frame; 0 if unknown."""
-        return 0 if self.exclusive_user is not None else self._decoder.missing_bytes
+    def missing_bytes(self, ahead: bytes = b"") -> int:
+        """The least number of bytes still needed to complete a frame; 0 if unknown. `ahead`: what comes next."""
+        return 0 if self.exclusive_user is not None else self._decoder.missing_with(ahead)
+
+    def may_wait(self) -> bool:
+        """Whether nothing here needs the line's bytes as they come: the dialogue is open and no answer is awaited."""
+        return self.is_open and self.exclusive_user is None and not self._listeners
+
+    def together(self) -> AbstractContextManager[None]:
+        """Frames of bytes that are given inside are decoded and sent together."""
+        return self._telemetry.together()
 
     def tick(self) -> None:
         """Do what is due; called some times a second."""
@@ -253,6 +263,7 @@ class Board:
             listener(frame, meant)
 
     def _take_damages(self, found: list[Frame | Damage], t_s: float) -> None:
+        self._telemetry.catch_up()  # what came before an event goes out before it
         for item in found:
             if isinstance(item, Damage):
                 self._statistics.on_damage(item, t_s)

@@ -6,7 +6,8 @@ wait until the outlet wants them, or until anybody looks here: what is read is a
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from contextlib import contextmanager
 from typing import Any, Final, NamedTuple
 
 from epf_gcs.codec.frame import Frame
@@ -38,6 +39,7 @@ class Telemetry:
         self._newest: dict[str, Sample] = {}
         self._health: dict[str, TopicHealth] = {}
         self._waiting: list[tuple[Frame, float]] = []
+        self._is_gathering = False
         self.on_decoded: Callable[[Frame, Meaning, float], None] = _nobody
         self.flush = outlet.flush
 
@@ -45,8 +47,19 @@ class Telemetry:
         """Take frames that came at Unix time `t_s`. `at_once`: somebody waits for their values."""
         for frame in frames:
             self._waiting.append((frame, t_s))
-        if at_once or not self._outlet.later(self.catch_up):
+        if at_once or not (self._is_gathering or self._outlet.later(self.catch_up)):
             self.catch_up()
+
+    @contextmanager
+    def together(self) -> Iterator[None]:
+        """Frames that are heard inside wait for its end, unless somebody waits for their values."""
+        self._is_gathering = True
+        try:
+            yield
+        finally:
+            self._is_gathering = False
+            if self._waiting and not self._outlet.later(self.catch_up):
+                self.catch_up()
 
     def catch_up(self) -> None:
         """Decode the frames that wait, in the order of the line."""

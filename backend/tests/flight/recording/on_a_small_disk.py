@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import json
 import sys
+from functools import partial
 from pathlib import Path
 
 from epf_gcs.flight.line_clock import LineClock
@@ -32,7 +33,7 @@ def main(folder: Path) -> None:
     while recorder.failure is None:
         recorder.board_tap.received(_PIECE)
         given += len(_PIECE)
-        eventually(lambda given=given: _held(recordings) + recorder.bytes_lost >= given, "it is written or counted")
+        eventually(partial(_is_accounted, recorder, recordings, given), "it is written or counted")
     failure = recorder.failure
     ballast.unlink()
     recorder.board_tap.received(b"after")
@@ -41,6 +42,10 @@ def main(folder: Path) -> None:
     lost = [note.content for file in _files(recordings) for note in notes_of(file) if note.name == LOST]
     found = {"failure": failure, "given": given + 5, "held": _held(recordings), "lost": recorder.bytes_lost}
     print(json.dumps({**found, "noted": lost}))
+
+
+def _is_accounted(recorder: Recorder, recordings: Path, given: int) -> bool:
+    return _held(recordings) + recorder.bytes_lost >= given
 
 
 def _files(recordings: Path) -> list[Path]:

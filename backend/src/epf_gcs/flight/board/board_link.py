@@ -30,12 +30,14 @@ class Supervisor(KeepsOpen[LinkAddress, Link]):
         tap: Tap,
         report: Callable[[GatewayError], None],
         on_change: Callable[[], None],
+        may_wait: Callable[[], bool],
         open_link: Callable[[LinkAddress], Awaitable[Link]] = open_link,
     ) -> None:
         self._board = board
         self._tap = tap
         self._on_bytes = clock.decoding(board.on_bytes)
         self._on_change = on_change
+        self._others_may_wait = may_wait
         self._identify: Callable[[str], str | None] = find_identity
         self._locate: Callable[[str], str | None] = find_path
         self.identity: str | None = None
@@ -107,8 +109,13 @@ class Supervisor(KeepsOpen[LinkAddress, Link]):
         is_emulated = address == EMULATION
         # Emulated bytes are never recorded, and have the time at which they are made.
         on_bytes, tap = (self._board.on_bytes, None) if is_emulated else (self._on_bytes, self._tap)
-        link.start(LinkCallbacks(on_bytes, self._kept.lose, tap, self._board.missing_bytes))
-        self._board.attach(link, is_emulated=is_emulated)
+        board = self._board
+        waits = LinkCallbacks(on_bytes, self._kept.lose, tap, board.missing_bytes, self._may_wait, board.together)
+        link.start(waits)
+        self._board.attach(link, is_emulated=is_emulated, deliver=link.deliver)
+
+    def _may_wait(self) -> bool:
+        return self._board.may_wait() and self._others_may_wait()
 
     def _end(self, link: Link) -> None:
         self._board.say_goodbye()

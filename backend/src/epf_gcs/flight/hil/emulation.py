@@ -68,6 +68,9 @@ class EmulationLink:
         self._started_s = self._loop.time()
         self._timer = self._loop.call_soon(self._step)
 
+    def deliver(self) -> None:
+        """Nothing waits here."""
+
     def write(self, data: bytes) -> bool:
         """Answer the request that opens a session; all other commands are refused before they get here."""
         for found in self._commands.feed(data):

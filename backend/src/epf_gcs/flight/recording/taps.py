@@ -32,9 +32,9 @@ class LineTap:
         self._sent = sent
         self.lost = 0
 
-    def received(self, data: bytes) -> None:
-        """Take bytes that arrived."""
-        self._put(self._received, self._clock.received(self._received), data)
+    def received(self, data: bytes, ago_s: float = 0.0) -> None:
+        """Take bytes that arrived, the last of them so long ago."""
+        self._put(self._received, self._clock.received(self._received, ago_s), data)
 
     def sent(self, data: bytes) -> None:
         """Take bytes that were sent."""

@@ -81,7 +81,7 @@ class Maps:
     async def grid(self, layer_id: str, zoom: int, column: int, row: int) -> bytes | None:
         """The heights of one tile of terrain (`formats.quantized_mesh_reading`), rows from the south; None if there is
         none. Raises NotFoundError, or why it cannot be read."""
-        return await self._in_thread(self.folder.grid, layer_id, zoom, column, row)
+        return await self.in_thread(self.folder.grid, layer_id, zoom, column, row)
 
     async def description(self, layer_id: str) -> Description:
         """A layer's description. Raises NotFoundError, or why it cannot be read."""

@@ -60,7 +60,9 @@ def _answer(opened: OpenFiles, asked: dict[str, Any]) -> tuple[dict[str, Any], b
                 ) as source:
                     return {"description": source.description.as_dict()}, b""
             case "grid":
-                with opened.reading(str(path), tuple(asked["stamp"]), lambda: _open(path, asked)) as source:
+                with opened.reading(
+                    _key(path, asked["format"]), tuple(asked["stamp"]), lambda: _open(path, asked)
+                ) as source:
                     tile = source.tile(*asked["place"])
                 return {}, b"" if tile is None else read_grid(tile.data)
             case _:
