@@ -171,3 +171,59 @@ test("the log goes on where its last line stands, and lines that say the same ar
   expect(within(panel()).getAllByRole("row", { name: /ahrs_on/ })).toHaveLength(101);
   expect(within(panel()).queryByRole("button", { name: "Más antiguos" })).toBeNull();
 });
+
+test("the log says who was no person, what was refused, and that nothing was found", async () => {
+  const station = await setup("owner");
+  await lists(station, []);
+  await user.click(within(panel()).getByRole("tab", { name: "Registro" }));
+  const deed = {
+    t_s: 5,
+    name: "",
+    address: "10.0.0.7",
+    deed: "command",
+    what: "",
+    result: "403",
+    role: null,
+  };
+  await newest(station, "GET", "log").answer({
+    deeds: [
+      { ...deed, at: 30, kind: "stranger" },
+      { ...deed, at: 20, kind: "local", role: "owner", what: "POST /commands/reset" },
+      { ...deed, at: 10, kind: "person", name: "Ana", role: "viewer" },
+    ],
+  });
+  const rows = within(panel())
+    .getAllByRole("row")
+    .slice(1)
+    .map(({ cells }) => cells[1]?.textContent);
+  expect(rows).toEqual(["un desconocido", "el ordenador de la estación", "Ana (espectador)"]);
+  const search = within(panel()).getByRole("textbox", { name: "Buscar en el registro" });
+  await user.type(search, "nobody{Enter}");
+  await newest(station, "GET", "log").answer({ deeds: [] });
+  expect(within(panel()).getByText("No hay nada que mostrar.")).toBeTruthy();
+});
+
+test("a program's key is made with a name, shown once, and ended only after a question", async () => {
+  const station = await setup("owner");
+  await lists(station, []);
+  await user.click(within(panel()).getByRole("tab", { name: "Programas" }));
+  expect(within(panel()).getByText("Ningún programa tiene clave.")).toBeTruthy();
+  const make = within(panel()).getByRole("button", { name: "Hacer una clave" });
+  expect(make.getAttribute("aria-disabled")).toBe("true");
+  await user.type(within(panel()).getByRole("textbox", { name: "Nombre del programa" }), "registro");
+  await user.click(make);
+  const asked = newest(station, "POST", "programs");
+  expect(asked.body).toEqual({ name: "registro", role: "viewer" });
+  const program = { id: "00000000000000f1", name: "registro", role: "viewer", since_s: 1, seen_s: null };
+  await asked.answer({ key: "epf_0123456789", program });
+  await newest(station, "GET", "programs").answer({ programs: [program] });
+  expect(within(panel()).getByText("epf_0123456789")).toBeTruthy();
+  expect(within(panel()).getByText("nunca")).toBeTruthy();
+  const end = within(panel()).getByRole("button", { name: "Terminar el acceso de registro" });
+  await user.click(end);
+  await user.keyboard("{Escape}");
+  expect(station.askedAccess.some(({ method }) => method === "DELETE")).toBe(false);
+  await user.click(end);
+  await user.click(within(screen.getByRole("alertdialog")).getByRole("button", { name: /^Terminar/ }));
+  expect(newest(station, "DELETE", `programs/${program.id}`)).toBeDefined();
+});
