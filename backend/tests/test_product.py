@@ -96,6 +96,8 @@ def test_a_source_archive_holds_the_page_and_builds_a_wheel_with_it(tmp_path: Pa
     )
     for name in ("backend/pyproject.toml", "backend/README.md", "LICENSE"):
         shutil.copy(BACKEND.parent / name, tree / name)
+    # The licences of what the board brings go into the archive as well.
+    shutil.copytree(BACKEND.parent / "firmware" / "third_party", tree / "firmware" / "third_party")
     put(tree, "frontend/dist/index.html", "frontend/dist/assets/a.js")
     builder = BACKEND.parent / ".ci" / "wheel.py"
     subprocess.run([sys.executable, str(builder), str(tree), str(tmp_path / "out"), "sdist"], check=True)

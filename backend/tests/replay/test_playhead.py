@@ -18,6 +18,7 @@ from epf_gcs.replay.scout import Scout
 from epf_gcs.replay.status import build_status
 from epf_gcs.replay.timeline import Timeline
 from epf_gcs.web.state.schemas import Status
+from epf_gcs.web.surroundings.watch import NOTHING_SEEN
 from tests.replay.recordings import SECOND_NS, STARTS_NS, flight, write
 from tests.support.outlet import KeptOutlet
 
@@ -107,7 +108,7 @@ def test_the_status_has_the_shape_of_the_live_one(recording: Path) -> None:
         "reserved": None,
         "requests": [],
     }
-    whole = {**status, "version": "1", "control": nobody, "viewers": 1}
+    whole = {**status, "version": "1", "control": nobody, "surroundings": NOTHING_SEEN, "viewers": 1}
     assert Status.model_validate(whole).board.mode == "legacy"
     assert status["board"]["state"] == "open"
     assert status["board"]["periods_ms"]["parameters"] == {"ms": 50, "chosen": True}

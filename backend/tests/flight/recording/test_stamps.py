@@ -107,8 +107,8 @@ async def test_without_a_recorder_samples_have_the_time_of_their_read_too(
     stamps: set[float] = set()
     received = LineClock.received
 
-    def note(clock: LineClock, topic: int) -> int:
-        stamp = received(clock, topic)
+    def note(clock: LineClock, topic: int, ago_s: float = 0.0) -> int:
+        stamp = received(clock, topic, ago_s)
         stamps.add(stamp * 1e-9)
         return stamp
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -202,8 +203,8 @@ def test_the_log_says_who_did_what_and_nothing_changes_it(station: Gateway) -> N
         with stranger(station) as eve:
             eve.post("/access/enter", json={"key": "nonsense", "name": "Eve"})
 
-        def deeds() -> list[dict[str, str]]:
-            found: list[dict[str, str]] = owner.get("/access/log").json()["deeds"]
+        def deeds() -> list[dict[str, Any]]:
+            found: list[dict[str, Any]] = owner.get("/access/log").json()["deeds"]
             return found
 
         eventually(lambda: len(deeds()) >= 5, "all is written")
@@ -217,7 +218,7 @@ def test_the_log_says_who_did_what_and_nothing_changes_it(station: Gateway) -> N
             "127.0.0.1",
         )
         assert [one["deed"] for one in owner.get("/access/log?text=bo&limit=1").json()["deeds"]] == ["gains"]
-        before = owner.get(f"/access/log?before={command['t_s']}").json()["deeds"]
+        before = owner.get(f"/access/log?before={command['at']}").json()["deeds"]
         assert {one["deed"] for one in before} == {"entered"}
         for method in ("POST", "PUT", "PATCH", "DELETE"):
             assert owner.request(method, "/access/log").status_code == 405
