@@ -13,6 +13,7 @@ MODULES = (
     "decode",
     "damaged",
     "flights",
+    "report",
     "latency",
     "tls",
     "cpu",

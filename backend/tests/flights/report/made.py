@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
 
+from epf_gcs.flights.report.found import manoeuvres
 from tests.flights.test_events import MadeFlight
 
 Array = NDArray[np.float64]
@@ -168,3 +170,39 @@ def matches(found: list[dict[str, Any]], truths: list[Truth]) -> list[tuple[Trut
             left.remove(one)
             pairs.append((truth, one))
     return pairs
+
+
+Flown = tuple[Made, list[dict[str, Any]]]
+"""A flight with the steps that were found in it."""
+
+WITHIN: Final = 0.05
+"""The share of the truth by which a figure may be off."""
+
+
+def fly(count: int) -> list[Flown]:
+    """Flights of one step in each loop, and what the report finds in them."""
+    every = [make(seed, steps=1) for seed in range(count)]
+    return [(made, [one for one in manoeuvres(made.flight)[0] if one["kind"] != "leg"]) for made in every]
+
+
+def f1_of(flown: Sequence[Flown]) -> float:
+    """How well the manoeuvres were found: the harmonic mean of precision and recall."""
+    right = sum(len(matches(found, made.truths)) for made, found in flown)
+    wrong = sum(len(found) for _, found in flown) - right
+    missed = sum(len(made.truths) for made, _ in flown) - right
+    return 2 * right / (2 * right + wrong + missed)
+
+
+def worst_errors(flown: Sequence[Flown]) -> dict[str, float]:
+    """Rise time and damping as shares of the true ones, overshoot and steady error as shares of the step."""
+    worst: dict[str, float] = {}
+    for made, found in flown:
+        for truth, one in matches(found, made.truths):
+            errors = {
+                "rise_s": one["rise_s"] / truth.rise_s - 1.0,
+                "overshoot": (one["overshoot_percent"] - truth.overshoot_percent) / 100.0,
+                "damping": one["damping"] / truth.damping - 1.0,
+                "steady_error": (one["steady_error"] - truth.steady_error) / truth.size,
+            }
+            worst = {name: max(worst.get(name, 0.0), abs(error)) for name, error in errors.items()}
+    return worst

@@ -1,52 +1,33 @@
-"""Fifty synthetic flights of known dynamics: every manoeuvre is found, and its figures are those of the dynamics."""
+"""Synthetic flights of known dynamics: every manoeuvre is found, and its figures are those of the dynamics."""
 
 from __future__ import annotations
 
 from collections import Counter
-from typing import Any
 
 import numpy as np
 import pytest
 
 from epf_gcs.flights.report.found import manoeuvres
-from tests.flights.report.made import Made, make, matches
+from tests.flights.report.made import WITHIN, Flown, f1_of, fly, make, matches, worst_errors
 from tests.flights.test_events import MadeFlight
 
-FLIGHTS = 50
-WITHIN = 0.05
+# Of the fifty that `make bench` flies: each takes a third of a second.
+FLIGHTS = 20
 
 
 @pytest.fixture(scope="module")
-def flown() -> list[tuple[Made, list[dict[str, Any]]]]:
-    """Each flight with the steps that were found in it."""
-    every = [make(seed, steps=1) for seed in range(FLIGHTS)]
-    return [(made, [one for one in manoeuvres(made.flight)[0] if one["kind"] != "leg"]) for made in every]
+def flown() -> list[Flown]:
+    return fly(FLIGHTS)
 
 
 @pytest.mark.uncounted
-def test_manoeuvres_of_fifty_flights_are_found(flown: list[tuple[Made, list[dict[str, Any]]]]) -> None:
-    right = sum(len(matches(found, made.truths)) for made, found in flown)
-    wrong = sum(len(found) for _, found in flown) - right
-    missed = sum(len(made.truths) for made, _ in flown) - right
-    f1 = 2 * right / (2 * right + wrong + missed)
-    print(f"F1 {f1:.4f} of {right + missed} manoeuvres")
-    assert f1 >= 0.95
+def test_manoeuvres_of_flights_of_known_dynamics_are_found(flown: list[Flown]) -> None:
+    assert f1_of(flown) >= 0.95
 
 
 @pytest.mark.uncounted
-def test_figures_of_fifty_flights_are_those_of_their_dynamics(flown: list[tuple[Made, list[dict[str, Any]]]]) -> None:
-    """Rise time and damping as shares of the true ones, overshoot and steady error as shares of the step."""
-    worst: dict[str, float] = {}
-    for made, found in flown:
-        for truth, one in matches(found, made.truths):
-            errors = {
-                "rise_s": one["rise_s"] / truth.rise_s - 1.0,
-                "overshoot": (one["overshoot_percent"] - truth.overshoot_percent) / 100.0,
-                "damping": one["damping"] / truth.damping - 1.0,
-                "steady_error": (one["steady_error"] - truth.steady_error) / truth.size,
-            }
-            worst = {name: max(worst.get(name, 0.0), abs(error)) for name, error in errors.items()}
-    print({name: round(error, 4) for name, error in worst.items()})
+def test_figures_of_these_flights_are_those_of_their_dynamics(flown: list[Flown]) -> None:
+    worst = worst_errors(flown)
     assert len(worst) == 4
     assert max(worst.values()) <= WITHIN
 
