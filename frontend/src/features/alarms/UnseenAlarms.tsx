@@ -15,8 +15,12 @@ export function UnseenAlarms() {
   }
   const isCritical = unseen.some(({ level }) => level === "critical");
   return (
-    <span className="alarms-unseen" data-level={isCritical ? "critical" : "warning"} aria-hidden="true">
-      {unseen.length > MOST ? `${MOST}+` : unseen.length}
-    </span>
+    // Drawn by the style sheet: the tab's own text stays its name.
+    <span
+      className="alarms-unseen"
+      data-level={isCritical ? "critical" : "warning"}
+      data-count={unseen.length > MOST ? `${MOST}+` : unseen.length}
+      aria-hidden="true"
+    />
   );
 }
