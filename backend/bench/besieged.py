@@ -11,7 +11,7 @@ from typing import Final, NamedTuple
 
 from bench.attacks import ATTACKS, TLS_HALF_OPEN, attack
 from bench.hil import Loop, bare_relay, fly_loops, simulator_socket
-from bench.station import HEARTBEAT, percentile, station
+from bench.station import HEARTBEAT, NetworkLine, percentile, station
 from bench.table import Row
 from tests.support.ports import free_udp_port
 
@@ -59,7 +59,11 @@ _WAYS: Final = {"in": "datagram in to frame out", "back": "frame in to datagram 
 def _measure(name: str) -> tuple[Ways, Ways]:
     """The station's delays, and those of the relay that flies beside it."""
     simulator, port = simulator_socket()
-    with contextlib.closing(simulator), station(tls=name == TLS_HALF_OPEN) as (gateway, line), bare_relay() as relay:
+    with (
+        contextlib.closing(simulator),
+        station(NetworkLine, tls=name == TLS_HALF_OPEN) as (gateway, line),
+        bare_relay(NetworkLine) as relay,
+    ):
         receive_port = free_udp_port()
         address = {"receive_port": receive_port, "send_host": "127.0.0.1", "send_port": port}
         gateway.put("/links/simulator", address)

@@ -14,11 +14,11 @@ import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Final
 
-from bench.station import HEARTBEAT, Gateway, Line, percentile, station
+from bench.station import HEARTBEAT, AnyLine, Gateway, Line, percentile, station
 from bench.table import Row
 from epf_gcs.codec.encode import encode_telemetry
 from epf_gcs.codec.messages_gen import TO_BOARD_HEADER
@@ -76,12 +76,12 @@ def _floor() -> tuple[list[float], list[float]]:
 
 
 @contextlib.contextmanager
-def bare_relay() -> Iterator[Loop]:
+def bare_relay(make_line: Callable[[Path], AnyLine] = Line) -> Iterator[Loop]:
     """A process that only relays the bytes, on a line and a socket of its own."""
     simulator, port = simulator_socket()
     receive_port = free_udp_port()
     with contextlib.closing(simulator), tempfile.TemporaryDirectory() as folder:
-        line = Line(Path(folder))
+        line = make_line(Path(folder))
         process = subprocess.Popen(
             [sys.executable, "-m", "bench.bare_relay", line.path, str(receive_port), str(port)],
             stdout=subprocess.PIPE,
@@ -102,7 +102,7 @@ def bare_relay() -> Iterator[Loop]:
 class Loop:
     """One relay between simulator and line: the delays in ms of both directions, and how many frames were lost."""
 
-    def __init__(self, simulator: socket.socket, receive_port: int, line: Line) -> None:
+    def __init__(self, simulator: socket.socket, receive_port: int, line: AnyLine) -> None:
         self.there: list[float] = []
         self.back: list[float] = []
         self.lost = 0
@@ -177,14 +177,14 @@ def going_first() -> Iterator[None]:
         os.sched_setscheduler(0, os.SCHED_OTHER, os.sched_param(0))
 
 
-def fly(simulator: socket.socket, receive_port: int, line: Line) -> tuple[list[float], list[float]]:
+def fly(simulator: socket.socket, receive_port: int, line: AnyLine) -> tuple[list[float], list[float]]:
     """FRAMES delays in ms for each direction."""
     loop = Loop(simulator, receive_port, line)
     fly_loops(loop)
     return loop.there, loop.back
 
 
-def _until_frame(line: Line) -> bool:
+def _until_frame(line: AnyLine) -> bool:
     """Read until a whole frame to the board came; False if none came in time."""
     give_up_s = time.monotonic() + _LOST_S
     got = b""
@@ -197,7 +197,7 @@ def _until_frame(line: Line) -> bool:
 
 
 @contextlib.contextmanager
-def _crowd(gateway: Gateway, viewers: int, line: Line) -> Iterator[None]:
+def _crowd(gateway: Gateway, viewers: int, line: AnyLine) -> Iterator[None]:
     if not viewers:
         yield
         return

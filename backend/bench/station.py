@@ -18,9 +18,9 @@ import tempfile
 import time
 import tty
 import urllib.request
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
-from typing import Any, Final
+from typing import Any, Final, TypeVar
 
 from epf_gcs.codec.encode import encode_telemetry
 from epf_gcs.codec.messages_gen import OPEN_BINARY_MODE
@@ -55,6 +55,47 @@ class Line:
         """Close both ends."""
         os.close(self.master)
         os.close(self.slave)
+
+
+class NetworkLine:
+    """A TCP connection in the board's place; this process plays the board, and waits for the first who connects.
+
+    For measuring on a busy machine: Linux hands what is written to a pseudo-terminal over in a kernel thread of normal
+    priority, which waits for others whoever wrote it. On a connection the writer itself does.
+    """
+
+    def __init__(self, _folder: Path) -> None:
+        self._waiting = socket.create_server(("127.0.0.1", 0))
+        self._peer: socket.socket | None = None
+        self.path = f"127.0.0.1:{self._waiting.getsockname()[1]}"
+        self.url = f"tcp://{self.path}"
+
+    def write(self, data: bytes) -> None:
+        """Send bytes as the board."""
+        self._connected().sendall(data)
+
+    def read(self, timeout_s: float) -> bytes:
+        """Bytes sent to the board; empty if none came in time."""
+        peer = self._connected()
+        ready, _, _ = select.select([peer], [], [], timeout_s)
+        return peer.recv(65536) if ready else b""
+
+    def close(self) -> None:
+        """Close both ends."""
+        self._waiting.close()
+        if self._peer is not None:
+            self._peer.close()
+
+    def _connected(self) -> socket.socket:
+        if self._peer is None:
+            self._waiting.settimeout(_DEADLINE_S)
+            self._peer = self._waiting.accept()[0]
+            self._peer.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+        return self._peer
+
+
+AnyLine = Line | NetworkLine
+LineT = TypeVar("LineT", Line, NetworkLine)
 
 
 class WebSocket:
@@ -148,7 +189,7 @@ class Gateway:
         )
         urllib.request.urlopen(request, timeout=_DEADLINE_S, context=self.trust).close()
 
-    def open(self, line: Line) -> None:
+    def open(self, line: AnyLine) -> None:
         """Open the line and answer the opening dialogue as a deployed board does."""
         self.put("/links/board", {"url": line.url})
         give_up_s = time.monotonic() + _DEADLINE_S
@@ -175,10 +216,14 @@ class Gateway:
 
 
 @contextlib.contextmanager
-def station(*, tls: bool = False) -> Iterator[tuple[Gateway, Line]]:
+def station(
+    make_line: Callable[[Path], LineT] = Line,  # type: ignore[assignment]
+    *,
+    tls: bool = False,
+) -> Iterator[tuple[Gateway, LineT]]:
     """A running gateway and the line it has open."""
     with tempfile.TemporaryDirectory() as folder:
-        line = Line(Path(folder))
+        line = make_line(Path(folder))
         process = subprocess.Popen(
             [sys.executable, "-m", "epf_gcs.launcher.gateway", "--port", "0", "--data-dir", folder]
             + (["--tls"] if tls else []),

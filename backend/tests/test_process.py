@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import signal
 import socket
 import struct
@@ -20,7 +21,7 @@ from mcap.stream_reader import StreamReader
 
 from epf_gcs.xplane.datagram import Record, build, release_datagram
 from tests.support.fake_board import FakeBoard
-from tests.support.programs import Program, gateway_process
+from tests.support.programs import Program, children_of, gateway_process
 from tests.support.waiting import DEADLINE_S, eventually
 
 WHOLE = build(Record(row, (0.1,) * 8) for row in (3, 4, 6, 8, 11, 16, 17, 18, 20, 25))
@@ -66,6 +67,20 @@ class Simulator:
             while True:
                 last = self.socket.recv(2048)
         return last
+
+
+def test_the_web_process_keeps_off_the_core_of_the_flight(tmp_path: Path) -> None:
+    with gateway_process(tmp_path / "data") as program, client_of(program) as client:
+        client.get("/status").raise_for_status()
+        cores = {}
+        for pid in children_of(program.process.pid):
+            words = Path(f"/proc/{pid}/cmdline").read_text().split("\0")
+            cores[words[words.index("-m") + 1]] = os.sched_getaffinity(pid)
+        flight, web = cores["epf_gcs.flight"], cores["epf_gcs.web"]
+        real_time = "priority=real-time" in program.said
+        assert flight | web == os.sched_getaffinity(0)
+        assert max(flight) not in web or len(web) == 1
+        assert len(flight) == 1 or not real_time
 
 
 @pytest.mark.parametrize("how", [signal.SIGTERM, signal.SIGINT, signal.SIGHUP])

@@ -45,6 +45,40 @@ assert found[0] == (os.SCHED_OTHER, 19), found
 assert mine() == before, "the thread that flies keeps its own"
 """
 
+_CORES = """
+import os, subprocess, sys, threading
+from epf_gcs.system.priority import leave_flight_core, take_own_core
+allowed = set(sys.argv[2:])
+os.sched_setaffinity(0, {int(core) for core in allowed})
+{"flight": take_own_core, "web": leave_flight_core}[sys.argv[1]]()
+found = []
+thread = threading.Thread(target=lambda: found.append(os.sched_getaffinity(0)))
+thread.start()
+thread.join()
+look = "import os; print(*sorted(os.sched_getaffinity(0)))"
+started = subprocess.run([sys.executable, "-c", look], check=True, capture_output=True, text=True)
+assert started.stdout.split() == [str(core) for core in sorted(found[0])]
+print(started.stdout)
+"""
+
+
+def _cores_of(part: str, allowed: set[int]) -> set[int]:
+    command = [sys.executable, "-c", _CORES, part, *map(str, allowed)]
+    said = subprocess.run(command, check=True, timeout=20, capture_output=True, text=True).stdout
+    return set(map(int, said.split()))
+
+
+def test_flight_and_web_never_share_a_core_where_there_are_two() -> None:
+    cores = os.sched_getaffinity(0)
+    flight, web = _cores_of("flight", cores), _cores_of("web", cores)
+    assert flight | web == cores, "no core is left unused"
+    assert len(cores) == 1 or (len(flight) == 1 and not flight & web)
+
+
+def test_on_a_single_core_both_use_it() -> None:
+    only = {min(os.sched_getaffinity(0))}
+    assert _cores_of("flight", only) == _cores_of("web", only) == only
+
 
 def _refuse(*_: object) -> None:
     raise PermissionError

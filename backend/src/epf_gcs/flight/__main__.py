@@ -22,7 +22,7 @@ from epf_gcs.errors import GatewayError
 from epf_gcs.flight.flight import Flight
 from epf_gcs.link.address import parse_address
 from epf_gcs.logs import set_up_logging
-from epf_gcs.system.priority import Priority, go_first, stay_in_memory
+from epf_gcs.system.priority import Priority, go_first, stay_in_memory, take_own_core
 from epf_gcs.system.signals import on_polite_end
 from epf_gcs.watchdog import REFUSED, feed
 
@@ -38,6 +38,9 @@ def main() -> None:
     set_up_logging(verbose=options.verbose)
     sys.setswitchinterval(_SWITCH_INTERVAL_S)
     priority = go_first()
+    if priority == "real-time":
+        # Otherwise the system finds the core where it waits least.
+        take_own_core()
     stay_in_memory()
     if options.board is not None:
         try:

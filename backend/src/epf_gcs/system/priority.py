@@ -7,6 +7,7 @@ import ctypes
 import os
 import sys
 import threading
+from collections.abc import Callable
 from typing import Final, Literal
 
 from epf_gcs.system.limits import may_lock_memory
@@ -44,6 +45,30 @@ def go_first() -> Priority:
             os.setpriority(os.PRIO_PROCESS, 0, _RAISED)
             return "raised"
     return "normal"
+
+
+def take_own_core() -> None:
+    """Let this thread and those it starts run on the flight's core alone; with a single core nothing changes.
+
+    For a process with real-time priority: all others give way to it there, but while one of them is inside the kernel
+    that can take milliseconds (Linux without kernel preemption). Those that are ours keep away (`leave_flight_core`).
+    """
+    _run_on(lambda flight, _others: {flight})
+
+
+def leave_flight_core() -> None:
+    """Let this thread, and the threads and programs it starts, run on any core but the flight's; as `take_own_core`."""
+    _run_on(lambda _flight, others: others)
+
+
+def _run_on(choose: Callable[[int, set[int]], set[int]]) -> None:
+    """The flight's core is the last of those that this process may use: the first has most of the interrupts."""
+    if sys.platform == "linux":
+        cores = os.sched_getaffinity(0)
+        flight = max(cores)
+        if others := cores - {flight}:
+            with contextlib.suppress(OSError):
+                os.sched_setaffinity(0, choose(flight, others))
 
 
 def stay_in_memory() -> bool:

@@ -16,6 +16,7 @@ from epf_gcs.data_folder.upgrade import bring_up_to_date
 from epf_gcs.data_folder.version import FormatError
 from epf_gcs.errors import GatewayError
 from epf_gcs.logs import set_up_logging
+from epf_gcs.system.priority import leave_flight_core
 from epf_gcs.watchdog import REFUSED
 from epf_gcs.web.app import create_app
 from epf_gcs.web.server import Server
@@ -40,6 +41,7 @@ def main() -> None:
         _print_openapi(settings)
         return
     set_up_logging(verbose=options.verbose)
+    leave_flight_core()
     if options.with_parent:
         threading.Thread(target=_wait_for_parent, daemon=True).start()
     try:
