@@ -13,6 +13,7 @@ MODULES = (
     "decode",
     "damaged",
     "flights",
+    "exports",
     "report",
     "latency",
     "tls",

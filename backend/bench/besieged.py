@@ -11,21 +11,25 @@ from typing import Final, NamedTuple
 
 from bench.attacks import ATTACKS, TLS_HALF_OPEN, attack
 from bench.hil import Loop, bare_relay, fly_loops, simulator_socket
-from bench.station import HEARTBEAT, NetworkLine, percentile, station
+from bench.slow import own_mb
+from bench.station import HEARTBEAT, Gateway, NetworkLine, percentile, station
 from bench.table import Row
 from tests.support.ports import free_udp_port
 
 REACH_MS: Final = 0.5
 FRAMES: Final = 1000
 QUIET: Final = "none"
+GROWTH_REACH_MB: Final = 4.0
 
 
 class Ways(NamedTuple):
-    """Delays in ms, and the number of frames that did not come through."""
+    """Delays in ms, the number of frames that did not come through, and what became of the station meanwhile."""
 
     there: list[float]
     back: list[float]
     lost: int
+    grown_mb: float = 0.0
+    unrecorded: int = 0
 
 
 def run(only: str = "") -> list[Row]:
@@ -50,6 +54,10 @@ def _rows(name: str, ours: Ways, relay: Ways, calm: Ways) -> list[Row]:
         if name != QUIET:
             rows.append(Row(f"{what}, p99", p99, "ms", reach, p99 - quiet <= REACH_MS, quiet, "quiet"))
     rows.append(Row(f"HIL under {name}: frames lost", ours.lost, "", "0", ours.lost == 0, relay.lost, "bare relay"))
+    grown, lost = ours.grown_mb, ours.unrecorded
+    what = f"HIL under {name}: memory of flight and web process, second half over first"
+    rows.append(Row(what, grown, "MB", f"<= {GROWTH_REACH_MB:g} MB", grown <= GROWTH_REACH_MB))
+    rows.append(Row(f"HIL under {name}: bytes not recorded", lost, "", "0", lost == 0))
     return rows
 
 
@@ -79,5 +87,17 @@ def _measure(name: str) -> tuple[Ways, Ways]:
             ours.begin()
 
         with contextlib.nullcontext() if name == QUIET else attack(name, gateway.port, receive_port, live_on):
-            fly_loops(ours, relay, frames=FRAMES)
-    return Ways(ours.there, ours.back, ours.lost), Ways(relay.there, relay.back, relay.lost)
+            fly_loops(ours, relay, frames=FRAMES // 2)
+            first_mb = _memory_mb(gateway)
+            fly_loops(ours, relay, frames=FRAMES // 2)
+            grown_mb = _memory_mb(gateway) - first_mb
+        recording = gateway.get("/status")["recording"]
+        assert recording["active"], recording
+    return Ways(ours.there, ours.back, ours.lost, grown_mb, recording["bytes_lost"]), Ways(
+        relay.there, relay.back, relay.lost
+    )
+
+
+def _memory_mb(gateway: Gateway) -> float:
+    """What the flight and the web process use of the memory by themselves."""
+    return sum(own_mb(pid) for pid in gateway.parts.values())

@@ -37,19 +37,27 @@ _SEEKS: Final = 60
 _LOOK_S: Final = 0.2
 
 
-def run() -> list[Row]:
-    """All on one recording; the gateway has no board, so that what it costs is the replays'."""
+def run(paced_s: str = "") -> list[Row]:
+    """All on one recording; the gateway has no board, so that what it costs is the replays'.
+
+    `replay:600` measures the pace alone, for so many seconds.
+    """
     with tempfile.TemporaryDirectory(prefix="epf-gcs-replay-") as name:
         data = Path(name)
         recording = make_recording(data / "recordings" / f"{FLIGHT_ID}.mcap", FLIGHT_S)
         # As a flight is a few minutes after it: packed, with its key frames.
         pack(recording)
+        if paced_s:
+            with gateway_process(data) as program:
+                port = int(program.wait_for_words(r"url=http://\S+:(\d+)"))
+                wait_until_indexed(port)
+                return _pace(port, float(paced_s))
         rows = [_key_frames(recording, data / "keyframes" / f"{FLIGHT_ID}.keys")]
         with gateway_process(data) as program:
             port = int(program.wait_for_words(r"url=http://\S+:(\d+)"))
             wait_until_indexed(port)
             rows += _seeks(port)
-            rows.append(_pace(port))
+            rows += _pace(port)
             rows.append(_hundredfold(port))
             rows += _ten(port, program.process.pid)
         return rows
@@ -173,19 +181,35 @@ def _seeks(port: int) -> list[Row]:
     ]
 
 
-def _pace(port: int) -> Row:
+def _pace(port: int, seconds: float = _PACED_S) -> list[Row]:
     viewer = Viewer(port, "at_s=100")
     viewer.say(type="play", rate=1.0)
     first = viewer.playback()
     while first["state"] != "playing":
         first = viewer.playback()
-    begun_s, last, worst_s = time.monotonic(), first, 0.0
-    while (passed_s := time.monotonic() - begun_s) < _PACED_S:
+    begun_s, error_s, worst_s, worst_at_s = time.monotonic(), 0.0, 0.0, 0.0
+    while (passed_s := time.monotonic() - begun_s) < seconds:
         last = viewer.playback()
-        worst_s = max(worst_s, abs(last["at_s"] - first["at_s"] - (time.monotonic() - begun_s)))
+        heard_s = time.monotonic() - begun_s
+        error_s = abs(last["at_s"] - first["at_s"] - heard_s)
+        if error_s > worst_s:
+            worst_s, worst_at_s = error_s, heard_s
     viewer.socket.close()
-    assert passed_s >= _PACED_S
-    return Row(f"1 x: greatest error in {_PACED_S:g} s", worst_s * 1000.0, "ms", "<= 100 ms", worst_s <= 0.1)
+    assert passed_s >= seconds
+    # One hundredth of the stretch; a person sees a tenth of a second.
+    limit_s = min(0.1, 0.01 * seconds)
+    reach = f"<= {limit_s * 1000.0:g} ms"
+    return [
+        Row(
+            f"1 x: greatest error in {seconds:g} s (at {worst_at_s:.0f} s)",
+            worst_s * 1000.0,
+            "ms",
+            reach,
+            worst_s <= limit_s,
+        ),
+        # The machine may hold it up; what it may not do is stay behind.
+        Row(f"the same: error after {seconds:g} s", error_s * 1000.0, "ms", reach, error_s <= limit_s),
+    ]
 
 
 def _hundredfold(port: int) -> Row:

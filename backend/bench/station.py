@@ -189,6 +189,11 @@ class Gateway:
         )
         urllib.request.urlopen(request, timeout=_DEADLINE_S, context=self.trust).close()
 
+    def get(self, path: str) -> Any:
+        """Make a GET request; returns the decoded answer."""
+        with urllib.request.urlopen(f"{self._base}{path}", timeout=_DEADLINE_S, context=self.trust) as answer:
+            return json.load(answer)
+
     def open(self, line: AnyLine) -> None:
         """Open the line and answer the opening dialogue as a deployed board does."""
         self.put("/links/board", {"url": line.url})
@@ -210,9 +215,7 @@ class Gateway:
         return f"{'http' if self.trust is None else 'https'}://127.0.0.1:{self.port}/api/v1"
 
     def _state(self) -> str:
-        address = f"{self._base}/status"
-        with urllib.request.urlopen(address, timeout=_DEADLINE_S, context=self.trust) as answer:
-            return str(json.load(answer)["board"]["state"])
+        return str(self.get("/status")["board"]["state"])
 
 
 @contextlib.contextmanager

@@ -1,47 +1,154 @@
 """Change the code in one small place at a time and see whether its tests notice: `python -m mutation [module ...]`.
 
 cosmic-ray makes the changes, in a copy of the tree. Those that no test notices are printed with their difference: each
-is a test that is missing, or a line that is not needed.
+is a test that is missing, a line that is not needed, or a change that nobody can see
+(`decisions/tests/changes-that-no-test-sees.md`). Tests that fail without a change would notice everything: they end the
+run.
 """
 
 from __future__ import annotations
 
 import argparse
+import ast
+import itertools
 import random
 import shutil
 import subprocess
 import sys
 import tempfile
-from collections.abc import Iterable
+import warnings
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
+from cosmic_ray.mutating import mutate_code
+from cosmic_ray.plugins import get_operator
 from cosmic_ray.work_db import WorkDB, use_db
-from cosmic_ray.work_item import TestOutcome, WorkerOutcome, WorkResult
+from cosmic_ray.work_item import TestOutcome, WorkerOutcome, WorkItem, WorkResult
 
-_BACKEND: Final = Path(__file__).parents[1]
+_BACKEND: Final = Path(__file__).resolve().parents[1]
 _NEEDED: Final = ("src", "tests", "conftest.py", "pyproject.toml")
+# What tests only read or run: the vectors of the wire, the board's program.
+_BESIDE: Final = ("protocol", "firmware")
 _TIMEOUT_S: Final = 120.0
+_PYTEST: Final = ("-m", "pytest", "-q", "-x", "-p", "no:cacheprovider")
+# What holds for every module.
+_RULES: Final = ("tests/test_values.py",)
 
 MODULES: Final[dict[str, tuple[str, ...]]] = {
+    "bus/address.py": ("tests/bus",),
+    "bus/channel.py": ("tests/bus",),
     "bus/definition.py": ("tests/bus",),
+    "bus/faults.py": ("tests/bus",),
+    "bus/station_end.py": ("tests/bus",),
+    "bus/vehicle_end.py": ("tests/bus",),
+    "codec/ahrs_test.py": ("tests/codec/test_ahrs_test.py",),
     "codec/checksum.py": ("tests/codec",),
     "codec/encode.py": ("tests/codec",),
     "codec/frame.py": ("tests/codec",),
     "codec/session.py": ("tests/codec", "tests/vehicle/test_board.py"),
+    "codec/tables.py": ("tests/codec",),
     "codec/values.py": ("tests/codec",),
+    "flight/advised.py": ("tests/flight/test_advised.py",),
+    "flight/alarm_history.py": ("tests/flight/test_alarm_history.py",),
     "flight/board/acknowledgements.py": (
         "tests/flight/board/test_acknowledgements.py",
         "tests/flight/board/test_commands.py",
     ),
-    "flight/hil/stick.py": ("tests/web/test_stick.py", "tests/flight/hil"),
+    "flight/board/ahrs_test.py": ("tests/web/commands/test_ahrs_test_routes.py",),
+    "flight/board/board_link.py": ("tests/flight/board",),
+    "flight/board/commands.py": ("tests/flight/board/test_commands.py", "tests/web/commands/test_routes.py"),
+    "flight/board/journal.py": ("tests/flight/board/test_journal.py", "tests/flight/board/test_parameters.py"),
+    "flight/board/missions.py": (
+        "tests/web/parameters/test_routes.py",
+        "tests/flight/recording/test_flight_notes.py",
+    ),
+    "flight/board/parameters.py": ("tests/flight/board/test_parameters.py", "tests/web/parameters/test_routes.py"),
+    "flight/board/rearming.py": ("tests/flight/board/test_board_link.py",),
+    "flight/clock_watch.py": ("tests/flight/test_clock_watch.py",),
+    "flight/flight.py": (
+        "tests/web/state/test_routes.py",
+        "tests/web/links/test_routes.py",
+        "tests/web/parameters/test_routes.py",
+        "tests/flight/recording/test_flight_notes.py",
+        "tests/web/alarms/test_routes.py",
+        "tests/web/test_emulation.py",
+    ),
+    "flight/flight_log.py": ("tests/flight/test_flight_log.py",),
+    "flight/hil/emulation.py": ("tests/flight/hil/test_emulation.py", "tests/web/test_emulation.py"),
     "flight/hil/hil.py": ("tests/flight/hil",),
+    "flight/hil/simulator.py": ("tests/flight/hil",),
+    "flight/hil/stick.py": ("tests/web/test_stick.py", "tests/flight/hil"),
+    "flight/housekeeping.py": (
+        "tests/web/state/test_routes.py",
+        "tests/web/recordings/test_routes.py",
+        "tests/flight/test_flight_log.py",
+    ),
+    "flight/inspection.py": ("tests/flight/test_inspection.py",),
+    "flight/line_clock.py": ("tests/flight/test_line_clock.py",),
+    "flight/line_rates.py": ("tests/web/state/test_routes.py",),
+    "flight/lines.py": (
+        "tests/flight/board/test_board_link.py",
+        "tests/flight/hil/test_simulator.py",
+        "tests/web/test_emulation.py",
+    ),
+    "flight/lines_file.py": ("tests/flight/test_lines_file.py", "tests/flight/test_alarm_history.py"),
+    "flight/memory.py": ("tests/flight/test_memory.py", "tests/flight/test_lines_file.py"),
+    "flight/recording/flight_notes.py": ("tests/flight/recording/test_flight_notes.py", "tests/flight/recording"),
+    "flight/recording/known_notes.py": ("tests/flight/recording/test_flight_notes.py", "tests/flight/recording"),
+    "flight/recording/recorder.py": ("tests/flight/recording/test_rounds.py", "tests/flight/recording"),
+    "flight/recording/recording_file.py": ("tests/flight/recording/test_rounds.py", "tests/flight/recording"),
+    "flight/recording/repair.py": ("tests/flight/recording/test_repair.py", "tests/flight/recording"),
+    "flight/recording/taps.py": ("tests/flight/recording",),
+    "flight/requests/client_names.py": ("tests/web/test_journal.py",),
+    "flight/requests/commands.py": ("tests/web/commands",),
+    "flight/requests/hil.py": ("tests/web/links/test_routes.py", "tests/web/test_stick.py"),
+    "flight/requests/lines.py": ("tests/web/links/test_routes.py",),
+    "flight/requests/notices.py": ("tests/web/test_stick.py", "tests/web/surroundings"),
+    "flight/requests/parameters.py": ("tests/web/parameters/test_routes.py", "tests/web/test_journal.py"),
+    "flight/requests/recording.py": ("tests/flight/recording/test_flight_notes.py",),
+    "flight/requests/state.py": ("tests/web/state/test_routes.py", "tests/web/alarms/test_routes.py"),
+    "flight/status.py": (
+        "tests/web/state/test_routes.py",
+        "tests/web/links/test_routes.py",
+        "tests/web/test_emulation.py",
+    ),
+    "flight/watch.py": ("tests/flight/test_watch.py",),
     "recordings/mcap_file.py": ("tests/recordings", "tests/flight/recording"),
+    "vehicle/advice.py": ("tests/vehicle/test_advice.py", "tests/vehicle"),
+    "vehicle/ahrs_test_samples.py": ("tests/web/commands/test_ahrs_test_routes.py",),
     "vehicle/alarms.py": ("tests/vehicle",),
+    "vehicle/arrivals.py": ("tests/vehicle",),
+    "vehicle/board.py": (
+        "tests/vehicle/test_board_dialogue.py",
+        "tests/vehicle/test_board.py",
+        "tests/vehicle/test_restart.py",
+        "tests/flight/board",
+        "tests/flight/hil/test_hil.py",
+        "tests/web/links/test_routes.py",
+    ),
+    "vehicle/example_flight.py": ("tests/vehicle/test_example_flight.py", "tests/flight/hil/test_emulation.py"),
+    "vehicle/frame_statistics.py": ("tests/vehicle/test_frame_statistics.py", "tests/vehicle"),
+    "vehicle/health.py": ("tests/vehicle",),
+    "vehicle/inspection.py": ("tests/vehicle/test_inspection.py", "tests/flight/test_inspection.py", "tests/vehicle"),
+    "vehicle/journal.py": ("tests/vehicle/test_journal.py", "tests/vehicle"),
     "vehicle/judges.py": ("tests/vehicle",),
+    "vehicle/limits.py": ("tests/vehicle",),
+    "vehicle/mission.py": ("tests/vehicle",),
+    "vehicle/noted.py": ("tests/vehicle/test_noted.py",),
+    "vehicle/parameters.py": ("tests/vehicle",),
     "vehicle/proof.py": ("tests/vehicle",),
+    "vehicle/rates.py": ("tests/vehicle/test_rates.py", "tests/vehicle"),
     "vehicle/restart.py": ("tests/vehicle",),
+    "vehicle/round_trip.py": ("tests/vehicle",),
+    "vehicle/simulator_samples.py": ("tests/vehicle",),
+    "vehicle/surroundings.py": ("tests/vehicle/test_surroundings.py", "tests/vehicle"),
+    "vehicle/telemetry.py": ("tests/vehicle/test_telemetry.py", "tests/vehicle"),
+    "vehicle/thresholds.py": ("tests/vehicle/test_thresholds.py", "tests/vehicle"),
+    "vehicle/vehicle.py": ("tests/vehicle/test_vehicle.py",),
+    "vehicle/wanted.py": ("tests/vehicle",),
+    "vehicle/watch.py": ("tests/vehicle/test_watch.py", "tests/flight/test_watch.py", "tests/vehicle"),
     "web/access/authority.py": ("tests/web/access/test_authority.py", "tests/web/access/test_authority_walk.py"),
     "web/access/control.py": ("tests/web/access/test_control.py",),
     "xplane/datagram.py": ("tests/xplane",),
@@ -51,6 +158,9 @@ MODULES: Final[dict[str, tuple[str, ...]]] = {
     "xplane/whole.py": ("tests/xplane",),
 }
 """Module below `epf_gcs` -> the tests that should notice."""
+
+Range = tuple[tuple[int, int], tuple[int, int]]
+"""First and last place, each a line and a column."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,38 +194,102 @@ def main() -> int:
 
 def _try(module: str, most: int, draw: random.Random) -> Count:
     with tempfile.TemporaryDirectory() as name:
-        folder = Path(name)
-        for needed in _NEEDED:
-            source = _BACKEND / needed
-            if source.is_dir():
-                shutil.copytree(source, folder / needed, ignore=shutil.ignore_patterns("__pycache__", "*.egg-info"))
-            else:
-                shutil.copy(source, folder / needed)
-        tests = " ".join(MODULES.get(module, ("tests",)))
+        folder = _copy(Path(name))
+        source = folder / "src" / "epf_gcs" / module
+        # Absolute: tests also start programs in other folders.
+        command = ["env", f"PYTHONPATH={folder / 'src'}", sys.executable, *_PYTEST, *tests_of(module)]
+        if subprocess.run(command, cwd=folder, check=False).returncode:
+            raise SystemExit(f"{module}: its tests fail without any change, so they would seem to notice every one")
         (folder / "session.toml").write_text(
             "[cosmic-ray]\n"
             f'module-path = "src/epf_gcs/{module}"\n'
             f"timeout = {_TIMEOUT_S}\n"
             "excluded-modules = []\n"
-            f'test-command = "env PYTHONPATH=src {sys.executable} -m pytest -q -x -p no:cacheprovider {tests}"\n'
+            f'test-command = "{" ".join(command)}"\n'
             '[cosmic-ray.distributor]\nname = "local"\n'
         )
         _cosmic_ray(folder, "init", "session.toml", "session.sqlite")
         with use_db(str(folder / "session.sqlite"), WorkDB.Mode.open) as work:
-            _draw(work, most, draw)
+            _draw(work, most, draw, source.read_text())
         _cosmic_ray(folder, "exec", "session.toml", "session.sqlite")
         with use_db(str(folder / "session.sqlite"), WorkDB.Mode.open) as work:
             results = [result for _, result in work.completed_work_items]
-    tried = [result for result in results if result.worker_outcome is not WorkerOutcome.SKIPPED]
+    # Without an outcome: a place that cosmic-ray could not change after all.
+    tried = [result for result in results if result.worker_outcome is WorkerOutcome.NORMAL]
     survivors = tuple(str(result.diff) for result in tried if result.test_outcome is TestOutcome.SURVIVED)
     return Count(len(tried) - len(survivors), survivors)
 
 
-def _draw(work: WorkDB, most: int, draw: random.Random) -> None:
-    """Leave out all but `most`."""
-    jobs = [item.job_id for item in work.pending_work_items]
-    kept = set(draw.sample(jobs, min(most, len(jobs))))
-    _skip(work, (job for job in jobs if job not in kept))
+def tests_of(module: str) -> tuple[str, ...]:
+    """The tests that should notice a change of this module."""
+    return (*_RULES, *MODULES[module]) if module in MODULES else ("tests",)
+
+
+def _copy(folder: Path) -> Path:
+    """A copy of the gateway, with what its tests need beside it; returns where its backend is."""
+    backend = folder / _BACKEND.name
+    backend.mkdir()
+    for needed in _NEEDED:
+        source = _BACKEND / needed
+        if source.is_dir():
+            shutil.copytree(source, backend / needed, ignore=shutil.ignore_patterns("__pycache__", "*.egg-info"))
+        else:
+            shutil.copy(source, backend / needed)
+    for beside in _BESIDE:
+        (folder / beside).symlink_to(_BACKEND.parent / beside)
+    return backend
+
+
+def _annotations(source: str) -> list[Range]:
+    """Where the annotations of a module are."""
+    found: list[Range] = []
+    for node in ast.walk(ast.parse(source)):
+        for field in ("annotation", "returns"):
+            part = getattr(node, field, None)
+            if isinstance(part, ast.expr) and part.end_lineno is not None and part.end_col_offset is not None:
+                found.append(((part.lineno, part.col_offset), (part.end_lineno, part.end_col_offset)))
+    return found
+
+
+def _is_annotation(item: WorkItem, annotations: Sequence[Range]) -> bool:
+    return all(any(begin <= mutation.start_pos < end for begin, end in annotations) for mutation in item.mutations)
+
+
+def _draw(work: WorkDB, most: int, draw: random.Random, source: str) -> None:
+    """Leave out all but `most`, all that is in an annotation, which is never evaluated, and all that is no program."""
+    # The database gives them in the order of their random names: sorted, a seed draws the same changes again.
+    items = sorted(work.pending_work_items, key=_place)
+    annotations = _annotations(source)
+    drawable = [item for item in items if not _is_annotation(item, annotations)]
+    kept = {
+        item.job_id for item in _first(draw.sample(drawable, len(drawable)), most, lambda item: _runs(source, item))
+    }
+    _skip(work, (item.job_id for item in items if item.job_id not in kept))
+
+
+def _first(items: Iterable[WorkItem], most: int, wanted: Callable[[WorkItem], bool]) -> list[WorkItem]:
+    return list(itertools.islice(filter(wanted, items), most))
+
+
+def _runs(source: str, item: WorkItem) -> bool:
+    """Whether the change leaves a program that Python reads without a warning; any test would notice another one."""
+    changed: str | None = source
+    for mutation in item.mutations:
+        changed = mutate_code(
+            changed, get_operator(mutation.operator_name)(**mutation.operator_args), mutation.occurrence
+        )
+        if changed is None:
+            return False
+    try:
+        with warnings.catch_warnings(action="error"):
+            compile(changed, "changed", "exec", dont_inherit=True)
+    except SyntaxError:
+        return False
+    return True
+
+
+def _place(item: WorkItem) -> list[tuple[str, int]]:
+    return [(mutation.operator_name, mutation.occurrence) for mutation in item.mutations]
 
 
 def _skip(work: WorkDB, jobs: Iterable[str]) -> None:

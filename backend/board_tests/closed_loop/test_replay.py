@@ -35,6 +35,7 @@ class Kept:
         self.missed = 0
         self.state: str | None = None
         self.client: str | None = None
+        self.is_recorded: bool | None = None
 
     def take(self, connection: ClientConnection) -> None:
         """Keep the next message."""
@@ -49,6 +50,8 @@ class Kept:
                 self.events.append((message["event"], message["t_s"], message["data"]))
             case "hello":
                 self.client = message["client"]
+            case "status":
+                self.is_recorded = message["data"]["recording"]["active"]
             case "playback":
                 self.state = message["state"]
 
@@ -118,7 +121,8 @@ def flight(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[str, str,
         http.delete("/links/board").raise_for_status()
         http.delete("/links/simulator").raise_for_status()
         file = next((folder / "data" / "recordings").glob("*.mcap"))
-        eventually(lambda: not http.get("/status").json()["recording"]["active"], "the recording ends")
+        # Told by the stream itself: all that it said before has come too.
+        eventually(lambda: client.kept.is_recorded is False, "the recording ends")
         yield url, file.stem, client.stop()
 
 

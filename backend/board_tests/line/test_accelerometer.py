@@ -5,6 +5,7 @@ import time
 from statistics import fmean
 
 from board_tests.line.station import LEVEL_FLIGHT, Station
+from tests.support.waiting import eventually
 
 BANK_DEG = 30.0
 GRAVITY_M_S2 = 9.80665
@@ -48,7 +49,12 @@ def test_a_clean_turn_is_felt_as_weight_and_not_to_the_side(binary: Station) -> 
             binary.pump(0.02)
 
     turn(READINGS)
-    turn(2 * READINGS)
-    assert abs(fmean(force[1] for force in forces(binary))) < 1  # 4.9 to the left if it did not turn
     weight_m_s2 = GRAVITY_M_S2 / math.cos(math.radians(BANK_DEG))
-    assert abs(fmean(force[2] for force in forces(binary)) + weight_m_s2) < 0.8
+
+    def is_felt() -> bool:
+        turn(2 * READINGS)
+        to_the_side, down = (fmean(force[axis] for force in forces(binary)) for axis in (1, 2))
+        return abs(to_the_side) < 1 and abs(down + weight_m_s2) < 0.8
+
+    # 4.9 to the left if it did not turn. On a busy machine the turn comes to the board in steps: then the next one.
+    eventually(is_felt, "a turn without a slip")

@@ -5,11 +5,12 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import os
-import select
 import subprocess
 import sys
 from collections.abc import Callable
 from typing import Final
+
+from epf_gcs.system.pipes import PipeReader
 
 FEED_S: Final = 0.5
 # Longer than any pause of a slow computer that still works: a restart costs a flight more than a pause.
@@ -19,7 +20,6 @@ STARTING_S: Final = 120.0
 # Exit status (EX_CONFIG) of a process that was asked for something impossible: started again it would say the same.
 REFUSED: Final = 78
 _LOOK_S: Final = 0.5
-_MANY: Final = 4096
 
 
 async def feed(descriptor: int) -> None:
@@ -42,10 +42,12 @@ def wait_for_end(
     `descriptor` is the end of the pipe to read, whose other end only the child holds. `on_hung` is called before the
     kill. Only time in which this process itself ran counts: a paused container does not look like a child that hangs.
     """
+    reader = PipeReader(descriptor)
     looks, most = 0, STARTING_S
     while True:
-        if select.select([descriptor], [], [], _LOOK_S)[0]:
-            if not os.read(descriptor, _MANY):
+        signs = reader.within(_LOOK_S)
+        if signs is not None:
+            if not signs:
                 return process.wait()
             looks, most = 0, silent_s
             continue

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import socket
 import stat
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
@@ -13,7 +14,7 @@ import orjson
 import pytest
 
 from epf_gcs.bus.address import FILE, Listener, connect
-from epf_gcs.bus.definition import Asker, Named
+from epf_gcs.bus.definition import Asker, Kind, Named, pack
 from epf_gcs.bus.station_end import StationEnd
 from epf_gcs.bus.vehicle_end import Broadcast, VehicleEnd
 from epf_gcs.errors import ConflictError, GatewayError, InvalidInputError
@@ -31,6 +32,7 @@ class Heard:
         self.statuses: list[dict[str, Any]] = []
         self.losses: list[bool] = []
         self.playbacks: list[dict[str, Any]] = []
+        self.order: list[str] = []
 
     def on_hello(self, hello: dict[str, Any]) -> None:
         self.hellos.append(hello)
@@ -40,6 +42,7 @@ class Heard:
 
     def on_samples_end(self) -> None:
         self.ends += 1
+        self.order.append("end of samples")
 
     def on_event(self, event: Named) -> None:
         self.events.append(event)
@@ -49,6 +52,7 @@ class Heard:
 
     def on_playback(self, playback: dict[str, Any]) -> None:
         self.playbacks.append(playback)
+        self.order.append("playback")
 
     def on_lost(self, *, ended: bool) -> None:
         self.losses.append(ended)
@@ -62,6 +66,7 @@ class Vehicle:
         self.broadcast = Broadcast(lambda: 5.0)
         self.notices: list[tuple[str, dict[str, Any]]] = []
         self.gone = 0
+        self.released = asyncio.Event()
         self.end = VehicleEnd(
             self.broadcast,
             hello=lambda: {"version": "1"},
@@ -90,7 +95,8 @@ class Vehicle:
         raise ZeroDivisionError
 
     async def _hang(self, _: Asker, __: dict[str, Any]) -> Any:
-        await asyncio.Event().wait()
+        await self.released.wait()
+        return "late"
 
 
 @asynccontextmanager
@@ -150,6 +156,7 @@ async def test_samples_are_gathered_for_a_station_that_looks_seldom_and_none_is_
         vehicle.broadcast.playback({"at_s": 1.0})
         await eventually_async(lambda: bool(heard.playbacks), "the replay's position arrives")
         assert heard.samples[-1].t_s == 10.0, "nor does a replay's position"
+        assert heard.order[-2:] == ["end of samples", "playback"], "the samples leave before it"
         vehicle.broadcast.sample("gps", 11.0, {"n": 11})
         vehicle.broadcast.flush()
         station.pace(0)
@@ -222,6 +229,24 @@ async def test_a_request_brings_the_result_or_the_very_error(tmp_path: Path) -> 
 
 
 @pytest.mark.anyio
+async def test_an_answer_for_which_nobody_waits_any_more_is_ignored(tmp_path: Path) -> None:
+    vehicle, heard = Vehicle(tmp_path), Heard()
+    faults: list[dict[str, Any]] = []
+    asyncio.get_running_loop().set_exception_handler(lambda _, context: faults.append(context))
+    async with connected(tmp_path, heard) as station:
+        await eventually_async(lambda: station.is_connected, "it connects")
+        asked = asyncio.ensure_future(station.request("hang"))
+        assert await station.request("echo") == {"by": None}, "the other is asked too"
+        asked.cancel()
+        await asyncio.wait([asked])
+        vehicle.released.set()
+        assert await station.request("echo", n=2) == {"by": None, "n": 2}
+        assert await station.request("echo", n=3) == {"by": None, "n": 3}
+    assert faults == []
+    await vehicle.stop()
+
+
+@pytest.mark.anyio
 async def test_a_vehicle_that_goes_ends_every_request_and_is_found_again(tmp_path: Path) -> None:
     vehicle, heard = Vehicle(tmp_path), Heard()
     async with connected(tmp_path, heard) as station:
@@ -285,3 +310,86 @@ async def test_a_data_folder_with_a_long_name_has_its_socket_elsewhere(tmp_path:
     async with connected(folder, heard):
         await eventually_async(lambda: len(heard.hellos) == 1, "it is found")
     await vehicle.stop()
+
+
+@pytest.mark.anyio
+async def test_a_vehicle_that_does_not_speak_the_stream_is_let_go_and_looked_for_again(tmp_path: Path) -> None:
+    listener, heard = Listener(tmp_path), Heard()
+    async with connected(tmp_path, heard):
+        stranger = await listener.accept()
+        assert stranger is not None
+        await asyncio.get_running_loop().sock_sendall(stranger, b"\xff" * 64)
+        await eventually_async(lambda: heard.losses == [False], "it is let go, and not as one that said goodbye")
+        again = await listener.accept()
+        assert again is not None
+        stranger.close()
+        again.close()
+    listener.close()
+
+
+@pytest.mark.anyio
+async def test_samples_go_on_at_the_pace_of_the_one_who_looks(tmp_path: Path) -> None:
+    vehicle, heard = Vehicle(tmp_path), Heard()
+    async with connected(tmp_path, heard) as station:
+        await eventually_async(lambda: heard.ends == 1, "the snapshot arrives")
+        station.pace(50)
+        await eventually_async(lambda: vehicle.broadcast.gathers, "the vehicle knows the pace")
+        for number in range(5):
+            vehicle.broadcast.sample("gps", float(number), {"n": number})
+            vehicle.broadcast.flush()
+            await eventually_async(lambda number=number: heard.samples[-1].t_s == float(number), "it follows")  # type: ignore[misc]
+        assert heard.ends >= 3, "one by one, not all at the end"
+    await vehicle.stop()
+
+
+@pytest.mark.anyio
+async def test_a_record_of_a_kind_that_a_later_version_has_is_passed_over(tmp_path: Path) -> None:
+    vehicle = Vehicle(tmp_path)
+    newer = await connect(tmp_path)
+    notice = orjson.dumps({"name": "stick", "arguments": {"client": "c1"}})
+    later_kind: Any = 99
+    await asyncio.get_running_loop().sock_sendall(newer, pack(later_kind, b"") + pack(Kind.NOTICE, notice))
+    await eventually_async(lambda: vehicle.notices == [("stick", {"client": "c1"})], "what follows it is heard")
+    assert vehicle.gone == 0
+    newer.close()
+    await vehicle.stop()
+
+
+@pytest.fixture
+def without_local_sockets(monkeypatch: pytest.MonkeyPatch) -> None:
+    """As on a system that has none: the stream goes through a port of the loopback."""
+    monkeypatch.setattr("epf_gcs.bus.address.HAS_LOCAL", False)
+
+
+@pytest.mark.anyio
+@pytest.mark.usefixtures("without_local_sockets")
+async def test_through_a_port_a_station_that_read_the_secret_in_the_folder_is_heard(tmp_path: Path) -> None:
+    vehicle, heard = Vehicle(tmp_path), Heard()
+    async with connected(tmp_path, heard) as station:
+        await eventually_async(lambda: heard.ends == 1, "the snapshot arrives")
+        assert await station.request("echo", n=1) == {"by": None, "n": 1}
+    await vehicle.stop()
+
+
+@pytest.mark.anyio
+@pytest.mark.usefixtures("without_local_sockets")
+@pytest.mark.parametrize("cut", [0, 1, 5, -1])
+async def test_through_a_port_only_the_whole_secret_opens_in_whatever_pieces_it_comes(tmp_path: Path, cut: int) -> None:
+    listener, loop = Listener(tmp_path), asyncio.get_running_loop()
+    where = orjson.loads((tmp_path / FILE).read_bytes())
+    secret = bytes.fromhex(where["secret"])
+    assert len(secret) >= 16
+    for said in (b"", secret[:-1], bytes(len(secret)), secret[::-1], secret):
+        with socket.socket() as caller:
+            caller.setblocking(False)
+            await loop.sock_connect(caller, ("127.0.0.1", where["tcp"]))
+            accepted = asyncio.ensure_future(listener.accept())
+            for piece in (said[:cut], said[cut:]):
+                await loop.sock_sendall(caller, piece)
+                await asyncio.sleep(0.001)
+            caller.shutdown(socket.SHUT_WR)
+            connection = await accepted
+            assert (connection is not None) == (said == secret)
+            if connection is not None:
+                connection.close()
+    listener.close()

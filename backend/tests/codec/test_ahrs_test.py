@@ -74,3 +74,40 @@ def test_impossible_angles_are_no_attitude() -> None:
     bad = _record(float("nan"), 0.0, 0.0) + _record(0.0, 91.0, 0.0)
     assert test.feed(bad + _record(1.0, 2.0, 3.0) + MARK) == [Attitude(1.0, 2.0, 3.0)]
     assert test.skipped == len(bad)
+
+
+@pytest.mark.parametrize("angles", [(359.5, 89.5, 179.5), (-359.5, -89.5, -179.5), (360.0, 90.0, 180.0)])
+def test_angles_just_inside_their_limits_are_an_attitude(angles: tuple[float, float, float]) -> None:
+    assert _streaming().feed(_record(*angles) + MARK) == [Attitude(*angles)]
+
+
+@pytest.mark.parametrize("angles", [(360.5, 0.0, 0.0), (0.0, -90.5, 0.0), (0.0, 0.0, 180.5)])
+def test_angles_just_outside_their_limits_are_none(angles: tuple[float, float, float]) -> None:
+    test = _streaming()
+    assert test.feed(_record(*angles) + MARK) == []
+    assert test.skipped > 0
+
+
+def test_the_answer_is_found_wherever_it_is_cut_and_whatever_came_before() -> None:
+    answer = b"#SY" + b"noise" + b"#SYNCH00\n\r"
+    for cut in range(len(answer) + 1):
+        test = AhrsTest()
+        test.start(0.0)
+        test.tick(1.0)
+        test.feed(answer[:cut])
+        assert test.feed(answer[cut:] + _record(1.0, 2.0, 3.0) + MARK) == [Attitude(1.0, 2.0, 3.0)]
+
+
+def test_without_a_start_nothing_is_waited_for_and_nothing_is_sent() -> None:
+    test = AhrsTest()
+    assert (test.deadline_s, test.tick(100.0), test.stop()) == (None, b"", b"")
+    assert test.skipped == 0
+
+
+def test_every_byte_outside_records_is_counted_once() -> None:
+    test = _streaming()
+    test.feed(bytes(100) + _record(1.0, 2.0, 3.0) + MARK)
+    assert test.skipped == 100
+    silent = _streaming()
+    silent.feed(bytes(100))
+    assert silent.skipped == 97, "the last three may be the beginning of a mark"

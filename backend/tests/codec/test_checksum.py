@@ -18,3 +18,10 @@ def test_captured_checksums() -> None:
 def test_all_words_sum_to_zero(words: list[int]) -> None:
     body = b"".join(word.to_bytes(4, "little") for word in words)
     assert (sum(words) + checksum(body)) % (1 << 32) == 0
+
+
+def test_a_body_longer_than_any_message_sums_to_zero_too() -> None:
+    for words in (31, 32, 33, 34, 35, 100, 1000):
+        body = b"".join((0x01020304 * index & 0xFFFFFFFF).to_bytes(4, "little") for index in range(1, words + 1))
+        total = sum(int.from_bytes(body[at : at + 4], "little") for at in range(0, len(body), 4))
+        assert (total + checksum(body)) & 0xFFFFFFFF == 0

@@ -17,6 +17,7 @@ import orjson
 import pytest
 
 from epf_gcs.data_folder.version import FILE, FORMAT
+from epf_gcs.launcher.keeping import FILTER
 from tests.support.programs import Program, gateway_process
 from tests.support.waiting import DEADLINE_S, eventually
 
@@ -30,7 +31,7 @@ SECONDS = (10, 20)
 def old(tmp_path: Path) -> Path:
     folder = tmp_path / "data"
     with tarfile.open(MADE) as archive:
-        archive.extractall(folder, filter="data")
+        archive.extractall(folder, **FILTER)  # noqa: S202 (our own file)
     # The board and the simulator of that day would be opened at the start.
     state = orjson.loads((folder / "state.json").read_bytes())
     (folder / "state.json").write_bytes(orjson.dumps({**state, "board_url": None, "simulator": None}))

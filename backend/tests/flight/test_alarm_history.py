@@ -72,3 +72,28 @@ async def test_a_disk_that_refuses_is_reported(tmp_path: Path) -> None:
     await eventually_async(lambda: len(reported) == 2, "both are reported")
     history.close()
     assert [error.code for error in reported] == ["alarms_unreadable", "alarms_not_written"]
+
+
+async def test_the_newest_two_hundred_are_kept_where_all_of_them_were_acknowledged(tmp_path: Path) -> None:
+    path = tmp_path / "alarms.jsonl"
+    history, _ = a_history(path)
+    for index in range(450):
+        alarm = replace(LOW, since_s=float(index), until_s=float(index) + 0.5)
+        history.keep(alarm)
+        history.keep(replace(alarm, acknowledged=True))
+    history.close()
+    again, _ = a_history(path)
+    assert [alarm.since_s for alarm in again.past] == [float(index) for index in range(250, 450)]
+    assert all(alarm.acknowledged for alarm in again.past)
+    again.close()
+
+
+async def test_a_warning_is_a_warning_after_a_restart(tmp_path: Path) -> None:
+    path = tmp_path / "alarms.jsonl"
+    history, _ = a_history(path)
+    mild = replace(LOW, finding=replace(LOW.finding, level="warning"))
+    history.keep(mild)
+    history.close()
+    again, _ = a_history(path)
+    assert again.past == [mild]
+    again.close()

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+import structlog
+
 from epf_gcs.flight.clock_watch import ClockWatch
 
 START_NS = 946_684_800_000_000_000
@@ -69,3 +71,31 @@ def test_a_clock_that_is_set_back_is_noted_too() -> None:
     computer.run(1)
     computer.run(1, drift_s=-3600)
     assert computer.noted[-1]["ahead_s"] == -3600.0
+
+
+def test_a_clock_that_is_set_nearly_right_again_is_noted_with_what_is_left() -> None:
+    computer = Computer()
+    computer.run(1)
+    computer.run(1, drift_s=100)
+    computer.run(1, drift_s=-99)
+    assert [note["ahead_s"] for note in computer.noted] == [0.0, 100.0, 1.0]
+
+
+def test_a_clock_that_was_wrong_from_the_start_is_noted_with_how_far() -> None:
+    computer = Computer()
+    computer.run(1, drift_s=3)
+    assert [note["ahead_s"] for note in computer.noted] == [3.0]
+
+
+def test_the_log_says_that_a_clock_was_set_and_not_that_somebody_vouches_for_it() -> None:
+    computer = Computer()
+    with structlog.testing.capture_logs() as logged:
+        computer.run(1)
+        computer.synchronised = True
+        computer.run(1)
+        assert logged == []
+        computer.run(1, drift_s=-7.12345)
+    assert [(line["event"], line["log_level"], line["ahead_s"]) for line in logged] == [
+        ("the system's clock was set", "warning", -7.123)
+    ]
+    assert computer.noted[-1]["ahead_s"] == -7.123

@@ -58,6 +58,24 @@ def test_a_plug_that_wobbles_is_said_once_in_ten_seconds_with_how_often() -> Non
     assert logged[-1]["unsaid"] == 28
 
 
+def test_what_was_said_is_said_again_from_ten_seconds_after_it_on() -> None:
+    world = World()
+    with structlog.testing.capture_logs() as logged:
+        for world.now_s in (0.0, 4.0, 9.9, 10.0, 19.9, 20.1):
+            world.log.alarm("came", ALARM)
+    assert [line.get("unsaid") for line in logged] == [None, 2, 1]
+
+
+def test_a_quiet_alarm_does_not_make_another_one_quiet() -> None:
+    world = World()
+    with structlog.testing.capture_logs() as logged:
+        world.log.alarm("came", ALARM)
+        world.log.alarm("came", {**ALARM, "id": "cpu_high"})
+        world.log.board_restarted(None)
+        world.log.board_restarted(None)
+    assert [line.get("alarm") for line in logged] == ["battery_low", "cpu_high", None]
+
+
 def test_alarms_come_go_and_are_acknowledged() -> None:
     world = World()
     with structlog.testing.capture_logs() as logged:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import socket
 from collections.abc import AsyncIterator, Iterator
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -11,11 +12,12 @@ import pytest
 
 from epf_gcs.codec.checksum import checksum
 from epf_gcs.codec.encode import encode_telemetry
-from epf_gcs.codec.messages_gen import END, TELEMETRY, TO_PC_HEADER
+from epf_gcs.codec.messages_gen import END, TELEMETRY, TELEMETRY_BY_NAME, TO_PC_HEADER
 from epf_gcs.flight.flight import Flight
-from epf_gcs.flight.hil.simulator import SimulatorAddress
+from epf_gcs.flight.hil.simulator import CHANNEL_BYTES_PER_S, SimulatorAddress
 from epf_gcs.flight.inspection import InspectorSources, build_inspector, take_snapshot
 from epf_gcs.link.address import EMULATION, parse_address
+from epf_gcs.vehicle.wanted import Wanted
 from epf_gcs.xplane.datagram import Record, build
 from tests.support.fake_board import FakeBoard
 from tests.support.waiting import eventually_async
@@ -63,8 +65,8 @@ async def open_board(station: Flight, board: FakeBoard) -> None:
     await eventually_async(lambda: station.supervisor.state == "open", "the board opens")
 
 
-def inspect(station: Flight) -> dict[str, Any]:
-    parts = InspectorSources(
+def sources(station: Flight) -> InspectorSources:
+    return InspectorSources(
         station.clock,
         station.board,
         station.telemetry,
@@ -76,7 +78,10 @@ def inspect(station: Flight) -> dict[str, Any]:
         station.watch,
         station.alarms,
     )
-    return build_inspector(take_snapshot(parts))
+
+
+def inspect(station: Flight) -> dict[str, Any]:
+    return build_inspector(take_snapshot(sources(station)))
 
 
 def frames(station: Flight) -> dict[str, dict[str, Any]]:
@@ -176,6 +181,59 @@ async def test_the_link_is_measured_against_its_baud_rate(station: Flight, board
 
     await eventually_async(measured, "it is measured")
     assert inspect(station)["link"]["capacity_bytes_per_s"] == 5760.0
+
+
+async def test_each_way_of_the_lines_is_measured_and_of_the_simulators_it_is_the_share(tmp_path: Path) -> None:
+    rates = (station := Flight(tmp_path, record=False)).rates
+    for rate, total in ((rates.board_in, 2001), (rates.board_out, 501), (rates.simulator_in, 100_001)):
+        rate.note(100.0, 0)
+        rate.note(102.0, total)
+    link = inspect(station)["link"]
+    assert (link["rx_bytes_per_s"], link["tx_bytes_per_s"], link["simulator_bytes_per_s"]) == (1000.5, 250.5, 50000.5)
+    assert link["simulator_percent"] == round(100 * 50000.5 / CHANNEL_BYTES_PER_S, 1)
+    assert (link["rx_percent"], link["tx_percent"]) == (None, None)
+
+
+async def test_of_a_full_line_the_servo_streams_have_the_share_that_came(tmp_path: Path) -> None:
+    station = Flight(tmp_path, record=False)
+    now_s = station.clock.now_s()
+    for name, period_s in (("servos_in", 0.02), ("fly_by_wire", 0.04)):
+        for place in range(100):
+            station.board.frame_statistics.heard[name].heard(now_s + place * period_s, None)
+    station.memory.update(wanted=Wanted().after("set_servos_task_rate", (40,)))
+    snapshot = take_snapshot(sources(station))
+    full = replace(
+        snapshot,
+        now_s=now_s + 1.98,
+        link={**snapshot.link, "capacity_bytes_per_s": 20_000.0},
+        observed=replace(snapshot.observed, rx_percent=95.0),
+    )
+    servo_bytes_per_s = 50 * (TELEMETRY_BY_NAME["servos_in"].size + 16) + 25 * (
+        TELEMETRY_BY_NAME["fly_by_wire"].size + 16
+    )
+    found = {one["code"]: one["params"] for one in build_inspector(full)["advice"]}
+    assert found["servo_rate_high"] == {"ms": 40, "percent": round(servo_bytes_per_s / 200)}
+
+
+async def test_a_slow_loop_is_advised_only_while_it_is_alive(tmp_path: Path) -> None:
+    station = Flight(tmp_path, record=False)
+    station.hil.round_trip.asked(10.0)
+    station.hil.round_trip.answered(10.2)
+    assert advised(station) == {}
+    station.hil.last_surfaces_s = station.clock.steady_s() - 0.5
+    assert advised(station) == {"round_trip_long": {"ms": 200}}
+    station.hil.last_surfaces_s = station.clock.steady_s() - 1.5
+    assert advised(station) == {}
+
+
+async def test_strangers_are_advised_for_ten_seconds(tmp_path: Path) -> None:
+    station = Flight(tmp_path, record=False)
+    station.simulator.dropped["stranger"] = 3
+    assert advised(station) == {}
+    station.simulator.last_stranger_s = station.clock.steady_s() - 9.0
+    assert advised(station) == {"foreign_datagrams": {"count": 3}}
+    station.simulator.last_stranger_s = station.clock.steady_s() - 10.5
+    assert advised(station) == {}
 
 
 async def test_the_loop_is_measured(station: Flight, board: FakeBoard, simulator: Simulator) -> None:

@@ -91,6 +91,7 @@ def test_while_a_read_is_decoded_the_time_is_its_and_afterwards_the_present(stea
     decode(b"one")
     assert seen == [(b"one", stamp, stamp * 1e-9)]
     assert clock.now_ns() == stamp + 300 * TICK_NS
+    assert clock.now_s() == pytest.approx((stamp + 300 * TICK_NS) * 1e-9, abs=1e-6)
 
 
 def test_a_decoder_that_fails_does_not_stop_the_time(steady: SteadyClock) -> None:
@@ -115,3 +116,14 @@ def test_no_time_has_noise_in_its_last_bits_and_none_is_earlier_than_one_before(
     assert times == sorted(times)
     assert {time_ns % TICK_NS for time_ns in times} == {0}
     assert times[-1] + TICK_NS > clock.offset_ns + steady.ns
+
+
+@pytest.mark.parametrize("ticks_before", [0, 1, 500, 975, 976])
+def test_reads_together_share_their_time_wherever_the_clock_stood(steady: SteadyClock, ticks_before: int) -> None:
+    clock = LineClock()
+    steady.wait(ticks_before)
+    first = clock.received(BOARD_RECEIVED)
+    steady.wait(976)
+    assert clock.received(BOARD_RECEIVED) == first
+    steady.wait(1)
+    assert clock.received(BOARD_RECEIVED) > first

@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import os
 import threading
+import time
 from pathlib import Path
 
 import orjson
@@ -24,7 +25,7 @@ def a_memory(path: Path) -> tuple[Memory, list[GatewayError]]:
 
 
 def test_everything_is_there_after_a_restart(tmp_path: Path) -> None:
-    path = tmp_path / "deep" / "state.json"
+    path = tmp_path / "far" / "deep" / "state.json"
     memory, reported = a_memory(path)
     assert memory.now == Remembered()
     wanted = Wanted().after("ahrs_on", ()).after("set_fms_task_rate", (200,)).after("control_source", (1,))
@@ -62,6 +63,7 @@ def test_a_disk_that_refuses_is_reported_and_nothing_else_changes(tmp_path: Path
     memory.close()
     assert memory.now.board_url == "tcp://h:1"
     assert [error.code for error in reported] == ["memory_not_written"]
+    assert "(File exists)" in reported[0].detail
 
 
 def test_nothing_is_written_where_nothing_changed(tmp_path: Path) -> None:
@@ -140,3 +142,29 @@ async def test_on_a_loop_a_refusing_disk_is_reported_on_the_loop(tmp_path: Path)
     await eventually_async(lambda: bool(heard), "it is reported")
     assert heard == [threading.get_ident()]
     await asyncio.to_thread(memory.close)
+
+
+def test_values_that_change_quickly_are_gathered_into_one_writing(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    written: list[bytes] = []
+    monkeypatch.setattr(memory_module, "replace_file", lambda _path, data: written.append(data))
+    monkeypatch.setattr(memory_module, "_GATHER_S", 3600.0)
+    memory, _ = a_memory(tmp_path / "state.json")
+    for number in range(50):
+        memory.update(board_url=f"tcp://h:{number}")
+        time.sleep(0)
+    eventually(lambda: bool(memory._wake._waiters), "the thread waits for more")  # type: ignore[attr-defined]
+    assert written == [], "more may come"
+    memory.close()
+    assert [orjson.loads(data)["board_url"] for data in written] == ["tcp://h:49"]
+
+
+def test_after_its_end_nothing_is_written(tmp_path: Path) -> None:
+    path = tmp_path / "state.json"
+    memory, _ = a_memory(path)
+    memory.update(board_url="tcp://h:1")
+    memory.close()
+    memory.update(board_url="tcp://h:2")
+    memory.close()
+    assert a_memory(path)[0].now.board_url == "tcp://h:1"

@@ -11,7 +11,9 @@ import pytest
 from epf_gcs.codec.encode import encode_telemetry
 from epf_gcs.flight.flight import Flight
 from epf_gcs.flight.hil.simulator import SimulatorAddress
+from epf_gcs.flight.watch import Watch
 from epf_gcs.link.address import parse_address
+from epf_gcs.link.failures import lost_error
 from epf_gcs.xplane.datagram import Record, build
 from tests.support.fake_board import FakeBoard
 from tests.support.waiting import eventually_async
@@ -262,3 +264,74 @@ async def test_a_gain_that_was_not_confirmed_is_an_alarm_until_it_is_or_somebody
         assert station.alarms.acknowledge("parameter_not_confirmed").acknowledged
         await eventually_async(lambda: ids(station) == set(), "whoever acknowledged it knows")
         assert [alarm.acknowledged for alarm in station.alarms.past] == [True, False]
+
+
+class At:
+    """A watch over a station whose lines are not run, at a time that the test says."""
+
+    def __init__(self, folder: Path) -> None:
+        self.now_s = 1000.0
+        self.station = station = Flight(folder / "data", record=False)
+        self._watch = Watch(
+            supervisor=station.supervisor,
+            board=station.board,
+            telemetry=station.telemetry,
+            parameters=station.parameters,
+            simulator=station.simulator,
+            hil=station.hil,
+            recorder=None,
+            steady_s=lambda: self.now_s,
+            wants=lambda _: False,
+        )
+
+    def found(self, now_s: float) -> dict[str, str]:
+        self.now_s = now_s
+        return {finding.id: finding.text for finding in self._watch(self.station.alarms.thresholds)}
+
+
+async def test_a_board_has_five_seconds_to_speak_from_when_it_was_wanted_or_the_line_was_free_again(
+    tmp_path: Path,
+) -> None:
+    at = At(tmp_path)
+    assert at.found(1000.0) == {}
+    at.station.supervisor.want(parse_address(f"pty://{tmp_path}/board"), None)
+    assert at.found(1002.0) == {}
+    assert at.found(1006.9) == {}
+    assert set(at.found(1007.1)) == {"no_heartbeat"}
+    at.station.board.exclusive_user = at.station.ahrs_test
+    assert at.found(1008.0) == {}
+    at.station.board.exclusive_user = None
+    assert at.found(1009.0) == {}
+    assert at.found(1013.9) == {}
+    assert set(at.found(1014.1)) == {"no_heartbeat"}
+
+
+async def test_the_loop_is_open_half_a_second_after_what_went_or_came_last(tmp_path: Path) -> None:
+    at = At(tmp_path)
+    hil, station = at.station.hil, at.station
+    station.simulator.want(SimulatorAddress(1, "127.0.0.1", 2, "xp10"))
+    station.supervisor.want(parse_address(f"pty://{tmp_path}/board"), None)
+    assert at.found(1000.0) == {}
+    hil.last_to_board_s = hil.last_surfaces_s = 1001.0
+    assert at.found(1001.49) == {}
+    assert "gets no simulator data" in at.found(1001.51)["hil_lost"]
+    hil.last_to_board_s = 1001.2
+    assert "does not answer" in at.found(1001.51)["hil_lost"]
+    hil.last_surfaces_s = None
+    assert "does not answer" in at.found(1001.51)["hil_lost"]
+    hil.last_surfaces_s = 1001.2
+    assert at.found(1001.51) == {}
+
+
+async def test_a_line_that_failed_before_a_board_was_heard_is_an_alarm_only_if_it_was_lost(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    at = At(tmp_path)
+    supervisor = at.station.supervisor
+    supervisor.want(parse_address(f"pty://{tmp_path}/board"), None)
+    monkeypatch.setattr(type(supervisor), "failure", property(lambda _: lost_error("board", "unplugged")))
+    states: list[str] = []
+    monkeypatch.setattr(type(supervisor), "state", property(lambda _: states[-1]))
+    for state, found in (("opening", set()), ("lost", {"heartbeat_lost"}), ("open", set()), ("closed", set())):
+        states.append(state)
+        assert set(at.found(1001.0)) == found

@@ -91,6 +91,11 @@ def test_an_alarm_lasts_from_its_coming_to_its_going_also_when_it_is_acknowledge
     assert found(flight) == [("alarm", "battery_low", 1.0, 5.0), ("alarm", "battery_low", 7.0, None)]
 
 
+def test_advice_is_an_event_of_its_own_by_its_code() -> None:
+    flight = MadeFlight({}, [noted(3, "advice", code="line_full", level="warning", text="full", params={})])
+    assert found(flight) == [("advice", "line_full", 3.0, None)]
+
+
 def test_modes_and_waypoints_are_found_in_the_samples() -> None:
     t_s = np.arange(5.0)
     flight = MadeFlight(

@@ -40,6 +40,13 @@ def test_114_samples_of_one_time_get_the_times_at_which_they_were_taken(cut: int
     assert (np.diff(found) > 0).all()
 
 
+@pytest.mark.parametrize("cut", [1 << 30, 50, 1])
+def test_a_flight_that_ends_in_a_stall_has_the_times_at_which_its_last_samples_were_taken(cut: int) -> None:
+    taken = [index * PERIOD_NS for index in range(300)]
+    found = spread_times(read_late(taken, [(200 * PERIOD_NS + 1, 299 * PERIOD_NS)]), cut)
+    assert np.abs(found - np.array(taken)).max() <= PERIOD_NS * 0.05
+
+
 def test_samples_that_come_on_time_keep_their_times() -> None:
     rng = random.Random(3)
     read = [index * PERIOD_NS + rng.randrange(PERIOD_NS // 4) for index in range(5000)]

@@ -30,9 +30,11 @@ from epf_gcs.flights.export.asked import Progress
 from epf_gcs.flights.export.json_schemas import LOCATION_FIX_SCHEMA
 from epf_gcs.flights.export.verb import run
 from epf_gcs.flights.importing import run as import_run
-from epf_gcs.recordings.notes import IDENTITY, PLAN
+from epf_gcs.recordings.mcap_file import Tally, closing, data_end, message_record, metadata_record, opening
+from epf_gcs.recordings.notes import EVENT, IDENTITY, PLAN, written
 from epf_gcs.recordings.packing import pack
 from epf_gcs.recordings.reading import Message, notes_of, read_file, walk
+from epf_gcs.recordings.topics import TOPICS
 from tests.codec.streams import mixed_frames
 from tests.flights.flown_flights import FLIGHT, indexed, quiet, recording
 from tests.flights.test_columns import recording as recording_of
@@ -95,6 +97,22 @@ def test_a_stretch_of_the_recording_has_its_bytes_and_what_was_known_before_it(
     assert found.is_whole
     assert [one for one in walk(target) if isinstance(one, Message)] == expected
     assert [note.name for note in found.notes] == [IDENTITY, PLAN]
+
+
+def test_what_happened_after_a_stretch_is_not_in_its_recording(tmp_path: Path) -> None:
+    path = tmp_path / "recordings" / f"{FLIGHT}.mcap"
+    path.parent.mkdir()
+    tally, body = Tally(), opening("test", TOPICS)
+    for second in range(10):
+        t_ns = START_NS + second * 10**9
+        body += message_record(1, tally.add(1, t_ns), t_ns, b"\rQT,")
+        if second in (3, 9):
+            body += metadata_record(EVENT, written(t_ns + 1, {"event": "mark", "data": {"second": second}}))
+    tally.metadata_count = 2
+    body += data_end()
+    path.write_bytes(body + closing(TOPICS, tally, len(body)))
+    target = export(path, "mcap", "--from-s", "2", "--to-s", "5.5")
+    assert [note.content["data"]["second"] for note in notes_of(target)] == [3]
 
 
 def test_every_format_is_refused_for_a_stretch_without_anything(flight: Path) -> None:

@@ -10,12 +10,15 @@ from pathlib import Path
 
 import pytest
 
+from epf_gcs.data_folder.lock import DataFolder
+from epf_gcs.data_folder.whereabouts import FILE, Whereabouts, leave, of_running
 from epf_gcs.launcher.access import access_arguments, invite_command, new_launcher_key
 from epf_gcs.launcher.gateway_client import GatewayClient, RefusedError
 from epf_gcs.web.access.roles import Role
 from epf_gcs.web.access.store import AccessStore, Person
 from tests.support.callers import stranger, strict_gateway
 from tests.support.gateway import running_gateway
+from tests.support.programs import gateway_process
 
 KEY = r"[0-9A-Z]{4}(?:-[0-9A-Z]{4}){3}"
 
@@ -38,6 +41,27 @@ def test_an_invitation_of_the_command_line_lets_one_in_while_the_station_runs(tm
         assert f":8123/#key={key[0]}" in said.stdout
         me = ana.post("/access/enter", json={"key": key[0], "name": "Ana"}).json()
         assert (me["state"], me["role"]) == ("in", "viewer")
+
+
+def test_an_invitation_says_the_port_of_the_station_that_runs_unless_another_is_given(tmp_path: Path) -> None:
+    data = tmp_path / "data"
+    with gateway_process(data, "--no-recording") as program:
+        port = program.wait_for_words(r"url=http://[^:]+:(\d+)")
+        reached = ("--host", "0.0.0.0")  # noqa: S104 - nothing listens there
+        assert f":{port}/#key=" in invite("--data-dir", data, *reached, PYTHONPATH=PATH, GCS_PORT="8001").stdout
+        assert "this computer alone" in invite("--data-dir", data, PYTHONPATH=PATH).stdout
+        assert ":8123/#key=" in invite("--data-dir", data, *reached, "--port", "8123", PYTHONPATH=PATH).stdout
+    # What a killed station left says nothing of the next one.
+    assert ":8000/#key=" in invite("--data-dir", data, PYTHONPATH=PATH).stdout
+
+
+@pytest.mark.parametrize("left", [b"", b"[]", b"{", b'{"host": 1, "port": 2, "tls": true}', b"\xff" * 20_000])
+def test_what_a_stranger_wrote_in_its_place_is_no_station(tmp_path: Path, left: bytes) -> None:
+    with DataFolder(tmp_path):
+        leave(tmp_path, Whereabouts("127.0.0.1", 4711, tls=True))
+        assert of_running(tmp_path) == Whereabouts("127.0.0.1", 4711, tls=True)
+        (tmp_path / FILE).write_bytes(left)
+        assert of_running(tmp_path) is None
 
 
 @pytest.mark.parametrize("wrong", [["--role", "boss"], ["--minutes", "0"], ["--minutes", "nan"]])

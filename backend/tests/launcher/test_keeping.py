@@ -11,7 +11,7 @@ import pytest
 
 from epf_gcs.data_folder.version import FORMAT, Format, read_format, write_format
 from epf_gcs.launcher.errors import LaunchError
-from epf_gcs.launcher.keeping import LIST, backup, restore
+from epf_gcs.launcher.keeping import FILTER, LIST, backup, restore
 
 
 def quiet(_name: str) -> None:
@@ -107,8 +107,12 @@ def test_a_changed_byte_is_found(data: Path, tmp_path: Path) -> None:
         restore(kept, data, quiet)
 
 
+@pytest.mark.parametrize("known", [FILTER, {}], ids=["with Python's filter", "as in Python 3.11.2"])
 @pytest.mark.parametrize("name", ["../outside", "/tmp/outside-of-the-station"])  # noqa: S108
-def test_a_stranger_s_archive_writes_nothing_outside_the_folder(tmp_path: Path, name: str) -> None:
+def test_a_stranger_s_archive_writes_nothing_outside_the_folder(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str, known: dict[str, str]
+) -> None:
+    monkeypatch.setattr("epf_gcs.launcher.keeping.FILTER", known)
     evil = tmp_path / "evil.tar"
     (tmp_path / "source").write_text("x")
     with tarfile.open(evil, "w") as archive:

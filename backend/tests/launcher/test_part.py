@@ -95,7 +95,7 @@ def test_one_that_refuses_says_so_however_long_its_start_took(tmp_path: Path, mo
 
 def test_a_board_of_the_environment_is_not_opened_again_in_flight(tmp_path: Path) -> None:
     """The launcher alone reads that variable: a flight process that is started again opens what was open."""
-    program = "import os; from epf_gcs.launcher.part import _ENVIRONMENT; print('GCS_BOARD' in _ENVIRONMENT)"
+    program = "from epf_gcs.launcher.part import environment; print('GCS_BOARD' in environment())"
     environment = {**os.environ, "GCS_BOARD": "tcp://another:1"}
     said = subprocess.run([sys.executable, "-c", program], env=environment, capture_output=True, check=True)
     assert said.stdout == b"False\n"

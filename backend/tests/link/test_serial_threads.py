@@ -68,6 +68,23 @@ async def test_a_line_that_is_gone_is_told_once(line: Ends) -> None:
     link.close()
 
 
+async def test_what_was_said_last_still_leaves_when_the_line_is_closed(line: Ends) -> None:
+    os.set_blocking(line.board, False)
+    for _ in range(20):
+        link = await opened(line)
+        assert link.write(b"leave your mode")
+        link.close()
+        assert os.read(line.board, 100) == b"leave your mode"
+
+
+async def test_bytes_that_no_port_has_taken_are_counted(line: Ends) -> None:
+    link = await opened(line)
+    for _ in range(40):
+        assert link.write(bytes(1000))
+    await eventually_async(lambda: link.backlog >= 20_000, "what waits for the port is counted")
+    link.close()
+
+
 async def test_after_closing_the_port_can_be_opened_again(line: Ends) -> None:
     for _ in range(2):
         link = await opened(line)

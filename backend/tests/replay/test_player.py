@@ -86,6 +86,11 @@ def recording(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return write(tmp_path_factory.mktemp("flight") / "a.mcap", flight(12.0, gap=(6.0, 8.0)))
 
 
+@pytest.fixture(scope="module")
+def long_recording(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return write(tmp_path_factory.mktemp("flight") / "long.mcap", flight(300.0))
+
+
 @pytest.mark.parametrize("rate", [0.01, 0.5, 1.0, 3.0, 100.0])
 def test_ten_minutes_of_any_rate_are_right_to_the_microsecond(rate: float) -> None:
     pace = Pace(STARTS_NS)
@@ -109,6 +114,54 @@ def test_a_change_of_rate_goes_on_from_the_moment_shown() -> None:
     assert pace.at_ns(22.0) - STARTS_NS == SECOND_NS
     pace.play(22.0, 1e9)
     assert pace.rate == 100.0
+
+
+@pytest.mark.parametrize("stall_s", [0.3, 3.0, 60.0])
+def test_a_replay_that_the_machine_held_up_catches_up_with_its_clock(long_recording: Path, stall_s: float) -> None:
+    show = Show(long_recording)
+    show.player.play(show.now_s, 1.0)
+    show.run(5.0)
+    before_s = show.at_s
+    show.now_s += stall_s
+    turns = 0
+    while show.player.turn(show.now_s) <= 0.0:
+        show.now_s += 0.005
+        turns += 1
+    if stall_s > 2.0:
+        assert turns > 0, "it was more than a turn takes"
+    show.run(2.0)
+    assert show.at_s - before_s == pytest.approx(stall_s + 0.005 * turns + 2.0, abs=0.001)
+
+
+def test_a_replay_that_cannot_keep_up_stays_behind_and_goes_on_from_what_it_shows(long_recording: Path) -> None:
+    show = Show(long_recording)
+    show.player.play(show.now_s, 100.0)
+    shown = []
+    # Each turn takes so long that a hundredfold is out of reach, for longer than it tries to catch up.
+    for _ in range(43):
+        assert show.player.turn(show.now_s) == 0.0
+        shown.append(show.at_s)
+        show.now_s += 0.06
+    assert shown == sorted(set(shown)), "it goes on"
+    asked_s = 43 * 0.06 * 100.0
+    assert asked_s - shown[-1] > 40.0, "it fell behind"
+    # What it did not reach in two seconds of work it does not run after, though it could now.
+    show.run(0.2)
+    assert show.at_s - shown[-1] < 20.0 + 20.0
+
+
+def test_a_fast_replay_that_is_behind_goes_on_from_what_it_shows_when_it_is_told_to_go_slower(
+    long_recording: Path,
+) -> None:
+    show = Show(long_recording)
+    show.player.play(show.now_s, 100.0)
+    show.now_s += 2.0
+    assert show.player.turn(show.now_s) == 0.0
+    here_s = show.at_s
+    assert here_s < 50.0, "it is far behind its clock"
+    show.player.play(show.now_s, 1.0)
+    show.run(1.0)
+    assert show.at_s == pytest.approx(here_s + 1.0, abs=0.001)
 
 
 @pytest.mark.parametrize(("rate", "seconds"), [(0.5, 6.0), (1.0, 5.0), (100.0, 0.05)])

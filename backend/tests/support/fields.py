@@ -12,6 +12,7 @@ import numpy.typing as npt
 LATITUDE_DEG, LONGITUDE_DEG = 27.93, -15.39
 IMAGERY_ZOOMS = (10, 14)
 HEIGHTS_ZOOM = 12
+VECTOR_ZOOMS = (10, 13)
 
 
 def rgb_png(pixels: npt.NDArray[np.uint8]) -> bytes:
@@ -49,20 +50,76 @@ def terrarium(zoom: int, column: int, row: int) -> bytes:
     return rgb_png(np.stack([value >> 16, value >> 8 & 255, value & 255], axis=-1).astype(np.uint8))
 
 
+def _field(number: int, data: bytes | int) -> bytes:
+    """One field of a Protobuf message."""
+    if isinstance(data, int):
+        return _varint(number << 3) + _varint(data)
+    return _varint(number << 3 | 2) + _varint(len(data)) + data
+
+
+def _varint(value: int) -> bytes:
+    found = bytearray()
+    while value > 0x7F:
+        found.append(value & 0x7F | 0x80)
+        value >>= 7
+    return bytes([*found, value])
+
+
+def _packed(values: list[int]) -> bytes:
+    return b"".join(map(_varint, values))
+
+
+def _zigzag(value: int) -> int:
+    return value << 1 ^ value >> 31
+
+
+def layer(called: str, kind: int, lines: list[list[tuple[int, int]]], **tags: str) -> bytes:
+    """A layer of an MVT with one feature. `kind`: 2 lines, 3 areas; places in units of 1/4096 of the tile."""
+    commands, at = [], (0, 0)
+    for line in lines:
+        for index, place in enumerate(line):
+            if index < 2:
+                commands.append(9 if index == 0 else (len(line) - 1) << 3 | 2)
+            commands += [_zigzag(place[0] - at[0]), _zigzag(place[1] - at[1])]
+            at = place
+        if kind == 3:
+            commands.append(15)
+    numbers = _packed([number for index in range(len(tags)) for number in (index, index)])
+    feature = _field(2, numbers) + _field(3, kind) + _field(4, _packed(commands))
+    keys = b"".join(_field(3, key.encode()) for key in tags)
+    values = b"".join(_field(4, _field(1, value.encode())) for value in tags.values())
+    content = _field(15, 2) + _field(1, called.encode()) + _field(2, feature) + keys + values + _field(5, 4096)
+    return _field(3, content)
+
+
+def roads(zoom: int, column: int, row: int) -> bytes:
+    """A vector tile of a road across it, a river, a lake and a house, as OpenMapTiles names them."""
+    name = f"GC-{zoom}-{column}-{row}"
+    return (
+        layer("transportation", 2, [[(0, 2048), (2048, 1700), (4096, 2048)]], **{"class": "primary"})
+        + layer("transportation_name", 2, [[(0, 2048), (2048, 1700), (4096, 2048)]], name=name, ref="GC-1")
+        + layer("waterway", 2, [[(1000, 0), (1400, 2000), (900, 4096)]], **{"class": "river"}, name="Barranco")
+        + layer("water", 3, [[(3000, 300), (3700, 300), (3700, 1000), (3000, 1000)]], **{"class": "lake"})
+        + layer("building", 3, [[(1800, 2400), (2100, 2400), (2100, 2700), (1800, 2700)]], height="7")
+    )
+
+
 def tile(path: str) -> bytes | None:
-    """What a server has at this path: `/pictures/z/x/y` and `/heights/z/x/y`."""
+    """What a server has at this path: `/pictures/z/x/y`, `/heights/z/x/y` and `/roads/z/x/y`."""
     _, kind, zoom, column, row = path.split("/")
-    make = imagery if kind == "pictures" else terrarium
+    make = {"pictures": imagery, "heights": terrarium, "roads": roads}[kind]
     return make(int(zoom), int(column), int(row))
 
 
 def order(base: str, *, name: str = "Gando", radius_m: float = 3000.0, kinds: str = "both") -> dict[str, Any]:
-    """The body of an order from this server."""
+    """The body of an order from this server. `kinds`: heights, imagery, vector, both (heights and imagery) or all."""
     parts = []
-    if kinds != "imagery":
+    if kinds in ("heights", "both", "all"):
         parts.append(_part("heights", f"{base}/heights/{{z}}/{{x}}/{{y}}", HEIGHTS_ZOOM, HEIGHTS_ZOOM))
-    if kinds != "heights":
+    if kinds in ("imagery", "both", "all"):
         parts.append(_part("imagery", f"{base}/pictures/{{z}}/{{x}}/{{y}}", *IMAGERY_ZOOMS))
+    if kinds in ("vector", "all"):
+        parts.append(_part("vector", f"{base}/roads/{{z}}/{{x}}/{{y}}", *VECTOR_ZOOMS))
     return {
         "name": name,
         "points": [{"latitude_deg": LATITUDE_DEG, "longitude_deg": LONGITUDE_DEG}],

@@ -7,7 +7,7 @@ import time
 from collections.abc import Callable, Iterable, Iterator
 from typing import TypeVar
 
-DEADLINE_S = 20.0
+DEADLINE_S = 60.0
 _LOOK_EVERY_S = 0.005
 
 T = TypeVar("T")

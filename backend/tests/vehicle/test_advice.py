@@ -110,6 +110,22 @@ def test_on_a_full_line_that_the_servos_fill_their_rate_is_named_too() -> None:
     ]
 
 
+def test_rates_are_said_with_one_decimal() -> None:
+    (found,) = advice(replace(GOOD, streams=(Stream("ahrs", 2.34, 16.67),)))
+    assert found.params == {"topic": "ahrs", "rate_hz": 2.3, "expected_hz": 16.7}
+    assert "2.3 times a second and should come 16.7 times" in found.text
+
+
+def test_the_servo_rate_is_named_from_its_limit_on_and_with_whole_percents() -> None:
+    (_, found) = advice(replace(GOOD, rx_percent=90.0, servos_percent=42.4, servos_ms=40))
+    assert found.params == {"ms": 40, "percent": 42}
+    assert "take 42 % of the line at 40 ms" in found.text
+    assert len(advice(replace(GOOD, rx_percent=90.0, servos_percent=None))) == 1
+    assert len(advice(replace(GOOD, rx_percent=90.0, servos_percent=19.9))) == 1
+    assert len(advice(replace(GOOD, rx_percent=90.0, servos_percent=20.0))) == 2
+    assert advice(replace(GOOD, rx_percent=None, servos_percent=80.0)) == []
+
+
 def test_limits_are_limits() -> None:
     assert advice(replace(GOOD, rx_percent=89.9, damaged_percent=1.0, round_trip_p99_ms=100.0)) == []
     assert advice(replace(GOOD, damaged_percent=2.0, damaged_limit_percent=2.5)) == []

@@ -109,3 +109,21 @@ def test_no_times_make_it_raise_or_say_what_cannot_be(times_s: list[float], now_
     assert summary.rate_hz >= 0
     assert summary.jitter_ms is None or summary.jitter_ms >= 0
     assert summary.age_s is None or summary.age_s >= 0
+
+
+def test_a_single_interval_after_a_pause_has_no_jitter() -> None:
+    two = heard(1.0, 1.1)
+    assert two.summary(1.1).jitter_ms is None
+    assert two.summary(1.1).rate_hz == pytest.approx(10.0)
+    assert heard(*evenly(50, 0.02), 700.0, 700.02).summary(700.02).jitter_ms is None
+    assert heard(1.0, 1.1, 1.2).summary(1.2).jitter_ms == pytest.approx(0.0, abs=1e-6)
+
+
+def test_a_state_that_was_kept_goes_on_with_its_rate() -> None:
+    arrivals = heard(*evenly(50, 0.02))
+    last_s = arrivals.last_s
+    assert last_s is not None
+    again = Arrivals.restored(*arrivals.kept())
+    assert again.summary(last_s).rate_hz == pytest.approx(50.0)
+    assert (again.count, again.last_s, again.values) == (50, last_s, arrivals.values)
+    assert len(arrivals.kept()[1]) == 9, "enough for a rate, and no more"

@@ -57,6 +57,13 @@ def test_a_whole_frame_of_an_unknown_type_is_heard() -> None:
     assert statistics.unknown_damaged[0x123] == 0
 
 
+@pytest.mark.parametrize("words", [0, 1, 2])
+def test_a_frame_of_an_unknown_type_is_whole_however_short_it_is(words: int) -> None:
+    statistics = counted_from(AHRS + of_type(0x80000123, b"\1\2\3\4" * words) + GPS)
+    assert statistics.unknown[0x123].count == 1
+    assert statistics.unknown_damaged[0x123] == 0
+
+
 def test_a_damaged_one_of_an_unknown_type_is_damaged() -> None:
     statistics = counted_from(AHRS + broken(of_type(0x80000123, b"\1\2\3\4" * 3)) + GPS)
     assert statistics.unknown[0x123].count == 0
@@ -65,6 +72,14 @@ def test_a_damaged_one_of_an_unknown_type_is_damaged() -> None:
 
 def test_a_type_with_wrong_bits_and_noise_belong_to_nobody() -> None:
     statistics = counted_from(of_type(0x90000001, b"") + of_type(0x00000001, b"") + b"prompt>\n" + b"\xff" * 40)
+    assert (statistics.damaged, statistics.unknown) == ({}, {})
+
+
+def test_a_header_behind_a_failed_frame_is_no_frame_of_a_type_of_its_own() -> None:
+    statistics = FrameStatistics()
+    failed = Damage("bad_checksum", (0x80000123).to_bytes(4, "little"))
+    for damage in (failed, failed, Damage("noise", failed.data), failed):
+        statistics.on_damage(damage, 1.0)
     assert (statistics.damaged, statistics.unknown) == ({}, {})
 
 

@@ -61,3 +61,32 @@ def test_implausible_values_are_counted_by_name() -> None:
     health.heard(1.0, ("yaw_deg",))
     health.heard(2.0, ("yaw_deg", "roll_deg"))
     assert health.implausible == {"yaw_deg": 2, "roll_deg": 1}
+
+
+def test_samples_of_one_moment_have_no_rate() -> None:
+    assert _heard_every(0.0, 10).rate_hz(100.0) == 0.0
+
+
+def test_a_rate_holds_for_three_periods_and_at_least_a_fifth_of_a_second() -> None:
+    slow, fast = _heard_every(0.5, 10), _heard_every(0.02, 10)
+    assert slow.last_s == 104.5
+    assert fast.last_s == pytest.approx(100.18)
+    assert slow.rate_hz(105.9) == pytest.approx(2.0)
+    assert slow.rate_hz(106.1) == 0.0
+    assert fast.rate_hz(100.37) == pytest.approx(50.0)
+    assert fast.rate_hz(100.39) == 0.0
+
+
+def test_the_commanded_period_gives_way_to_five_measured_intervals() -> None:
+    assert _heard_every(0.1, 5).period_s(2.0) == 2.0
+    assert _heard_every(0.1, 6).period_s(2.0) == pytest.approx(0.1)
+    assert _heard_every(0.1, 2).period_s(None) == pytest.approx(0.1)
+    assert _heard_every(0.1, 1).period_s(None) is None
+
+
+def test_a_state_that_was_kept_goes_on_with_its_rate_and_its_counts() -> None:
+    health = _heard_every(0.1, 10)
+    health.heard(101.0, ("yaw_deg",))
+    again = TopicHealth.restored(*health.kept())
+    assert (again.count, again.last_s, again.implausible) == (11, 101.0, {"yaw_deg": 1})
+    assert again.rate_hz(101.0) == pytest.approx(10.0)

@@ -269,3 +269,13 @@ def test_parameters_and_recording() -> None:
     failed = judge_recording("no space")
     assert failed is not None
     assert (failed.id, failed.params) == ("recorder_failed", {"reason": "no space"})
+
+
+def test_the_share_of_damage_is_of_both_counts_since_ten_seconds_ago() -> None:
+    judge = DamageJudge(0.0)
+    judge.look(1.0, 1000, 0, 5.0)
+    judge.look(11.5, 2000, 40, 5.0)
+    assert judge.look(12.0, 2060, 40, 5.0) is None
+    assert judge.percent == 0.0
+    judge.look(13.0, 2090, 50, 5.0)
+    assert judge.percent == pytest.approx(10.0), "90 good and 10 damaged ones since the first that counts"

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import replace
+from dataclasses import asdict, replace
 
 import pytest
 
@@ -51,3 +51,21 @@ def test_the_way_to_the_board_and_back_is_no_difference() -> None:
     assert not same_plan([there], [replace(back, speed_kt=56.0)])
     assert not same_plan([there], [back, back])
     assert waypoint_from({**values, "speed_kt": None}) is None
+
+
+@pytest.mark.parametrize("field", ["latitude_deg", "longitude_deg", "altitude_ft", "speed_kt"])
+@pytest.mark.parametrize("missing", [None, "27.9"])
+def test_a_waypoint_with_a_value_that_is_no_number_is_none(field: str, missing: str | None) -> None:
+    values = asdict(GANDO[0])
+    assert waypoint_from(values) == GANDO[0]
+    assert waypoint_from({**values, field: missing}) is None
+    del values[field]
+    assert waypoint_from(values) is None
+
+
+def test_a_plan_is_another_one_if_any_field_of_any_waypoint_differs() -> None:
+    for field, value in (("latitude_deg", 1e-9), ("longitude_deg", 1e-9), ("altitude_ft", 0.01), ("speed_kt", 0.01)):
+        there = Waypoint(27.5, -15.25, 700.0, 55.0)
+        found = replace(there, **{field: getattr(there, field) + value})
+        assert same_plan([there, there], [there, there])
+        assert not same_plan([there, there], [there, found])

@@ -68,3 +68,45 @@ def test_the_slowest_hundredth_is_seen() -> None:
         trip.answered(index + (0.2 if index >= 98 else 0.01))
     assert trip.summary().p50 == pytest.approx(10.0)
     assert trip.summary().p99 == pytest.approx(200.0)
+
+
+def test_the_newest_answer_is_the_last_ones_time_and_none_before_the_first() -> None:
+    trip = RoundTrip()
+    assert trip.newest_ms is None
+    for index, delay_s in enumerate((0.01, 0.02, 0.03, 0.04)):
+        trip.asked(float(index))
+        trip.answered(index + delay_s)
+        assert trip.newest_ms == pytest.approx(delay_s * 1000)
+    assert trip.answers == 4
+    trip.clear()
+    assert (trip.newest_ms, trip.answers) == (None, 0)
+
+
+def test_a_question_is_open_for_half_a_second() -> None:
+    trip = RoundTrip()
+    trip.asked(1.0)
+    trip.answered(1.49)
+    assert trip.newest_ms == pytest.approx(490.0)
+    trip.asked(2.0)
+    trip.answered(2.51)
+    assert trip.newest_ms == pytest.approx(490.0)
+    assert trip.answers == 1
+
+
+def test_after_a_new_loop_the_silence_before_it_loses_no_question() -> None:
+    trip = RoundTrip()
+    _fly(trip, 50, 0.035)
+    trip.clear()
+    trip.asked(10.0)
+    trip.asked(10.02)
+    trip.answered(10.035)
+    assert trip.newest_ms == pytest.approx(35.0)
+
+
+def test_the_median_and_the_slowest_hundredth_are_found_in_whatever_order_answers_came() -> None:
+    trip = RoundTrip()
+    for index in range(101):
+        trip.asked(float(index))
+        trip.answered(index + 0.001 * (1 + index * 37 % 101))
+    assert trip.summary().p50 == pytest.approx(51.0)
+    assert trip.summary().p99 == pytest.approx(100.0)

@@ -73,6 +73,24 @@ async def test_a_topic_that_nobody_commands_is_measured() -> None:
     assert heard.telemetry.stale_after_s("simulator") == pytest.approx(1.5)
 
 
+async def test_the_summary_of_a_topic_is_its_count_rate_age_and_limit() -> None:
+    heard = Heard()
+    heard.hear("ahrs", 9, 0.3)
+    heard.clock.at_s += 0.12345
+    assert heard.telemetry.age_s("ahrs") == pytest.approx(0.12345)
+    heard.telemetry.take("gps", heard.clock.at_s, {"n": 1}, ("altitude_m",))
+    summary = heard.telemetry.summary()
+    assert summary["ahrs"] == {
+        "count": 9,
+        "rate_hz": 3.33,
+        "age_s": 0.123,
+        "stale_after_s": pytest.approx(0.9),
+        "implausible": {},
+    }
+    assert (summary["gps"]["count"], summary["gps"]["age_s"], summary["gps"]["rate_hz"]) == (1, 0.0, 0.0)
+    assert summary["gps"]["implausible"] == {"altitude_m": 1}
+
+
 async def test_what_was_never_heard_has_no_age() -> None:
     heard = Heard()
     assert heard.telemetry.age_s("ahrs") is None

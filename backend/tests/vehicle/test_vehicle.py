@@ -189,10 +189,12 @@ def test_the_hil_path_reads_the_newest_heartbeat_and_leaves_the_rest_waiting() -
     for source_joystick in (2, 0):
         flown.vehicle.board.on_bytes(encode_telemetry("heartbeat", *([1] * 10), source_joystick, 0))
     flown.hear(2.0)
+    flown.vehicle.board.on_bytes(encode_telemetry("statistics", 1, 1))
     newest = flown.vehicle.telemetry.peek("heartbeat")
     assert newest is not None
     assert newest["source_joystick"] is False
     assert flown.outlet.samples == []
+    assert flown.vehicle.telemetry.peek("gps") is None
 
 
 def test_an_acknowledgement_is_counted_as_it_comes() -> None:

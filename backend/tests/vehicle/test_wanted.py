@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import pytest
+
 from epf_gcs.codec.messages_gen import COMMANDS
 from epf_gcs.vehicle.wanted import RATE_COMMANDS, STREAM_FLAGS, Wanted
 
@@ -44,3 +46,16 @@ def test_an_autopilot_is_never_switched_on_by_itself() -> None:
 def test_periods_are_the_boards_own_until_they_are_set() -> None:
     assert Wanted().period_s(RATE_COMMANDS[2]) == 0.02
     assert Wanted().after(RATE_COMMANDS[2], (500,)).period_s(RATE_COMMANDS[2]) == 0.5
+
+
+def test_every_rate_command_has_a_period_of_the_boards_own() -> None:
+    defaults_ms = [COMMANDS[name].values[0].default for name in RATE_COMMANDS]
+    assert None not in defaults_ms
+    assert [Wanted().period_s(name) * 1000.0 for name in RATE_COMMANDS] == pytest.approx(defaults_ms)
+
+
+def test_a_source_that_was_never_chosen_is_never_asked_for() -> None:
+    assert Wanted().missing({**ALL_OFF, "source_joystick": True}) == []
+    assert Wanted().after("control_source", (0,)).missing({**ALL_OFF, "source_joystick": True}) == [
+        ("control_source", (0,))
+    ]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -22,8 +23,9 @@ from tests.support.gateway import Gateway, running_gateway
 
 pytestmark = pytest.mark.uncounted
 
-EXAMPLES = 15
-EXAMPLES_BY_ROLE = 3
+# Enough for each pass; `make fuzz-interface` asks more of the same.
+EXAMPLES = int(os.environ.get("INTERFACE_EXAMPLES", "15"))
+EXAMPLES_BY_ROLE = int(os.environ.get("INTERFACE_EXAMPLES", "3"))
 # What closes a link or keeps the board from listening comes last, so that all else is asked of a station with a board.
 OPERATIONS = sorted(
     (

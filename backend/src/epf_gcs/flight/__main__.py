@@ -22,6 +22,7 @@ from epf_gcs.errors import GatewayError
 from epf_gcs.flight.flight import Flight
 from epf_gcs.link.address import parse_address
 from epf_gcs.logs import set_up_logging
+from epf_gcs.system.loops import new_loop
 from epf_gcs.system.priority import Priority, go_first, stay_in_memory, take_own_core
 from epf_gcs.system.signals import on_polite_end
 from epf_gcs.watchdog import REFUSED, feed
@@ -52,7 +53,7 @@ def main() -> None:
         with held(options.data_dir):
             # Other programs wait for it: the web process opens what the station's launcher has brought up to date.
             upgrade(options.data_dir, log.warning)
-            with asyncio.Runner(loop_factory=_loop_factory()) as runner:
+            with asyncio.Runner(loop_factory=new_loop) as runner:
                 runner.run(_fly(options, priority))
     except GatewayError as error:
         sys.exit(f"epf-flight: {error.detail}")
@@ -89,14 +90,6 @@ def _wait_for_parent(loop: asyncio.AbstractEventLoop, ended: asyncio.Event) -> N
     while os.read(0, 1):
         pass
     loop.call_soon_threadsafe(ended.set)
-
-
-def _loop_factory() -> type[asyncio.AbstractEventLoop] | None:
-    try:
-        import uvloop  # noqa: PLC0415 - not there on every system
-    except ImportError:
-        return None
-    return uvloop.Loop
 
 
 def _options() -> argparse.Namespace:

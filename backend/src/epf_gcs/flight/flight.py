@@ -18,6 +18,7 @@ from epf_gcs.bus.address import Listener
 from epf_gcs.bus.definition import client_fields
 from epf_gcs.bus.vehicle_end import VehicleEnd
 from epf_gcs.error_log import ErrorLog
+from epf_gcs.flight.advised import AdviceWatch
 from epf_gcs.flight.alarm_history import AlarmHistory
 from epf_gcs.flight.board.ahrs_test import AhrsTestRun
 from epf_gcs.flight.board.board_link import Supervisor
@@ -80,7 +81,8 @@ class Flight:
         self.recorder = Recorder(data_dir / "recordings", self.clock, f"epf-gcs {__version__}") if record else None
         self.notes = FlightNotes(self.recorder, self.clock)
         board_tap, simulator_tap = self.recorder.taps if self.recorder else line_taps(self.clock, None)
-        vehicle = Vehicle(self.clock, self.outlet, self.errors, self._commanded_period_s)
+        period_s = lambda rate: self.memory.now.wanted.period_s(rate)  # noqa: E731, PLW0108 (`now` is replaced)
+        vehicle = Vehicle(self.clock, self.outlet, self.errors, period_s)
         self.telemetry, self.board = vehicle.telemetry, vehicle.board
 
         # Requests to the board.
@@ -210,6 +212,7 @@ class Flight:
             self.watch,
             self.alarms,
         )
+        self._advised = AdviceWatch(inspector_sources, self.outlet)
         self._requests = self._client_names.remembering(
             {
                 **state_requests(self.status, self.telemetry, inspector_sources),
@@ -258,6 +261,7 @@ class Flight:
                         ("simulator link", self.simulator.run),
                         ("re-arming", self.rearming.run),
                         ("housekeeping", self._housekeeping.run),
+                        ("advice", self._advised.run),
                         ("stream", lambda: end.run(listener)),
                     )
                 ]
@@ -314,9 +318,6 @@ class Flight:
         if self.board.exclusive_user is not None:
             self.hil.rest()
         self.changed()
-
-    def _commanded_period_s(self, rate_command: str) -> float:
-        return self.memory.now.wanted.period_s(rate_command)
 
     def _on_opened(self) -> None:
         # At once and not in the re-arming task, which may be busy: it would discard values that were loaded meanwhile.

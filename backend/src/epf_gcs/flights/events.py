@@ -21,6 +21,7 @@ _MODES: Final = ("autopilot", "autotrim", "auto_switch", "autopilot_hil", "sourc
 _PLANS: Final = {"fms_plan": "flight", "fms_hil_plan": "hil"}
 # Kinds of the stream's events, and what they are called here; those that are not listed are no event of a flight.
 _KINDS: Final = {
+    "advice": "advice",
     "alarm": "alarm",
     "board_restarted": "restart",
     "command": "command",
@@ -30,7 +31,14 @@ _KINDS: Final = {
     "mission": "plan",
     "parameter": "parameter",
 }
-_NAMES: Final = {"alarm": "id", "command": "name", "console": "direction", "mission": "plan", "control": "name"}
+_NAMES: Final = {
+    "advice": "code",
+    "alarm": "id",
+    "command": "name",
+    "console": "direction",
+    "mission": "plan",
+    "control": "name",
+}
 # A burst of damaged frames with no longer pause than this is one event.
 _DAMAGE_PAUSE_NS: Final = 2_000_000_000
 # Kinds of damage that are no frame.

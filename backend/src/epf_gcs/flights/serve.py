@@ -84,7 +84,7 @@ def main(arguments: list[str]) -> int:
     """Answer until standard input closes, as it does when the parent dies."""
     # Ctrl-C in a terminal reaches all its processes: the web process ends this one.
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    be_modest(most_cpu_s=None)
+    be_modest(most_cpu_s=None, is_waited_for=True)
     send(sys.stdout.buffer, {})
     serve(Flights(Places(Path(arguments[0]))), sys.stdin.buffer, sys.stdout.buffer)
     return 0

@@ -18,7 +18,7 @@ import orjson
 
 from epf_gcs.errors import GatewayError
 from epf_gcs.system.limits import limit_memory, limit_time
-from epf_gcs.system.priority import be_nice, read_last
+from epf_gcs.system.priority import WAITED_FOR, be_nice, read_last
 
 _MOST_MEMORY_BYTES: Final = 4_000_000_000
 _MOST_CPU_S: Final = 3600
@@ -33,12 +33,15 @@ class Cancelled(BaseException):
     """The worker was told to stop: not an error, and not to be caught by `except Exception`."""
 
 
-def be_modest(most_cpu_s: int | None = _MOST_CPU_S) -> None:
+def be_modest(most_cpu_s: int | None = _MOST_CPU_S, *, is_waited_for: bool = False) -> None:
     """Take processor and disk only while nobody else wants them, and limit memory and processor time.
 
-    With None the processor time is not limited.
+    With None the processor time is not limited. One whose answer somebody waits for comes before the background.
     """
-    be_nice()
+    if is_waited_for:
+        be_nice(WAITED_FOR)
+    else:
+        be_nice()
     read_last()
     limit_memory(_MOST_MEMORY_BYTES)
     if most_cpu_s is not None:

@@ -46,8 +46,7 @@ def read_mission_file(name: str, data: bytes) -> MissionFile:
 
 
 def _read(data: bytes) -> MissionFile:
-    if data.startswith(_ZIP):
-        data = _unpacked(data)
+    data = unpacked_kml(data)
     start = data.removeprefix(codecs.BOM_UTF8).lstrip()[:8]
     if data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
         start = data[2:16].replace(b"\0", b"").lstrip()
@@ -69,8 +68,13 @@ def _read_xml(root: Element) -> MissionFile:
     return reader(root)
 
 
-def _unpacked(data: bytes) -> bytes:
-    """The first KML of a KMZ, as Google Earth saves it; at most one byte more than MAX_FILE_BYTES is unpacked."""
+def unpacked_kml(data: bytes) -> bytes:
+    """The first KML of a KMZ, as Google Earth saves it; other data as it is. Raises FileFault.
+
+    At most one byte more than MAX_FILE_BYTES is unpacked.
+    """
+    if not data.startswith(_ZIP):
+        return data
     try:
         with zipfile.ZipFile(io.BytesIO(data)) as archive:
             inside = next(entry for entry in archive.infolist() if entry.filename.lower().endswith(".kml"))

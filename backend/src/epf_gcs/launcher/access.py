@@ -12,6 +12,7 @@ from typing import Annotated, Final
 import typer
 
 from epf_gcs.data_folder.place import data_folder
+from epf_gcs.data_folder.whereabouts import of_running
 
 LAUNCHER_KEY: Final = "GCS_LAUNCHER_KEY"
 """The variable by which the gateway knows the program that started it. Others of this machine cannot read it."""
@@ -47,6 +48,7 @@ def print_invitation(command: Sequence[str]) -> None:
 
 
 def invite(
+    context: typer.Context,
     *,
     role: Annotated[
         str,
@@ -65,8 +67,20 @@ def invite(
 ) -> None:
     """Make a one-time key for a person, and print it with the address and its QR code.
 
-    It is written into the data folder; the station, running or not, takes it once.
+    It is written into the data folder; the station, running or not, takes it once. One that runs tells by itself what
+    it listens on, its port and whether it has TLS; what is given on the command line goes before that.
     """
+    running = of_running(data_dir)
+    if running is not None:
+        host = host if _is_said(context, "host") else running.host
+        port = port if _is_said(context, "port") else running.port
+        tls = tls if _is_said(context, "tls") else running.tls
     more = ["--minutes", str(minutes), *(["--role", role] if role else []), *(["--first"] if first else [])]
     command = invite_command(data_dir, host, port, tls=tls, more=more)
     raise typer.Exit(subprocess.run(command, check=False).returncode)
+
+
+def _is_said(context: typer.Context, name: str) -> bool:
+    """Whether the option stands on the command line: a variable or the config file may be another station's."""
+    source = context.get_parameter_source(name)
+    return source is not None and source.name == "COMMANDLINE"

@@ -29,7 +29,8 @@ from epf_gcs.launcher.ports import is_loopback
 from epf_gcs.launcher.service import Service
 from epf_gcs.launcher.upkeep import add_commands, print_version
 from epf_gcs.listening import listen
-from epf_gcs.system.signals import POLITE
+from epf_gcs.system.processes import HANDS_DOWN
+from epf_gcs.system.signals import HEARD_WITHIN_S, POLITE
 
 _STOP_S: Final = 8.0
 # A process that was being started when the signal came gets another signal after this time.
@@ -57,7 +58,7 @@ class Gateway:
             watcher.start()
         service = Service()
         service.ready()
-        while not self._stopping.wait(service.every_s):
+        while not self._stopping.wait(service.every_s or HEARD_WITHIN_S):
             if all(watcher.is_alive() for watcher in watchers):
                 service.alive()
         service.stopping()
@@ -233,9 +234,10 @@ def run(
     encryption = tls_arguments(tls_cert, tls_key, tls=tls)
     access = access_arguments(trust_this_computer=trust_this_computer, allow_anyone_to_fly=allow_anyone_to_fly)
     more = [*encryption, *access]
+    port = listener.getsockname()[1]  # which may have been 0
     gateway = _gateway(listener, host, data_dir, page_dir, board, more, recording=recording, verbose=verbose)
     if print_key and not is_loopback(host):
-        command = invite_command(data_dir, host, listener.getsockname()[1], tls=bool(encryption))
+        command = invite_command(data_dir, host, port, tls=bool(encryption))
         threading.Thread(target=print_invitation, args=(command,), name="invitation", daemon=True).start()
     code = gateway.run()
     # Both processes have ended.
@@ -260,16 +262,20 @@ def _gateway(
         *(sys.executable, "-m", "epf_gcs.flight", *common),
         *([] if recording else ["--no-recording"]),
     ]
+    if HANDS_DOWN:
+        # We keep it open, so that browsers wait during a restart of the web process, and are not refused.
+        files, where = [listener.fileno()], ["--fd", str(listener.fileno())]
+    else:
+        files, where = [], ["--port", str(listener.getsockname()[1])]
+        listener.close()
     web = [
-        *(sys.executable, "-m", "epf_gcs.web", *common, "--host", host, "--fd", str(listener.fileno())),
+        *(sys.executable, "-m", "epf_gcs.web", *common, "--host", host, *where),
         *more,
         *([] if page_dir is None else ["--page-dir", str(page_dir)]),
     ]
     # After a restart the flight process opens what was open when it died, so only its first start gets --board.
     first = [*flight, *([] if board is None else ["--board", board])]
-    # We keep the listening socket open, so that browsers wait during a restart of the web process, and are not refused.
-    parts = Part("flight", first, flight, alive), Part("web", web, [*web, "--again"], alive, [listener.fileno()])
-    return Gateway(*parts)
+    return Gateway(Part("flight", first, flight, alive), Part("web", web, [*web, "--again"], alive, files))
 
 
 def _say(text: str) -> None:

@@ -140,7 +140,7 @@ class GatewayClient:
 
 
 def _problem(error: urllib.error.HTTPError) -> Problem:
-    with contextlib.suppress(ValueError):
+    with error, contextlib.suppress(ValueError):
         problem = json.loads(error.read())
         if isinstance(problem, dict):
             return problem

@@ -23,15 +23,20 @@ import orjson
 from epf_gcs import __version__
 from epf_gcs.data_folder.upgrade import is_interrupted
 from epf_gcs.data_folder.version import FORMAT, read_format
+from epf_gcs.data_folder.whereabouts import FILE as WHEREABOUTS
 from epf_gcs.disk import sync_folder
 from epf_gcs.launcher.errors import LaunchError
 
 LIST: Final = "epf-gcs-backup.json"
 # Made again from the recordings, or of this run alone.
-_LEFT_OUT: Final = frozenset({"columns", "exports", "logs", "library.sqlite", ".lock", "run.lock", "board.pty"})
+_LEFT_OUT: Final = frozenset(
+    {"columns", "exports", "logs", "library.sqlite", ".lock", "run.lock", "board.pty", WHEREABOUTS}
+)
 _DATABASE_MARKS: Final = ("-journal", "-wal", "-shm")
 _BLOCK_BYTES: Final = 1 << 20
 _MOST_LIST_BYTES: Final = 50_000_000
+# Python 3.11 has it from 3.11.4 on, and Debian 12 has 3.11.2: what it would refuse is refused here too.
+FILTER: Final[dict[str, Any]] = {"filter": "data"} if hasattr(tarfile, "data_filter") else {}
 
 Say = Callable[[str], None]
 
@@ -83,7 +88,7 @@ def restore(source: Path, data: Path, say: Say) -> Path | None:
         fresh.mkdir()
         try:
             with tarfile.open(source, mode="r:") as archive:
-                archive.extractall(fresh, members=_named(archive, say), filter="data")
+                archive.extractall(fresh, members=_named(archive, say), **FILTER)  # noqa: S202 (see FILTER)
         except (tarfile.TarError, EOFError) as error:
             raise _not_whole(source, str(error)) from error
         _prove(source, fresh)
@@ -161,6 +166,9 @@ def _named(archive: tarfile.TarFile, say: Say) -> Iterator[tarfile.TarInfo]:
     for member in archive:
         if not member.isreg():
             raise tarfile.TarError(f"{member.name} is no file")
+        path = PurePosixPath(member.name)
+        if path.is_absolute() or ".." in path.parts:
+            raise tarfile.TarError(f"{member.name} lies outside")
         say(member.name)
         yield member
 

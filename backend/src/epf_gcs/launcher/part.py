@@ -10,15 +10,21 @@ import time
 from collections.abc import Sequence
 from typing import Final
 
-from epf_gcs.system.processes import ask_to_end, handing_down, own_group
+from epf_gcs.system.processes import ask_to_end, own_group, with_pipe
 from epf_gcs.watchdog import REFUSED, SILENT_S, wait_for_end
 
 # The first restart is immediate, because the aircraft may be in flight; repeated ones wait longer, up to this.
 _LONGEST_WAIT_S: Final = 5.0
 _LIVED_S: Final = 10.0
-# The board of the command line is told to the first flight process alone: one that is started again in flight opens
-# what was open, which may be another one by then.
-_ENVIRONMENT: Final = {name: value for name, value in os.environ.items() if name != "GCS_BOARD"}
+
+
+def environment() -> dict[str, str]:
+    """Of the processes: as it is when they start, for the config file adds to it after this module was imported.
+
+    The board of the command line is told to the first flight process alone: one that is started again in flight opens
+    what was open, which may be another one by then.
+    """
+    return {name: value for name, value in os.environ.items() if name != "GCS_BOARD"}
 
 
 class Part:
@@ -72,12 +78,13 @@ class Part:
         # own: a terminal's Ctrl-C reaches only us, and we end both in order.
         watched, fed = os.pipe()
         try:
+            number, options = with_pipe(fed, self._files)
             self.process = subprocess.Popen(
-                [*command, "--watchdog", str(fed)],
+                [*command, "--watchdog", str(number)],
                 stdin=self._stdin,
-                env=_ENVIRONMENT,
+                env=environment(),
                 **own_group(),
-                **handing_down((*self._files, fed)),
+                **options,
             )
         finally:
             os.close(fed)

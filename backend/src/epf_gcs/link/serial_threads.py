@@ -19,6 +19,18 @@ from epf_gcs.link.failures import link_error
 # A read that brings nothing ends after this time, and looks whether the port was closed.
 _LOOK_S: Final = 0.2
 _BYTES: Final = 4096
+# What is written at once leaves within half of that time, or the port would say that it is stuck.
+_BITS_OF_A_BYTE: Final = 10
+# How long closing waits for what was said last: the board is told to leave its mode.
+_LAST_WORDS_S: Final = 0.1
+
+
+class _Unsent:
+    """Bytes on their way between the socket and the port. Each of the two counts is written by one thread."""
+
+    def __init__(self) -> None:
+        self.given = 0
+        self.written = 0
 
 
 def open_serial(address: LinkAddress) -> Device:
@@ -42,20 +54,33 @@ def open_pty(address: LinkAddress) -> Device:
 def _carried(port: serial.Serial, address: LinkAddress) -> Device:
     ours, theirs = socket.socketpair()
     ours.setblocking(False)
-    for work in (_carry_in, _carry_out):
-        threading.Thread(
-            target=work, args=(port, theirs), name=f"{work.__name__} {address.target}", daemon=True
-        ).start()
+    unsent = _Unsent()
+    most = max(1, int(address.baud * _LOOK_S / 2.0 / _BITS_OF_A_BYTE))
+    reading = threading.Thread(target=_carry_in, args=(port, theirs), name=f"from {address.target}", daemon=True)
+    writing = threading.Thread(
+        target=_carry_out, args=(port, theirs, unsent, most), name=f"to {address.target}", daemon=True
+    )
+    reading.start()
+    writing.start()
+
+    def send(data: bytes | bytearray) -> int:
+        count = ours.send(data)
+        unsent.given += count
+        return count
 
     def close() -> None:
+        with contextlib.suppress(OSError):
+            ours.shutdown(socket.SHUT_WR)
+        writing.join(_LAST_WORDS_S)
         ours.close()
         with contextlib.suppress(OSError):
             theirs.shutdown(socket.SHUT_RDWR)
         port.close()
 
-    return Device(
-        address.target, ours.fileno(), address.baud, close, lambda: _waiting_to_leave(port), ours.recv, ours.send
-    )
+    def backlog() -> int:
+        return unsent.given - unsent.written + _waiting_to_leave(port)
+
+    return Device(address.target, ours.fileno(), address.baud, close, backlog, ours.recv, send)
 
 
 def _carry_in(port: serial.Serial, to: socket.socket) -> None:
@@ -70,13 +95,15 @@ def _carry_in(port: serial.Serial, to: socket.socket) -> None:
         to.shutdown(socket.SHUT_RDWR)
 
 
-def _carry_out(port: serial.Serial, source: socket.socket) -> None:
-    """From the socket to the port, until either is closed."""
+def _carry_out(port: serial.Serial, source: socket.socket, unsent: _Unsent, most: int) -> None:
+    """From the socket to the port, `most` bytes at once, until either is closed."""
     with contextlib.suppress(OSError, TypeError, ValueError):
-        while data := source.recv(_BYTES):
+        while data := source.recv(most):
             left = memoryview(data)
             while left and port.is_open:
-                left = left[port.write(left) or 0 :]
+                count = port.write(left) or 0
+                unsent.written += count
+                left = left[count:]
     source.close()
 
 

@@ -1,5 +1,6 @@
 """`epf-replay`: one recording as a vehicle, once for each viewer; nothing can be commanded through it."""
 
+# ruff: noqa: E402 - what must be known before the imports stands before them
 from __future__ import annotations
 
 import argparse
@@ -14,6 +15,8 @@ from typing import Final
 
 # Before numpy comes with the reader: its threads would cost memory, and nothing here uses them.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+# The log's library would load it for tracebacks in colour: a fifth of the time until a viewer sees the flight.
+sys.modules["rich"] = None  # type: ignore[assignment]
 
 import orjson
 
@@ -23,7 +26,8 @@ from epf_gcs.logs import set_up_logging
 from epf_gcs.replay.making_keys import make_keys
 from epf_gcs.replay.vehicle_process import VehicleProcess
 from epf_gcs.system.limits import limit_memory
-from epf_gcs.system.priority import be_nice
+from epf_gcs.system.loops import new_loop
+from epf_gcs.system.priority import WAITED_FOR, be_nice
 from epf_gcs.system.signals import on_polite_end
 
 _MEMORY_BYTES: Final = 2 << 30
@@ -33,11 +37,11 @@ def main() -> None:
     """Entry point of `epf-replay`. Ends with 0 on SIGTERM, SIGINT, or the end of standard input (`--with-parent`)."""
     options = _options()
     set_up_logging(verbose=False)
-    _be_modest()
+    _be_modest(options)
     if options.make_keys:
         sys.exit(make_keys(options.recording, options.keys))
     try:
-        with asyncio.Runner(loop_factory=_loop_factory()) as runner:
+        with asyncio.Runner(loop_factory=new_loop) as runner:
             runner.run(_replay(options))
     except GatewayError as error:
         sys.exit(f"epf-replay: {error.detail}")
@@ -70,9 +74,15 @@ async def _replay(options: argparse.Namespace) -> None:
         process.close()
 
 
-def _be_modest() -> None:
-    """The lowest priority, and a limit of memory: no flight is slower for it, no file can take the machine."""
-    be_nice()
+def _be_modest(options: argparse.Namespace) -> None:
+    """A low priority, and a limit of memory: no flight is slower for it, no file can take the machine.
+
+    Key frames are made at the lowest; a viewer waits for what he sought, so a replay comes before the background.
+    """
+    if options.make_keys:
+        be_nice()
+    else:
+        be_nice(WAITED_FOR)
     limit_memory(_MEMORY_BYTES)
 
 
@@ -88,14 +98,6 @@ def _listen_to_parent(loop: asyncio.AbstractEventLoop, process: VehicleProcess, 
             asked = orjson.loads(line)
             loop.call_soon_threadsafe(process.open, Path(asked["folder"]), float(asked["at_s"]))
     loop.call_soon_threadsafe(ended.set)
-
-
-def _loop_factory() -> type[asyncio.AbstractEventLoop] | None:
-    try:
-        import uvloop  # noqa: PLC0415 - not there on every system
-    except ImportError:
-        return None
-    return uvloop.Loop
 
 
 def _options() -> argparse.Namespace:

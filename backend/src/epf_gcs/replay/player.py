@@ -33,8 +33,11 @@ _MOST_UNDER_WAY: Final = 512
 _TOGETHER: Final = 64
 # Without key frames near, a moment is reached from this far before it, and exactly as soon as there are key frames.
 _WARM_NS: Final = 15_000_000_000
-# So far behind, a replay that cannot keep up stays behind: its time is that of what is shown.
-_MOST_BEHIND_S: Final = 0.5
+# A replay that was held up catches up with its clock. One that has worked so long without getting there cannot keep
+# up: it stays behind, and its time is that of what is shown.
+_CATCH_UP_S: Final = 2.0
+# A turn is a few milliseconds: what is longer between two is the machine's, and no work of the replay's.
+_LONGEST_TURN_S: Final = 0.05
 
 
 class Audience(Sink, Protocol):
@@ -65,6 +68,9 @@ class Player:
         self._has_ended = False
         self._jumps = 0
         self._period_s = 1.0 / 60.0
+        # How long it has worked without catching up, and when its last such turn was; None while it keeps up.
+        self._behind_s = 0.0
+        self._turned_s: float | None = None
         self._give_at_s = self._tell_at_s = self._status_at_s = self._look_at_s = 0.0
         self.seek(0.0, at_s)
 
@@ -93,6 +99,10 @@ class Player:
         if self._has_ended:
             self._go(now_s, self._starts_ns if self._loop is None else self._loop[0])
         self._has_ended = False
+        if self._turned_s is not None and self._target_ns is None:
+            # What a fast replay has to catch up is no matter of a slower one's.
+            self._pace.jump(now_s, self._head.clock.t_ns)
+        self._turned_s = None
         self._pace.play(now_s, rate)
         self._tell_at_s = 0.0
 
@@ -184,6 +194,7 @@ class Player:
         at_ns = min(max(at_ns, self._starts_ns), max(self._timeline.edge_ns, self._starts_ns))
         self._outlet.is_open = False
         self._outlet.drop()
+        self._turned_s = None
         self._target_ns = at_ns
         self._pace.jump(now_s, at_ns)
         self._keys.look()
@@ -226,12 +237,23 @@ class Player:
             if not self._feed_every(min(at_ns, end_ns)):
                 return False
         elif not self._head.advance(min(at_ns, end_ns), _TURN):
-            if (at_ns - self._head.clock.t_ns) * 1e-9 > _MOST_BEHIND_S * self._pace.rate:
-                self._pace.jump(now_s, self._head.clock.t_ns)
+            self._fall_behind(now_s)
             return False
+        self._turned_s = None
         if at_ns >= end_ns:
             self._at_end(now_s, end_ns)
         return True
+
+    def _fall_behind(self, now_s: float) -> None:
+        """Count the work of catching up, not the time: a machine that stood still for a minute is caught up with."""
+        if self._turned_s is None:
+            self._behind_s = 0.0
+        else:
+            self._behind_s += min(now_s - self._turned_s, _LONGEST_TURN_S)
+        self._turned_s = now_s
+        if self._behind_s >= _CATCH_UP_S:
+            self._pace.jump(now_s, self._head.clock.t_ns)
+            self._turned_s = None
 
     def _feed_every(self, to_ns: int) -> bool:
         """Feed item by item, some samples at a time. False if more is due."""

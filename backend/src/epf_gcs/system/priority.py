@@ -18,6 +18,9 @@ Priority = Literal["real-time", "raised", "normal"]
 _REAL_TIME: Final = 1
 _RAISED: Final = -10
 _LOWEST: Final = 19
+WAITED_FOR: Final = 5
+"""Niceness of a program that somebody waits for: behind the flight and every ordinary program, but not starved by the
+browser beside it, as the lowest is."""
 # Linux's flags of mlockall(2).
 _LOCK_NOW: Final = 1
 _LOCK_LATER: Final = 2

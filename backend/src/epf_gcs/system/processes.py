@@ -12,6 +12,10 @@ from collections.abc import Sequence
 from typing import IO, Any, Final
 
 _PR_SET_PDEATHSIG: Final = 1
+_STDOUT: Final = 1
+
+HANDS_DOWN: Final = sys.platform != "win32"
+"""Whether programs inherit open files under the same numbers."""
 
 if sys.platform == "win32":
 
@@ -33,9 +37,13 @@ if sys.platform == "win32":
         """Ask a program of `own_group`, and what it started, to end."""
         ask_to_end(process)
 
-    def handing_down(_descriptors: Sequence[int]) -> dict[str, Any]:
-        """Options of `subprocess.Popen` for a program that inherits these descriptors under the same numbers."""
-        raise OSError("On Windows open files cannot be handed down under the same number.")
+    def with_pipe(descriptor: int, _files: Sequence[int]) -> tuple[int, dict[str, Any]]:
+        """Options of `subprocess.Popen` for a program that writes to this pipe, and the number that it knows it by.
+
+        Open files cannot be handed down there under their numbers: the pipe is its standard output, and it gets no
+        `files` (`HANDS_DOWN`).
+        """
+        return _STDOUT, {"stdout": descriptor}
 
 else:
 
@@ -56,9 +64,12 @@ else:
         """Ask a program of `own_group`, and what it started, to end."""
         _signal_group(process, signal.SIGTERM)
 
-    def handing_down(descriptors: Sequence[int]) -> dict[str, Any]:
-        """Options of `subprocess.Popen` for a program that inherits these descriptors under the same numbers."""
-        return {"pass_fds": tuple(descriptors)}
+    def with_pipe(descriptor: int, files: Sequence[int]) -> tuple[int, dict[str, Any]]:
+        """Options of `subprocess.Popen` for a program that writes to this pipe, and the number that it knows it by.
+
+        It inherits `files` too, under the same numbers.
+        """
+        return descriptor, {"pass_fds": (*files, descriptor)}
 
     def _signal_group(process: subprocess.Popen[bytes], number: signal.Signals) -> None:
         # The group may be gone; the process itself is not reaped before `poll`, so its number is not another's.

@@ -11,8 +11,11 @@ from typing import Final
 if sys.platform == "win32":
     # The parent's request comes as SIGBREAK: other signals cannot be sent there.
     POLITE: Final = (signal.SIGINT, signal.SIGTERM, signal.SIGBREAK)
+    # The main thread does not hear them while it waits for another one.
+    HEARD_WITHIN_S: Final[float | None] = 0.5
 else:
     POLITE: Final = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
+    HEARD_WITHIN_S: Final[float | None] = None
 
 
 def on_polite_end(heard: Callable[[], None], loop: asyncio.AbstractEventLoop) -> None:

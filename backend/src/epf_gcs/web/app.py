@@ -158,7 +158,9 @@ def create_app(settings: Settings, visitors: Visitors | None = None, certificate
         limits=limits,
         errors=errors,
         max_body_bytes=settings.max_body_bytes,
-        longer_bodies={_PREFIX + mission_files.IMPORT_PATH: MAX_FILE_BYTES},
+        longer_bodies={
+            _PREFIX + path: MAX_FILE_BYTES for path in (mission_files.IMPORT_PATH, surroundings.IMPORT_PATH)
+        },
         streamed_bodies=frozenset({_PREFIX + maps.IMPORTS_PATH, _PREFIX + flights.UPLOAD_PATH}),
         answers=answers,
     )

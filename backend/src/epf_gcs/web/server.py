@@ -14,6 +14,7 @@ import structlog
 import uvicorn
 from uvicorn.server import ServerState
 
+from epf_gcs.data_folder.whereabouts import Whereabouts, leave
 from epf_gcs.kept_alive import keep_alive
 from epf_gcs.listening import listen
 from epf_gcs.system.limits import raise_open_files
@@ -54,8 +55,17 @@ class Server(uvicorn.Server):
         self.visitors.limits = fitting(self.visitors.limits, raise_open_files())
         with self._listener() as listener:
             secure = self.certificates is not None
-            self._app.state.admission.listen_at(listener.getsockname()[1], secure=secure)
+            port = listener.getsockname()[1]
+            self._app.state.admission.listen_at(port, secure=secure)
+            self._leave_whereabouts(port, secure=secure)
             self.run([listener])
+
+    def _leave_whereabouts(self, port: int, *, secure: bool) -> None:
+        try:
+            leave(self._settings.data_dir, Whereabouts(self._settings.host, port, secure))
+        except OSError as error:
+            # Only those who make an invitation by the command line have to name the port then.
+            log.warning("where it listens could not be written", why=error.strerror)
 
     def _listener(self) -> socket.socket:
         if self._settings.fd is None:
@@ -121,7 +131,7 @@ class Server(uvicorn.Server):
     def _config(self, app: Any, **more: Any) -> uvicorn.Config:
         return uvicorn.Config(
             app,
-            loop="auto",
+            loop="epf_gcs.system.threaded_loop:new_loop_with_programs",
             http=cast(Any, partial(Connection, self.visitors)),
             access_log=False,
             log_config=None,

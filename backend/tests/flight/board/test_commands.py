@@ -25,6 +25,7 @@ from tests.support.waiting import eventually_async
 pytestmark = pytest.mark.anyio
 
 HEARTBEAT = encode_telemetry("heartbeat", *[0] * 12)
+WITH_GPS = encode_telemetry("heartbeat", 0, 0, 0, 0, 1, *[0] * 7)
 
 
 def acknowledgement(name: str, result: int = 0) -> bytes:
@@ -34,10 +35,10 @@ def acknowledgement(name: str, result: int = 0) -> bytes:
 class Line:
     """A link whose other end is the test."""
 
-    baud = 115200
     backlog = 0
 
-    def __init__(self) -> None:
+    def __init__(self, baud: int = 115200) -> None:
+        self.baud = baud
         self.sent: list[str] = []
         self.is_full = False
         self._decoder = FrameDecoder(TO_BOARD)
@@ -68,10 +69,10 @@ class Told(KeptOutlet):
 class World:
     """A board that acknowledges, on a line in the test's hand."""
 
-    def __init__(self) -> None:
-        clock = Clock()
+    def __init__(self, clock: Clock | None = None, line: Line | None = None) -> None:
+        clock = clock or Clock()
         self.hub = Told()
-        self.line = Line()
+        self.line = line or Line()
         telemetry = Telemetry(self.hub, clock, lambda _: 1.0)
         self.board = Board(clock, self.hub, telemetry, ErrorLog())
         self.commands = Commands(self.board, telemetry, self.hub, clock, ErrorLog())
@@ -184,6 +185,27 @@ async def test_a_link_that_is_lost_on_the_way_is_called_lost_and_at_once() -> No
     assert world.line.sent == ["gps_on"], "it waited for no time-out"
 
 
+async def test_a_change_of_the_links_that_leaves_the_boards_own_ends_no_command() -> None:
+    world = World()
+    task = world.begins("gps_on")
+    await world.waits_for("gps_on")
+    world.commands.link_changed()
+    world.says(acknowledgement("gps_on"))
+    assert (await task).state == "confirmed"
+
+
+async def test_a_proof_is_not_waited_for_on_a_link_that_another_has_replaced() -> None:
+    world = World()
+    task = world.begins("gps_on")
+    await world.waits_for("gps_on")
+    world.board.detach()
+    world.open(Line())
+    world.commands.link_changed()
+    with pytest.raises(LinkError):
+        await task
+    assert world.hub.events == [("gps_on", "pending", None), ("gps_on", "timed_out", None)]
+
+
 async def test_a_link_that_was_opened_anew_meanwhile_gets_no_second_sending() -> None:
     world = World()
     task = world.begins("gps_on")
@@ -246,3 +268,58 @@ def _raising(error: BaseException) -> Callable[..., Any]:
         raise error
 
     return attempt
+
+
+class SlowClock(Clock):
+    """A clock that a test sets."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.ahead_s = 0.0
+
+    def steady_s(self) -> float:
+        return super().steady_s() + self.ahead_s
+
+    def now_s(self) -> float:
+        return super().now_s() + self.ahead_s
+
+
+class LegacyWorld(World):
+    """A board that acknowledges nothing: its heartbeat shows what a command did."""
+
+    def __init__(self, *, baud: int = 115200, heartbeat_s: float = 0.1) -> None:
+        self.heartbeat_s = heartbeat_s
+        self.clock = SlowClock()
+        super().__init__(self.clock, Line(baud))
+
+    def open(self, line: Line) -> None:
+        self.board.attach(line)
+        for _ in range(6):
+            self.clock.ahead_s += self.heartbeat_s
+            self.says(HEARTBEAT)
+            self.board.tick()
+        self.clock.ahead_s += 0.6
+        self.board.tick()
+        assert self.board.is_open
+        assert not self.board.session.is_extended
+        line.sent.clear()
+
+
+async def test_a_command_that_the_heartbeat_proves_waits_for_a_slow_heartbeat_or_a_slow_line_and_no_longer() -> None:
+    worlds = {
+        "slow heartbeat": LegacyWorld(heartbeat_s=0.8),
+        "slow line": LegacyWorld(baud=38400),
+        "neither": LegacyWorld(baud=57600),
+    }
+    tasks = {name: world.begins("gps_on") for name, world in worlds.items()}
+    assert (await tasks["neither"]).state == "timed_out"
+    assert worlds["neither"].line.sent == ["gps_on", "gps_on"]
+    for name in ("slow heartbeat", "slow line"):
+        assert worlds[name].line.sent == ["gps_on"], f"{name}: it still waits for the first sending's proof"
+        worlds[name].says(HEARTBEAT)
+        await asyncio.sleep(0)
+        assert not tasks[name].done(), "this heartbeat does not show it"
+        worlds[name].says(encode_telemetry("gps", 27.9, -15.4, 30.0, 0.0, 0.0, 0x38, 0x31, 0x41))
+        worlds[name].says(WITH_GPS)
+        assert (await tasks[name]).state == "confirmed"
+        assert (await tasks[name]).by == "heartbeat"

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import AsyncIterator
+from collections.abc import AsyncIterator, Mapping
 from contextlib import asynccontextmanager
 from pathlib import Path
 from typing import Any
 
 import pytest
 
+from epf_gcs.bus.vehicle_end import Broadcast
 from epf_gcs.codec.messages_gen import COMMANDS
 from epf_gcs.errors import BoardError, ConflictError, LinkError
 from epf_gcs.flight.flight import Flight
@@ -169,6 +170,21 @@ async def test_a_board_that_started_anew_has_nothing_to_undo(tmp_path: Path, boa
         assert len(story(station)) == 1
 
 
+async def test_only_what_the_board_stored_on_its_card_is_safe_from_a_restart(tmp_path: Path, board: FakeBoard) -> None:
+    async with a_station(tmp_path, board) as station:
+        parameters = station.parameters
+        await parameters.set({"k_pitch": 2.5}, None)
+        board.refuse["store_parameters"] = 2
+        assert (await parameters.store(None)).state == "rejected"
+        assert parameters.take_unstored() == ("k_pitch",)
+        del board.refuse["store_parameters"]
+        await parameters.set({"k_pitch": 2.6, "k_roll": 2.5}, None)
+        assert (await parameters.store(None)).state == "confirmed"
+        await parameters.set({"k_roll": 2.6}, None)
+        assert parameters.take_unstored() == ("k_roll",)
+        assert parameters.take_unstored() == ()
+
+
 async def test_what_is_loaded_from_a_board_that_just_opened_stays_while_it_is_still_being_re_armed(
     tmp_path: Path, board: FakeBoard
 ) -> None:
@@ -296,3 +312,25 @@ async def test_a_write_that_could_not_be_sent_changes_nothing_and_is_in_no_journ
         assert station.parameters.held == before
         assert story(station) == []
         monkeypatch.undo()
+
+
+async def test_viewers_are_told_only_of_gains_that_changed(
+    tmp_path: Path, board: FakeBoard, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    told: list[set[str]] = []
+    event = Broadcast.event
+
+    def note(self: Broadcast, kind: str, data: Mapping[str, Any]) -> None:
+        if kind == "parameter":
+            told.append(set(data["parameters"]))
+        event(self, kind, data)
+
+    async with a_station(tmp_path, board) as station:
+        await station.parameters.load(None)
+        monkeypatch.setattr(Broadcast, "event", note)
+        await station.parameters.set({"k_pitch": 2.5}, None)
+        board.gains["k_roll"] = 3.0
+        await station.parameters.load(None)
+    changed = set().union(*told)
+    assert changed <= {"k_pitch", "k_roll"}
+    assert "k_pitch" in changed

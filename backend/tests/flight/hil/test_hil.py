@@ -13,7 +13,7 @@ import pytest
 from epf_gcs.codec.encode import encode_telemetry
 from epf_gcs.flight.flight import Flight
 from epf_gcs.flight.hil.simulator import SimulatorAddress
-from epf_gcs.link.address import parse_address
+from epf_gcs.link.address import EMULATION, parse_address
 from epf_gcs.xplane.datagram import Record, Surfaces, build, release_datagram, surfaces_datagram
 from tests.support.fake_board import FakeBoard
 from tests.support.ports import free_udp_port
@@ -116,6 +116,28 @@ async def test_manual_the_rc_channels_move_the_simulator_as_each_frame_arrives(
     assert len(simulator.got) == 1, "the stick is ignored on this source"
 
 
+async def test_assisted_the_rc_channels_do_not_move_the_simulator(
+    station: Flight, simulator: Simulator, board: FakeBoard
+) -> None:
+    await connect(station, board, "rc")
+    station.switches.choose_path("assisted")
+    board.send(encode_telemetry("servos_in", *[0.5] * 12))
+    board.send(encode_telemetry("hil_surfaces", 0.25, -0.5, 0.125, 0.75))
+    await eventually_async(lambda: simulator.heard(FROM_BOARD), "the surfaces arrive")
+    assert simulator.got == [FROM_BOARD]
+
+
+async def test_what_a_simulator_sends_during_the_emulation_is_counted_and_goes_nowhere(
+    station: Flight, simulator: Simulator
+) -> None:
+    await station.lines.open_board(EMULATION)
+    before = station.hil.skipped["emulation"]
+    simulator.send(WHOLE)
+    await eventually_async(lambda: station.simulator.datagrams == 1, "it arrives")
+    assert station.hil.skipped["emulation"] == before + 1
+    assert station.hil.frames_to_board == station.hil.frames_to_simulator == 0
+
+
 async def test_surfaces_beyond_their_limits_are_clamped_and_no_number_is_not_sent(
     station: Flight, simulator: Simulator, board: FakeBoard
 ) -> None:
@@ -136,6 +158,32 @@ async def test_without_a_board_frames_are_counted_and_dropped_not_kept(
     await eventually_async(lambda: station.hil.skipped["board_not_open"] == 5, "they are counted")
     await connect(station, board, "joystick")
     assert board.count("xplane_info") == 0, "old data is never sent"
+
+
+async def test_to_a_line_on_which_no_board_has_spoken_no_frame_is_sent(
+    station: Flight, simulator: Simulator, board: FakeBoard
+) -> None:
+    board.silent = True
+    await station.lines.open_board(parse_address(board.url))
+    await eventually_async(lambda: station.board.link is not None, "the line is there")
+    simulator.send(WHOLE)
+    await eventually_async(lambda: station.hil.skipped["board_not_open"] == 1, "it is counted")
+    assert station.hil.frames_to_board == 0
+
+
+async def test_a_frame_for_a_line_that_is_busy_is_counted_and_dropped(
+    station: Flight, simulator: Simulator, board: FakeBoard, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    await connect(station, board, "joystick")
+    backlog = 257
+    monkeypatch.setattr(type(station.board.link), "backlog", property(lambda _: backlog))
+    simulator.send(WHOLE)
+    await eventually_async(lambda: station.hil.skipped["line_busy"] == 1, "it is counted")
+    assert station.hil.frames_to_board == 0
+    backlog = 256
+    simulator.send(WHOLE)
+    await eventually_async(lambda: station.hil.frames_to_board == 1, "as soon as there is room the next one leaves")
+    assert station.hil.skipped["line_busy"] == 1
 
 
 async def test_the_viewers_see_every_row_by_name_and_raw(station: Flight, simulator: Simulator) -> None:

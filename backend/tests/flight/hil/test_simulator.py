@@ -10,6 +10,7 @@ import pytest
 from epf_gcs.errors import LinkError
 from epf_gcs.flight.flight import Flight
 from epf_gcs.flight.hil.simulator import SimulatorAddress
+from epf_gcs.xplane.datagram import Record, build
 from tests.support.waiting import eventually_async
 
 pytestmark = pytest.mark.anyio
@@ -50,6 +51,23 @@ async def test_rubbish_and_strangers_are_counted_and_told(tmp_path: Path) -> Non
         assert station.simulator.datagrams == 0
         assert state(station) == "opening"
         assert station.errors.counts == {"datagram_malformed": 6, "datagram_stranger": 1}
+
+
+async def test_a_simulator_that_sent_nothing_for_a_second_is_lost(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    station = Flight(tmp_path, record=False)
+    async with station.running():
+        port = free_port()
+        await station.lines.open_simulator(an_address(port))
+        with taken_port() as sender:
+            sender.sendto(build([Record(3, (0.0,) * 8)]), ("127.0.0.1", port))
+            await eventually_async(lambda: station.simulator.datagrams == 1, "it is heard")
+        heard_s = station.simulator._last_datagram_s
+        assert heard_s is not None
+        for later_s, expected in ((0.0, "open"), (0.9, "open"), (1.1, "lost")):
+            monkeypatch.setattr(type(station.clock), "steady_s", lambda _, now_s=heard_s + later_s: now_s)
+            assert state(station) == expected
 
 
 async def test_a_taken_port_leaves_everything_as_it_was(tmp_path: Path) -> None:

@@ -141,3 +141,22 @@ async def test_nobody_chooses_a_gamepad_while_control_is_only_kept(seat: Seat) -
     seat.control(ANA, kept=True)
     with pytest.raises(ConflictError, match="Only the page that has control"):
         await seat.stick.choose_gamepad("ana", "pad")
+
+
+async def test_a_page_that_has_no_control_and_goes_takes_nobodys_hand_off_the_stick(seat: Seat) -> None:
+    seat.notice("stick_gone", {"client": "bea"})
+    assert seat.flies() == TURN
+    seat.notice("stick_gone", {"client": "ana"})
+    assert seat.flies() == LET_GO
+
+
+async def test_a_page_whose_connection_ended_must_move_its_gamepad_again_before_it_is_chosen() -> None:
+    seat = Seat()
+    seat.control(ANA)
+    seat.move("ana")
+    seat.notice("stick_gone", {"client": "bea"})
+    await seat.stick.choose_gamepad("ana", "pad")
+    seat.stick.choose_simulator()
+    seat.notice("stick_gone", {"client": "ana"})
+    with pytest.raises(ConflictError, match="nothing of it arrives"):
+        await seat.stick.choose_gamepad("ana", "pad")

@@ -12,11 +12,13 @@ from epf_gcs.bus.definition import Asker, Client
 from epf_gcs.bus.vehicle_end import Broadcast
 from epf_gcs.errors import ConflictError
 from epf_gcs.flight.flight import Flight
+from epf_gcs.flight.hil.simulator import SimulatorAddress
 from epf_gcs.flight.recording.recorder import DiskPolicy
 from epf_gcs.link.address import parse_address
 from epf_gcs.recordings.notes import EVENT, IDENTITY, LINE, MARK, PARAMETERS, PLAN
 from epf_gcs.recordings.reading import notes_of
 from tests.support.fake_board import FakeBoard
+from tests.support.ports import free_udp_port
 from tests.support.waiting import eventually_async
 
 pytestmark = pytest.mark.anyio
@@ -82,6 +84,34 @@ async def test_the_person_in_control_is_noted_as_the_operator(tmp_path: Path, bo
     assert [note.content["operator"] for note in notes if note.name == IDENTITY][-2:] == ["Ana", None]
     control = [note.content["data"] for note in notes if note.name == EVENT and note.content["event"] == "control"]
     assert [one["name"] for one in control] == ["Ana", None]
+
+
+async def test_of_the_console_is_noted_what_a_person_sent_for_the_rest_is_in_the_boards_bytes(
+    tmp_path: Path, board: FakeBoard
+) -> None:
+    flight = Flight(tmp_path)
+    async with flight.running():
+        await flight.lines.open_board(parse_address(board.url))
+        await eventually_async(lambda: flight.recorder is not None and flight.recorder.file is not None, "it records")
+        flight.outlet.event("console", {"direction": "received", "text": "ready"})
+        flight.outlet.event("console", {"direction": "sent", "text": "help"})
+        for kind in ("about", "track"):
+            flight.outlet.event(kind, {"direction": "sent", "text": "elsewhere"})
+    (file,) = (tmp_path / "recordings").glob("*.mcap")
+    told = [note.content["data"] for note in notes_of(file) if note.name == EVENT]
+    assert [one["text"] for one in told if "text" in one and "direction" in one] == ["help"]
+
+
+async def test_whether_the_simulators_port_is_listened_to_is_noted(tmp_path: Path, board: FakeBoard) -> None:
+    flight = Flight(tmp_path)
+    async with flight.running():
+        await flight.lines.open_board(parse_address(board.url))
+        await eventually_async(lambda: flight.recorder is not None and flight.recorder.file is not None, "it records")
+        await flight.lines.open_simulator(SimulatorAddress(free_udp_port(), "127.0.0.1", 49000, "xp12"))
+        await flight.lines.close_simulator()
+    (file,) = (tmp_path / "recordings").glob("*.mcap")
+    lines = [note.content for note in notes_of(file) if note.name == LINE and note.content["line"] == "simulator"]
+    assert [(line["open"], line["profile"]) for line in lines][-2:] == [(True, "xp12"), (False, None)]
 
 
 async def test_the_disks_policy_is_the_recorders_and_is_remembered(tmp_path: Path) -> None:

@@ -17,6 +17,7 @@ from mcap.exceptions import EndOfFile
 from mcap.records import Message
 from mcap.stream_reader import StreamReader
 
+from epf_gcs.disk import sync_folder
 from epf_gcs.flight.line_clock import LineClock
 from epf_gcs.flight.recording.recorder import DiskPolicy, Recorder
 from epf_gcs.recordings.notes import LINE, LOST, MARK
@@ -182,6 +183,27 @@ def test_a_folder_that_is_removed_in_flight_is_told_and_the_flight_goes_into_a_n
     assert messages(file) == [("board/received", b"after")]
 
 
+def test_a_folder_that_is_removed_before_its_first_sync_is_told_and_what_it_held_is_counted(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    folder = tmp_path / "recordings"
+
+    def removed_just_before(path: Path) -> None:
+        monkeypatch.undo()
+        shutil.rmtree(path)
+        sync_folder(path)
+
+    monkeypatch.setattr("epf_gcs.flight.recording.recording_file.sync_folder", removed_just_before)
+    with recording(folder) as recorder:
+        recorder.board_tap.received(b"before")
+        eventually(lambda: "removed" in (recorder.failure or ""), "it is noticed and told")
+        assert recorder.bytes_lost >= len(b"before")
+        recorder.board_tap.received(b"after")
+        eventually(lambda: recorder.file is not None, "it records again")
+    (file,) = folder.glob("*.mcap")
+    assert messages(file) == [("board/received", b"after")]
+
+
 def test_a_loss_that_was_mended_is_not_told_for_ever(tmp_path: Path) -> None:
     recorder = Recorder(tmp_path, LineClock(), "test", told_s=0.0)
     recorder.start()
@@ -219,7 +241,8 @@ def test_a_disk_that_is_nearly_full_is_not_begun_on_and_said_once(tmp_path: Path
             recorder.board_tap.received(b"lost")
             eventually(lambda count=count: recorder.bytes_lost == 4 * count, "it could not be written")  # type: ignore[misc]
         recorder.stop()
-    assert "free on the disk" in (recorder.failure or "")
+    assert f"less than {2**62 // 1_000_000} MB free on the disk" in (recorder.failure or "")
+    assert [line["free_megabytes"] < 2**62 // 1_000_000 for line in logged if line["event"] == "disk low"] == [True]
     assert list(tmp_path.iterdir()) == []
     assert [line["event"] for line in logged if line["event"] != "disk low"] == ["recording failed"]
 

@@ -430,3 +430,12 @@ def test_a_role_that_is_lowered_ends_control_and_requests_and_a_new_name_does_no
     assert desk.rules.change(watching, 2.0) == [RequestClosed(watching, "gone")]
     assert reasons(desk.rules.change(person("ana", Role.viewer), 3.0)) == [(None, "ended")]
     assert desk.rules.heard("ana", 4.0) == []
+
+
+@pytest.mark.parametrize("stranger", ["session of aaa", "session of zzz"])
+def test_who_comes_with_another_session_does_not_get_back_what_it_never_had(stranger: str) -> None:
+    desk = Desk(ANA, BEA)
+    desk.rules.disconnect("ana", 1.0)
+    desk.rules.tick(1.0 + KEPT_S)
+    assert desk.rules.connect(person("new", session=stranger), 601.0) == []
+    assert desk.holder is None

@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 
 from epf_gcs.web.access import keys as keys_module
-from epf_gcs.web.access.keys import new_one_time_key
+from epf_gcs.web.access.keys import new_one_time_key, new_program_key
 from epf_gcs.web.access.roles import Role
 from tests.support.callers import one_time_key, person, program, stranger, strict_gateway
 from tests.support.gateway import Gateway
@@ -41,10 +41,11 @@ def test_a_one_time_key_lets_one_in_and_nobody_else(station: Gateway) -> None:
 
 
 def test_a_key_that_has_ended_lets_nobody_in(station: Gateway) -> None:
-    late = one_time_key(station, Role.owner, minutes=-1.0)
     with person(station, Role.owner) as owner, stranger(station) as client:
         made = owner.post("/access/invitations", json={"role": "viewer"}).json()
         owner.delete(f"/access/invitations/{made['invitation']['id']}").raise_for_status()
+        # Last, for those that have ended are forgotten when another is made.
+        late = one_time_key(station, Role.owner, minutes=-1.0)
         for key in (late, made["key"], "0000-0000-0000-0000", "x"):
             assert client.post("/access/enter", json={"key": key, "name": "Eve"}).status_code == 401
 
@@ -170,6 +171,15 @@ def test_wrong_keys_are_answered_ever_more_slowly_and_a_right_one_elsewhere_at_o
     assert station.web.admission.proving.guessing.begin("192.0.2.7", 1e9) == 0
 
 
+def all_bytes(folder: Path) -> bytes:
+    """What stands in all files of a folder that is being written to."""
+    while True:
+        try:
+            return b"".join(file.read_bytes() for file in folder.rglob("*") if file.is_file())
+        except FileNotFoundError:
+            continue  # a journal or a temporary file went away meanwhile
+
+
 def test_no_key_stands_in_the_data_folder_or_in_a_log(station: Gateway, capfd: pytest.CaptureFixture[str]) -> None:
     with person(station, Role.owner) as owner:
         invited = one_time_key(station, Role.viewer)
@@ -179,9 +189,21 @@ def test_no_key_stands_in_the_data_folder_or_in_a_log(station: Gateway, capfd: p
             logger.post("/access/enter", json={"key": invited, "name": "Ana"}).raise_for_status()
         made = owner.post("/access/invitations", json={"role": "viewer"}).json()["key"]
         cookie = next(iter(owner.cookies.values()))
+        again = one_time_key(station, Role.viewer)
+        with person(station, Role.viewer, "Bo") as bo:  # who is in already is somebody whose deeds are logged
+            bo.post("/access/enter", json={"key": again, "name": "Bo"}).raise_for_status()
+        # A wrong key may be a right one of another station, or a right one with a slip.
+        mistyped, wrong = new_one_time_key()[0], new_program_key()[0]
+        with stranger(station) as eve, stranger(station, Authorization=f"Bearer {wrong}") as script:
+            assert eve.post("/access/enter", json={"key": mistyped, "name": "Eve"}).status_code == 401
+            assert script.get("/status").status_code == 401
     eventually(lambda: len(list(station.flight_thread.data_dir.rglob("*"))) > 2, "something is written")
-    secrets = [key.rpartition("_")[2], cookie, *(text[5:] for text in (invited, made))]
-    written = b"".join(file.read_bytes() for file in station.flight_thread.data_dir.rglob("*") if file.is_file())
+    secrets = [
+        *(text.split("_")[2] for text in (key, wrong)),
+        cookie,
+        *(text[5:] for text in (invited, made, again, mistyped)),
+    ]
+    written = all_bytes(station.flight_thread.data_dir)
     said = "".join(capfd.readouterr())
     for secret in secrets:
         assert secret.encode() not in written
@@ -237,7 +259,7 @@ def test_google_earth_is_asked_for_a_password_and_a_program_s_key_is_one(station
 def test_a_wrong_a_used_and_an_ended_key_are_told_apart_by_nothing(
     station: Gateway, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    used, late = one_time_key(station, Role.owner), one_time_key(station, Role.owner, minutes=-1.0)
+    used = one_time_key(station, Role.owner)
     hashed: list[str] = []
     verify = keys_module._HASHER.verify
 
@@ -252,6 +274,8 @@ def test_a_wrong_a_used_and_an_ended_key_are_told_apart_by_nothing(
         revoked = owner.post("/access/invitations", json={}).json()
         owner.delete(f"/access/invitations/{revoked['invitation']['id']}").raise_for_status()
         open_one = owner.post("/access/invitations", json={}).json()["key"]
+        # Last, for those that have ended are forgotten when another is made.
+        late = one_time_key(station, Role.owner, minutes=-1.0)
         monkeypatch.setattr(keys_module, "_HASHER", Counted())
         answers = []
         for key in (
@@ -270,6 +294,34 @@ def test_a_wrong_a_used_and_an_ended_key_are_told_apart_by_nothing(
         assert len(set(answers)) == 1
         assert answers[0][2] == 1, "one hash each"
     assert len({kept.rpartition("$")[0].rpartition("$")[0] for kept in hashed}) == 1, "of the same cost"
+
+
+def test_a_key_of_no_program_is_told_from_a_wrong_one_of_a_program_by_nothing(
+    station: Gateway, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    hashed: list[str] = []
+    verify = keys_module._HASHER.verify
+
+    class Counted:
+        def verify(self, kept: str, secret: str) -> bool:
+            hashed.append(kept)
+            return verify(kept, secret)
+
+    with person(station, Role.owner) as owner:
+        client, key, _ = program(station, Role.owner, owner)
+        ended_client, ended, ended_id = program(station, Role.owner, owner, "ended")
+        owner.delete(f"/access/programs/{ended_id}").raise_for_status()
+        client.close()
+        ended_client.close()
+    monkeypatch.setattr(keys_module, "_HASHER", Counted())
+    answers = []
+    for shown in (key[:-1] + ("A" if key[-1] != "A" else "B"), ended, new_program_key()[0], "no key at all"):
+        with stranger(station, Authorization=f"Bearer {shown}") as eve:
+            before = len(hashed)
+            answer = eve.get("/status")
+            answers.append((answer.status_code, answer.content, len(hashed) - before))
+    assert len(set(answers)) == 1
+    assert (answers[0][0], answers[0][2]) == (401, 1), "one hash each"
 
 
 @pytest.mark.parametrize(

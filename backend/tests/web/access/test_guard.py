@@ -49,7 +49,19 @@ def test_an_origin_that_is_no_address_cannot_command(gateway: Gateway, origin: s
     assert (answer.status_code, answer.json()["code"]) == (403, "foreign_origin")
 
 
-@pytest.mark.parametrize("host", ["localhost:8000", "127.0.0.1", "[::1]:8000", "192.168.1.20:8000"])
+@pytest.mark.parametrize(
+    "host",
+    [
+        "localhost:8000",
+        "127.0.0.1",
+        "[::1]:8000",
+        "192.168.1.20:8000",
+        # With a zone, as curl (RFC 6874) and others write it.
+        "[fe80::1]:8000",
+        "[fe80::1%25eth0]:8000",
+        "[fe80::1%eth0]:8000",
+    ],
+)
 def test_numbers_and_localhost_are_ours(gateway: Gateway, host: str) -> None:
     assert gateway.http.get("/status", headers={"Host": host}).status_code == 200
 

@@ -8,14 +8,17 @@ from pathlib import Path
 
 import httpx
 import pytest
+from websockets.exceptions import InvalidStatus
 
 from epf_gcs.errors import TooManyError
 from epf_gcs.web.access import limits as limits_module
 from epf_gcs.web.access.caller import LOCAL, Caller
 from epf_gcs.web.access.limits import OF_ROLE, STRANGERS, UPLOADS_OF_ALL_BYTES_PER_H, CallerLimits
 from epf_gcs.web.access.roles import Role
-from tests.support.callers import one_time_key, stranger, strict_gateway
+from tests.support.callers import one_time_key, person, stranger, strict_gateway
 from tests.support.gateway import Gateway
+from tests.support.page import Page, page
+from tests.support.waiting import eventually
 
 
 def caller(role: Role, session: str = "a") -> Caller:
@@ -103,3 +106,22 @@ def test_who_asks_too_much_hears_when_to_come_back(station: Gateway, monkeypatch
         station.web.limits._requests.clear()
         client.post("/access/enter", json=body).raise_for_status()
         assert client.get("/status").status_code == 200
+
+
+def test_one_stream_too_many_hears_when_to_come_back_and_a_closed_one_makes_room(station: Gateway) -> None:
+    with person(station, Role.viewer) as ana, contextlib.ExitStack() as open_ones:
+        cookie = "; ".join(f"{name}={value}" for name, value in ana.cookies.items())
+
+        def one_more() -> Page:
+            return open_ones.enter_context(page(station.base, cookie=cookie))
+
+        pages = [one_more() for _ in range(OF_ROLE[Role.viewer].sockets)]
+        with pytest.raises(InvalidStatus) as refused:
+            one_more()
+        answer = refused.value.response
+        assert (answer.status_code, answer.headers["Retry-After"]) == (429, "10")
+        assert b"access_too_many_requests" in answer.body
+        pages[0].connection.close()
+        eventually(lambda: station.web.limits._sockets.total() < len(pages), "one is counted no more")
+        assert one_more().hello["role"] == "viewer"
+    eventually(lambda: not station.web.limits._sockets, "none is counted")

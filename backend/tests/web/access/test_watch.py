@@ -15,8 +15,8 @@ STUCK_LOOKS = 100
 class Line:
     """A line that is told what came. `answers`: its browser answers pings."""
 
-    def __init__(self, *, answers: bool = False, is_waited_for: bool = True) -> None:
-        self.heard = self.said = self.pings = 0
+    def __init__(self, *, answers: bool = False, is_waited_for: bool = True, heard: int = 1) -> None:
+        self.heard, self.said, self.pings = heard, 0, 0
         self.answers = answers
         self.is_waited_for = is_waited_for
 
@@ -42,6 +42,17 @@ def test_a_line_on_which_nothing_comes_is_pinged_and_counts_as_cut(is_waited_for
     line = Line(is_waited_for=is_waited_for)
     assert looks_until("silent", line) == CUT_LOOKS
     assert line.pings == 3
+
+
+def test_a_page_that_has_only_begun_to_load_hangs_for_its_browser_does_not_answer_yet() -> None:
+    assert looks_until("hangs", Line(heard=0)) == CUT_LOOKS
+    assert looks_until("silent", Line(heard=0)) == STUCK_LOOKS
+    line, watch = Line(heard=0, is_waited_for=False), Watch()
+    assert [watch.look(line) for _ in range(CUT_LOOKS + 1)][-1] == "hangs"
+    line.answers = True
+    assert [watch.look(line) for _ in range(4)][-1] == "heard", "its browser answers"
+    line.answers = False
+    assert "silent" in {watch.look(line) for _ in range(CUT_LOOKS + 1)}, "from then on a cut line is one"
 
 
 def test_a_page_whose_browser_answers_but_which_acknowledges_nothing_hangs_and_at_last_is_stuck() -> None:

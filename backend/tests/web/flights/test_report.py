@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import base64
+import hashlib
 from typing import Any, cast
 
 import pytest
@@ -51,7 +53,11 @@ def test_the_report_is_a_page_of_its_own_in_both_languages(
     page = html.fromstring(answer.text)
     assert (page.get("lang"), page.findtext(".//h1")) == (lang, title)
     assert flight in page.text_content()
-    assert page.xpath("//script | //link | //*[@src]") == []
+    assert page.xpath("//script | //link | //*[@src] | //*[@style]") == []
+    digest = base64.b64encode(hashlib.sha256(page.findtext(".//style").encode()).digest()).decode()
+    policy = answer.headers["content-security-policy"]
+    assert f"style-src 'sha256-{digest}';" in policy, "the browser shows the page with its style"
+    assert "default-src 'none'" in policy
 
 
 def test_an_earlier_flight_stands_beside_it(gateway: Gateway, flight: str) -> None:

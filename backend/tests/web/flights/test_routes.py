@@ -12,6 +12,7 @@ import pytest
 
 from epf_gcs.recordings.mcap_file import Tally, closing, data_end, message_record, opening
 from epf_gcs.recordings.topics import TOPICS
+from epf_gcs.web.flights.imports import most_import_bytes
 from tests.support.fake_board import FakeBoard
 from tests.support.gateway import Gateway
 from tests.support.waiting import eventually
@@ -122,6 +123,21 @@ def test_a_recording_of_another_machine_becomes_a_flight(gateway: Gateway) -> No
     assert (flight["imported"], flight["title"], flight["active"]) == (True, "Vuelo de ayer", False)
     incoming = Path(gateway.flight_thread.data_dir) / "incoming"
     eventually(lambda: not any(incoming.iterdir()), "nothing of the upload stays")
+
+
+def test_a_file_larger_than_a_recording_may_be_is_refused_and_nothing_of_it_stays(
+    gateway: Gateway, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("epf_gcs.web.flights.imports.MOST_BYTES", 1000)
+    assert listed(gateway)["disk"]["most_import_bytes"] == 1000
+    refused = gateway.http.post("/flights", params={"name": "huge.mcap"}, content=bytes(1001))
+    assert (refused.status_code, refused.json()["code"]) == (422, "recording_too_large")
+    assert not any((Path(gateway.flight_thread.data_dir) / "incoming").iterdir()), "nothing of the upload stays"
+
+
+@pytest.mark.parametrize(("free_bytes", "most"), [(None, 8_000_000_000), (6_500_000_000, 2_500_000_000), (10**9, 0)])
+def test_a_file_may_take_half_of_the_space_that_flights_do_not_need(free_bytes: int | None, most: int) -> None:
+    assert most_import_bytes(free_bytes) == most
 
 
 def test_what_was_wrong_with_an_imported_file_is_told_with_its_flight(gateway: Gateway) -> None:

@@ -28,6 +28,9 @@ WARN_S = 30.0
 _EARLIEST_S = 45.0
 _MINUTE_S = 60.0
 _AFTER_S = 40.0
+# A warning tells what was flown so long ago: a threat counts when it lasted 1 s, and fixes and looks are a little old.
+# A pilot who turns away just then was warned rightly.
+_DECIDES_S = 1.5
 
 
 @dataclass(frozen=True)
@@ -181,9 +184,11 @@ def judge(
 
 
 def _would_meet(plan: Plan, clearance: Clearance, margin_m: float, t_s: float) -> bool:
-    """Whether the aircraft would have come nearer than the margin, had the pilot gone on as he flew at the warning."""
-    found = clearance(plan.going_on(t_s, _AFTER_S).fly())
-    return any(one < margin_m for one in found[round(t_s / STEP_S) :])
+    """Whether the aircraft would have come nearer than the margin, had the pilot gone on as he flew when the station
+    decided to warn."""
+    decided_s = max(0.0, t_s - _DECIDES_S)
+    found = clearance(plan.going_on(decided_s, t_s + _AFTER_S - decided_s).fly())
+    return any(one < margin_m for one in found[round(decided_s / STEP_S) :])
 
 
 def _warnings(flown: Flown, wanted: Wanted, heights: Heights, end_s: float) -> Iterator[tuple[float, float]]:

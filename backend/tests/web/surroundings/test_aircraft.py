@@ -93,6 +93,29 @@ def test_it_does_not_chatter_at_the_edge_of_the_margin() -> None:
     assert any(shown)
 
 
+def test_an_aircraft_slowed_by_the_wind_is_still_watched_and_one_that_has_landed_is_not() -> None:
+    wanted = Wanted(fence=True, corners_deg=square(300.0), fence_margin_m=30.0)
+
+    def slowed(to_mps: float) -> Iterable[Fix]:
+        # Fast for 5 s, then slowly towards the border.
+        for index in range(5 * 120):
+            t_s = index / 5
+            east_m = min(t_s, 5.0) * 20.0 + max(0.0, t_s - 5.0) * to_mps
+            yield Fix(t_s, PLACE[0], PLACE[1] + east_m / M_PER_DEG / ACROSS, 400.0)
+
+    def warned_s(to_mps: float) -> list[float]:
+        seen = flown(slowed(to_mps), wanted, unknown)
+        return [t_s for t_s, one in seen if one.fence is not None and t_s > 30.0]
+
+    reached_s = 5.0 + 200.0 / 3.0
+    first_s, last_s = warned_s(3.0)[0], warned_s(3.0)[-1]
+    assert WARN_S <= reached_s - first_s <= WARN_S + 19.0
+    assert last_s > 119.0
+    # Outside, still and level: it has landed there.
+    wanted = Wanted(fence=True, corners_deg=square(90.0), fence_margin_m=30.0)
+    assert warned_s(0.0) == []
+
+
 def standing_then(fixes: Iterable[Fix], speed_mps: float = 0.0) -> Iterable[Fix]:
     yield from eastward(-20, 0, speed_mps=speed_mps, altitude_m=101.0)
     yield from fixes
@@ -158,3 +181,19 @@ def test_the_ceiling_is_a_part_of_the_fence() -> None:
 def test_an_aircraft_that_stands_is_not_warned(wanted: Wanted) -> None:
     for _, seen in flown(eastward(0, 20, speed_mps=0.0, altitude_m=101.0), wanted):
         assert (seen.terrain, seen.fence, seen.outside) == (None, None, False)
+
+
+def test_a_lift_under_the_ceiling_is_not_warned_of_and_a_climb_to_it_is_half_a_minute_before() -> None:
+    wanted = Wanted(fence=True, ceiling_m=500.0, fence_margin_m=30.0)
+
+    def climbing(climb_mps: float, until_s: float) -> list[float]:
+        fixes = (
+            fix._replace(altitude_m=400.0 + climb_mps * min(max(0.0, fix.t_s - 20.0), until_s - 20.0))
+            for fix in eastward(0, 100)
+        )
+        return [t_s for t_s, seen in flown(fixes, wanted, unknown) if seen.fence is not None]
+
+    # 2 m/s for 5 s.
+    assert climbing(2.0, 25.0) == []
+    reached_s = 20.0 + 100.0 / 2.0
+    assert WARN_S <= reached_s - climbing(2.0, 100.0)[0] <= WARN_S + 15.0

@@ -88,3 +88,33 @@ def test_the_date_line_is_no_jump() -> None:
     assert motion is not None
     assert motion.east_mps == pytest.approx(0.0005 * M_PER_DEG, rel=0.05)
     assert path_ahead(motion, motion.t_s, 30.0).longitude_deg[-1] < -179.0
+
+
+def test_gusts_disturb_a_steady_turn_little_once_it_lasted() -> None:
+    def disturbed(seconds: float) -> float:
+        # A gust of 1 m/s across the track now and then, as a rate that swings by 1.1 degrees/s within 10 s.
+        found, east_m, north_m = [], 0.0, 0.0
+        for index in range(round(seconds * 5)):
+            t_s = index / 5
+            track_rad = 0.1 * t_s + 0.04 * math.sin(2 * math.pi * t_s / 12.0)
+            east_m += 5.0 * math.sin(track_rad)
+            north_m += 5.0 * math.cos(track_rad)
+            found.append(fix_at(t_s, east_m, north_m))
+        return abs(measured(found).turn_rad_s - 0.1)
+
+    assert max(disturbed(41.0 + after_s) for after_s in range(12)) < 0.004
+    assert max(disturbed(10.0 + after_s) for after_s in range(12)) > 0.008
+
+
+def test_a_lift_of_some_seconds_is_no_climb_and_a_dive_is_one_at_once() -> None:
+    def climbing(climb_mps: float, for_s: float) -> float:
+        return measured(
+            [
+                fix_at(index / 5, 5.0 * index, 0.0, 500.0 + climb_mps * max(0.0, index / 5 - 30.0))
+                for index in range(round((30.0 + for_s) * 5))
+            ]
+        ).climb_mps
+
+    assert climbing(1.5, 3.0) < 0.6
+    assert climbing(1.5, 20.0) == pytest.approx(1.5, abs=0.3)
+    assert climbing(-8.0, 3.0) < -4.0

@@ -77,3 +77,24 @@ def test_a_kept_choice_is_read_again_and_a_disk_that_does_not_take_it_is_said(tm
     assert KeptSurroundings(tmp_path).read() == choice
     with pytest.raises(ConflictError, match="cannot be kept"):
         KeptSurroundings(tmp_path / "gone").write(choice)
+
+
+@pytest.mark.parametrize("form", ["kml", "plan"])
+def test_the_fence_goes_into_a_file_and_comes_out_of_it_without_being_chosen(gateway: Gateway, form: str) -> None:
+    assert gateway.http.get(f"/surroundings/fence?format={form}").json()["code"] == "surroundings_no_fence"
+    gateway.http.put("/surroundings", json=CHOICE).raise_for_status()
+    answer = gateway.http.get(f"/surroundings/fence?format={form}").raise_for_status()
+    assert f'filename="epf-gcs-fence.{form}"' in answer.headers["content-disposition"]
+    gateway.http.put("/surroundings", json=off()).raise_for_status()
+    found = gateway.http.post("/surroundings/fence/import?name=mine", content=answer.content).raise_for_status().json()
+    assert (found["corners"], found["notes"], found["format"]) == (CORNERS, [], form)
+    # QGroundControl's has no place for a ceiling.
+    assert found["ceiling_ft"] == (1500.0 if form == "kml" else None)
+    assert gateway.http.get("/surroundings").json() == off(), "nothing is watched that nobody chose"
+
+
+def test_a_file_that_is_no_fence_is_refused_by_its_name(gateway: Gateway) -> None:
+    answer = gateway.http.post("/surroundings/fence/import?name=photo.jpg", content=b"\xff\xd8" * 200_000)
+    assert (answer.status_code, answer.json()["code"]) == (422, "fence_file_unknown")
+    assert "photo.jpg" in answer.json()["detail"]
+    assert gateway.http.post("/surroundings/fence/import?name=x", content=bytes(1_000_001)).status_code == 413

@@ -109,7 +109,8 @@ def test_a_chosen_warning_is_told_again_and_again_and_ends_when_it_is_switched_o
         station = Station(tmp_path)
         running = await run(station)
         await station.watch.choose(OFF.model_copy(update={"terrain_on": True}))
-        await station.fly(station.now_s + 10, 700.0)
+        # It was at 1,000 m: long enough for that to be forgotten.
+        await station.fly(station.now_s + 25, 700.0)
         assert station.told[-1] == []
         start_s = station.now_s
         await station.fly(start_s + 25, 700.0 + 6.0 * start_s, climb_mps=-6.0)

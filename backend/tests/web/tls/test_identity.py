@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ipaddress
 
+import ifaddr
 import pytest
 
 from epf_gcs.web.tls.identity import a_label, addresses_here, identity_of
@@ -48,6 +49,16 @@ def test_chosen_names_and_numbers_are_told_apart_and_nonsense_is_left_out() -> N
 
 def test_a_machine_without_a_usable_name_is_localhost() -> None:
     assert identity_of("???", [], []).own == ("localhost",)
+
+
+def test_addresses_of_both_versions_are_found_without_their_zones(monkeypatch: pytest.MonkeyPatch) -> None:
+    ips = [
+        ifaddr.IP("192.168.1.20", 24, "eth0"),
+        ifaddr.IP(("fd00::2", 0, 0), 64, "eth0"),
+        ifaddr.IP(("fe80::1", 0, 2), 64, "eth0"),
+    ]
+    monkeypatch.setattr(ifaddr, "get_adapters", lambda: [ifaddr.Adapter("eth0", "eth0", ips)])
+    assert addresses_here() == ["192.168.1.20", "fd00::2", "fe80::1"]
 
 
 def test_this_machine_has_its_loopback() -> None:

@@ -94,6 +94,7 @@ def test_a_forged_host_is_sent_nowhere(secure: Gateway, host: str, status: int) 
         ("LOCALHOST", "localhost"),
         ("evil.example@127.0.0.1:9", "127.0.0.1:9"),
         ("[fd00::7]:8000", "[fd00::7]:8000"),
+        ("[fe80::1%25eth0]:8000", "[fe80::1%25eth0]:8000"),
         ("xn--mller-kva.example", "xn--mller-kva.example"),
     ],
 )

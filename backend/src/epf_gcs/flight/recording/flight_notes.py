@@ -13,7 +13,7 @@ from epf_gcs.flight.recording.recorder import Recorder
 from epf_gcs.recordings.notes import EVENT, MARK
 
 # Events that say more than the bytes of the lines do.
-_NOTED: Final = frozenset({"command", "alarm", "link", "parameter", "mission", "board_restarted", "stick"})
+_NOTED: Final = frozenset({"advice", "alarm", "board_restarted", "command", "link", "mission", "parameter", "stick"})
 
 
 class FlightNotes:

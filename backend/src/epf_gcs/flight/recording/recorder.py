@@ -229,10 +229,8 @@ class Recorder:
             return
         self._look_at_s = now_s + _SYNC_S
         try:
-            output.sync()
-            if not output.is_gone:
+            if self._is_kept(output):
                 self._bytes_seen = output.bytes_written
-                self._check_room()
                 return
             self._bytes_unwritten += output.bytes_written - self._bytes_seen
             self._fail(OSError(errno.ENOENT, f"{output.path.name} was removed or moved while it was written"))
@@ -241,6 +239,17 @@ class Recorder:
             self._told_until_s = now_s + self._told_s
         except OSError as error:
             self._fail(error)
+
+    def _is_kept(self, output: RecordingFile) -> bool:
+        """Sync the file; whether it is still where it belongs. Raises OSError, also for want of room."""
+        try:
+            output.sync()
+            self._check_room()
+        except OSError:
+            # In a folder that was removed both fail: that is no fault of the disk.
+            if not output.is_gone:
+                raise
+        return not output.is_gone
 
     @property
     def hours_left(self) -> float | None:

@@ -103,10 +103,12 @@ class _Cut:
         self._count += end - first
 
     def _note(self, name: str, record: bytes) -> None:
+        found = _read(name, record)
         if self._is_inside:
-            self._output.note(name, record)
+            # A block may reach beyond the stretch, and notes with it.
+            if found is None or found.t_ns <= self._last_ns:
+                self._output.note(name, record)
         elif name in _STATES:
-            found = _read(name, record)
             content = found.content if found is not None and isinstance(found.content, dict) else {}
             self._known[name, str(content.get("plan") or content.get("line"))] = (name, record)
 

@@ -8,7 +8,7 @@ import socket
 from collections.abc import Iterable
 from functools import lru_cache
 from typing import Final
-from urllib.parse import urlencode
+from urllib.parse import urlencode, urlsplit
 
 import segno
 
@@ -23,11 +23,20 @@ def addresses(host: str, port: int, *, secure: bool, reached_at: str | None = No
 
     Empty where it listens on the loopback alone.
     """
-    hosts = [host] if host not in _ANY else [*_own_addresses(6 if host == "::" else 4), *own_names()[-1:]]
+    if host in _ANY:
+        hosts = [*_own_addresses(6 if host == "::" else 4), *own_names()[-1:]]
+    else:
+        hosts = own_names()[-1:] if _is_link_local(host) else [host]
     scheme = "https" if secure else "http"
     reached = [_in_url(one) for one in hosts if not _is_loopback(one)]
     own = [f"{scheme}://{one}:{port}" for one in reached]
     return list(dict.fromkeys([*([] if reached_at is None else [reached_at]), *own]))
+
+
+def is_of_this_computer_alone(address: str) -> bool:
+    """Whether this base URL names the computer it is opened on: others would look for the station in themselves."""
+    host = (urlsplit(address).hostname or "").rstrip(".")
+    return host == "localhost" or host.endswith(".localhost") or _is_loopback(host)
 
 
 def with_key(address: str, key: str, tab: str | None) -> str:
@@ -68,6 +77,15 @@ def _reachable(numbers: Iterable[str], version: int) -> list[str]:
         for number in parsed
         if number.version == version and not number.is_loopback and not number.is_link_local
     ]
+
+
+def _is_link_local(host: str) -> bool:
+    """Whether browsers reach it by the machine's name alone, for no browser takes a zone in a URL."""
+    try:
+        number = ipaddress.ip_address(host.partition("%")[0])
+    except ValueError:
+        return False
+    return number.version == 6 and number.is_link_local
 
 
 def _is_loopback(host: str) -> bool:

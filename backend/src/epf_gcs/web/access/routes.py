@@ -9,7 +9,7 @@ from typing import Annotated, Final, Literal
 from fastapi import APIRouter, Path, Query, Request, Response, status
 
 from epf_gcs.errors import ConflictError, InvalidInputError
-from epf_gcs.web.access.addresses import addresses, qr_svg, qr_svg_of_plain, with_key
+from epf_gcs.web.access.addresses import addresses, is_of_this_computer_alone, qr_svg, qr_svg_of_plain, with_key
 from epf_gcs.web.access.admission import ANYONE, Admission
 from epf_gcs.web.access.caller import Caller, Shown
 from epf_gcs.web.access.roles import Role, name_of
@@ -170,7 +170,7 @@ async def post_invitation(
     key, made = await admission.invitations.make(Role[body.role], body.minutes, admission.moment())
     admission.log.note(caller, shown.peer.host, "invited", f"{body.role}, {body.minutes} min", "done")
     address = with_key(base, key, body.tab)
-    code = await asyncio.to_thread(qr_svg, address)
+    code = None if is_of_this_computer_alone(base) else await asyncio.to_thread(qr_svg, address)
     return NewInvitation(invitation=_invitation(admission, made), key=key, address=address, qr_svg=code)
 
 
@@ -203,6 +203,10 @@ async def get_code(
     if address not in (*_addresses(admission), str(request.base_url).rstrip("/")):
         raise InvalidInputError(
             "invalid_request", "'address' is none of this station's: see GET /access/addresses.", field="address"
+        )
+    if is_of_this_computer_alone(address):
+        raise InvalidInputError(
+            "invalid_request", "'address' is of use on the station's computer alone.", field="address"
         )
     text = f"{address}{API}/access/authority" if to == "authority" else f"{address}/" + (f"#tab={tab}" if tab else "")
     return Response(await asyncio.to_thread(qr_svg_of_plain, text), media_type=SVG)

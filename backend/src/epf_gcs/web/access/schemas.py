@@ -152,12 +152,13 @@ class InvitationInput(Input):
 
 
 class NewInvitation(Output):
-    """Its key, which is shown this once; `address` has the key in it, and `qr_svg` is a picture of it."""
+    """Its key, which is shown this once; `address` has the key in it, and `qr_svg` is a picture of it; null where the
+    address is of use on the station's own computer alone."""
 
     invitation: InvitationState
     key: str
     address: str
-    qr_svg: str
+    qr_svg: str | None
 
 
 class Addresses(Output):

@@ -133,8 +133,14 @@ class AccessStore:
         address = f"{(data_dir / FILE).resolve().as_uri()}?mode=ro&immutable=1"
         with contextlib.suppress(sqlite3.Error), contextlib.closing(sqlite3.connect(address, uri=True)) as kept:
             copy = sqlite3.connect(":memory:", isolation_level=None, check_same_thread=False)
-            kept.backup(copy)
-            store._db = _tables(copy)
+            try:
+                kept.backup(copy)
+                _tables(copy)
+            except BaseException:
+                copy.close()
+                raise
+            store._db.close()
+            store._db = copy
         return store
 
     def close(self) -> None:

@@ -75,6 +75,8 @@ _V1: Final[Mapping[tuple[str, str], Entry]] = {
     ("DELETE", "/checklist"): Entry(_operator, deed="checklist"),
     ("GET", "/surroundings"): _SEES,
     ("PUT", "/surroundings"): Entry(_operator, deed="surroundings"),
+    ("GET", "/surroundings/fence"): _SEES,
+    ("POST", "/surroundings/fence/import"): Entry(_operator),
     ("GET", "/alarms/thresholds"): _SEES,
     ("PUT", "/alarms/thresholds"): _command("alarms"),
     ("POST", "/alarms/{alarm_id}/acknowledge"): _command("alarms"),

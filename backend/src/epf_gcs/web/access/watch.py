@@ -19,7 +19,8 @@ _PAGE_LOOKS: Final = 20
 _STUCK_LOOKS: Final = 100
 
 Found = Literal["heard", "hangs", "silent"]
-"""`hangs`: the browser answers, its page does nothing. `silent`: the line is cut, or the page is stuck."""
+"""`hangs`: the browser answers, its page does nothing; or the page only begins to load, and its browser does not
+answer yet. `silent`: the line is cut, or the page is stuck."""
 
 
 class Line(Protocol):
@@ -27,7 +28,7 @@ class Line(Protocol):
 
     @property
     def heard(self) -> int:
-        """Pieces of anything that came, also the browser's answers to pings."""
+        """Pieces of anything that came since the stream was opened, also the browser's answers to pings."""
 
     @property
     def said(self) -> int:
@@ -66,6 +67,9 @@ class Watch:
             self._said, self._hung_looks = line.said, 0
         else:
             self._hung_looks += 1
-        if self._quiet_looks >= _LINE_LOOKS or self._hung_looks >= _STUCK_LOOKS:
+        # A browser opens the stream by itself, but reads nothing of it, pings neither, until its page has taken the
+        # stream over: a page that is busy loading is not a line that was cut.
+        is_new = line.heard == 0
+        if self._hung_looks >= _STUCK_LOOKS or self._quiet_looks >= (_STUCK_LOOKS if is_new else _LINE_LOOKS):
             return "silent"
-        return "hangs" if self._hung_looks >= _PAGE_LOOKS else "heard"
+        return "hangs" if self._hung_looks >= _PAGE_LOOKS or self._quiet_looks >= _LINE_LOOKS else "heard"

@@ -15,7 +15,14 @@ import httpx
 from epf_gcs import __version__
 from epf_gcs.errors import ConflictError, GatewayError
 from epf_gcs.web.fields.order import MOST_DEGREE_BYTES, Part, Place
-from epf_gcs.web.fields.whole import begins_as_map, is_tiff, is_whole_picture, is_whole_terrarium
+from epf_gcs.web.fields.whole import (
+    begins_as_map,
+    begins_as_vector,
+    is_tiff,
+    is_whole_picture,
+    is_whole_terrarium,
+    is_whole_vector,
+)
 from epf_gcs.web.maps.layer import MAX_TILE_BYTES
 from epf_gcs.web.maps.outside import LocalAddressError
 from epf_gcs.web.maps.sources import Source, local
@@ -31,6 +38,7 @@ _MOST_WRONG: Final = 5
 _MOST_CUT: Final = 300
 _NONE: Final = (httpx.codes.NOT_FOUND, httpx.codes.NO_CONTENT, httpx.codes.GONE)
 _LATER: Final = (httpx.codes.TOO_MANY_REQUESTS, httpx.codes.SERVICE_UNAVAILABLE)
+_GZIP: Final = b"\x1f\x8b"
 _UNPACK_GZIP: Final = 16 + zlib.MAX_WBITS
 
 
@@ -113,8 +121,9 @@ class Fetcher:
     async def _once(self, place: Place) -> bytes:
         """One piece; empty if the source has none there. Raises _LaterError, or GatewayError for good."""
         longest_s = _LONGEST_DEGREE_S if self._part.is_of_degrees else _LONGEST_TILE_S
-        # A packed answer may be a bomb: plain ones are asked for, and gzip alone is unpacked, within its bound.
-        headers = {"Accept-Encoding": "identity"}
+        # A packed answer may be a bomb: plain ones are asked for, and gzip alone is unpacked, within its bound. Vector
+        # tiles have no checksum of their own: gzip's is asked for.
+        headers = {"Accept-Encoding": "gzip" if self._part.kind == "vector" else "identity"}
         try:
             async with (
                 asyncio.timeout(longest_s),
@@ -145,15 +154,20 @@ class Fetcher:
             data += chunk
             if len(data) > most_bytes:
                 raise self._wrong_answer(f"> {most_bytes} bytes")
+        if not data and self._part.kind == "vector":
+            return b""  # a tile without anything in it
         plain = self._unpacked(bytes(data), answer.headers.get("content-encoding", ""), most_bytes)
         if not self._is_whole(plain):
             # What begins as it should was cut under way, whatever length its sender said.
-            is_cut = begins_as_map(plain) and not is_whole_picture(plain)
+            is_vector = self._part.kind == "vector"
+            is_cut = begins_as_vector(plain) if is_vector else begins_as_map(plain) and not is_whole_picture(plain)
             raise self._wrong_answer("not a whole tile", 1 / _MOST_CUT if is_cut else 1 / _MOST_WRONG)
         return plain
 
     def _unpacked(self, data: bytes, encoding: str, most_bytes: int) -> bytes:
-        if encoding.strip().lower() in ("", "identity"):
+        # Some servers have packed vector tiles and do not say so.
+        is_packed = self._part.kind == "vector" and data.startswith(_GZIP)
+        if encoding.strip().lower() in ("", "identity") and not is_packed:
             return data
         unpacking = zlib.decompressobj(_UNPACK_GZIP)
         try:
@@ -161,12 +175,16 @@ class Fetcher:
         except zlib.error:
             raise self._wrong_answer(f"content-encoding {encoding[:20]}") from None
         if not unpacking.eof:
+            if not unpacking.unconsumed_tail:
+                raise self._wrong_answer("not a whole tile", 1 / _MOST_CUT)
             raise self._wrong_answer(f"> {most_bytes} bytes")
         return plain
 
     def _is_whole(self, data: bytes) -> bool:
         if self._part.is_of_degrees:
             return is_tiff(data)
+        if self._part.kind == "vector":
+            return is_whole_vector(data)
         return is_whole_terrarium(data) if self._part.kind == "heights" else is_whole_picture(data)
 
     def _silent(self, why: str) -> GatewayError:

@@ -15,6 +15,7 @@ import orjson
 import structlog
 
 from epf_gcs.errors import ConflictError, GatewayError, InvalidInputError, NotFoundError
+from epf_gcs.web.child import child
 from epf_gcs.web.fields.job import FieldJob, FieldState, kept_jobs
 from epf_gcs.web.fields.order import Level, Order, check, estimate, made_bytes
 from epf_gcs.web.fields.pack import END
@@ -239,15 +240,9 @@ class Fields:
         started: Callable[[asyncio.subprocess.Process], None],
     ) -> GatewayError | None:
         """Run a worker to its end; the problem that it told. Raises OSError."""
-        process = await asyncio.create_subprocess_exec(
-            sys.executable,
-            "-m",
-            _WORKER,
-            stdin=asyncio.subprocess.PIPE,
-            stdout=asyncio.subprocess.PIPE,
-        )
         problem: GatewayError | None = None
-        try:
+        pipe = asyncio.subprocess.PIPE
+        async with child(sys.executable, "-m", _WORKER, stdin=pipe, stdout=pipe) as process:
             started(process)
             if process.stdin is not None and process.stdout is not None:
                 # Stdin stays open: the worker ends when the station does, however that ends.
@@ -259,10 +254,6 @@ class Fields:
                     else:
                         hear(told)
             await process.wait()
-        finally:
-            if process.returncode is None:
-                process.kill()
-                await process.wait()
         return problem
 
     def _started(self, job: FieldJob, process: asyncio.subprocess.Process) -> None:

@@ -15,8 +15,8 @@ from epf_gcs.web.maps.outside import Consent, is_local_as_written
 from epf_gcs.web.maps.sources import Source, local
 from epf_gcs.web.missing import missing
 
-Kind = Literal["heights", "imagery"]
-KINDS: Final[tuple[Kind, ...]] = ("heights", "imagery")
+Kind = Literal["heights", "imagery", "vector"]
+KINDS: Final[tuple[Kind, ...]] = ("heights", "imagery", "vector")
 
 HIGHEST_ZOOM: Final = 19
 MOST_DEGREE_BYTES: Final = 120_000_000
@@ -26,7 +26,7 @@ _TILE: Final = re.compile(r"\{[zxys]\}")
 _TILE_PLACES: Final = ("{z}", "{x}", "{y}")
 _DEGREE_PLACES: Final = ("{latitude}", "{longitude}")
 # Means of public sources; corrected by what arrives.
-_MEAN_BYTES: Final[dict[Kind, int]] = {"heights": 60_000, "imagery": 18_000}
+_MEAN_BYTES: Final[dict[Kind, int]] = {"heights": 60_000, "imagery": 18_000, "vector": 35_000}
 _MEAN_DEGREE_BYTES: Final = 38_000_000
 # What is made of one tile of heights: terrain for the globe and a shaded relief.
 _MADE_BYTES: Final = 150_000
@@ -46,7 +46,8 @@ class Place(NamedTuple):
 @dataclass(frozen=True, slots=True)
 class Part:
     """One kind and its source. `url`: has {z}, {x} and {y}; heights may have {latitude} and {longitude} instead, which
-    become N28 and W016. Heights of tiles are PNG of the form Terrarium, of one level: `maximum_zoom`."""
+    become N28 and W016. Vector tiles are of the form MVT (.mvt, .pbf). Heights of tiles are PNG of the form Terrarium,
+    of one level: `maximum_zoom`."""
 
     kind: Kind
     name: str
@@ -136,7 +137,7 @@ def check(order: Order, consent: Consent) -> None:
     """Raise InvalidInputError, or ConflictError if what makes terrain is not installed, unless this can be brought."""
     kinds = [part.kind for part in order.parts]
     if not kinds or len(set(kinds)) != len(kinds):
-        raise InvalidInputError("field_no_parts", "Choose heights, pictures or both, each from one source.")
+        raise InvalidInputError("field_no_parts", "Choose heights, pictures or roads, each from one source.")
     for part in order.parts:
         _check_part(part, consent)
     if "heights" in kinds and not MAPS.is_here:

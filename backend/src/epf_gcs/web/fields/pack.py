@@ -22,10 +22,11 @@ from epf_gcs.disk import sync_folder
 from epf_gcs.errors import GatewayError, InvalidInputError
 from epf_gcs.web.fields.order import Order, Place
 from epf_gcs.web.maps.confined_sqlite import confine
+from epf_gcs.web.maps.field_set import VECTOR
 
 END: Final = ".field"
 SECTIONS: Final = ("", "relief_", "terrain_")
-"""What stands before the names of the tables."""
+"""What stands before the names of the tables; before those of roads, which not every file has, VECTOR."""
 
 _TILES: Final = "(zoom_level INTEGER, tile_column INTEGER, tile_row INTEGER, tile_data BLOB)"
 _PER_COMMIT: Final = 500
@@ -58,7 +59,8 @@ def write_pack(path: Path, order: Order, sections: list[Section]) -> None:
             "CREATE TABLE manifest (section TEXT, zoom_level INTEGER, tile_column INTEGER, tile_row INTEGER,"
             " length INTEGER, sha256 BLOB);"
         )
-        for prefix in SECTIONS:
+        has_vector = any(section.prefix == VECTOR for section in sections)
+        for prefix in (*SECTIONS, VECTOR) if has_vector else SECTIONS:
             file.executescript(
                 f"CREATE TABLE {prefix}metadata (name TEXT, value TEXT);"
                 f"CREATE TABLE {prefix}tiles {_TILES};"
@@ -117,7 +119,9 @@ def _compared(file: sqlite3.Connection, name: str) -> Proof:
     if found._asdict() != said:
         raise _not_whole(name, "the manifest is not the one it was made with")
     told = {tuple(row[:4]): (row[4], bytes(row[5])) for row in file.execute("SELECT * FROM manifest")}
-    for prefix in SECTIONS:
+    named = "SELECT count(*) FROM sqlite_master WHERE type = 'table' AND name = ?"
+    (has_vector,) = file.execute(named, (f"{VECTOR}tiles",)).fetchone()
+    for prefix in (*SECTIONS, VECTOR) if has_vector else SECTIONS:
         for zoom, column, row, data in file.execute(f"SELECT * FROM {prefix}tiles"):  # noqa: S608
             expected = told.pop((prefix, zoom, column, row), None)
             if expected != (len(data), hashlib.sha256(data).digest()):

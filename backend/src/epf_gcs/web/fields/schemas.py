@@ -10,7 +10,7 @@ from epf_gcs.web.fields.order import HIGHEST_ZOOM
 from epf_gcs.web.maps.schemas import MapProblem
 from epf_gcs.web.schemas import Input, Output
 
-FieldKind = Literal["heights", "imagery"]
+FieldKind = Literal["heights", "imagery", "vector"]
 Level = Annotated[int, Field(ge=0, le=HIGHEST_ZOOM)]
 
 
@@ -23,7 +23,8 @@ class FieldPoint(Input):
 
 class FieldPart(Input):
     """One kind and where it comes from. `url` has {z}, {x} and {y} (heights: PNG of the form Terrarium, of the level
-    `maximum_zoom`), or for heights {latitude} and {longitude}, which become N28 and W016 (GeoTIFF of a degree)."""
+    `maximum_zoom`), or for heights {latitude} and {longitude}, which become N28 and W016 (GeoTIFF of a degree). Vector
+    tiles are MVT."""
 
     kind: FieldKind
     name: Annotated[str, Field(min_length=1, max_length=80)]
@@ -39,7 +40,7 @@ class FieldInput(Input):
     name: Annotated[str, Field(min_length=1, max_length=60)]
     points: Annotated[list[FieldPoint], Field(min_length=1, max_length=500)]
     radius_m: Annotated[float, Field(ge=100, le=200_000)]
-    parts: Annotated[list[FieldPart], Field(min_length=1, max_length=2)]
+    parts: Annotated[list[FieldPart], Field(min_length=1, max_length=3)]
 
 
 class FieldOrderInput(FieldInput):

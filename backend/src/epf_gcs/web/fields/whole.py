@@ -10,6 +10,11 @@ _PNG: Final = b"\x89PNG\r\n\x1a\n"
 _JPEG: Final = b"\xff\xd8\xff"
 _JPEG_END: Final = b"\xff\xd9"
 _TIFF: Final = (b"II*\x00", b"MM\x00*", b"II+\x00", b"MM\x00+")
+_LAYER: Final = 3
+_LAYER_NAME: Final = 1
+_VARINT, _BYTES = 0, 2
+_FIXED: Final = {1: 8, 5: 4}
+_MOST_FIELDS: Final = 200_000
 # No server's tile is larger; a few bytes can claim to be a picture of any size.
 _LARGEST_SIDE: Final = 2048
 
@@ -37,6 +42,59 @@ def is_whole_terrarium(data: bytes) -> bool:
 def is_tiff(data: bytes) -> bool:
     """Whether these bytes begin as a TIFF; that it is whole is seen when its heights are read."""
     return data[:4] in _TIFF
+
+
+def is_whole_vector(data: bytes) -> bool:
+    """Whether these bytes are a vector tile (MVT) to its end: layers, each with a name and its fields whole.
+
+    What the fields hold is not looked at here: the page's worker does that, within its own limits.
+    """
+    fields = _fields(data, 0, len(data))
+    if not fields:
+        return False
+    for number, start, end in fields:
+        inner = _fields(data, start, end) if number == _LAYER else None
+        if number == _LAYER and (inner is None or all(name != _LAYER_NAME for name, _, _ in inner)):
+            return False
+    return any(number == _LAYER for number, _, _ in fields)
+
+
+def _fields(data: bytes, at: int, end: int) -> list[tuple[int, int, int]] | None:
+    """Number, start and end of each field of a Protobuf message; None if it does not end where it must."""
+    found: list[tuple[int, int, int]] = []
+    while at < end:
+        key, at = _varint(data, at, end)
+        kind = key & 7
+        if kind == _VARINT:
+            value_end = _varint(data, at, end)[1]
+        elif kind == _BYTES:
+            length, at = _varint(data, at, end)
+            value_end = at + length
+        else:
+            value_end = at + _FIXED.get(kind, end)
+        if key >> 3 == 0 or value_end > end or len(found) >= _MOST_FIELDS:
+            return None
+        found.append((key >> 3, at, value_end))
+        at = value_end
+    return found if at == end else None
+
+
+def _varint(data: bytes, at: int, end: int) -> tuple[int, int]:
+    """A number, and where it ends: beyond `end` if it is cut or too long."""
+    value = 0
+    for shift in range(0, 70, 7):
+        if at >= end:
+            break
+        value |= (data[at] & 0x7F) << shift
+        at += 1
+        if data[at - 1] < 0x80:
+            return value, at
+    return 1 << 70, end + 1
+
+
+def begins_as_vector(data: bytes) -> bool:
+    """Whether these bytes are at least the beginning of a vector tile: of its first layer."""
+    return not data or data[0] == _LAYER << 3 | _BYTES
 
 
 def begins_as_map(data: bytes) -> bool:

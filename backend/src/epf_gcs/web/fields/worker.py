@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import asyncio
 import errno
+import gzip
 import os
 import shutil
 import sqlite3
@@ -30,6 +31,7 @@ from epf_gcs.web.fields.order import Order, Part, Place
 from epf_gcs.web.fields.pack import Section, prove, write_pack
 from epf_gcs.web.fields.part_file import PartFile
 from epf_gcs.web.fields.progress import Progress
+from epf_gcs.web.maps.field_set import VECTOR
 from epf_gcs.web.maps.imports import RESERVE_BYTES
 from epf_gcs.web.maps.outside import Consent, OutsideTransport
 
@@ -86,7 +88,7 @@ def _prepare(folder: Path, order: Order, consent: Consent, pace: Pace, say: Say)
             _fetch(folder, order, arrived, consent, pace, say)
             if _makes(folder, order, arrived, say):
                 return
-        raise not_written(order.name, "some tiles are damaged at their source")
+        raise _damaged(order)
     finally:
         arrived.close()
 
@@ -141,12 +143,7 @@ def _makes(folder: Path, order: Order, arrived: PartFile, say: Say) -> bool:
     """Write the pack and prove it; False if a piece has to be fetched again."""
     heights = next((part for part in order.parts if part.kind == "heights"), None)
     raster, terrain = folder / "heights.tif", folder / "terrain.mbtiles"
-    sections: list[Section] = []
-    for part in order.parts:
-        if part.kind == "imagery":
-            if arrived.arrived("imagery").bytes == 0:
-                raise _nothing_there(part)
-            sections.append(Section("", _imagery_metadata(order, part), arrived.pieces("imagery")))
+    sections = [_as_it_came(order, part, arrived) for part in order.parts if part.kind != "heights"]
     if heights is not None:
         # Its libraries are loaded for heights alone, and their absence is told.
         try:
@@ -177,6 +174,16 @@ def _makes(folder: Path, order: Order, arrived: PartFile, say: Say) -> bool:
     return True
 
 
+def _as_it_came(order: Order, part: Part, arrived: PartFile) -> Section:
+    """Pictures, or roads with gzip. Raises ConflictError if the source has none."""
+    if arrived.arrived(part.kind).bytes == 0:
+        raise _nothing_there(part)
+    if part.kind == "imagery":
+        return Section("", _imagery_metadata(order, part), arrived.pieces("imagery"))
+    metadata = {**_metadata(order, part), "format": "pbf", "type": "overlay"}
+    return Section(VECTOR, metadata, _packed(arrived.pieces("vector")))
+
+
 def _drop_changed(order: Order, arrived: PartFile) -> None:
     for part in order.parts:
         for place in arrived.changed(part.kind):
@@ -195,6 +202,11 @@ def _metadata(order: Order, part: Part) -> dict[str, str]:
 
 def _imagery_metadata(order: Order, part: Part) -> dict[str, str]:
     return {**_metadata(order, part), "format": "jpg", "type": "baselayer"}
+
+
+def _packed(pieces: Iterator[tuple[Place, bytes]]) -> Iterator[tuple[Place, bytes]]:
+    """With gzip, as vector tiles are sent; the same tile makes the same bytes."""
+    return ((place, gzip.compress(data, mtime=0)) for place, data in pieces)
 
 
 def _check_room(order: Order, folder: Path) -> None:
@@ -222,6 +234,18 @@ def not_written(name: str, why: str) -> GatewayError:
         f"'{name}' could not be written ({why}): see that the maps' folder is there and may be written, then go on.",
         name=name,
         why=why[:200],
+    )
+
+
+def _damaged(order: Order) -> GatewayError:
+    """Pieces came again and again that cannot be read, or that the disk changed."""
+    part = next((part for part in order.parts if part.kind == "heights"), order.parts[0])
+    return ConflictError(
+        "field_source_wrong",
+        f"'{part.name}' answers with something else than whole tiles (damaged): check its address and its terms, then "
+        "go on.",
+        name=part.name,
+        why="damaged",
     )
 
 

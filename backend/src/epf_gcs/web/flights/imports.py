@@ -26,6 +26,14 @@ _LONGEST_TITLE: Final = 200
 _LONGEST_DAMAGE: Final = 2000
 
 
+def most_import_bytes(free_bytes: int | None) -> int:
+    """The largest file that is taken in with so much space on the disk (None: not known)."""
+    if free_bytes is None:
+        return MOST_BYTES
+    # Twice, for the checked file is written beside the one that came.
+    return max(0, min(MOST_BYTES, (free_bytes - RESERVE_BYTES) // 2))
+
+
 class FlightImports:
     """Owned by the event loop."""
 
@@ -64,7 +72,9 @@ class FlightImports:
         return asyncio.ensure_future(self._flights.in_thread(lambda: shutil.rmtree(folder, ignore_errors=True)))
 
     async def _write(self, name: str, path: Path, total_bytes: int | None, chunks: AsyncIterator[bytes]) -> None:
-        # Twice, for the checked file is written beside the one that came.
+        if total_bytes is not None and total_bytes > MOST_BYTES:
+            raise _too_large(name)
+        # As in `most_import_bytes`: which of both is the reason is said.
         await self._check_room(name, 2 * (total_bytes or 0))
         file: IO[bytes] = await self._flights.in_thread(lambda: path.open("xb"))
         size = 0
@@ -74,9 +84,7 @@ class FlightImports:
                 held += chunk
                 size += len(chunk)
                 if size > MOST_BYTES:
-                    raise InvalidInputError(
-                        "recording_too_large", f"'{name}' is larger than {MOST_BYTES} bytes.", most=MOST_BYTES
-                    )
+                    raise _too_large(name)
                 if len(held) >= _PIECE_BYTES:
                     await self._check_room(name, size)
                     await self._flights.in_thread(file.write, bytes(held))
@@ -119,6 +127,10 @@ class FlightImports:
 
 def _about(flight: str, title: str, damage: str) -> About:
     return About(title="" if title == flight else title, imported=True, came_damaged=damage)
+
+
+def _too_large(name: str) -> GatewayError:
+    return InvalidInputError("recording_too_large", f"'{name}' is larger than {MOST_BYTES} bytes.", most=MOST_BYTES)
 
 
 def incomplete(name: str) -> GatewayError:

@@ -19,6 +19,7 @@ import structlog
 
 from epf_gcs.errors import ConflictError, GatewayError, NotFoundError
 from epf_gcs.extras import FLIGHTS
+from epf_gcs.web.child import child
 from epf_gcs.web.missing import require
 from epf_gcs.web.stream.hub import Hub
 
@@ -191,16 +192,16 @@ class Jobs:
             self._end(job)
 
     async def _work(self, job: Job, arguments: list[str]) -> None:
-        process = await asyncio.create_subprocess_exec(
+        async with child(
             sys.executable,
             "-m",
             *(_KEYS_PROGRAM if job.kind == "keys" else (_PROGRAM, job.kind)),
             *arguments,
+            grace_s=_GRACE_S,
             stdin=asyncio.subprocess.PIPE,
             stdout=asyncio.subprocess.PIPE,
             limit=_LONGEST_LINE,
-        )
-        try:
+        ) as process:
             if process.stdout is not None:
                 async for line in process.stdout:
                     self._heard(job, orjson.loads(line))
@@ -208,8 +209,6 @@ class Jobs:
             if job.fault is None and (code != 0 or not job.answer):
                 log.error("a job failed", kind=job.kind, flight=job.flight, code=code)
                 job.fault = _failed(f"its program ended with {code}")
-        finally:
-            await asyncio.shield(_stop(process))
 
     def _heard(self, job: Job, message: dict[str, Any]) -> None:
         if "done" in message:
@@ -244,22 +243,6 @@ class Jobs:
     def _tell(self, job: Job) -> None:
         self._told_s[job.id] = self._loop.time()
         self._hub.event("job", job.as_dict())
-
-
-async def _stop(process: asyncio.subprocess.Process) -> None:
-    """End a program that may still run: kindly, then for good."""
-    if process.returncode is None:
-        with contextlib.suppress(ProcessLookupError):
-            process.terminate()
-        try:
-            async with asyncio.timeout(_GRACE_S):
-                await process.wait()
-        except TimeoutError:
-            with contextlib.suppress(ProcessLookupError):
-                process.kill()
-            await process.wait()
-    if process.stdin is not None:
-        process.stdin.close()
 
 
 def _drop(job: Job) -> None:

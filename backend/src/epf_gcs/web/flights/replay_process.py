@@ -15,6 +15,7 @@ import orjson
 
 from epf_gcs.bus.station_end import Listener, StationEnd
 from epf_gcs.errors import ConflictError
+from epf_gcs.web.child import child
 
 _POLITE_S: Final = 2.0
 _MOST_WORDS: Final = 2000
@@ -69,17 +70,15 @@ class ReplayProcess:
             self._on_end = None
 
     async def _run(self) -> str:
+        pipe, nowhere = asyncio.subprocess.PIPE, asyncio.subprocess.DEVNULL
         with tempfile.TemporaryFile() as words:
             try:
-                self._process = await asyncio.create_subprocess_exec(
-                    *self._words, stdin=asyncio.subprocess.PIPE, stdout=asyncio.subprocess.DEVNULL, stderr=words
-                )
-                self._say()
-                await self._process.wait()
+                async with child(*self._words, grace_s=_POLITE_S, stdin=pipe, stdout=nowhere, stderr=words) as process:
+                    self._process = process
+                    self._say()
+                    await process.wait()
             finally:
                 self._take_no_more()
-                if self._process is not None:
-                    await _ended(self._process)
             words.seek(0)
             return words.read().decode(errors="replace")[-_MOST_WORDS:].strip()
 
@@ -125,20 +124,7 @@ class ViewersReplay:
                 connected.cancel()
                 with contextlib.suppress(asyncio.CancelledError):
                     await connected
-            await process.leave()
-            shutil.rmtree(folder, ignore_errors=True)
-
-
-async def _ended(process: asyncio.subprocess.Process) -> None:
-    """End it, kindly and then not."""
-    if process.returncode is not None:
-        return
-    with contextlib.suppress(ProcessLookupError):
-        process.terminate()
-    try:
-        async with asyncio.timeout(_POLITE_S):
-            await process.wait()
-    except TimeoutError:
-        with contextlib.suppress(ProcessLookupError):
-            process.kill()
-        await process.wait()
+            try:
+                await process.leave()
+            finally:
+                shutil.rmtree(folder, ignore_errors=True)

@@ -15,7 +15,7 @@ from epf_gcs.web.deps import FlightsDep, ImportsDep, MirrorDep, OperatorDep
 from epf_gcs.web.flights.about import About
 from epf_gcs.web.flights.flights import Flights
 from epf_gcs.web.flights.folder import KEPT_S
-from epf_gcs.web.flights.imports import incomplete
+from epf_gcs.web.flights.imports import incomplete, most_import_bytes
 from epf_gcs.web.flights.library import Row, Sort, Wanted
 from epf_gcs.web.flights.policy import Policy
 from epf_gcs.web.flights.schemas import (
@@ -188,6 +188,7 @@ async def _disk(flights: Flights) -> FlightDisk:
     return FlightDisk(
         free_bytes=free_bytes,
         used_bytes=await flights.used_bytes(),
+        most_import_bytes=most_import_bytes(free_bytes),
         hours_left=hours_left,
         policy=FlightPolicy(delete_oldest=policy.delete_oldest, keep_free_bytes=policy.keep_free_bytes),
     )

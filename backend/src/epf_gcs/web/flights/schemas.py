@@ -21,6 +21,7 @@ FlightState = Literal["recording", "waiting", "indexing", "indexed", "damaged"]
 JobKind = Literal["pack", "index", "keys", "import", "export", "report"]
 JobState = Literal["waiting", "running", "done", "failed", "cancelled"]
 EventKind = Literal[
+    "advice",
     "alarm",
     "command",
     "console",

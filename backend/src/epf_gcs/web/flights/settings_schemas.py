@@ -20,10 +20,12 @@ class FlightPolicy(Output):
 class FlightDisk(Output):
     """Room for recordings. `hours_left` at the rate of the newest flights, with all that is made of a flight; null if
     there is none to judge by. `used_bytes`: all flights, those of the bin, what was made of them, and finished exports.
+    `most_import_bytes`: the largest recording of another machine that can be taken in now.
     """
 
     free_bytes: int | None
     used_bytes: int
+    most_import_bytes: int
     hours_left: float | None
     policy: FlightPolicy
 

@@ -7,7 +7,11 @@ from pathlib import Path
 from typing import Final
 
 from epf_gcs.web.maps import faults
+from epf_gcs.web.maps.layer import Description
 from epf_gcs.web.maps.mbtiles import MbTiles
+
+VECTOR: Final = "vector_"
+"""What stands before the names of the tables of roads, rivers and buildings."""
 
 _HEAD_BYTES: Final = 100
 _PAGE_SIZE_AT: Final = 16
@@ -21,7 +25,15 @@ class FieldSet(MbTiles):
     def __init__(self, path: Path, name: str, name_in_file: str) -> None:
         """Open the file. Raises GatewayError if it cannot be shown; `map_file_empty` if it has no such set."""
         _check_length(path, name)
-        super().__init__(path, name, f"{name_in_file}_" if name_in_file else "")
+        self._is_of_roads = name_in_file == "vector"
+        super().__init__(path, name, f"{name_in_file}_" if name_in_file else "", is_vector=self._is_of_roads)
+
+    def _describe(self) -> Description:
+        # Files without roads have no tables for them.
+        named = f"SELECT 1 FROM sqlite_master WHERE type = 'table' AND name = '{VECTOR}tiles'"  # noqa: S608
+        if self._is_of_roads and not self._rows(named):
+            raise faults.empty(self._name)
+        return super()._describe()
 
 
 def _check_length(path: Path, name: str) -> None:

@@ -26,8 +26,8 @@ _FORMATS: Final[dict[str, LayerFormat]] = {
     ".zip": "quantized_mesh",
     ".field": "field",
 }
-FIELD_SETS: Final[tuple[LayerFormat, ...]] = ("field", "field_relief", "field_terrain")
-"""What the file of a field may hold: pictures, the relief and the terrain. Each is a layer of its own."""
+FIELD_SETS: Final[tuple[LayerFormat, ...]] = ("field", "field_relief", "field_vector", "field_terrain")
+"""What the file of a field may hold: pictures, the relief, roads and the terrain. Each is a layer of its own."""
 
 _LONGEST_NAME_BYTES: Final = 120
 _NOT_IN_NAMES: Final = re.compile(r'[/\\:*?"<>|]')

@@ -9,9 +9,18 @@ from typing import Any, Final, Literal, NamedTuple, Protocol
 
 from epf_gcs.errors import GatewayError
 
-LayerKind = Literal["imagery", "terrain"]
+LayerKind = Literal["imagery", "terrain", "vector"]
 LayerFormat = Literal[
-    "mbtiles", "pmtiles", "quantized_mesh", "geotiff", "hgt", "online", "field", "field_relief", "field_terrain"
+    "mbtiles",
+    "pmtiles",
+    "quantized_mesh",
+    "geotiff",
+    "hgt",
+    "online",
+    "field",
+    "field_relief",
+    "field_vector",
+    "field_terrain",
 ]
 
 MAX_TILE_BYTES: Final = 8_000_000
@@ -21,6 +30,7 @@ _MOST_CREDIT: Final = 300
 _MARKUP: Final = re.compile(r"<[^<>]*>")
 _GZIP: Final = b"\x1f\x8b"
 _MESH_TYPE: Final = "application/vnd.quantized-mesh"
+VECTOR_TYPE: Final = "application/vnd.mapbox-vector-tile"
 
 
 class Bounds(NamedTuple):
@@ -144,6 +154,13 @@ def mesh(data: bytes) -> Tile | None:
     if not data or len(data) > MAX_TILE_BYTES:
         return None
     return Tile(data, _MESH_TYPE, "gzip" if data.startswith(_GZIP) else None)
+
+
+def vector(data: bytes) -> Tile | None:
+    """A tile of roads, rivers and buildings, with or without gzip. The page's worker alone looks into it."""
+    if not data or len(data) > MAX_TILE_BYTES:
+        return None
+    return Tile(data, VECTOR_TYPE, "gzip" if data.startswith(_GZIP) else None)
 
 
 def _picture_type(data: bytes) -> str | None:

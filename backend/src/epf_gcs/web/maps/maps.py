@@ -62,11 +62,12 @@ class Maps:
         return [*found, *self.online.layers()]
 
     async def picture(self, layer_id: str, zoom: int, column: int, row: int) -> tuple[Tile | None, Stamp]:
-        """One picture, rows from the north; None if there is none. Raises NotFoundError, or why it cannot be read."""
+        """One picture or tile of roads, rows from the north; None if there is none. Raises NotFoundError, or why it
+        cannot be read."""
         if self.online.has(layer_id):
             return await self.online.tile(layer_id, zoom, column, row)
         tile, description, stamp = await self.in_thread(self.folder.tile, layer_id, zoom, column, row)
-        return (tile if description.kind == "imagery" else None), stamp
+        return (None if description.kind == "terrain" else tile), stamp
 
     async def terrain(self, layer_id: str, zoom: int, column: int, row: int) -> tuple[Tile | None, Stamp]:
         """One tile of terrain, rows in the scheme of its layer.json. Raises as `picture`."""

@@ -22,6 +22,7 @@ from epf_gcs.web.maps.layer import (
     credit,
     mesh,
     picture,
+    vector,
 )
 
 _MESH_FORMATS: Final = ("quantized-mesh", "terrain")
@@ -39,13 +40,15 @@ _METADATA: Final = f"SELECT substr(name, 1, 64), substr(value, 1, {_MAX_META_LEN
 class MbTiles:
     """One opened file. Its rows count from the south; callers give the row of a picture from the north."""
 
-    def __init__(self, path: Path, name: str, prefix: str = "") -> None:
+    def __init__(self, path: Path, name: str, prefix: str = "", *, is_vector: bool = False) -> None:
         """Open the file. Raises GatewayError if it cannot be shown.
 
-        `prefix` stands before the names of its tables, in a file of several sets; it is one of ours.
+        `prefix` stands before the names of its tables, in a file of several sets; it is one of ours. `is_vector`: its
+        tiles are roads, rivers and buildings (MVT).
         """
         self._name = name
         self._prefix = prefix
+        self._is_vector = is_vector
         self._lock = threading.Lock()
         self._longest_s = _LONGEST_LISTING_S
         self._until_s = 0.0
@@ -77,7 +80,7 @@ class MbTiles:
             raise faults.damaged(self._name, str(error)) from error
         if data is None:
             return None
-        return mesh(data) if is_mesh else picture(data)
+        return {"terrain": mesh, "imagery": picture, "vector": vector}[self.description.kind](data)
 
     def close(self) -> None:
         """Close the file."""
@@ -138,6 +141,8 @@ class MbTiles:
         first = self._rows(f"SELECT tile_data FROM {self._prefix}tiles LIMIT 1")  # noqa: S608
         if not first:
             raise faults.empty(self._name)
+        if self._is_vector:
+            return "vector"
         if any(word in said for word in _MESH_FORMATS):
             return "terrain"
         # Decide by the tile's content, not by the format that the metadata states.

@@ -13,7 +13,7 @@ from starlette.requests import ClientDisconnect
 from epf_gcs.errors import ConflictError
 from epf_gcs.web.deps import MapsDep, OperatorDep
 from epf_gcs.web.maps.imports import Import
-from epf_gcs.web.maps.layer import Description, Layer, Tile
+from epf_gcs.web.maps.layer import VECTOR_TYPE, Description, Layer, Tile
 from epf_gcs.web.maps.open_files import Stamp
 from epf_gcs.web.maps.schemas import MapImport, MapLayer, MapLayers, problem_fields
 from epf_gcs.web.problems import problem_response, problems, reading_problems
@@ -23,7 +23,7 @@ router = APIRouter(prefix="/map", tags=["maps"])
 IMPORTS_PATH: Final = "/map/imports"
 # A file replaced under the same name becomes visible within this time.
 _CACHE: Final = "private, max-age=600"
-_PICTURES: Final = ("image/png", "image/jpeg", "image/webp")
+_PICTURES: Final = ("image/png", "image/jpeg", "image/webp", VECTOR_TYPE)
 _MESH: Final = "application/vnd.quantized-mesh"
 _FILE: Final[dict[str, Any]] = {"schema": {"type": "string", "format": "binary"}}
 _GONE: Final[dict[int | str, dict[str, Any]]] = {
@@ -54,7 +54,7 @@ async def get_map_layers(maps: MapsDep) -> MapLayers:
 async def get_map_tile(
     request: Request, maps: MapsDep, layer_id: LayerId, zoom: Zoom, column: Place, row: Place
 ) -> Response:
-    """One picture; rows count from the north."""
+    """One picture, or one tile of roads, rivers and buildings (MVT); rows count from the north."""
     tile, stamp = await maps.picture(layer_id, zoom, column, row)
     if tile is None:
         # Do not let the browser cache a missing online tile: it may be there at the next request.

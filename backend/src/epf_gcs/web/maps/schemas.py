@@ -31,9 +31,18 @@ class MapLayer(MapProblem):
 
     id: str
     name: str
-    kind: Literal["imagery", "terrain"]
+    kind: Literal["imagery", "terrain", "vector"]
     format: Literal[
-        "mbtiles", "pmtiles", "quantized_mesh", "geotiff", "hgt", "online", "field", "field_relief", "field_terrain"
+        "mbtiles",
+        "pmtiles",
+        "quantized_mesh",
+        "geotiff",
+        "hgt",
+        "online",
+        "field",
+        "field_relief",
+        "field_vector",
+        "field_terrain",
     ]
     west_deg: float
     south_deg: float

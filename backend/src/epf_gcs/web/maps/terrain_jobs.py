@@ -13,6 +13,7 @@ import structlog
 
 from epf_gcs.errors import GatewayError, InvalidInputError
 from epf_gcs.extras import MAPS
+from epf_gcs.web.child import child
 from epf_gcs.web.maps import faults
 from epf_gcs.web.maps.files import MapFile
 from epf_gcs.web.maps.folder import MapFolder
@@ -98,21 +99,17 @@ class TerrainJobs:
 
     async def _work(self, file: MapFile, arguments: list[str]) -> GatewayError | None:
         """Run the worker; None if it succeeded."""
-        process = await asyncio.create_subprocess_exec(
-            sys.executable, "-m", _WORKER, *arguments, stdin=asyncio.subprocess.DEVNULL, stdout=asyncio.subprocess.PIPE
-        )
-        self._current = (file.id, process)
         problem: GatewayError | None = None
-        try:
-            if process.stdout is not None:
-                async for line in process.stdout:
-                    problem = self._heard(file, orjson.loads(line)) or problem
-            code = await process.wait()
-        finally:
-            self._current = None
-            if process.returncode is None:
-                process.kill()
-                await process.wait()
+        nowhere, pipe = asyncio.subprocess.DEVNULL, asyncio.subprocess.PIPE
+        async with child(sys.executable, "-m", _WORKER, *arguments, stdin=nowhere, stdout=pipe) as process:
+            self._current = (file.id, process)
+            try:
+                if process.stdout is not None:
+                    async for line in process.stdout:
+                        problem = self._heard(file, orjson.loads(line)) or problem
+                code = await process.wait()
+            finally:
+                self._current = None
         if code != 0 and problem is None:
             log.error("the terrain worker failed", file=file.path.name, code=code)
             problem = faults.not_converted(file.path.name, f"{code}")

@@ -98,7 +98,7 @@ class SocketConnection(asyncio.Protocol):
         # Who opened it; set before the handshake, which strangers do not reach.
         self.caller: Caller | None = None
         self.heard = 0
-        """Pieces of anything that came; it only grows."""
+        """Pieces of anything that came since the handshake; from then on it only grows."""
 
     def connection_made(self, transport: asyncio.BaseTransport) -> None:
         """uvicorn hands over the transport of the HTTP connection."""
@@ -293,6 +293,7 @@ class SocketConnection(asyncio.Protocol):
         # Under TLS -1: the transport alone may write, or plain text would get between the records.
         is_tls = transport.get_extra_info("sslcontext") is not None
         self._fd = -1 if is_tls else transport.get_extra_info("socket").fileno()
+        self.heard = 0  # the handshake is the browser's, and says nothing of its page
         self._keepalive = self._loop.call_later(_KEEPALIVE_S, self._check_alive)
         self._endpoint.opened(conversation)
 

@@ -19,8 +19,13 @@ Blind = Literal["no_position", "no_heights", "no_heights_here"]
 Heights = Callable[[Vector, Vector], Vector]
 """Metres above the sea at these latitudes and longitudes; NaN: not known."""
 
-# Slower than this over the ground an aircraft stands or rolls: it is not warned.
+# An aircraft flies once it was faster than this over the ground; one that flew stands after it was nearly still and
+# level for some seconds: in the air against a strong wind it is slow, too.
 _FLIES_MPS: Final = 10.0
+_STILL_MPS: Final = 1.5
+_LEVEL_MPS: Final = 0.5
+_STANDS_S: Final = 10.0
+# One that never flew stands below this speed.
 _STANDS_MPS: Final = 5.0
 # A gap of the line for so long changes no warning.
 _HICCUP_S: Final = 1.0
@@ -64,6 +69,8 @@ class AircraftSurroundings:
         self._fence = Steady()
         # An aircraft first seen in flight is warned at once; one that stood, when it was clear of the ground once.
         self._is_armed = True
+        self._is_flying = False
+        self._still_since_s: float | None = None
         self._field: tuple[float, float] | None = None
         self._seen_s = -math.inf
         self._outside = False
@@ -117,13 +124,25 @@ class AircraftSurroundings:
         return Seen(blind, ground_m, height_m, terrain, fence, self._outside, path if warned else None)
 
     def _stand_or_fly(self, motion: Motion, height_m: float | None, margin_m: float) -> bool:
-        if motion.speed_mps < _STANDS_MPS:
-            self._is_armed = False
-            self._field = (motion.latitude_deg, motion.longitude_deg)
-        is_flying = motion.speed_mps >= _FLIES_MPS
-        if is_flying and height_m is not None and height_m > margin_m:
+        is_high = height_m is not None and height_m > margin_m
+        if motion.speed_mps >= _FLIES_MPS or is_high:
+            self._is_flying = True
+        if is_high:
             self._is_armed = True
-        return is_flying
+        if is_high or (self._is_flying and not self._has_stood_still(motion)):
+            return self._is_flying
+        if motion.speed_mps < _STANDS_MPS:
+            self._is_flying = self._is_armed = False
+            self._field = (motion.latitude_deg, motion.longitude_deg)
+        return self._is_flying
+
+    def _has_stood_still(self, motion: Motion) -> bool:
+        if motion.speed_mps >= _STILL_MPS or abs(motion.climb_mps) >= _LEVEL_MPS:
+            self._still_since_s = None
+            return False
+        if self._still_since_s is None:
+            self._still_since_s = motion.t_s
+        return motion.t_s - self._still_since_s >= _STANDS_S
 
     def _ground_ahead(self, path: Path, wanted: Wanted, heights: Heights) -> Threat | None:
         margin_m = limit(wanted.margin_m, is_shown=self._terrain.shown is not None)

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 from collections import deque
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Final, NamedTuple
 
@@ -22,18 +23,39 @@ _APART_S: Final = 0.18
 # Positions over this time make one velocity where the receiver measures none.
 _BASE_S: Final = 1.0
 _SPEED_S: Final = 1.5
-# A turn and a climb are measured over the longer time while they are steady, over the shorter one after a change.
+_STRAIGHT_S: Final = 6.0
 _SHORT_S: Final = 4.0
+
+
+class Span(NamedTuple):
+    """The last so many seconds, over which a line is laid. It counts while its slope is nearly that of the next shorter
+    span, by `same`; what is less than `nothing` cannot be told from no slope."""
+
+    for_s: float
+    same: float
+    nothing: float = 0.0
+
+
+# A turn and a climb are measured over the longest time in which they were steady: gusts and the pilot's hand disturb
+# the mean of a long time little. After a change only the shortest counts. Turns are compared by their sideways
+# acceleration in m/s2: the same gust turns a slow aircraft's track more.
+_TURN_SPANS: Final = (
+    Span(_SHORT_S, math.inf, 0.5),
+    Span(10.0, 0.8, 0.5),
+    Span(20.0, 0.32, 0.26),
+    Span(40.0, 0.16, 0.16),
+)
+# Lift and sink of gusty air are a climb of 1 m/s for some seconds: only a greater change counts at once.
+_CLIMB_SPANS: Final = (Span(_SHORT_S, math.inf), Span(8.0, 2.0), Span(16.0, 0.6), Span(32.0, 0.3))
+# What was followed for less time is believed in part.
+_SETTLED_S: Final = 8.0
 _LONG_S: Final = 10.0
-_SAME_TURN_RAD_S: Final = math.radians(1.5)
-_SAME_CLIMB_MPS: Final = 0.8
+_LONGEST_S: Final = 40.0
 _LEAST_S: Final = 2.5
 # A receiver that was silent for longer may have flown anything meanwhile.
 _GAP_S: Final = 2.0
 # A jump in the position (another flight, another aircraft) is no flight.
 _FASTEST_MPS: Final = 350.0
-# Slower turns are the wandering of straight flight.
-_STRAIGHT_RAD_S: Final = math.radians(1.0)
 _STEEPEST_BANK_RAD: Final = math.radians(50.0)
 _G_MPS2: Final = 9.81
 # The velocities must spread at least by this share of the speed across their main direction to show the wind.
@@ -130,10 +152,10 @@ class MotionEstimate:
         newest = self._fixes[-1]
         self._measure_wind(newest.t_s)
         wind_east_mps, wind_north_mps = self._wind if newest.t_s - self._wind_s <= _WIND_LASTS_S else (0.0, 0.0)
-        recent = np.array(self._since(newest.t_s - _LONG_S))
+        recent = np.array(self._since(newest.t_s - _LONGEST_S))
         times_s = recent[:, 0] - newest.t_s
         air_east, air_north = recent[:, 1] - wind_east_mps, recent[:, 2] - wind_north_mps
-        airspeed_mps = float(np.hypot(air_east, air_north).mean())
+        airspeed_mps = float(np.hypot(air_east, air_north)[times_s >= -_LONG_S].mean())
         turn_rad_s = _turn(times_s, air_east, air_north, airspeed_mps)
         east_mps, north_mps = _turned_to_now(times_s, air_east, air_north, turn_rad_s)
         altitude_m, climb_mps = self._climb(newest)
@@ -166,9 +188,9 @@ class MotionEstimate:
 
     def _climb(self, newest: Fix) -> tuple[float, float]:
         """Altitude at the newest fix and climb, by the line through the last altitudes."""
-        recent = [(one.t_s - newest.t_s, one.altitude_m) for one in self._fixes if newest.t_s - one.t_s <= _LONG_S]
+        recent = [(one.t_s - newest.t_s, one.altitude_m) for one in self._fixes if newest.t_s - one.t_s <= _LONGEST_S]
         times_s, altitudes_m = np.array(recent).T
-        climb_mps = _steady_slope(times_s, altitudes_m, _SAME_CLIMB_MPS)
+        climb_mps = _steady_slope(times_s, altitudes_m, _CLIMB_SPANS)
         is_last = times_s >= -_SHORT_S
         return float(altitudes_m[is_last].mean() - climb_mps * times_s[is_last].mean()), climb_mps
 
@@ -199,25 +221,34 @@ def _turn(times_s: Vector, east: Vector, north: Vector, airspeed_mps: float) -> 
     """Rate of turn through the air, at most what a steep bank turns; 0 for straight flight."""
     if airspeed_mps < _SLOWEST_MPS or len(times_s) < 3:
         return 0.0
-    turn_rad_s = _steady_slope(times_s, np.unwrap(np.arctan2(east, north)), _SAME_TURN_RAD_S)
+    sideways_mps = np.unwrap(np.arctan2(east, north)) * airspeed_mps
+    turn_rad_s = _steady_slope(times_s, sideways_mps, _TURN_SPANS) / airspeed_mps
     fastest = _G_MPS2 * math.tan(_STEEPEST_BANK_RAD) / airspeed_mps
-    return 0.0 if abs(turn_rad_s) < _STRAIGHT_RAD_S else max(-fastest, min(fastest, turn_rad_s))
+    return max(-fastest, min(fastest, turn_rad_s))
 
 
 def _turned_to_now(times_s: Vector, east: Vector, north: Vector, turn_rad_s: float) -> tuple[float, float]:
     """The mean of the last velocities through the air, each turned on to the present."""
-    is_last = times_s >= times_s[-1] - (_SHORT_S if turn_rad_s == 0.0 else _SPEED_S)
+    is_last = times_s >= times_s[-1] - (_STRAIGHT_S if turn_rad_s == 0.0 else _SPEED_S)
     angle = -turn_rad_s * times_s[is_last]
     now_east = east[is_last] * np.cos(angle) + north[is_last] * np.sin(angle)
     now_north = north[is_last] * np.cos(angle) - east[is_last] * np.sin(angle)
     return float(now_east.mean()), float(now_north.mean())
 
 
-def _steady_slope(times_s: Vector, values: Vector, same: float) -> float:
-    """Of all values if it is nearly that of the last ones, else of the last ones."""
-    is_last = times_s >= -_SHORT_S
-    whole, newest = _slope(times_s, values), _slope(times_s[is_last], values[is_last])
-    return whole if abs(whole - newest) < same else newest
+def _steady_slope(times_s: Vector, values: Vector, spans: Sequence[Span]) -> float:
+    """Of the longest span in which it did not change; 0 where that is too little to be told."""
+    found = 0.0
+    counts = spans[0]
+    for span in spans:
+        if span is not spans[0] and times_s[0] > -0.9 * span.for_s:
+            break
+        is_in = times_s >= -span.for_s
+        slope = _slope(times_s[is_in], values[is_in])
+        if span is not spans[0] and abs(slope - found) >= span.same:
+            break
+        found, counts = slope, span
+    return 0.0 if abs(found) < counts.nothing else found * min(1.0, -float(times_s[0]) / _SETTLED_S)
 
 
 def _slope(times_s: Vector, values: Vector) -> float:

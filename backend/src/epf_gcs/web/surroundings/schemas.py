@@ -6,10 +6,15 @@ from typing import Annotated, Literal, Self
 
 from pydantic import Field, model_validator
 
-from epf_gcs.web.schemas import Input, Output
-
-MOST_CORNERS = 100
-_LEAST_CORNERS = 3
+from epf_gcs.formats.fence_file import (
+    HIGHEST_CEILING_FT,
+    LEAST_CORNERS,
+    LOWEST_CEILING_FT,
+    MOST_CORNERS,
+    FenceFormat,
+    FenceNoteCode,
+)
+from epf_gcs.web.schemas import Input, Output, ParamValue
 
 
 class FenceCorner(Input):
@@ -30,12 +35,12 @@ class SurroundingsChange(Input):
     margin_ft: Annotated[float, Field(ge=30, le=3000)]
     fence_on: bool
     corners: Annotated[list[FenceCorner], Field(max_length=MOST_CORNERS)]
-    ceiling_ft: Annotated[float, Field(ge=-1500, le=60_000)] | None
+    ceiling_ft: Annotated[float, Field(ge=LOWEST_CEILING_FT, le=HIGHEST_CEILING_FT)] | None
     fence_margin_ft: Annotated[float, Field(ge=0, le=3000)]
 
     @model_validator(mode="after")
     def _is_a_fence(self) -> Self:
-        if 0 < len(self.corners) < _LEAST_CORNERS:
+        if 0 < len(self.corners) < LEAST_CORNERS:
             raise ValueError("a fence has at least three corners, or none")
         if self.fence_on and not self.corners and self.ceiling_ft is None:
             raise ValueError("a fence that warns has corners or a ceiling")
@@ -51,6 +56,27 @@ class SurroundingsChoice(Output):
     corners: list[FenceCorner]
     ceiling_ft: float | None
     fence_margin_ft: float
+
+
+class FenceNote(Output):
+    """Something about the file that a person should know before relying on the fence.
+
+    circle_cornered {count}: the fence was a circle, and has so many corners now, all of them within it.
+    exclusions_skipped {count}: areas to stay out of, which this fence cannot have.
+    shapes_skipped {count}: other borders; the first one was taken.
+    """
+
+    code: FenceNoteCode
+    params: dict[str, ParamValue]
+
+
+class FenceImport(Output):
+    """What was in the file; `ceiling_ft` above the sea, null if it has none. The station's fence is as it was."""
+
+    format: FenceFormat
+    corners: list[FenceCorner]
+    ceiling_ft: float | None
+    notes: list[FenceNote]
 
 
 class TrackPlace(Output):

@@ -13,12 +13,15 @@ from epf_gcs.web.surroundings.path import Path
 WARN_S: Final = 30.0
 AHEAD_S: Final = 38.0
 """How far the path is followed: the 30 s of warning, and the time that the estimate of the track lags behind."""
-_RAISE_S: Final = 1.0
-_END_S: Final = 6.0
-# An ended warning must be over by more than the limit that raised it.
-_WIDER: Final = 1.5
+_END_S: Final = 10.0
+# An ended warning must be over by more than the limit that raised it: by more than a receiver's altitude wanders.
+_WIDER: Final = 1.25
 
 What = Literal["terrain", "fence", "ceiling"]
+
+# How long a threat must last to count. The margin under a ceiling is itself many seconds of climb: there is the time to
+# see whether it is a climb or the lift of gusty air.
+_RAISE_S: Final[dict[What, float]] = {"terrain": 1.0, "fence": 1.0, "ceiling": 4.0}
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,7 +60,7 @@ class Steady:
             return self._shown
         if self._since_s is None:
             self._since_s = now_s
-        if self._shown is not None or now_s - self._since_s >= _RAISE_S or threat.in_s == 0.0:
+        if self._shown is not None or now_s - self._since_s >= _RAISE_S[threat.what] or threat.in_s == 0.0:
             self._shown = threat
         if self._shown is not None:
             self._last_s = now_s

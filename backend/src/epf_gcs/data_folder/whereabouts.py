@@ -1,0 +1,54 @@
+"""Where the station that runs on a data folder listens: a small file in it, read by `epf-gcs invite`."""
+
+from __future__ import annotations
+
+import json
+from contextlib import suppress
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Final
+
+from epf_gcs.data_folder.lock import is_in_use
+from epf_gcs.disk import replace_file
+
+FILE: Final = "listening.json"
+_LONGEST: Final = 10_000
+
+
+@dataclass(frozen=True, slots=True)
+class Whereabouts:
+    """`host` is what it listens on, `port` the one in use, never 0; `tls`: whether it is asked by https."""
+
+    host: str
+    port: int
+    tls: bool
+
+
+def leave(folder: Path, found: Whereabouts) -> None:
+    """Write where we listen. Raises OSError; then what another run wrote is gone, if that can be."""
+    try:
+        replace_file(folder / FILE, (json.dumps(asdict(found)) + "\n").encode())
+    except OSError:
+        with suppress(OSError):
+            (folder / FILE).unlink()
+        raise
+
+
+def of_running(folder: Path) -> Whereabouts | None:
+    """Where the station of this folder listens; None if none runs, or if it did not say so.
+
+    A file that a killed one left does not count: the folder is then in nobody's use.
+    """
+    try:
+        if not is_in_use(folder):
+            return None
+        with (folder / FILE).open("rb") as file:
+            found = json.loads(file.read(_LONGEST))
+    except (OSError, ValueError):
+        return None
+    if not isinstance(found, dict):
+        return None
+    host, port, tls = found.get("host"), found.get("port"), found.get("tls")
+    if not isinstance(host, str) or type(port) is not int or not 0 < port < 1 << 16 or not isinstance(tls, bool):
+        return None
+    return Whereabouts(host, port, tls)

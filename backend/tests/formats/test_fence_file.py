@@ -1,0 +1,141 @@
+"""Fences as files: ours come back exactly, Google Earth's and QGroundControl's are understood, the rest is refused."""
+
+from __future__ import annotations
+
+import io
+import zipfile
+from typing import Any
+
+import orjson
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from epf_gcs.errors import InvalidInputError
+from epf_gcs.formats.fence_file import Corner, read_fence_file, write_fence_kml, write_fence_plan
+from tests.support.kml import schema_faults
+
+CORNERS: tuple[Corner, ...] = ((28.0, -15.5), (28.0, -15.4), (28.1, -15.4))
+FENCES = st.lists(
+    st.tuples(st.integers(-90_000_000, 90_000_000), st.integers(-180_000_000, 180_000_000)),
+    min_size=3,
+    max_size=100,
+    unique=True,
+).map(lambda corners: [(latitude / 1e6, longitude / 1e6) for latitude, longitude in corners])
+
+# As Google Earth saves a polygon that was drawn by hand.
+DRAWN = """<?xml version="1.0" encoding="UTF-8"?>
+<kml xmlns="http://www.opengis.net/kml/2.2" xmlns:gx="http://www.google.com/kml/ext/2.2"><Document>
+<Placemark><name>Campo</name>{first}</Placemark><Placemark><name>Otro</name>{more}</Placemark>
+</Document></kml>"""
+RING = "-15.5,28,0 -15.4,28,0 -15.4,28.1,0 -15.5,28,0"
+
+
+def polygon(ring: str = RING, hole: str = "") -> str:
+    border = f"<outerBoundaryIs><LinearRing><coordinates>\n\t{ring}\n</coordinates></LinearRing></outerBoundaryIs>"
+    return f"<Polygon><tessellate>1</tessellate>{border}{hole}</Polygon>"
+
+
+def drawn(first: str, more: str = "") -> bytes:
+    return DRAWN.format(first=first, more=more).encode()
+
+
+def plan(polygons: list[Any] | None = None, circles: list[Any] | None = None) -> bytes:
+    fence = {"circles": circles or [], "polygons": polygons or [], "version": 2}
+    return orjson.dumps({"fileType": "Plan", "geoFence": fence, "mission": {}, "version": 1})
+
+
+def counted(data: bytes) -> dict[str, Any]:
+    return {note.code: note.params["count"] for note in read_fence_file("x", data).notes}
+
+
+@settings(max_examples=30)
+@given(FENCES, st.none() | st.floats(-1500, 60_000), st.text(max_size=30))
+def test_ours_comes_back_exactly_and_is_what_the_schema_wants(
+    corners: list[Corner], ceiling_ft: float | None, name: str
+) -> None:
+    data = write_fence_kml(name, corners, ceiling_ft)
+    assert schema_faults(data) == []
+    found = read_fence_file("x.kml", data)
+    assert (found.format, found.corners, found.notes) == ("kml", tuple(corners), ())
+    assert found.ceiling_ft == (None if ceiling_ft is None else pytest.approx(ceiling_ft, abs=1e-9))
+    read = read_fence_file("x.plan", write_fence_plan(corners))
+    assert (read.format, read.corners, read.ceiling_ft, read.notes) == ("plan", tuple(corners), None, ())
+
+
+def test_a_polygon_a_closed_path_and_an_archive_of_google_earth_are_fences() -> None:
+    assert read_fence_file("x", drawn(polygon())).corners == CORNERS
+    assert read_fence_file("x", drawn(polygon(RING.replace(",", " , ")))).corners == CORNERS
+    line = f"<LineString><coordinates>{RING}</coordinates></LineString>"
+    assert read_fence_file("x", drawn(line)).corners == CORNERS
+    packed = io.BytesIO()
+    with zipfile.ZipFile(packed, "w") as archive:
+        archive.writestr("doc.kml", drawn(polygon()))
+    assert read_fence_file("x", packed.getvalue()).corners == CORNERS
+
+
+def test_what_a_fence_cannot_have_is_left_out_and_said() -> None:
+    hole = "<innerBoundaryIs><LinearRing><coordinates>0,0 1,0 1,1 0,0</coordinates></LinearRing></innerBoundaryIs>"
+    assert counted(drawn(polygon(hole=hole), polygon())) == {"shapes_skipped": 1, "exclusions_skipped": 1}
+    border = {"inclusion": True, "polygon": [list(corner) for corner in CORNERS], "version": 1}
+    out = {**border, "inclusion": False}
+    circle = {"circle": {"center": [28.0, -15.0], "radius": 500.0}, "inclusion": True, "version": 1}
+    assert counted(plan([out, border], [circle])) == {"shapes_skipped": 1, "exclusions_skipped": 1}
+    assert read_fence_file("x", plan([out, border])).corners == CORNERS
+
+
+def test_a_circle_becomes_corners_that_all_lie_on_it() -> None:
+    circle = {"circle": {"center": [60.0, 179.999], "radius": 1000.0}, "inclusion": True}
+    found = read_fence_file("x", plan(circles=[circle]))
+    assert counted(plan(circles=[circle])) == {"circle_cornered": 36}
+    assert max(latitude for latitude, _ in found.corners) == pytest.approx(60 + 1000 / 111_195, abs=1e-6)
+    east = [(longitude - 179.999 + 180) % 360 - 180 for _, longitude in found.corners]
+    assert max(east) == pytest.approx(2 * 1000 / 111_195, rel=1e-6)
+    assert min(longitude for _, longitude in found.corners) < -179, "it goes over the date line"
+
+
+@pytest.mark.parametrize(
+    ("data", "code"),
+    [
+        (b"", "fence_file_unknown"),
+        (b"\x00\xff\x00", "fence_file_unknown"),
+        (drawn(polygon())[:-20], "fence_file_unknown"),
+        (b"<gpx/>", "fence_file_unknown"),
+        (b'<!DOCTYPE kml [<!ENTITY a "b">]><kml>&a;</kml>', "fence_file_unknown"),
+        (b"PK\x03\x04 no archive", "fence_file_unknown"),
+        (plan()[:-3], "fence_file_unknown"),
+        (b'{"fileType":"GeoFence"}', "fence_file_unknown"),
+        (b'{"fileType":"Plan","geoFence":[3]}', "fence_file_no_fence"),
+        (plan(), "fence_file_no_fence"),
+        (plan([{"inclusion": False, "polygon": [list(corner) for corner in CORNERS]}]), "fence_file_no_fence"),
+        (drawn("<Point><coordinates>1,2</coordinates></Point>"), "fence_file_no_fence"),
+        (drawn("<LineString><coordinates>1,2 3,4 5,6 7,8</coordinates></LineString>"), "fence_file_no_fence"),
+        (drawn("<Polygon/>"), "fence_file_no_fence"),
+        (drawn(polygon("1,2 3,4 1,2")), "fence_file_corners"),
+        (plan([{"polygon": [[1, index / 100] for index in range(101)]}]), "fence_file_corners"),
+        (plan([{"polygon": 7}]), "fence_file_corners"),
+        (drawn(polygon("1,2 3,x 5,6")), "fence_file_place"),
+        (drawn(polygon("1,2 3,91 5,6")), "fence_file_place"),
+        (drawn(polygon("1,2 nan,4 5,6")), "fence_file_place"),
+        (plan([{"polygon": [[1, 2], [True, 3], [4, 5]]}]), "fence_file_place"),
+        (plan([{"polygon": [[1, 2], {}, [4, 5]]}]), "fence_file_place"),
+        (plan(circles=[{"circle": {"center": [28, -15], "radius": -3}}]), "fence_file_place"),
+        (plan(circles=[{"circle": {"center": "here", "radius": 3}}]), "fence_file_place"),
+        (plan(circles=[{"circle": None}]), "fence_file_place"),
+    ],
+)
+def test_what_is_no_fence_is_refused_with_a_reason(data: bytes, code: str) -> None:
+    with pytest.raises(InvalidInputError) as caught:
+        read_fence_file("x.plan", data)
+    assert caught.value.code == code
+    assert caught.value.params["name"] == "x.plan"
+
+
+@settings(max_examples=200)
+@given(st.binary(max_size=200) | st.builds(lambda cut: drawn(polygon())[:cut], st.integers(0, 700)))
+def test_no_bytes_do_more_than_be_refused(data: bytes) -> None:
+    try:
+        found = read_fence_file("x", data)
+    except InvalidInputError:
+        return
+    assert 3 <= len(found.corners) <= 100

@@ -1,0 +1,217 @@
+"""The board's part alone, on a line and a clock in the test's hand: rubbish, silence, and who may wait."""
+
+from __future__ import annotations
+
+import pytest
+
+from epf_gcs.clock import Clock
+from epf_gcs.codec.encode import encode_telemetry
+from epf_gcs.error_log import ErrorLog
+from epf_gcs.errors import ConflictError
+from epf_gcs.vehicle.board import Board
+from epf_gcs.vehicle.restart import Restart
+from epf_gcs.vehicle.telemetry import Telemetry
+from tests.support.outlet import KeptOutlet
+
+AHRS_IS_ON = encode_telemetry("heartbeat", *[0] * 6, 1, *[0] * 5)
+ALL_IS_OFF = encode_telemetry("heartbeat", *[0] * 12)
+GPS = encode_telemetry("gps", 27.9, -15.4, 30.0, 0.0, 0.0, 0x38, 0x31, 0x41)
+
+
+class Line:
+    """A line that takes everything, or nothing."""
+
+    baud = 115200
+    backlog = 0
+
+    def __init__(self) -> None:
+        self.sent = b""
+        self.is_full = False
+
+    def write(self, data: bytes) -> bool:
+        if not self.is_full:
+            self.sent += data
+        return not self.is_full
+
+
+class SetClock(Clock):
+    """A clock that a test sets."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.time_s = 1000.0
+
+    def steady_s(self) -> float:
+        return self.time_s
+
+    def now_s(self) -> float:
+        return 1.7e9 + self.time_s
+
+
+class User:
+    """Who has the line for itself."""
+
+    def __init__(self) -> None:
+        self.got = b""
+
+    def on_bytes(self, data: bytes) -> None:
+        self.got += data
+
+    def on_line_released(self) -> bytes:
+        return b"q"
+
+
+class Rig:
+    """A board on a line."""
+
+    def __init__(self) -> None:
+        self.clock = SetClock()
+        self.outlet = KeptOutlet()
+        self.errors = ErrorLog()
+        self.telemetry = Telemetry(self.outlet, self.clock, lambda _: 1.0)
+        self.board = Board(self.clock, self.outlet, self.telemetry, self.errors)
+        self.opened = 0
+        self.restarts: list[Restart] = []
+        self.board.on_opened = self._opened
+        self.board.on_restarted = self.restarts.append
+        self.line = Line()
+
+    def _opened(self) -> None:
+        self.opened += 1
+
+    def later(self, seconds: float) -> None:
+        self.clock.time_s += seconds
+        self.board.tick()
+
+    def open_legacy(self, heartbeat: bytes) -> None:
+        """A heartbeat, and no answer to the question for capabilities."""
+        self.board.on_bytes(heartbeat)
+        self.later(0.6)
+        assert self.board.is_open
+        assert not self.board.session.is_extended
+
+
+@pytest.fixture
+def rig() -> Rig:
+    made = Rig()
+    made.board.attach(made.line)
+    return made
+
+
+def rubbish(rig: Rig) -> bool:
+    return rig.board.hears_only_rubbish
+
+
+def noise(rig: Rig, times: int) -> None:
+    for _ in range(times):
+        rig.board.on_bytes(b"\x81\x93")
+        rig.board.tick()
+        rig.board.tick()
+
+
+def test_much_noise_and_no_heartbeat_is_rubbish(rig: Rig) -> None:
+    noise(rig, 20)
+    assert rig.board.damage["noise"] == 20
+    assert not rubbish(rig), "it may be the end of a disturbance"
+    noise(rig, 1)
+    assert rubbish(rig)
+    rig.board.detach()
+    assert not rubbish(rig), "there is no line"
+    rig.board.attach(rig.line)
+    assert not rubbish(rig), "it was on the earlier link"
+    noise(rig, 21)
+    assert rubbish(rig)
+    rig.board.on_bytes(ALL_IS_OFF)
+    assert not rubbish(rig), "a heartbeat has the right rate"
+
+
+def test_noise_between_text_is_no_wrong_rate(rig: Rig) -> None:
+    rig.board.on_bytes(b"\nstatus: well\n" * 3)
+    rig.later(0.1)
+    rig.later(0.1)
+    assert rig.board.damage["text"] > 0
+    before = rig.board.damage["text"]
+    noise(rig, 10 * before)
+    assert not rubbish(rig)
+    noise(rig, 1 + max(0, 20 - 10 * before))
+    assert rubbish(rig)
+    rig.board.attach(rig.line)
+    noise(rig, 21)
+    assert rubbish(rig), "the text of the earlier link does not count"
+
+
+def test_a_legacy_board_that_was_silent_for_a_while_is_no_other_one_and_opens_again(rig: Rig) -> None:
+    rig.open_legacy(AHRS_IS_ON)
+    rig.later(3.1)
+    assert not rig.board.is_open
+    rig.later(0.1)
+    rig.open_legacy(AHRS_IS_ON)
+    assert rig.opened == 2
+    assert rig.restarts == []
+
+
+def test_a_legacy_board_whose_streams_are_off_after_a_silence_has_begun_anew(rig: Rig) -> None:
+    rig.open_legacy(AHRS_IS_ON)
+    rig.later(3.1)
+    rig.later(0.1)
+    rig.open_legacy(ALL_IS_OFF)
+    assert rig.restarts == [Restart(rig.clock.now_s(), None)]
+
+
+def test_who_has_the_line_for_itself_gets_every_byte_and_nothing_is_commanded_meanwhile(rig: Rig) -> None:
+    rig.open_legacy(ALL_IS_OFF)
+    heard, user = rig.board.frames_received, User()
+    rig.board.acquire_line(user)
+    rig.board.on_bytes(GPS)
+    assert user.got == GPS
+    assert rig.board.frames_received == heard
+    assert rig.board.missing_bytes(GPS[:4]) == 0
+    assert not rig.board.may_wait()
+    with pytest.raises(ConflictError, match="AHRS test"):
+        rig.board.check_commandable()
+    rig.line.sent = b""
+    rig.board.release_line()
+    assert rig.line.sent.startswith(b"q"), "the user's farewell, then the dialogue anew"
+    assert len(rig.line.sent) > 1
+    rig.open_legacy(ALL_IS_OFF)
+    rig.board.check_commandable()
+    assert rig.restarts == []
+
+
+def test_how_much_of_a_frame_is_missing_is_known_and_reads_may_wait_for_it(rig: Rig) -> None:
+    rig.open_legacy(ALL_IS_OFF)
+    assert rig.board.may_wait()
+    rig.board.on_bytes(GPS[:20])
+    assert rig.board.missing_bytes() == len(GPS) - 20
+    assert rig.board.missing_bytes(GPS[20:30]) == len(GPS) - 20, "what comes next is a part of it"
+    with rig.board.listening(lambda _frame, _meant: None):
+        assert not rig.board.may_wait(), "an answer is awaited"
+    rig.board.on_bytes(GPS[20:])
+    assert rig.telemetry.newest("gps") is not None
+    assert rig.board.missing_bytes(GPS[:16]) == len(GPS), "the next frame, which has only begun"
+
+
+def test_only_what_left_is_counted_as_sent(rig: Rig) -> None:
+    before = rig.board.bytes_out
+    assert rig.board.write(b"12345")
+    rig.line.is_full = True
+    assert not rig.board.write(b"678")
+    assert rig.board.bytes_out == before + 5
+
+
+def test_damage_is_counted_beside_good_frames_of_the_same_read(rig: Rig) -> None:
+    broken = bytearray(GPS)
+    broken[12] ^= 1
+    rig.board.on_bytes(bytes(broken) + GPS)
+    assert (rig.board.frames_received, rig.board.frames_damaged) == (1, 1)
+    assert rig.errors.counts["line_garbage"] >= 1
+
+
+def test_a_topic_is_as_old_as_its_newest_sample(rig: Rig) -> None:
+    assert rig.telemetry.age_s("gps") is None
+    rig.board.on_bytes(GPS)
+    assert rig.telemetry.age_s("gps") == 0.0
+    rig.later(1.5)
+    assert rig.telemetry.age_s("gps") == pytest.approx(1.5)
+    rig.board.on_bytes(GPS)
+    assert rig.telemetry.age_s("gps") == 0.0

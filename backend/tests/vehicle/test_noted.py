@@ -1,0 +1,62 @@
+"""What a recording's notes say, also where a stranger wrote them."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from epf_gcs.codec.messages_gen import PARAMETERS
+from epf_gcs.vehicle.noted import gains_of, identity_of
+
+UNKNOWN = {
+    "station": None,
+    "firmware": None,
+    "aircraft": None,
+    "operator": None,
+    "board": None,
+    "emulated": False,
+}
+
+
+def test_a_stations_note_is_taken_as_it_is() -> None:
+    note = {
+        "station": "1.0",
+        "firmware": "2.0",
+        "aircraft": "Ave",
+        "operator": "Ana",
+        "board": "EPF",
+        "emulated": True,
+    }
+    assert identity_of(note) == note
+    assert identity_of({**note, "board": {"name": "EPF"}}) == note
+
+
+@pytest.mark.parametrize("content", [None, [], "text", 1, {}])
+def test_without_a_note_nothing_is_known(content: Any) -> None:
+    assert identity_of(content) == UNKNOWN
+
+
+@pytest.mark.parametrize("wrong", [1, True, [], {"name": 2}, {}])
+def test_what_is_no_text_is_not_known(wrong: Any) -> None:
+    assert identity_of(dict.fromkeys((*UNKNOWN, "more"), wrong)) == {**UNKNOWN, "emulated": wrong is True}
+
+
+def test_gains_are_given_with_their_limits_and_what_is_no_number_is_not_known() -> None:
+    first, second, third, *others = PARAMETERS
+    found = gains_of(
+        {
+            first.name: {"value": 1.5, "state": "confirmed", "loaded": 2},
+            second.name: {"value": True, "state": "flown", "loaded": "2"},
+            third.name: "rubbish",
+            "more": {"value": 1.0},
+        }
+    )
+    known = [(one["name"], one["value"], one["loaded"], one["state"]) for one in found]
+    assert known == [
+        (first.name, 1.5, 2, "confirmed"),
+        *((one.name, None, None, "unknown") for one in (second, third, *others)),
+    ]
+    assert [(one["minimum"], one["maximum"], one["default"], one["unit"]) for one in found] == [
+        (one.minimum, one.maximum, one.default, "1") for one in PARAMETERS
+    ]

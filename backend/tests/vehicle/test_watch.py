@@ -1,0 +1,117 @@
+"""The alarms that a board's bytes tell: judged only by what is live, and gone on with after a jump in a replay."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from epf_gcs.codec.encode import encode_telemetry
+from epf_gcs.error_log import ErrorLog
+from epf_gcs.vehicle.thresholds import chosen
+from epf_gcs.vehicle.vehicle import Vehicle
+from epf_gcs.vehicle.watch import VehicleWatch
+from tests.support.outlet import KeptOutlet
+
+NAN = math.nan
+GPS = encode_telemetry("gps", 27.9, -15.4, 30.0, 0.0, 0.0, ord("8"), ord("3"), ord("A"))
+EMPTY = encode_telemetry("analog", 1013.0, 10.0, NAN, NAN, NAN, NAN, NAN, 20.0, 9.04, NAN)
+FULL = encode_telemetry("analog", 1013.0, 10.0, NAN, NAN, NAN, NAN, NAN, 20.0, 12.0, NAN)
+BUSY = encode_telemetry("statistics", 99, 20)
+
+
+def heartbeat(*, gps: bool) -> bytes:
+    return encode_telemetry("heartbeat", 1, 1, 1, 1, int(gps), 1, 1, 1, 1, 1, 0, 0)
+
+
+class Told:
+    """A board whose bytes come ten times a second, and its watch."""
+
+    def __init__(self) -> None:
+        self.at_s = 1000.0
+        self.vehicle = Vehicle(self, KeptOutlet(), ErrorLog(), lambda _: 0.1)
+        self.watch = VehicleWatch(self.vehicle.board, self.vehicle.telemetry, self.at_s)
+
+    def now_s(self) -> float:
+        return self.at_s
+
+    def steady_s(self) -> float:
+        return self.at_s
+
+    def after(self, seconds: float, *frames: bytes, wants_gps: bool = False) -> dict[str, object]:
+        """What is wrong after these frames came again and again for so long: the findings' names and values."""
+        found: dict[str, object] = {}
+        for _ in range(round(seconds * 10)):
+            self.at_s += 0.1
+            self.vehicle.board.on_bytes(b"".join(frames))
+            told = self.watch.look(self.at_s, chosen({}), None, None, wants_gps=wants_gps)
+            found = {finding.id: finding.params for finding in told}
+        return found
+
+
+def test_a_position_that_was_switched_off_is_not_lost_and_one_that_is_on_or_wanted_is() -> None:
+    told = Told()
+    assert told.after(2.0, heartbeat(gps=True), GPS) == {}
+    assert told.after(3.0, heartbeat(gps=False)) == {}
+    assert told.after(3.0, heartbeat(gps=False), wants_gps=True) == {"gps_lost": {"reason": "silent"}}
+    assert told.after(3.0, heartbeat(gps=False)) == {}
+    assert told.after(3.0, heartbeat(gps=True)) == {"gps_lost": {"reason": "silent"}}
+
+
+def test_of_a_silent_board_no_receiver_is_blamed() -> None:
+    told = Told()
+    told.after(2.0, heartbeat(gps=True), GPS)
+    assert told.after(5.0, wants_gps=True) == {}
+
+
+def test_once_no_board_was_wanted_nobody_waits_for_its_position() -> None:
+    told = Told()
+    told.after(2.0, heartbeat(gps=True), GPS)
+    told.watch.forget_gps()
+    told.at_s += 10.0
+    assert told.after(3.0, heartbeat(gps=True)) == {}
+
+
+@pytest.mark.parametrize(
+    ("bad", "good", "found"),
+    [
+        (EMPTY, FULL, {"battery_low": {"battery_v": 9.0}}),
+        (BUSY, encode_telemetry("statistics", 20, 20), {"cpu_high": {"percent": 99}}),
+    ],
+)
+def test_what_lasts_three_seconds_is_an_alarm_for_as_long_as_it_is_live(
+    bad: bytes, good: bytes, found: dict[str, object]
+) -> None:
+    told = Told()
+    assert told.after(2.0, heartbeat(gps=False), good) == {}
+    assert told.after(2.9, heartbeat(gps=False), bad) == {}
+    assert told.after(0.3, heartbeat(gps=False), bad) == found
+    assert told.after(3.5, heartbeat(gps=False), good) == {}
+    assert told.after(3.5, heartbeat(gps=False), bad) == found
+    assert told.after(2.0, heartbeat(gps=False)) == {}, "what is not live says nothing"
+
+
+def test_damaged_frames_are_an_alarm_and_their_share_is_known() -> None:
+    told = Told()
+    assert told.watch.damaged_percent == 0.0
+    damaged = bytearray(GPS)
+    damaged[-9] ^= 1
+    found = told.after(5.0, heartbeat(gps=True), GPS, GPS, bytes(damaged))
+    assert told.watch.damaged_percent == pytest.approx(25.0, abs=1.0)
+    assert set(found) == {"frames_damaged"}
+
+
+def test_a_watch_that_was_kept_goes_on_with_what_is_wrong_and_how_long() -> None:
+    told = Told()
+    damaged = bytearray(GPS)
+    damaged[-9] ^= 1
+    told.after(2.0, heartbeat(gps=True), GPS, FULL)
+    told.after(2.9, heartbeat(gps=True), bytes(damaged), EMPTY, BUSY)
+    again = Told()
+    again.at_s = told.at_s
+    again.vehicle.restore(told.vehicle.kept())
+    again.watch.restore(told.watch.kept())
+    assert again.watch.damaged_percent == told.watch.damaged_percent > 0
+    for one in (told, again):
+        found = one.after(0.3, heartbeat(gps=True), EMPTY, BUSY)
+        assert set(found) == {"gps_lost", "battery_low", "cpu_high", "frames_damaged"}
