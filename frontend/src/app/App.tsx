@@ -20,6 +20,7 @@ import { PresentPage } from "./compact/presentPage";
 import { Strip } from "./compact/Strip";
 import { isTimeBarShown } from "./compact/timeBarChoice";
 import { DialogsProvider, LoadFailure } from "./dialogs/dialogs";
+import { FieldWished } from "./dialogs/FieldWished";
 import { Header } from "./Header";
 import { LeftPanel } from "./LeftPanel";
 import { useLayout, useLayoutOnDocument } from "./layout";
@@ -165,6 +166,7 @@ function Window() {
               {isWide && <Dock edge="floating" />}
             </div>
             <Shortcuts />
+            <FieldWished />
           </MovedContext>
         </DialogsProvider>
       </PresentPage>

@@ -9,6 +9,7 @@ import { createTrackLog } from "../features/map/trackRequests";
 import type { Timers } from "../lib/timers";
 import type { StreamEvent } from "../protocol/envelope";
 import type { AskingParts } from "../requests/asking";
+import { createFieldWish, FIELD_WISH } from "../store/fieldWish";
 import type { Parts } from "../store/parts";
 
 /** What the map is made of: layers, fields that are brought before a flight, tracks, ground and fence, and what a press on it does. */
@@ -27,6 +28,7 @@ export function createMapParts(
         .with(MAP_TOOL, createMapTool())
         .with(MAP_LAYERS, mapLayers)
         .with(FIELD, field)
+        .with(FIELD_WISH, createFieldWish())
         .with(TRACK_LOG, trackLog)
         .with(TRACK_EDITS, createTrackEdits(asking))
         .with(SURROUNDINGS, surroundings),

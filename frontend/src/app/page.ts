@@ -21,7 +21,8 @@ import { createEmulation, EMULATION } from "../features/emulation/emulationReque
 import { FLIGHT_COMPARISON } from "../features/flights/flightComparison";
 import { FLIGHTS } from "../features/flights/flightLibrary";
 import { createFlights } from "../features/flights/flightRequests";
-import { createGamepadInput, type GamepadReader } from "../features/gamepad/gamepadInput";
+import { createGamepadInput } from "../features/gamepad/gamepadInput";
+import type { GamepadReader } from "../features/gamepad/gamepadList";
 import { GAMEPADS } from "../features/gamepad/gamepadList";
 import { TOUCH_STICK } from "../features/gamepad/touchStick";
 import { FLIGHT_LOG } from "../features/log/flightLog";
@@ -252,6 +253,7 @@ export function createPage(world: World): {
     timers: world.timers,
     connection,
     openFlight: playback.openFlight,
+    play: playback.play,
     onGone: (flight) => playback.store.getState().flight === flight && playback.now(),
     openReport: (flight) => reports.open(flight),
   });

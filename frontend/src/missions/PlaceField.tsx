@@ -10,7 +10,8 @@ import "./place.css";
 const CHOICE = "plans.notation";
 
 interface Props {
-  place: Position;
+  /** Null: none is known yet, the field is empty. */
+  place: Position | null;
   /** Why it cannot be changed. */
   fixed: string | undefined;
   onCommit: (place: Position) => void;
@@ -29,7 +30,7 @@ export function PlaceField({ place, fixed, onCommit }: Props) {
     ({ choices }): CoordinateNotation => NOTATIONS.find((known) => known === choices[CHOICE]) ?? "decimal",
   );
   const [typed, setTyped] = useState<string | null>(null);
-  const shown = formatPlace(place, notation);
+  const shown = place === null ? "" : formatPlace(place, notation);
   const found = typed === null ? null : parsePlace(typed);
   const isWrong = typed !== null && typed.trim() !== "" && found === null;
   const names: Readonly<Record<CoordinateNotation, string>> = {

@@ -2,7 +2,7 @@ import { useMemo } from "react";
 import type { Waypoint } from "../lib/plan";
 import { checkPlan, type PlanIssue } from "../lib/planCheck";
 import { PLAN_LIMITS, type PlanName } from "../protocol/missions";
-import { useConnection, useTelemetry } from "../store/hooks";
+import { useTelemetry } from "../store/hooks";
 import { type PlanState, planState } from "./planDrafts";
 import { PLAN } from "./planFacts";
 import { usePlans } from "./usePlans";
@@ -17,8 +17,6 @@ export interface ShownPlan {
   readonly active: number | null;
   /** A plan of the past: no edit changes it. */
   readonly isFixed: boolean;
-  /** Whether the board can send and receive plans. */
-  readonly canTransfer: boolean;
 }
 
 /** A plan's draft, its faults, and the board's progress in it. */
@@ -33,7 +31,6 @@ export function usePlan(plan: PlanName): ShownPlan {
   const flownTo = useTelemetry((telemetry, now_ms) =>
     telemetry.liveNumber(PLAN[plan].topic, "waypoint", now_ms),
   );
-  const canTransfer = useConnection(({ status }) => status?.board.features.missions === true);
   const active = state === "same" && flownTo !== null && flownTo < waypoints.length ? flownTo : null;
-  return { waypoints, issues, state, flownTo, active, isFixed, canTransfer };
+  return { waypoints, issues, state, flownTo, active, isFixed };
 }

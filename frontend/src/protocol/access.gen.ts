@@ -125,6 +125,8 @@ export const ACCESS_TABLE: readonly AccessRow[] = [
   { path: "/status", method: "GET", tag: "state", least: "viewer", control: false },
   { path: "/surroundings", method: "GET", tag: "surroundings", least: "viewer", control: false },
   { path: "/surroundings", method: "PUT", tag: "surroundings", least: "operator", control: false },
+  { path: "/surroundings/fence", method: "GET", tag: "surroundings", least: "viewer", control: false },
+  { path: "/surroundings/fence/import", method: "POST", tag: "surroundings", least: "operator", control: false },
   { path: "/telemetry", method: "GET", tag: "state", least: "viewer", control: false },
   { path: "/track", method: "GET", tag: "track", least: "viewer", control: false },
   { path: "/track.czml", method: "GET", tag: "track", least: "viewer", control: false },

@@ -195,7 +195,7 @@ export type CertificateAuthority = Checked<typeof isCertificateAuthority>;
 
 /** What is wrong with the certificate, or soon will be. */
 export const isCertificateFault = shape({
-  code: oneOf("access_key_wrong", "access_last_owner", "access_not_written", "access_too_many_invitations", "access_too_many_programs", "access_too_many_requests", "access_too_many_sessions", "access_too_many_tries", "access_too_many_waiting", "access_unknown", "access_upload_limit", "ahrs_test_in_flight", "ahrs_test_lost", "ahrs_test_running", "alarm_not_active", "alarms_not_written", "alarms_unreadable", "bad_json", "board_line_full", "board_not_open", "body_too_large", "checklist_not_kept", "client_may_not_command", "client_not_yours", "client_silent", "client_unknown", "command_link_lost", "command_unknown", "control_held", "control_not_asked", "control_not_held", "control_refused", "control_unconfirmed", "data_folder_taken", "datagram_malformed", "datagram_stranger", "emulation_running", "export_no_position", "export_stretch_empty", "export_topic_unknown", "export_topics_unused", "extra_missing", "field_no_field", "field_no_parts", "field_not_in_state", "field_not_whole", "field_not_written", "field_source_empty", "field_source_forbids", "field_source_silent", "field_source_wrong", "field_terms", "field_too_large", "field_too_many", "field_unknown", "field_worker_died", "flight_away", "flight_delete_unconfirmed", "flight_disk_full", "flight_exists", "flight_import_incomplete", "flight_known", "flight_not_indexed", "flight_not_recorded", "flight_not_written", "flight_recording", "flight_unknown", "foreign_host", "foreign_origin", "http_error", "internal", "invalid_request", "job_failed", "job_over", "job_unknown", "jobs_busy", "journal_not_written", "journal_unreadable", "line_garbage", "link_address_invalid", "link_busy", "link_failed", "link_lost", "link_no_device", "link_not_serial", "link_permission", "link_refused", "link_timeout", "link_unknown_host", "link_unreachable", "listen_failed", "listen_unknown_host", "map_cache_not_written", "map_disk_full", "map_exists", "map_file_damaged", "map_file_empty", "map_file_no_layer_json", "map_file_not_mesh", "map_file_vector", "map_folder_unreadable", "map_import_incomplete", "map_import_unknown", "map_imports_busy", "map_kind_unknown", "map_layer_unknown", "map_name_invalid", "map_not_written", "map_raster_converting", "map_raster_failed", "map_raster_no_place", "map_raster_not_height", "map_source_invalid", "map_source_local", "map_source_refused", "map_source_silent", "map_tile_missing", "mark_unknown", "memory_not_written", "memory_unreadable", "method_not_allowed", "mission_differs", "mission_file_archive", "mission_file_damaged", "mission_file_empty", "mission_file_forbidden", "mission_file_frame", "mission_file_header", "mission_file_no_home", "mission_file_no_waypoints", "mission_file_out_of_range", "mission_file_too_long", "mission_file_unknown", "mission_file_unreadable", "mission_invalid", "mission_not_read", "mission_refused", "no_such_address", "not_admitted", "not_supported", "nothing_to_redo", "nothing_to_undo", "parameter_out_of_range", "parameter_unknown", "parameters_not_read", "people_log_not_written", "port_taken", "rate_invalid", "recording_changed", "recording_clock_wrong", "recording_empty", "recording_foreign", "recording_not_packed", "recording_not_whole", "recording_packing_unknown", "recording_too_large", "recording_two_boards", "recording_unknown", "recording_unreadable", "role_too_low", "signal_units_differ", "signal_unknown", "simulator_unknown_host", "source_not_taken", "stick_invalid", "stick_needs_control", "stick_silent", "stream_message_invalid", "surroundings_not_kept", "threshold_out_of_range", "threshold_unknown", "tls_certificate_early", "tls_certificate_expired", "tls_certificate_refused", "tls_ends_soon", "tls_file_unreadable", "tls_key_differs", "tls_key_locked", "tls_no_authority", "tls_no_certificate", "tls_no_key", "tls_not_renewed", "track_not_kept", "track_not_written", "value_not_allowed"),
+  code: oneOf("access_key_wrong", "access_last_owner", "access_not_written", "access_too_many_invitations", "access_too_many_programs", "access_too_many_requests", "access_too_many_sessions", "access_too_many_tries", "access_too_many_waiting", "access_unknown", "access_upload_limit", "ahrs_test_in_flight", "ahrs_test_lost", "ahrs_test_running", "alarm_not_active", "alarms_not_written", "alarms_unreadable", "bad_json", "board_line_full", "board_not_open", "body_too_large", "checklist_not_kept", "client_may_not_command", "client_not_yours", "client_silent", "client_unknown", "command_link_lost", "command_unknown", "control_held", "control_not_asked", "control_not_held", "control_refused", "control_unconfirmed", "data_folder_taken", "datagram_malformed", "datagram_stranger", "emulation_running", "export_no_position", "export_stretch_empty", "export_topic_unknown", "export_topics_unused", "extra_missing", "fence_file_corners", "fence_file_no_fence", "fence_file_place", "fence_file_unknown", "field_no_field", "field_no_parts", "field_not_in_state", "field_not_whole", "field_not_written", "field_source_empty", "field_source_forbids", "field_source_silent", "field_source_wrong", "field_terms", "field_too_large", "field_too_many", "field_unknown", "field_worker_died", "flight_away", "flight_delete_unconfirmed", "flight_disk_full", "flight_exists", "flight_import_incomplete", "flight_known", "flight_not_indexed", "flight_not_recorded", "flight_not_written", "flight_recording", "flight_unknown", "foreign_host", "foreign_origin", "http_error", "internal", "invalid_request", "job_failed", "job_over", "job_unknown", "jobs_busy", "journal_not_written", "journal_unreadable", "line_garbage", "link_address_invalid", "link_busy", "link_failed", "link_lost", "link_no_device", "link_not_serial", "link_permission", "link_refused", "link_timeout", "link_unknown_host", "link_unreachable", "listen_failed", "listen_unknown_host", "map_cache_not_written", "map_disk_full", "map_exists", "map_file_damaged", "map_file_empty", "map_file_no_layer_json", "map_file_not_mesh", "map_file_vector", "map_folder_unreadable", "map_import_incomplete", "map_import_unknown", "map_imports_busy", "map_kind_unknown", "map_layer_unknown", "map_name_invalid", "map_not_written", "map_raster_converting", "map_raster_failed", "map_raster_no_place", "map_raster_not_height", "map_source_invalid", "map_source_local", "map_source_refused", "map_source_silent", "map_tile_missing", "mark_unknown", "memory_not_written", "memory_unreadable", "method_not_allowed", "mission_differs", "mission_file_archive", "mission_file_damaged", "mission_file_empty", "mission_file_forbidden", "mission_file_frame", "mission_file_header", "mission_file_no_home", "mission_file_no_waypoints", "mission_file_out_of_range", "mission_file_too_long", "mission_file_unknown", "mission_file_unreadable", "mission_invalid", "mission_not_read", "mission_refused", "no_such_address", "not_admitted", "not_supported", "nothing_to_redo", "nothing_to_undo", "parameter_out_of_range", "parameter_unknown", "parameters_not_read", "people_log_not_written", "port_taken", "rate_invalid", "recording_changed", "recording_clock_wrong", "recording_empty", "recording_foreign", "recording_not_packed", "recording_not_whole", "recording_packing_unknown", "recording_too_large", "recording_two_boards", "recording_unknown", "recording_unreadable", "role_too_low", "signal_units_differ", "signal_unknown", "simulator_unknown_host", "source_not_taken", "stick_invalid", "stick_needs_control", "stick_silent", "stream_message_invalid", "surroundings_no_fence", "surroundings_not_kept", "threshold_out_of_range", "threshold_unknown", "tls_certificate_early", "tls_certificate_expired", "tls_certificate_refused", "tls_ends_soon", "tls_file_unreadable", "tls_key_differs", "tls_key_locked", "tls_no_authority", "tls_no_certificate", "tls_no_key", "tls_not_renewed", "track_not_kept", "track_not_written", "value_not_allowed"),
   detail: isText,
   params: dictionary(nullable(either(isText, isNumber, isFlag))),
 });
@@ -515,10 +515,30 @@ export const isFenceCorner = shape({
 });
 export type FenceCorner = Checked<typeof isFenceCorner>;
 
+/** Something about the file that a person should know before relying on the fence.
+ *
+ * circle_cornered {count}: the fence was a circle, and has so many corners now, all of them within it.
+ * exclusions_skipped {count}: areas to stay out of, which this fence cannot have.
+ * shapes_skipped {count}: other borders; the first one was taken. */
+export const isFenceNote = shape({
+  code: oneOf("circle_cornered", "exclusions_skipped", "shapes_skipped"),
+  params: dictionary(nullable(either(isText, isNumber, isFlag))),
+});
+export type FenceNote = Checked<typeof isFenceNote>;
+
+/** What was in the file; `ceiling_ft` above the sea, null if it has none. The station's fence is as it was. */
+export const isFenceImport = shape({
+  ceiling_ft: nullable(isNumber),
+  corners: list(isFenceCorner),
+  format: oneOf("kml", "plan"),
+  notes: list(isFenceNote),
+});
+export type FenceImport = Checked<typeof isFenceImport>;
+
 /** Tiles of one level of one kind; `zoom` is -1 for files of a square degree. */
 export const isFieldLevel = shape({
   bytes: isNumber,
-  kind: oneOf("heights", "imagery"),
+  kind: oneOf("heights", "imagery", "vector"),
   tiles: isNumber,
   zoom: isNumber,
 });
@@ -536,7 +556,7 @@ export type FieldEstimate = Checked<typeof isFieldEstimate>;
 
 /** Which source a kind comes from. */
 export const isFieldSourceName = shape({
-  kind: oneOf("heights", "imagery"),
+  kind: oneOf("heights", "imagery", "vector"),
   name: isText,
 });
 export type FieldSourceName = Checked<typeof isFieldSourceName>;
@@ -554,7 +574,7 @@ export const isPreparedField = shape({
   name: isText,
   percent: nullable(isNumber),
   problem: nullable(isText),
-  problem_code: nullable(oneOf("access_key_wrong", "access_last_owner", "access_not_written", "access_too_many_invitations", "access_too_many_programs", "access_too_many_requests", "access_too_many_sessions", "access_too_many_tries", "access_too_many_waiting", "access_unknown", "access_upload_limit", "ahrs_test_in_flight", "ahrs_test_lost", "ahrs_test_running", "alarm_not_active", "alarms_not_written", "alarms_unreadable", "bad_json", "board_line_full", "board_not_open", "body_too_large", "checklist_not_kept", "client_may_not_command", "client_not_yours", "client_silent", "client_unknown", "command_link_lost", "command_unknown", "control_held", "control_not_asked", "control_not_held", "control_refused", "control_unconfirmed", "data_folder_taken", "datagram_malformed", "datagram_stranger", "emulation_running", "export_no_position", "export_stretch_empty", "export_topic_unknown", "export_topics_unused", "extra_missing", "field_no_field", "field_no_parts", "field_not_in_state", "field_not_whole", "field_not_written", "field_source_empty", "field_source_forbids", "field_source_silent", "field_source_wrong", "field_terms", "field_too_large", "field_too_many", "field_unknown", "field_worker_died", "flight_away", "flight_delete_unconfirmed", "flight_disk_full", "flight_exists", "flight_import_incomplete", "flight_known", "flight_not_indexed", "flight_not_recorded", "flight_not_written", "flight_recording", "flight_unknown", "foreign_host", "foreign_origin", "http_error", "internal", "invalid_request", "job_failed", "job_over", "job_unknown", "jobs_busy", "journal_not_written", "journal_unreadable", "line_garbage", "link_address_invalid", "link_busy", "link_failed", "link_lost", "link_no_device", "link_not_serial", "link_permission", "link_refused", "link_timeout", "link_unknown_host", "link_unreachable", "listen_failed", "listen_unknown_host", "map_cache_not_written", "map_disk_full", "map_exists", "map_file_damaged", "map_file_empty", "map_file_no_layer_json", "map_file_not_mesh", "map_file_vector", "map_folder_unreadable", "map_import_incomplete", "map_import_unknown", "map_imports_busy", "map_kind_unknown", "map_layer_unknown", "map_name_invalid", "map_not_written", "map_raster_converting", "map_raster_failed", "map_raster_no_place", "map_raster_not_height", "map_source_invalid", "map_source_local", "map_source_refused", "map_source_silent", "map_tile_missing", "mark_unknown", "memory_not_written", "memory_unreadable", "method_not_allowed", "mission_differs", "mission_file_archive", "mission_file_damaged", "mission_file_empty", "mission_file_forbidden", "mission_file_frame", "mission_file_header", "mission_file_no_home", "mission_file_no_waypoints", "mission_file_out_of_range", "mission_file_too_long", "mission_file_unknown", "mission_file_unreadable", "mission_invalid", "mission_not_read", "mission_refused", "no_such_address", "not_admitted", "not_supported", "nothing_to_redo", "nothing_to_undo", "parameter_out_of_range", "parameter_unknown", "parameters_not_read", "people_log_not_written", "port_taken", "rate_invalid", "recording_changed", "recording_clock_wrong", "recording_empty", "recording_foreign", "recording_not_packed", "recording_not_whole", "recording_packing_unknown", "recording_too_large", "recording_two_boards", "recording_unknown", "recording_unreadable", "role_too_low", "signal_units_differ", "signal_unknown", "simulator_unknown_host", "source_not_taken", "stick_invalid", "stick_needs_control", "stick_silent", "stream_message_invalid", "surroundings_not_kept", "threshold_out_of_range", "threshold_unknown", "tls_certificate_early", "tls_certificate_expired", "tls_certificate_refused", "tls_ends_soon", "tls_file_unreadable", "tls_key_differs", "tls_key_locked", "tls_no_authority", "tls_no_certificate", "tls_no_key", "tls_not_renewed", "track_not_kept", "track_not_written", "value_not_allowed")),
+  problem_code: nullable(oneOf("access_key_wrong", "access_last_owner", "access_not_written", "access_too_many_invitations", "access_too_many_programs", "access_too_many_requests", "access_too_many_sessions", "access_too_many_tries", "access_too_many_waiting", "access_unknown", "access_upload_limit", "ahrs_test_in_flight", "ahrs_test_lost", "ahrs_test_running", "alarm_not_active", "alarms_not_written", "alarms_unreadable", "bad_json", "board_line_full", "board_not_open", "body_too_large", "checklist_not_kept", "client_may_not_command", "client_not_yours", "client_silent", "client_unknown", "command_link_lost", "command_unknown", "control_held", "control_not_asked", "control_not_held", "control_refused", "control_unconfirmed", "data_folder_taken", "datagram_malformed", "datagram_stranger", "emulation_running", "export_no_position", "export_stretch_empty", "export_topic_unknown", "export_topics_unused", "extra_missing", "fence_file_corners", "fence_file_no_fence", "fence_file_place", "fence_file_unknown", "field_no_field", "field_no_parts", "field_not_in_state", "field_not_whole", "field_not_written", "field_source_empty", "field_source_forbids", "field_source_silent", "field_source_wrong", "field_terms", "field_too_large", "field_too_many", "field_unknown", "field_worker_died", "flight_away", "flight_delete_unconfirmed", "flight_disk_full", "flight_exists", "flight_import_incomplete", "flight_known", "flight_not_indexed", "flight_not_recorded", "flight_not_written", "flight_recording", "flight_unknown", "foreign_host", "foreign_origin", "http_error", "internal", "invalid_request", "job_failed", "job_over", "job_unknown", "jobs_busy", "journal_not_written", "journal_unreadable", "line_garbage", "link_address_invalid", "link_busy", "link_failed", "link_lost", "link_no_device", "link_not_serial", "link_permission", "link_refused", "link_timeout", "link_unknown_host", "link_unreachable", "listen_failed", "listen_unknown_host", "map_cache_not_written", "map_disk_full", "map_exists", "map_file_damaged", "map_file_empty", "map_file_no_layer_json", "map_file_not_mesh", "map_file_vector", "map_folder_unreadable", "map_import_incomplete", "map_import_unknown", "map_imports_busy", "map_kind_unknown", "map_layer_unknown", "map_name_invalid", "map_not_written", "map_raster_converting", "map_raster_failed", "map_raster_no_place", "map_raster_not_height", "map_source_invalid", "map_source_local", "map_source_refused", "map_source_silent", "map_tile_missing", "mark_unknown", "memory_not_written", "memory_unreadable", "method_not_allowed", "mission_differs", "mission_file_archive", "mission_file_damaged", "mission_file_empty", "mission_file_forbidden", "mission_file_frame", "mission_file_header", "mission_file_no_home", "mission_file_no_waypoints", "mission_file_out_of_range", "mission_file_too_long", "mission_file_unknown", "mission_file_unreadable", "mission_invalid", "mission_not_read", "mission_refused", "no_such_address", "not_admitted", "not_supported", "nothing_to_redo", "nothing_to_undo", "parameter_out_of_range", "parameter_unknown", "parameters_not_read", "people_log_not_written", "port_taken", "rate_invalid", "recording_changed", "recording_clock_wrong", "recording_empty", "recording_foreign", "recording_not_packed", "recording_not_whole", "recording_packing_unknown", "recording_too_large", "recording_two_boards", "recording_unknown", "recording_unreadable", "role_too_low", "signal_units_differ", "signal_unknown", "simulator_unknown_host", "source_not_taken", "stick_invalid", "stick_needs_control", "stick_silent", "stream_message_invalid", "surroundings_no_fence", "surroundings_not_kept", "threshold_out_of_range", "threshold_unknown", "tls_certificate_early", "tls_certificate_expired", "tls_certificate_refused", "tls_ends_soon", "tls_file_unreadable", "tls_key_differs", "tls_key_locked", "tls_no_authority", "tls_no_certificate", "tls_no_key", "tls_not_renewed", "track_not_kept", "track_not_written", "value_not_allowed")),
   problem_params: dictionary(nullable(either(isText, isNumber, isFlag))),
   retries: isNumber,
   sources: list(isFieldSourceName),
@@ -570,7 +590,7 @@ export type PreparedField = Checked<typeof isPreparedField>;
 export const isFieldSource = shape({
   attribution: isText,
   id: isText,
-  kind: oneOf("heights", "imagery"),
+  kind: oneOf("heights", "imagery", "vector"),
   maximum_zoom: isNumber,
   name: isText,
   terms: isText,
@@ -662,10 +682,12 @@ export const isFlightPolicy = shape({
 export type FlightPolicy = Checked<typeof isFlightPolicy>;
 
 /** Room for recordings. `hours_left` at the rate of the newest flights, with all that is made of a flight; null if
- * there is none to judge by. `used_bytes`: all flights, those of the bin, what was made of them, and finished exports. */
+ * there is none to judge by. `used_bytes`: all flights, those of the bin, what was made of them, and finished exports.
+ * `most_import_bytes`: the largest recording of another machine that can be taken in now. */
 export const isFlightDisk = shape({
   free_bytes: nullable(isNumber),
   hours_left: nullable(isNumber),
+  most_import_bytes: isNumber,
   policy: isFlightPolicy,
   used_bytes: isNumber,
 });
@@ -1049,9 +1071,9 @@ export const isMapLayer = shape({
   attribution: isText,
   bytes: isNumber,
   east_deg: isNumber,
-  format: oneOf("mbtiles", "pmtiles", "quantized_mesh", "geotiff", "hgt", "online", "field", "field_relief", "field_terrain"),
+  format: oneOf("mbtiles", "pmtiles", "quantized_mesh", "geotiff", "hgt", "online", "field", "field_relief", "field_vector", "field_terrain"),
   id: isText,
-  kind: oneOf("imagery", "terrain"),
+  kind: oneOf("imagery", "terrain", "vector"),
   maximum_zoom: isNumber,
   minimum_zoom: isNumber,
   name: isText,
@@ -1110,12 +1132,13 @@ export const isMissionImport = shape({
 });
 export type MissionImport = Checked<typeof isMissionImport>;
 
-/** Its key, which is shown this once; `address` has the key in it, and `qr_svg` is a picture of it. */
+/** Its key, which is shown this once; `address` has the key in it, and `qr_svg` is a picture of it; null where the
+ * address is of use on the station's own computer alone. */
 export const isNewInvitation = shape({
   address: isText,
   invitation: isInvitationState,
   key: isText,
-  qr_svg: isText,
+  qr_svg: nullable(isText),
 });
 export type NewInvitation = Checked<typeof isNewInvitation>;
 

@@ -53,6 +53,7 @@ export function aFlightList(parts: Partial<FlightList> = {}): FlightList {
     indexing: [],
     disk: {
       free_bytes: 50_000_000_000,
+      most_import_bytes: 8_000_000_000,
       used_bytes: 3_400_000_000,
       hours_left: 41.2,
       policy: { delete_oldest: false, keep_free_bytes: 5_000_000_000 },

@@ -1,4 +1,4 @@
-import type { GamepadReader } from "../features/gamepad/gamepadInput";
+import type { GamepadReader } from "../features/gamepad/gamepadList";
 import type { Pad } from "../features/gamepad/stickMapping";
 
 /** A browser's gamepads under the test's control. */

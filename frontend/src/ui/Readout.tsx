@@ -22,6 +22,7 @@ export function ReadoutGrid({
   return (
     <dl
       className={className === undefined ? "ui-readouts" : `ui-readouts ${className}`}
+      data-columns={columns}
       style={{ "--columns": columns } as CSSProperties}
     >
       {children}

@@ -8,6 +8,7 @@ import { Button } from "../../ui/Button";
 import { Notice } from "../../ui/Notice";
 import { TextField } from "../../ui/TextField";
 import { LOG_LINES } from "./accessAdmin";
+import { deedResult, deedWords } from "./deedWords";
 import { Rows } from "./People";
 import { useAccessAdmin } from "./useAccessLists";
 
@@ -70,13 +71,23 @@ function Deed({
   const sentence = useSentence();
   const who = kind === "local" ? t("control.station") : kind === "stranger" ? t("access.stranger") : name;
   const did = sentence({ level: "info", key: `deed.${deed}`, params: {}, fallback: deed });
+  const named = deedWords(t, deed, what);
   return (
     <tr>
       <td>{formatDateTime(t_s)}</td>
-      <td>{role === null || kind === "local" ? who : `${who} (${t(`role.${role}`)})`}</td>
+      <td className="access-who">
+        {role === null || kind === "local" ? who : `${who} (${t(`role.${role}`)})`}
+      </td>
       <td>{address}</td>
-      <td className="access-what">{what === "" ? did : `${did}: ${what}`}</td>
-      <td>{sentence({ level: "info", key: `deedResult.${result}`, params: {}, fallback: result })}</td>
+      <td className="access-what">{named === "" ? did : `${did}: ${named}`}</td>
+      <td className="access-who">
+        {sentence({
+          level: "info",
+          key: `deedResult.${result}`,
+          params: {},
+          fallback: deedResult(t, result),
+        })}
+      </td>
     </tr>
   );
 }

@@ -36,9 +36,13 @@ async function setup(role: string, kind = "person"): Promise<Station> {
   return station;
 }
 
-async function lists(station: Station, people: readonly object[]): Promise<void> {
+async function lists(
+  station: Station,
+  people: readonly object[],
+  sessions: readonly object[] = [],
+): Promise<void> {
   await newest(station, "GET", "people").answer({ people });
-  await newest(station, "GET", "sessions").answer({ sessions: [] });
+  await newest(station, "GET", "sessions").answer({ sessions });
   await newest(station, "GET", "programs").answer({ programs: [] });
   await newest(station, "GET", "invitations").answer({ invitations: [] });
 }
@@ -96,6 +100,26 @@ test("an invitation shows its key, address and code once", async () => {
       .getByRole("img", { name: /Código QR/ })
       .getAttribute("src"),
   ).toContain("data:image/svg+xml");
+});
+
+test("where no other device could follow an invitation there is no code of it, but what to do instead", async () => {
+  const station = await setup("owner", "local");
+  await lists(station, []);
+  await newest(station, "GET", "addresses").answer({ addresses: [], tls: false });
+  await user.click(within(panel()).getByRole("tab", { name: "Invitar" }));
+  await user.click(within(panel()).getByRole("button", { name: "Hacer una invitación" }));
+  const asked = newest(station, "POST", "invitations");
+  expect(asked.body).toEqual({ role: "viewer", minutes: 60 });
+  await asked.answer({
+    invitation: { id: "00000000000000a1", role: "viewer", since_s: 1, until_s: 3601 },
+    key: "7K2Q-AAAA-BBBB-CCCC",
+    address: "http://127.0.0.1:8000/#key=7K2Q-AAAA-BBBB-CCCC",
+    qr_svg: null,
+  });
+  const made = within(panel()).getByRole("region", { name: /^Invitación/ });
+  expect(within(made).queryByRole("img")).toBeNull();
+  expect(made.textContent).toContain("arranca la estación con --lan");
+  expect(made.textContent).toContain("7K2Q-AAAA-BBBB-CCCC");
 });
 
 const ANA = { ...EVA, id: "00000000000000a1", name: "Ana", place: "tableta", role: "operator", state: "in" };
@@ -190,17 +214,49 @@ test("the log says who was no person, what was refused, and that nothing was fou
       { ...deed, at: 30, kind: "stranger" },
       { ...deed, at: 20, kind: "local", role: "owner", what: "POST /commands/reset" },
       { ...deed, at: 10, kind: "person", name: "Ana", role: "viewer" },
+      { ...deed, at: 5, kind: "local", deed: "holder", what: "- > this computer 2", result: "waited" },
     ],
   });
-  const rows = within(panel())
-    .getAllByRole("row")
-    .slice(1)
-    .map((row) => within(row).getAllByRole("cell")[1]?.textContent);
-  expect(rows).toEqual(["un desconocido", "el ordenador de la estación", "Ana (espectador)"]);
+  const cells = (column: number) =>
+    within(panel())
+      .getAllByRole("row")
+      .slice(1)
+      .map((row) => within(row).getAllByRole("cell")[column]?.textContent);
+  const here = "el ordenador de la estación";
+  expect(cells(1)).toEqual(["un desconocido", here, "Ana (espectador)", here]);
+  expect(cells(3).at(-1)).toBe(`el control cambió: nadie › ${here} 2`);
   const search = within(panel()).getByRole("textbox", { name: "Buscar en el registro" });
   await user.type(search, "nobody{Enter}");
   await newest(station, "GET", "log").answer({ deeds: [] });
   expect(within(panel()).getByText("No hay nada que mostrar.")).toBeTruthy();
+});
+
+test("one browser of somebody is put out only after a question", async () => {
+  const station = await setup("owner");
+  const session = {
+    id: "00000000000000b1",
+    person: ANA.id,
+    name: "Ana · tableta",
+    since_s: 1,
+    seen_s: 1,
+    address: "10.0.0.7",
+    is_you: false,
+  };
+  await lists(station, [ANA], [session]);
+  const end = within(panel()).getByRole("button", {
+    name: "Terminar la sesión de Ana · tableta desde 10.0.0.7",
+  });
+  await user.click(end);
+  await user.click(within(screen.getByRole("alertdialog")).getByRole("button", { name: "Dejarlo" }));
+  expect(station.askedAccess.some(({ method }) => method === "DELETE")).toBe(false);
+  await user.click(end);
+  const asked = screen.getByRole("alertdialog");
+  expect(asked.textContent).toContain("¿Terminar esta sesión de Ana · tableta?");
+  expect(asked.textContent).toContain("Solo este navegador (10.0.0.7)");
+  await user.click(within(asked).getByRole("button", { name: "Terminar" }));
+  expect(newest(station, "DELETE", `sessions/${session.id}`).path).toBe(
+    `/api/v1/access/sessions/${session.id}`,
+  );
 });
 
 test("a program's key is made with a name, shown once, and ended only after a question", async () => {
@@ -226,4 +282,19 @@ test("a program's key is made with a name, shown once, and ended only after a qu
   await user.click(end);
   await user.click(within(screen.getByRole("alertdialog")).getByRole("button", { name: /^Terminar/ }));
   expect(newest(station, "DELETE", `programs/${program.id}`)).toBeDefined();
+});
+
+test("a tab is brought to a tablet by an address that a tablet can open; where this page has none, it says so", async () => {
+  const station = await setup("operator");
+  const open = async (): Promise<HTMLElement> => {
+    await user.click(screen.getByRole("menuitem", { name: "Ver" }));
+    await user.click(await screen.findByRole("menuitem", { name: /^Abrir esta pestaña/ }));
+    return await screen.findByRole("dialog");
+  };
+  station.url = "http://127.0.0.1:8000/";
+  expect((await open()).textContent).toContain("solo vale en este ordenador");
+  expect(within(screen.getByRole("dialog")).queryByText(/127\.0\.0\.1/)).toBeNull();
+  await user.keyboard("{Escape}");
+  station.url = "http://10.0.0.2:8000/";
+  expect((await open()).textContent).toContain("http://10.0.0.2:8000/#tab=setup");
 });

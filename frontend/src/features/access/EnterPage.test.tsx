@@ -72,14 +72,24 @@ test("who is in already needs no key: the one in the address stays unused", asyn
   expect(station.askedAccess.map(({ path }) => path)).not.toContain("/api/v1/access/enter");
 });
 
-test("a browser without cookies says so before a key is spent", async () => {
-  vi.spyOn(window.navigator, "cookieEnabled", "get").mockReturnValue(false);
+test.each([
+  ["keeps none", () => vi.spyOn(window.navigator, "cookieEnabled", "get").mockReturnValue(false)],
+  // As Chromium does where its user blocked them: it says that it keeps cookies, and forgets each.
+  ["was told to keep none", () => vi.spyOn(document, "cookie", "set").mockImplementation(() => undefined)],
+])("a browser that %s says so before a key is spent", async (_, forbid) => {
+  forbid();
   const station = await stranger("http://station/#key=7K2Q-AAAA-BBBB-CCCC");
   expect(screen.getAllByText(/no guarda cookies/)[0]?.closest("[role=status]")).toBeTruthy();
   await sayWho();
   await user.click(screen.getByRole("button", { name: "Entrar" }));
   await user.click(screen.getByRole("button", { name: "Pedir entrar" }));
   expect(station.askedAccess.map(({ path }) => path)).toEqual(["/api/v1/access/me"]);
+});
+
+test("the cookie that tries whether cookies are kept is gone again", async () => {
+  await stranger();
+  expect(screen.queryByText(/no guarda cookies/)).toBeNull();
+  expect(document.cookie).not.toContain("epf");
 });
 
 test("a cookie that was not kept is told apart from an access that has ended", async () => {

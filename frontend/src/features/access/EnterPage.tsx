@@ -9,6 +9,7 @@ import { Button } from "../../ui/Button";
 import { Notice } from "../../ui/Notice";
 import { SegmentedSwitch } from "../../ui/SegmentedSwitch";
 import { TextField } from "../../ui/TextField";
+import { keepsCookies } from "./cookies";
 import { deviceKind } from "./device";
 import "./enter.css";
 import { ENTRY, type Who } from "./entry";
@@ -22,6 +23,7 @@ export function EnterPage() {
   const { store, isEncrypted } = usePart(ENTRY);
   const { message } = useStore(store);
   const sentence = useSentence();
+  const [isKnown] = useState(() => keepsCookies(window));
   return (
     <main className="enter">
       <div className="enter-card">
@@ -29,11 +31,11 @@ export function EnterPage() {
           <h1>{t("access.enterTitle")}</h1>
           <LanguageSwitch />
         </header>
-        {!window.navigator.cookieEnabled && <Notice level="warning">{t("access.cookiesOff")}</Notice>}
+        {!isKnown && <Notice level="warning">{t("access.cookiesOff")}</Notice>}
         {message !== null && (
           <Notice level={message.level === "info" ? "info" : message.level}>{sentence(message)}</Notice>
         )}
-        {isWaiting ? <Waiting /> : <Form />}
+        {isWaiting ? <Waiting /> : <Form isKnown={isKnown} />}
         {isEncrypted && <TrustForStrangers />}
       </div>
     </main>
@@ -54,7 +56,8 @@ function LanguageSwitch() {
   );
 }
 
-function Form() {
+/** `isKnown`: the browser keeps the cookie that comes with entering; without it a key would be spent for nothing. */
+function Form({ isKnown }: { readonly isKnown: boolean }) {
   const { t } = useTranslation();
   const entry = usePart(ENTRY);
   const { key: addressed, isAsking } = useStore(entry.store);
@@ -67,7 +70,7 @@ function Form() {
       ? t("access.retryIn", { seconds: retry_s })
       : isAsking
         ? t("words.pending")
-        : !window.navigator.cookieEnabled
+        : !isKnown
           ? t("access.cookiesOff")
           : isNamed
             ? undefined

@@ -104,10 +104,11 @@ function Invitation({ made: { invitation, key, address, qr_svg } }: { readonly m
   });
   return (
     <section className="access-made" aria-label={title}>
-      <QrPicture svg={qr_svg} what={t("access.address")} />
+      {qr_svg !== null && <QrPicture svg={qr_svg} what={t("access.address")} />}
       <div className="access-made-words">
         <h3>{title}</h3>
         <p>{t("access.shownOnce")}</p>
+        {qr_svg === null && <p>{t("access.noCode")}</p>}
         <CopyLine label={t("access.address")} text={address} />
         <CopyLine label={t("access.keyAlone")} text={key} />
       </div>

@@ -1,7 +1,7 @@
 import { type ReactNode, useState } from "react";
 import { useTranslation } from "react-i18next";
 import { formatDateTime } from "../../lib/moment";
-import type { PersonState } from "../../protocol/guards.gen";
+import type { PersonState, SessionState } from "../../protocol/guards.gen";
 import { useAsked } from "../../requests/useAsked";
 import { ROLES, type Role } from "../../store/admission";
 import { Button } from "../../ui/Button";
@@ -48,7 +48,7 @@ export function People() {
   );
 }
 
-/** A table that can be read on a narrow screen: there it scrolls to the side by itself. */
+/** A table that can be read on a narrow screen: there each row is a card, and what is wider yet scrolls by itself. */
 export function Rows({ head, children }: { readonly head: readonly string[]; readonly children: ReactNode }) {
   return (
     <div className="access-scroll">
@@ -107,8 +107,9 @@ function Waiting({ person }: { readonly person: PersonState }) {
   const [role, setRole] = useState<Role>("viewer");
   return (
     <div className="access-row">
-      <strong>{called(person)}</strong>
-      <span>{person.address}</span>
+      <p className="access-asking">
+        <strong>{called(person)}</strong> <span>{person.address}</span>
+      </p>
       <RoleSelect
         label={t("access.letInAs", { name: person.name })}
         hideLabel
@@ -173,7 +174,7 @@ function PersonRow({ person }: { readonly person: PersonState }) {
         </div>
         {isEnding && (
           <EndDialog
-            name={name}
+            title={t("access.endTitle", { name })}
             text={t("access.endText")}
             onEnd={() => change({ state: "ended" })}
             onClose={() => setEnding(false)}
@@ -186,7 +187,7 @@ function PersonRow({ person }: { readonly person: PersonState }) {
 
 /** The question before somebody is put out. */
 export function EndDialog(props: {
-  readonly name: string;
+  readonly title: string;
   readonly text: string;
   readonly onEnd: () => void;
   readonly onClose: () => void;
@@ -194,7 +195,7 @@ export function EndDialog(props: {
   const { t } = useTranslation();
   return (
     <ConfirmDialog
-      title={t("access.endTitle", { name: props.name })}
+      title={props.title}
       text={props.text}
       confirmLabel={t("access.end")}
       cancelLabel={t("control.takeCancel")}
@@ -211,7 +212,6 @@ export function EndDialog(props: {
 /** Each browser that is in: one person may have several. */
 function SessionRows() {
   const { t } = useTranslation();
-  const admin = useAccessAdmin();
   const sessions = useAccessLists((lists) => lists.sessions);
   if (sessions.length === 0) {
     return null;
@@ -220,22 +220,40 @@ function SessionRows() {
     <section aria-label={t("access.pages")} className="access-section">
       <h3>{t("access.pages")}</h3>
       <Rows head={[t("access.person"), t("access.lastSeen"), t("access.from"), t("access.actions")]}>
-        {sessions.map(({ id, name, seen_s, address }) => (
-          <tr key={id}>
-            <td>{name}</td>
-            <td>{formatDateTime(seen_s)}</td>
-            <td>{address}</td>
-            <td>
-              <Button
-                label={t("access.endSession", { name, address })}
-                onPress={() => void admin.endSession(id, { control: `access.session.${id}` })}
-              >
-                {t("access.end")}
-              </Button>
-            </td>
-          </tr>
+        {sessions.map((session) => (
+          <SessionRow key={session.id} session={session} />
         ))}
       </Rows>
     </section>
+  );
+}
+
+function SessionRow({ session: { id, name, seen_s, address } }: { readonly session: SessionState }) {
+  const { t } = useTranslation();
+  const admin = useAccessAdmin();
+  const [isEnding, setEnding] = useState(false);
+  return (
+    <tr>
+      <td>{name}</td>
+      <td>{formatDateTime(seen_s)}</td>
+      <td>{address}</td>
+      <td>
+        <Button
+          variant="danger"
+          label={t("access.endSession", { name, address })}
+          onPress={() => setEnding(true)}
+        >
+          {t("access.end")}
+        </Button>
+        {isEnding && (
+          <EndDialog
+            title={t("access.endSessionTitle", { name })}
+            text={t("access.endSessionText", { address })}
+            onEnd={() => void admin.endSession(id, { control: `access.session.${id}` })}
+            onClose={() => setEnding(false)}
+          />
+        )}
+      </td>
+    </tr>
   );
 }

@@ -81,7 +81,7 @@ function ProgramRow({ program: { id, name, role, seen_s } }: { readonly program:
         </Button>
         {isEnding && (
           <EndDialog
-            name={name}
+            title={t("access.endTitle", { name })}
             text={t("access.endProgramText")}
             onEnd={() => void admin.endProgram(id, { control: `access.program.${id}` })}
             onClose={() => setEnding(false)}

@@ -3,7 +3,7 @@ import { useAdmission } from "../../requests/useRole";
 import { useSettings } from "../../store/hooks";
 import "./access.css";
 import { InviteForm } from "./Invite";
-import { addressOf } from "./keyAddress";
+import { addressOf, isOfThisComputerAlone } from "./keyAddress";
 import { AddressCode, CopyLine } from "./Made";
 import { useAccessAdmin, useFreshLists } from "./useAccessLists";
 
@@ -30,6 +30,9 @@ function Plain({ tab }: { readonly tab: string }) {
   const { t } = useTranslation();
   const { address } = useAccessAdmin();
   const text = addressOf(address(), tab);
+  if (isOfThisComputerAlone(text)) {
+    return <p>{t("access.tabletHere")}</p>;
+  }
   return (
     <>
       <p>{t("access.tabletPlain")}</p>

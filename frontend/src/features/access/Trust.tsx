@@ -1,4 +1,5 @@
 import { useTranslation } from "react-i18next";
+import "./access.css";
 
 /** How a phone comes to trust this station: take its authority, compare the fingerprint, install it. */
 export function TrustSteps() {

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { addressOf, readKey, takeAddressedKey } from "./keyAddress";
+import { addressOf, isOfThisComputerAlone, readKey, takeAddressedKey } from "./keyAddress";
 
 function take(address: string): { key: string | null; tab: string | null; left: string } {
   let now = address;
@@ -41,4 +41,13 @@ test("the address of a tab keeps the key of an invitation", () => {
   expect(addressOf("http://station:8000/?flight=current", "plots")).toBe(
     "http://station:8000/?flight=current#tab=plots",
   );
+});
+
+test("an address of this computer alone is known, whichever way it is written", () => {
+  for (const host of ["localhost", "127.0.0.1", "127.3.2.1", "[::1]", "gcs.localhost"]) {
+    expect(isOfThisComputerAlone(`http://${host}:8000/#tab=map`), host).toBe(true);
+  }
+  for (const host of ["station", "10.0.0.7", "[fe80::1]", "128.0.0.1", "localhost.example"]) {
+    expect(isOfThisComputerAlone(`https://${host}:8000/`), host).toBe(false);
+  }
 });

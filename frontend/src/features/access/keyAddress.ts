@@ -34,6 +34,11 @@ export function readKey(text: string): string {
   return plain.match(/.{1,4}/g)?.join("-") ?? "";
 }
 
+/** Whether an address names the computer on which it is opened: another one would look for the station in itself. */
+export function isOfThisComputerAlone(address: string): boolean {
+  return /^(localhost|.+\.localhost|127\.\d+\.\d+\.\d+|\[::1\])$/.test(new URL(address).hostname);
+}
+
 /** The address that opens a tab, with a key or without; the fragment of `address` is replaced. */
 export function addressOf(address: string, tab: string): string {
   const opened = new URL(address);

@@ -12,7 +12,6 @@ import type { AttitudeSource } from "./alignment";
 import { AttitudeFeed, isWhole } from "./feed";
 import { Instead } from "./Instead";
 import { PictureTools } from "./PictureTools";
-import type { CameraChoice } from "./ShowPanel";
 import { useAlignment } from "./useAlignment";
 import { type Shown, useStage } from "./useStage";
 
@@ -23,6 +22,15 @@ export interface PictureSettings {
   readonly vectors: boolean;
   /** The camera turns with the heading. */
   readonly follow: boolean;
+}
+
+/**
+ * The camera's named view, null when the user turned it; `pressed` counts the requests, so that the same view can be
+ * chosen twice.
+ */
+export interface CameraChoice {
+  readonly view: CameraView | null;
+  readonly pressed: number;
 }
 
 interface Props {

@@ -1,9 +1,9 @@
 import { useState } from "react";
 import { usePage, useSettings } from "../../store/hooks";
 import { choose } from "../../store/settings";
-import { AttitudePicture, type PictureSettings } from "./AttitudePicture";
+import { AttitudePicture, type CameraChoice, type PictureSettings } from "./AttitudePicture";
 import { NumbersPanel } from "./NumbersPanel";
-import { type CameraChoice, ShowPanel } from "./ShowPanel";
+import { ShowPanel } from "./ShowPanel";
 import { SourcePanel } from "./SourcePanel";
 import { useAttitudeSource } from "./source";
 

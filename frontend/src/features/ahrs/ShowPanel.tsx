@@ -1,17 +1,7 @@
 import { useTranslation } from "react-i18next";
-import type { CameraView } from "../../scene/attitude/OrbitRig";
 import { Checkbox } from "../../ui/Checkbox";
 import { Panel } from "../../ui/Panel";
 import type { PictureSettings } from "./AttitudePicture";
-
-/**
- * The camera's named view, null when the user turned it; `pressed` counts the requests, so that the same view can be
- * chosen twice.
- */
-export interface CameraChoice {
-  readonly view: CameraView | null;
-  readonly pressed: number;
-}
 
 type Part = "ghost" | "bodyAxes" | "worldAxes" | "vectors";
 const PARTS = [

@@ -1,6 +1,7 @@
-import { screen, within } from "@testing-library/react";
+import { act, screen, within } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { expect, test } from "vitest";
+import { FIELD_WISH } from "../../store/fieldWish";
 import { type Asked, Station } from "../../test/station";
 
 const user = userEvent.setup();
@@ -68,6 +69,9 @@ test("nothing is asked of a source before it is chosen, its terms are accepted a
   expect(station.asked.filter(({ path }) => path.startsWith(`${FIELDS}/`))).toEqual([]);
   await user.type(screen.getByRole("textbox", { name: "Nombre" }), "Gando{Enter}");
   await user.selectOptions(screen.getByRole("combobox", { name: "Fuente de Imágenes" }), "PNOA");
+  // Without an aircraft and a plan nobody knows where: nothing is looked at until somebody says it.
+  expect(station.asked.some(({ path }) => path === `${FIELDS}/estimate`)).toBe(false);
+  await user.type(screen.getByRole("textbox", { name: "Coordenadas" }), "27.93, -15.38{Enter}");
   expect(screen.getByRole("link", { name: "Condiciones completas" }).getAttribute("href")).toBe(
     SOURCE.terms_url,
   );
@@ -80,6 +84,7 @@ test("nothing is asked of a source before it is chosen, its terms are accepted a
   const { body } = newest(station, "POST", FIELDS);
   expect(body).toMatchObject({
     name: "Gando",
+    points: [{ latitude_deg: 27.93, longitude_deg: -15.38 }],
     radius_m: 10_000,
     accepts_terms: true,
     parts: [{ kind: "imagery", url: SOURCE.url, minimum_zoom: 8, maximum_zoom: 16 }],
@@ -89,6 +94,7 @@ test("nothing is asked of a source before it is chosen, its terms are accepted a
 test("other sources have other terms: they are accepted again", async () => {
   await opened([]);
   await user.type(screen.getByRole("textbox", { name: "Nombre" }), "Gando{Enter}");
+  await user.type(screen.getByRole("textbox", { name: "Coordenadas" }), "27.93, -15.38{Enter}");
   const choice = screen.getByRole("combobox", { name: "Fuente de Imágenes" });
   await user.selectOptions(choice, "PNOA");
   await user.click(screen.getByRole("checkbox", { name: /condiciones/ }));
@@ -115,4 +121,17 @@ test("a field under way says how far it is, and why nothing comes; it can be pau
   await user.click(row.getByRole("button", { name: /^Pausar/ }));
   await newest(station, "POST", `${FIELDS}/${FIELD.id}/pause`).answer({ ...FIELD, state: "paused" });
   expect(await row.findByRole("button", { name: /^Continuar/ })).toBeTruthy();
+});
+
+test("a place that was pointed at on the map opens the window around it, and the next window forgets it", async () => {
+  const station = new Station();
+  station.greet();
+  const wishes = station.page.parts.get(FIELD_WISH);
+  act(() => wishes.setState({ wish: { centre: { latitude_deg: 27.93, longitude_deg: -15.42 } } }));
+  await screen.findByRole("dialog", { name: "Preparar un campo" });
+  await newest(station, "GET", FIELDS).answer({ fields: [], sources: [SOURCE] });
+  const place = await screen.findByRole<HTMLInputElement>("textbox", { name: "Coordenadas" });
+  expect(place.value).toBe("27.930000 -15.420000");
+  await user.keyboard("{Escape}");
+  expect(wishes.getState().wish).toBeNull();
 });

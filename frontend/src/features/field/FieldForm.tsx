@@ -10,6 +10,7 @@ import { usePlans } from "../../missions/usePlans";
 import type { FieldSource } from "../../protocol/guards.gen";
 import { useAsked } from "../../requests/useAsked";
 import { useGatewayBlocked } from "../../requests/useBlocked";
+import { FIELD_WISH } from "../../store/fieldWish";
 import { usePart, useTelemetry } from "../../store/hooks";
 import { Button } from "../../ui/Button";
 import { Checkbox } from "../../ui/Checkbox";
@@ -35,8 +36,11 @@ export function FieldForm({ sources }: { sources: readonly FieldSource[] }) {
     hil: usePlans(({ hil }) => hil.draft.present),
   };
   const aircraft = useAircraft();
+  const wishes = usePart(FIELD_WISH);
+  // The place that was pointed at on the map, for this window alone.
+  useEffect(() => () => wishes.setState({ wish: null }), [wishes]);
   const [draft, setDraft] = useState<Draft>(() =>
-    newDraft(aircraft ?? plans.flight[0] ?? plans.hil[0] ?? { latitude_deg: 0, longitude_deg: 0 }, ""),
+    newDraft(wishes.getState().wish?.centre ?? aircraft ?? plans.flight[0] ?? plans.hil[0] ?? null, ""),
   );
   const [accepted, setAccepted] = useState<string | null>(null);
   const plan = draft.where === "circle" ? [] : plans[draft.where];

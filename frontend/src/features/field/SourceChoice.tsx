@@ -5,6 +5,12 @@ import { Select } from "../../ui/Select";
 import { TextField } from "../../ui/TextField";
 import { hasLevels, highestZoom, type Kind, NONE, OWN, type PartDraft } from "./draft";
 
+const URL_HINT = {
+  heights: "field.urlHeights",
+  imagery: "field.urlHint",
+  vector: "field.urlVector",
+} as const;
+
 /** Sources whose terms the catalogues have; those of another station's version come as it says them. */
 const KNOWN_IDS = ["terrain-tiles", "copernicus-glo30", "pnoa", "sentinel2", "usgs"] as const;
 type KnownId = (typeof KNOWN_IDS)[number];
@@ -59,7 +65,7 @@ export function SourceChoice({ kind, draft, sources, onChange }: Props) {
             label={t("field.url", { kind: name })}
             value={draft.url}
             onCommit={(text) => onChange({ ...draft, url: text })}
-            hint={t(kind === "heights" ? "field.urlHeights" : "field.urlHint")}
+            hint={t(URL_HINT[kind])}
             monospace
           />
           <TextField

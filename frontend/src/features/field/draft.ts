@@ -2,7 +2,7 @@ import type { Position } from "../../lib/geodesy";
 import type { FieldSource } from "../../protocol/guards.gen";
 import type { FieldOrder } from "./field";
 
-export const KINDS = ["heights", "imagery"] as const;
+export const KINDS = ["heights", "imagery", "vector"] as const;
 export type Kind = (typeof KINDS)[number];
 export const NONE = "none";
 export const OWN = "own";
@@ -18,18 +18,27 @@ export interface PartDraft {
 export interface Draft {
   readonly name: string;
   readonly where: "circle" | "flight" | "hil";
-  readonly centre: Position;
+  /** Null: nobody has said where. */
+  readonly centre: Position | null;
   readonly radius_km: number;
   readonly parts: Readonly<Record<Kind, PartDraft>>;
 }
 
 const LOWEST_ZOOM = 8;
-export const HIGHEST_ZOOM: Readonly<Record<Kind, number>> = { heights: 14, imagery: 19 };
+export const HIGHEST_ZOOM: Readonly<Record<Kind, number>> = { heights: 14, imagery: 19, vector: 15 };
 const NOTHING: PartDraft = { source: NONE, url: "", attribution: "", zoom: 12 };
+/** Buildings and small roads are in the tiles of this level, which is also the last that most servers have. */
+const VECTOR_ZOOM = 14;
 
 /** Nothing is chosen: no source is asked that nobody picked. */
-export function newDraft(centre: Position, name: string): Draft {
-  return { name, where: "circle", centre, radius_km: 10, parts: { heights: NOTHING, imagery: NOTHING } };
+export function newDraft(centre: Position | null, name: string): Draft {
+  return {
+    name,
+    where: "circle",
+    centre,
+    radius_km: 10,
+    parts: { heights: NOTHING, imagery: NOTHING, vector: { ...NOTHING, zoom: VECTOR_ZOOM } },
+  };
 }
 
 /** The order, as soon as it is one: a name, a place, and a source for at least one kind. */
@@ -38,7 +47,7 @@ export function orderOf(
   plan: readonly Position[],
   sources: readonly FieldSource[],
 ): FieldOrder | null {
-  const points = draft.where === "circle" ? [draft.centre] : plan;
+  const points = draft.where !== "circle" ? plan : draft.centre === null ? [] : [draft.centre];
   const parts = KINDS.flatMap((kind) => partOf(kind, draft.parts[kind], sources));
   if (draft.name.trim() === "" || points.length === 0 || parts.length === 0) {
     return null;

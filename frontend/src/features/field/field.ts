@@ -20,7 +20,7 @@ export interface FieldOrder {
   readonly points: readonly { readonly latitude_deg: number; readonly longitude_deg: number }[];
   readonly radius_m: number;
   readonly parts: readonly {
-    readonly kind: "heights" | "imagery";
+    readonly kind: "heights" | "imagery" | "vector";
     readonly name: string;
     readonly url: string;
     readonly attribution: string;
@@ -164,7 +164,7 @@ export function createFields(parts: AskingParts & { readonly onChanged: () => vo
 function packsOf(layers: readonly MapLayer[]): readonly MapLayer[] {
   const seen = new Set<string>();
   return layers.filter(({ id, format }) => {
-    const file = id.replace(/-(relief|terrain)$/, "");
+    const file = id.replace(/-(relief|terrain|vector)$/, "");
     const isNew = format.startsWith("field") && !seen.has(file);
     if (isNew) seen.add(file);
     return isNew;

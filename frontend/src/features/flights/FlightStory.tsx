@@ -1,4 +1,12 @@
-import { AlertTriangle, Bookmark, CircleOff, MapPin, SlidersHorizontal, Terminal } from "lucide-react";
+import {
+  AlertTriangle,
+  Bookmark,
+  CircleOff,
+  Lightbulb,
+  MapPin,
+  SlidersHorizontal,
+  Terminal,
+} from "lucide-react";
 import { useState } from "react";
 import { useTranslation } from "react-i18next";
 import { useSentence } from "../../i18n/useSentence";
@@ -16,6 +24,7 @@ import { useLibrary } from "./useFlights";
 const ICONS = {
   command: Terminal,
   alarm: AlertTriangle,
+  advice: Lightbulb,
   mode: SlidersHorizontal,
   waypoint: MapPin,
   mark: Bookmark,

@@ -59,6 +59,8 @@ describe("a recording from another machine", () => {
     tell({ kind: "import", state: "done", progress: 1, flight: SECOND.id });
     expect(transfers().textContent).toContain("ajena.mcap ya está en la biblioteca.");
     expect(screen.getByRole("region", { name: "Vuelo Segunda" })).toBeTruthy();
+    const stories = () => station.asked.filter(({ path }) => path.endsWith(`${SECOND.id}/events`)).length;
+    expect(stories(), "it is not prepared yet").toBe(0);
   });
 
   test("comes in by being dropped, and the refusal is said clearly until it is dismissed", async () => {
@@ -85,6 +87,18 @@ describe("a recording from another machine", () => {
     await user.upload(input(), FILE);
     await newest("POST", /name=/).answer({ code: "jobs_busy", detail: "x", params: { limit: 20 } }, 409);
     expect(within(transfers()).getByRole("alert").textContent).toContain("Ya hay 20 trabajos en espera");
+  });
+
+  test("larger than the gateway takes is refused at once and not sent", async () => {
+    const huge = new File(["x"], "enorme.mcap");
+    Object.defineProperty(huge, "size", { value: 60_000_000_000 });
+    await user.upload(input(), huge);
+    expect(within(transfers()).getByRole("alert").textContent).toContain(
+      "No se ha importado enorme.mcap.Ocupa 60.0 GB, y ahora caben como mucho 8.00 GB",
+    );
+    expect(station.uploads).toEqual([]);
+    await user.click(within(transfers()).getByRole("button"));
+    expect(screen.queryByRole("region", { name: "Archivos que entran y salen" })).toBeNull();
   });
 
   test("can be stopped while it is sent, and nothing is said of it then", async () => {

@@ -183,6 +183,8 @@ describe("the flight that is being recorded", () => {
     ).toHaveLength(1);
     await user.click(button("Ver desde el principio"));
     expect(station.replay.place).toEqual({ flight: "current", at_s: 0 });
+    station.replayed((replay) => replay.greet());
+    expect(station.replay.asked.at(-1), "it flies at once").toMatchObject({ type: "play" });
   });
 
   test("becomes one of the list when it ends", async () => {

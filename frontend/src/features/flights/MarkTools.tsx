@@ -5,8 +5,8 @@ import { formatFlightTime } from "../../lib/moment";
 import { useAsked } from "../../requests/useAsked";
 import { usePart } from "../../store/hooks";
 import { Button } from "../../ui/Button";
+import type { Mark } from "./flightLibrary";
 import { FLIGHTS } from "./flightLibrary";
-import type { Mark } from "./flightMarks";
 import { useLibrary, useLibraryUnreachable } from "./useFlights";
 
 const LONGEST_TEXT = 200;

@@ -47,6 +47,22 @@ describe("an event", () => {
     });
   });
 
+  test("of advice is said in the page's words, with its level and values", () => {
+    const event = aFlightEvent({
+      kind: "advice",
+      name: "line_full",
+      data: { code: "line_full", level: "warning", text: "full", params: { percent: 93, direction: "rx" } },
+    });
+    expect(eventMessage(event)).toEqual({
+      level: "warning",
+      key: "advice.line_full",
+      params: { percent: 93, direction: "@direction.rx" },
+      fallback: "full",
+    });
+    expect(groupOf(event)).toBe("advice");
+    expect(fallback({ kind: "advice", name: "of_tomorrow", data: {} })).toBe("of_tomorrow");
+  });
+
   test("of a waypoint says from where to where", () => {
     expect(said({ kind: "waypoint", name: "hil", data: { from: 1, to: 2 } })).toEqual({
       key: "flightEvent.waypoint",

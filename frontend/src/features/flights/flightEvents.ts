@@ -1,10 +1,11 @@
 import type { FlightEvent } from "../../protocol/guards.gen";
 import { resultMessage } from "../../requests/actions";
 import { info } from "../../requests/asking";
+import { adviceMessage } from "../../store/advice";
 import { type Message, wordsOf } from "../../store/messages";
 
 /** The groups by which events are chosen, in the order of the switches. */
-export const EVENT_GROUPS = ["command", "alarm", "mode", "waypoint", "mark", "trouble"] as const;
+export const EVENT_GROUPS = ["command", "alarm", "advice", "mode", "waypoint", "mark", "trouble"] as const;
 export type EventGroup = (typeof EVENT_GROUPS)[number];
 
 const GROUP_OF: Readonly<Record<string, EventGroup>> = {
@@ -13,6 +14,7 @@ const GROUP_OF: Readonly<Record<string, EventGroup>> = {
   plan: "command",
   console: "command",
   alarm: "alarm",
+  advice: "advice",
   mode: "mode",
   control: "mode",
   waypoint: "waypoint",
@@ -38,6 +40,8 @@ export function eventMessage(event: FlightEvent): Message {
         ...info(`alarm.${name}`, wordsOf(objectOf(data["params"]))),
         fallback: textOf(data["text"], name),
       };
+    case "advice":
+      return adviceMessage(name, { level: data["level"], text: data["text"], params: data["params"] });
     case "mark":
       return info("flightEvent.mark", { text: textOf(data["text"], "") });
     case "mode":

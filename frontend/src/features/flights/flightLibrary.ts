@@ -12,8 +12,21 @@ import type { ConnectionStore } from "../../store/connection";
 import type { Message } from "../../store/messages";
 import { partName } from "../../store/parts";
 import type { Language } from "../../store/settings";
-import type { Mark, MarkChange } from "./flightMarks";
 import { ALL_FLIGHTS, type FlightQuery } from "./flightQuery";
+
+/** A mark of a flight, as it was before the change that can be undone. */
+export interface Mark {
+  readonly id: string;
+  readonly at_s: number;
+  readonly text: string;
+}
+
+/** The newest change of a mark; one press takes it back. */
+export interface MarkChange {
+  readonly flight: string;
+  readonly mark: Mark;
+  readonly kind: "changed" | "removed";
+}
 
 /** The files that hold a recording. */
 export const RECORDING_FILES = ".mcap";

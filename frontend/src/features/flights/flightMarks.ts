@@ -1,20 +1,6 @@
 import { type FlightEvent, type FlightEvents, isFlightEvents } from "../../protocol/guards.gen";
 import { type Asking, type Gateway, info } from "../../requests/asking";
-import type { Flights, LibraryStore } from "./flightLibrary";
-
-/** A mark of a flight, as it was before the change that can be undone. */
-export interface Mark {
-  readonly id: string;
-  readonly at_s: number;
-  readonly text: string;
-}
-
-/** The newest change of a mark; one press takes it back. */
-export interface MarkChange {
-  readonly flight: string;
-  readonly mark: Mark;
-  readonly kind: "changed" | "removed";
-}
+import type { Flights, LibraryStore, Mark, MarkChange } from "./flightLibrary";
 
 interface Parts {
   readonly rest: Gateway;

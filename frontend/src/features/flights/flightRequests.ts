@@ -33,6 +33,7 @@ interface Parts extends AskingParts {
   /** The present. */
   readonly connection: ConnectionStore;
   readonly openFlight: (flight: string, at_s: number) => void;
+  readonly play: () => void;
   /** The flight is gone: whoever looks at it goes back to now. */
   readonly onGone: (flight: string) => void;
   readonly openReport: (flight: string) => void;
@@ -43,7 +44,7 @@ export function createFlights(parts: Parts): {
   readonly flights: Flights;
   readonly takeFlightEvent: (event: StreamEvent) => void;
 } {
-  const { rest, timers, connection, openFlight, onGone, openReport } = parts;
+  const { rest, timers, connection, openFlight, play, onGone, openReport } = parts;
   const { run } = createAsking(parts);
   const store = createLibrary();
   let asked = 0;
@@ -96,14 +97,16 @@ export function createFlights(parts: Parts): {
     }
   }
 
-  function select(flight: string | null): void {
+  function select(flight: string | null, isPrepared = true): void {
     if (flight !== store.getState().selected) {
       store.setState({
         selected: flight,
         story: flight === null ? null : { flight, events: null, failure: null },
       });
     }
-    if (flight !== null) {
+    // What happened in a flight that is being prepared is read when that is done.
+    const state = store.getState().list?.flights.find(({ id }) => id === flight)?.state;
+    if (flight !== null && isPrepared && state !== "waiting" && state !== "indexing") {
       void readStory(flight);
     }
   }
@@ -142,7 +145,7 @@ export function createFlights(parts: Parts): {
 
   function ended({ id, kind, state, flight }: Job): void {
     if (kind === "import" && state === "done" && flight !== null && id in store.getState().files) {
-      select(flight);
+      select(flight, false);
     }
     if (kind === "index" && flight !== null && flight === store.getState().selected) {
       void readStory(flight);
@@ -163,7 +166,7 @@ export function createFlights(parts: Parts): {
     store,
     connection,
     read,
-    select,
+    select: (flight) => select(flight),
     readBin,
 
     watch: () => {
@@ -198,6 +201,10 @@ export function createFlights(parts: Parts): {
     open: (flight, at_s) => {
       store.setState(({ selected }) => ({ returnsTo: selected }));
       openFlight(flight, at_s);
+      if (at_s === 0) {
+        // Who begins at the start wants to see it fly: before the first frames there is nothing to look at.
+        play();
+      }
     },
 
     openReport,

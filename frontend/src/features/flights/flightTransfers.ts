@@ -1,6 +1,7 @@
+import { formatBytes } from "../../lib/format";
 import { isJob, isJobStarted, type Job } from "../../protocol/guards.gen";
 import { type Asking, type Gateway, info } from "../../requests/asking";
-import { failureMessage } from "../../store/messages";
+import { failureMessage, type Message } from "../../store/messages";
 import type { Flights, LibraryStore, Upload } from "./flightLibrary";
 
 interface Parts {
@@ -46,8 +47,14 @@ export function createFlightTransfers({
       const controller = new AbortController();
       cancels.set(key, controller);
       const { name, size } = file;
-      const begun: Upload = { key, name, bytes: size, sent_bytes: 0, failure: null };
+      const most_bytes = store.getState().list?.disk.most_import_bytes ?? Number.POSITIVE_INFINITY;
+      // A gateway that refuses a file while it is being sent cannot be heard: the browser reports a broken line alone.
+      const failure = size > most_bytes ? tooLarge(size, most_bytes) : null;
+      const begun: Upload = { key, name, bytes: size, sent_bytes: 0, failure };
       store.setState(({ uploads }) => ({ uploads: [begun, ...uploads] }));
+      if (failure !== null) {
+        return;
+      }
       const path = `/api/v1/flights?name=${encodeURIComponent(name)}`;
       const answer = await rest.upload(path, isJobStarted, {
         body: file,
@@ -95,4 +102,9 @@ export function createFlightTransfers({
 
     dismissJob: (id) => store.setState(({ dismissed }) => ({ dismissed: [...dismissed, id] })),
   };
+}
+
+function tooLarge(bytes: number, most_bytes: number): Message {
+  const params = { bytes: formatBytes(bytes), most: formatBytes(most_bytes) };
+  return { level: "error", key: "flights.tooLarge", params };
 }

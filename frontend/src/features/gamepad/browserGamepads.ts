@@ -1,4 +1,4 @@
-import type { GamepadReader } from "./gamepadInput";
+import type { GamepadReader } from "./gamepadList";
 import type { Pad } from "./stickMapping";
 
 /** The browser's gamepads. It hides each until one of its buttons was pressed while the page was visible. */

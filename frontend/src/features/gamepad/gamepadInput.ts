@@ -5,7 +5,13 @@ import type { Actions } from "../../requests/actions";
 import type { ConnectionStore } from "../../store/connection";
 import type { Message } from "../../store/messages";
 import type { SettingsStore } from "../../store/settings";
-import { type AxisPositions, createGamepads, type GamepadInput, type PadName } from "./gamepadList";
+import {
+  type AxisPositions,
+  createGamepads,
+  type GamepadInput,
+  type GamepadReader,
+  type PadName,
+} from "./gamepadList";
 import { rememberedMapping, rememberMapping } from "./mappingMemory";
 import {
   assigned,
@@ -19,15 +25,6 @@ import {
   stickPosition,
 } from "./stickMapping";
 import { createTouchStick, type TouchStick, withTouchStick } from "./touchStick";
-
-/** The browser's gamepads, or a test's. */
-export interface GamepadReader {
-  readonly read: () => readonly Pad[];
-  /** A browser stops gamepads and timers of a hidden page: what it reports then is old. */
-  readonly isInSight: () => boolean;
-  /** Calls `run` when a gamepad is connected or disconnected; the result unsubscribes. */
-  readonly onChange: (run: () => void) => () => void;
-}
 
 interface Parts {
   readonly reader: GamepadReader;

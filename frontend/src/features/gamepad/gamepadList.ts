@@ -1,7 +1,16 @@
 import { createStore, type StoreApi } from "zustand/vanilla";
 import type { Asker } from "../../requests/asking";
 import { partName } from "../../store/parts";
-import type { StickAxis, StickMapping } from "./stickMapping";
+import type { Pad, StickAxis, StickMapping } from "./stickMapping";
+
+/** The browser's gamepads, or a test's. */
+export interface GamepadReader {
+  readonly read: () => readonly Pad[];
+  /** A browser stops gamepads and timers of a hidden page: what it reports then is old. */
+  readonly isInSight: () => boolean;
+  /** Calls `run` when a gamepad is connected or disconnected; the result unsubscribes. */
+  readonly onChange: (run: () => void) => () => void;
+}
 
 /** A gamepad in the list. Two of the same model differ in their index. */
 export interface PadName {

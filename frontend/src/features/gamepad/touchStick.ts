@@ -1,7 +1,6 @@
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { partName } from "../../store/parts";
-import type { GamepadReader } from "./gamepadInput";
-import type { PadName } from "./gamepadList";
+import type { GamepadReader, PadName } from "./gamepadList";
 import type { AxisMapping, Pad, StickMapping, StickPosition } from "./stickMapping";
 
 /** What the gateway and other pages call it; no gamepad has this index. */

@@ -8,7 +8,16 @@ import { failureMessage, type Message } from "../../store/messages";
 import { partName } from "../../store/parts";
 
 /** What an event of the flight is about; "page": what this page said itself. */
-export const LOG_GROUPS = ["page", "command", "alarm", "mode", "waypoint", "mark", "trouble"] as const;
+export const LOG_GROUPS = [
+  "page",
+  "command",
+  "alarm",
+  "advice",
+  "mode",
+  "waypoint",
+  "mark",
+  "trouble",
+] as const;
 export type LogGroup = (typeof LOG_GROUPS)[number];
 
 /** An event in words. */

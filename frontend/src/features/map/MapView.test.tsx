@@ -1,11 +1,32 @@
 import { act, screen } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { describe, expect, test, vi } from "vitest";
+import type { MapLayer } from "../../protocol/mapLayers";
+import { FIELD_WISH } from "../../store/fieldWish";
 import { choose } from "../../store/settings";
 import { Station } from "../../test/station";
 import { WORDS } from "../../ui/test/testWords";
 import { WordsProvider } from "../../ui/words";
+import { MAP_LAYERS } from "./layers/layerList";
 import { MapView } from "./MapView";
+
+const FIELD_LAYER: MapLayer = {
+  id: "gando",
+  kind: "imagery",
+  name: "Gando",
+  format: "field",
+  bytes: 1,
+  attribution: "",
+  west_deg: -16,
+  south_deg: 27,
+  east_deg: -15,
+  north_deg: 28,
+  minimum_zoom: 8,
+  maximum_zoom: 14,
+  problem: null,
+  problem_code: null,
+  problem_params: {},
+};
 
 // A browser without WebGL, as the page's tests run in one.
 const user = userEvent.setup();
@@ -112,4 +133,15 @@ describe("the 2D map by choice", () => {
     await user.click(fromCentre);
     expect(screen.getByText(/· 90°/)).toBeTruthy();
   });
+});
+
+test("that roads and imagery come with a field's pack is said until it is answered, and never where there is one", async () => {
+  open();
+  const layers = station.page.parts.get(MAP_LAYERS).store;
+  act(() => layers.setState({ folder: "/maps", layers: [FIELD_LAYER] }));
+  expect(control("button", "Preparar un campo…")).toBeUndefined();
+  act(() => layers.setState({ folder: "/maps", layers: [] }));
+  await user.click(theControl("button", "Preparar un campo…"));
+  expect(station.page.parts.get(FIELD_WISH).getState().wish).toEqual({ centre: null });
+  expect(control("button", "Preparar un campo…")).toBeUndefined();
 });

@@ -3,6 +3,7 @@ import { useTranslation } from "react-i18next";
 import type { FlatScene } from "../../scene/flat/FlatScene";
 import { AirfieldsSection } from "./airfields/AirfieldsSection";
 import { CameraSection } from "./CameraSection";
+import { FieldOffer } from "./FieldOffer";
 import { FlightFigures } from "./FlightFigures";
 import { FlatMap } from "./flat/FlatMap";
 import { FlatContext, useMapKind } from "./flat/useFlat";
@@ -70,6 +71,7 @@ export function MapView() {
             </section>
           </div>
           <div className="map-side">
+            <FieldOffer />
             <CameraSection />
             <ThingsSection />
             <AirfieldsSection />

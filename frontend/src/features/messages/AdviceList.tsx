@@ -1,8 +1,8 @@
 import { useTranslation } from "react-i18next";
 import { useSentence } from "../../i18n/useSentence";
 import type { Advice } from "../../protocol/inspector";
+import { adviceMessage } from "../../store/advice";
 import { useIsPast } from "../../store/hooks";
-import { type Message, wordsOf } from "../../store/messages";
 import { Notice } from "../../ui/Notice";
 
 /** From this many of one kind on, one sentence for all: ten slow streams have one cause. */
@@ -24,28 +24,13 @@ export function AdviceList({ advice }: { advice: readonly Advice[] }) {
         <p className="messages-well">{t(isPast ? "messages.pastAdvice" : "messages.allWell")}</p>
       )}
       {shown.map((one) => (
-        <Notice key={sentence(adviceMessage(one))} level={one.level}>
-          {sentence(adviceMessage(one))}
+        <Notice key={sentence(adviceMessage(one.code, one))} level={one.level}>
+          {sentence(adviceMessage(one.code, one))}
         </Notice>
       ))}
       {slow.length >= TOGETHER && (
-        <Notice level="info">{t("messages.slowTogether", { number: slow.length, list })}</Notice>
+        <Notice level="info">{t("advice.streams_slow", { number: slow.length, list })}</Notice>
       )}
     </section>
   );
-}
-
-/** The advice in the page's language by its code; for an unknown code, the gateway's own text. */
-function adviceMessage({ code, level, text, params }: Advice): Message {
-  const words = wordsOf(params);
-  return {
-    level,
-    key: `advice.${code}`,
-    params: {
-      ...words,
-      ...("name" in words ? { name: `@simulatorRow.${words["name"]}` } : {}),
-      ...("direction" in words ? { direction: `@direction.${words["direction"]}` } : {}),
-    },
-    fallback: text,
-  };
 }

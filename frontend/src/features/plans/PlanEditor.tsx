@@ -6,6 +6,7 @@ import { PlaceField } from "../../missions/PlaceField";
 import { MISSIONS, notePlan } from "../../missions/planDrafts";
 import { ReplaceDialog } from "../../missions/ReplaceDialog";
 import { SELECTION, selectThing } from "../../missions/selection";
+import { useNoTransfer } from "../../missions/useNoTransfer";
 import { type ShownPlan, usePlan } from "../../missions/usePlan";
 import { usePlans } from "../../missions/usePlans";
 import type { PlanName } from "../../protocol/missions";
@@ -24,6 +25,7 @@ export function PlanEditor({ plan, map }: { plan: PlanName; map: ReactNode }) {
   const { t } = useTranslation();
   const shown = usePlan(plan);
   const { waypoints } = shown;
+  const noTransfer = useNoTransfer().long;
   const selection = usePart(SELECTION);
   const thing = useStore(selection, (now) => now.thing);
   const chosen = thing?.kind === "waypoint" && thing.plan === plan ? thing.row : null;
@@ -49,7 +51,7 @@ export function PlanEditor({ plan, map }: { plan: PlanName; map: ReactNode }) {
         }}
       />
       <PlanHead shown={shown} />
-      {!shown.canTransfer && !shown.isFixed && <Notice level="info">{t("plans.unsupported")}</Notice>}
+      {noTransfer !== undefined && !shown.isFixed && <Notice level="info">{noTransfer}</Notice>}
       <TransferOutcome plan={plan} />
       <div className="plans-body">
         <div className="plans-main">

@@ -4,6 +4,7 @@ import { useTranslation } from "react-i18next";
 import { MISSIONS } from "../../missions/planDrafts";
 import { PLAN } from "../../missions/planFacts";
 import { SendPlan } from "../../missions/SendPlan";
+import { useNoTransfer } from "../../missions/useNoTransfer";
 import type { ShownPlan } from "../../missions/usePlan";
 import { usePlans } from "../../missions/usePlans";
 import { PLAN_FORMATS, type PlanFormat, type PlanName } from "../../protocol/missions";
@@ -29,11 +30,11 @@ interface Props {
 export function PlanTools({ plan, shown, selected, onReplace }: Props) {
   const { t } = useTranslation();
   const missions = usePart(MISSIONS);
-  const { canTransfer, issues, waypoints } = shown;
+  const { issues, waypoints } = shown;
   const download = useAsked(`plan.download.${plan}`);
   const onBoard = usePlans((plans) => plans[plan].board);
   const blocked = useBoardBlocked();
-  const unsupported = canTransfer ? undefined : t("plans.unsupportedShort");
+  const unsupported = useNoTransfer().short;
   const errors = issues.filter(({ level }) => level === "error").length;
   return (
     <div className="plans-tools">
@@ -71,7 +72,7 @@ export function PlanTools({ plan, shown, selected, onReplace }: Props) {
       <GoTo plan={plan} shown={shown} selected={selected} />
       <span className="plans-gap" />
       <FileTools plan={plan} count={waypoints.length} onReplace={onReplace} />
-      {plan === "hil" && <RouteTools canTransfer={canTransfer} onReplace={onReplace} />}
+      {plan === "hil" && <RouteTools canTransfer={unsupported === undefined} onReplace={onReplace} />}
     </div>
   );
 }
@@ -82,7 +83,7 @@ function GoTo({ plan, shown, selected }: Omit<Props, "onReplace">) {
   const actions = usePart(ACTIONS);
   const { state, stateText } = useAsked(`plan.goTo.${plan}`);
   const blocked = useBoardBlocked();
-  const unsupported = shown.canTransfer ? undefined : t("plans.unsupportedShort");
+  const unsupported = useNoTransfer().short;
   const notThere = shown.state === "same" ? undefined : t("plans.notOnBoard");
   const noRow = selected === null ? t("plans.noRow") : undefined;
   return (

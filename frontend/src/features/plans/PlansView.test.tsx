@@ -278,6 +278,15 @@ describe("in flight", () => {
   });
 });
 
+test("a board that has not spoken yet is not called too old: the buttons say that it is not known", async () => {
+  const { board } = legacy;
+  open({ ...legacy, board: { ...board, mode: null } });
+  await user.click(screen.getByRole("tab", { name: "Plan HIL" }));
+  expect(document.body.textContent).not.toContain("firmware más nuevo");
+  await user.click(screen.getByRole("button", { name: "Descargar de la placa", description: /no ha dicho/ }));
+  expect(station.asked).toEqual([]);
+});
+
 describe("on a board that does not transfer plans", () => {
   test("what cannot be done says so, and the rest works", async () => {
     open(legacy);

@@ -7,7 +7,7 @@ import { choose } from "../../store/settings";
 import { Button } from "../../ui/Button";
 import { Notice } from "../../ui/Notice";
 import { CompareControls, flightName, useFlights } from "./CompareControls";
-import type { ChartListener } from "./chart";
+import type { ChartListener } from "./chartGestures";
 import { LayoutControls } from "./LayoutControls";
 import { type PaneHandle, PlotPane } from "./PlotPane";
 import { MOST_PANES, movedPane, type Panes, withoutPane, withoutSignal, withSignal } from "./plotLayouts";

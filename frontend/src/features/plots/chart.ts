@@ -3,21 +3,11 @@ import "uplot/dist/uPlot.min.css";
 import type { Timers } from "../../lib/timers";
 import { PLOT_DASHES, plotColour } from "../../ui/plotColours";
 import { axisWidth, type Look, lookOf, MOST_AXES, roomy, scaleOf, sizeOf } from "../../ui/plotLook";
-import { ChartGestures } from "./chartGestures";
+import { ChartGestures, type ChartListener } from "./chartGestures";
 import type { Drawn } from "./drawn";
 import { formatAt, type Stretch } from "./plotView";
 
 /** What a person does on a chart. Times are seconds of the plots. */
-export interface ChartListener {
-  readonly onZoomTo: (from_s: number, to_s: number) => void;
-  readonly onZoom: (about_s: number, factor: number) => void;
-  readonly onPan: (by_s: number) => void;
-  readonly onAll: () => void;
-  readonly onMoment: (at_s: number) => void;
-  /** The moment under the pointer; null when it leaves. */
-  readonly onHover: (at_s: number | null) => void;
-}
-
 /** A line of the chart: signals of one unit share an axis. */
 export interface ChartLine {
   readonly key: string;

@@ -1,5 +1,14 @@
 import type { Timers } from "../../lib/timers";
-import type { ChartListener } from "./chart";
+
+export interface ChartListener {
+  readonly onZoomTo: (from_s: number, to_s: number) => void;
+  readonly onZoom: (about_s: number, factor: number) => void;
+  readonly onPan: (by_s: number) => void;
+  readonly onAll: () => void;
+  readonly onMoment: (at_s: number) => void;
+  /** The moment under the pointer; null when it leaves. */
+  readonly onHover: (at_s: number | null) => void;
+}
 
 interface Parts {
   /** The moment at a pixel from the left edge. */

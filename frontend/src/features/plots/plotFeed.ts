@@ -85,7 +85,9 @@ export function createPlotFeed(rest: Gateway): PlotFeed {
         store.setState({ isLoading: false, failure: message });
       }
     };
-    const topics = await topicsFor(question);
+    // What is known is not waited for: the question leaves before the plots draw what they have.
+    const known = knownTopics(question);
+    const topics = known === null ? await topicsFor(question) : ({ ok: true, value: known } as const);
     if (!topics.ok) {
       failed(failureMessage(topics.problem));
       return;
@@ -116,14 +118,15 @@ export function createPlotFeed(rest: Gateway): PlotFeed {
     });
   }
 
-  /** What the flight has; when asked anew and something is missing, again: a flight under way gets more. */
-  async function topicsFor({ flight, names }: Wanted) {
+  /** What the flight has; null if it must be asked: anew when something is missing, for a flight under way gets more. */
+  function knownTopics({ names }: Wanted): readonly FlightTopic[] | null {
     const { topics } = store.getState();
     const isNews = isAnew;
     isAnew = false;
-    if (topics !== null && (!isNews || names.every((name) => isThere(topics, name)))) {
-      return { ok: true, value: topics } as const;
-    }
+    return topics !== null && (!isNews || names.every((name) => isThere(topics, name))) ? topics : null;
+  }
+
+  async function topicsFor({ flight }: Wanted) {
     const answer = await rest.ask("GET", `/api/v1/flights/${flight}/topics`, isFlightTopics);
     return answer.ok ? ({ ok: true, value: answer.value.topics } as const) : answer;
   }

@@ -5,17 +5,19 @@ import type { CompassLetters } from "../globe/chart/graticule";
 import { LabelSheet } from "../labels/LabelSheet";
 import { NamedThings } from "../labels/NamedThings";
 import { type CountryNames, textOf } from "../labels/thingTexts";
+import type { GroundPlace } from "../plan/target";
 import { type MapTarget, REACH_PX } from "../plan/target";
 import type { PickedAirfield } from "../tools/airfields";
-import type { Grip, GroundPlace } from "../tools/MapPointer";
+import type { Grip } from "../tools/MapPointer";
 import type { Light } from "../world/look";
-import type { World } from "../world/World";
+import { keptVectors, type World } from "../world/World";
 import { FlatFence } from "./FlatFence";
 import { FlatGround, nameLevel } from "./FlatGround";
 import { FlatPlans } from "./FlatPlans";
 import { FlatPointer } from "./FlatPointer";
 import { type FlatLayer, FlatTiles } from "./FlatTiles";
 import { FlatTrack, type FlatTrackLook } from "./FlatTrack";
+import { FlatVector } from "./FlatVector";
 import { drawGraticule } from "./flatGraticule";
 import { drawAircraft, drawDistance, type FlatAircraft, type MarkedPlace } from "./flatThings";
 import {
@@ -73,6 +75,7 @@ export class FlatScene {
   readonly #listener: FlatListener;
   readonly #pointer: FlatPointer;
   readonly #tiles = new FlatTiles(() => this.#change());
+  readonly #vector = new FlatVector(keptVectors, () => this.#change());
   readonly #ground: FlatGround;
   readonly #names: NamedThings;
   readonly #sheet = new LabelSheet();
@@ -204,6 +207,7 @@ export class FlatScene {
     this.#pointer.dispose();
     this.#sizes.disconnect();
     this.#tiles.clear();
+    this.#vector.clear();
     this.#ground.clear();
     this.#names.dispose();
     if (this.#handle !== null) {
@@ -271,7 +275,9 @@ export class FlatScene {
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
     const words = new Words();
     this.#ground.draw(context, this.#view, ratio);
-    this.#tiles.draw(context, this.#view, layers);
+    this.#tiles.draw(context, this.#view, layers, (layer) =>
+      this.#vector.draw(context, this.#view, layer, this.#contents.light),
+    );
     if (graticule !== null) {
       drawGraticule(context, this.#view, graticule, words);
     }
@@ -305,6 +311,9 @@ export class FlatScene {
         sight_m: 2 * half_m,
         zones: [{ level: nameLevel(view), from_m: 0, to_m: 1.4 * half_m }],
       });
+    }
+    for (const name of this.#vector.takeNames()) {
+      words.add(name);
     }
     for (const thing of this.#names.things) {
       words.add(textOf(thing, toScreen(view, thing), light, countries));

@@ -18,9 +18,18 @@ export class FlatTiles {
     this.#onNews = onNews;
   }
 
-  /** Layers from below. */
-  draw(context: CanvasRenderingContext2D, view: FlatView, layers: readonly FlatLayer[]): void {
-    const seen = layers.reduce((count, layer) => count + this.#drawLayer(context, view, layer), 0);
+  /** Layers from below. `other`: draws those that do not come as pictures. */
+  draw(
+    context: CanvasRenderingContext2D,
+    view: FlatView,
+    layers: readonly FlatLayer[],
+    other: (layer: FlatLayer) => void = () => undefined,
+  ): void {
+    let seen = 0;
+    for (const layer of layers) {
+      if (layer.kind === "vector") other(layer);
+      else seen += this.#drawLayer(context, view, layer);
+    }
     // One that is seen is never given up: it would be asked for again at once, for ever.
     const most = Math.max(MOST_TILES, seen);
     for (const address of this.#tiles.keys()) {

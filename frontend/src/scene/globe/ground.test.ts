@@ -1,5 +1,6 @@
 import {
   CesiumTerrainProvider,
+  Color,
   EllipsoidTerrainProvider,
   type ImageryLayer,
   ImageryLayerCollection,
@@ -7,6 +8,7 @@ import {
   UrlTemplateImageryProvider,
 } from "@cesium/engine";
 import { beforeEach, describe, expect, test, vi } from "vitest";
+import { GROUND } from "../world/look";
 import { CanvasTiles } from "./chart/CanvasTiles";
 import { WorldTiles } from "./chart/WorldTiles";
 import type { Globe } from "./Globe";
@@ -25,7 +27,8 @@ const CANARIES: ImagerySource = {
 /** As much of a globe as its ground asks for. */
 function bareGlobe() {
   const imageryLayers = new ImageryLayerCollection();
-  const scene = { imageryLayers, requestRender: vi.fn(), terrainProvider: null as unknown };
+  const bare = { baseColor: Color.BLUE };
+  const scene = { imageryLayers, requestRender: vi.fn(), terrainProvider: null as unknown, globe: bare };
   const requestRender = vi.fn();
   const ground = new Ground({ scene, requestRender } as unknown as Globe);
   /** From the lowest. */
@@ -76,10 +79,13 @@ describe("the globe's layers", () => {
 
 describe("the chart", () => {
   test("of the night takes the place of the day's under all other layers, without the Earth's picture", () => {
-    const { ground, kinds, layers } = bareGlobe();
+    const { ground, kinds, layers, scene } = bareGlobe();
+    const bare = () => scene.globe.baseColor.toCssHexString();
+    expect(bare()).toBe(GROUND.day.sea);
     ground.addImagery({ ...CANARIES, url: "/one" });
     const [natural, day] = layers();
     ground.setLight("night");
+    expect(bare()).toBe(GROUND.night.sea);
     expect(kinds()).toEqual(["natural", "chart", "/one"]);
     expect(layers()[1]).not.toBe(day);
     expect(natural?.show).toBe(false);

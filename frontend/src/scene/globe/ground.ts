@@ -1,18 +1,20 @@
 import {
   buildModuleUrl,
   CesiumTerrainProvider,
+  Color,
   EllipsoidTerrainProvider,
   ImageryLayer,
   Rectangle,
+  type Scene,
   TileMapServiceImageryProvider,
   UrlTemplateImageryProvider,
 } from "@cesium/engine";
-import type { Light } from "../world/look";
-import { keptWorld } from "../world/World";
+import { GROUND, type Light } from "../world/look";
+import { keptVectors, keptWorld } from "../world/World";
 import { CanvasTiles } from "./chart/CanvasTiles";
 import { drawGraticule } from "./chart/graticule";
+import { VectorImagery } from "./chart/VectorImagery";
 import { WorldTiles } from "./chart/WorldTiles";
-import type { Globe } from "./Globe";
 import { coveredBy, type ImagerySource, lowestLevel } from "./imagery";
 
 /** The graticule's deepest level: tiles of 150 m. */
@@ -34,19 +36,25 @@ export interface ImageryHandle {
   remove(): void;
 }
 
+/** What the layers need of the globe. */
+interface DrawnOn {
+  readonly scene: Scene;
+  readonly requestRender: () => void;
+}
+
 /**
  * The globe's layers, from the lowest: the Earth's image, the chart of the world, other layers in the order
  * in which they were added, the graticule.
  */
 export class Ground {
-  readonly #globe: Globe;
+  readonly #globe: DrawnOn;
   readonly #natural: ImageryLayer;
   #chart: ImageryLayer;
   #light: Light = "day";
   #graticule: ImageryLayer | null = null;
   #terrain = 0;
 
-  constructor(globe: Globe) {
+  constructor(globe: DrawnOn) {
     this.#globe = globe;
     this.#natural = ImageryLayer.fromProviderAsync(
       TileMapServiceImageryProvider.fromUrl(buildModuleUrl("Assets/Textures/NaturalEarthII")),
@@ -54,6 +62,12 @@ export class Ground {
     this.#chart = this.#chartOf(this.#light);
     globe.scene.imageryLayers.add(this.#natural);
     globe.scene.imageryLayers.add(this.#chart);
+    this.#setBare();
+  }
+
+  /** What is not yet drawn looks like the sea: the engine's own bright blue would blind at night. */
+  #setBare(): void {
+    this.#globe.scene.globe.baseColor = Color.fromCssColorString(GROUND[this.#light].sea);
   }
 
   #chartOf(light: Light): ImageryLayer {
@@ -73,6 +87,7 @@ export class Ground {
     this.#chart = this.#chartOf(light);
     layers.add(this.#chart, at);
     this.#natural.show = light === "day";
+    this.#setBare();
     this.#globe.requestRender();
   }
 
@@ -94,12 +109,15 @@ export class Ground {
 
   addImagery(source: ImagerySource): ImageryHandle {
     const { west_deg, south_deg, east_deg, north_deg } = coveredBy(source);
-    const provider = new UrlTemplateImageryProvider({
-      url: source.url,
-      rectangle: Rectangle.fromDegrees(west_deg, south_deg, east_deg, north_deg),
-      minimumLevel: lowestLevel(source),
-      maximumLevel: source.maximum_zoom,
-    });
+    const provider =
+      source.kind === "vector"
+        ? new VectorImagery(source, keptVectors(), this.#light, () => this.#globe.scene.requestRender())
+        : new UrlTemplateImageryProvider({
+            url: source.url,
+            rectangle: Rectangle.fromDegrees(west_deg, south_deg, east_deg, north_deg),
+            minimumLevel: lowestLevel(source),
+            maximumLevel: source.maximum_zoom,
+          });
     // A missing tile is no error: the layers below show there.
     provider.errorEvent.addEventListener(() => undefined);
     const layer = new ImageryLayer(provider);

@@ -7,6 +7,8 @@ export interface ImagerySource {
   readonly north_deg: number;
   readonly minimum_zoom: number;
   readonly maximum_zoom: number;
+  /** Vector tiles are drawn by the page. */
+  readonly kind?: "imagery" | "vector" | "terrain";
 }
 
 /** The square of Web Mercator ends here. */

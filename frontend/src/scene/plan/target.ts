@@ -1,7 +1,12 @@
+import type { Position } from "../../lib/geodesy";
 import type { MapThing } from "../../lib/mapThing";
-import type { GroundPlace } from "../tools/MapPointer";
 import type { Spot } from "./geometry";
 import type { LegPlace } from "./legHit";
+
+/** A point on the ground; with terrain, its height above the sea, metres. */
+export interface GroundPlace extends Position {
+  readonly height_m: number | null;
+}
 
 /** What lies at a spot of the map. */
 export interface MapTarget {

@@ -5,9 +5,9 @@ import type { Globe } from "../globe/Globe";
 import type { SpaceText } from "../globe/GlobeLabels";
 import { FLIGHT_RANK, PLAIN_FONT, THROUGH_GROUND_M } from "../lettering";
 import { legPoints } from "../plan/geometry";
+import type { GroundPlace } from "../plan/target";
 import { type LineLook, type RibbonLine, RibbonLines } from "../ribbon/RibbonLines";
 import type { Place } from "../ribbon/vertices";
-import type { GroundPlace } from "./MapPointer";
 
 export interface MeasuredPlace extends GroundPlace {
   readonly label: string;

@@ -1,8 +1,7 @@
 import { Cartesian2, Cartographic, Math as CesiumMath, EllipsoidTerrainProvider } from "@cesium/engine";
-import type { Position } from "../../lib/geodesy";
 import type { Globe } from "../globe/Globe";
 import type { Spot } from "../plan/geometry";
-import { REACH_PX, reachOf } from "../plan/target";
+import { type GroundPlace, REACH_PX, reachOf } from "../plan/target";
 import { type GestureHands, Gestures } from "./Gestures";
 
 /** Something that is being dragged. */
@@ -19,11 +18,6 @@ export interface Grip {
   readonly click: (isMore: boolean) => void;
   /** Starts a drag at the pointer; null if it cannot be dragged. */
   readonly drag: ((from: Spot, isShift: boolean) => Drag | null) | null;
-}
-
-/** A point on the ground; with terrain, its height above the sea, metres. */
-export interface GroundPlace extends Position {
-  readonly height_m: number | null;
 }
 
 type Finder = (at: Spot, reach_px: number) => Grip | null;

@@ -9,8 +9,9 @@ import {
 import type { Position } from "../../lib/geodesy";
 import { AREA, FENCE, WARNED } from "../colours";
 import type { Globe } from "../globe/Globe";
+import type { GroundPlace } from "../plan/target";
 import { DistanceLine, type MeasuredPlace } from "./DistanceLine";
-import { type GroundPlace, type MapPointer, pointerOf } from "./MapPointer";
+import { type MapPointer, pointerOf } from "./MapPointer";
 
 /** The present scale and direction of the view. */
 export interface MapScale {

@@ -64,12 +64,22 @@ export class World {
   }
 }
 
+let keptRoads: World | null = null;
+
+/** Another worker for the tiles of strangers: what delays it does not delay the chart. */
+export function keptVectors(): World {
+  keptRoads ??= new World(started);
+  return keptRoads;
+}
+
+function started(): Worker {
+  return new Worker(new URL("./worldWorker.ts", import.meta.url), { type: "module", name: "map" });
+}
+
 let kept: World | null = null;
 
 /** The page's one map. */
 export function keptWorld(): World {
-  kept ??= new World(
-    () => new Worker(new URL("./worldWorker.ts", import.meta.url), { type: "module", name: "map" }),
-  );
+  kept ??= new World(started);
   return kept;
 }

@@ -1,10 +1,12 @@
 import { distance_m, METRES_PER_DEGREE, type Position } from "../../lib/geodesy";
 import type { Box } from "../globe/chart/geometry";
+import { drawVector, namesOf } from "../vector/drawVector";
+import { VECTOR_PX, VectorTiles } from "../vector/VectorTiles";
 import type { Cell } from "./cell";
 import type { CellStore } from "./cellStore";
 import { drawTile } from "./drawTile";
 import { GROUND } from "./look";
-import type { WorldAnswers, WorldQuestion } from "./messages";
+import type { DrawnVector, WorldAnswers, WorldQuestion } from "./messages";
 import { highest, type NearAirfield, nearestOf, thingsIn } from "./things";
 import { frameOf, levelFor, WORLD_TILE_PX } from "./tiling";
 
@@ -21,6 +23,8 @@ export async function answerOf(
   switch (question.kind) {
     case "tile":
       return await tileOf(store, question);
+    case "vector":
+      return await vectorOf(question);
     case "things":
       return await thingsOf(store, question);
     case "near":
@@ -49,6 +53,27 @@ async function tileOf(store: CellStore, question: WorldQuestion & { kind: "tile"
     return canvas.transferToImageBitmap();
   }
   return await createImageBitmap(canvas, { imageOrientation: "flipY" });
+}
+
+const tiles = new VectorTiles((address) => fetch(address));
+
+/** Null: the pack has no tile there. */
+async function vectorOf(question: WorldQuestion & { kind: "vector" }): Promise<DrawnVector | null> {
+  const { url, part, zoom, light, isFlipped } = question;
+  const layers = await tiles.at(url);
+  if (layers === null) {
+    return null;
+  }
+  const canvas = new OffscreenCanvas(VECTOR_PX, VECTOR_PX);
+  const context = canvas.getContext("2d");
+  if (context === null) {
+    throw new Error("this browser draws no pictures beside the page");
+  }
+  drawVector(context as unknown as CanvasRenderingContext2D, layers, part, VECTOR_PX, zoom + 1, light);
+  const picture = isFlipped
+    ? await createImageBitmap(canvas, { imageOrientation: "flipY" })
+    : canvas.transferToImageBitmap();
+  return { picture, names: namesOf(layers, part) };
 }
 
 async function thingsOf(store: CellStore, question: WorldQuestion & { kind: "things" }) {

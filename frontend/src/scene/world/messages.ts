@@ -1,4 +1,5 @@
 import type { Position } from "../../lib/geodesy";
+import type { TilePart, VectorName } from "../vector/drawVector";
 import type { Light } from "./look";
 import type { NamedThing, NamedZone, NearAirfield } from "./things";
 import type { TilePlace } from "./tiling";
@@ -22,11 +23,26 @@ export type WorldQuestion =
       readonly sight_m: number;
       readonly most: number;
     }
+  | {
+      /** Roads, rivers and buildings: a tile of this address as it is seen at `zoom`. */
+      readonly kind: "vector";
+      readonly url: string;
+      readonly part: TilePart;
+      readonly zoom: number;
+      readonly light: Light;
+      readonly isFlipped: boolean;
+    }
   | { readonly kind: "near"; readonly place: Position; readonly most: number }
   | { readonly kind: "airfield"; readonly place: Position; readonly code: string };
 
+export interface DrawnVector {
+  readonly picture: ImageBitmap;
+  readonly names: readonly VectorName[];
+}
+
 export interface WorldAnswers {
   readonly tile: ImageBitmap;
+  readonly vector: DrawnVector | null;
   readonly things: NamedThing[];
   readonly near: NearAirfield[];
   readonly airfield: NearAirfield[];

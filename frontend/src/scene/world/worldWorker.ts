@@ -13,8 +13,16 @@ const page = globalThis as unknown as {
 
 page.onmessage = ({ data }) => {
   answerOf(store, data).then(
-    (answer) =>
-      page.postMessage({ number: data.number, answer }, answer instanceof ImageBitmap ? [answer] : []),
+    (answer) => page.postMessage({ number: data.number, answer }, bitmapsOf(answer)),
     (error: unknown) => page.postMessage({ number: data.number, fault: String(error) }, []),
   );
 };
+
+function bitmapsOf(answer: unknown): ImageBitmap[] {
+  if (answer instanceof ImageBitmap) {
+    return [answer];
+  }
+  const picture =
+    answer !== null && typeof answer === "object" && "picture" in answer ? answer.picture : null;
+  return picture instanceof ImageBitmap ? [picture] : [];
+}

@@ -1,9 +1,9 @@
 import { screen } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
-import { beforeEach, expect, test, vi } from "vitest";
+import { beforeEach, expect, test } from "vitest";
 import { SELECTION } from "../../../missions/selection";
 import type { AirfieldAt } from "../../../scene/world/cell";
-import type { NumberedQuestion } from "../../../scene/world/messages";
+import { answerMap } from "../../../test/mapWorker";
 import { Station } from "../../../test/station";
 import { WORDS } from "../../../ui/test/testWords";
 import { WordsProvider } from "../../../ui/words";
@@ -34,24 +34,11 @@ const GANDO: AirfieldAt = {
   frequencies: [{ type: "TWR", description: "Canarias", mhz: 118.3 }],
 };
 
-/** What the map's worker answers to each kind of question; a string is its fault. */
 let answers: Record<string, unknown>;
-
-/** The worker's end of the wire: it answers as the real one does, later. */
-class AnsweringWorker {
-  onmessage: ((event: { data: unknown }) => void) | null = null;
-
-  postMessage({ number, kind }: NumberedQuestion): void {
-    const answer = answers[kind];
-    const data = typeof answer === "string" ? { number, fault: answer } : { number, answer };
-    queueMicrotask(() => this.onmessage?.({ data }));
-  }
-}
-
-vi.stubGlobal("Worker", AnsweringWorker);
 
 beforeEach(() => {
   answers = { airfield: [{ airfield: GANDO }], near: [{ airfield: GANDO }] };
+  answerMap(answers);
 });
 
 function card(airfield: Partial<AirfieldAt> = {}): void {

@@ -52,7 +52,7 @@ export function stackOfLayers(
   layers: readonly MapLayer[],
   remembered: string | undefined,
 ): readonly Stacked[] {
-  const imagery = layers.filter(({ kind }) => kind === "imagery");
+  const imagery = layers.filter(({ kind }) => kind !== "terrain");
   return stackOf(
     imagery.map(({ id, format }) => ({ id, isOnByItself: format !== "online" })),
     remembered,

@@ -11,7 +11,7 @@ import type { MapPlan } from "../plan/useMapPlan";
 import { useScreenTools } from "../tools/useScreenTools";
 import { PatternButtons } from "./PatternButtons";
 import { AngleField, HeightField, LengthField, SpeedField } from "./PatternFields";
-import { RUNWAYS } from "./runwayChoices";
+import { RUNWAYS, useRunways } from "./runwayChoices";
 
 /** The runway of one's own meadow, which no list has. */
 const OWN = "own";
@@ -32,13 +32,21 @@ export function CircuitForm({ aircraft, plan }: { aircraft: Aircraft; plan: MapP
   const tools = useScreenTools();
   const altitude = useUnit("altitude");
   const [chosen, setChosen] = useState<string>(RUNWAYS[0]?.id ?? OWN);
+  const { runways, looking, look } = useRunways();
   const [own, setOwn] = useState<Position | null>(null);
   const [course_deg, setCourse_deg] = useState(0);
   const [elevation_ft, setElevation_ft] = useState(0);
   const [wanted, setWanted] = useState<Circuit>(USUAL);
-  const known = RUNWAYS.find(({ id }) => id === chosen)?.runway;
+  const known = runways.find(({ id }) => id === chosen)?.runway;
   const runway: RunwayEnd | null =
     known ?? (own === null ? null : { threshold: own, course_deg, length_m: OWN_LENGTH_M, elevation_ft });
+  const lookAround = async (): Promise<void> => {
+    const centre = tools?.centre() ?? null;
+    const [nearest] = centre === null ? [] : await look(centre);
+    if (nearest !== undefined) setChosen(nearest.id);
+  };
+  const reading = looking === "reading" ? t("map.airfields.reading") : undefined;
+  const busy = tools === null ? t("map.view.loading") : reading;
   const set = (part: Partial<Circuit>): void => setWanted({ ...wanted, ...part });
   return (
     <div className="map-plan-fields">
@@ -48,10 +56,17 @@ export function CircuitForm({ aircraft, plan }: { aircraft: Aircraft; plan: MapP
         value={chosen}
         onChange={setChosen}
         options={[
-          ...RUNWAYS.map(({ id, name }) => ({ value: id, label: name })),
+          ...runways.map(({ id, name }) => ({ value: id, label: name })),
           { value: OWN, label: t("map.pattern.own") },
         ]}
       />
+      <Button onPress={() => void lookAround()} disabledReason={busy}>
+        {t("map.pattern.around")}
+      </Button>
+      <p className="map-plan-hint" role="status">
+        {looking === "none" && t("map.pattern.aroundNone")}
+        {looking === "failed" && t("map.pattern.aroundFailed")}
+      </p>
       {known === undefined && (
         <>
           <Button

@@ -1,10 +1,11 @@
-import { act, screen, within } from "@testing-library/react";
+import { act, screen, waitFor, within } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { expect, test, vi } from "vitest";
 import type { Position } from "../../../lib/geodesy";
 import type { Waypoint } from "../../../lib/plan";
 import { editPlan, MISSIONS } from "../../../missions/planDrafts";
 import type { FlatScene } from "../../../scene/flat/FlatScene";
+import { answerMap } from "../../../test/mapWorker";
 import { Station } from "../../../test/station";
 import { WORDS } from "../../../ui/test/testWords";
 import { WordsProvider } from "../../../ui/words";
@@ -161,4 +162,51 @@ test("one's own meadow needs its place on the map; its course turns the circuit"
   await set("Rumbo de despegue", "90");
   await user.click(button("Sustituir el plan"));
   expect(draft()).not.toEqual(north);
+});
+
+const LEVEL_FIELD = {
+  code: "LEXX",
+  elevation_ft: 1200,
+  runways: [
+    {
+      ends: ["09", "27"],
+      places: [
+        { latitude_deg: 28, longitude_deg: -15 },
+        { latitude_deg: 28, longitude_deg: -14.99 },
+      ],
+    },
+    { ends: ["18", "36"], places: null },
+  ],
+};
+
+test("runways around the map's centre take the place of those of the station's own airfield", async () => {
+  answerMap({ near: [{ airfield: LEVEL_FIELD, away_m: 10 }] });
+  open(CircuitForm, aMap());
+  await user.click(button("Pistas alrededor del centro del mapa"));
+  const choice = screen.getByRole<HTMLSelectElement>("combobox");
+  await waitFor(() => expect(choice.value).toBe("LEXX 09"));
+  expect([...choice.options].map(({ text }) => text)).toEqual([
+    "LEXX 09",
+    "LEXX 27",
+    "Pista propia, en el mapa",
+  ]);
+  await user.click(button("Sustituir el plan"));
+  const east = draft();
+  expect(Math.min(...east.map(({ altitude_ft }) => altitude_ft))).toBeGreaterThan(1200);
+  planHas([]);
+  await user.selectOptions(choice, "LEXX 27");
+  await user.click(button("Sustituir el plan"));
+  expect(draft()).not.toEqual(east);
+});
+
+test("where no runway is known, or the map cannot be read, it is said and the choice stays", async () => {
+  answerMap({ near: [{ airfield: { ...LEVEL_FIELD, elevation_ft: null }, away_m: 10 }] });
+  open(CircuitForm, aMap());
+  const before = screen.getByRole<HTMLSelectElement>("combobox").value;
+  await user.click(button("Pistas alrededor del centro del mapa"));
+  expect(await screen.findByText(/No se conoce ninguna pista/)).toBeTruthy();
+  answerMap({ near: "cut off" });
+  await user.click(button("Pistas alrededor del centro del mapa"));
+  expect(await screen.findByText(/No se pudo leer el mapa/)).toBeTruthy();
+  expect(screen.getByRole<HTMLSelectElement>("combobox").value).toBe(before);
 });

@@ -1,6 +1,8 @@
-import type { Position } from "../../../lib/geodesy";
+import { useState } from "react";
+import { bearing_deg, distance_m, type Position } from "../../../lib/geodesy";
 import type { RunwayEnd } from "../../../lib/planPatterns";
-import { GRAN_CANARIA, runwayCourse } from "../../../scene/globe/chart/airfields";
+import { GRAN_CANARIA } from "../../../scene/globe/chart/airfields";
+import { keptWorld } from "../../../scene/world/World";
 
 /** A runway that the station knows, in one of its directions. */
 export interface RunwayChoice {
@@ -10,19 +12,77 @@ export interface RunwayChoice {
   readonly runway: RunwayEnd;
 }
 
-/** Both directions of each runway of the station's airfield. */
-export const RUNWAYS: readonly RunwayChoice[] = GRAN_CANARIA.runways.flatMap((runway) => {
-  const { length_m, bearing_deg } = runwayCourse(runway);
-  const [first, second] = runway.ends;
-  const choice = (name: string, threshold: Position, course_deg: number): RunwayChoice => ({
-    id: `${GRAN_CANARIA.code} ${name}`,
-    name: `${GRAN_CANARIA.code} ${name}`,
-    runway: {
-      threshold: { latitude_deg: threshold.latitude_deg, longitude_deg: threshold.longitude_deg },
-      course_deg: (course_deg + 360) % 360,
-      length_m,
-      elevation_ft: GRAN_CANARIA.elevation_ft,
-    },
+/** Both ends of a runway: what is painted there, and where. */
+type Ends = readonly [named: EndAt, other: EndAt];
+interface EndAt {
+  readonly name: string;
+  readonly place: Position;
+}
+
+/** Airfields that are looked at: all those within sight of a field that is flown from. */
+const LOOKED_AT = 8;
+/** Nearer to each other than this the source has both ends in one place. */
+const LEAST_LENGTH_M = 20;
+
+/** Both directions of each runway of the airfield where the station's routes begin. */
+export const RUNWAYS: readonly RunwayChoice[] = GRAN_CANARIA.runways.flatMap(({ ends: [first, second] }) =>
+  directions(GRAN_CANARIA.code, GRAN_CANARIA.elevation_ft, [endAt(first), endAt(second)]),
+);
+
+export type Looking = "reading" | "none" | "failed" | null;
+
+/** The runways to choose from, and `look`, which takes those of the airfields around a place instead. */
+export function useRunways(): {
+  readonly runways: readonly RunwayChoice[];
+  readonly looking: Looking;
+  readonly look: (around: Position) => Promise<readonly RunwayChoice[]>;
+} {
+  const [runways, setRunways] = useState(RUNWAYS);
+  const [looking, setLooking] = useState<Looking>(null);
+  const look = async (place: Position): Promise<readonly RunwayChoice[]> => {
+    setLooking("reading");
+    try {
+      const found = await runwaysAround(place);
+      setLooking(found.length === 0 ? "none" : null);
+      if (found.length > 0) setRunways(found);
+      return found;
+    } catch {
+      setLooking("failed");
+      return [];
+    }
+  };
+  return { runways, looking, look };
+}
+
+/** Both directions of each runway whose ends are known, the nearest airfield first. Rejects if the map cannot be read. */
+async function runwaysAround(place: Position): Promise<readonly RunwayChoice[]> {
+  const near = await keptWorld().ask<"near">({ kind: "near", place, most: LOOKED_AT });
+  return near.flatMap(({ airfield: { code, elevation_ft, runways } }) =>
+    (runways ?? []).flatMap(({ ends, places }) =>
+      // Without its height above the sea a circuit would be flown at a height that nobody knows.
+      places === null || elevation_ft === null
+        ? []
+        : directions(code, elevation_ft, [
+            { name: ends[0], place: places[0] },
+            { name: ends[1], place: places[1] },
+          ]),
+    ),
+  );
+}
+
+function endAt({ name, latitude_deg, longitude_deg }: { name: string } & Position): EndAt {
+  return { name, place: { latitude_deg, longitude_deg } };
+}
+
+function directions(code: string, elevation_ft: number, ends: Ends): readonly RunwayChoice[] {
+  const [first, second] = ends;
+  const length_m = distance_m(first.place, second.place);
+  if (!(length_m > LEAST_LENGTH_M)) return [];
+  const pairs = [[first, second] as const, [second, first] as const];
+  return pairs.flatMap(([from, to]) => {
+    const course_deg = bearing_deg(from.place, to.place);
+    const name = `${code} ${from.name}`;
+    const runway = { threshold: from.place, length_m, elevation_ft };
+    return course_deg === null ? [] : [{ id: name, name, runway: { ...runway, course_deg } }];
   });
-  return [choice(first.name, first, bearing_deg), choice(second.name, second, bearing_deg + 180)];
-});
+}

@@ -7,6 +7,7 @@ import { editPlan, MISSIONS, redoPlan, undoPlan } from "../../../missions/planDr
 import { ReplaceDialog } from "../../../missions/ReplaceDialog";
 import { SendPlan } from "../../../missions/SendPlan";
 import { SELECTION, selectThing } from "../../../missions/selection";
+import { useNoTransfer } from "../../../missions/useNoTransfer";
 import { usePlans } from "../../../missions/usePlans";
 import { PLAN_LIMITS } from "../../../protocol/missions";
 import { useAsked } from "../../../requests/useAsked";
@@ -42,7 +43,7 @@ function Transfer({ aircraft, plan }: Omit<Props, "row">) {
   const isDraft = usePlans((plans) => plans[aircraft].draft.present.length > 0);
   const [isAsking, setAsking] = useState(false);
   const blocked = useBoardBlocked();
-  const unsupported = plan.canTransfer ? undefined : t("plans.unsupportedShort");
+  const { short: unsupported, long: noTransfer } = useNoTransfer();
   const errors = plan.issues.filter(({ level }) => level === "error").length;
   const nothing = isDraft
     ? errors > 0
@@ -66,7 +67,7 @@ function Transfer({ aircraft, plan }: Omit<Props, "row">) {
           {t("map.plan.send")}
         </SendPlan>
       </div>
-      {!plan.canTransfer && !plan.isFixed && <Notice level="info">{t("plans.unsupported")}</Notice>}
+      {noTransfer !== undefined && !plan.isFixed && <Notice level="info">{noTransfer}</Notice>}
       {[download, upload, goTo]
         .filter(({ state }) => state === "rejected" || state === "timed_out")
         .map(({ stateText }) => (

@@ -1,5 +1,6 @@
 import { useTranslation } from "react-i18next";
 import { sameRow } from "../../../lib/plan";
+import { useNoTransfer } from "../../../missions/useNoTransfer";
 import { PLAN_LIMITS } from "../../../protocol/missions";
 import { useBoardBlocked } from "../../../requests/useBlocked";
 import type { MapPlan } from "./useMapPlan";
@@ -8,12 +9,13 @@ import type { MapPlan } from "./useMapPlan";
 export function useFlyHereBlocked(plan: MapPlan): string | undefined {
   const { t } = useTranslation();
   const blocked = useBoardBlocked();
+  const unsupported = useNoTransfer().short;
   const { maximum } = PLAN_LIMITS.count;
   const errors = plan.issues.filter(({ level, code }) => level === "error" && code !== "count").length;
   return (
     blocked ??
     (plan.isFixed ? t("plans.fixed") : undefined) ??
-    (plan.canTransfer ? undefined : t("plans.unsupportedShort")) ??
+    unsupported ??
     // What is not known would be overwritten.
     (plan.onBoard === null && plan.waypoints.length === 0 ? t("map.fly.readFirst") : undefined) ??
     (plan.waypoints.length >= maximum ? t("plans.isFull", { maximum }) : undefined) ??

@@ -7,7 +7,7 @@ import { PLAN } from "../../../missions/planFacts";
 import { usePlans } from "../../../missions/usePlans";
 import { ROUTES } from "../../../protocol/messages.gen";
 import { PLAN_LIMITS } from "../../../protocol/missions";
-import { useConnection, useTelemetry } from "../../../store/hooks";
+import { useTelemetry } from "../../../store/hooks";
 
 export interface MapPlan {
   /** The shown and edited plan: the draft, or without one, the board's plan. */
@@ -22,7 +22,6 @@ export interface MapPlan {
   readonly ending: "loop" | "hold" | null;
   /** A plan of the past: no edit changes it. */
   readonly isFixed: boolean;
-  readonly canTransfer: boolean;
 }
 
 const NOTHING: readonly Waypoint[] = [];
@@ -39,7 +38,6 @@ export function useMapPlan(plan: Aircraft): MapPlan {
     telemetry.liveNumber(PLAN[plan].topic, "waypoint", now_ms),
   );
   const isFixed = usePlans((plans) => plans[plan].isFixed);
-  const canTransfer = useConnection(({ status }) => status?.board.features.missions === true);
   const named = ROUTES.find(({ planName }) => planName === route);
   const onBoard = read ?? named?.waypoints ?? null;
   const waypoints = draft.length === 0 ? (onBoard ?? NOTHING) : draft;
@@ -55,7 +53,6 @@ export function useMapPlan(plan: Aircraft): MapPlan {
     flownTo,
     ending: plan === "flight" || route === -1 ? "hold" : named === undefined ? null : endingOf(named),
     isFixed,
-    canTransfer,
   };
 }
 

@@ -61,6 +61,12 @@ function newest(method: string): Asked {
   return asked;
 }
 
+function newestAt(method: string, path: string): Asked {
+  const asked = station.asked.filter((one) => one.method === method && one.path.endsWith(path)).at(-1);
+  if (asked === undefined) throw new Error(`${path} was not asked`);
+  return asked;
+}
+
 async function given(parts: Partial<SurroundingsChoice> = {}): Promise<void> {
   await newest("GET").answer({ ...OFF, ...parts });
   station.show();
@@ -153,6 +159,58 @@ test("a fence that somebody else saves is followed, but not over what was drawn 
   act(() => station.deliver(told));
   await newest("GET").answer({ ...OFF, corners: CORNERS.toReversed() });
   expect(drawn()).toEqual([]);
+});
+
+test("a corner is typed, put between two others, and taken away by its number", async () => {
+  await given({ corners: CORNERS });
+  await user.selectOptions(screen.getByLabelText("Esquina"), "Esquina 2");
+  const place = screen.getByLabelText("Coordenadas");
+  await user.clear(place);
+  await user.type(place, "27.96, -15.39{Enter}");
+  expect(drawn()[1]).toEqual({ latitude_deg: 27.96, longitude_deg: -15.39 });
+  await user.click(button("Insertar tras la esquina 2"));
+  expect(drawn()).toHaveLength(4);
+  expect(drawn()[2]?.latitude_deg).toBeCloseTo(27.955, 3);
+  await user.click(button("Quitar la esquina 3"));
+  expect(drawn()).toHaveLength(3);
+  expect(drawn()[2]).toEqual(CORNERS[2]);
+  expect(screen.getByText(/Sin guardar/)).toBeTruthy();
+});
+
+test("a file's fence is drawn and not yet watched, what it could not bring is said, and Undo takes it back", async () => {
+  await given({ corners: CORNERS });
+  const there = CORNERS.map(({ latitude_deg }) => ({ latitude_deg, longitude_deg: 5 }));
+  const choose = async (file: File): Promise<void> =>
+    user.upload(
+      document.querySelector<HTMLInputElement>("input[accept='.kml,.kmz,.plan']") as HTMLElement,
+      file,
+    );
+  await choose(new File(["x"], "campo uno.plan"));
+  const asked = newestAt("POST", "/surroundings/fence/import?name=campo%20uno.plan");
+  await asked.answer({
+    format: "plan",
+    corners: there,
+    ceiling_ft: 1200,
+    notes: [{ code: "exclusions_skipped", params: { count: 2 } }],
+  });
+  expect(drawn()).toEqual(there);
+  expect(screen.getByText(/campo uno.plan: esquinas leídas: 3/)).toBeTruthy();
+  expect(screen.getByText(/Zonas prohibidas del fichero .*: 2/)).toBeTruthy();
+  expect(screen.getByText(/techo de 1200 ft/)).toBeTruthy();
+  expect(screen.getByText(/Sin guardar/)).toBeTruthy();
+  expect(station.asked.filter(({ method }) => method === "PUT")).toEqual([]);
+  expect(screen.queryByRole("link", { name: "Guardar como KML" })).toBeNull();
+  await user.click(button("Deshacer en la valla"));
+  expect(drawn()).toEqual(CORNERS);
+  const link = screen.getByRole("link", { name: "Guardar como .plan" });
+  expect(link.getAttribute("href")).toBe("/api/v1/surroundings/fence?format=plan");
+  await choose(new File(["x"], "foto.kml"));
+  await newestAt("POST", "/surroundings/fence/import?name=foto.kml").answer(
+    { code: "fence_file_unknown", detail: "x", params: { name: "foto.kml" } },
+    422,
+  );
+  expect(screen.getByText("foto.kml no es un KML, KMZ o .plan entero: elige otro fichero.")).toBeTruthy();
+  expect(drawn()).toEqual(CORNERS);
 });
 
 test("who may only look sees the fence and changes nothing", async () => {

@@ -3,8 +3,7 @@ import { useTranslation } from "react-i18next";
 import { useSentence } from "../../../i18n/useSentence";
 import type { SurroundingsChoice } from "../../../protocol/guards.gen";
 import { useUnit } from "../../../readouts/useUnit";
-import { useRoleBlocked } from "../../../requests/useRole";
-import { useIsPast, usePart } from "../../../store/hooks";
+import { usePart } from "../../../store/hooks";
 import { Button } from "../../../ui/Button";
 import { Checkbox } from "../../../ui/Checkbox";
 import { Notice } from "../../../ui/Notice";
@@ -14,7 +13,10 @@ import { chooseTool, MAP_TOOL } from "../tools/mapTool";
 import { useMapTool } from "../tools/useMapTool";
 import { useScreenTools } from "../tools/useScreenTools";
 import { AroundNow } from "./AroundNow";
+import { FenceFiles } from "./FenceFiles";
+import { OneCorner } from "./OneCorner";
 import { isSaved, LEAST_CORNERS, MOST_CORNERS, SURROUNDINGS } from "./surroundings";
+import { useFixed } from "./useFixed";
 import { useSurroundings } from "./useSurroundings";
 import "./surroundings.css";
 
@@ -36,13 +38,6 @@ export function SurroundingsSection() {
       <p className="map-plan-hint">{t("map.around.advice")}</p>
     </FoldingPanel>
   );
-}
-
-/** Why this person cannot change it now. */
-function useFixed(): string | undefined {
-  const { t } = useTranslation();
-  const role = useRoleBlocked("operator");
-  return useIsPast() ? t("map.around.past") : role;
 }
 
 function Choice({ choice }: { choice: SurroundingsChoice }) {
@@ -151,6 +146,8 @@ function Border() {
         <SaveCorners />
       </div>
       {isMarking && <p className="map-plan-hint">{t("map.around.markHint")}</p>}
+      <OneCorner />
+      <FenceFiles />
     </>
   );
 }

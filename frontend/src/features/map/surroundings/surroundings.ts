@@ -2,9 +2,9 @@ import { createStore, type StoreApi } from "zustand/vanilla";
 import type { Position } from "../../../lib/geodesy";
 import { begun, edited, type History, redone, undone } from "../../../lib/history";
 import type { StreamEvent } from "../../../protocol/envelope";
-import { isSurroundingsChoice, type SurroundingsChoice } from "../../../protocol/guards.gen";
+import { isFenceImport, isSurroundingsChoice, type SurroundingsChoice } from "../../../protocol/guards.gen";
 import type { Gateway } from "../../../requests/asking";
-import { failureMessage, type Message } from "../../../store/messages";
+import { failureMessage, type Message, wordsOf } from "../../../store/messages";
 import { partName } from "../../../store/parts";
 
 export type Corners = readonly Position[];
@@ -15,6 +15,8 @@ export interface SurroundingsState {
   /** The fence as it is drawn here, with its undo steps: it is the station's once it is saved. */
   readonly corners: History<Corners>;
   readonly failure: Message | null;
+  /** What the file that was read last had, and what of it is not in the fence. */
+  readonly said: readonly Message[];
 }
 
 export interface SurroundingsPart {
@@ -27,6 +29,10 @@ export interface SurroundingsPart {
   readonly redo: () => void;
   /** Make the drawn fence the station's. */
   readonly save: () => Promise<void>;
+  /** Draw the fence of this file. Its ceiling is told and not set: it would be watched at once. */
+  readonly importFile: (file: File) => Promise<void>;
+  /** A sentence about the file was read. */
+  readonly forget: (message: Message) => void;
 }
 
 export const SURROUNDINGS = partName<SurroundingsPart>("surroundings");
@@ -49,6 +55,7 @@ export function createSurroundings(rest: Pick<Gateway, "ask">): {
     choice: null,
     corners: begun(NO_CORNERS),
     failure: null,
+    said: [],
   }));
 
   /** Edits that are not saved stay when somebody else saves another fence. */
@@ -80,6 +87,37 @@ export function createSurroundings(rest: Pick<Gateway, "ask">): {
     }
   }
 
+  async function importFile(file: File): Promise<void> {
+    const path = `${PATH}/fence/import?name=${encodeURIComponent(file.name)}`;
+    const answer = await rest.ask("POST", path, isFenceImport, file);
+    if (!answer.ok) {
+      store.setState({ failure: failureMessage(answer.problem), said: [] });
+      return;
+    }
+    const { corners, ceiling_ft, notes } = answer.value;
+    const params = { file: file.name, count: corners.length };
+    const ceiling: Message[] =
+      ceiling_ft === null
+        ? []
+        : [{ level: "warning", key: "fenceNote.ceiling", params: { ceiling_ft: Math.round(ceiling_ft) } }];
+    store.setState((before) => ({
+      corners: edited(before.corners, corners),
+      failure: null,
+      said: [
+        { level: "info", key: "map.around.saidRead", params },
+        ...notes.map(
+          ({ code, params }): Message => ({
+            level: "warning",
+            key: `fenceNote.${code}`,
+            params: wordsOf(params),
+            fallback: code,
+          }),
+        ),
+        ...ceiling,
+      ],
+    }));
+  }
+
   const change = (to: (history: History<Corners>) => History<Corners>) => (): void =>
     store.setState(({ corners }) => ({ corners: to(corners) }));
 
@@ -87,6 +125,8 @@ export function createSurroundings(rest: Pick<Gateway, "ask">): {
     surroundings: {
       store,
       read: () => ask(),
+      importFile,
+      forget: (message) => store.setState(({ said }) => ({ said: said.filter((one) => one !== message) })),
       choose,
       edit: (corners) => change((history) => edited(history, corners))(),
       undo: change(undone),

@@ -5,10 +5,12 @@ import { CAMERA_CHOICE } from "../../../lib/mapCamera";
 import { METRES_PER_FOOT } from "../../../lib/units";
 import { PLAN } from "../../../missions/planFacts";
 import { SELECTION, selectRows } from "../../../missions/selection";
+import { useNoTransfer } from "../../../missions/useNoTransfer";
 import { useWaypointEdits, type WaypointEdits } from "../../../missions/useWaypointEdits";
 import { ACTIONS } from "../../../requests/actions";
 import { useBoardBlocked } from "../../../requests/useBlocked";
-import type { GroundPlace } from "../../../scene/tools/MapPointer";
+import type { GroundPlace } from "../../../scene/plan/target";
+import { FIELD_WISH } from "../../../store/fieldWish";
 import { usePage, usePart } from "../../../store/hooks";
 import { choose } from "../../../store/settings";
 import { AnchoredMenu, MenuAction, MenuRule } from "../../../ui/MenuBar";
@@ -49,6 +51,7 @@ function Entries({ menu }: { menu: OpenMenu }) {
   const { t } = useTranslation();
   const tools = usePart(MAP_TOOL);
   const selection = usePart(SELECTION);
+  const wishes = usePart(FIELD_WISH);
   const plans = { flight: useMapPlan("flight"), hil: useMapPlan("hil") };
   const open = useOpenPlan(plans.flight);
   const aircraft = menu.waypoint?.plan ?? menu.leg?.plan ?? open;
@@ -82,6 +85,11 @@ function Entries({ menu }: { menu: OpenMenu }) {
       <MenuAction
         label={t("map.edit.centre")}
         onChoose={() => place !== null && centre(place)}
+        disabledReason={sky}
+      />
+      <MenuAction
+        label={t("map.field.here")}
+        onChoose={() => place !== null && wishes.setState({ wish: { centre: place } })}
         disabledReason={sky}
       />
     </>
@@ -169,6 +177,7 @@ function FlyTo({ aircraft, plan, row }: { aircraft: Aircraft; plan: MapPlan; row
   const { t } = useTranslation();
   const actions = usePart(ACTIONS);
   const blocked = useBoardBlocked();
+  const unsupported = useNoTransfer().short;
   return (
     <MenuAction
       label={t("map.edit.flyTo", { number: row + 1 })}
@@ -179,11 +188,7 @@ function FlyTo({ aircraft, plan, row }: { aircraft: Aircraft; plan: MapPlan; row
           { plan: PLAN[aircraft].number, index: row },
         )
       }
-      disabledReason={
-        blocked ??
-        (plan.canTransfer ? undefined : t("plans.unsupportedShort")) ??
-        (plan.state === "same" ? undefined : t("plans.notOnBoard"))
-      }
+      disabledReason={blocked ?? unsupported ?? (plan.state === "same" ? undefined : t("plans.notOnBoard"))}
     />
   );
 }

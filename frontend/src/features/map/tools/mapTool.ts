@@ -1,6 +1,6 @@
 import { createStore, type StoreApi } from "zustand/vanilla";
 import type { Position } from "../../../lib/geodesy";
-import type { GroundPlace } from "../../../scene/tools/MapPointer";
+import type { GroundPlace } from "../../../scene/plan/target";
 import { partName } from "../../../store/parts";
 
 /** What a press on the map does: picks a thing, adds a waypoint, measures, or puts a corner of an area or of the fence. */

@@ -1,7 +1,7 @@
 import { useCallback, useEffect, useMemo } from "react";
 import { bearing_deg, distance_m } from "../../../lib/geodesy";
 import { type Unit, useUnit } from "../../../readouts/useUnit";
-import type { GroundPlace } from "../../../scene/tools/MapPointer";
+import type { GroundPlace } from "../../../scene/plan/target";
 import { usePart } from "../../../store/hooks";
 import { chooseTool, MAP_TOOL } from "./mapTool";
 import { useMapTool } from "./useMapTool";

@@ -1,5 +1,3 @@
-import { metresOfDegree } from "./geometry";
-
 /** One end of a runway: where its number is painted. */
 interface RunwayEnd {
   readonly name: string;
@@ -46,14 +44,3 @@ export const GRAN_CANARIA: Airfield = {
     },
   ],
 };
-
-/** Length in metres, and true bearing from the first end in degrees clockwise from north. */
-export function runwayCourse({ ends: [from, to] }: Runway): { length_m: number; bearing_deg: number } {
-  const { longitude_m, latitude_m } = metresOfDegree((from.latitude_deg + to.latitude_deg) / 2);
-  const east_m = (to.longitude_deg - from.longitude_deg) * longitude_m;
-  const north_m = (to.latitude_deg - from.latitude_deg) * latitude_m;
-  return {
-    length_m: Math.hypot(east_m, north_m),
-    bearing_deg: (Math.atan2(east_m, north_m) * 180) / Math.PI,
-  };
-}

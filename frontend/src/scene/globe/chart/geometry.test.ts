@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import { boxOf, metresOfDegree, overlaps, tileBox } from "./geometry";
+import { boxOf, overlaps, tileBox } from "./geometry";
 
 const box = { west_deg: 2, south_deg: 1, east_deg: 6, north_deg: 3 };
 
@@ -28,12 +28,4 @@ test("the box of points holds them all", () => {
     [0, -5],
   ] as const;
   expect(boxOf(points)).toEqual({ west_deg: -2, east_deg: 4, south_deg: -5, north_deg: 3 });
-});
-
-test("a degree is as long as on the ellipsoid", () => {
-  // Tables of the WGS 84 ellipsoid.
-  expect(metresOfDegree(0).longitude_m).toBeCloseTo(111_319.5, -1);
-  expect(metresOfDegree(0).latitude_m).toBeCloseTo(110_574.3, -1);
-  expect(metresOfDegree(45).longitude_m).toBeCloseTo(78_846.8, -1);
-  expect(metresOfDegree(45).latitude_m).toBeCloseTo(111_131.8, -1);
 });

@@ -37,12 +37,3 @@ export function boxOf(points: readonly Point[]): Box {
     north_deg: Math.max(...latitudes),
   };
 }
-
-/** Metres of a degree of longitude and of latitude at a latitude, on the WGS 84 ellipsoid. */
-export function metresOfDegree(latitude_deg: number): { longitude_m: number; latitude_m: number } {
-  const angle = (latitude_deg * Math.PI) / 180;
-  return {
-    longitude_m: 111_412.84 * Math.cos(angle) - 93.5 * Math.cos(3 * angle) + 0.118 * Math.cos(5 * angle),
-    latitude_m: 111_132.92 - 559.82 * Math.cos(2 * angle) + 1.175 * Math.cos(4 * angle),
-  };
-}
