@@ -14,6 +14,19 @@ async function enter(browser: Browser, address: string, name: string, options: o
   return page;
 }
 
+/** Where cookies are blocked the page says so, and the invitation is still good afterwards. */
+async function expectNothingSpentWithoutCookies(browser: Browser, invitation: string): Promise<void> {
+  const context = await browser.newContext(PHONE);
+  const page = await context.newPage();
+  const tools = await context.newCDPSession(page);
+  await tools.send("Emulation.setDocumentCookieDisabled", { disabled: true });
+  await page.goto(invitation, { waitUntil: "domcontentloaded" });
+  await page.getByRole("textbox", { name: "Tu nombre" }).fill("Ana");
+  await expect(page.getByRole("status").getByText(/no guarda cookies/)).toBeVisible();
+  await expect(page.getByRole("button", { name: "Entrar", exact: true })).toBeDisabled();
+  await context.close();
+}
+
 function mine(page: Page) {
   return page.getByText("Tienes el control", { exact: true });
 }
@@ -30,6 +43,7 @@ test.describe("a station that trusts nobody without a key", () => {
     await expect(mine(laptop)).toBeVisible();
 
     const invitation = `${network.url}/#key=${await station.invite("operator")}&tab=six`;
+    await expectNothingSpentWithoutCookies(browser, invitation);
     const phone = await enter(browser, invitation, "Ana", PHONE);
     await expect(phone.getByRole("tab", { name: "Standard Six", exact: true })).toHaveAttribute(
       "aria-selected",

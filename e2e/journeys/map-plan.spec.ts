@@ -10,6 +10,9 @@ import type { Station } from "../support/station.js";
 /** The software renderer's first frames of the globe, compiled shaders and all. */
 const GLOBE_MS = 90_000;
 
+/** The route Gando begins again after its last. */
+const GANDO_WAYPOINTS = 8;
+
 /** Opens the tab with the map that a person has chosen before. */
 async function openMap(page: Page, station: Station, kind: "2d" | "3d"): Promise<void> {
   const settings = JSON.stringify({ language: "es", choices: { "map.kind": kind } });
@@ -50,10 +53,17 @@ test("a waypoint is pushed on the map, taken back, pushed again and sent, and th
   await panel.getByRole("button", { name: "Al norte", exact: true }).focus();
   await page.keyboard.press("ArrowUp");
   await panel.getByRole("button", { name: "Enviar", exact: true }).press("Enter");
-  await expect(page.getByRole("alertdialog")).toContainText("La placa vuela al waypoint 4.");
-  await page.getByRole("button", { name: "Enviar y seguir al 4", exact: true }).press("Enter");
+  // The aircraft flies meanwhile: it goes on to the waypoint that the board tells when it is asked, 4 or a later one.
+  await expect(page.getByRole("alertdialog")).toContainText(/La placa vuela al waypoint [4-8]\./);
+  const goOn = page.getByRole("button", { name: /^Enviar y seguir al [4-8]$/ });
+  const asked = Number((await goOn.textContent())?.match(/\d+/)?.[0]) - 1;
+  await goOn.press("Enter");
   await expect(page.getByRole("status", { name: "Último mensaje" })).toContainText(/Ir al waypoint: confirmado/);
-  await expect.poll(async () => await flying.value("fms_hil_plan", "waypoint")).toBe(3);
+  // What the board says from then on: that one or the next after it, never the first again.
+  const since_s = (await flying.sample("fms_hil_plan")).t_s;
+  await expect.poll(async () => (await flying.sample("fms_hil_plan")).t_s).toBeGreaterThan(since_s + 1);
+  const flown = (await flying.sample("fms_hil_plan")).values.waypoint;
+  expect([asked, (asked + 1) % GANDO_WAYPOINTS]).toContain(flown);
   const read = await (await fetch(`${flying.url}/api/v1/missions/hil`)).json();
   expect(read.waypoints[1].latitude_deg).toBeCloseTo(27.95039, 6);
 });

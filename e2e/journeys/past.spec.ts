@@ -172,6 +172,14 @@ test("a pilot looks ten seconds back in flight, sees the present beside it, and 
     expect(await flying.value("heartbeat", "autopilot_hil"), "the keys of the past commanded nothing").toBe(true);
   });
 
+  await test.step("an alarm: the board's line is pulled, and plugged in again", async () => {
+    const alarms = page.getByRole("region", { name: "Alarmas" });
+    await flying.line.pull();
+    await expect(alarms.getByRole("alert")).toContainText("Se ha perdido el latido de la placa");
+    await flying.line.plugIn();
+    await expect(alarms.getByRole("alert")).not.toContainText("latido");
+  });
+
   await test.step("both lines closed", async () => {
     await page.getByRole("tab", { name: "Setup", exact: true }).click();
     for (const line of ["XPlane", "Comunicación con el Piloto Automático"]) {
@@ -210,14 +218,49 @@ test("a pilot looks ten seconds back in flight, sees the present beside it, and 
     await showsItsMoment(page, flying, record, "es");
   });
 
+  await test.step("to the alarm, at which the line was lost", async () => {
+    await page.getByRole("tab", { name: "Vuelos", exact: true }).click();
+    const story = page.getByRole("list", { name: "Qué pasó" });
+    await story
+      .getByRole("button", { name: /latido/ })
+      .first()
+      .click();
+    await page.getByRole("tab", { name: "Datos de vuelo", exact: true }).click();
+    await expect(page.getByRole("contentinfo")).toContainText("perdido");
+  });
+
   await test.step("its signals", async () => {
     await page.getByRole("tab", { name: "Gráficas", exact: true }).click();
     const figures = page.getByRole("region", { name: "Gráfica 1", exact: true }).getByRole("table");
     await expect(figures.getByRole("row").nth(1)).toContainText(/-?\d+\.\d/);
   });
 
-  await test.step("handed over as a file", async () => {
+  await test.step("beside another flight, which came from another machine", async () => {
     await page.getByRole("tab", { name: "Vuelos", exact: true }).click();
+    const stretch = await page.request.get(`${flying.url}/api/v1/flights/${id}/export?format=mcap&from_s=0&to_s=12`);
+    const chooser = page.waitForEvent("filechooser");
+    await page.getByRole("button", { name: "Importar…", exact: true }).click();
+    await (await chooser).setFiles({ name: "ayer.mcap", mimeType: "application/mcap", buffer: await stretch.body() });
+    await expect(page.getByText("ayer.mcap ya está en la biblioteca.")).toBeVisible();
+    const flights = page.getByRole("list", { name: "Vuelos grabados" });
+    await expect(flights.getByRole("listitem").filter({ hasText: "ayer" })).toBeVisible();
+    await until("its preparation", async () =>
+      (await flying.flights()).every(({ state }) => state === "indexed") ? true : undefined,
+    );
+    const choices = flights.getByRole("checkbox", { name: /^Comparar / });
+    // The page hears of the preparation a moment after the station answers for it.
+    await expect(choices).toHaveCount(2);
+    for (const choice of await choices.all()) await choice.check();
+    await page.getByRole("button", { name: "Gráficas de ambos", exact: true }).click();
+    const figures = page.getByRole("region", { name: "Gráfica 1", exact: true }).getByRole("table");
+    // The one that was chosen last is laid over: its figures stand below, after its name.
+    const over = figures.getByRole("row", { name: /(ayer|\d{4}-\d\d-\d\d \d\d:\d\d:\d\d) · / });
+    await expect(over.first()).toContainText(/-?\d+\.\d/);
+    await page.getByRole("tab", { name: "Vuelos", exact: true }).click();
+    await flights.getByRole("listitem").filter({ hasNotText: "ayer" }).getByRole("button").first().click();
+  });
+
+  await test.step("handed over as a file", async () => {
     await page.getByRole("button", { name: "Exportar…", exact: true }).click();
     const dialog = page.getByRole("dialog", { name: /^Exportar/ });
     await dialog.getByRole("radio", { name: /^GPX/ }).check();
@@ -235,6 +278,9 @@ test("a pilot looks ten seconds back in flight, sees the present beside it, and 
       .click();
     const report = page.getByRole("article").filter({ has: page.getByRole("heading", { name: "Informe de vuelo" }) });
     await expect(report).toContainText("viraje");
+    await expect(report).toContainText("latido");
+    await page.getByRole("combobox", { name: "Comparar con", exact: true }).selectOption({ label: "ayer" });
+    await expect(report.getByRole("columnheader", { name: /^Vuelo \d{4}-/ }).first()).toBeVisible();
     await page.getByRole("button", { name: "Cerrar informe", exact: true }).click();
     await expect(report).toHaveCount(0);
   });

@@ -1,9 +1,14 @@
 import AxeBuilder from "@axe-core/playwright";
 import type { Page } from "@playwright/test";
 import { expect, open, test } from "../support/fixtures.js";
-import { Walk } from "../support/walk.js";
+import { SIZES, sizeName, Walk } from "../support/walk.js";
 
-const PHONE = { viewport: { width: 360, height: 640 }, hasTouch: true, isMobile: true };
+const PHONE = { width: 360, height: 640 };
+const SIDEWAYS = { width: 915, height: 412 };
+/** `EVERY_TOUCH_SIZE=1` takes all windows where fingers are used, and a picture of each step to be looked at. */
+const everySize = process.env.EVERY_TOUCH_SIZE !== undefined;
+const TOUCHED = SIZES.filter(({ touch }) => touch === true);
+const WINDOWS = everySize ? { es: TOUCHED, en: TOUCHED } : { es: [PHONE], en: [SIDEWAYS] };
 
 /** What a pilot reads and presses, in both languages. */
 const WORDS = {
@@ -56,13 +61,21 @@ const WORDS = {
 test.describe("a pilot with nothing but a phone", () => {
   test.use({ trustsThisComputer: false });
 
-  for (const language of ["es", "en"] as const) {
-    test(`joins, takes control, adds a waypoint and flies it, sees and acknowledges an alarm (${language})`, async ({
+  const all = (["es", "en"] as const).flatMap((language) =>
+    WINDOWS[language].map((viewport) => ({ language, viewport })),
+  );
+  for (const { language, viewport } of all) {
+    const size = sizeName(viewport);
+    test(`joins, takes control, adds a waypoint and flies it, sees and acknowledges an alarm (${language}, ${size})`, async ({
       browser,
       flying,
     }) => {
       const say = WORDS[language];
-      const context = await browser.newContext({ ...PHONE, locale: language });
+      const context = await browser.newContext({ viewport, hasTouch: true, isMobile: true, locale: language });
+      const seen = async (step: string): Promise<void> => {
+        const path = `test-results/touch/${sizeName(viewport)}-${language}-${step}.png`;
+        if (everySize) await page.screenshot({ path });
+      };
       await context.addInitScript((code) => {
         localStorage.setItem("epf-gcs.settings", JSON.stringify({ language: code }));
       }, language);
@@ -78,6 +91,7 @@ test.describe("a pilot with nothing but a phone", () => {
       await tap(say.release);
       await tap(say.take);
       await expect(mine).toBeVisible();
+      await seen("1-control");
 
       await page.getByRole("tab", { name: say.plans, exact: true }).tap();
       await page.getByRole("tab", { name: say.hilPlan, exact: true }).tap();
@@ -87,24 +101,33 @@ test.describe("a pilot with nothing but a phone", () => {
       const before = await rows.count();
       await tap(say.insert);
       await expect(rows).toHaveCount(before + 1);
+      await seen("2-waypoint");
       await tap(say.send);
       const last = page.getByRole("status", { name: say.last });
       await expect(last).toContainText(say.proven);
       await tap(say.goTo);
       await expect(last).toContainText(say.gone);
+      await seen("3-flown");
 
       await flying.line.pull();
       const alarm = page.getByRole("alert").filter({ hasText: say.lost }).first();
       await expect(alarm).toBeInViewport({ ratio: 1 });
+      const isCut = await alarm
+        .getByText(say.lost)
+        .evaluate(({ scrollHeight, clientHeight }) => scrollHeight > clientHeight + 1);
+      expect(isCut, "the sentence of the alarm is whole").toBe(false);
+      await seen("4-alarm");
       await flying.line.plugIn();
       await page.getByRole("button", { name: say.acknowledge }).tap();
       await expect(page.getByRole("button", { name: say.acknowledge })).toHaveCount(0);
 
       await tap(say.log);
       await expect(page.getByRole("dialog")).toBeVisible();
+      await seen("5-log");
       await page.getByRole("dialog").getByRole("button", { name: say.close, exact: true }).tap();
       await page.getByRole("tab", { name: say.back, exact: true }).tap();
       await expect(page.getByRole("tabpanel", { name: say.back })).toBeVisible();
+      await seen("6-back");
       await context.close();
     });
   }

@@ -158,7 +158,12 @@ export class Station {
 
   /** Newest value of one topic, as the public interface tells it. */
   async value(topic: string, name: string): Promise<number> {
-    return (await this.request("GET", "telemetry"))[topic].values[name];
+    return (await this.sample(topic)).values[name] as number;
+  }
+
+  /** Newest sample of one topic: `t_s` in Unix seconds. */
+  async sample(topic: string): Promise<{ t_s: number; values: Record<string, number> }> {
+    return (await this.request("GET", "telemetry"))[topic];
   }
 
   /** Elevator, aileron and rudder as the simulator has them, to two decimals. */

@@ -35,7 +35,9 @@ const VIEW_MENU = 5;
 const DIALOGS = [
   [2, /^Reset$/],
   [5, /^(Abrir esta pestaña en una tableta|Open this tab on a tablet)/],
-  [5, /^(Registro de mensajes|Log of messages)/],
+  [5, /^(Registro|Log)$/],
+  [5, /^(Lista antes|Checklist before)/],
+  [5, /^(Preparar un campo|Prepare a field)/],
   [5, /^(Ajustes|Settings)/],
   [6, /^(Guía|Guide)/],
   [6, /^(Atajos|Keyboard)/],
