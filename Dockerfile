@@ -109,7 +109,8 @@ ENV PYTHONHASHSEED=0
 RUN SOURCE_DATE_EPOCH=${SOURCE_DATE_EPOCH} useradd --no-log-init --uid 1000 --home-dir /data --groups dialout pilot \
  && install -d -o 1000 -g 1000 -m 0700 /data /card /keys \
  && rm -f /etc/passwd- /etc/group- /etc/shadow- /etc/gshadow- /etc/subuid- /etc/subgid- /var/log/lastlog /var/log/faillog
-# Nothing is installed into it later: what could goes too, and what only boots or administers a computer.
+# Nothing is installed into it later: what could goes too, and what only boots or administers a computer, and C's tables of
+# letters (Python has its own).
 RUN rm -rf /usr/local/lib/python3.11 /usr/local/bin/pip* /usr/local/bin/idle* /usr/local/bin/2to3* /usr/local/bin/pydoc* \
  && for name in apt libapt-pkg6.0 gpgv debian-archive-keyring adduser debconf e2fsprogs logsave libext2fs2 libss2 \
       libcom-err2 login passwd mount util-linux util-linux-extra bsdutils sysvinit-utils init-system-helpers openssl \
@@ -120,7 +121,8 @@ RUN rm -rf /usr/local/lib/python3.11 /usr/local/bin/pip* /usr/local/bin/idle* /u
       if dpkg-query -W "$name" >/dev/null 2>&1; then \
         rm -f /var/lib/dpkg/info/$name.prerm /var/lib/dpkg/info/$name.postrm /var/lib/dpkg/info/$name:*.prerm /var/lib/dpkg/info/$name:*.postrm; \
         dpkg --purge --force-depends --force-remove-essential --force-remove-protected "$name" >/dev/null 2>&1; fi; done \
- && rm -rf /var/lib/dpkg/*-old /var/log/*.log /var/cache/ldconfig /var/cache/debconf /etc/apt /var/lib/apt
+ && rm -rf /var/lib/dpkg/*-old /var/log/*.log /var/cache/ldconfig /var/cache/debconf /etc/apt /var/lib/apt \
+      /usr/lib/*-linux-gnu/gconv
 COPY --from=wheel /usr/local/lib/python3.11 /usr/local/lib/python3.11
 COPY LICENSE /usr/share/doc/epf-gcs/copyright
 COPY packaging/container/health.py packaging/container/connect.py /usr/local/lib/epf-gcs/

@@ -18,7 +18,7 @@ PORT ?= 8000
 ARGS ?=
 MINUTES ?= 30
 
-.PHONY: help setup images generate check test test-backend test-protocol test-firmware test-frontend e2e soak fuzz mutate mutate-page run board wheel sdist container docs docs-archive release check-platforms check-workflows bench clean
+.PHONY: help setup images generate check test test-backend test-protocol test-firmware test-frontend e2e soak fuzz fuzz-interface mutate mutate-page run board wheel sdist container docs docs-archive release check-platforms check-workflows bench clean
 
 help: ## list the verbs
 	@awk -F':.*## ' '/^[a-z-]+:.*## / { printf "  make %-14s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -231,6 +231,9 @@ soak: $(DONE)/venv $(DONE)/browser board frontend/dist/index.html ## a long flig
 
 fuzz: $(DONE)/venv-dev $(DONE)/clang ## fuzz the board's code: RUNS=1000000 of each target, or FUZZ_MINUTES=10 of each
 	$(FIRMWARE) -j 2 fuzz
+
+fuzz-interface: $(DONE)/venv-dev ## ask every route as stranger, viewer, operator and owner with made-up requests: EXAMPLES=60 of each (minutes)
+	cd backend && INTERFACE_EXAMPLES=$(or $(EXAMPLES),60) ../$(BIN)/pytest -n 0 -q tests/web/test_openapi.py
 
 bench: $(DONE)/venv-dev $(DONE)/browser board frontend/dist/index.html ## the numbers of the design, each beside its peer in the same run
 	$(MAKE) --no-print-directory -C firmware flight-lib

@@ -34,6 +34,7 @@ PAGES: Final = {
     "frontend/README.md": "inside/page.md",
     "e2e/README.md": "inside/journeys.md",
     "ARCHITECTURE.md": "inside/architecture.md",
+    "LIBRARIES.md": "inside/libraries.md",
     "CONTRIBUTING.md": "inside/contributing.md",
     "SECURITY.md": "inside/security.md",
     "CHANGELOG.md": "changes.md",
