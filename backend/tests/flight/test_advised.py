@@ -56,14 +56,6 @@ def test_advice_that_comes_and_goes_is_told_again_after_a_minute_without_it() ->
     assert looks.new_of([row]) == [row]
 
 
-def test_many_slow_streams_are_one_piece_of_advice() -> None:
-    slow = [piece("stream_slow", topic=topic, rate_hz=3.5, expected_hz=10.0) for topic in ("ahrs", "gps", "servos")]
-    few, many = watch().new_of(slow[:2]), watch().new_of([*slow, piece("round_trip_long", ms=120)])
-    assert few == slow[:2], "each of them"
-    assert codes(many) == ["round_trip_long", "streams_slow"]
-    assert many[1]["params"] == {"number": 3, "list": "ahrs 3.5/10.0 Hz, gps 3.5/10.0 Hz, servos 3.5/10.0 Hz"}
-
-
 @pytest.mark.anyio
 async def test_what_was_advised_is_in_the_recording(
     tmp_path: Path, board: FakeBoard, monkeypatch: pytest.MonkeyPatch

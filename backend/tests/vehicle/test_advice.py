@@ -149,3 +149,13 @@ def test_limits_are_limits() -> None:
 def test_warnings_come_first(observed: Observed) -> None:
     levels = [one.level for one in advice(observed)]
     assert levels == sorted(levels, key=["warning", "info"].index)
+
+
+def test_many_slow_streams_are_one_hint_for_they_have_one_cause() -> None:
+    slow = tuple(Stream(topic, 3.46, 10.0) for topic in ("ahrs", "gps", "servos_in"))
+    few = advice(replace(GOOD, streams=slow[:2]))
+    assert [(one.code, one.params["topic"]) for one in few] == [("stream_slow", "ahrs"), ("stream_slow", "gps")]
+    (many,) = advice(replace(GOOD, streams=(*slow, Stream("heartbeat", 1.0, 1.0))))
+    assert (many.code, many.level) == ("streams_slow", "info")
+    assert many.params == {"number": 3, "list": "ahrs 3.5/10.0 Hz, gps 3.5/10.0 Hz, servos_in 3.5/10.0 Hz"}
+    assert many.text == f"3 streams come slower than asked for: {many.params['list']}."

@@ -14,8 +14,6 @@ _EVERY_S: Final = 10.0
 _FORGOTTEN_LOOKS: Final = 6
 # What tells two pieces of advice of one code apart.
 _ABOUT: Final = ("row", "direction", "topic")
-# From this many on, slow streams are one piece of advice: they have one cause.
-_TOGETHER: Final = 3
 
 Told = Mapping[str, Any]
 
@@ -44,24 +42,9 @@ class AdviceWatch:
         """What was not advised in the last minute; each is {"code", "level", "text", "params"}."""
         self._looks += 1
         new = []
-        for one in _together(found):
+        for one in found:
             key = (one["code"], next((one["params"][about] for about in _ABOUT if about in one["params"]), None))
             if self._looks - self._seen.get(key, -_FORGOTTEN_LOOKS) >= _FORGOTTEN_LOOKS:
                 new.append(one)
             self._seen[key] = self._looks
         return new
-
-
-def _together(found: Sequence[Told]) -> list[Told]:
-    slow = [one["params"] for one in found if one["code"] == "stream_slow"]
-    if len(slow) < _TOGETHER:
-        return list(found)
-    listed = ", ".join(f"{one['topic']} {one['rate_hz']}/{one['expected_hz']} Hz" for one in slow)
-    text = f"{len(slow)} streams come slower than asked for: {listed}."
-    together = {
-        "code": "streams_slow",
-        "level": "info",
-        "text": text,
-        "params": {"number": len(slow), "list": listed},
-    }
-    return [*(one for one in found if one["code"] != "stream_slow"), together]

@@ -17,6 +17,7 @@ Code = Literal[
     "servo_rate_high",
     "simulator_silent",
     "stream_slow",
+    "streams_slow",
 ]
 Level = Literal["info", "warning"]
 
@@ -25,6 +26,8 @@ _FULL_PERCENT: Final = 90.0
 _SERVOS_PERCENT: Final = 20.0
 _LONG_ROUND_TRIP_MS: Final = 100.0
 _SLOW: Final = 0.8
+# From this many on, slow streams are one hint: they have one cause.
+_TOGETHER: Final = 3
 # Without row 18 (ground track) the heading of row 17 is used.
 _REPLACEABLE_ROWS: Final = frozenset({18})
 
@@ -118,15 +121,20 @@ def _look_at_damage(observed: Observed) -> Iterator[Advice]:
 
 
 def _look_at_streams(observed: Observed) -> Iterator[Advice]:
-    for topic, rate_hz, expected_hz in observed.streams:
-        if rate_hz < _SLOW * expected_hz:
-            text = f"{topic} comes {rate_hz:.1f} times a second and should come {expected_hz:.1f} times."
-            params: dict[str, str | int | float | bool | None] = {
-                "topic": topic,
-                "rate_hz": round(rate_hz, 1),
-                "expected_hz": round(expected_hz, 1),
-            }
-            yield Advice("stream_slow", "info", text, params)
+    slow = [stream for stream in observed.streams if stream.rate_hz < _SLOW * stream.expected_hz]
+    if len(slow) >= _TOGETHER:
+        listed = ", ".join(f"{topic} {rate_hz:.1f}/{expected_hz:.1f} Hz" for topic, rate_hz, expected_hz in slow)
+        text = f"{len(slow)} streams come slower than asked for: {listed}."
+        yield Advice("streams_slow", "info", text, {"number": len(slow), "list": listed})
+        return
+    for topic, rate_hz, expected_hz in slow:
+        text = f"{topic} comes {rate_hz:.1f} times a second and should come {expected_hz:.1f} times."
+        params: dict[str, str | int | float | bool | None] = {
+            "topic": topic,
+            "rate_hz": round(rate_hz, 1),
+            "expected_hz": round(expected_hz, 1),
+        }
+        yield Advice("stream_slow", "info", text, params)
 
 
 def _look_at_simulator(observed: Observed) -> Iterator[Advice]:

@@ -199,18 +199,14 @@ describe("advice", () => {
     expect(advice()).toContain("Look up.");
   });
 
-  test("on many slow streams is one sentence: they have one cause", async () => {
-    const slow = ["ahrs", "inertial", "gps"].map((topic) => ({
-      code: "stream_slow",
-      level: "info" as const,
-      text: "…",
-      params: { topic, rate_hz: 6.8, expected_hz: 10 },
-    }));
-    await answered({ advice: slow });
-    expect(advice()).toContain("3 flujos llegan más despacio");
-    expect(advice()).toContain("inertial 6.8/10 Hz");
-    await answered({ advice: slow.slice(0, 1) });
+  test("on slow streams names each with its rates, and many in one sentence", async () => {
+    const one = { topic: "ahrs", rate_hz: 6.8, expected_hz: 10 };
+    await answered({ advice: [{ code: "stream_slow", level: "info", text: "…", params: one }] });
     expect(advice()).toContain("ahrs llega 6.8 veces por segundo y debería llegar 10.");
+    const many = { number: 3, list: "ahrs 6.8/10 Hz, gps 2/5 Hz, inertial 0/10 Hz" };
+    await answered({ advice: [{ code: "streams_slow", level: "info", text: "…", params: many }] });
+    expect(advice()).toContain("3 flujos llegan más despacio");
+    expect(advice()).toContain("inertial 0/10 Hz");
   });
 });
 
