@@ -16,6 +16,7 @@ from tests.support.outlet import KeptOutlet
 AHRS_IS_ON = encode_telemetry("heartbeat", *[0] * 6, 1, *[0] * 5)
 ALL_IS_OFF = encode_telemetry("heartbeat", *[0] * 12)
 GPS = encode_telemetry("gps", 27.9, -15.4, 30.0, 0.0, 0.0, 0x38, 0x31, 0x41)
+ACKNOWLEDGEMENT = encode_telemetry("acknowledgement", 50, 0)
 
 
 class Line:
@@ -215,3 +216,21 @@ def test_a_topic_is_as_old_as_its_newest_sample(rig: Rig) -> None:
     assert rig.telemetry.age_s("gps") == pytest.approx(1.5)
     rig.board.on_bytes(GPS)
     assert rig.telemetry.age_s("gps") == 0.0
+
+
+def test_frames_wait_for_the_next_flush_unless_an_answer_is_awaited_or_comes(rig: Rig) -> None:
+    rig.outlet.is_lazy = True
+    heard: list[str] = []
+    rig.board.listen("acknowledgement", lambda frame, _meant: heard.append(frame.message.name))
+    rig.board.on_bytes(GPS)
+    assert rig.outlet.samples == []
+    rig.board.on_bytes(ACKNOWLEDGEMENT)
+    assert heard == ["acknowledgement"]
+    assert [topic for topic, _, _ in rig.outlet.samples] == ["gps"], "what came before it is not overtaken"
+    rig.outlet.samples.clear()
+    with rig.board.listening(lambda frame, _meant: heard.append(frame.message.name)):
+        rig.board.on_bytes(GPS)
+        assert heard[1:] == ["gps"]
+    rig.outlet.samples.clear()
+    rig.board.on_bytes(GPS)
+    assert rig.outlet.samples == []
