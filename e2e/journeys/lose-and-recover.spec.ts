@@ -41,12 +41,17 @@ test("the gateway is killed in flight: the page says so, and both carry on by th
   await expect(attitude(page)).toHaveAttribute("data-state", "live");
 
   await flying.killGateway();
-  await expect(page.getByRole("alert")).toContainText("No hay conexión con la estación");
+  const alarms = page.getByRole("region", { name: "Alarmas" }).getByRole("alert");
+  await expect(alarms).toContainText("No hay conexión con la estación");
   await expect(attitude(page)).not.toHaveAttribute("data-state", "live");
 
   await flying.restartGateway();
   await expect(attitude(page)).toHaveAttribute("data-state", "live");
-  await expect(page.getByRole("alert")).not.toContainText("No hay conexión");
+  await expect(alarms).not.toContainText("No hay conexión");
+  // What the page had not fetched yet when the gateway died, it fetches now.
+  const panel = page.getByRole("tabpanel", { name: "Datos de vuelo", exact: true });
+  await expect(panel.getByRole("button", { name: "Reintentar" })).toHaveCount(0);
+  await expect(panel.getByText("en vivo").first()).toBeVisible();
   await expect.poll(async () => (await flying.status()).simulator.hil_round_trip_ms.newest).not.toBeNull();
   expect((await flying.status()).hil).toMatchObject({ source: "joystick", path: "assisted" });
 });

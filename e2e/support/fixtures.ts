@@ -12,9 +12,12 @@ type Fixtures = {
   flying: Station;
 };
 
-/** What a page may say on its console while the journey has taken its gateway away. */
+/**
+ * What Chromium says by itself while the journey has taken the gateway away. Its network has a word for each moment at
+ * which an answer can break off; the service worker's script, which it asks for again now and then, has its own.
+ */
 const GATEWAY_AWAY =
-  /ERR_CONNECTION_REFUSED|ERR_CONNECTION_RESET|ERR_CONTENT_LENGTH_MISMATCH|ERR_EMPTY_RESPONSE|WebSocket connection to/;
+  /net::ERR_[A-Z_]+|WebSocket connection to|error occurred when fetching the script|Failed to fetch dynamically imported/;
 
 /** Without a graphics processor the browser reads each 3D picture back by itself, and complains that this is slow. */
 const READ_BACK = /GPU stall due to ReadPixels/;

@@ -1,5 +1,6 @@
-import { type ReactNode, useMemo, useState } from "react";
+import { type ReactNode, useEffect, useMemo, useRef, useState } from "react";
 import { useTranslation } from "react-i18next";
+import { useConnection } from "../../store/hooks";
 import { Button } from "../../ui/Button";
 import { ConfirmDialog } from "../../ui/ConfirmDialog";
 import { Dialog } from "../../ui/Dialog";
@@ -55,9 +56,17 @@ function NotLoaded(retry: () => void): ReactNode {
   return <LoadFailure onRetry={retry} />;
 }
 
-/** Shown in place of a part of the page that could not be fetched. */
+/** Shown in place of a part of the page that could not be fetched. Fetched again when a lost station is back. */
 export function LoadFailure({ onRetry }: { onRetry: () => void }) {
   const { t } = useTranslation();
+  const isHere = useConnection(({ phase }) => phase === "open");
+  const wasAway = useRef(false);
+  useEffect(() => {
+    if (isHere && wasAway.current) {
+      onRetry();
+    }
+    wasAway.current = !isHere;
+  }, [isHere, onRetry]);
   return (
     <Notice level="error">
       <p>{t("window.notLoaded")}</p>
