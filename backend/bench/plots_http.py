@@ -11,7 +11,8 @@ from typing import Final
 import httpx
 import numpy as np
 
-from bench.replay import FLIGHT_ID, FLIGHT_S, make_recording, wait_until_indexed
+from bench.demonstration import make_demonstration
+from bench.replay import FLIGHT_ID, FLIGHT_S, wait_until_indexed
 from bench.table import Row
 from epf_gcs.recordings.packing import pack
 from tests.support.programs import gateway_process
@@ -29,7 +30,7 @@ def run() -> list[Row]:
     """The gateway has no board: what is measured is the past alone."""
     with tempfile.TemporaryDirectory(prefix="epf-gcs-past-") as name:
         data = Path(name)
-        pack(make_recording(data / "recordings" / f"{FLIGHT_ID}.mcap", FLIGHT_S))
+        pack(make_demonstration(data / "recordings" / f"{FLIGHT_ID}.mcap", FLIGHT_S))
         with gateway_process(data) as program:
             port = int(program.wait_for_words(r"url=http://\S+:(\d+)"))
             wait_until_indexed(port)

@@ -1,4 +1,4 @@
-"""Replays of a flight of two hours at the full line: pace, seeks, a hundred times real time, and ten viewers' cost."""
+"""Replays of two hours of the demonstration: pace, seeks, a hundred times real time, and ten viewers' cost."""
 
 from __future__ import annotations
 
@@ -12,24 +12,17 @@ from typing import Any, Final
 
 import httpx
 
-from bench.station import HEARTBEAT, WebSocket, cpu_s
+from bench.demonstration import make_demonstration
+from bench.station import WebSocket, cpu_s
 from bench.table import Row
-from epf_gcs.recordings import notes
-from epf_gcs.recordings.mcap_file import Tally, closing, data_end, message_record, metadata_record, opening
 from epf_gcs.recordings.packing import pack
-from epf_gcs.recordings.topics import BOARD_RECEIVED, SIMULATOR_RECEIVED, TOPICS
 from epf_gcs.replay.keys import Keys
 from epf_gcs.replay.scout import Scout
 from epf_gcs.replay.timeline import Timeline
-from tests.codec.streams import mixed_frames
 from tests.support.programs import children_of, gateway_process
-from tests.support.simulator import WHOLE
 
 FLIGHT_S: Final = 7200.0
-LINE_BYTES_PER_S: Final = 11520
 FLIGHT_ID: Final = "20260101T120000Z"
-_STARTS_NS: Final = 1_767_268_800_000_000_000
-_SIMULATOR_NS: Final = 20_000_000
 _VIEWERS: Final = 10
 _MEASURED_S: Final = 10.0
 _PACED_S: Final = 20.0
@@ -44,7 +37,7 @@ def run(paced_s: str = "") -> list[Row]:
     """
     with tempfile.TemporaryDirectory(prefix="epf-gcs-replay-") as name:
         data = Path(name)
-        recording = make_recording(data / "recordings" / f"{FLIGHT_ID}.mcap", FLIGHT_S)
+        recording = make_demonstration(data / "recordings" / f"{FLIGHT_ID}.mcap", FLIGHT_S)
         # As a flight is a few minutes after it: packed, with its key frames.
         pack(recording)
         if paced_s:
@@ -61,35 +54,6 @@ def run(paced_s: str = "") -> list[Row]:
             rows.append(_hundredfold(port))
             rows += _ten(port, program.process.pid)
         return rows
-
-
-def make_recording(path: Path, seconds: float) -> Path:
-    """A recording of the full line, each frame a record at the time it came, and a simulator's datagrams at 50 Hz."""
-    path.parent.mkdir(parents=True, exist_ok=True)
-    tally = Tally()
-    frames = mixed_frames(5000, seed=7)
-    frames[::25] = [HEARTBEAT] * len(frames[::25])
-    line = {"line": "board", "open": True, "url": "pty:///b", "baud": 115200, "profile": None, "emulated": False}
-    with path.open("wb") as file:
-        file.write(opening("bench", TOPICS) + metadata_record(notes.LINE, notes.written(_STARTS_NS, line)))
-        t_ns, simulator_ns, number = _STARTS_NS, _STARTS_NS, 0
-        parts: list[bytes] = []
-        while t_ns < _STARTS_NS + seconds * 1e9:
-            frame = frames[number % len(frames)]
-            number += 1
-            t_ns += len(frame) * 1_000_000_000 // LINE_BYTES_PER_S
-            while simulator_ns < t_ns:
-                parts.append(
-                    message_record(SIMULATOR_RECEIVED, tally.add(SIMULATOR_RECEIVED, simulator_ns), simulator_ns, WHOLE)
-                )
-                simulator_ns += _SIMULATOR_NS
-            parts.append(message_record(BOARD_RECEIVED, tally.add(BOARD_RECEIVED, t_ns), t_ns, frame))
-            if len(parts) > 10_000:
-                file.write(b"".join(parts))
-                parts.clear()
-        file.write(b"".join(parts) + data_end())
-        file.write(closing(TOPICS, tally, file.tell()))
-    return path
 
 
 def wait_until_indexed(port: int) -> None:
