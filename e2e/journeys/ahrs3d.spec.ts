@@ -82,7 +82,7 @@ test("on the ground the AHRS test turns the aircraft, and the board's frames are
   await expect(aircraft(page)).toHaveAttribute("data-state", "live");
   // Everything else is silent, and says so.
   await expect(attitude(page)).not.toHaveAttribute("data-state", "live");
-  await expect(page.getByRole("alert")).not.toContainText("latido");
+  await expect(page.getByRole("region", { name: "Alarmas" }).getByRole("alert")).not.toContainText("latido");
 
   await page.getByRole("button", { name: "Terminar la prueba", exact: true }).click();
   await expect(page.getByText(/Prueba AHRS en marcha/)).toHaveCount(0);

@@ -130,7 +130,7 @@ test("a pilot without a mouse reaches every tab, switches the autopilot, writes 
     const limit = page.getByRole("region", { name: "Umbrales" }).getByRole("textbox", { name: /^Batería baja/ });
     await limit.fill("60");
     await limit.press("Enter");
-    await expect(page.getByRole("alert")).toContainText("Batería baja");
+    await expect(page.getByRole("region", { name: "Alarmas" }).getByRole("alert")).toContainText("Batería baja");
     await page
       .getByRole("region", { name: "Alarmas" })
       .getByRole("button", { name: /^Reconocer: Batería/ })

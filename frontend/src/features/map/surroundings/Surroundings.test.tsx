@@ -1,8 +1,9 @@
 import { act, screen } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
-import { useMemo, useState } from "react";
-import { beforeEach, expect, test } from "vitest";
+import { useEffect, useMemo, useState } from "react";
+import { beforeEach, expect, test, vi } from "vitest";
 import type { SurroundingsChoice } from "../../../protocol/guards.gen";
+import type { Status } from "../../../protocol/status";
 import type { FlatScene } from "../../../scene/flat/FlatScene";
 import { choose } from "../../../store/settings";
 import { anAround, aStatus } from "../../../test/aStatus";
@@ -31,9 +32,13 @@ const CORNERS = [
   { latitude_deg: 27.95, longitude_deg: -15.36 },
 ];
 let station: Station;
+let drawnOn: FlatScene | null = null;
 
 function Both() {
   const [scene, setScene] = useState<FlatScene | null>(null);
+  useEffect(() => {
+    drawnOn = scene;
+  }, [scene]);
   const flat = useMemo(() => ({ isShown: true, scene }), [scene]);
   return (
     <WordsProvider words={WORDS}>
@@ -246,6 +251,24 @@ test("the panel says the height above the ground and what is ahead, or why it se
   // Without the gateway nothing of it is live.
   station.breakOff();
   await expect.poll(() => screen.queryByText("Terreno en 28 s")).toBeNull();
+});
+
+test("the map is drawn again for a warning and for its end, and not for each word of a quiet station", async () => {
+  await given();
+  if (drawnOn === null) throw new Error("there is no map");
+  const warn = vi.spyOn(drawnOn.fence, "warn");
+  const saying = (flight: Status["surroundings"]["flight"]): void =>
+    act(() => station.status(aStatus({ surroundings: { flight, hil: anAround() } })));
+  saying(anAround());
+  saying(anAround({ blind: null, height_ft: 512 }));
+  expect(warn).not.toHaveBeenCalled();
+  const fence = { what: "fence", in_s: 4, latitude_deg: 3, longitude_deg: 4, altitude_ft: 0 } as const;
+  saying(anAround({ path: [{ latitude_deg: 28, longitude_deg: -15 }], fence }));
+  expect(warn).toHaveBeenCalledTimes(1);
+  saying(anAround());
+  saying(anAround());
+  expect(warn).toHaveBeenCalledTimes(2);
+  expect(warn).toHaveBeenLastCalledWith([]);
 });
 
 test("the track that is warned of ends at what it leads to first", () => {

@@ -73,18 +73,19 @@ function useWarnedTracks(): void {
   const around = useConnection(({ phase, status }) =>
     phase === "open" && status !== null ? status.surroundings : null,
   );
-  const tracks = useMemo(
-    () =>
-      around === null
-        ? []
-        : AIRCRAFT.map((aircraft) =>
-            warnedTrack(around[aircraft], (what, seconds) => t(`mapAhead.${what}`, { seconds })),
-          ).filter((track) => track.length > 0),
-    [around, t],
-  );
+  const tracks = useMemo(() => {
+    if (around === null) return NO_TRACKS;
+    const warned = AIRCRAFT.map((aircraft) =>
+      warnedTrack(around[aircraft], (what, seconds) => t(`mapAhead.${what}`, { seconds })),
+    ).filter((track) => track.length > 0);
+    return warned.length > 0 ? warned : NO_TRACKS;
+  }, [around, t]);
   useEffect(() => flat.scene?.fence.warn(tracks), [flat.scene, tracks]);
   useEffect(() => globe?.showWarned(tracks[0] ?? []), [globe, tracks]);
 }
+
+/** Always the same one: the station speaks twice a second, and each new list would be drawn. */
+const NO_TRACKS: ReadonlyArray<readonly MeasuredPlace[]> = [];
 
 type What = NonNullable<AircraftAround["terrain"]>["what"];
 
