@@ -49,11 +49,10 @@ def run() -> list[Row]:
 
 
 def _rows(found: dict[str, Any]) -> list[Row]:
-    opened_s = float(found["opened_s"])
+    worst_s = max(found["opened_s"])
     reach = f"<= {OPEN_REACH_S:g} s"
-    rows = [
-        Row("page: a flight of 2 h by its address, until it shows it", opened_s, "s", reach, opened_s <= OPEN_REACH_S)
-    ]
+    what = "page loaded with a flight of 2 h in its address, until it shows it, worst of 5"
+    rows = [Row(what, worst_s, "s", reach, worst_s <= OPEN_REACH_S)]
     for tab, drags in found["drags"].items():
         p50, p95 = (float(np.percentile(drags, share)) for share in (50, 95))
         what = f"page, {tab}: bar let go, until the last instrument shows it"

@@ -1,5 +1,5 @@
 import { writeFile } from "node:fs/promises";
-import { expect, type Page, test } from "@playwright/test";
+import { type Page, test } from "@playwright/test";
 
 /** The gateway's address, the flight of two hours that it has, and where the figures go. */
 const URL = process.env.BENCH_URL ?? "";
@@ -7,6 +7,7 @@ const FLIGHT = process.env.BENCH_FLIGHT ?? "";
 const RESULTS = process.env.BENCH_RESULTS ?? "";
 
 const MIDDLE_S = 3600;
+const OPENINGS = 5;
 const DRAGS = 40;
 /** What the page still changes so long after the bar was let go has nothing to do with it. */
 const QUIET_MS = 450;
@@ -25,10 +26,8 @@ declare global {
 test("the page in the past of two hours: the bar, a hundred times real time, plots", async ({ page }) => {
   if (URL === "") throw new Error("`make bench` starts this and says where the gateway is");
   await page.addInitScript(listen);
-  const opened_ms = Date.now();
-  await page.goto(`${URL}/?flight=${FLIGHT}&at=${MIDDLE_S}`, { waitUntil: "domcontentloaded" });
-  await expect(page.getByRole("tabpanel").locator("[data-state=live]").first()).toBeVisible();
-  const opened_s = (Date.now() - opened_ms) / 1000;
+  const opened_s: number[] = [];
+  for (let opening = 0; opening < OPENINGS; opening += 1) opened_s.push(await open(page));
   const drags: Record<string, number[]> = {};
   const fast: Record<string, { frames_per_s: number; rate: number }> = {};
   for (const name of TABS) {
@@ -53,6 +52,15 @@ test("the page in the past of two hours: the bar, a hundred times real time, plo
   }
   await writeFile(RESULTS, JSON.stringify({ opened_s, drags, fast, drawn, zooms }));
 });
+
+/** Seconds from asking for the page until an instrument shows the flight, looked for at each animation frame. */
+async function open(page: Page): Promise<number> {
+  await page.goto("about:blank");
+  const began_ms = Date.now();
+  await page.goto(`${URL}/?flight=${FLIGHT}&at=${MIDDLE_S}`, { waitUntil: "commit" });
+  await page.waitForFunction(() => document.querySelector('[role="tabpanel"] [data-state="live"]') !== null);
+  return (Date.now() - began_ms) / 1000;
+}
 
 /** In the page, before anything of it: when the bar is let go, when the open tab changes, when a plot is drawn. */
 function listen(): void {

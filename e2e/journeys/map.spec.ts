@@ -1,6 +1,13 @@
 import type { Page } from "@playwright/test";
 import { attitude, expect, open, test } from "../support/fixtures.js";
 
+declare global {
+  interface Window {
+    /** Pictures of the globe so far. */
+    drawn: number;
+  }
+}
+
 /** Drawn by the processor alone, the first pictures of the ground take their time. */
 const DRAWN_MS = 90_000;
 
@@ -65,12 +72,33 @@ test("the globe shows the flight from behind and from the cockpit, and asks nobo
   await expect(panel.getByRole("radio", { name: "Seguir" })).toBeChecked();
 });
 
-test("a globe on which nothing moves is not drawn", async ({ page, station }) => {
+/** Words of the station that a resting globe must hear without being drawn; it speaks twice a second. */
+const WORDS = 6;
+
+test("a globe on which nothing moves is not drawn, whatever the station says", async ({ page, station }) => {
+  await page.addInitScript(() => {
+    window.drawn = 0;
+    new PerformanceObserver((list) => {
+      window.drawn += list.getEntriesByName("globe.script").length;
+    }).observe({ type: "measure" });
+  });
+  let words = 0;
+  page.on("websocket", (socket) =>
+    socket.on("framereceived", ({ payload }) => {
+      if (payload.includes('"type":"status"')) words += 1;
+    }),
+  );
   await open(page, station);
   await openMap(page);
   await page.locator(".map-camera").getByText("Libre", { exact: true }).click();
-  // The number comes anew each second; the ground's pictures have come when it stays at none.
   await expect
     .poll(async () => [await eye(page, "Dibujado"), await eye(page, "Cabeceo")], { timeout: DRAWN_MS })
     .toEqual([0, -40]);
+  // The ground's pictures may still come; then it rests for as long as the station says nothing new.
+  await expect(async () => {
+    const [drawn, heard] = [await page.evaluate(() => window.drawn), words];
+    expect(drawn).toBeGreaterThan(0);
+    await expect.poll(() => words).toBeGreaterThanOrEqual(heard + WORDS);
+    expect(await page.evaluate(() => window.drawn)).toBe(drawn);
+  }).toPass({ timeout: DRAWN_MS });
 });
