@@ -23,6 +23,7 @@ from epf_gcs.flights.columns import Written, write_columns
 from epf_gcs.flights.convert import layout, schema, table
 from epf_gcs.flights.index import run
 from epf_gcs.flights.keyframes import EVERY_NS
+from epf_gcs.flights.tables import Tables
 from epf_gcs.recordings.mcap_file import message_record, metadata_record, opening
 from epf_gcs.recordings.notes import IDENTITY, LINE, written
 from epf_gcs.recordings.reading import Message, RecordingError, walk
@@ -162,6 +163,17 @@ def test_counts_say_what_was_damaged_and_where_the_line_was_silent(tmp_path: Pat
     assert [row["kind"] for row in rows(found.folder, "damage")] == ["bad_checksum", "remains", "cut_short", "remains"]
     per_second = rows(found.folder, "link")
     assert [row["board_received_bytes"] for row in per_second] == [28, 28, 20, 28]
+
+
+def test_rows_of_text_are_written_before_they_fill_the_memory(tmp_path: Path) -> None:
+    tables = Tables(tmp_path)
+    for letter in "abcdefgh":
+        tables.add("keyframes", pa.table({"newest": [letter * 3_000_000]}))
+        tables.add("ahrs", pa.table({"roll_rad": [0.5]}))
+    assert (tmp_path / "keyframes.parquet").exists()
+    assert not (tmp_path / "ahrs.parquet").exists()  # numbers wait for more: small groups pack badly
+    tables.close()
+    assert pq.read_table(tmp_path / "keyframes.parquet").num_rows == 8
 
 
 def test_key_frames_lead_to_a_place_with_the_newest_samples_before_it(tmp_path: Path) -> None:

@@ -10,6 +10,8 @@ import pyarrow.parquet as pq
 
 # Small enough that a stretch of minutes reads little, large enough to pack well: ten minutes of a 50 Hz topic.
 _GROUP_ROWS: Final = 32_768
+# Rows of text are large: key frames of eighteen hours would wait for their group in memory.
+_GROUP_BYTES: Final = 16_000_000
 _LEVEL: Final = 1
 
 
@@ -25,7 +27,8 @@ class Tables:
         """Append rows. All tables of a topic have one schema. Raises OSError."""
         waiting = self._waiting.setdefault(topic, [])
         waiting.append(table)
-        if sum(one.num_rows for one in waiting) >= _GROUP_ROWS:
+        is_long = sum(one.num_rows for one in waiting) >= _GROUP_ROWS
+        if is_long or sum(one.nbytes for one in waiting) >= _GROUP_BYTES:
             self._write(topic)
 
     def close(self) -> None:
