@@ -36,6 +36,8 @@ test("both switches move the way of the signal, by keyboard alone", async ({ pag
   await page.keyboard.press("ArrowRight");
   await expect.poll(async () => (await flying.status()).hil.source).toBe("rc");
   await expect.poll(async () => await flying.value("heartbeat", "source_joystick")).toBe(false);
+  // Arrow keys go on from the position that the page shows.
+  await expect(source.getByRole("radio", { name: "RC" })).toBeChecked();
 
   // A transmitter that is switched off leaves both off; the page says so on the way back, and offers to undo it.
   await source.getByRole("radio", { name: "RC" }).focus();

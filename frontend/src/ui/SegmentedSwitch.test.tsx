@@ -62,6 +62,32 @@ test("the wanted position is marked until it is proven", () => {
   expect(screen.getByRole("status").textContent).toBe("w-pending");
 });
 
+test("who wants back before the proof has come asks for the old position", async () => {
+  vi.stubGlobal("CSS", { escape: (text: string) => text });
+  const onChange = vi.fn();
+  const { rerender } = renderWithWords(
+    <SegmentedSwitch label="Source" options={OPTIONS} value="joystick" onChange={onChange} />,
+  );
+  const joystick = screen.getByRole("radio", { name: "Joystick" });
+  await userEvent.click(joystick);
+  expect(onChange).not.toHaveBeenCalled();
+  rerender(
+    <SegmentedSwitch
+      label="Source"
+      options={OPTIONS}
+      value="joystick"
+      wanted="rc"
+      state="pending"
+      onChange={onChange}
+    />,
+  );
+  await userEvent.click(joystick);
+  expect(onChange.mock.calls).toEqual([["joystick"]]);
+  screen.getByRole("radio", { name: "RC" }).focus();
+  await userEvent.keyboard("{ArrowLeft}");
+  expect(onChange.mock.calls).toEqual([["joystick"], ["joystick"]]);
+});
+
 test("disabled, it says why and asks for nothing", async () => {
   const onChange = vi.fn();
   renderWithWords(

@@ -47,6 +47,9 @@ export function SegmentedSwitch<V extends string>(props: Props<V>) {
   const noteId = useId();
   const disabled = disabledReason !== undefined;
   const note = disabledReason ?? stateText ?? commandWord(words, state);
+  const ask = (option: V): void => {
+    if (!disabled) onChange(option);
+  };
   return (
     <Tooltip text={note}>
       <fieldset
@@ -67,8 +70,10 @@ export function SegmentedSwitch<V extends string>(props: Props<V>) {
                 value={option.value}
                 checked={value === option.value}
                 aria-disabled={disabled || undefined}
-                onChange={() => {
-                  if (!disabled) onChange(option.value);
+                onChange={() => ask(option.value)}
+                onClick={() => {
+                  // Back again before the proof: the position is still the old one, so nothing changes here.
+                  if (value === option.value && wanted !== null && wanted !== value) ask(option.value);
                 }}
               />
               {option.icon}

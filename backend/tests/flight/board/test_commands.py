@@ -148,6 +148,32 @@ async def test_the_second_sending_of_a_command_leaves_one_acknowledgement_owed()
     assert (await task).state == "rejected"
 
 
+@pytest.mark.parametrize(("older", "newer"), [("autopilot_off", "autopilot_on"), ("stop", "gps_on")])
+async def test_a_lost_command_is_not_sent_again_after_a_newer_one_for_the_same_switch(older: str, newer: str) -> None:
+    world = World()
+    lost = world.begins(older)
+    await world.waits_for(older)
+    task = world.begins(newer)
+    await world.waits_for(older, newer)
+    world.says(acknowledgement(newer))
+    assert (await task).state == "confirmed"
+    assert (await lost).state == "timed_out"
+    assert world.line.sent == [older, newer]
+
+
+async def test_a_lost_command_is_sent_again_whatever_was_asked_of_other_switches() -> None:
+    world = World()
+    lost = world.begins("autopilot_off")
+    await world.waits_for("autopilot_off")
+    task = world.begins("autotrim_on")
+    await world.waits_for("autopilot_off", "autotrim_on")
+    world.says(acknowledgement("autotrim_on"))
+    assert (await task).state == "confirmed"
+    await world.waits_for("autopilot_off", "autotrim_on", "autopilot_off")
+    world.says(acknowledgement("autopilot_off"))
+    assert (await lost).state == "confirmed"
+
+
 async def test_a_late_acknowledgement_that_came_between_two_commands_is_not_owed_any_more() -> None:
     world = World()
     await world.commands.run("gps_on")

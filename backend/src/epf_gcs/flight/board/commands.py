@@ -78,6 +78,8 @@ class Commands:
         self._errors = errors
         self._locks: defaultdict[str, asyncio.Lock] = defaultdict(asyncio.Lock)
         self._ids = count(1)
+        # The newest command for each switch, by the heartbeat's flag.
+        self._newest: dict[str, object] = {}
         self._owed = Owed(clock.steady_s)
         # Each command that waits for its proof, with the link it was sent on.
         self._waiting: dict[asyncio.Future[Verdict], Line | None] = {}
@@ -107,13 +109,15 @@ class Commands:
         sent now, and LinkError if the link was lost before the proof.
         """
         command = COMMANDS[name]
+        asking = object()
+        self._newest.update(dict.fromkeys(command.confirm.flags, asking))
         async with self._locks[name]:
             self.check_ready(command)
             story = self._story(name, arguments, client)
             if not quiet:
                 self._tell(story, "pending", "none", None, None)
             try:
-                result = await self._prove(command, arguments, is_read_back=is_read_back)
+                result = await self._prove(command, arguments, asking, is_read_back=is_read_back)
             except BaseException as error:
                 if not quiet:
                     self._tell(story, *_end_of(error))
@@ -146,7 +150,9 @@ class Commands:
                 command=command.name,
             )
 
-    async def _prove(self, command: Message, arguments: tuple[float, ...], *, is_read_back: bool) -> CommandResult:
+    async def _prove(
+        self, command: Message, arguments: tuple[float, ...], asking: object, *, is_read_back: bool
+    ) -> CommandResult:
         sending = self._sending(command, arguments, is_read_back=is_read_back)
         started_s = self._clock.steady_s()
         if sending is None:
@@ -156,7 +162,8 @@ class Commands:
         verdict: Verdict | None = None
         for attempt in range(attempts):
             verdict = await self._attempt(sending, is_first=attempt == 0)
-            if verdict is not None:
+            # Sent again after a newer one for the same switch, it would undo that.
+            if verdict is not None or any(self._newest[flag] is not asking for flag in command.confirm.flags):
                 break
         ms = round((self._clock.steady_s() - started_s) * 1000.0, 1)
         by: By = "read_back" if sending.proof == "frame" else sending.proof

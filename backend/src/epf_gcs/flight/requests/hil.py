@@ -41,8 +41,6 @@ class HilSwitches:
 
     async def choose_source(self, source: str, client: str | None) -> None:
         """Set the board's control source and wait for its confirmation. Raises BoardError."""
-        if source == self._hil.source:
-            return
         result = await self._commands.run("control_source", (int(source == "joystick"),), client=client)
         if not result.done:
             raise BoardError(
