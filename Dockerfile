@@ -36,7 +36,7 @@ RUN if [ "$(uname -m)" != x86_64 ]; then \
       apt-get update && apt-get install -y --no-install-recommends g++ make && rm -rf /var/lib/apt/lists/*; fi
 RUN python -m venv /opt/epf-gcs
 COPY backend/requirements.lock /station/backend/
-RUN /opt/epf-gcs/bin/pip install --no-cache-dir --no-compile --disable-pip-version-check --require-hashes \
+RUN /opt/epf-gcs/bin/pip install --no-cache-dir --no-compile --disable-pip-version-check --no-deps --require-hashes \
       -r /station/backend/requirements.lock
 
 FROM packages AS wheel

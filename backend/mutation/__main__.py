@@ -61,6 +61,7 @@ MODULES: Final[dict[str, tuple[str, ...]]] = {
     "flight/board/commands.py": ("tests/flight/board/test_commands.py", "tests/web/commands/test_routes.py"),
     "flight/board/journal.py": ("tests/flight/board/test_journal.py", "tests/flight/board/test_parameters.py"),
     "flight/board/missions.py": (
+        "tests/flight/board/test_missions.py",
         "tests/web/parameters/test_routes.py",
         "tests/flight/recording/test_flight_notes.py",
     ),
@@ -74,6 +75,7 @@ MODULES: Final[dict[str, tuple[str, ...]]] = {
         "tests/flight/recording/test_flight_notes.py",
         "tests/web/alarms/test_routes.py",
         "tests/web/test_emulation.py",
+        "tests/flight/test_watch.py",
     ),
     "flight/flight_log.py": ("tests/flight/test_flight_log.py",),
     "flight/hil/emulation.py": ("tests/flight/hil/test_emulation.py", "tests/web/test_emulation.py"),

@@ -224,3 +224,9 @@ def test_among_text_and_noise_nobody_knows_what_is_missing() -> None:
     assert decoder.missing_bytes == len(HEARTBEAT) - 10
     decoder.finish()
     assert decoder.missing_bytes == 0
+
+
+def test_a_type_that_nobody_knows_is_told_as_soon_as_it_is_there() -> None:
+    decoder = FrameDecoder()
+    assert decoder.feed(TO_PC_HEADER + bytes(3)) == []
+    assert failures(decoder.feed(bytes(1))) != {}

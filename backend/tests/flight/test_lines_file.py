@@ -100,3 +100,15 @@ async def test_after_the_end_nothing_is_written_and_nothing_fails(tmp_path: Path
     file.append(b"a")
     assert not (tmp_path / "lines.jsonl").exists()
     assert reported == []
+
+
+async def test_a_line_is_appended_without_writing_the_others_again(tmp_path: Path) -> None:
+    path = tmp_path / "lines.jsonl"
+    path.write_bytes(b"a\n")
+    with path.open("rb") as as_it_was:
+        file, _ = a_file(path, keep=300)
+        file.begin_with(file.read(), damaged=False)
+        for number in range(5):
+            file.append(b"%d" % number)
+        file.close()
+        assert as_it_was.read() == b"a\n0\n1\n2\n3\n4\n"

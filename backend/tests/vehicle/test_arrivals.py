@@ -127,3 +127,9 @@ def test_a_state_that_was_kept_goes_on_with_its_rate() -> None:
     assert again.summary(last_s).rate_hz == pytest.approx(50.0)
     assert (again.count, again.last_s, again.values) == (50, last_s, arrivals.values)
     assert len(arrivals.kept()[1]) == 9, "enough for a rate, and no more"
+
+
+def test_what_came_before_the_newest_256_intervals_is_forgotten() -> None:
+    uneven = [50.0, 50.01, 50.05, 50.06]
+    arrivals = heard(*uneven, *evenly(257, 0.02, uneven[-1] + 0.02))
+    assert arrivals.summary(60.0).jitter_ms == pytest.approx(0.0, abs=1e-6)

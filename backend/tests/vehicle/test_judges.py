@@ -279,3 +279,14 @@ def test_the_share_of_damage_is_of_both_counts_since_ten_seconds_ago() -> None:
     assert judge.percent == 0.0
     judge.look(13.0, 2090, 50, 5.0)
     assert judge.percent == pytest.approx(10.0), "90 good and 10 damaged ones since the first that counts"
+
+
+def test_what_was_said_of_the_gps_is_said_on_from_a_kept_state() -> None:
+    judge = GpsJudge()
+    judge.look(0, NO_FIX, is_wanted=True)
+    said = judge.look(1, NO_FIX, is_wanted=True)
+    again = GpsJudge()
+    again.restore(judge.kept())
+    assert said is not None
+    assert again.look(1.5, None, is_wanted=True) == said
+    assert GpsJudge().kept()[1] is None

@@ -15,6 +15,8 @@ def test_streams_follow_the_commands() -> None:
     assert wanted.streams == {"servos_in", "fms_plan"}
     assert wanted.after("start", ()).streams == set(STREAM_FLAGS)
     assert wanted.after("stop", ()).streams == set()
+    others = [name for name in COMMANDS if name not in ("start", "stop") and not name.endswith(("_on", "_off"))]
+    assert {wanted.after(name, (1.0,)).streams for name in others} == {wanted.streams}
 
 
 def test_every_stream_has_a_command_for_on_and_off() -> None:

@@ -13,6 +13,7 @@ import structlog
 from epf_gcs.flight.line_clock import LineClock
 from epf_gcs.flight.recording import recorder as recorder_module
 from epf_gcs.flight.recording import recording_file as recording_file_module
+from epf_gcs.flight.recording import taps as taps_module
 from epf_gcs.flight.recording.recorder import DiskPolicy, Recorder
 from epf_gcs.flight.recording.recording_file import RecordingFile
 from epf_gcs.recordings.notes import LOST
@@ -150,3 +151,10 @@ def test_the_folder_is_pushed_to_the_disk_with_the_first_bytes_of_a_file(
         file.put(b"data")
     file.give_up()
     assert pushed == [tmp_path], "once is enough, and each time makes the disk's thread wait"
+
+
+def test_what_the_queue_could_not_hold_is_lost_of_either_line(rounds: Rounds, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(taps_module, "_MAX_QUEUED", 0)
+    rounds.recorder.board_tap.received(b"four")
+    rounds.recorder.simulator_tap.received(b"seven..")
+    assert rounds.recorder.bytes_lost == 11
