@@ -230,3 +230,10 @@ def test_a_type_that_nobody_knows_is_told_as_soon_as_it_is_there() -> None:
     decoder = FrameDecoder()
     assert decoder.feed(TO_PC_HEADER + bytes(3)) == []
     assert failures(decoder.feed(bytes(1))) != {}
+
+
+def test_a_silent_line_gives_a_frame_that_stands_behind_two_false_headers() -> None:
+    false = max(mixed_frames(100, seed=7), key=len)[:8]
+    decoder = FrameDecoder()
+    assert decoder.feed(false + false + HEARTBEAT) == []
+    assert len(frames(decoder.flush())) == 1
