@@ -396,6 +396,44 @@ async def test_through_a_port_only_the_whole_secret_opens_in_whatever_pieces_it_
     listener.close()
 
 
+@pytest.mark.anyio
+async def test_what_fails_on_a_record_costs_none_that_came_with_it(tmp_path: Path) -> None:
+    class Failing(Heard):
+        def on_sample(self, sample: Named) -> None:
+            super().on_sample(sample)
+            raise ZeroDivisionError
+
+        def on_samples_end(self) -> None:
+            super().on_samples_end()
+            raise ZeroDivisionError
+
+        def on_event(self, event: Named) -> None:
+            raise ZeroDivisionError
+
+    vehicle, heard = Vehicle(tmp_path), Failing()
+    async with connected(tmp_path, heard) as station:
+        await eventually_async(lambda: heard.ends == 1, "the snapshot arrives")
+        vehicle.broadcast.event("alarm", {})
+        for topic in ("gps", "ahrs"):
+            vehicle.broadcast.sample(topic, 2.0, {})
+        async with asyncio.timeout(5.0):
+            assert await station.request("echo", None, what=1) == {"by": None, "what": 1}
+        assert [sample.name for sample in heard.samples] == ["ahrs", "gps", "ahrs"]
+    await vehicle.stop()
+
+
+@pytest.mark.anyio
+async def test_a_request_behind_a_notice_that_fails_is_answered(tmp_path: Path) -> None:
+    vehicle, heard = Vehicle(tmp_path), Heard()
+    vehicle.notices = None  # type: ignore[assignment]
+    async with connected(tmp_path, heard) as station:
+        await eventually_async(lambda: heard.ends == 1, "the snapshot arrives")
+        station.notice("stick", roll=1.0)
+        async with asyncio.timeout(5.0):
+            assert await station.request("echo", None, what=1) == {"by": None, "what": 1}
+    await vehicle.stop()
+
+
 class _Listener:
     """Gives what it is sent to `send`, and never falls behind."""
 

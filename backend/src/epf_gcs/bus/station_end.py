@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any, Final, Protocol
 
 import orjson
+import structlog
 
 from epf_gcs.bus.address import connect
 from epf_gcs.bus.channel import Channel
@@ -31,6 +32,8 @@ from epf_gcs.errors import ConflictError, GatewayError
 _RETRY_S: Final = 0.05
 # The longest request is to send a plan of 100 waypoints over a slow line.
 _ANSWER_S: Final = 120.0
+
+log = structlog.get_logger("web")
 
 
 class Listener(Protocol):
@@ -128,22 +131,36 @@ class StationEnd:
             for record in self._decoder.feed(data):
                 if record.kind == Kind.SAMPLE:
                     has_samples = True
-                    self._listener.on_sample(unpack_named(record.body))
                 elif record.kind == Kind.PLAYBACK and has_samples:
                     # What came before it goes out before it: it may say that all samples are old.
                     has_samples = False
-                    self._listener.on_samples_end()
-                    self._take(record)
-                else:
-                    self._take(record)
+                    self._end_samples()
+                self._take(record)
             if has_samples:
-                self._listener.on_samples_end()
+                self._end_samples()
         except BusError:
             if self._channel is not None:
                 self._channel.lose()
 
     def _take(self, record: Record) -> None:
-        if record.kind == Kind.EVENT:
+        """What fails here costs no other record: an answer behind it is still waited for."""
+        try:
+            self._pass_on(record)
+        except BusError:
+            raise
+        except Exception:
+            log.exception("a record of the vehicle could not be taken", kind=record.kind)
+
+    def _end_samples(self) -> None:
+        try:
+            self._listener.on_samples_end()
+        except Exception:
+            log.exception("samples of the vehicle could not be passed on")
+
+    def _pass_on(self, record: Record) -> None:
+        if record.kind == Kind.SAMPLE:
+            self._listener.on_sample(unpack_named(record.body))
+        elif record.kind == Kind.EVENT:
             self._listener.on_event(unpack_named(record.body))
         elif record.kind == Kind.STATUS:
             self._listener.on_status(unpack_object(record.body))

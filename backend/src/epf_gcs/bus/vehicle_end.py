@@ -227,7 +227,10 @@ class VehicleEnd:
             case "pace", {"rate_hz": int(rate_hz)} if rate_hz >= 0:
                 self._broadcast.pace(channel, rate_hz)
             case name, arguments:
-                self._on_notice(str(name), dict(arguments))
+                try:
+                    self._on_notice(str(name), dict(arguments))
+                except Exception:  # a request behind it is still waited for
+                    log.exception("a notice could not be taken", notice=name)
 
     async def answer(self, asked: dict[str, Any]) -> dict[str, Any]:
         """Handle a request; returns its result or its fault, as ANSWER holds it."""
