@@ -58,7 +58,7 @@ test("the globe with long tracks, growing, at rest, and opened again", async ({ 
   await order("/fly?how=on");
   const free = await compare(page, 2);
   await camera(page, "Seguir");
-  const follow = await compare(page, 1);
+  const follow = await compare(page, 2);
 
   await order("/fly?how=parked");
   await settled(page);

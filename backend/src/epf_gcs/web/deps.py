@@ -1,4 +1,7 @@
-"""FastAPI dependencies: each gives a route one part of the station."""
+"""FastAPI dependencies: each gives a route one part of the station.
+
+All are coroutines: FastAPI calls plain functions in threads, and the parts belong to the event loop.
+"""
 
 from __future__ import annotations
 
@@ -63,13 +66,13 @@ ClockDep = Annotated[Clock, _part("clock")]
 AdmissionDep = Annotated[Admission, _part("admission")]
 
 
-def get_caller(request: Request) -> Caller | None:
+async def get_caller(request: Request) -> Caller | None:
     """Who asks, as the guard found it; None: a stranger, who reaches only what is open to all."""
     caller: Caller | None = request.state.caller
     return caller
 
 
-def get_shown(request: Request) -> Shown:
+async def get_shown(request: Request) -> Shown:
     """What the request shows of its caller."""
     shown: Shown = request.state.shown
     return shown
@@ -79,7 +82,7 @@ CallerDep = Annotated[Caller | None, Depends(get_caller)]
 ShownDep = Annotated[Shown, Depends(get_shown)]
 
 
-def get_admitted(caller: CallerDep) -> Caller:
+async def get_admitted(caller: CallerDep) -> Caller:
     """Who asks, where strangers are not let in. Raises NotAdmittedError."""
     return admitted(caller, Role.viewer)
 
@@ -92,12 +95,12 @@ XClient = Annotated[
 ]
 
 
-def get_asker(control: ControlDep, caller: AdmittedDep, x_client: XClient = None) -> Asker:
+async def get_asker(control: ControlDep, caller: AdmittedDep, x_client: XClient = None) -> Asker:
     """The caller, by name. Raises NotYoursError if the id is of another session."""
     return control.asker(caller, x_client)
 
 
-def get_operator(control: ControlDep, caller: AdmittedDep, x_client: XClient = None) -> Asker:
+async def get_operator(control: ControlDep, caller: AdmittedDep, x_client: XClient = None) -> Asker:
     """The caller, if it may command now. Raises ConflictError while another has control, NotYoursError, RoleError."""
     return control.command(admitted(caller, Role.operator), x_client)
 

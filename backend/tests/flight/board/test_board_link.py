@@ -242,6 +242,15 @@ async def test_a_device_without_an_identity_is_looked_for_under_its_name_only(tm
     assert set(looked) == {str(first.path)}
 
 
+async def test_what_is_no_port_of_this_machine_is_not_looked_for_among_its_devices(tmp_path: Path) -> None:
+    looked: list[str] = []
+    station = a_station(tmp_path)
+    station.supervisor.find_devices_by(looked.append, lambda _: None)
+    for url in ("pty:///tmp/x", "serial:///dev/ttyUSB0", "tcp://h:1"):
+        await station.supervisor._learn_identity(parse_address(url))
+    assert looked == ["/dev/ttyUSB0"]
+
+
 @pytest.mark.parametrize(("board_may", "others_may"), [(True, True), (True, False), (False, True), (False, False)])
 async def test_bytes_wait_only_while_neither_the_board_nor_another_part_needs_them_at_once(
     tmp_path: Path, board: FakeBoard, monkeypatch: pytest.MonkeyPatch, *, board_may: bool, others_may: bool

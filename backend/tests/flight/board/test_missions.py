@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 
 import pytest
@@ -20,16 +21,33 @@ async def test_what_the_board_says_of_the_other_plan_is_not_taken_for_this_one(
 ) -> None:
     item = (1 - other, 0, 27.9, -15.4, 500.0, 60.0)
     board.plans[1 - other] = [item]
+    _says_first(board, encode_telemetry("mission_count", other, 0))
+    assert await _altitudes_ft(tmp_path, board, plan) == [500]
+
+
+@pytest.mark.anyio
+async def test_a_waypoint_that_lacks_a_value_is_waited_for(tmp_path: Path, board: FakeBoard) -> None:
+    board.plans[1] = [(1, 0, 27.9, -15.4, 500.0, 60.0)]
+    lacking = encode_telemetry("mission_item", 1, 0, 27.9, -15.4, math.nan, 60.0)
+    _says_first(board, encode_telemetry("mission_count", 1, 1) + lacking)
+    assert await _altitudes_ft(tmp_path, board, "hil") == [500]
+
+
+def _says_first(board: FakeBoard, data: bytes) -> None:
+    """What the board sends before it answers what is asked about its plans."""
     answer = board._plan
 
-    def other_first(name: str, values: tuple[float, ...]) -> None:
-        board._write(encode_telemetry("mission_count", other, 0))
+    def answer_then(name: str, values: tuple[float, ...]) -> None:
+        board._write(data)
         answer(name, values)
 
-    board._plan = other_first  # type: ignore[method-assign]
-    station = Flight(tmp_path / "data", record=False)
+    board._plan = answer_then  # type: ignore[method-assign]
+
+
+async def _altitudes_ft(folder: Path, board: FakeBoard, plan: str) -> list[int]:
+    station = Flight(folder / "data", record=False)
     async with station.running():
         await station.lines.open_board(parse_address(board.url))
         await eventually_async(lambda: station.supervisor.state == "open", "the board opens")
         found = await station.missions.read(plan)  # type: ignore[arg-type]
-    assert [round(waypoint.altitude_ft) for waypoint in found] == [500]
+    return [round(waypoint.altitude_ft) for waypoint in found]

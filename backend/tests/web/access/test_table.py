@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -51,6 +52,18 @@ def test_the_table_says_of_exactly_those_routes_that_they_need_control(app: Fast
             needing |= {(method, route.path) for method in route.methods}
     assert needing
     assert needing == {key for key, entry in ROUTES.items() if entry.control}
+
+
+def test_nothing_that_a_request_calls_leaves_the_event_loop_to_which_the_parts_belong(app: FastAPI) -> None:
+    called = {
+        call
+        for context in iter_route_contexts(app.routes)
+        if (dependant := getattr(context, "dependant", None)) is not None
+        for call in _calls(dependant)
+    }
+    assert get_operator in called
+    # Plain functions are called in threads by FastAPI.
+    assert [call.__qualname__ for call in called if not inspect.iscoroutinefunction(call)] == []
 
 
 def _calls(dependant: Any) -> Iterator[Any]:
