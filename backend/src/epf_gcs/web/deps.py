@@ -1,6 +1,7 @@
 """FastAPI dependencies: each gives a route one part of the station.
 
-All are coroutines: FastAPI calls plain functions in threads, and the parts belong to the event loop.
+All that are called for a request are coroutines: FastAPI calls plain functions in threads, and the parts belong to the
+event loop.
 """
 
 from __future__ import annotations
@@ -66,10 +67,15 @@ ClockDep = Annotated[Clock, _part("clock")]
 AdmissionDep = Annotated[Admission, _part("admission")]
 
 
-async def get_caller(request: Request) -> Caller | None:
+def caller_of(request: Request) -> Caller | None:
     """Who asks, as the guard found it; None: a stranger, who reaches only what is open to all."""
     caller: Caller | None = request.state.caller
     return caller
+
+
+async def get_caller(request: Request) -> Caller | None:
+    """As `caller_of`."""
+    return caller_of(request)
 
 
 async def get_shown(request: Request) -> Shown:

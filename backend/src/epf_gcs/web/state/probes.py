@@ -11,7 +11,7 @@ from fastapi import APIRouter, Request
 from fastapi.responses import Response
 
 from epf_gcs.web.access.caller import Caller
-from epf_gcs.web.deps import get_caller
+from epf_gcs.web.deps import caller_of
 from epf_gcs.web.state.figures import Disk, Status, WebFigures
 from epf_gcs.web.state.health import health
 from epf_gcs.web.state.metrics import MEDIA_TYPE, metrics
@@ -23,7 +23,7 @@ def probe_router(
     status: Callable[[], Status | None],
     web: Callable[[], WebFigures],
     disk: Callable[[], Disk | None],
-    caller: Callable[[Request], Caller | None] = get_caller,
+    caller: Callable[[Request], Caller | None] = caller_of,
 ) -> APIRouter:
     """`status` returns None if the flight process does not answer. Include this router before the page."""
     router = APIRouter(include_in_schema=False)
