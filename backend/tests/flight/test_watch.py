@@ -14,6 +14,7 @@ from epf_gcs.flight.hil.simulator import SimulatorAddress
 from epf_gcs.flight.watch import Watch
 from epf_gcs.link.address import parse_address
 from epf_gcs.link.failures import lost_error
+from epf_gcs.vehicle.outside import Values
 from epf_gcs.xplane.datagram import Record, build
 from tests.support.fake_board import FakeBoard
 from tests.support.waiting import eventually_async
@@ -335,3 +336,15 @@ async def test_a_line_that_failed_before_a_board_was_heard_is_an_alarm_only_if_i
     for state, found in (("opening", set()), ("lost", {"heartbeat_lost"}), ("open", set()), ("closed", set())):
         states.append(state)
         assert set(at.found(1001.0)) == found
+
+
+async def test_a_board_flies_when_it_says_so_or_moves_the_surfaces_and_not_when_it_says_nothing(tmp_path: Path) -> None:
+    station = Flight(tmp_path / "data", record=False)
+    assert not station._flies()
+    silent: Values = {"autopilot": None}
+    off: Values = {"autopilot": False, "autopilot_hil": False}
+    for values in (silent, off):
+        station.telemetry.take("heartbeat", 1.0, values)
+        assert not station._flies()
+    station.telemetry.take("heartbeat", 1.0, {"autopilot": False, "autopilot_hil": True})
+    assert station._flies()
