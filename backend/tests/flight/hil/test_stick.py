@@ -160,3 +160,12 @@ async def test_a_page_whose_connection_ended_must_move_its_gamepad_again_before_
     seat.notice("stick_gone", {"client": "ana"})
     with pytest.raises(ConflictError, match="nothing of it arrives"):
         await seat.stick.choose_gamepad("ana", "pad")
+
+
+async def test_only_the_hand_of_whoever_has_control_counts_whatever_the_others_are_called() -> None:
+    seat = Seat()
+    for holder, others in ((ANA, ("bea", "zoe")), (BEA, ("ana", "zoe"))):
+        seat.control(holder)
+        for other in others:
+            seat.move(other)
+    assert (seat.stick.counts["taken"], seat.stick.counts["not_operator"]) == (0, 4)
