@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
@@ -13,6 +14,7 @@ from epf_gcs.bus.vehicle_end import Broadcast
 from epf_gcs.errors import ConflictError
 from epf_gcs.flight.flight import Flight
 from epf_gcs.flight.hil.simulator import SimulatorAddress
+from epf_gcs.flight.recording.flight_notes import FlightNotes
 from epf_gcs.flight.recording.recorder import DiskPolicy
 from epf_gcs.link.address import parse_address
 from epf_gcs.recordings.notes import EVENT, IDENTITY, LINE, MARK, PARAMETERS, PLAN
@@ -153,3 +155,10 @@ async def test_the_aircraft_has_the_name_that_a_person_gave_it_before_or_in_flig
     (file,) = (tmp_path / "recordings").glob("*.mcap")
     names = [note.content["aircraft"] for note in notes_of(file) if note.name == IDENTITY]
     assert [names[0], *names[-2:]] == ["Ala fija", "Ala fija 2", None]
+
+
+async def test_a_mark_stands_at_the_moment_that_was_meant_and_not_when_its_words_were_typed() -> None:
+    clock = SimpleNamespace(now_ns=lambda: 1_000_000_000_000)
+    notes = FlightNotes(None, clock)  # type: ignore[arg-type]
+    assert notes.mark("here", None)["t_s"] == pytest.approx(1000.0)
+    assert notes.mark("there", None, ago_s=2.5)["t_s"] == pytest.approx(997.5)
