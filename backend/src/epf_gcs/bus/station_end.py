@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import itertools
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any, Final, Protocol
 
@@ -134,28 +135,22 @@ class StationEnd:
                 elif record.kind == Kind.PLAYBACK and has_samples:
                     # What came before it goes out before it: it may say that all samples are old.
                     has_samples = False
-                    self._end_samples()
-                self._take(record)
+                    self._safely(self._listener.on_samples_end)
+                self._safely(self._pass_on, record)
             if has_samples:
-                self._end_samples()
+                self._safely(self._listener.on_samples_end)
         except BusError:
             if self._channel is not None:
                 self._channel.lose()
 
-    def _take(self, record: Record) -> None:
-        """What fails here costs no other record: an answer behind it is still waited for."""
+    def _safely(self, tell: Callable[..., None], *what: Record) -> None:
+        """What fails here costs no other record: an answer behind it is still waited for. Raises BusError."""
         try:
-            self._pass_on(record)
+            tell(*what)
         except BusError:
             raise
         except Exception:
-            log.exception("a record of the vehicle could not be taken", kind=record.kind)
-
-    def _end_samples(self) -> None:
-        try:
-            self._listener.on_samples_end()
-        except Exception:
-            log.exception("samples of the vehicle could not be passed on")
+            log.exception("what the vehicle sent could not be taken", kinds=[record.kind for record in what])
 
     def _pass_on(self, record: Record) -> None:
         if record.kind == Kind.SAMPLE:

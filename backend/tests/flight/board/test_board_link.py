@@ -246,7 +246,7 @@ async def test_what_is_no_port_of_this_machine_is_not_looked_for_among_its_devic
     looked: list[str] = []
     station = a_station(tmp_path)
     station.supervisor.find_devices_by(looked.append, lambda _: None)
-    for url in ("pty:///tmp/x", "serial:///dev/ttyUSB0", "tcp://h:1"):
+    for url in ("pty:///x", "serial:///dev/ttyUSB0", "tcp://h:1"):
         await station.supervisor._learn_identity(parse_address(url))
     assert looked == ["/dev/ttyUSB0"]
 
