@@ -67,13 +67,18 @@ def _rows(found: dict[str, Any]) -> list[Row]:
     for camera in ("free", "follow"):
         short, long = found[camera]["short"], found[camera]["long"]
         where = f"globe, {camera} camera"
-        for part, name in (("script", "a frame's script"), ("frame", "a frame until it is drawn")):
-            for share in ("p50", "p95"):
-                ours, peer = float(long[part][share]), float(short[part][share])
-                # Only the median has a limit: the slowest pictures are due to other load of the machine.
-                reach = "<= 1.1 x" if share == "p50" else ""
-                ok = ours <= WORSE_REACH * peer if reach else None
-                rows.append(Row(f"{where}: {name}, 360,000 points, {share}", ours, "ms", reach, ok, peer, "1,000"))
+        # When a frame is drawn is known to a sixtieth of a second: a median of that jumps by a quarter of its value.
+        for part, name, share, limit in (
+            ("script", "a frame's script, 360,000 points, p50", "p50", WORSE_REACH),
+            ("script", "a frame's script, 360,000 points, p95", "p95", None),
+            ("frame", "a frame until it is drawn, 360,000 points, mean of the middle half", "middle", WORSE_REACH),
+            ("frame", "a frame until it is drawn, 360,000 points, p95", "p95", None),
+        ):
+            ours, peer = float(long[part][share]), float(short[part][share])
+            # The slowest pictures are due to other load of the machine: without a limit.
+            reach = "" if limit is None else f"<= {limit:g} x"
+            ok = None if limit is None else ours <= limit * peer
+            rows.append(Row(f"{where}: {name}", ours, "ms", reach, ok, peer, "1,000"))
         ours, peer = float(long["graphics_ms"]), float(short["graphics_ms"])
         name = "a frame's processor time of the graphics, 360,000 points"
         rows.append(Row(f"{where}: {name}", ours, "ms", "<= 1.1 x", ours <= WORSE_REACH * peer, peer, "1,000"))

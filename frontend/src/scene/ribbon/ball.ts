@@ -27,5 +27,10 @@ export function isWithin(
   { center: { x, y, z }, radius }: BoundingSphere,
   { planes }: CullingVolume,
 ): boolean {
-  return planes.every((plane) => plane.x * x + plane.y * y + plane.z * z + plane.w >= -radius);
+  for (const plane of planes) {
+    if (plane.x * x + plane.y * y + plane.z * z + plane.w < -radius) {
+      return false;
+    }
+  }
+  return true;
 }

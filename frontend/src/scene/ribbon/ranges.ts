@@ -5,7 +5,7 @@ export interface Range {
 }
 
 /** Drawing up to this many invisible stretches costs less than another draw call. */
-const SMALL = 48;
+const SMALL = 200;
 /** Greatest number of draw calls of one line per picture. */
 const MOST = 12;
 

@@ -204,7 +204,10 @@ class DrawnTrack {
   readonly #body: TrackBody;
   readonly #tail: TrackTail;
   readonly #ribbons: { readonly body: Ribbon; readonly tail: Ribbon };
-  readonly #balls = new WeakMap<Thinned, BoundingSphere>();
+  readonly #made = new WeakMap<Thinned, BoundingSphere>();
+  /** The spheres of these blocks, in their order. */
+  #balls: readonly BoundingSphere[] = [];
+  #enclosed: readonly Thinned[] = [];
   readonly #spheres = { body: new BoundingSphere(), tail: new BoundingSphere() };
 
   constructor(points: TrackPoints, kind: TrackKind, look: () => TrackLook) {
@@ -247,9 +250,12 @@ class DrawnTrack {
     this.#thinned.refresh(() => made++ > 0);
     const end_ms = performance.now() + CHOOSE_MS;
     if (this.#body.choose(eye, () => performance.now() > end_ms)) {
-      this.#ribbons.body.set(this.#body.vertices, this.#body.count);
-      const balls = this.#body.blocks.map((block) => this.#ballOf(block));
-      BoundingSphere.fromBoundingSpheres(balls, this.#spheres.body);
+      this.#ribbons.body.set(this.#body.vertices, this.#body.count, this.#body.changed);
+    }
+    if (this.#body.blocks !== this.#enclosed) {
+      this.#enclosed = this.#body.blocks;
+      this.#balls = this.#enclosed.map((block) => this.#ballOf(block));
+      BoundingSphere.fromBoundingSpheres([...this.#balls], this.#spheres.body);
     }
     if (this.#tail.update(this.tip)) {
       this.#ribbons.tail.set(this.#tail.vertices, this.#tail.count, this.#tail.changed);
@@ -260,8 +266,8 @@ class DrawnTrack {
   /** `curtainBlocks`: number of newest complete blocks with a curtain; 0: no curtain at all. */
   draw(state: PictureState, curtainBlocks: number): void {
     const { body, tail } = this.#ribbons;
-    const { blocks, starts, count } = this.#body;
-    const seen = blocks.map((block) => isWithin(this.#ballOf(block), state.cullingVolume));
+    const { starts, count } = this.#body;
+    const seen = this.#balls.map((ball) => isWithin(ball, state.cullingVolume));
     const rangesFrom = (first: number): readonly Range[] =>
       rangesOf(starts, count, (index) => index >= first && seen[index] === true);
     body.draw(state, "line", rangesFrom(0));
@@ -269,7 +275,7 @@ class DrawnTrack {
     if (curtainBlocks > 0) {
       // Of overlapping curtains the one drawn first is visible: the newest.
       tail.draw(state, "curtain");
-      body.draw(state, "curtain", rangesFrom(blocks.length - curtainBlocks));
+      body.draw(state, "curtain", rangesFrom(this.#balls.length - curtainBlocks));
     }
   }
 
@@ -279,14 +285,14 @@ class DrawnTrack {
   }
 
   #ballOf(thinned: Thinned): BoundingSphere {
-    const made = this.#balls.get(thinned);
+    const made = this.#made.get(thinned);
     if (made !== undefined) {
       return made;
     }
     const { block, centre, radius_m } = thinned;
     const top_m = block.altitude_mm.reduce((one, other) => Math.max(one, other)) * METRES_PER_UNIT;
     const ball = downToTheSea({ centre, radius_m, top_m });
-    this.#balls.set(thinned, ball);
+    this.#made.set(thinned, ball);
     return ball;
   }
 }

@@ -150,6 +150,70 @@ test("nothing is chosen anew while the eye hardly moves, and a level that is too
   expect(body.count).toBeGreaterThan(before);
 });
 
+test("the levels follow a flying camera in every fourth picture, and are all right once it rests", () => {
+  const body = bodyOf(circuits(8 * 1024));
+  const at = (step: number): Eye => ({ ...NEAR, x: NEAR.x + 8 * step });
+  body.choose(at(0));
+  const flown = Array.from({ length: 400 }, (_, step) => body.choose(at(step + 1)));
+  const turns = flown.flatMap((hasChanged, step) => (hasChanged ? [step + 1] : []));
+  expect(turns.length).toBeGreaterThan(3);
+  expect(turns.filter((step) => step % 4 !== 0)).toEqual([]);
+  body.choose(at(401));
+  expect(body.isComplete, "the last picture of a moving camera").toBe(false);
+  body.choose(at(401));
+  expect(body.isComplete, "one more").toBe(true);
+  const fresh = bodyOf(circuits(8 * 1024));
+  fresh.choose(at(401));
+  // A level that is too fine by one stays.
+  expect(body.count).toBeGreaterThanOrEqual(fresh.count);
+});
+
+test("no level that became wrong is missed, however the camera came there", () => {
+  const body = bodyOf(circuits(8 * 1024));
+  // Up and back by short steps, to and fro.
+  for (let step = 0; step <= 400; step += 1) {
+    const eye = eyeAt(27.93, -15.38 + 0.02 * Math.sin(step / 40), 300 + 2000 * Math.cos(step / 60) ** 2);
+    body.choose(eye);
+    body.choose(eye);
+    if (step % 10 === 9) {
+      // By another zoom every block is looked at; this one changes no level.
+      expect(body.choose({ ...eye, stray_rad: STRAY_RAD * (1 + 1e-9) })).toBe(false);
+    }
+  }
+});
+
+test("another zoom is looked at again from the same place", () => {
+  const body = bodyOf(circuits(8 * 1024));
+  body.choose(FAR);
+  const before = body.count;
+  expect(body.choose({ ...FAR, stray_rad: STRAY_RAD / 50 })).toBe(true);
+  expect(body.count).toBeGreaterThan(before);
+});
+
+test("a line that is written from its first other block on is the line as a whole", () => {
+  const body = bodyOf(circuits(8 * 1024));
+  let kept_most = 0;
+  for (let step = 0; step < 40; step += 1) {
+    const eye = eyeAt(27.93 + step * 0.001, -15.38, 320 + 40 * step);
+    const [kept, count] = [body.vertices.slice(), body.count];
+    if (body.choose(eye)) {
+      const whole = body.blocks.reduce((sum, _, index) => sum + lengthOf(body, index), 0);
+      expect(whole).toBe(body.count);
+      kept_most = Math.max(kept_most, body.changed);
+      const unchanged = Math.min(body.changed, count) * POINT_FLOATS;
+      expect(body.vertices.slice(0, unchanged)).toEqual(kept.slice(0, unchanged));
+      const line = places(body);
+      const steps_m = line.slice(1).map((place, at) => apart_m(place, line[at] ?? []));
+      expect(Math.max(...steps_m), "no jump between two blocks").toBeLessThan(1024 * 0.02 * 80);
+    }
+  }
+  expect(kept_most).toBeGreaterThan(0);
+});
+
+function lengthOf(body: TrackBody, index: number): number {
+  return (body.starts[index + 1] ?? body.count) - (body.starts[index] ?? 0);
+}
+
 test("a level that is wrong by little may wait for the next picture, and one that is wrong by much may not", () => {
   const body = bodyOf(circuits(8 * 1024));
   const enough = (): boolean => true;
