@@ -18,6 +18,9 @@ import { signalLabel, unitSymbol } from "./signalNames";
 import { edgeOf } from "./useAsking";
 import { useFeed, usePlotsState } from "./usePlots";
 
+/** A live plot is drawn anew when it has moved by as many pixels: its axes and their words take longer than its lines. */
+const STEP_PX = 2;
+
 interface Props {
   readonly number: number;
   readonly count: number;
@@ -125,6 +128,7 @@ function useChart(
   const chart = useRef<Chart | null>(null);
   const hover_s = useRef<number | null>(null);
   const done = useRef("");
+  const again_ms = useRef(0);
   const newest = useRef(lines);
   const identity = lines.map(({ key, drawn }) => `${key} ${drawn.unit}`).join("\n");
 
@@ -138,9 +142,11 @@ function useChart(
         isLive && !isOther && starts_s !== null ? plots.tail.extend(drawn, starts_s, to_s) : drawn,
       );
       const state = `${stretch.from_s} ${stretch.to_s} ${isLive ? plots.tail.revision : ""}`;
-      if (state !== done.current) {
+      const isSoon = isLive && done.current !== "" && now_ms < again_ms.current;
+      if (state !== done.current && !isSoon && chart.current !== null) {
         done.current = state;
-        chart.current?.draw(shown, stretch);
+        again_ms.current = now_ms + STEP_PX * 1000 * chart.current.pixel_s(stretch);
+        chart.current.draw(shown, stretch);
       }
       const moment_s = isLive ? null : at_s;
       chart.current?.showMoment(moment_s);

@@ -1,10 +1,11 @@
 import { act, fireEvent, screen, within } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
-import { beforeEach, describe, expect, test } from "vitest";
+import { afterEach, beforeEach, describe, expect, test, vi } from "vitest";
 import { aStatus } from "../../test/aStatus";
 import { type Asked, Station } from "../../test/station";
 import { WORDS } from "../../ui/test/testWords";
 import { WordsProvider } from "../../ui/words";
+import { Chart } from "./chart";
 import { valueAt } from "./drawn";
 import { PlotsView } from "./PlotsView";
 import { PLOTS } from "./plots";
@@ -28,6 +29,10 @@ let done: Set<Asked>;
 
 beforeEach(() => {
   done = new Set();
+});
+
+afterEach(() => {
+  vi.restoreAllMocks();
 });
 
 /** The tab with a flight that is being recorded. */
@@ -163,6 +168,29 @@ describe("the figures beside a plot", () => {
     station.pass(3000);
     expect(figures(1, /ahrs\.roll_deg/)[0]).toBe("–");
   });
+});
+
+test("a live plot is drawn anew when it has moved by two pixels, and its value with every text", async () => {
+  vi.spyOn(Chart.prototype, "pixel_s").mockReturnValue(0.2);
+  const draw = vi.spyOn(Chart.prototype, "draw");
+  open();
+  await answer();
+  station.pass(500);
+  draw.mockClear();
+  const values = new Set<string | undefined>();
+  for (let step = 0; step < 20; step += 1) {
+    station.send({ ahrs: { roll_deg: step, pitch_deg: 0, yaw_deg: 0 } });
+    station.pass(100);
+    values.add(figures(1, /ahrs\.roll_deg/)[0]);
+  }
+  // Each step shows 0.3 s: 6 s are fifteen times 0.4 s.
+  const drawn = draw.mock.contexts.filter((chart) => chart === draw.mock.contexts[0]).length;
+  expect(drawn).toBeGreaterThanOrEqual(13);
+  expect(drawn).toBeLessThanOrEqual(16);
+  expect(values.size).toBeGreaterThan(12);
+  draw.mockClear();
+  station.pass(500);
+  expect(draw, "the last sample is not left out").toHaveBeenCalled();
 });
 
 describe("what is asked for", () => {

@@ -7,7 +7,6 @@ import { ChartGestures, type ChartListener } from "./chartGestures";
 import type { Drawn } from "./drawn";
 import { formatAt, type Stretch } from "./plotView";
 
-/** What a person does on a chart. Times are seconds of the plots. */
 /** A line of the chart: signals of one unit share an axis. */
 export interface ChartLine {
   readonly key: string;
@@ -19,6 +18,8 @@ export interface ChartLine {
 /** The pointer is shown at the same moment in all charts. */
 const SYNC = "plots";
 const DRAG_PX = 4;
+/** A chart is taken to be at least as wide, also before it has been laid out. */
+const LEAST_PX = 100;
 const MOST_FILL = "55";
 /** Distances of times on the axis. */
 const ROUND_S = [
@@ -108,6 +109,11 @@ export class Chart {
       this.#plot.setData(data ?? empty(this.#count), false);
       this.#plot.setScale("x", { min: stretch.from_s, max: stretch.to_s });
     });
+  }
+
+  /** Seconds of a stretch that one pixel shows. */
+  pixel_s({ from_s, to_s }: Stretch): number {
+    return (to_s - from_s) / Math.max(LEAST_PX, this.#plot.bbox.width / uPlot.pxRatio);
   }
 
   /** The moment that the time bar shows; null: none. */
