@@ -103,7 +103,7 @@ MODULES: Final[dict[str, tuple[str, ...]]] = {
     "flight/recording/recording_file.py": ("tests/flight/recording/test_rounds.py", "tests/flight/recording"),
     "flight/recording/repair.py": ("tests/flight/recording/test_repair.py", "tests/flight/recording"),
     "flight/recording/taps.py": ("tests/flight/recording",),
-    "flight/requests/client_names.py": ("tests/web/test_journal.py",),
+    "flight/requests/client_names.py": ("tests/flight/test_client_names.py", "tests/web/test_journal.py"),
     "flight/requests/commands.py": ("tests/web/commands",),
     "flight/requests/hil.py": ("tests/web/links/test_routes.py", "tests/web/test_stick.py"),
     "flight/requests/lines.py": ("tests/web/links/test_routes.py",),

@@ -395,6 +395,16 @@ async def test_through_a_port_only_the_whole_secret_opens_in_whatever_pieces_it_
     listener.close()
 
 
+@pytest.mark.usefixtures("without_local_sockets")
+def test_two_stations_of_one_machine_have_a_port_each(tmp_path: Path) -> None:
+    listeners = [Listener(tmp_path / name) for name in ("one", "other")]
+    ports = [orjson.loads((tmp_path / name / FILE).read_bytes())["tcp"] for name in ("one", "other")]
+    assert ports[0] != ports[1]
+    assert min(ports) >= 1024, "below, only the administrator may listen"
+    for listener in listeners:
+        listener.close()
+
+
 @pytest.mark.anyio
 async def test_what_fails_on_a_record_costs_none_that_came_with_it(tmp_path: Path) -> None:
     class Failing(Heard):

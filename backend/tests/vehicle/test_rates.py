@@ -14,6 +14,13 @@ def test_a_steady_line_has_its_rate() -> None:
     assert rate.per_s() == pytest.approx(1000.0)
 
 
+def test_two_looks_that_are_no_second_apart_give_the_rate_of_a_second() -> None:
+    rate = ByteRate()
+    rate.note(10.0, 0)
+    rate.note(10.25, 1000)
+    assert rate.per_s() == pytest.approx(4000.0)
+
+
 def test_a_line_that_stopped_has_none_after_a_second() -> None:
     rate = ByteRate()
     for tick in range(4):

@@ -50,5 +50,11 @@ def test_a_complete_frame_is_shown_at_once() -> None:
     assert taken.times_s("simulator") == taken.times_s("xplane_info") == [0.0, 0.001, 0.002, 0.003]
 
 
+def test_the_rows_of_a_complete_frame_are_there_too() -> None:
+    samples = SimulatorSamples(Taken())
+    show(samples, WHOLE, 0.0)
+    assert samples.rows(START_S) == sorted(ROWS)
+
+
 def test_what_is_no_datagram_of_a_simulator_is_none() -> None:
     assert SimulatorSamples(Taken()).read(b"rubbish", START_S) is None

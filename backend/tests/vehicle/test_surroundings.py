@@ -61,5 +61,5 @@ def test_the_ceiling_and_the_border_are_told_apart() -> None:
     )
     left, ahead = told.look(1.0)
     assert (left.level, ahead.level) == ("critical", "warning")
-    assert "ceiling" in left.text
-    assert "border, in 12 s" in ahead.text
+    assert left.text == "The aircraft is beyond the fence's ceiling: bring it back."
+    assert ahead.text == "The present track leaves the fence at its border, in 12 s: turn."
