@@ -184,6 +184,10 @@ async def test_a_frame_for_a_line_that_is_busy_is_counted_and_dropped(
     simulator.send(WHOLE)
     await eventually_async(lambda: station.hil.frames_to_board == 1, "as soon as there is room the next one leaves")
     assert station.hil.skipped["line_busy"] == 1
+    monkeypatch.setattr(station.board, "write", lambda _: False)
+    simulator.send(WHOLE)
+    await eventually_async(lambda: station.hil.skipped["line_busy"] == 2, "so is one that the line did not take")
+    assert station.hil.frames_to_board == 1
 
 
 async def test_the_viewers_see_every_row_by_name_and_raw(station: Flight, simulator: Simulator) -> None:
