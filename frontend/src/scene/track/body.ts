@@ -36,7 +36,7 @@ interface Chosen {
 
 /**
  * The complete blocks of a track as one line, each piece in the level of detail that its distance from the camera
- * allows. The line is rebuilt when a piece needs another level; its user copies it then.
+ * allows. The line is rebuilt when a piece needs another level; its user copies it then, from `changed` on.
  */
 export class TrackBody {
   readonly #track: ThinnedTrack;
@@ -145,7 +145,7 @@ export class TrackBody {
     return true;
   }
 
-  /** The blocks with a wrong level. Most are too far away for the camera's last steps to matter. */
+  /** Looks from this camera: the blocks with a wrong level. Most are too far away for its last steps to matter. */
   #wrong(eye: Eye, isOther: boolean): readonly Thinned[] {
     const last = this.#eye ?? eye;
     this.#eye = eye;
@@ -167,18 +167,22 @@ export class TrackBody {
   }
 
   /**
-   * How far the camera can go in any direction until a level is wrong; negative if one is. Too coarse is corrected at
-   * once, too fine only from two levels on: a camera that moves back and forth must not change it each time. `slack`:
-   * levels by which it may be wrong.
+   * How far the camera can go in any direction until a level is wrong; negative if one is. Too coarse is wrong by one
+   * level, too fine only by two: a camera that moves back and forth must not change it each time. `slack`: levels by
+   * which it may be wrong.
    */
   #room_m(block: Thinned, eye: Eye, slack: number): number {
+    const chosen = this.#chosen.get(block);
+    if (chosen === undefined) {
+      return Number.NEGATIVE_INFINITY;
+    }
     let room_m = Number.POSITIVE_INFINITY;
-    for (const [piece, level] of this.#chosen.get(block)?.levels.entries() ?? []) {
+    for (const [piece, level] of chosen.levels.entries()) {
       const near_m = nearest_m(block, piece, eye);
       const own = level - this.#coarser;
       room_m = Math.min(room_m, near_m - reach_m(own - slack, eye), reach_m(own + 2 + slack, eye) - near_m);
     }
-    return this.#chosen.has(block) ? room_m : Number.NEGATIVE_INFINITY;
+    return room_m;
   }
 
   #takeAll(eye: Eye): void {
