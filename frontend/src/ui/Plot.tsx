@@ -3,7 +3,17 @@ import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
 import "./Plot.css";
 import { PLOT_DASHES, plotColour } from "./plotColours";
-import { axisWidth, type Look, lookOf, MOST_AXES, roomy, scaleOf, sizeOf, steady } from "./plotLook";
+import {
+  axisLook,
+  axisWidth,
+  type Look,
+  lookOf,
+  MOST_AXES,
+  roomy,
+  scaleOf,
+  sizeOf,
+  steady,
+} from "./plotLook";
 
 /** Times in seconds relative to now (zero or less), and each series' values; null is a gap. */
 export type PlotData = readonly [readonly number[], ...ReadonlyArray<ReadonlyArray<number | null>>];
@@ -125,16 +135,9 @@ interface Wanted extends Look {
 }
 
 function options(wanted: Wanted): uPlot.Options {
-  const { series, window_s, secondsUnit, size, colour, fontSize_px, fontFamily, onPoint, marks } = wanted;
+  const { series, window_s, secondsUnit, size, colour, fontSize_px, onPoint, marks } = wanted;
   const units = [...new Set(series.map(({ unit }) => unit))];
-  const font = `${fontSize_px}px ${fontFamily}`;
-  const look = {
-    stroke: () => colour("--text-muted"),
-    font,
-    labelFont: font,
-    grid: { stroke: () => colour("--surface-3"), width: 1 },
-    ticks: { stroke: () => colour("--line-control"), width: 1, size: 4 },
-  } as const;
+  const look = axisLook(wanted);
   return {
     ...size,
     legend: { show: false },
@@ -174,7 +177,7 @@ function options(wanted: Wanted): uPlot.Options {
     ],
     hooks: {
       setCursor: [({ cursor }) => onPoint(cursor.idx ?? null)],
-      draw: [(plot) => drawMarks(plot, marks(), colour("--text"), font)],
+      draw: [(plot) => drawMarks(plot, marks(), colour("--text"), look.font)],
     },
   };
 }

@@ -30,6 +30,18 @@ export function lookOf(element: HTMLElement): Look {
   };
 }
 
+/** Colours and fonts of every axis. */
+export function axisLook({ colour, fontSize_px, fontFamily }: Look) {
+  const font = `${fontSize_px}px ${fontFamily}`;
+  return {
+    stroke: () => colour("--text-muted"),
+    font,
+    labelFont: font,
+    grid: { stroke: () => colour("--surface-3"), width: 1 },
+    ticks: { stroke: () => colour("--line-control"), width: 1, size: 4 },
+  } as const;
+}
+
 export function scaleOf(unit: string): string {
   return `y ${unit}`;
 }

@@ -2,7 +2,7 @@ import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
 import type { Timers } from "../../lib/timers";
 import { PLOT_DASHES, plotColour } from "../../ui/plotColours";
-import { axisWidth, type Look, lookOf, MOST_AXES, roomy, scaleOf, sizeOf } from "../../ui/plotLook";
+import { axisLook, axisWidth, type Look, lookOf, MOST_AXES, roomy, scaleOf, sizeOf } from "../../ui/plotLook";
 import { ChartGestures, type ChartListener } from "./chartGestures";
 import type { Drawn } from "./drawn";
 import { formatAt, type Stretch } from "./plotView";
@@ -163,16 +163,9 @@ function options(
   stretch: () => Stretch,
   cancelClick: () => void,
 ): Omit<uPlot.Options, "width" | "height"> {
-  const { colour, fontSize_px, fontFamily } = look;
+  const { colour, fontSize_px } = look;
   const units = [...new Set(lines.map(({ unit }) => unit))];
-  const font = `${fontSize_px}px ${fontFamily}`;
-  const axis = {
-    stroke: () => colour("--text-muted"),
-    font,
-    labelFont: font,
-    grid: { stroke: () => colour("--surface-3"), width: 1 },
-    ticks: { stroke: () => colour("--line-control"), width: 1, size: 4 },
-  } as const;
+  const axis = axisLook(look);
   return {
     legend: { show: false },
     cursor: {

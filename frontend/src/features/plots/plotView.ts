@@ -1,3 +1,5 @@
+import { formatFlightTime } from "../../lib/moment";
+
 /** A stretch of a flight, seconds since its start. */
 export interface Stretch {
   readonly from_s: number;
@@ -59,14 +61,5 @@ function within(from_s: number, span_s: number, end_s: number): View {
 
 /** Time of a flight, as fine as the stretch that is shown needs: "1:02:03", "2:03", "2:03.45". */
 export function formatAt(at_s: number, span_s: number): string {
-  const decimals = span_s < 2 ? 2 : span_s < 20 ? 1 : 0;
-  const units = Math.max(0, Math.round(at_s * 10 ** decimals));
-  const whole_s = Math.floor(units / 10 ** decimals);
-  const hours = Math.floor(whole_s / 3600);
-  const minutes = Math.floor(whole_s / 60) % 60;
-  const seconds = String(whole_s % 60).padStart(2, "0");
-  const fraction = decimals === 0 ? "" : `.${String(units % 10 ** decimals).padStart(decimals, "0")}`;
-  return hours > 0
-    ? `${hours}:${String(minutes).padStart(2, "0")}:${seconds}${fraction}`
-    : `${minutes}:${seconds}${fraction}`;
+  return formatFlightTime(at_s, span_s < 2 ? 2 : span_s < 20 ? 1 : 0);
 }

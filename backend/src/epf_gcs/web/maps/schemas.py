@@ -7,6 +7,7 @@ from typing import Annotated, Any, Literal
 from pydantic import Field
 
 from epf_gcs.errors import ErrorCode, GatewayError
+from epf_gcs.web.maps.layer import LayerFormat, LayerKind
 from epf_gcs.web.maps.sources import MAX_LIMIT_BYTES
 from epf_gcs.web.schemas import Input, Output, ParamValue
 
@@ -31,19 +32,8 @@ class MapLayer(MapProblem):
 
     id: str
     name: str
-    kind: Literal["imagery", "terrain", "vector"]
-    format: Literal[
-        "mbtiles",
-        "pmtiles",
-        "quantized_mesh",
-        "geotiff",
-        "hgt",
-        "online",
-        "field",
-        "field_relief",
-        "field_vector",
-        "field_terrain",
-    ]
+    kind: LayerKind
+    format: LayerFormat
     west_deg: float
     south_deg: float
     east_deg: float

@@ -28,7 +28,16 @@ _MEDIA_TYPES: Final[dict[FileFormat, str]] = {
     "csv": "text/csv; charset=utf-8",
     "plan": "application/octet-stream",
 }
-_FILE: Final[dict[str, Any]] = {"schema": {"type": "string", "format": "binary"}}
+_BINARY: Final[dict[str, Any]] = {"type": "string", "format": "binary"}
+FILE: Final[dict[str, Any]] = {"schema": _BINARY}
+"""How the interface's description says that an answer is a file."""
+FILE_BODY: Final[dict[str, Any]] = {
+    "requestBody": {
+        "required": True,
+        "content": {"application/octet-stream": {"schema": {**_BINARY, "maxLength": MAX_FILE_BYTES}}},
+    }
+}
+"""The same of a request whose body is a file to be read."""
 # Characters that some operating system forbids in file names.
 _FORBIDDEN_IN_NAMES: Final = frozenset('/\\:*?"<>|')
 
@@ -39,7 +48,7 @@ FileName = Annotated[str, Query(min_length=1, max_length=255, description="The f
     "/export",
     response_class=Response,
     responses={
-        200: {"content": {media_type.split(";")[0]: _FILE for media_type in _MEDIA_TYPES.values()}},
+        200: {"content": {media_type.split(";")[0]: FILE for media_type in _MEDIA_TYPES.values()}},
         **problems(),
     },
 )
@@ -56,16 +65,7 @@ async def export_mission(body: MissionExport, format: FileFormat) -> Response:  
 @router.post(
     "/import",
     responses=problems(),
-    openapi_extra={
-        "requestBody": {
-            "required": True,
-            "content": {
-                "application/octet-stream": {
-                    "schema": {"type": "string", "format": "binary", "maxLength": MAX_FILE_BYTES}
-                }
-            },
-        }
-    },
+    openapi_extra=FILE_BODY,
 )
 async def import_mission(request: Request, name: FileName) -> MissionImport:
     """Read a KML, KMZ, GPX, CSV, .plan or .waypoints file, whole or not at all; what it is, its content says."""

@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 import asyncio
-from typing import Any, Final
+from typing import Final
 
 from fastapi import APIRouter, Request, Response
 
 from epf_gcs.errors import ConflictError
 from epf_gcs.formats.fence_file import FenceFormat, read_fence_file, write_fence_kml, write_fence_plan
 from epf_gcs.formats.kml import MEDIA_TYPE as KML_MEDIA_TYPE
-from epf_gcs.formats.recognise import MAX_FILE_BYTES
 from epf_gcs.formats.xml_tree import plain
 from epf_gcs.web.deps import HubDep, SurroundingsDep
-from epf_gcs.web.missions.file_routes import FileName, attachment
+from epf_gcs.web.missions.file_routes import FILE, FILE_BODY, FileName, attachment
 from epf_gcs.web.problems import problems, reading_problems
 from epf_gcs.web.surroundings.schemas import (
     FenceCorner,
@@ -28,7 +27,6 @@ CHANGED = "surroundings"
 IMPORT_PATH: Final = "/surroundings/fence/import"
 
 _MEDIA_TYPES: Final[dict[FenceFormat, str]] = {"kml": KML_MEDIA_TYPE, "plan": "application/octet-stream"}
-_FILE: Final[dict[str, Any]] = {"schema": {"type": "string", "format": "binary"}}
 _FILE_NAME: Final = "epf-gcs-fence"
 
 router = APIRouter(prefix="/surroundings", tags=["surroundings"])
@@ -53,7 +51,7 @@ async def put_surroundings(
 @router.get(
     "/fence",
     response_class=Response,
-    responses={200: {"content": dict.fromkeys(_MEDIA_TYPES.values(), _FILE)}, **reading_problems(409)},
+    responses={200: {"content": dict.fromkeys(_MEDIA_TYPES.values(), FILE)}, **reading_problems(409)},
 )
 async def get_fence(surroundings: SurroundingsDep, format: FenceFormat) -> Response:  # noqa: A002 - the query's name
     """The fence that is kept, as a file: a polygon of KML with its ceiling, or the geofence of a .plan, without."""
@@ -70,16 +68,7 @@ async def get_fence(surroundings: SurroundingsDep, format: FenceFormat) -> Respo
 @router.post(
     "/fence/import",
     responses=problems(),
-    openapi_extra={
-        "requestBody": {
-            "required": True,
-            "content": {
-                "application/octet-stream": {
-                    "schema": {"type": "string", "format": "binary", "maxLength": MAX_FILE_BYTES}
-                }
-            },
-        }
-    },
+    openapi_extra=FILE_BODY,
 )
 async def import_fence(request: Request, name: FileName) -> FenceImport:
     """Read the fence in a KML, KMZ or .plan file, whole or not at all. The fence that is watched stays as it is."""
