@@ -1,9 +1,9 @@
 """Change the code in one small place at a time and see whether its tests notice: `python -m mutation [module ...]`.
 
-cosmic-ray makes the changes, in a copy of the tree. Those that no test notices are printed with their difference: each
-is a test that is missing, a line that is not needed, or a change that nobody can see
-(`decisions/tests/changes-that-no-test-sees.md`). Tests that fail without a change would notice everything: they end the
-run.
+cosmic-ray makes the changes, in a copy of the tree. What no test notices is shown to lint and types, which `make test`
+runs as well; it is counted for itself. What nothing notices is printed with its difference: each is a test that is
+missing, a line that is not needed, or a change that nobody can see (`decisions/tests/changes-that-no-test-sees.md`).
+Checks that fail without a change would notice everything: they end the run.
 """
 
 from __future__ import annotations
@@ -167,9 +167,10 @@ Range = tuple[tuple[int, int], tuple[int, int]]
 
 @dataclass(frozen=True, slots=True)
 class Count:
-    """What became of the changes of one module."""
+    """What became of the changes of one module: noticed by its tests; by lint or types alone; by nothing."""
 
     killed: int
+    refused: int
     survivors: tuple[str, ...]
 
 
@@ -181,20 +182,30 @@ def main() -> int:
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--reach", type=float, default=0.0, help="percent that must be noticed")
     options = parser.parse_args()
-    killed = survived = 0
-    for module in options.modules or MODULES:
-        count = _try(module, options.most, random.Random(f"{options.seed} {module}"))
-        killed += count.killed
-        survived += len(count.survivors)
-        print(f"{module}: {count.killed} noticed, {len(count.survivors)} not", flush=True)
-        for difference in count.survivors:
-            print(difference, flush=True)
-    share = 100.0 * killed / max(1, killed + survived)
-    print(f"{killed} of {killed + survived} changes were noticed ({share:.0f} %)")
+    killed = refused = survived = 0
+    with tempfile.TemporaryDirectory() as cache:
+        for module in options.modules or MODULES:
+            count = _try(module, options.most, random.Random(f"{options.seed} {module}"), cache)
+            killed += count.killed
+            refused += count.refused
+            survived += len(count.survivors)
+            print(
+                f"{module}: {count.killed} noticed by tests, {count.refused} by lint or types,"
+                f" {len(count.survivors)} not",
+                flush=True,
+            )
+            for difference in count.survivors:
+                print(difference, flush=True)
+    total = max(1, killed + refused + survived)
+    share = 100.0 * (killed + refused) / total
+    print(
+        f"{killed + refused} of {total} changes were noticed ({share:.0f} %); by tests {killed}"
+        f" ({100.0 * killed / total:.0f} %), by lint or types alone {refused}"
+    )
     return 0 if share >= options.reach else 1
 
 
-def _try(module: str, most: int, draw: random.Random) -> Count:
+def _try(module: str, most: int, draw: random.Random, cache: str) -> Count:
     with tempfile.TemporaryDirectory() as name:
         folder = _copy(Path(name))
         source = folder / "src" / "epf_gcs" / module
@@ -215,11 +226,27 @@ def _try(module: str, most: int, draw: random.Random) -> Count:
             _draw(work, most, draw, source.read_text())
         _cosmic_ray(folder, "exec", "session.toml", "session.sqlite")
         with use_db(str(folder / "session.sqlite"), WorkDB.Mode.open) as work:
-            results = [result for _, result in work.completed_work_items]
-    # Without an outcome: a place that cosmic-ray could not change after all.
-    tried = [result for result in results if result.worker_outcome is WorkerOutcome.NORMAL]
-    survivors = tuple(str(result.diff) for result in tried if result.test_outcome is TestOutcome.SURVIVED)
-    return Count(len(tried) - len(survivors), survivors)
+            done = list(work.completed_work_items)
+        # Without an outcome: a place that cosmic-ray could not change after all.
+        tried = [(item, result) for item, result in done if result.worker_outcome is WorkerOutcome.NORMAL]
+        passed = [(item, result) for item, result in tried if result.test_outcome is TestOutcome.SURVIVED]
+        original = source.read_text()
+        if passed and _is_refused(folder, module, cache):
+            raise SystemExit(f"{module}: lint or types refuse it without any change")
+        survivors = []
+        for item, result in passed:
+            source.write_text(_changed(original, item) or original)
+            if not _is_refused(folder, module, cache):
+                survivors.append(str(result.diff))
+    return Count(len(tried) - len(passed), len(passed) - len(survivors), tuple(survivors))
+
+
+def _is_refused(folder: Path, module: str, cache: str) -> bool:
+    """Whether lint or types refuse the changed module, as `make check` would; callers elsewhere are checked, too."""
+    python = ("env", f"PYTHONPATH={folder / 'src'}", sys.executable, "-m")
+    lint = (*python, "ruff", "check", "--quiet", f"src/epf_gcs/{module}")
+    types = (*python, "mypy", "--cache-dir", cache, "src")
+    return any(subprocess.run(command, cwd=folder, check=False).returncode for command in (lint, types))
 
 
 def tests_of(module: str) -> tuple[str, ...]:
@@ -273,15 +300,21 @@ def _first(items: Iterable[WorkItem], most: int, wanted: Callable[[WorkItem], bo
     return list(itertools.islice(filter(wanted, items), most))
 
 
-def _runs(source: str, item: WorkItem) -> bool:
-    """Whether the change leaves a program that Python reads without a warning; any test would notice another one."""
+def _changed(source: str, item: WorkItem) -> str | None:
+    """The module with the change; None if cosmic-ray cannot make it."""
     changed: str | None = source
     for mutation in item.mutations:
-        changed = mutate_code(
-            changed, get_operator(mutation.operator_name)(**mutation.operator_args), mutation.occurrence
-        )
-        if changed is None:
-            return False
+        if changed is not None:
+            operator = get_operator(mutation.operator_name)(**mutation.operator_args)
+            changed = mutate_code(changed, operator, mutation.occurrence)
+    return changed
+
+
+def _runs(source: str, item: WorkItem) -> bool:
+    """Whether the change leaves a program that Python reads without a warning; any test would notice another one."""
+    changed = _changed(source, item)
+    if changed is None:
+        return False
     try:
         with warnings.catch_warnings(action="error"):
             compile(changed, "changed", "exec", dont_inherit=True)

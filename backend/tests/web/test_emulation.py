@@ -75,6 +75,14 @@ def test_nothing_can_be_commanded(gateway: Gateway, method: str, path: str, body
     assert gateway.http.get("/hil").json()["path"] == "manual"
 
 
+def test_the_simulators_stick_can_be_taken_back_all_the_same(gateway: Gateway) -> None:
+    emulate(gateway)
+    assert gateway.http.put("/hil", json={"stick": "simulator"}).status_code == 200
+    for more in ({"source": "joystick"}, {"path": "manual"}):
+        answer = gateway.http.put("/hil", json={"stick": "simulator"} | more)
+        assert (answer.status_code, answer.json()["code"]) == (409, "emulation_running")
+
+
 def test_closing_it_gives_back_the_link_that_was_open(gateway: Gateway, board: FakeBoard) -> None:
     gateway.open_board(board.url)
     gateway.http.post("/commands/ahrs_on").raise_for_status()

@@ -284,6 +284,18 @@ async def test_one_write_is_one_command_one_read_back_and_is_told_once(
         assert heard == ["parameter", "parameter", "command set_k_pitch confirmed", "journal"]
 
 
+async def test_a_load_is_a_command_that_everybody_sees(
+    tmp_path: Path, board: FakeBoard, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    async with a_station(tmp_path, board) as station:
+        heard = await told(station, monkeypatch)
+        await station.parameters.load("c1")
+        assert [one for one in heard if one.startswith("command")] == [
+            "command load_autopilot_parameters pending",
+            "command load_autopilot_parameters confirmed",
+        ]
+
+
 @pytest.mark.parametrize("kind", ["board", "legacy_board"])
 async def test_what_a_board_keeps_as_it_was_is_told_as_rejected(
     tmp_path: Path, request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch, kind: str

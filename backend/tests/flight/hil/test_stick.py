@@ -136,6 +136,15 @@ async def test_a_hung_web_process_leaves_the_hand_on_the_stick_no_longer_than_a_
     assert seat.flies(0.02) == LET_GO
 
 
+async def test_the_hand_that_is_back_is_told_with_its_first_sample_and_no_other_sample_is(seat: Seat) -> None:
+    seat.move("ana")
+    seat.move("ana")
+    assert seat.reasons == ["chosen"]
+    assert seat.flies(0.4) == LET_GO
+    seat.move("ana")
+    assert seat.reasons == ["chosen", "lost", "back"], "before anybody looks at the clock"
+
+
 async def test_nobody_chooses_a_gamepad_while_control_is_only_kept(seat: Seat) -> None:
     seat.stick.choose_simulator()
     seat.control(ANA, kept=True)
