@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 
-from epf_gcs.vehicle.health import TopicHealth
+from epf_gcs.codec.messages_gen import COMMANDS
+from epf_gcs.vehicle.health import TASK_OF_TOPIC, TopicHealth
+from epf_gcs.vehicle.wanted import RATE_COMMANDS
 
 
 def _heard_every(period_s: float, samples: int) -> TopicHealth:
@@ -38,9 +42,9 @@ def test_one_late_sample_changes_nothing() -> None:
 
 
 def test_a_changed_rate_is_followed() -> None:
-    health = _heard_every(0.1, 10)
+    health = _heard_every(0.1, 500)
     for index in range(10):
-        health.heard(110.0 + index, ())
+        health.heard(150.0 + index, ())
     assert health.stale_after_s(None) == pytest.approx(3.0)
 
 
@@ -90,3 +94,17 @@ def test_a_state_that_was_kept_goes_on_with_its_rate_and_its_counts() -> None:
     again = TopicHealth.restored(*health.kept())
     assert (again.count, again.last_s, again.implausible) == (11, 101.0, {"yaw_deg": 1})
     assert again.rate_hz(101.0) == pytest.approx(10.0)
+
+
+@pytest.mark.parametrize("command", RATE_COMMANDS)
+def test_each_topic_belongs_to_the_task_that_sends_it_as_the_protocol_says(command: str) -> None:
+    said = COMMANDS[command].doc.removeprefix("Period of the task that sends ").removesuffix(".")
+    sent = {topic for topic, of_task in TASK_OF_TOPIC.items() if of_task == command}
+    assert sent == set(re.split(", | and ", said))
+
+
+def test_what_was_kept_is_not_changed_by_what_comes_later() -> None:
+    health = _heard_every(0.1, 3)
+    kept = health.kept()
+    health.heard(105.0, ("yaw_deg",))
+    assert kept == (3, pytest.approx(100.2), [pytest.approx(0.1)] * 2, {})

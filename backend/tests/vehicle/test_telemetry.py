@@ -49,7 +49,7 @@ async def test_a_topic_is_live_for_three_periods() -> None:
 
 async def test_an_answer_that_was_asked_for_does_not_grow_stale() -> None:
     heard = Heard()
-    heard.hear("autopilot_parameters", 1, 0.1)
+    heard.hear("autopilot_parameters", 3, 0.1)
     heard.clock.at_s += 3600.0
     assert not heard.telemetry.snapshot()["autopilot_parameters"]["stale"]
     assert heard.telemetry.stale_after_s("autopilot_parameters") is None

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import pytest
 
 from epf_gcs.xplane.datagram import Surfaces
-from epf_gcs.xplane.stick import SAMPLE_LASTS_S, THROTTLE_LASTS_S, GamepadInput
+from epf_gcs.xplane.stick import SAMPLE_LASTS_S, THROTTLE_LASTS_S, GamepadInput, read_sample
 
 TURN = Surfaces(0.25, -0.5, 0.125, 0.75)
 LET_GO = Surfaces(0.0, 0.0, 0.0, 0.75)
@@ -71,3 +73,25 @@ def test_a_sender_that_is_gone_is_let_go_at_once_and_may_come_back_with_another_
     assert hand.position(100.01) == LET_GO
     assert hand.take(TURN, 3.0, 101.0)
     assert hand.position(101.0) == TURN
+
+
+SENT: dict[str, Any] = {"elevator": 0.25, "aileron": -0.5, "rudder": 0.125, "throttle": 0.75, "t_ms": 5500.0}
+
+
+def test_a_sample_is_read_as_its_sender_means_it_clamped_and_in_seconds() -> None:
+    assert read_sample(SENT) == (TURN, 5.5)
+    assert read_sample({**SENT, "t_ms": -250}) == (TURN, -0.25), "clocks of pages may begin anywhere"
+    beyond = {"elevator": 2, "aileron": -3, "rudder": 1.5, "throttle": -1, "t_ms": 0}
+    assert read_sample(beyond) == (Surfaces(1.0, -1.0, 1.0, 0.0), 0.0)
+
+
+@pytest.mark.parametrize("name", SENT)
+@pytest.mark.parametrize("wrong", [None, True, "0.5", [0.5], float("nan"), float("inf"), -float("inf")])
+def test_a_sample_with_a_field_that_is_no_finite_number_is_none(name: str, wrong: object) -> None:
+    assert read_sample({**SENT, name: wrong}) is None
+    assert read_sample({field: value for field, value in SENT.items() if field != name}) is None
+
+
+def test_a_time_that_no_clock_can_have_is_no_sample() -> None:
+    for t_ms in (1e15, -1e15, 1e300):
+        assert read_sample({**SENT, "t_ms": t_ms}) is None
