@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import json
+
 from epf_gcs.codec.encode import encode_telemetry
 from epf_gcs.codec.frame import Frame
 from epf_gcs.codec.values import Meaning
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.vehicle.vehicle import Vehicle
+from epf_gcs.xplane.datagram import Record, build
 from tests.codec.streams import damage, mixed_frames
 from tests.support.outlet import KeptOutlet
 
@@ -203,3 +206,60 @@ def test_an_acknowledgement_is_counted_as_it_comes() -> None:
     flown.vehicle.board.listen("acknowledgement", lambda _, meant: counted.append(meant.values["command_type"]))
     flown.vehicle.board.on_bytes(encode_telemetry("acknowledgement", 50, 0))
     assert counted == [50]
+
+
+ROWS = (3, 4, 8, 16, 17, 18, 20, 25)
+
+
+def fly_on(flown: Flown, pieces: list[bytes], step: int) -> None:
+    """Bytes of the board, each piece with one row of the simulator beside it, whose rows are in no usual order."""
+    for place, piece in enumerate(pieces, step):
+        flown.clock.at_s += 0.01
+        flown.vehicle.board.on_bytes(piece)
+        value = 2.0 if place % 50 == 0 else place % 90 / 100.0
+        row = Record(ROWS[-place % len(ROWS)], (value, 1e9 if place % 61 == 0 else value, *[value] * 6))
+        reading = flown.vehicle.simulator.read(build([row]), flown.clock.now_s())
+        assert reading is not None
+        flown.vehicle.simulator.show(reading)
+        if place % 20 == 0:
+            flown.vehicle.board.tick()
+
+
+def everything(flown: Flown) -> tuple[object, ...]:
+    vehicle = flown.vehicle
+    vehicle.telemetry.catch_up()
+    return (
+        vehicle.kept(),
+        vehicle.telemetry.summary(),
+        vehicle.telemetry.snapshot(),
+        vehicle.board.is_open,
+        vehicle.board.frames_damaged,
+        vehicle.board.hears_only_rubbish,
+        vehicle.board.missing_bytes(),
+        vehicle.simulator.missing_rows(flown.clock.now_s()),
+    )
+
+
+def test_a_vehicle_that_goes_on_from_what_was_kept_says_the_same_as_one_that_flew_through() -> None:
+    frames = mixed_frames(120, seed=3)
+    frames[40:40] = [b"\rstatus: well\r\n", b"\x81\x93", frames[0][:9]]
+    stream = damage(frames, 0.004, seed=4).data
+    pieces = [stream[place : place + 23] for place in range(0, len(stream), 23)]
+    through, kept, sent = Flown(7.0), [], []
+    through.vehicle.board.attach(Sink())
+    through.vehicle.simulator.begin("xp12")
+    for place in range(0, len(pieces), 31):
+        kept.append((place, through.clock.at_s, json.dumps(through.vehicle.kept())))
+        sent.append((len(through.outlet.samples), len(through.outlet.events)))
+        fly_on(through, pieces[place : place + 31], place)
+    expected = everything(through)
+    assert through.vehicle.board.session.is_open
+    for (place, at_s, state), (samples, events) in zip(kept, sent, strict=True):
+        again = Flown(at_s)
+        again.vehicle.board.attach(Sink())
+        again.vehicle.restore(json.loads(state))
+        assert (again.outlet.samples, again.outlet.events) == ([], [])
+        fly_on(again, pieces[place:], place)
+        assert again.outlet.samples == through.outlet.samples[samples:]
+        assert again.outlet.events == through.outlet.events[events:]
+        assert json.dumps(everything(again)) == json.dumps(expected)

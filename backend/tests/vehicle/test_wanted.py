@@ -61,3 +61,8 @@ def test_a_source_that_was_never_chosen_is_never_asked_for() -> None:
     assert Wanted().after("control_source", (0,)).missing({**ALL_OFF, "source_joystick": True}) == [
         ("control_source", (0,))
     ]
+
+
+def test_a_stream_s_flag_in_the_heartbeat_is_the_one_that_its_command_sets() -> None:
+    for stream, flag in STREAM_FLAGS.items():
+        assert COMMANDS[f"{stream}_on"].confirm.flags == ({} if flag is None else {flag: True})
