@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from epf_gcs.clock import Clock
-from epf_gcs.codec.encode import encode_telemetry
+from epf_gcs.codec.encode import encode_command, encode_telemetry
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.errors import ConflictError
 from epf_gcs.vehicle.board import Board
@@ -16,6 +16,7 @@ from tests.support.outlet import KeptOutlet
 AHRS_IS_ON = encode_telemetry("heartbeat", *[0] * 6, 1, *[0] * 5)
 ALL_IS_OFF = encode_telemetry("heartbeat", *[0] * 12)
 GPS = encode_telemetry("gps", 27.9, -15.4, 30.0, 0.0, 0.0, 0x38, 0x31, 0x41)
+HIL_SURFACES = encode_telemetry("hil_surfaces", 0.1, 0.2, 0.3, 0.4)
 ACKNOWLEDGEMENT = encode_telemetry("acknowledgement", 50, 0)
 
 
@@ -205,7 +206,8 @@ def test_damage_is_counted_beside_good_frames_of_the_same_read(rig: Rig) -> None
     broken[12] ^= 1
     rig.board.on_bytes(bytes(broken) + GPS)
     assert (rig.board.frames_received, rig.board.frames_damaged) == (1, 1)
-    assert rig.errors.counts["line_garbage"] >= 1
+    assert rig.board.damage == {"bad_checksum": 1, "remains": 1}
+    assert rig.errors.counts["line_garbage"] == 1, "the rest of a bad frame is no other fault"
 
 
 def test_a_topic_is_as_old_as_its_newest_sample(rig: Rig) -> None:
@@ -234,3 +236,153 @@ def test_frames_wait_for_the_next_flush_unless_an_answer_is_awaited_or_comes(rig
     rig.outlet.samples.clear()
     rig.board.on_bytes(GPS)
     assert rig.outlet.samples == []
+
+
+def an_extended_board(uptime_ms: int) -> bytes:
+    return encode_telemetry("capabilities", 1, 15, b"epf-board", b"1.0", uptime_ms)
+
+
+def test_an_extended_board_whose_uptime_began_again_has_begun_anew_and_one_that_was_only_silent_has_not(
+    rig: Rig,
+) -> None:
+    for uptime_ms in (50_000, 55_000, 2_000):
+        rig.board.on_bytes(ALL_IS_OFF + an_extended_board(uptime_ms))
+        assert rig.board.is_open, "at once"
+        assert rig.board.capabilities()["uptime_ms"] == uptime_ms
+        rig.later(3.1)
+        assert not rig.board.is_open
+        rig.later(1.9)
+        assert rig.board.capabilities() == {}
+    assert rig.opened == 3
+    assert rig.restarts == [Restart(rig.clock.now_s() - 5.0, 2_000)]
+
+
+def test_a_legacy_board_that_speaks_text_while_it_is_opened_has_begun_anew_though_its_streams_are_on(rig: Rig) -> None:
+    rig.open_legacy(AHRS_IS_ON)
+    rig.board.on_bytes(b"status: well\n")
+    rig.later(3.1)
+    rig.later(0.1)
+    rig.open_legacy(AHRS_IS_ON)
+    assert rig.restarts == [], "what it said while it was open says nothing"
+    rig.later(3.1)
+    rig.board.on_bytes(b"EPF board\n")
+    rig.later(0.1)
+    rig.open_legacy(AHRS_IS_ON)
+    assert len(rig.restarts) == 1
+
+
+def test_a_board_that_is_attached_again_is_opened_and_told_again_with_nothing_of_the_line_before(rig: Rig) -> None:
+    assert rig.board.baud == 115200
+    rig.open_legacy(AHRS_IS_ON)
+    rig.board.on_bytes(GPS[:20])
+    rig.board.detach()
+    assert (rig.board.link, rig.board.is_open) == (None, False)
+    assert rig.board.damage["cut_short"] == 1, "half a frame will never be whole"
+    rig.line.sent = b""
+    rig.board.on_bytes(GPS[20:])
+    rig.board.attach(rig.line)
+    assert rig.line.sent == b"#QT\n"
+    assert rig.board.heartbeat_age_s() is None
+    rig.open_legacy(ALL_IS_OFF)
+    assert rig.board.heartbeat_age_s() == pytest.approx(0.6)
+    assert rig.opened == 2
+    assert rig.restarts == [], "it may be another board"
+    assert rig.telemetry.newest("gps") is None
+
+
+def test_a_line_that_is_gone_delivers_nothing_and_takes_nothing(rig: Rig) -> None:
+    delivered: list[bool] = []
+    rig.board.attach(rig.line, deliver=lambda: delivered.append(True))
+    rig.board.acquire_line(User())
+    rig.board.detach()
+    assert rig.board.exclusive_user is None
+    rig.board.check_commandable()
+    rig.line.sent = b""
+    with rig.board.listening(lambda _frame, _meant: None):
+        assert delivered == []
+    rig.board.release_line()
+    rig.board.say_goodbye()
+    rig.later(5.0)
+    assert rig.line.sent == b""
+
+
+def test_the_farewell_ends_what_has_the_line_for_itself_then_the_dialogue_and_comes_once(rig: Rig) -> None:
+    rig.open_legacy(ALL_IS_OFF)
+    rig.line.sent = b""
+    rig.board.say_goodbye()
+    goodbye = rig.line.sent
+    assert goodbye == encode_command("stop") + encode_command("exit_binary_mode")
+    rig.board.say_goodbye()
+    assert rig.line.sent == goodbye
+    rig.board.attach(rig.line)
+    rig.line.sent = b""
+    rig.board.acquire_line(User())
+    assert rig.line.sent == goodbye, "before another has the line the board is silent"
+    rig.board.say_goodbye()
+    assert rig.line.sent == goodbye + b"q"
+
+
+def test_half_a_frame_from_before_the_line_was_given_away_joins_nothing_that_comes_after(rig: Rig) -> None:
+    rig.open_legacy(ALL_IS_OFF)
+    before = rig.board.bytes_in
+    rig.board.on_bytes(GPS[:20])
+    rig.board.acquire_line(User())
+    assert rig.board.damage["cut_short"] == 1
+    rig.board.on_bytes(b"attitudes")
+    assert rig.board.bytes_in == before + 29
+    rig.board.release_line()
+    rig.board.on_bytes(GPS[20:])
+    rig.open_legacy(ALL_IS_OFF)
+    assert rig.opened == 2
+    assert rig.telemetry.newest("gps") is None
+
+
+def test_what_moves_the_simulator_goes_first_and_waits_for_nobody(rig: Rig) -> None:
+    rig.outlet.is_lazy = True
+    urgent: list[tuple[str, int]] = []
+    rig.board.on_urgent = lambda frame: urgent.append((frame.message.name, rig.board.frames_received))
+    servos_in = encode_telemetry("servos_in", *[0.5] * 12)
+    rig.board.on_bytes(GPS + HIL_SURFACES + ACKNOWLEDGEMENT + servos_in)
+    assert urgent == [("hil_surfaces", 0), ("servos_in", 0)]
+    assert rig.board.frames_received == 4
+    assert rig.telemetry.newest("servos_in") is not None, "viewers see it too"
+
+
+def test_a_line_of_text_is_shown_as_it_came_and_one_of_white_space_is_not(rig: Rig) -> None:
+    rig.board.on_bytes(b"\r\n\t status: all is well \r\n")
+    assert rig.outlet.events == [("console", {"direction": "received", "text": "status: all is well"})]
+    assert rig.board.damage == {"text": 2}
+    rig.board.on_bytes(b"beep \x07\n\xc3\xa4\n")
+    assert rig.board.damage == {"text": 2, "noise": 2}
+    assert len(rig.outlet.events) == 1
+
+
+def test_text_that_comes_in_pieces_is_one_line_until_the_board_pauses(rig: Rig) -> None:
+    for piece in (b"sta", b"tus: ", b"well"):
+        rig.board.on_bytes(piece)
+        rig.later(0.1)
+    assert rig.outlet.events == []
+    rig.later(0.1)
+    assert [data["text"] for _, data in rig.outlet.events] == ["status: well"]
+
+
+def test_examples_of_the_emulation_mix_with_nothing_of_a_board_and_nothing_is_commanded(rig: Rig) -> None:
+    rig.board.on_bytes(GPS)
+    assert rig.board.frame_statistics.heard["gps"].count == 1
+    rig.board.attach(rig.line, is_emulated=True)
+    assert rig.board.frame_statistics.heard["gps"].count == 0
+    with pytest.raises(ConflictError, match="emulation"):
+        rig.board.check_commandable()
+    rig.board.on_bytes(GPS)
+    rig.board.detach()
+    rig.board.check_commandable()
+    assert rig.board.frame_statistics.heard["gps"].count == 0
+    values = rig.telemetry.newest("gps")
+    assert values is not None
+    assert set(values.values()) == {None}
+    assert rig.telemetry.age_s("gps") is None, "as if it had never been heard"
+    rig.board.attach(rig.line)
+    rig.board.on_bytes(GPS)
+    rig.board.detach()
+    assert rig.board.frame_statistics.heard["gps"].count == 1, "a board's stay"
+    assert rig.telemetry.newest("gps") != values
