@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import random
 
 import pytest
@@ -177,3 +178,66 @@ def test_rows_that_no_one_needs_change_nothing() -> None:
     assert gatherer.take([Record(6, (1.0,) * 8), Record(11, (0.0,) * 8)], 0.0) is None
     assert gatherer.take([Record(99, (1.0,) * 8)], 0.0) is None
     assert gatherer.incomplete_frames == 0
+
+
+@pytest.mark.parametrize("rows", [ORDER, ORDER[::-1], (17, 25, 3, 18, 4, 20, 8, 16)])
+def test_one_that_goes_on_from_what_was_kept_makes_the_same_commands_from_there(rows: tuple[int, ...]) -> None:
+    stream = [
+        (number * PERIOD_S + place * 0.0001, record)
+        for number in range(7)
+        for place, record in enumerate(_frame(number, rows))
+        if (number, place) not in ((2, 3), (5, 0))
+    ]
+    through = Gatherer("xp10")
+    kept, made = [], []
+    for now_s, record in stream:
+        kept.append(json.dumps(through.kept()))
+        made.append(through.take([record], now_s))
+    for place, state in enumerate(kept):
+        again = Gatherer("xp10")
+        again.restore(json.loads(state))
+        assert [again.take([record], now_s) for now_s, record in stream[place:]] == made[place:]
+        assert again.kept() == through.kept()
+
+
+def test_a_frame_is_waited_for_for_a_fifth_of_a_second_and_no_longer() -> None:
+    for late_s, is_made in ((0.19, True), (0.21, False)):
+        gatherer = Gatherer("xp10")
+        _whole(gatherer, 2)
+        gatherer.take(_frame(2)[:5], 10.0)
+        assert (gatherer.take(_frame(2)[5:], 10.0 + late_s) is not None) == is_made
+
+
+def test_frames_that_were_cut_are_counted_once_each_and_whole_ones_never() -> None:
+    gatherer = Gatherer("xp10")
+    for number in range(10):
+        records = _frame(number)
+        gatherer.take(records[:4] if number in (3, 4, 7) else records, number * PERIOD_S)
+    assert gatherer.incomplete_frames == 3
+
+
+def test_many_cuts_here_and_there_do_not_change_where_a_frame_begins() -> None:
+    gatherer = Gatherer("xp10")
+    made = []
+    for number in range(60):
+        records = _frame(number)
+        # The first row is lost each second time, so these frames are found by their lower number.
+        for part in (records[number % 2 : 4], records[4:]):
+            info = gatherer.take(part, number * PERIOD_S)
+            if info is not None:
+                made.append((number, info))
+    assert [number for number, _ in made] == list(range(0, 60, 2))
+    assert all(_is_of_one_frame(info) for _, info in made)
+
+
+def test_a_pause_of_ours_does_not_choose_where_frames_begin_for_ever() -> None:
+    gatherer = Gatherer("xp10")
+    made = []
+    for number in range(230):
+        for place, record in enumerate(_frame(number, ORDER[::-1])):
+            stalled_s = 0.05 if (number, place) >= (1, 5) else 0.0
+            info = gatherer.take([record], number * PERIOD_S + place * 0.0001 + stalled_s)
+            if info is not None and number >= 200:
+                made.append((number, info))
+    assert [number for number, _ in made] == list(range(200, 230))
+    assert all(_is_of_one_frame(info) for _, info in made)

@@ -381,6 +381,20 @@ def test_before_a_restart_who_had_control_has_it_again_and_nobody_else_gets_it_m
     assert reasons(desk.rules.connect(FIRST, 2.0)) == [("first", "back")]
     assert desk.rules.restore(SECOND, 3.0) == []
     assert desk.holder == "first"
+    assert desk.rules.kept_for is None, "whoever has control is not waited for"
+    desk.rules.disconnect("first", 4.0)
+    desk.rules.restore(SECOND, 5.0)
+    assert desk.rules.kept_for == FIRST, "nor is another than who lost it"
+
+
+def test_what_is_kept_from_before_a_restart_is_kept_no_longer_than_any_other() -> None:
+    desk = Desk()
+    desk.rules.restore(ANA, 100.0)
+    desk.rules.connect(BEA, 101.0)
+    assert desk.rules.tick(100.0 + KEPT_S - 0.01) == []
+    assert desk.rules.tick(100.0 + KEPT_S) == [KeptOver(ANA)]
+    assert desk.rules.kept_for is None
+    assert desk.rules.tick(100.0 + KEPT_S + 1.0) == [], "it is told once"
 
 
 def test_who_is_silent_is_given_nothing() -> None:
@@ -439,3 +453,68 @@ def test_who_comes_with_another_session_does_not_get_back_what_it_never_had(stra
     desk.rules.tick(1.0 + KEPT_S)
     assert desk.rules.connect(person("new", session=stranger), 601.0) == []
     assert desk.holder is None
+
+
+def test_the_end_of_one_session_takes_nothing_from_another_that_has_just_lost_control() -> None:
+    desk = Desk(ANA, BEA)
+    desk.rules.disconnect("ana", 1.0)
+    assert desk.rules.end(BEA.session, 2.0) == []
+    assert desk.rules.kept_for == ANA
+    assert reasons(desk.rules.connect(ANA, 3.0)) == [("ana", "back")]
+
+
+def test_another_role_counts_from_now_on_also_while_nobody_has_control() -> None:
+    desk = Desk(ANA, BEA, EVE)
+    desk.rules.release("ana", 1.0)
+    assert desk.rules.change(person("eve", Role.operator), 2.0) == []
+    assert desk.rules.change(person("bea", Role.viewer), 2.0) == []
+    refused(lambda: desk.rules.ask("bea", 3.0), "role_too_low", RoleError)
+    assert reasons(desk.rules.ask("eve", 3.0)) == [("eve", "asked")]
+
+
+def test_who_may_command_no_longer_does_not_get_back_what_it_lost_by_silence() -> None:
+    desk = Desk(ANA, BEA)
+    desk.rules.silent("ana", 1.0)
+    desk.rules.change(person("ana", Role.viewer), 2.0)
+    assert desk.rules.heard("ana", 3.0) == []
+    assert desk.holder is None
+
+
+def test_a_page_that_hangs_hangs_on_while_others_are_heard() -> None:
+    desk = Desk(ANA, BEA, CAI)
+    desk.rules.hang("ana")
+    desk.rules.heard("cai", 1.0)
+    desk.rules.ask("bea", 2.0)
+    assert reasons(desk.rules.tick(2.1)) == [(None, "silent"), ("bea", "asked")]
+
+
+def test_a_holder_that_refuses_one_is_there_and_the_others_wait_on() -> None:
+    desk = Desk(ANA, BEA, CAI)
+    desk.rules.ask("bea", 1.0)
+    desk.rules.ask("cai", 2.0)
+    desk.rules.refuse("ana", "bea", 9.0)
+    assert desk.rules.given_s("cai") == 9.0 + UNANSWERED_S
+    assert desk.rules.tick(2.0 + UNANSWERED_S) == []
+    assert reasons(desk.rules.tick(9.0 + UNANSWERED_S)) == [("cai", "unanswered")]
+
+
+@pytest.mark.parametrize("how", ["comes again", "asks", "is heard"])
+def test_who_was_silent_is_given_control_again_as_soon_as_anything_is_heard_of_it(how: str) -> None:
+    desk = Desk(ANA, BEA)
+    desk.rules.silent("bea", 1.0)
+    refused(lambda: desk.rules.hand_over("ana", "bea", 2.0), "client_silent")
+    if how == "comes again":
+        desk.rules.disconnect("bea", 3.0)
+        desk.rules.connect(BEA, 3.0)
+    elif how == "asks":
+        desk.rules.ask("bea", 3.0)
+    else:
+        desk.rules.heard("bea", 3.0)
+    assert reasons(desk.rules.hand_over("ana", "bea", 4.0)) == [("bea", "handed_over")]
+
+
+def test_nobody_hands_over_what_nobody_has() -> None:
+    desk = Desk(ANA, BEA)
+    desk.rules.release("ana", 1.0)
+    for action in (desk.rules.hand_over, desk.rules.refuse):
+        refused(lambda action=action: action("ana", "bea", 2.0), "control_not_held")  # type: ignore[misc]
