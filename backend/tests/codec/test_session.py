@@ -93,6 +93,36 @@ def test_a_slow_parameter_task_is_not_taken_for_a_dead_board() -> None:
     assert session.tick(31.0) == OPEN
 
 
+def test_a_fast_parameter_task_or_an_earlier_link_s_slow_one_changes_no_silence() -> None:
+    session = Session()
+    for period_s in (0.02, 10.0):
+        session.open(0.0)
+        session.on_frame(HEARTBEAT, 0.1)
+        session.on_frame(CAPABILITIES, 0.2)
+        assert session.deadline_s == 3.1
+        session.expect_heartbeat_every(period_s)
+        session.on_frame(HEARTBEAT, 1.0)
+        assert session.deadline_s == (4.0 if period_s < 1.0 else 31.0)
+        session.close()
+
+
+def test_an_answer_from_before_the_silence_opens_nothing() -> None:
+    session = Session()
+    session.open(0.0)
+    assert session.on_frame(CAPABILITIES, 0.1) == b""
+    assert session.state is SessionState.OPENING
+    assert session.capabilities is None
+
+
+def test_a_legacy_board_s_silence_counts_from_its_last_heartbeat() -> None:
+    session = Session()
+    session.open(0.0)
+    session.on_frame(HEARTBEAT, 0.25)
+    session.tick(0.75)
+    assert session.state is SessionState.LEGACY
+    assert session.deadline_s == 3.25
+
+
 def test_the_age_of_the_heartbeat_grows_until_the_next() -> None:
     session = Session()
     session.open(10.0)

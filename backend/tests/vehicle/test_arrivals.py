@@ -133,3 +133,16 @@ def test_what_came_before_the_newest_256_intervals_is_forgotten() -> None:
     uneven = [50.0, 50.01, 50.05, 50.06]
     arrivals = heard(*uneven, *evenly(257, 0.02, uneven[-1] + 0.02))
     assert arrivals.summary(60.0).jitter_ms == pytest.approx(0.0, abs=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("period_s", "gap_s", "is_pause"), [(0.02, 0.9, False), (0.02, 1.1, True), (1.0, 9.0, False), (1.0, 11.0, True)]
+)
+def test_a_gap_is_a_pause_where_it_is_longer_than_a_second_and_than_ten_periods(
+    period_s: float, gap_s: float, is_pause: bool
+) -> None:
+    before = evenly(20, period_s)
+    after = evenly(20, period_s, before[-1] + gap_s)
+    jitter_ms = heard(*before, *after).summary(after[-1]).jitter_ms
+    assert jitter_ms is not None
+    assert (jitter_ms < 1e-6) == is_pause

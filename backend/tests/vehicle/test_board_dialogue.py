@@ -208,6 +208,9 @@ def test_damage_is_counted_beside_good_frames_of_the_same_read(rig: Rig) -> None
     assert (rig.board.frames_received, rig.board.frames_damaged) == (1, 1)
     assert rig.board.damage == {"bad_checksum": 1, "remains": 1}
     assert rig.errors.counts["line_garbage"] == 1, "the rest of a bad frame is no other fault"
+    rig.board.on_bytes(b"\x81\x93\nstatus: well\n")
+    assert rig.board.frames_damaged == 1, "neither noise nor text was a frame"
+    assert rig.errors.counts["line_garbage"] == 2, "but noise is a fault"
 
 
 def test_a_topic_is_as_old_as_its_newest_sample(rig: Rig) -> None:
@@ -386,3 +389,9 @@ def test_examples_of_the_emulation_mix_with_nothing_of_a_board_and_nothing_is_co
     rig.board.detach()
     assert rig.board.frame_statistics.heard["gps"].count == 1, "a board's stay"
     assert rig.telemetry.newest("gps") != values
+
+
+def test_frames_that_wait_are_counted_as_soon_as_anybody_looks(rig: Rig) -> None:
+    rig.outlet.is_lazy = True
+    rig.board.on_bytes(GPS)
+    assert rig.board.frame_statistics.heard["gps"].count == 1

@@ -127,3 +127,13 @@ def test_an_entry_is_confirmed_only_where_every_change_is(states: list[Outcome])
 def test_steps_as_plain_values() -> None:
     assert moves_as_dicts(None) is None
     assert moves_as_dicts((Move("k_pitch", 2.5, 2.0),)) == [{"name": "k_pitch", "before": 2.5, "after": 2.0}]
+
+
+def test_an_entry_with_a_refusal_is_refused_and_else_one_without_an_answer_is_unanswered() -> None:
+    for states, expected in (
+        (("confirmed", "timed_out", "rejected"), "rejected"),
+        (("rejected", "confirmed"), "rejected"),
+        (("confirmed", "timed_out"), "timed_out"),
+    ):
+        entry = Entry(1, 0.0, None, None, "write", tuple(Change("k_pitch", 1.0, 2.0, state) for state in states))  # type: ignore[arg-type]
+        assert (entry.state, entry.as_dict()["state"]) == (expected, expected)

@@ -11,8 +11,10 @@ from epf_gcs.codec.values import single
 from epf_gcs.vehicle.parameters import (
     BY_NAME,
     UNKNOWN,
+    Held,
     after_read,
     as_held,
+    as_values,
     differing,
     fault,
     forgotten,
@@ -39,6 +41,7 @@ def test_a_value_that_is_no_data_is_unknown() -> None:
 def test_what_waits_for_its_proof_keeps_waiting() -> None:
     held = after_read(with_state(after_read(UNKNOWN, READ), {"k_pitch": 2.5}, "pending"), READ)
     assert held["k_pitch"].state == "pending"
+    assert held["k_roll"].state == "loaded"
 
 
 def test_a_confirmed_gain_that_the_board_changed_is_only_loaded() -> None:
@@ -52,6 +55,9 @@ def test_single_precision_is_no_difference() -> None:
     assert differing({"k_int_pitch": 0.6}, {"k_int_pitch": 0.61}) == ["k_int_pitch"]
     assert differing({"k_int_pitch": 0.6}, {"k_int_pitch": None}) == ["k_int_pitch"]
     assert differing({"k_div_velocidad": 710}, {"k_div_velocidad": 710}) == []
+    assert differing({"k_div_velocidad": 710, "k_pitch": 2.0}, {"k_pitch": 2.0, "k_div_velocidad": 700}) == [
+        "k_div_velocidad"
+    ]
 
 
 def test_a_value_is_shown_as_it_was_written() -> None:
@@ -95,3 +101,9 @@ def test_a_value_is_written_down_as_the_board_holds_it() -> None:
     assert as_held("k_int_pitch", 0.6) == 0.6
     assert as_held("k_int_pitch", 0.60000000001) == 0.6
     assert as_held("k_div_velocidad", 700) == 700
+
+
+def test_a_gain_is_given_with_what_it_is_and_what_it_was_as_they_were_written() -> None:
+    assert as_values("k_int_pitch", Held()) == {"value": None, "state": "unknown", "loaded": None}
+    held = Held(single(0.6), "confirmed", single(0.1))
+    assert as_values("k_int_pitch", held) == {"value": 0.6, "state": "confirmed", "loaded": 0.1}

@@ -73,6 +73,9 @@ def test_another_link_is_perhaps_another_board() -> None:
         (STREAMING, STREAMING, False, False),
         (STREAMING, STREAMING, True, True),
         (QUIET, QUIET, False, True),
+        (STREAMING, {"ahrs": True, "gps": True}, False, False),
+        ({"ahrs": True, "gps": True}, STREAMING, False, True),
+        (STREAMING, {"ahrs": None, "gps": None}, False, True),
     ],
 )
 def test_a_deployed_board_is_known_by_what_it_forgot(
@@ -85,6 +88,22 @@ def test_a_deployed_board_is_known_by_what_it_forgot(
     if text:
         restart.heard_text()
     assert restart.opened(5.0, 2e9, None, after) == (Restart(2e9, None) if is_restart else None)
+
+
+def test_what_a_deployed_board_said_before_it_was_first_open_is_no_restart() -> None:
+    restart = BoardRestart()
+    restart.link_opened()
+    restart.heard_text()
+    assert restart.opened(1.0, 1e9, None, STREAMING) is None
+    restart.fell_silent(STREAMING)
+    assert restart.opened(5.0, 2e9, None, STREAMING) is None
+
+
+def test_half_a_second_is_forgiven_and_no_more() -> None:
+    for late_ms, is_restart in ((490, False), (600, True)):
+        restart = BoardRestart()
+        restart.opened(100.0, 1e9, 50_000, QUIET)
+        assert (restart.opened(110.0, 2e9, 60_000 - late_ms, QUIET) is not None) == is_restart
 
 
 @pytest.mark.uncounted

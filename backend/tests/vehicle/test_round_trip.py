@@ -110,3 +110,25 @@ def test_the_median_and_the_slowest_hundredth_are_found_in_whatever_order_answer
         trip.answered(index + 0.001 * (1 + index * 37 % 101))
     assert trip.summary().p50 == pytest.approx(51.0)
     assert trip.summary().p99 == pytest.approx(100.0)
+
+
+def test_the_newest_512_answers_count_and_no_other() -> None:
+    trip = RoundTrip()
+    for index in range(1112):
+        trip.asked(float(index))
+        trip.answered(index + (0.2 if index < 600 else 0.01))
+        if index == 604:
+            assert trip.summary().p99 == pytest.approx(200.0)
+    assert trip.summary().p99 == pytest.approx(10.0)
+    assert trip.answers == 1112
+
+
+def test_an_answer_after_a_long_gap_is_to_the_newest_question_however_many_were_lost() -> None:
+    trip = RoundTrip()
+    for asked_s in (0.0, 0.02):
+        trip.asked(asked_s)
+        trip.answered(asked_s + 0.01)
+    trip.asked(0.04)
+    trip.answered(0.11)
+    assert trip.answers == 3
+    assert trip.newest_ms == pytest.approx(70.0)

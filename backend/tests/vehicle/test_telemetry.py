@@ -96,3 +96,32 @@ async def test_what_was_never_heard_has_no_age() -> None:
     assert heard.telemetry.age_s("ahrs") is None
     assert heard.telemetry.newest("ahrs") is None
     assert heard.telemetry.stale_after_s("ahrs") is None
+
+
+async def test_what_the_emulation_showed_is_no_data_at_once_and_what_is_heard_later_counts_anew() -> None:
+    outlet, clock = KeptOutlet(), SetClock()
+    telemetry = Telemetry(outlet, clock, lambda _: 0.1)
+    telemetry.take("gps", clock.at_s, {"latitude_deg": 27.9})
+    telemetry.take("xplane_rows", clock.at_s, {"rows": {"3": [1.0] * 8}})
+    outlet.samples.clear()
+    flushed = outlet.flushed
+    clock.at_s += 0.05
+    telemetry.blank()
+    assert outlet.samples == [("gps", 1000.05, {"latitude_deg": None}), ("xplane_rows", 1000.05, {"rows": {}})]
+    assert outlet.flushed > flushed
+    assert telemetry.newest("gps") == {"latitude_deg": None}
+    assert not telemetry.is_live("gps")
+    assert (telemetry.snapshot(), telemetry.summary()) == ({}, {})
+    telemetry.take("gps", clock.at_s, {"latitude_deg": 28.0})
+    assert telemetry.snapshot()["gps"]["values"] == {"latitude_deg": 28.0}
+    assert telemetry.summary()["gps"]["count"] == 1
+
+
+async def test_each_topic_is_expected_as_often_as_its_own_task_was_told() -> None:
+    periods_s = {"set_parameter_task_rate": 1.0, "set_fms_task_rate": 2.0, "set_servos_task_rate": 4.0}
+    telemetry = Telemetry(KeptOutlet(), SetClock(), periods_s.__getitem__)
+    for topic, period_s in (("ahrs", 1.0), ("gps", 2.0), ("servos_in", 4.0)):
+        telemetry.take(topic, 1000.0, {})
+        assert telemetry.commanded_s(topic) == period_s
+        assert telemetry.stale_after_s(topic) == 3 * period_s
+    assert telemetry.commanded_s("simulator") is None

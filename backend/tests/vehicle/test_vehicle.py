@@ -263,3 +263,14 @@ def test_a_vehicle_that_goes_on_from_what_was_kept_says_the_same_as_one_that_fle
         assert again.outlet.samples == through.outlet.samples[samples:]
         assert again.outlet.events == through.outlet.events[events:]
         assert json.dumps(everything(again)) == json.dumps(expected)
+
+
+def test_frames_that_waited_when_another_moment_was_chosen_are_of_no_moment_any_more() -> None:
+    other, flown = Flown(7.0), Flown(7.0, is_lazy=True)
+    other.hear(1.0)
+    flown.hear(2.0)
+    flown.vehicle.restore(other.vehicle.kept())
+    newest = flown.vehicle.telemetry.newest("ahrs")
+    assert newest is not None
+    assert newest["roll_deg"] == 1.0
+    assert flown.outlet.samples == []

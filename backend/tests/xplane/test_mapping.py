@@ -102,3 +102,25 @@ def test_the_track_wins_over_the_heading() -> None:
 
 def test_the_receivers_channels_have_throttle_before_rudder() -> None:
     assert surfaces_from_servos_in([0.1, 0.2, 0.3, 0.4] + [0.0] * 8) == Surfaces(0.2, 0.1, 0.4, 0.3)
+
+
+def test_what_is_at_its_limit_is_plausible() -> None:
+    values, implausible = row_meaning(20, (-90.0, 180.0, 0, 0, 0, 0, 0, 0), "xp10")
+    assert (values["latitude_deg"], values["longitude_deg"]) == (-90.0, 180.0)
+    assert implausible == ()
+
+
+def test_surfaces_beyond_their_ends_are_at_their_ends_too() -> None:
+    values, implausible = row_meaning(11, (1.5, -1.5, 0.5, *[NONE] * 5), "xp10")
+    assert list(values.values()) == [1.0, -1.0, 0.5]
+    assert implausible == ()
+
+
+def test_the_track_stands_in_for_a_heading_without_a_value_and_the_heading_for_the_track() -> None:
+    rows: dict[int, dict[str, float | None]] = {
+        row: row_meaning(row, (0.5,) * 8, "xp10").values for row in (*NEEDED_ROWS, 18)
+    }
+    without_track = info_from_rows({**rows, 18: row_meaning(18, (NONE,) * 8, "xp10").values})
+    without_heading = info_from_rows({**rows, 17: {**rows[17], "true_heading_deg": None}})
+    assert without_track == without_heading == info_from_rows(rows)
+    assert info_from_rows({**rows, 17: {**rows[17], "roll_deg": None}}) is None

@@ -435,14 +435,16 @@ def test_the_control_of_an_ended_session_goes_to_who_asked() -> None:
 
 
 def test_a_role_that_is_lowered_ends_control_and_requests_and_a_new_name_does_not() -> None:
-    desk = Desk(ANA, BEA)
+    desk = Desk(ANA, BEA, CAI)
     renamed = person("ana", Role.owner)
     assert desk.rules.change(renamed, 1.0) == []
     assert desk.rules.holder is renamed
     desk.rules.ask("bea", 1.0)
     watching = person("bea", Role.viewer)
     assert desk.rules.change(watching, 2.0) == [RequestClosed(watching, "gone")]
-    assert reasons(desk.rules.change(person("ana", Role.viewer), 3.0)) == [(None, "ended")]
+    desk.rules.ask("cai", 2.0)
+    assert reasons(desk.rules.change(person("ana", Role.viewer), 3.0)) == [(None, "ended"), ("cai", "asked")]
+    assert reasons(desk.rules.change(person("cai", Role.viewer), 3.0)) == [(None, "ended")]
     assert desk.rules.heard("ana", 4.0) == []
 
 
@@ -518,3 +520,12 @@ def test_nobody_hands_over_what_nobody_has() -> None:
     desk.rules.release("ana", 1.0)
     for action in (desk.rules.hand_over, desk.rules.refuse):
         refused(lambda action=action: action("ana", "bea", 2.0), "control_not_held")  # type: ignore[misc]
+
+
+def test_while_nobody_has_control_a_page_that_is_silent_or_hangs_loses_none_and_gets_none() -> None:
+    desk = Desk(ANA, BEA)
+    desk.rules.release("ana", 1.0)
+    assert desk.rules.silent("ana", 2.0) == []
+    assert desk.rules.hang("bea") == []
+    assert desk.rules.silent_pages == {"ana", "bea"}
+    assert desk.rules.kept_for is None
