@@ -152,7 +152,7 @@ MODULES: Final[dict[str, tuple[str, ...]]] = {
     "vehicle/wanted.py": ("tests/vehicle",),
     "vehicle/watch.py": ("tests/vehicle/test_watch.py", "tests/flight/test_watch.py", "tests/vehicle"),
     "web/access/authority.py": ("tests/web/access/test_authority.py", "tests/web/access/test_authority_walk.py"),
-    "web/access/control.py": ("tests/web/access/test_control.py",),
+    "web/access/control.py": ("tests/web/access/test_control_alone.py", "tests/web/access/test_control.py"),
     "xplane/datagram.py": ("tests/xplane",),
     "xplane/gather.py": ("tests/xplane",),
     "xplane/mapping.py": ("tests/xplane",),

@@ -274,3 +274,13 @@ def test_frames_that_waited_when_another_moment_was_chosen_are_of_no_moment_any_
     assert newest is not None
     assert newest["roll_deg"] == 1.0
     assert flown.outlet.samples == []
+
+
+def test_text_that_waited_for_its_end_when_the_state_was_kept_is_shown_after_the_same_silence() -> None:
+    flown, again = Flown(7.0), Flown(7.0)
+    flown.vehicle.board.on_bytes(b"prompt> ")
+    flown.vehicle.board.tick()
+    assert flown.outlet.events == []
+    again.vehicle.restore(json.loads(json.dumps(flown.vehicle.kept())))
+    again.vehicle.board.tick()
+    assert again.outlet.events == [("console", {"direction": "received", "text": "prompt>"})]
