@@ -441,3 +441,21 @@ async def test_a_request_behind_a_notice_that_fails_is_answered(tmp_path: Path) 
         async with asyncio.timeout(5.0):
             assert await station.request("echo", None, what=1) == {"by": None, "what": 1}
     await vehicle.stop()
+
+
+@pytest.mark.anyio
+async def test_more_requests_than_a_vehicle_can_have_under_way_are_refused_at_once_and_later_ones_are_answered(
+    tmp_path: Path,
+) -> None:
+    vehicle, heard = Vehicle(tmp_path), Heard()
+    async with connected(tmp_path, heard) as station:
+        await eventually_async(lambda: station.is_connected, "it connects")
+        hanging = [asyncio.ensure_future(station.request("hang")) for _ in range(256)]
+        await asyncio.sleep(0)
+        with pytest.raises(GatewayError, match="Too much") as busy:
+            await station.request("echo")
+        assert busy.value.code == "internal"
+        vehicle.released.set()
+        assert await asyncio.gather(*hanging) == ["late"] * 256
+        assert await station.request("echo", n=1) == {"by": None, "n": 1}
+    await vehicle.stop()

@@ -8,16 +8,20 @@ from types import SimpleNamespace
 
 import pytest
 
+from epf_gcs.bus.definition import Decoder, Kind
 from epf_gcs.bus.vehicle_end import Broadcast
 
 
 class _Listener:
-    """Gives what it is sent to `send`, and never falls behind."""
-
-    unsent_bytes = 0
+    """Gives what it is sent to `send`, and falls behind as the test says."""
 
     def __init__(self, send: Callable[[bytes], object]) -> None:
         self.send = send
+        self.unsent_bytes = 0
+        self.is_lost = False
+
+    def lose(self) -> None:
+        self.is_lost = True
 
 
 class _Loop:
@@ -55,3 +59,80 @@ def test_gathered_samples_leave_a_period_of_the_fastest_after_those_before(monke
     broadcast.sample("gps", loop.now_s, {})
     broadcast.flush()
     assert loop.later[-1] == pytest.approx(100.075), "from then on a twentieth of a second"
+
+
+@pytest.fixture
+def loop(monkeypatch: pytest.MonkeyPatch) -> _Loop:
+    made = _Loop()
+    monkeypatch.setattr(asyncio, "get_running_loop", lambda: made)
+    return made
+
+
+def kinds(sent: list[bytes]) -> list[int]:
+    return [record.kind for record in Decoder().feed(b"".join(sent))]
+
+
+@pytest.mark.usefixtures("loop")
+def test_a_listener_that_falls_behind_gets_no_samples_then_nothing_and_costs_the_others_none() -> None:
+    broadcast = Broadcast(lambda: 5.0)
+    slow_sent: list[bytes] = []
+    quick_sent: list[bytes] = []
+    slow, quick = _Listener(slow_sent.append), _Listener(quick_sent.append)
+    for listener in (slow, quick):
+        broadcast.add(listener)  # type: ignore[arg-type]
+    for unsent in (900_000, 1_100_000, 7_900_000, 8_100_000):
+        assert not slow.is_lost
+        slow.unsent_bytes = unsent
+        broadcast.sample("gps", 1.0, {})
+        broadcast.flush()
+        broadcast.event("alarm", {})
+    assert kinds(slow_sent) == [Kind.SAMPLE, Kind.EVENT, Kind.EVENT, Kind.EVENT]
+    assert slow.is_lost
+    assert kinds(quick_sent) == [Kind.SAMPLE, Kind.EVENT] * 4
+    assert not quick.is_lost
+
+
+def test_whatever_is_told_sends_the_samples_that_were_gathered_before_it(loop: _Loop) -> None:
+    broadcast = Broadcast(lambda: 5.0)
+    sent: list[bytes] = []
+    broadcast.pace(_Listener(sent.append), 1)  # type: ignore[arg-type]
+    broadcast.sample("gps", 1.0, {})
+    broadcast.flush()
+    for tell in (lambda: broadcast.event("alarm", {}), lambda: broadcast.status({}), lambda: broadcast.playback({})):
+        sent.clear()
+        broadcast.sample("gps", 2.0, {})
+        broadcast.flush()
+        assert sent == [], "their time has not come"
+        tell()
+        assert kinds(sent)[0] == Kind.SAMPLE
+        assert len(kinds(sent)) == 2
+    assert len(loop.later) == 3, "each time they would have left by themselves"
+
+
+@pytest.mark.usefixtures("loop")
+def test_a_playback_with_samples_goes_out_in_its_place_among_them() -> None:
+    broadcast = Broadcast(lambda: 5.0)
+    sent: list[bytes] = []
+    broadcast.add(_Listener(sent.append))  # type: ignore[arg-type]
+    broadcast.sample("gps", 1.0, {})
+    broadcast.playback({"jumps": 1}, with_samples=True)
+    broadcast.sample("gps", 2.0, {})
+    assert sent == []
+    broadcast.flush()
+    assert kinds(sent) == [Kind.SAMPLE, Kind.PLAYBACK, Kind.SAMPLE]
+
+
+@pytest.mark.usefixtures("loop")
+def test_without_listeners_nothing_is_kept_for_one_who_comes_later() -> None:
+    broadcast = Broadcast(lambda: 5.0)
+    broadcast.sample("gps", 1.0, {})
+    broadcast.playback({}, with_samples=True)
+    sent: list[bytes] = []
+    listener = _Listener(sent.append)
+    broadcast.add(listener)  # type: ignore[arg-type]
+    broadcast.flush()
+    assert sent == []
+    broadcast.remove(listener)  # type: ignore[arg-type]
+    assert not broadcast.has_listeners
+    broadcast.event("alarm", {})
+    assert sent == []

@@ -95,7 +95,7 @@ def test_a_slow_parameter_task_is_not_taken_for_a_dead_board() -> None:
 
 def test_a_fast_parameter_task_or_an_earlier_link_s_slow_one_changes_no_silence() -> None:
     session = Session()
-    for period_s in (0.02, 10.0):
+    for period_s in (0.02, 10.0, 0.02):
         session.open(0.0)
         session.on_frame(HEARTBEAT, 0.1)
         session.on_frame(CAPABILITIES, 0.2)

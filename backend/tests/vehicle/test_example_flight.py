@@ -8,7 +8,14 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from epf_gcs.vehicle.example_flight import RADIUS_M, SPEED_KT, TURN_RATE_RAD_S, moment
+from epf_gcs.vehicle.example_flight import (
+    CENTRE_LATITUDE_DEG,
+    CENTRE_LONGITUDE_DEG,
+    RADIUS_M,
+    SPEED_KT,
+    TURN_RATE_RAD_S,
+    moment,
+)
 
 TIMES = st.floats(0, 86400, allow_nan=False)
 M_PER_DEG = math.pi * 6371000.0 / 180.0
@@ -70,3 +77,36 @@ def test_the_next_waypoint_is_ahead_and_less_than_a_quarter_away(t_s: float) -> 
     assert distance_m <= RADIUS_M * math.sqrt(2) + 0.01
     assert 0 <= index < 4
     assert moment(t_s).to_waypoint(1)[2] == (index + 1) % 4
+
+
+@given(TIMES)
+def test_it_stays_on_its_circle_at_its_height_in_a_right_turn_with_its_nose_up(t_s: float) -> None:
+    now = moment(t_s)
+    north_m = (now.latitude_deg - CENTRE_LATITUDE_DEG) * M_PER_DEG
+    east_m = (now.longitude_deg - CENTRE_LONGITUDE_DEG) * M_PER_DEG * math.cos(math.radians(CENTRE_LATITUDE_DEG))
+    assert math.hypot(north_m, east_m) == pytest.approx(RADIUS_M, rel=1e-6)
+    assert 920.0 <= now.altitude_ft <= 1080.0
+    assert (now.altitude_m, now.roll_deg) == (pytest.approx(now.altitude_ft * 0.3048), 10.0)
+    p, q, r = now.rates_rad_s
+    assert q > 0.0
+    assert r > 0.0
+    assert math.copysign(1.0, p) == -math.copysign(1.0, now.pitch_deg)
+    ahead, side, _ = now.forces_m_s2
+    assert side == 0.0
+    assert ahead == pytest.approx(9.80665 * math.sin(math.radians(now.pitch_deg)))
+    assert now.pitot_pa == pytest.approx(0.5 * 1.225 * (SPEED_KT * 1852 / 3600) ** 2)
+
+
+def test_the_field_is_seen_from_the_aircraft_as_it_is_banked_and_pitched() -> None:
+    for t_s in (0.0, 10.0, 25.0, 40.0):
+        now = moment(t_s)
+        yaw, pitch, roll = (math.radians(angle) for angle in (now.heading_deg, now.pitch_deg, now.roll_deg))
+        x, y, z = now.field
+        y, z = y * math.cos(roll) - z * math.sin(roll), y * math.sin(roll) + z * math.cos(roll)
+        x, z = x * math.cos(pitch) + z * math.sin(pitch), z * math.cos(pitch) - x * math.sin(pitch)
+        north, east = x * math.cos(yaw) - y * math.sin(yaw), x * math.sin(yaw) + y * math.cos(yaw)
+        assert (north, east, z) == (
+            pytest.approx(math.cos(math.radians(38.0))),
+            pytest.approx(0.0, abs=1e-9),
+            pytest.approx(math.sin(math.radians(38.0))),
+        )

@@ -166,7 +166,8 @@ def test_a_hand_at_rest_trembles_and_one_that_creeps_moves(desk: Desk) -> None:
     for tremble in (0.02, -0.02, 0.01, 0.0):
         assert given_s(tremble) == pytest.approx(101.0)
     assert [round(given_s(elevator)) for elevator in (0.01, 0.02, 0.03, 0.04, 0.045)] == [101, 101, 108, 108, 108]
-    assert given_s(0.03, throttle=0.6) == pytest.approx(desk.clock.time_s), "the last axis counts as the first"
+    assert given_s(-0.1) == pytest.approx(desk.clock.time_s), "to either side"
+    assert given_s(-0.1, throttle=0.6) == pytest.approx(desk.clock.time_s), "the last axis counts as the first"
 
 
 def test_a_hand_that_has_just_got_control_moves_with_its_first_sample(desk: Desk) -> None:
