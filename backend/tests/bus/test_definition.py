@@ -81,3 +81,10 @@ def test_what_is_no_object_is_refused(body: bytes) -> None:
 def test_a_record_longer_than_any_is_refused_before_it_is_waited_for() -> None:
     with pytest.raises(BusError):
         Decoder().feed((MAX_BODY_BYTES + 1).to_bytes(4, "little") + b"\x02")
+
+
+def test_the_time_of_a_sample_is_told_to_the_microsecond() -> None:
+    (record,) = Decoder().feed(pack_sample("ahrs", 1.7e9 + 0.123456, {}))
+    sample = unpack_named(record.body)
+    assert sample.t_s == 1.7e9 + 0.123456
+    assert orjson.loads(sample.text)["t_s"] == pytest.approx(1.7e9 + 0.123456, abs=1e-6)

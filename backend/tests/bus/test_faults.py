@@ -11,17 +11,17 @@ from epf_gcs.errors import BoardError, ConflictError, GatewayError, InvalidInput
 
 @pytest.mark.parametrize("kind", [InvalidInputError, NotFoundError, ConflictError, LinkError, BoardError, GatewayError])
 def test_each_kind_of_error_comes_over_with_its_code_its_sentence_and_its_parts(kind: type[GatewayError]) -> None:
-    there = kind("some_code", "It is so.", client="c1", wait_s=2.5)
+    there = kind("control_refused", "It is so.", client="c1", wait_s=2.5)
     here = error_of(orjson.loads(orjson.dumps(fault_of(there))))
     assert type(here) is kind
-    assert (here.code, here.detail, here.params) == ("some_code", "It is so.", {"client": "c1", "wait_s": 2.5})
+    assert (here.code, here.detail, here.params) == ("control_refused", "It is so.", {"client": "c1", "wait_s": 2.5})
 
 
 def test_an_error_that_a_later_version_has_is_still_told() -> None:
     class NewerError(ConflictError):
         pass
 
-    assert fault_of(NewerError("newer", "It is so."))["kind"] == "internal"
+    assert fault_of(NewerError("control_held", "It is so."))["kind"] == "internal"
     here = error_of({"kind": "newer"})
     assert type(here) is GatewayError
     assert (here.code, here.params) == ("internal", {})

@@ -98,7 +98,12 @@ def test_whatever_is_told_sends_the_samples_that_were_gathered_before_it(loop: _
     broadcast.pace(_Listener(sent.append), 1)  # type: ignore[arg-type]
     broadcast.sample("gps", 1.0, {})
     broadcast.flush()
-    for tell in (lambda: broadcast.event("alarm", {}), lambda: broadcast.status({}), lambda: broadcast.playback({})):
+    tells: tuple[Callable[[], None], ...] = (
+        lambda: broadcast.event("alarm", {}),
+        lambda: broadcast.status({}),
+        lambda: broadcast.playback({}),
+    )
+    for tell in tells:
         sent.clear()
         broadcast.sample("gps", 2.0, {})
         broadcast.flush()
@@ -136,3 +141,31 @@ def test_without_listeners_nothing_is_kept_for_one_who_comes_later() -> None:
     assert not broadcast.has_listeners
     broadcast.event("alarm", {})
     assert sent == []
+
+
+def test_gathered_samples_leave_with_others_that_come_just_before_their_time(loop: _Loop) -> None:
+    broadcast = Broadcast(lambda: 5.0)
+    sent: list[bytes] = []
+    broadcast.pace(_Listener(sent.append), 1)  # type: ignore[arg-type]
+    for now_s, has_left in ((100.0, 1), (100.2, 1), (100.3, 2)):
+        loop.now_s = now_s
+        broadcast.sample("gps", now_s, {})
+        broadcast.flush()
+        assert len(sent) == has_left, "the beat is at 100.5"
+    assert kinds(sent) == [Kind.SAMPLE] * 3
+
+
+def test_another_pace_begins_with_the_next_sample(loop: _Loop) -> None:
+    broadcast = Broadcast(lambda: 5.0)
+    sent: list[bytes] = []
+    listener = _Listener(sent.append)
+    broadcast.pace(listener, 1)  # type: ignore[arg-type]
+    for _ in range(2):
+        broadcast.sample("gps", 1.0, {})
+        broadcast.flush()
+    assert (len(sent), len(loop.later)) == (1, 1)
+    broadcast.pace(listener, 2)  # type: ignore[arg-type]
+    assert len(sent) == 2, "what was gathered"
+    broadcast.sample("gps", 2.0, {})
+    broadcast.flush()
+    assert len(sent) == 3

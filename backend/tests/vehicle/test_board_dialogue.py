@@ -250,10 +250,10 @@ def test_an_extended_board_whose_uptime_began_again_has_begun_anew_and_one_that_
 ) -> None:
     for uptime_ms in (50_000, 55_000, 2_000):
         rig.board.on_bytes(ALL_IS_OFF + an_extended_board(uptime_ms))
-        assert rig.board.is_open, "at once"
+        assert rig.board.session.state == "extended", "at once"
         assert rig.board.capabilities()["uptime_ms"] == uptime_ms
         rig.later(3.1)
-        assert not rig.board.is_open
+        assert rig.board.session.state == "opening"
         rig.later(1.9)
         assert rig.board.capabilities() == {}
     assert rig.opened == 3

@@ -38,7 +38,8 @@ def test_a_wrong_waypoint_is_named(field: str, value: float) -> None:
 
 def test_the_way_to_the_board_and_back_is_no_difference() -> None:
     there = Waypoint(27.95151234567, -15.37411234567, 700.1, 55.3)
-    _, _, latitude, longitude, altitude, speed = item_arguments(1, 0, there)
+    plan, index, latitude, longitude, altitude, speed = item_arguments(1, 7, there)
+    assert (plan, index) == (1, 7)
     values = {
         "latitude_deg": latitude,
         "longitude_deg": longitude,

@@ -132,3 +132,11 @@ def test_an_answer_after_a_long_gap_is_to_the_newest_question_however_many_were_
     trip.answered(0.11)
     assert trip.answers == 3
     assert trip.newest_ms == pytest.approx(70.0)
+
+
+def test_an_answer_to_a_question_of_the_loop_before_is_no_time() -> None:
+    trip = RoundTrip()
+    trip.asked(1.0)
+    trip.clear()
+    trip.answered(1.1)
+    assert (trip.answers, trip.newest_ms) == (0, None)

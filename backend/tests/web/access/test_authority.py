@@ -48,6 +48,10 @@ class Desk:
     def holder(self) -> str | None:
         return None if self.rules.holder is None else self.rules.holder.client
 
+    @property
+    def kept_for(self) -> str | None:
+        return None if self.rules.kept_for is None else self.rules.kept_for.client
+
 
 def reasons(effects: list[Effect]) -> list[tuple[str | None, Reason]]:
     """Who has control after each change, and why."""
@@ -381,10 +385,10 @@ def test_before_a_restart_who_had_control_has_it_again_and_nobody_else_gets_it_m
     assert reasons(desk.rules.connect(FIRST, 2.0)) == [("first", "back")]
     assert desk.rules.restore(SECOND, 3.0) == []
     assert desk.holder == "first"
-    assert desk.rules.kept_for is None, "whoever has control is not waited for"
+    assert desk.kept_for is None, "whoever has control is not waited for"
     desk.rules.disconnect("first", 4.0)
     desk.rules.restore(SECOND, 5.0)
-    assert desk.rules.kept_for == FIRST, "nor is another than who lost it"
+    assert desk.kept_for == "first", "nor is another than who lost it"
 
 
 def test_what_is_kept_from_before_a_restart_is_kept_no_longer_than_any_other() -> None:
