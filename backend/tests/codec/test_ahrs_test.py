@@ -113,16 +113,22 @@ def test_every_byte_outside_records_is_counted_once() -> None:
     assert silent.skipped == 97, "the last three may be the beginning of a mark"
 
 
-def test_an_end_in_the_middle_of_a_record_leaves_nothing_for_the_next_stream() -> None:
-    test = _streaming()
-    test.feed(_record(1.0, 2.0, 3.0)[:10])
+def test_half_an_answer_from_before_the_end_is_no_part_of_the_next_one() -> None:
+    test = AhrsTest()
+    test.start(0.0)
+    test.tick(1.0)
+    test.feed(b"#SYNCH0")
     test.stop()
     assert test.deadline_s is None
     assert test.start(10.0) == b"#sim\r"
     assert test.deadline_s == pytest.approx(10.2)
     test.tick(10.2)
-    assert test.feed(_record(1.0, 2.0, 3.0)[10:] + MARK) == [], "it has not answered"
-    assert test.feed(b"#SYNCH00\n\r" + _record(4.0, 5.0, 6.0) + MARK) == [Attitude(4.0, 5.0, 6.0)]
-    assert test.deadline_s is None, "a stream needs no asking"
+    assert test.feed(b"0\n\r" + _record(1.0, 2.0, 3.0) + MARK) == [], "it has not answered"
+    assert test.state is AhrsTestState.SYNCHRONISING
+
+
+def test_a_stream_that_runs_is_not_asked_again() -> None:
+    test = _streaming()
+    assert test.deadline_s is None
     assert test.tick(99.0) == b""
-    assert test.skipped == 0
+    assert test.feed(_record(1.0, 2.0, 3.0) + MARK) == [Attitude(1.0, 2.0, 3.0)]
