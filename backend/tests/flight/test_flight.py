@@ -8,10 +8,12 @@ from typing import Any, cast
 
 import orjson
 import pytest
+import structlog
 
 from epf_gcs import __version__
 from epf_gcs.bus.channel import Channel
 from epf_gcs.bus.definition import Client, Decoder, Kind, unpack_named
+from epf_gcs.codec.encode import encode_telemetry
 from epf_gcs.flight.flight import Flight
 from epf_gcs.link.udp import UdpLink
 from epf_gcs.vehicle.restart import Restart
@@ -161,3 +163,53 @@ async def test_a_test_of_the_board_that_has_the_line_leaves_the_loop_at_rest(tmp
     flight.board.exclusive_user = flight.ahrs_test
     flight._on_ahrs_test()
     assert last_s(flight) == (None, None)
+
+
+async def test_gains_of_a_board_that_opened_anew_or_whose_line_has_gone_are_not_known_any_more(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    flight = Flight(tmp_path, record=False)
+
+    def known() -> bool:
+        return any(held.value is not None for held in flight.parameters.held.values())
+
+    def loaded() -> bool:
+        flight.board.on_bytes(encode_telemetry("autopilot_parameters", *([1] * 17)))
+        flight.telemetry.catch_up()
+        return known()
+
+    assert loaded()
+    flight._on_opened()
+    assert not known()
+    assert loaded()
+    flight._on_line()
+    assert not known(), "the board is not open"
+    assert loaded()
+    monkeypatch.setattr(type(flight.board), "is_open", property(lambda _: True))
+    flight._on_line()
+    assert known(), "only the simulator's line has changed"
+
+
+async def test_who_acknowledges_an_unconfirmed_gain_knows_of_it_and_of_another_alarm_does_not(tmp_path: Path) -> None:
+    flight = Flight(tmp_path, record=False)
+    station = Station(flight)
+    flight.parameters.unconfirmed = ("k_roll",)
+    flight._on_acknowledged("battery_low")
+    assert list(flight.parameters.unconfirmed) == ["k_roll"]
+    await a_moment()
+    assert station.names() == ["STATUS"]
+    flight._on_acknowledged("parameter_not_confirmed")
+    assert list(flight.parameters.unconfirmed) == []
+
+
+async def test_an_alarm_is_in_the_log_with_its_words(tmp_path: Path) -> None:
+    flight = Flight(tmp_path, record=False)
+    flight.parameters.unconfirmed = ("k_roll",)
+    with structlog.testing.capture_logs() as logged:
+        flight.alarms.look(1.0)
+        flight.alarms.acknowledge("parameter_not_confirmed")
+        flight.alarms.look(2.0)
+    assert [(line["event"], line["alarm"]) for line in logged] == [
+        (f"alarm {news}", "parameter_not_confirmed") for news in ("came", "acknowledged", "went")
+    ]
+    assert "k_roll" in logged[0]["text"]

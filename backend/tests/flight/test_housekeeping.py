@@ -99,6 +99,28 @@ async def test_the_status_is_sent_with_every_fifth_tick_and_at_once_when_an_alar
         await kept.for_ticks(3)
         assert kept.changes == kept.ticks // 5 + 2
     assert [(kind, data["active"]) for kind, data in kept.outlet.events] == [("alarm", True), ("alarm", False)]
+    assert abs(kept.outlet.events[0][1]["since_s"] - kept.flight.clock.now_s()) < 120
+
+
+async def test_the_board_the_stick_and_a_running_test_are_asked_at_each_tick_what_is_due(
+    kept: Kept, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    asked = {"board": 0, "stick": 0, "ahrs_test": 0}
+
+    def counts(name: str) -> None:
+        tick = getattr(kept.flight, name).tick
+
+        def count() -> None:
+            asked[name] += 1
+            tick()
+
+        monkeypatch.setattr(getattr(kept.flight, name), "tick", count)
+
+    for name in asked:
+        counts(name)
+    async with kept.running():
+        await kept.for_ticks(7)
+        assert asked == dict.fromkeys(asked, kept.ticks)
 
 
 async def test_the_rates_of_the_lines_are_measured(kept: Kept) -> None:

@@ -433,3 +433,17 @@ async def test_rubbish_is_a_wrong_baud_rate_only_on_a_serial_line(
     assert set(advised(station)) == {"no_heartbeat"}
     station.supervisor.want(parse_address("serial:///dev/ttyUSB0?baud=57600"), None)
     assert advised(station) == {"baud_wrong": {"baud": 57600}}
+
+
+async def test_a_full_line_is_advised_by_its_direction(tmp_path: Path) -> None:
+    station = Flight(tmp_path, record=False)
+    station.board.attach(Line())
+    for rate, percent, direction in ((station.rates.board_in, 91, "rx"), (station.rates.board_out, 95, "tx")):
+        rate.note(100.0, 0)
+        rate.note(101.0, percent * 115.2)  # type: ignore[arg-type]
+        assert advised(station) == {"line_full": {"percent": percent, "direction": direction}}
+        rate.note(102.1, percent * 115.2)  # type: ignore[arg-type]
+        rate.note(103.2, percent * 115.2)  # type: ignore[arg-type]
+    assert inspect(station)["link"]["capacity_bytes_per_s"] == 11520.0
+    station.board.detach()
+    assert inspect(station)["link"]["capacity_bytes_per_s"] is None, "no line, no capacity"

@@ -5,7 +5,6 @@ from __future__ import annotations
 import pytest
 
 from epf_gcs.clock import Clock
-from epf_gcs.codec.messages_gen import XPLANE_ROWS
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.vehicle.arrivals import Arrivals
 from epf_gcs.vehicle.frame_statistics import FrameStatistics
@@ -72,9 +71,3 @@ def test_what_is_in_no_definition_is_listed_by_its_number_after_what_is() -> Non
     assert [(one.damaged, one.arrivals.last_s) for one in copied[-2:]] == [(3, 2.0), (0, 1.0)]
     statistics.unknown[0x42].heard(9.0, None)
     assert copied[-2].arrivals.last_s == 2.0, "a copy does not change"
-
-
-def test_rows_are_named_as_the_simulator_of_their_generation_names_them() -> None:
-    for profile, definitions in XPLANE_ROWS.items():
-        names = {row["row"]: row["name"] for row in inspect_rows({}, profile, 1.0)}
-        assert names == {number: row.name for number, row in definitions.items()}
