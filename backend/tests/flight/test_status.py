@@ -2,24 +2,35 @@
 
 from __future__ import annotations
 
-import asyncio
 from pathlib import Path
 from typing import Any
 
 import pytest
 
+from epf_gcs.bus.definition import Client
 from epf_gcs.codec.encode import encode_telemetry
 from epf_gcs.flight.flight import Flight
 from epf_gcs.flight.hil.simulator import CHANNEL_BYTES_PER_S, SimulatorAddress
+from epf_gcs.flight.hil.stick import Stick
 from epf_gcs.link.address import parse_address
 from epf_gcs.link.failures import lost_error
-from epf_gcs.xplane.datagram import Record, build
-from tests.support.simulator import ROWS, WHOLE
+from epf_gcs.xplane.stick import FIELDS
+from tests.support.outlet import KeptOutlet
 
 pytestmark = pytest.mark.anyio
 
 ADDRESS = SimulatorAddress(49003, "192.0.2.5", 49000, "xp12")
 HEARTBEAT = encode_telemetry("heartbeat", *([1] * 10), 0, 0)
+
+
+class Standing:
+    """A clock that stands."""
+
+    def now_s(self) -> float:
+        return 1000.0
+
+    def steady_s(self) -> float:
+        return 1000.0
 
 
 class Sink:
@@ -142,15 +153,15 @@ async def test_without_a_simulator_there_is_neither_an_address_nor_advice(tmp_pa
 
 
 @pytest.mark.parametrize(
-    ("state", "has_failed", "datagram", "words"),
+    ("state", "has_failed", "missing", "words"),
     [
-        ("opening", False, None, "UDP port 49003"),
-        ("lost", False, WHOLE, "UDP port 49003"),
-        ("opening", True, None, None),
-        ("lost", True, None, None),
-        ("closed", False, None, None),
-        ("open", False, WHOLE, None),
-        ("open", False, build([Record(3, ROWS[3])]), "Rows 4, 8, 16, 17, 20, 25 are missing"),
+        ("opening", False, [3, 4], "UDP port 49003"),
+        ("lost", False, [], "UDP port 49003"),
+        ("opening", True, [3, 4], None),
+        ("lost", True, [3, 4], None),
+        ("closed", False, [3, 4], None),
+        ("open", False, [], None),
+        ("open", False, [3, 4], "Rows 3, 4 are missing"),
     ],
 )
 async def test_the_advice_for_a_simulator_is_what_the_operator_can_do_about_it(
@@ -158,20 +169,18 @@ async def test_the_advice_for_a_simulator_is_what_the_operator_can_do_about_it(
     monkeypatch: pytest.MonkeyPatch,
     state: str,
     has_failed: bool,
-    datagram: bytes | None,
+    missing: list[int],
     words: str | None,
 ) -> None:
     flight = Flight(tmp_path, record=False)
     flight.simulator.want(ADDRESS)
     failure = lost_error("UDP port 49003", "taken") if has_failed else None
     put(monkeypatch, flight.simulator, state=state, failure=failure)
-    if datagram is not None:
-        assert flight.hil.on_datagram(datagram)
-        await asyncio.sleep(0)
+    put(monkeypatch, flight.hil, missing_rows=missing)
     shown = simulator(flight)
     assert (shown["advice"] is None) == (words is None)
     assert words is None or words in shown["advice"]
-    assert shown["missing_rows"] == ([4, 8, 16, 17, 20, 25] if words is not None and "Rows" in words else [])
+    assert shown["missing_rows"] == (missing if state == "open" else [])
 
 
 async def test_the_recording_is_shown_as_it_is_and_without_a_recorder_as_none(tmp_path: Path) -> None:
@@ -219,3 +228,38 @@ async def test_errors_and_topics_are_counted_in_the_status(tmp_path: Path) -> No
     assert status["topics"]["ahrs"]["count"] == 1
     assert status["topics"]["ahrs"]["implausible"] == {"roll_deg": 1}
     assert abs(status["server_time_s"] - flight.clock.now_s()) < 60
+
+
+async def test_the_stick_is_shown_with_whose_gamepad_it_is_and_what_came_of_it(tmp_path: Path) -> None:
+    flight = Flight(tmp_path, record=False)
+    nobody: dict[str, Any] = {
+        "source": "simulator",
+        "state": None,
+        "client": None,
+        "name": None,
+        "gamepad": None,
+        "samples": {},
+    }
+    assert flight.status()["hil"] == {"source": None, "path": "manual", "stick": nobody}
+    flight.hil.stick = stick = Stick(KeptOutlet(), Standing(), lambda: None)
+    ana = Client("c1", "Ana")
+    stick.control_changed(ana)
+    stick.take("c1", dict.fromkeys(FIELDS, 0.0))
+    stick.take("c2", dict.fromkeys(FIELDS, 0.0))
+    await stick.choose_gamepad("c1", "Pad")
+    # Her page was lost, and gets the controls back on return.
+    stick.control_changed(None, ana)
+    flight.hil.path = "assisted"
+    flight.telemetry.take("heartbeat", 1.0, {"source_joystick": True})
+    assert flight.status()["hil"] == {
+        "source": "joystick",
+        "path": "assisted",
+        "stick": {
+            "source": "gamepad",
+            "state": "lost",
+            "client": "c1",
+            "name": "Ana",
+            "gamepad": "Pad",
+            "samples": {"taken": 1, "not_operator": 1},
+        },
+    }

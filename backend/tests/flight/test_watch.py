@@ -420,9 +420,12 @@ async def test_ground_and_fence_come_before_everything_else_that_is_wrong(tmp_pa
     assert [found.id for found in at.findings(1013.0)] == ["no_heartbeat"], "whoever said it has gone"
 
 
-async def test_a_position_is_not_missed_any_more_once_no_board_is_wanted(tmp_path: Path) -> None:
+async def test_a_position_is_not_missed_any_more_once_no_board_is_wanted(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     at = At(tmp_path)
     station = at.station
+    monkeypatch.setattr(station.telemetry, "is_live", lambda _: True)
     address = parse_address(f"pty://{tmp_path}/board")
 
     def looks(*frames: bytes) -> set[str]:

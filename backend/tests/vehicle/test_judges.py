@@ -222,6 +222,7 @@ LINE = Line("/dev/ttyUSB0", 100.0, False, True, 0.1, 0.3, None)
         (replace(LINE, was_heard=False, heartbeat_age_s=None), 1.0, "no_heartbeat"),
         (replace(LINE, was_heard=False, heartbeat_age_s=None, wanted_for_s=4.0), 1.0, None),
         (replace(LINE, was_heard=False, heartbeat_age_s=None, wanted_for_s=4.0, failure="Not yet."), 1.0, None),
+        (replace(LINE, was_heard=False, heartbeat_age_s=None, wanted_for_s=5.1), 1.0, "no_heartbeat"),
         (replace(LINE, heartbeat_age_s=1.1, stale_after_s=None), 1.0, "heartbeat_lost"),
         (replace(LINE, heartbeat_age_s=0.9, stale_after_s=None), 1.0, None),
     ],
