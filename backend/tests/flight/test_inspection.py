@@ -347,7 +347,7 @@ async def test_what_was_copied_stays_as_it_was_while_more_comes(tmp_path: Path) 
     station.board.on_bytes(ahrs)
     station.hil.on_datagram(row)
     await asyncio.sleep(0)
-    then, now = build_inspector(snapshot), inspect(station)
+    now, then = inspect(station), build_inspector(snapshot)
     for found, count in ((then, 1), (now, 2)):
         assert {frame["count"] for frame in found["board"] if frame["name"] == "ahrs"} == {count}
         assert {one["count"] for one in found["rows"] if one["row"] == 99} == {count}
