@@ -69,6 +69,7 @@ MODULES: Final[dict[str, tuple[str, ...]]] = {
     "flight/board/rearming.py": ("tests/flight/board/test_board_link.py",),
     "flight/clock_watch.py": ("tests/flight/test_clock_watch.py",),
     "flight/flight.py": (
+        "tests/flight/test_flight.py",
         "tests/web/state/test_routes.py",
         "tests/web/links/test_routes.py",
         "tests/web/parameters/test_routes.py",
@@ -83,6 +84,7 @@ MODULES: Final[dict[str, tuple[str, ...]]] = {
     "flight/hil/simulator.py": ("tests/flight/hil",),
     "flight/hil/stick.py": ("tests/web/test_stick.py", "tests/flight/hil"),
     "flight/housekeeping.py": (
+        "tests/flight/test_housekeeping.py",
         "tests/web/state/test_routes.py",
         "tests/web/recordings/test_routes.py",
         "tests/flight/test_flight_log.py",
@@ -112,6 +114,7 @@ MODULES: Final[dict[str, tuple[str, ...]]] = {
     "flight/requests/recording.py": ("tests/flight/recording/test_flight_notes.py",),
     "flight/requests/state.py": ("tests/web/state/test_routes.py", "tests/web/alarms/test_routes.py"),
     "flight/status.py": (
+        "tests/flight/test_status.py",
         "tests/web/state/test_routes.py",
         "tests/web/links/test_routes.py",
         "tests/web/test_emulation.py",

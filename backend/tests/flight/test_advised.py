@@ -44,6 +44,31 @@ def test_advice_is_told_when_it_begins_and_not_while_it_lasts() -> None:
     ]
 
 
+@pytest.mark.parametrize(
+    ("code", "about", "first", "second"),
+    [
+        ("row_missing", "row", 3, 17),
+        ("line_full", "direction", "rx", "tx"),
+        ("stream_slow", "topic", "ahrs", "gps"),
+    ],
+)
+def test_advice_about_something_else_is_told_beside_what_lasts(
+    code: str, about: str, first: object, second: object
+) -> None:
+    looks = watch()
+    one, other = piece(code, **{about: first}), piece(code, **{about: second})
+    assert looks.new_of([one]) == [one]
+    assert looks.new_of([one, other]) == [other]
+    assert looks.new_of([other, one]) == []
+
+
+def test_advice_whose_numbers_change_is_no_news_and_other_advice_is() -> None:
+    looks = watch()
+    looks.new_of([piece("frames_damaged", percent=2.0)])
+    assert looks.new_of([piece("frames_damaged", percent=3.0)]) == []
+    assert codes(looks.new_of([piece("round_trip_long", ms=130)])) == ["round_trip_long"]
+
+
 def test_advice_that_comes_and_goes_is_told_again_after_a_minute_without_it() -> None:
     looks = watch()
     row = piece("row_missing", row=3)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import socket
 from collections.abc import AsyncIterator, Iterator
 from dataclasses import replace
@@ -26,6 +27,16 @@ pytestmark = pytest.mark.anyio
 
 NO = -999.0
 ROWS = dict.fromkeys((3, 4, 6, 8, 11, 16, 17, 18, 20, 25), (0.0, 0.0, 0.0, 0.0, NO, 100.0, NO, NO))
+
+
+class Line:
+    """A line that takes everything."""
+
+    baud = 115200
+    backlog = 0
+
+    def write(self, data: bytes) -> bool:
+        return bool(data)
 
 
 class Simulator:
@@ -324,3 +335,115 @@ async def test_examples_leave_no_trace_in_the_statistics_of_a_board(station: Fli
     await eventually_async(lambda: station.supervisor.state == "open", "the board is back")
     assert (frames(station)["gps"]["count"], frames(station)["gps"]["values"]) == (0, None)
     assert (rows(station)[20]["count"], rows(station)[20]["values"]) == (0, None)
+
+
+async def test_what_was_copied_stays_as_it_was_while_more_comes(tmp_path: Path) -> None:
+    station = Flight(tmp_path, record=False)
+    ahrs, row = encode_telemetry("ahrs", 10.0, 5.0, -3.0), build([Record(99, (7.5,) * 8)])
+    station.board.on_bytes(ahrs)
+    station.hil.on_datagram(row)
+    await asyncio.sleep(0)
+    snapshot = take_snapshot(sources(station))
+    station.board.on_bytes(ahrs)
+    station.hil.on_datagram(row)
+    await asyncio.sleep(0)
+    now, then = inspect(station), build_inspector(snapshot)
+    for found, count in ((then, 1), (now, 2)):
+        assert {frame["count"] for frame in found["board"] if frame["name"] == "ahrs"} == {count}
+        assert {one["count"] for one in found["rows"] if one["row"] == 99} == {count}
+
+
+async def test_damaged_frames_are_advised_beyond_the_limit_that_was_chosen(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    station = Flight(tmp_path, record=False)
+    monkeypatch.setattr(type(station.watch), "damaged_percent", property(lambda _: 2.0))
+    assert advised(station) == {"frames_damaged": {"percent": 2.0}}
+    station.alarms.choose({"frames_damaged_percent": 2.5})
+    assert advised(station) == {}
+
+
+@pytest.mark.parametrize(
+    ("state", "found"),
+    [("opening", ["simulator_silent"]), ("lost", ["simulator_silent"]), ("open", ["row_missing"] * 8), ("closed", [])],
+)
+async def test_a_simulator_is_silent_until_it_sends_and_only_then_are_rows_missing(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, state: str, found: list[str]
+) -> None:
+    station = Flight(tmp_path, record=False)
+    station.simulator.want(SimulatorAddress(49003, "127.0.0.1", 49000, "xp10"))
+    monkeypatch.setattr(type(station.simulator), "state", property(lambda _: state))
+    assert [one["code"] for one in inspect(station)["advice"]] == found
+
+
+async def test_a_board_is_silent_after_three_seconds_or_three_of_its_own_slower_periods(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    station = Flight(tmp_path, record=False)
+    station.supervisor.want(parse_address(f"pty://{tmp_path}/board"), None)
+    silent = {"no_heartbeat": {"target": f"{tmp_path}/board"}}
+    assert advised(station) == silent
+    ages_s: list[float | None] = []
+    monkeypatch.setattr(type(station.board), "link", property(lambda _: Line()))
+    monkeypatch.setattr(station.board, "heartbeat_age_s", lambda: ages_s[-1])
+    stale_s: list[float | None] = [None]
+    monkeypatch.setattr(station.telemetry, "stale_after_s", lambda _: stale_s[-1])
+    for age_s, after_s, is_silent in (
+        (None, None, True),
+        (0.1, None, False),
+        (2.9, 0.3, False),
+        (3.1, 0.3, True),
+        (5.9, 6.0, False),
+        (6.1, 6.0, True),
+    ):
+        ages_s.append(age_s)
+        stale_s.append(after_s)
+        assert advised(station) == (silent if is_silent else {})
+    ages_s.append(0.1)
+    monkeypatch.setattr(type(station.board), "link", property(lambda _: None))
+    assert advised(station) == silent, "what was heard over a line that is gone says nothing"
+
+
+async def test_a_stream_is_expected_as_the_heartbeat_says_and_a_plan_as_it_was_asked_for(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    station = Flight(tmp_path, record=False)
+    assert take_snapshot(sources(station)).expected_hz == {}, "no board is open"
+    monkeypatch.setattr(type(station.board), "is_open", property(lambda _: True))
+    assert take_snapshot(sources(station)).expected_hz == {"heartbeat": 10.0}
+    station.telemetry.take("heartbeat", 1.0, {"ahrs": True, "gps": False, "servos": True, "fly_by_wire": None})
+    wanted = Wanted().after("gps_on", ()).after("fms_plan_on", ()).after("set_servos_task_rate", (40,))
+    station.memory.update(wanted=wanted)
+    assert take_snapshot(sources(station)).expected_hz == {
+        "heartbeat": 10.0,
+        "ahrs": 10.0,
+        "servos_in": 25.0,
+        "fms_plan": 10.0,
+    }
+
+
+async def test_rubbish_is_a_wrong_baud_rate_only_on_a_serial_line(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    station = Flight(tmp_path, record=False)
+    station.board.baud = 57600
+    monkeypatch.setattr(type(station.board), "hears_only_rubbish", property(lambda _: True))
+    assert advised(station) == {}
+    station.supervisor.want(parse_address("tcp://192.0.2.1:4000"), None)
+    assert set(advised(station)) == {"no_heartbeat"}
+    station.supervisor.want(parse_address("serial:///dev/ttyUSB0?baud=57600"), None)
+    assert advised(station) == {"baud_wrong": {"baud": 57600}}
+
+
+async def test_a_full_line_is_advised_by_its_direction(tmp_path: Path) -> None:
+    station = Flight(tmp_path, record=False)
+    station.board.attach(Line())
+    for rate, percent, direction in ((station.rates.board_in, 91, "rx"), (station.rates.board_out, 95, "tx")):
+        rate.note(100.0, 0)
+        rate.note(101.0, percent * 115.2)  # type: ignore[arg-type]
+        assert advised(station) == {"line_full": {"percent": percent, "direction": direction}}
+        rate.note(102.1, percent * 115.2)  # type: ignore[arg-type]
+        rate.note(103.2, percent * 115.2)  # type: ignore[arg-type]
+    assert inspect(station)["link"]["capacity_bytes_per_s"] == 11520.0
+    station.board.detach()
+    assert inspect(station)["link"]["capacity_bytes_per_s"] is None, "no line, no capacity"

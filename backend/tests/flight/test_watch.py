@@ -14,6 +14,7 @@ from epf_gcs.flight.hil.simulator import SimulatorAddress
 from epf_gcs.flight.watch import Watch
 from epf_gcs.link.address import parse_address
 from epf_gcs.link.failures import lost_error
+from epf_gcs.vehicle.judges import Finding
 from epf_gcs.vehicle.outside import Values
 from epf_gcs.xplane.datagram import Record, build
 from tests.support.fake_board import FakeBoard
@@ -273,7 +274,7 @@ class At:
     def __init__(self, folder: Path) -> None:
         self.now_s = 1000.0
         self.station = station = Flight(folder / "data", record=False)
-        self._watch = Watch(
+        self.watch = Watch(
             supervisor=station.supervisor,
             board=station.board,
             telemetry=station.telemetry,
@@ -285,9 +286,12 @@ class At:
             wants=lambda _: False,
         )
 
-    def found(self, now_s: float) -> dict[str, str]:
+    def findings(self, now_s: float) -> list[Finding]:
         self.now_s = now_s
-        return {finding.id: finding.text for finding in self._watch(self.station.alarms.thresholds)}
+        return self.watch(self.station.alarms.thresholds)
+
+    def found(self, now_s: float) -> dict[str, str]:
+        return {finding.id: finding.text for finding in self.findings(now_s)}
 
 
 async def test_a_board_has_five_seconds_to_speak_from_when_it_was_wanted_or_the_line_was_free_again(
@@ -348,3 +352,93 @@ async def test_a_board_flies_when_it_says_so_or_moves_the_surfaces_and_not_when_
         assert not station._flies()
     station.telemetry.take("heartbeat", 1.0, {"autopilot": False, "autopilot_hil": True})
     assert station._flies()
+
+
+def saying(value: object) -> property:
+    return property(lambda _: value)
+
+
+async def test_a_loop_whose_board_or_simulator_was_closed_is_not_lost(tmp_path: Path) -> None:
+    at = At(tmp_path)
+    station = at.station
+    station.hil.last_to_board_s = station.hil.last_surfaces_s = 1000.0
+    assert at.found(1001.0) == {}, "neither is wanted"
+    station.simulator.want(SimulatorAddress(1, "127.0.0.1", 2, "xp10"))
+    assert at.found(1001.0) == {}, "a simulator alone is no loop"
+    station.supervisor.want(parse_address(f"pty://{tmp_path}/board"), None)
+    assert set(at.found(1001.0)) == {"hil_lost"}
+    await station.simulator.close()
+    assert at.found(1001.0) == {}, "a board alone is no loop"
+
+
+async def test_an_open_loop_is_blamed_on_the_part_that_fails(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    at = At(tmp_path)
+    station = at.station
+    station.simulator.want(SimulatorAddress(1, "127.0.0.1", 2, "xp10"))
+    station.supervisor.want(parse_address(f"pty://{tmp_path}/board"), None)
+    station.hil.last_to_board_s = station.hil.last_surfaces_s = 1000.0
+    monkeypatch.setattr(type(station.hil), "missing_rows", saying([17, 20]))
+    assert "Check the board's link" in at.found(1001.0)["hil_lost"]
+    monkeypatch.setattr(type(station.board), "is_open", saying(value=True))
+    assert "the simulator sends nothing" in at.found(1001.0)["hil_lost"]
+    monkeypatch.setattr(type(station.simulator), "state", saying("open"))
+    assert "rows [17, 20] are missing" in at.found(1001.0)["hil_lost"]
+
+
+async def test_strangers_at_the_simulators_port_are_a_warning_that_names_the_last_of_them(tmp_path: Path) -> None:
+    at = At(tmp_path)
+    at.station.simulator.dropped["malformed"] = 100
+    assert at.found(1001.0) == {}
+    at.station.simulator.dropped["stranger"] = 30
+    at.station.simulator.last_stranger = "192.0.2.7:5000"
+    (found,) = at.findings(1002.0)
+    assert (found.id, found.params) == ("foreign_datagrams", {"per_s": 3, "host": "192.0.2.7:5000"})
+
+
+@pytest.mark.parametrize(("source_joystick", "level"), [(None, "critical"), (True, "critical"), (False, "warning")])
+async def test_a_silent_gamepad_is_critical_unless_the_rc_is_known_to_fly(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, source_joystick: object, level: str
+) -> None:
+    at = At(tmp_path)
+    stick = at.station.stick
+    at.station.telemetry.take("heartbeat", 1.0, {"source_joystick": source_joystick})
+    monkeypatch.setattr(type(stick), "state", saying("lost"))
+    assert at.found(1001.0) == {}
+    stick.gamepad = "Pad"
+    (found,) = at.findings(1001.0)
+    assert (found.id, found.level, found.params) == ("stick_lost", level, {"gamepad": "Pad"})
+
+
+async def test_ground_and_fence_come_before_everything_else_that_is_wrong(tmp_path: Path) -> None:
+    at = At(tmp_path)
+    at.station.supervisor.want(parse_address(f"pty://{tmp_path}/board"), None)
+    at.found(1000.0)
+    at.watch.surroundings.take(
+        [{"id": "terrain_ahead", "aircraft": "flight", "what": "terrain", "in_s": 20.0}], at.now_s + 10.0
+    )
+    assert [found.id for found in at.findings(1010.0)] == ["terrain_ahead", "no_heartbeat"]
+    assert [found.id for found in at.findings(1013.0)] == ["no_heartbeat"], "whoever said it has gone"
+
+
+async def test_a_position_is_not_missed_any_more_once_no_board_is_wanted(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    at = At(tmp_path)
+    station = at.station
+    monkeypatch.setattr(station.telemetry, "is_live", lambda _: True)
+    address = parse_address(f"pty://{tmp_path}/board")
+
+    def looks(*frames: bytes) -> set[str]:
+        station.board.on_bytes(encode_telemetry("heartbeat", *([1] * 12)) + b"".join(frames))
+        return set(at.found(at.now_s + 2.0)) & {"gps_lost"}
+
+    station.supervisor.want(address, None)
+    looks(gps("3", "A"))
+    looks(gps("3", "V"))
+    assert looks(gps("3", "V")) == {"gps_lost"}
+    assert {one.level for one in at.findings(at.now_s) if one.id == "gps_lost"} == {"critical"}
+    await station.supervisor.close()
+    assert looks(gps("3", "V")) == set()
+    station.supervisor.want(address, None)
+    looks(gps("3", "V"))
+    assert {one.level for one in at.findings(at.now_s + 2.0) if one.id == "gps_lost"} == {"warning"}

@@ -159,3 +159,36 @@ def test_many_slow_streams_are_one_hint_for_they_have_one_cause() -> None:
     assert (many.code, many.level) == ("streams_slow", "info")
     assert many.params == {"number": 3, "list": "ahrs 3.5/10.0 Hz, gps 3.5/10.0 Hz, servos_in 3.5/10.0 Hz"}
     assert many.text == f"3 streams come slower than asked for: {many.params['list']}."
+
+
+def test_of_many_things_that_are_wrong_at_once_each_is_said_the_lines_first() -> None:
+    found = advice(
+        Observed(
+            silent_target="/dev/ttyUSB0",
+            rx_percent=95.6,
+            tx_percent=96.7,
+            servos_percent=42.6,
+            damaged_percent=2.0,
+            streams=(Stream("ahrs", 1.0, 10.0), Stream("gps", 10.0, 10.0)),
+            silent_port=49003,
+            strangers=3,
+            round_trip_p99_ms=130.6,
+        )
+    )
+    assert [(one.code, one.params) for one in found] == [
+        ("no_heartbeat", {"target": "/dev/ttyUSB0"}),
+        ("line_full", {"percent": 96, "direction": "rx"}),
+        ("line_full", {"percent": 97, "direction": "tx"}),
+        ("frames_damaged", {"percent": 2.0}),
+        ("simulator_silent", {"port": 49003}),
+        ("round_trip_long", {"ms": 131}),
+        ("servo_rate_high", {"ms": 20, "percent": 43}),
+        ("foreign_datagrams", {"count": 3}),
+        ("stream_slow", {"topic": "ahrs", "rate_hz": 1.0, "expected_hz": 10.0}),
+    ]
+
+
+def test_every_missing_row_is_named_and_those_that_can_be_replaced_last() -> None:
+    missing = (MissingRow(17, "attitude"), MissingRow(18, "alpha_beta_paths"), MissingRow(20, "position"))
+    found = advice(replace(GOOD, missing_rows=missing))
+    assert [(one.level, one.params["row"]) for one in found] == [("warning", 17), ("warning", 20), ("info", 18)]

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from typing import Any
 
 import pytest
 
-from epf_gcs.errors import InvalidInputError, NotFoundError
+from epf_gcs.errors import GatewayError, InvalidInputError, NotFoundError
 from epf_gcs.vehicle.alarm_ids import AlarmId
 from epf_gcs.vehicle.alarms import Alarm, Alarms
 from epf_gcs.vehicle.judges import Finding, Level
@@ -15,6 +16,8 @@ from epf_gcs.vehicle.thresholds import THRESHOLDS
 from tests.support.outlet import KeptOutlet
 
 pytestmark = pytest.mark.anyio
+
+BATTERY = {"field": "battery_low_v", "minimum": 0.0, "maximum": 60.0}
 
 
 class Told(KeptOutlet):
@@ -72,7 +75,10 @@ async def test_an_alarm_that_recovered_stays_listed_until_somebody_has_seen_it()
     world.alarms.look(2.0)
     (recovered,) = world.alarms.active
     assert (recovered.since_s, recovered.until_s, recovered.acknowledged) == (1.0, 2.0, False)
+    seen: list[str] = []
+    world.alarms.on_acknowledged = seen.append
     known = world.alarms.acknowledge("battery_low")
+    assert seen == ["battery_low"]
     assert (known.until_s, known.acknowledged) == (2.0, True)
     assert world.alarms.active == []
     assert world.alarms.past == [known]
@@ -91,6 +97,9 @@ async def test_an_alarm_that_was_acknowledged_before_it_went_is_not_listed_any_m
     world.goes_wrong()
     world.alarms.look(2.0)
     assert world.alarms.active == []
+    (past,) = world.alarms.past
+    assert world.kept == [past]
+    assert (past.until_s, past.acknowledged) == (2.0, True)
 
 
 async def test_an_alarm_that_comes_again_stands_for_the_one_that_recovered() -> None:
@@ -170,7 +179,9 @@ async def test_an_alarm_that_becomes_worse_is_new_to_whoever_knew_the_milder_one
     world.alarms.acknowledge("gps_lost")
     world.goes_wrong("gps_lost", level="critical")
     assert world.alarms.look(2.0)
-    assert [alarm.acknowledged for alarm in world.alarms.active] == [False]
+    assert [(alarm.since_s, alarm.acknowledged) for alarm in world.alarms.active] == [(1.0, False)]
+    assert world.outlet.events[-1] == ("gps_lost", True, False)
+    assert len(world.outlet.events) == 3
     world.alarms.acknowledge("gps_lost")
     world.goes_wrong("gps_lost", level="warning")
     assert not world.alarms.look(3.0)
@@ -182,6 +193,7 @@ async def test_what_is_not_active_cannot_be_acknowledged(name: str) -> None:
     with pytest.raises(NotFoundError) as refused:
         World().alarms.acknowledge(name)
     assert refused.value.code == "alarm_not_active"
+    assert refused.value.params == {"alarm": name}
 
 
 async def test_only_the_newest_two_hundred_are_kept() -> None:
@@ -189,7 +201,12 @@ async def test_only_the_newest_two_hundred_are_kept() -> None:
     for t_s in range(500):
         world.goes_wrong(*(("battery_low",) if t_s % 2 == 0 else ()))
         world.alarms.look(float(t_s))
+        if t_s == 250:
+            world.alarms.acknowledge("battery_low")
+        if t_s == 451:
+            assert world.alarms.acknowledge("battery_low").until_s == 451.0
     assert [alarm.since_s for alarm in world.alarms.past] == [float(t_s) for t_s in range(498, 98, -2)]
+    assert [alarm.since_s for alarm in world.alarms.past if alarm.acknowledged] == [450.0, 250.0]
 
 
 async def test_chosen_limits_are_used_and_kept() -> None:
@@ -204,17 +221,49 @@ async def test_chosen_limits_are_used_and_kept() -> None:
 
 
 @pytest.mark.parametrize(
-    ("wrong", "kind", "code"),
+    ("wrong", "kind", "code", "params"),
     [
-        ({"battery_low_v": 61.0}, InvalidInputError, "threshold_out_of_range"),
-        ({"battery_low_v": float("nan")}, InvalidInputError, "threshold_out_of_range"),
-        ({"battery_high_v": 1.0}, NotFoundError, "threshold_unknown"),
+        ({"battery_low_v": 61.0}, InvalidInputError, "threshold_out_of_range", BATTERY | {"value": 61.0}),
+        ({"battery_low_v": math.inf}, InvalidInputError, "threshold_out_of_range", BATTERY | {"value": math.inf}),
+        ({"battery_high_v": 1.0}, NotFoundError, "threshold_unknown", {"field": "battery_high_v"}),
     ],
 )
-async def test_one_wrong_limit_and_none_is_changed(wrong: dict[str, float], kind: type[Exception], code: str) -> None:
+async def test_one_wrong_limit_and_none_is_changed(
+    wrong: dict[str, float], kind: type[GatewayError], code: str, params: dict[str, object]
+) -> None:
     world = World()
     with pytest.raises(kind) as refused:
         world.alarms.choose({"cpu_high_percent": 80, **wrong})
-    assert getattr(refused.value, "code", None) == code
+    assert (refused.value.code, refused.value.params) == (code, params)
     assert world.alarms.thresholds == {threshold.name: threshold.default for threshold in THRESHOLDS}
     assert world.chosen == []
+
+
+async def test_what_recovered_is_listed_by_its_beginning_among_what_is_wrong() -> None:
+    world = World()
+    for t_s, names in ((1.0, ["cpu_high"]), (2.0, ["gps_lost"]), (3.0, ["gps_lost", "hil_lost"])):
+        world.goes_wrong(*names)  # type: ignore[arg-type]
+        world.alarms.look(t_s)
+    assert [alarm.finding.id for alarm in world.alarms.active] == ["cpu_high", "gps_lost", "hil_lost"]
+
+
+async def test_alarms_go_on_from_a_kept_list_and_what_is_known_is_not_told_again() -> None:
+    before, after = World(), World()
+    for world in (before, after):
+        world.wrong = [Finding("cpu_high", "warning", "91 %.", {"percent": 91}), Finding("gps_lost", "critical", "No.")]
+    before.alarms.look(1.0)
+    before.alarms.acknowledge("cpu_high")
+    for world in (before, after):
+        world.wrong = world.wrong[:1]
+    before.alarms.look(2.0)
+    after.goes_wrong("hil_lost")
+    after.alarms.look(2.0)
+    after.wrong = before.wrong
+    after.outlet.events.clear()
+    after.alarms.restore(alarm.as_dict() for alarm in before.alarms.active)
+    assert after.alarms.active == before.alarms.active
+    assert not after.alarms.look(3.0)
+    assert after.alarms.active == before.alarms.active
+    assert after.outlet.events == []
+    assert after.alarms.acknowledge("gps_lost").until_s == 2.0
+    assert [alarm.finding.id for alarm in after.alarms.active] == ["cpu_high"]

@@ -4,8 +4,13 @@ from __future__ import annotations
 
 import pytest
 
+from epf_gcs.clock import Clock
+from epf_gcs.error_log import ErrorLog
 from epf_gcs.vehicle.arrivals import Arrivals
-from epf_gcs.vehicle.inspection import CountedFrame, inspect_frames, inspect_rows, share_percent
+from epf_gcs.vehicle.frame_statistics import FrameStatistics
+from epf_gcs.vehicle.inspection import CountedFrame, copy_frames, inspect_frames, inspect_rows, share_percent
+from epf_gcs.vehicle.vehicle import Vehicle
+from tests.support.outlet import KeptOutlet
 
 
 def heard(*times_s: float) -> Arrivals:
@@ -54,3 +59,15 @@ def test_a_share_of_a_line_has_one_decimal_and_needs_its_capacity(
     bytes_per_s: float, capacity: float | None, percent: float | None
 ) -> None:
     assert share_percent(bytes_per_s, capacity) == percent
+
+
+def test_what_is_in_no_definition_is_listed_by_its_number_after_what_is() -> None:
+    statistics = FrameStatistics()
+    statistics.unknown = {0x77: heard(1.0), 0x42: heard(2.0)}
+    statistics.unknown_damaged.update({0x42: 3})
+    telemetry = Vehicle(Clock(), KeptOutlet(), ErrorLog(), lambda _: 0.1).telemetry
+    copied = copy_frames(statistics, telemetry)
+    assert [one.name for one in copied[-2:]] == ["unknown_0x42", "unknown_0x77"]
+    assert [(one.damaged, one.arrivals.last_s) for one in copied[-2:]] == [(3, 2.0), (0, 1.0)]
+    statistics.unknown[0x42].heard(9.0, None)
+    assert copied[-2].arrivals.last_s == 2.0, "a copy does not change"

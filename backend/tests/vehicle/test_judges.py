@@ -23,6 +23,7 @@ from epf_gcs.vehicle.judges import (
     judge_hil,
     judge_parameters,
     judge_recording,
+    judge_stick,
 )
 
 VALID = {"fix": 3, "valid": True}
@@ -220,11 +221,24 @@ LINE = Line("/dev/ttyUSB0", 100.0, False, True, 0.1, 0.3, None)
         (replace(LINE, failure="Gone.", was_heard=False, is_lost=True), 1.0, "heartbeat_lost"),
         (replace(LINE, was_heard=False, heartbeat_age_s=None), 1.0, "no_heartbeat"),
         (replace(LINE, was_heard=False, heartbeat_age_s=None, wanted_for_s=4.0), 1.0, None),
+        (replace(LINE, was_heard=False, heartbeat_age_s=None, wanted_for_s=4.0, failure="Not yet."), 1.0, None),
+        (replace(LINE, was_heard=False, heartbeat_age_s=None, wanted_for_s=5.1), 1.0, "no_heartbeat"),
+        (replace(LINE, heartbeat_age_s=1.1, stale_after_s=None), 1.0, "heartbeat_lost"),
+        (replace(LINE, heartbeat_age_s=0.9, stale_after_s=None), 1.0, None),
     ],
 )
 def test_the_heartbeat(line: Line | None, limit_s: float, found: str | None) -> None:
     finding = judge_heartbeat(line, limit_s)
     assert (None if finding is None else finding.id) == found
+    if finding is not None:
+        assert finding.level == ("critical" if found == "heartbeat_lost" else "warning")
+        assert finding.params == {"target": "/dev/ttyUSB0"}
+
+
+def test_why_a_line_failed_is_said_in_place_of_the_silence_that_follows_from_it() -> None:
+    finding = judge_heartbeat(replace(LINE, failure="The cable was pulled.", heartbeat_age_s=9.0), 1.0)
+    assert finding is not None
+    assert finding.text == "The cable was pulled."
 
 
 LOOP = Loop(0.1, 0.1, True, True, ())
@@ -236,7 +250,9 @@ LOOP = Loop(0.1, 0.1, True, True, ())
         (None, None),
         (LOOP, None),
         (replace(LOOP, to_board_age_s=0.6, is_board_open=False), "Check the board's link"),
+        (replace(LOOP, to_board_age_s=0.6, is_board_open=False, missing_rows=[17]), "Check the board's link"),
         (replace(LOOP, to_board_age_s=0.6, missing_rows=[17, 20]), "rows [17, 20] are missing"),
+        (replace(LOOP, to_board_age_s=0.6), "the simulator sends nothing"),
         (replace(LOOP, to_board_age_s=0.6, is_simulator_open=False, missing_rows=[17]), "the simulator sends nothing"),
         (replace(LOOP, surfaces_age_s=0.6), "the board does not answer"),
         (replace(LOOP, surfaces_age_s=None), "the board does not answer"),
@@ -245,7 +261,9 @@ LOOP = Loop(0.1, 0.1, True, True, ())
 def test_the_loop_says_where_it_is_open(loop: Loop | None, words: str | None) -> None:
     finding = judge_hil(loop, 0.5)
     assert (finding is None) == (words is None)
-    assert finding is None or words is None or words in finding.text
+    if finding is not None and words is not None:
+        assert words in finding.text
+        assert (finding.id, finding.level) == ("hil_lost", "critical")
 
 
 def test_a_longer_patience_with_the_loop() -> None:
@@ -264,11 +282,12 @@ def test_parameters_and_recording() -> None:
     assert judge_parameters(()) is None
     found = judge_parameters(("k_pitch", "k_roll"))
     assert found is not None
+    assert (found.id, found.level) == ("parameter_not_confirmed", "warning")
     assert found.params == {"names": "k_pitch, k_roll"}
     assert judge_recording(None) is None
     failed = judge_recording("no space")
     assert failed is not None
-    assert (failed.id, failed.params) == ("recorder_failed", {"reason": "no space"})
+    assert (failed.id, failed.level, failed.params) == ("recorder_failed", "critical", {"reason": "no space"})
 
 
 def test_the_share_of_damage_is_of_both_counts_since_ten_seconds_ago() -> None:
@@ -290,3 +309,63 @@ def test_what_was_said_of_the_gps_is_said_on_from_a_kept_state() -> None:
     assert said is not None
     assert again.look(1.5, None, is_wanted=True) == said
     assert GpsJudge().kept()[1] is None
+
+
+def test_a_stick_whose_gamepad_is_silent_is_critical_while_it_flies_and_a_warning_while_it_does_not() -> None:
+    assert judge_stick(None, None, flies=True) is None
+    assert judge_stick("Pad", "live", flies=True) is None
+    for flies, level in ((True, "critical"), (False, "warning")):
+        found = judge_stick("Pad", "lost", flies=flies)
+        assert found is not None
+        assert (found.id, found.level, found.params) == ("stick_lost", level, {"gamepad": "Pad"})
+
+
+def test_the_processor_says_the_high_load_also_while_it_rests_for_a_moment() -> None:
+    judge = CpuJudge()
+    for now_s in (0, 3):
+        judge.look(now_s, {"sensor_dsc_percent": 97}, 90)
+    found = judge.look(4, {"sensor_dsc_percent": 20}, 90)
+    assert found is not None
+    assert found.params == {"percent": 97}
+    assert "97 % busy" in found.text
+
+
+def test_a_kept_state_goes_on_with_what_was_said_and_since_when_nothing_is_known() -> None:
+    battery_judge, again = BatteryJudge(), BatteryJudge()
+    battery(battery_judge, (0, 9.0), (3, 9.0), (4, 11.0))
+    again.restore(battery_judge.kept())
+    found = again.look(5, {"battery_v": 11.0}, 10.5)
+    assert found is not None
+    assert found.params == {"battery_v": 9.0}
+    assert again.look(6, None, 10.5) is not None
+    battery_judge.restore(again.kept())
+    assert battery_judge.look(7, None, 10.5) is None, "unknown for a second, of which most was before"
+    cpu, cpu_again = CpuJudge(), CpuJudge()
+    for now_s in (0, 3):
+        cpu.look(now_s, {"sensor_dsc_percent": 97}, 90)
+    cpu_again.restore(cpu.kept())
+    busy = cpu_again.look(4, {"sensor_dsc_percent": 20}, 90)
+    assert busy is not None
+    assert busy.params == {"percent": 97}
+
+
+def test_a_gps_that_had_a_position_before_a_kept_state_is_critical_after_it() -> None:
+    judge, again = GpsJudge(), GpsJudge()
+    judge.look(0, VALID, is_wanted=True)
+    again.restore(judge.kept())
+    again.look(1, NO_FIX, is_wanted=True)
+    found = again.look(2, NO_FIX, is_wanted=True)
+    assert found is not None
+    assert found.level == "critical"
+
+
+def test_the_window_of_damage_goes_on_from_a_kept_state() -> None:
+    judge, again = DamageJudge(0.0), DamageJudge(99.0)
+    judge.look(1, 1000, 0, 1.0)
+    judge.look(8, 1090, 10, 1.0)
+    again.restore(judge.kept())
+    assert again.percent == judge.percent
+    found = again.look(11, 1090, 10, 1.0)
+    assert found is not None
+    assert found.params == {"percent": 10.0}, "of the hundred frames since the first that counts"
+    assert again.look(18.5, 1090, 10, 1.0) is None

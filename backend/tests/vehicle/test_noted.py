@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, get_args
 
 import pytest
 
 from epf_gcs.codec.messages_gen import PARAMETERS
 from epf_gcs.vehicle.noted import gains_of, identity_of
+from epf_gcs.vehicle.parameters import State
 
 UNKNOWN = {
     "station": None,
@@ -60,3 +61,12 @@ def test_gains_are_given_with_their_limits_and_what_is_no_number_is_not_known() 
     assert [(one["minimum"], one["maximum"], one["default"], one["unit"]) for one in found] == [
         (one.minimum, one.maximum, one.default, "1") for one in PARAMETERS
     ]
+    assert [(one["group"], one["step"], one["is_integer"], one["doc"]) for one in found] == [
+        (one.group, one.step, one.is_integer, one.doc) for one in PARAMETERS
+    ]
+
+
+@pytest.mark.parametrize("state", get_args(State))
+def test_every_state_that_a_gain_of_a_station_can_have_is_known(state: str) -> None:
+    (first, *_) = gains_of({PARAMETERS[0].name: {"value": 1.0, "state": state, "loaded": None}})
+    assert first["state"] == state

@@ -38,10 +38,12 @@ def test_whoever_said_it_has_gone_and_nothing_looks_live() -> None:
         {**TERRAIN, "id": "battery_low"},
         {**TERRAIN, "aircraft": "<b>"},
         {**TERRAIN, "what": 3},
+        {**TERRAIN, "what": "<b>"},
         {**TERRAIN, "in_s": float("nan")},
         {**TERRAIN, "in_s": -1},
         {**TERRAIN, "in_s": "soon"},
         {**TERRAIN, "in_s": 1e9},
+        {**TERRAIN, "in_s": 601},
     ],
 )
 def test_what_has_no_known_form_is_no_alarm(said: Any) -> None:
@@ -63,3 +65,28 @@ def test_the_ceiling_and_the_border_are_told_apart() -> None:
     assert (left.level, ahead.level) == ("critical", "warning")
     assert left.text == "The aircraft is beyond the fence's ceiling: bring it back."
     assert ahead.text == "The present track leaves the fence at its border, in 12 s: turn."
+
+
+def test_seconds_are_rounded_and_the_border_of_the_fence_is_no_ceiling() -> None:
+    told = ToldSurroundings()
+    told.take(
+        [
+            {**TERRAIN, "in_s": 28.6},
+            {"id": "fence_left", "aircraft": "hil", "what": "fence", "in_s": 0},
+            {"id": "fence_ahead", "aircraft": "hil", "what": "ceiling", "in_s": 600},
+        ],
+        1.0,
+    )
+    ground, left, ahead = told.look(1.0)
+    assert "in 29 s" in ground.text
+    assert left.text == "The aircraft is beyond the fence's border: bring it back."
+    assert ahead.text == "The present track leaves the fence at its ceiling, in 600 s: turn."
+    assert left.params == {"aircraft": "hil", "what": "fence"}
+
+
+def test_of_a_flood_of_findings_the_first_eight_count() -> None:
+    told = ToldSurroundings()
+    told.take([{**TERRAIN, "in_s": place} for place in range(100)], 1.0)
+    assert [found.text for found in told.look(1.0)] == [
+        f"Ground ahead on the present track, in {place} s: climb or turn." for place in range(8)
+    ]

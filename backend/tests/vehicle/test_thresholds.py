@@ -23,10 +23,14 @@ def test_every_default_is_allowed_and_every_name_ends_in_its_unit() -> None:
     ("name", "value", "fault"),
     [
         ("battery_low_v", 60.0, None),
+        ("battery_low_v", 0.0, None),
+        ("heartbeat_lost_s", 0.5, None),
+        ("heartbeat_lost_s", 30.0, None),
         ("battery_low_v", 60.1, "battery_low_v must be in 0..60, not 60.1."),
         ("heartbeat_lost_s", 0.4, "heartbeat_lost_s must be in 0.5..30, not 0.4."),
         ("hil_lost_s", float("nan"), "hil_lost_s must be a number."),
         ("hil_lost_s", float("inf"), "hil_lost_s must be a number."),
+        ("hil_lost_s", float("-inf"), "hil_lost_s must be a number."),
     ],
 )
 def test_a_value_beyond_its_range_is_refused_in_a_sentence(name: str, value: float, fault: str | None) -> None:

@@ -8,6 +8,7 @@ import pytest
 
 from epf_gcs.codec.encode import encode_telemetry
 from epf_gcs.error_log import ErrorLog
+from epf_gcs.vehicle.judges import Line, Loop
 from epf_gcs.vehicle.thresholds import chosen
 from epf_gcs.vehicle.vehicle import Vehicle
 from epf_gcs.vehicle.watch import VehicleWatch
@@ -115,3 +116,17 @@ def test_a_watch_that_was_kept_goes_on_with_what_is_wrong_and_how_long() -> None
     for one in (told, again):
         found = one.after(0.3, heartbeat(gps=True), EMPTY, BUSY)
         assert set(found) == {"gps_lost", "battery_low", "cpu_high", "frames_damaged"}
+
+
+def test_heartbeat_and_loop_have_each_their_own_patience() -> None:
+    told = Told()
+    line = Line("/dev/ttyUSB0", 100.0, False, True, 2.0, None, None)
+    loop = Loop(2.0, 2.0, True, True, ())
+    for heartbeat_s, hil_s, found in (
+        (1.0, 1.0, ["heartbeat_lost", "hil_lost"]),
+        (3.0, 1.0, ["hil_lost"]),
+        (1.0, 3.0, ["heartbeat_lost"]),
+    ):
+        limits = {**chosen({}), "heartbeat_lost_s": heartbeat_s, "hil_lost_s": hil_s}
+        seen = told.watch.look(told.at_s, limits, line, loop, wants_gps=False)
+        assert [one.id for one in seen] == found, "the most urgent is first"
