@@ -232,7 +232,7 @@ class StrangersJudge:
         count = dropped - self._counts[0][1]
         if count < _STRANGERS_LEAST:
             return None
-        per_s = max(1, round(count / _STRANGERS_WINDOW_S))
+        per_s = round(count / _STRANGERS_WINDOW_S)
         text = (
             f"Others than the simulator send to its port, {per_s} datagrams a second, the last from {sender}: they are "
             "dropped. End what sends them, or correct the simulator's address if it moved."

@@ -30,13 +30,14 @@ _PLAIN: Final = (
 
 
 class Gatherer:
-    """Collects the rows of one simulator frame and never mixes two frames.
+    """Collects the rows of one simulator frame and does not mix two frames, once it knows how the simulator sends them.
 
     A new frame begins with a row that this frame already has, with a row number lower than the last one (the
     simulator sends rows in ascending order, so a lost datagram cannot shift the frames), or when the frame
     is too old. If a simulator sends its rows in another order, the second rule cuts every frame before it is
     complete. After a dozen such cuts without a complete frame, a frame begins with the leader instead: the row
-    that came after the longest pause.
+    that came after the longest pause. A stall of ours at the very beginning can name the wrong leader; until its pause
+    has faded (about two seconds of one row a datagram), frames of such a simulator may be mixed.
 
     The ground track replaces the heading, wherever in the frame its row comes: if the last frame had that row,
     this one is not complete without it.
