@@ -56,7 +56,10 @@ MODULES: Final[dict[str, tuple[str, ...]]] = {
         "tests/flight/board/test_acknowledgements.py",
         "tests/flight/board/test_commands.py",
     ),
-    "flight/board/ahrs_test.py": ("tests/web/commands/test_ahrs_test_routes.py",),
+    "flight/board/ahrs_test.py": (
+        "tests/flight/board/test_ahrs_test.py",
+        "tests/web/commands/test_ahrs_test_routes.py",
+    ),
     "flight/board/board_link.py": ("tests/flight/board",),
     "flight/board/commands.py": ("tests/flight/board/test_commands.py", "tests/web/commands/test_routes.py"),
     "flight/board/journal.py": ("tests/flight/board/test_journal.py", "tests/flight/board/test_parameters.py"),
@@ -66,7 +69,7 @@ MODULES: Final[dict[str, tuple[str, ...]]] = {
         "tests/flight/recording/test_flight_notes.py",
     ),
     "flight/board/parameters.py": ("tests/flight/board/test_parameters.py", "tests/web/parameters/test_routes.py"),
-    "flight/board/rearming.py": ("tests/flight/board/test_board_link.py",),
+    "flight/board/rearming.py": ("tests/flight/board/test_rearming.py", "tests/flight/board/test_board_link.py"),
     "flight/clock_watch.py": ("tests/flight/test_clock_watch.py",),
     "flight/flight.py": (
         "tests/flight/test_flight.py",
@@ -91,8 +94,9 @@ MODULES: Final[dict[str, tuple[str, ...]]] = {
     ),
     "flight/inspection.py": ("tests/flight/test_inspection.py",),
     "flight/line_clock.py": ("tests/flight/test_line_clock.py",),
-    "flight/line_rates.py": ("tests/web/state/test_routes.py",),
+    "flight/line_rates.py": ("tests/flight/test_line_rates.py",),
     "flight/lines.py": (
+        "tests/flight/test_lines.py",
         "tests/flight/board/test_board_link.py",
         "tests/flight/hil/test_simulator.py",
         "tests/web/test_emulation.py",

@@ -72,6 +72,7 @@ async def test_a_disk_that_refuses_is_reported(tmp_path: Path) -> None:
     await eventually_async(lambda: len(reported) == 2, "both are reported")
     history.close()
     assert [error.code for error in reported] == ["alarms_unreadable", "alarms_not_written"]
+    assert "The history of the alarms could not be kept" in reported[1].detail
 
 
 async def test_the_newest_two_hundred_are_kept_where_all_of_them_were_acknowledged(tmp_path: Path) -> None:

@@ -8,6 +8,7 @@ from typing import Any
 import structlog
 
 from epf_gcs.flight.clock_watch import ClockWatch
+from epf_gcs.recordings.notes import CLOCK
 
 START_NS = 946_684_800_000_000_000
 
@@ -23,11 +24,15 @@ class Computer:
         self.offset_ns = self.unix_ns - self.steady_ns
         self.watch = ClockWatch(
             self._Stamps(self.offset_ns),
-            lambda _name, content: self.noted.append(content),
+            self._know,
             unix_ns=lambda: self.unix_ns,
             steady_ns=lambda: self.steady_ns,
             synchronised=lambda: self.synchronised,
         )
+
+    def _know(self, name: str, content: Mapping[str, Any]) -> None:
+        assert name == CLOCK
+        self.noted.append(content)
 
     class _Stamps:
         def __init__(self, offset_ns: int) -> None:
@@ -81,10 +86,17 @@ def test_a_clock_that_is_set_nearly_right_again_is_noted_with_what_is_left() -> 
     assert [note["ahead_s"] for note in computer.noted] == [0.0, 100.0, 1.0]
 
 
-def test_a_clock_that_was_wrong_from_the_start_is_noted_with_how_far() -> None:
+def test_a_clock_that_was_wrong_from_the_start_is_noted_once_with_how_far() -> None:
     computer = Computer()
     computer.run(1, drift_s=3)
+    computer.run(1)
     assert [note["ahead_s"] for note in computer.noted] == [3.0]
+
+
+def test_the_moment_between_two_readings_is_no_error_of_the_clock() -> None:
+    computer = Computer()
+    computer.run(1, drift_s=0.004)
+    assert computer.noted == [{"ahead_s": 0.0, "synchronised": False}]
 
 
 def test_the_log_says_that_a_clock_was_set_and_not_that_somebody_vouches_for_it() -> None:

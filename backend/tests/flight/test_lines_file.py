@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import os
 from pathlib import Path
 
 import pytest
@@ -49,6 +50,40 @@ async def test_the_file_never_grows_beyond_twice_what_is_kept(tmp_path: Path) ->
     assert len(lines) <= 6
 
 
+async def test_the_file_is_cut_when_it_holds_twice_what_is_kept_and_not_before(tmp_path: Path) -> None:
+    lengths = []
+    for appended in range(1, 13):
+        path = tmp_path / f"{appended}.jsonl"
+        file, _ = a_file(path)
+        for number in range(appended):
+            file.append(b"%d" % number)
+        file.close()
+        lengths.append(len(path.read_bytes().splitlines()))
+    assert lengths == [1, 2, 3, 4, 5, 6, 3, 4, 5, 6, 3, 4]
+
+
+async def test_a_file_that_is_just_long_enough_is_left_as_it_is(tmp_path: Path) -> None:
+    path = tmp_path / "lines.jsonl"
+    path.write_bytes(b"a\nb\nc\n")
+    with path.open("rb") as as_it_was:
+        file, _ = a_file(path)
+        file.begin_with(file.read(), damaged=False)
+        file.append(b"d")
+        file.close()
+        assert as_it_was.read() == b"a\nb\nc\nd\n"
+
+
+async def test_each_line_is_pushed_to_the_disk_before_the_next(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    path = tmp_path / "lines.jsonl"
+    pushed: list[bytes] = []
+    monkeypatch.setattr(os, "fsync", lambda _: pushed.append(path.read_bytes()))
+    file, _ = a_file(path)
+    file.append(b"a")
+    file.append(b"b")
+    file.close()
+    assert pushed == [b"a\n", b"a\nb\n"]
+
+
 async def test_a_file_that_became_too_long_is_cut_at_the_start(tmp_path: Path) -> None:
     path = tmp_path / "lines.jsonl"
     path.write_bytes(b"a\nb\nc\nd\n")
@@ -87,6 +122,7 @@ async def test_a_disk_that_refuses_is_reported_and_the_next_line_is_tried(tmp_pa
     file.append(b"a")
     await eventually_async(lambda: len(reported) == 1, "the failure is told")
     assert reported[0].code == "journal_not_written"
+    assert f"The journal could not be kept in {path} (File exists): " in reported[0].detail
     (tmp_path / "folder").unlink()
     file.append(b"b")
     await asyncio.to_thread(file.close)

@@ -14,7 +14,7 @@ import structlog
 
 from epf_gcs.errors import GatewayError
 from epf_gcs.flight import memory as memory_module
-from epf_gcs.flight.memory import Memory, Remembered
+from epf_gcs.flight.memory import Memory, Remembered, _encode
 from epf_gcs.vehicle.wanted import Wanted
 from tests.support.waiting import eventually, eventually_async
 
@@ -32,6 +32,7 @@ def test_everything_is_there_after_a_restart(tmp_path: Path) -> None:
     memory.update(board_url="tcp://h:1", board_identity="0403:6001:A", hil_path="assisted", wanted=wanted)
     memory.update(thresholds={"battery_low_v": 11.1})
     memory.update(simulator={"receive_port": 1, "send_host": "127.0.0.1", "send_port": 2, "profile": "xp12"})
+    memory.update(recording={"days": 30}, aircraft="Gavilán")
     memory.close()
     again, _ = a_memory(path)
     assert again.now == memory.now
@@ -39,7 +40,10 @@ def test_everything_is_there_after_a_restart(tmp_path: Path) -> None:
     assert reported == []
 
 
-@pytest.mark.parametrize("content", [b"", b"rubbish", b"[]", b"{}", b'{"board_url": 1', b"\xff\xfe"])
+NO_PERIODS = orjson.dumps({**orjson.loads(_encode(Remembered())), "periods_ms": []})
+
+
+@pytest.mark.parametrize("content", [b"", b"rubbish", b"[]", b"{}", b'{"board_url": 1', b"\xff\xfe", NO_PERIODS])
 def test_a_file_that_makes_no_sense_is_reported_and_forgotten(tmp_path: Path, content: bytes) -> None:
     path = tmp_path / "state.json"
     path.write_bytes(content)
@@ -48,6 +52,8 @@ def test_a_file_that_makes_no_sense_is_reported_and_forgotten(tmp_path: Path, co
         memory = Memory(path, reported.append, unix_s=lambda: 1_770_000_000.0)
     assert memory.now == Remembered()
     assert [error.code for error in reported] == ["memory_unreadable"]
+    assert "(its content makes no sense)" in reported[0].detail
+    assert "it is kept as state.json.damaged-20260202T024000Z." in reported[0].detail
     assert (tmp_path / "state.json.damaged-20260202T024000Z").read_bytes() == content
     assert [(line["event"], line["log_level"]) for line in logged] == [("settings unreadable", "warning")]
     memory.update(board_url="tcp://h:1")
@@ -58,6 +64,9 @@ def test_a_file_that_makes_no_sense_is_reported_and_forgotten(tmp_path: Path, co
 def test_a_disk_that_refuses_is_reported_and_nothing_else_changes(tmp_path: Path) -> None:
     (tmp_path / "file").write_text("")
     memory, reported = a_memory(tmp_path / "file" / "state.json")
+    (unread,) = reported
+    assert "(Not a directory)" in unread.detail
+    assert "it could not be kept aside." in unread.detail
     reported.clear()
     memory.update(board_url="tcp://h:1")
     memory.close()
@@ -74,16 +83,25 @@ def test_nothing_is_written_where_nothing_changed(tmp_path: Path) -> None:
     assert not path.exists()
 
 
-def test_a_file_of_a_version_without_alarm_thresholds_is_read(tmp_path: Path) -> None:
+@pytest.mark.parametrize("later", ["thresholds", "recording", "aircraft"])
+def test_a_file_of_a_version_that_did_not_keep_it_yet_is_read(tmp_path: Path, later: str) -> None:
     path = tmp_path / "state.json"
     memory, _ = a_memory(path)
     memory.update(board_url="tcp://h:1")
     memory.close()
     values = orjson.loads(path.read_bytes())
-    del values["thresholds"]
+    del values[later]
     path.write_bytes(orjson.dumps(values))
     again, reported = a_memory(path)
     assert again.now == memory.now
+    assert reported == []
+
+
+def test_a_path_of_control_that_nobody_knows_is_the_manual_one(tmp_path: Path) -> None:
+    path = tmp_path / "state.json"
+    path.write_bytes(orjson.dumps({**orjson.loads(_encode(Remembered())), "hil_path": "automatic"}))
+    memory, reported = a_memory(path)
+    assert memory.now == Remembered(hil_path="manual")
     assert reported == []
 
 

@@ -58,6 +58,8 @@ class FakeBoard:
         self.refuse: dict[str, int] = {}
         self.lose_item: int | None = None
         self.silent = False
+        # What it says that it can do, each a bit.
+        self.features = 15
         self.in_binary_mode = False
         # The AHRS test: whether the board supports it, whether it is running, and what it sends.
         self.has_ahrs_test = True
@@ -199,7 +201,7 @@ class FakeBoard:
         elif name == "exit_binary_mode":
             self.in_binary_mode = False
         elif name == "capabilities":
-            self._write(encode_telemetry("capabilities", 1, 15, b"fake", b"1.0", 5))
+            self._write(encode_telemetry("capabilities", 1, self.features, b"fake", b"1.0", 5))
         elif name == "load_autopilot_parameters":
             self._write(encode_telemetry("autopilot_parameters", *self._gains_as_sent()))
         elif frame.message.parameter:

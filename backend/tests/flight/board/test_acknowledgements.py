@@ -84,6 +84,18 @@ def test_behind_a_fence_nothing_counts_before_it_and_only_the_own_sending_is_owe
     assert judged(judge, COMMAND.id, 0) == (True, "done")
 
 
+@pytest.mark.parametrize(("answered", "owed"), [(0, 2), (2, 1)])
+def test_behind_a_fence_each_own_sending_is_owed_that_was_not_answered(answered: int, owed: int) -> None:
+    world = World()
+    world.owed.sent(COMMAND.id)
+    judge = world.judge(COMMAND.id)
+    judge.sent()
+    for _ in range(answered):
+        world.hears(COMMAND.id, 0)
+    judged(judge, FENCE.id, 0)
+    assert world.owed.of(COMMAND.id) == owed
+
+
 def test_what_is_owed_is_counted_for_each_type_and_never_below_none() -> None:
     world = World()
     world.owed.sent(COMMAND.id)

@@ -4,54 +4,30 @@ from __future__ import annotations
 
 import asyncio
 from collections.abc import Callable, Mapping
-from typing import Any
+from typing import Any, Literal
 
 import pytest
 
 from epf_gcs.clock import Clock
 from epf_gcs.codec.encode import encode_telemetry
-from epf_gcs.codec.frame import TO_BOARD, Frame, FrameDecoder
-from epf_gcs.codec.messages_gen import COMMANDS
+from epf_gcs.codec.messages_gen import COMMANDS, PARAMETERS
 from epf_gcs.codec.tables import Message
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.errors import ConflictError, LinkError
 from epf_gcs.flight.board.commands import CommandResult, Commands
-from epf_gcs.link.base import LinkCallbacks
 from epf_gcs.vehicle.board import Board
 from epf_gcs.vehicle.telemetry import Telemetry
+from tests.support.held import ALL_FEATURES, HEARTBEAT, HeldClock, HeldLine, open_session
 from tests.support.outlet import KeptOutlet
 from tests.support.waiting import eventually_async
 
 pytestmark = pytest.mark.anyio
 
-HEARTBEAT = encode_telemetry("heartbeat", *[0] * 12)
 WITH_GPS = encode_telemetry("heartbeat", 0, 0, 0, 0, 1, *[0] * 7)
 
 
 def acknowledgement(name: str, result: int = 0) -> bytes:
     return encode_telemetry("acknowledgement", COMMANDS[name].id, result)
-
-
-class Line:
-    """A link whose other end is the test."""
-
-    backlog = 0
-
-    def __init__(self, baud: int = 115200) -> None:
-        self.baud = baud
-        self.sent: list[str] = []
-        self.is_full = False
-        self._decoder = FrameDecoder(TO_BOARD)
-
-    def start(self, callbacks: LinkCallbacks) -> None: ...
-
-    def close(self) -> None: ...
-
-    def write(self, data: bytes) -> bool:
-        if self.is_full:
-            return False
-        self.sent += [found.message.name for found in self._decoder.feed(data) if isinstance(found, Frame)]
-        return True
 
 
 class Told(KeptOutlet):
@@ -60,39 +36,47 @@ class Told(KeptOutlet):
     def __init__(self) -> None:
         super().__init__()
         self.events: list[tuple[str, str, str | None]] = []
+        self.stories: list[Mapping[str, Any]] = []
 
     def event(self, kind: str, data: Mapping[str, Any]) -> None:
         if kind == "command":
             self.events.append((data["name"], data["state"], data["reason"]))
+            self.stories.append(data)
 
 
 class World:
     """A board that acknowledges, on a line in the test's hand."""
 
-    def __init__(self, clock: Clock | None = None, line: Line | None = None) -> None:
+    def __init__(self, clock: Clock | None = None, line: HeldLine | None = None) -> None:
         clock = clock or Clock()
         self.hub = Told()
-        self.line = line or Line()
+        self.errors = ErrorLog()
+        self.line = line or HeldLine()
         telemetry = Telemetry(self.hub, clock, lambda _: 1.0)
         self.board = Board(clock, self.hub, telemetry, ErrorLog())
-        self.commands = Commands(self.board, telemetry, self.hub, clock, ErrorLog())
+        self.commands = Commands(self.board, telemetry, self.hub, clock, self.errors)
         self.open(self.line)
 
-    def open(self, line: Line) -> None:
+    def open(self, line: HeldLine) -> None:
         self.board.attach(line)
-        self.says(HEARTBEAT)
-        self.says(encode_telemetry("capabilities", 1, 15, b"fake", b"1.0", 5))
-        assert self.board.is_open
+        open_session(self.board)
         line.sent.clear()
 
     def says(self, data: bytes) -> None:
         self.board.on_bytes(data)
 
-    def begins(self, name: str) -> asyncio.Task[CommandResult]:
-        return asyncio.create_task(self.commands.run(name))
+    def begins(self, name: str, *arguments: float) -> asyncio.Task[CommandResult]:
+        return asyncio.create_task(self.commands.run(name, arguments))
 
     async def waits_for(self, *sent: str) -> None:
         await eventually_async(lambda: tuple(self.line.sent) == sent, f"{sent} went out, not {self.line.sent}")
+
+
+async def still_waits(task: asyncio.Task[CommandResult]) -> bool:
+    """Whether a command has no end although the loop had time enough to bring it."""
+    for _ in range(10):
+        await asyncio.sleep(0)
+    return not task.done()
 
 
 async def test_an_acknowledgement_of_a_command_that_timed_out_does_not_confirm_the_next_one_of_its_type() -> None:
@@ -102,11 +86,9 @@ async def test_an_acknowledgement_of_a_command_that_timed_out_does_not_confirm_t
     task = world.begins("gps_on")
     await world.waits_for("capabilities", "gps_on")
     world.says(acknowledgement("gps_on"))
-    await asyncio.sleep(0)
-    assert not task.done(), "this one belongs to what timed out"
+    assert await still_waits(task), "this one belongs to what timed out"
     world.says(acknowledgement("capabilities"))
-    await asyncio.sleep(0)
-    assert not task.done(), "the fence says nothing of the command"
+    assert await still_waits(task), "the fence says nothing of the command"
     world.says(acknowledgement("gps_on", 2))
     assert (await task).state == "rejected"
 
@@ -192,8 +174,7 @@ async def test_what_the_card_owes_is_counted_for_it_answers_when_it_likes() -> N
     task = world.begins("store_parameters")
     await world.waits_for("store_parameters")
     world.says(acknowledgement("store_parameters") * 2)
-    await asyncio.sleep(0)
-    assert not task.done(), "two were owed"
+    assert await still_waits(task), "two were owed"
     world.says(acknowledgement("store_parameters", 4))
     assert (await task).state == "rejected"
 
@@ -225,7 +206,7 @@ async def test_a_proof_is_not_waited_for_on_a_link_that_another_has_replaced() -
     task = world.begins("gps_on")
     await world.waits_for("gps_on")
     world.board.detach()
-    world.open(Line())
+    world.open(HeldLine())
     world.commands.link_changed()
     with pytest.raises(LinkError):
         await task
@@ -237,7 +218,7 @@ async def test_a_link_that_was_opened_anew_meanwhile_gets_no_second_sending() ->
     task = world.begins("gps_on")
     await world.waits_for("gps_on")
     world.board.detach()
-    other = Line()
+    other = HeldLine()
     world.open(other)
     with pytest.raises(LinkError):
         await task
@@ -259,6 +240,13 @@ async def test_a_line_that_is_full_at_the_second_sending_is_no_news_of_the_first
     await world.waits_for("gps_on")
     world.line.is_full = True
     assert (await task).state == "timed_out"
+    world.line.is_full = False
+    world.line.sent.clear()
+    world.says(acknowledgement("gps_on"))
+    task = world.begins("gps_on")
+    await world.waits_for("gps_on")
+    world.says(acknowledgement("gps_on"))
+    assert (await task).state == "confirmed", "only one was sent, and its acknowledgement came late"
 
 
 @pytest.mark.parametrize("breaks", [RuntimeError("a fault of ours"), asyncio.CancelledError()])
@@ -316,9 +304,9 @@ class LegacyWorld(World):
     def __init__(self, *, baud: int = 115200, heartbeat_s: float = 0.1) -> None:
         self.heartbeat_s = heartbeat_s
         self.clock = SlowClock()
-        super().__init__(self.clock, Line(baud))
+        super().__init__(self.clock, HeldLine(baud))
 
-    def open(self, line: Line) -> None:
+    def open(self, line: HeldLine) -> None:
         self.board.attach(line)
         for _ in range(6):
             self.clock.ahead_s += self.heartbeat_s
@@ -343,9 +331,153 @@ async def test_a_command_that_the_heartbeat_proves_waits_for_a_slow_heartbeat_or
     for name in ("slow heartbeat", "slow line"):
         assert worlds[name].line.sent == ["gps_on"], f"{name}: it still waits for the first sending's proof"
         worlds[name].says(HEARTBEAT)
-        await asyncio.sleep(0)
-        assert not tasks[name].done(), "this heartbeat does not show it"
+        assert await still_waits(tasks[name]), "this heartbeat does not show it"
         worlds[name].says(encode_telemetry("gps", 27.9, -15.4, 30.0, 0.0, 0.0, 0x38, 0x31, 0x41))
         worlds[name].says(WITH_GPS)
         assert (await tasks[name]).state == "confirmed"
         assert (await tasks[name]).by == "heartbeat"
+
+
+def a_plan_at(waypoint: int) -> bytes:
+    return encode_telemetry("fms_plan", 90.0, 500.0, 60.0, 1000, waypoint)
+
+
+def gains(**changed: float) -> bytes:
+    """What the board says of its gains."""
+    values = {parameter.name: parameter.default for parameter in PARAMETERS} | changed
+    return encode_telemetry(
+        "autopilot_parameters",
+        *(int(values[one.name]) if one.is_integer else float(values[one.name]) for one in PARAMETERS),
+    )
+
+
+async def test_only_what_was_done_is_passed_on_as_done_and_only_what_was_not_is_counted() -> None:
+    world = World()
+    done: list[tuple[str, tuple[float, ...]]] = []
+    world.commands.on_done = lambda name, arguments: done.append((name, arguments))
+    for result in (2, 0):
+        world.line.sent.clear()
+        task = world.begins("control_source", 1)
+        await world.waits_for("control_source")
+        world.says(acknowledgement("control_source", result))
+        await task
+    assert done == [("control_source", (1,))]
+    assert world.errors.counts == {"command_rejected": 1}
+
+
+async def test_viewers_can_tell_two_commands_of_one_name_apart_and_see_what_was_asked() -> None:
+    world = World()
+    for source in (1, 0):
+        world.line.sent.clear()
+        task = world.begins("control_source", source)
+        await world.waits_for("control_source")
+        world.says(acknowledgement("control_source"))
+        await task
+    told = [(story["id"], story["value"], story["state"]) for story in world.hub.stories]
+    first, second = told[0][0], told[2][0]
+    assert first != second
+    assert told == [
+        (first, [1], "pending"),
+        (first, [1], "confirmed"),
+        (second, [0], "pending"),
+        (second, [0], "confirmed"),
+    ]
+
+
+async def test_of_a_quiet_command_nothing_is_told_even_where_it_cannot_be_sent() -> None:
+    world = World()
+    world.line.is_full = True
+    with pytest.raises(ConflictError):
+        await world.commands.run("gps_on", quiet=True)
+    assert world.hub.events == []
+
+
+async def test_a_proof_that_comes_twice_counts_once() -> None:
+    world = World()
+    task = world.begins("gps_on")
+    await world.waits_for("gps_on")
+    world.says(acknowledgement("gps_on") + acknowledgement("gps_on", 2))
+    assert (await task).state == "confirmed"
+
+
+async def test_a_command_s_time_is_that_from_its_sending_to_its_proof() -> None:
+    clock = HeldClock()
+    world = World(clock)
+    task = world.begins("gps_on")
+    await world.waits_for("gps_on")
+    clock.s += 0.25
+    world.says(acknowledgement("gps_on"))
+    assert await task == CommandResult("confirmed", "acknowledgement", 250.0)
+
+
+async def test_an_extended_board_that_acknowledges_nothing_proves_by_its_heartbeat() -> None:
+    world = World()
+    open_session(world.board, ALL_FEATURES - 1)
+    task = world.begins("gps_on")
+    await world.waits_for("gps_on")
+    world.says(acknowledgement("gps_on"))
+    assert await still_waits(task), "it never said that its acknowledgements mean anything"
+    world.says(WITH_GPS)
+    result = await task
+    assert (result.state, result.by) == ("confirmed", "heartbeat")
+
+
+async def test_a_frame_proves_the_command_that_asks_for_it_and_no_other_frame_does() -> None:
+    world = LegacyWorld()
+    task = world.begins("fms_plan_on")
+    await world.waits_for("fms_plan_on")
+    world.says(HEARTBEAT + gains())
+    assert await still_waits(task)
+    world.says(a_plan_at(0))
+    result = await task
+    assert (result.state, result.by) == ("confirmed", "read_back")
+
+
+async def test_the_next_waypoint_is_proved_by_a_plan_that_moved_on() -> None:
+    world = LegacyWorld()
+    world.says(a_plan_at(3))
+    task = world.begins("fms_next_waypoint")
+    await world.waits_for("fms_next_waypoint")
+    world.says(a_plan_at(3) + HEARTBEAT)
+    assert await still_waits(task), "it is still the waypoint of before"
+    world.says(a_plan_at(4))
+    result = await task
+    assert (result.state, result.by) == ("confirmed", "read_back")
+
+
+async def test_where_no_plan_is_streamed_the_next_waypoint_is_only_sent() -> None:
+    world = LegacyWorld()
+    result = await world.commands.run("fms_next_waypoint")
+    assert result == CommandResult("sent", "none", 0.0)
+    assert world.line.sent == ["fms_next_waypoint"]
+
+
+async def test_a_board_without_acknowledgements_that_kept_its_gain_is_said_to_have_refused_it() -> None:
+    world = LegacyWorld()
+    task = world.begins("set_k_pitch", 2.5)
+    await world.waits_for("set_k_pitch", "load_autopilot_parameters")
+    world.says(gains(k_roll=2.5))
+    result = await task
+    assert (result.state, result.by, result.reason) == ("rejected", "read_back", "not_taken")
+
+
+@pytest.mark.parametrize(
+    ("proof", "heartbeat_s", "baud", "patience_s"),
+    [
+        ("acknowledgement", 2.0, 115200, 0.6),
+        ("acknowledgement", 2.0, 9600, 3.0),
+        ("read_back", 2.0, 115200, 0.6),
+        ("heartbeat", 0.0625, 115200, 0.6),
+        ("heartbeat", 0.5, 115200, 1.5),
+        ("frame", 0.5, 115200, 1.5),
+        ("frame", 0.5, 9600, 3.0),
+    ],
+)
+async def test_what_is_proved_by_what_the_board_sends_is_waited_for_three_of_its_heartbeats(
+    proof: Literal["acknowledgement", "heartbeat", "frame", "read_back"],
+    heartbeat_s: float,
+    baud: int,
+    patience_s: float,
+) -> None:
+    world = LegacyWorld(baud=baud, heartbeat_s=heartbeat_s)
+    assert world.commands._patience_s(proof) == pytest.approx(patience_s, rel=0.01)

@@ -119,7 +119,7 @@ async def test_lines_that_make_no_sense_are_told_and_kept_aside_and_the_rest_cou
 async def test_a_file_that_cannot_be_read_is_told_and_the_journal_goes_on(tmp_path: Path) -> None:
     (tmp_path / "journal.jsonl").mkdir()
     journal, outlet, reported = a_journal(tmp_path / "journal.jsonl")
-    assert [error.code for error in reported] == ["journal_unreadable"]
+    assert [(error.code, error.params["reason"]) for error in reported] == [("journal_unreadable", "Is a directory")]
     journal.note("write", [CHANGE], None, undoable=True)
     assert [entry.id for entry in journal.entries] == [1]
     assert len(outlet.events) == 1

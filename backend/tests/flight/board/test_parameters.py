@@ -11,8 +11,11 @@ from typing import Any
 import pytest
 
 from epf_gcs.bus.vehicle_end import Broadcast
+from epf_gcs.codec.frame import Frame, FrameDecoder
 from epf_gcs.codec.messages_gen import COMMANDS
 from epf_gcs.errors import BoardError, ConflictError, LinkError
+from epf_gcs.flight.board import commands
+from epf_gcs.flight.board.commands import CommandResult
 from epf_gcs.flight.flight import Flight
 from epf_gcs.link.address import parse_address
 from epf_gcs.vehicle.journal import Move
@@ -99,8 +102,10 @@ async def test_a_load_sets_the_mark_from_which_changes_count(tmp_path: Path, boa
     async with a_station(tmp_path, board) as station:
         await station.parameters.set({"k_pitch": 2.5}, None)
         assert station.parameters.held["k_pitch"].loaded == 2.0
+        board.gains["k_roll"] = 3.0
         await station.parameters.load(None)
         assert station.parameters.held["k_pitch"].loaded == 2.5
+        assert station.parameters.held["k_roll"].value == 3.0
 
 
 async def test_a_refused_gain_is_in_the_journal_and_not_to_undo(tmp_path: Path, board: FakeBoard) -> None:
@@ -112,6 +117,8 @@ async def test_a_refused_gain_is_in_the_journal_and_not_to_undo(tmp_path: Path, 
         ]
         assert station.parameters.journal.steps.undo == (Move("k_roll", 3.0, 2.0),)
         assert station.parameters.unconfirmed == ("k_pitch",)
+        station.parameters.accept_unconfirmed()
+        assert not station.parameters.unconfirmed
 
 
 async def test_a_lost_set_command_is_timed_out_and_a_later_write_settles_it(tmp_path: Path, board: FakeBoard) -> None:
@@ -346,3 +353,146 @@ async def test_viewers_are_told_only_of_gains_that_changed(
     changed = set().union(*told)
     assert changed <= {"k_pitch", "k_roll"}
     assert "k_pitch" in changed
+
+
+async def test_a_gain_that_only_a_command_set_is_known_as_the_board_has_it(tmp_path: Path, board: FakeBoard) -> None:
+    async with a_station(tmp_path, board) as station:
+        await station.parameters.load(None)
+        await station.parameters.set_by_command(COMMANDS["set_k_int_pitch"], 0.7, None)
+        await station.parameters.load(None)
+        assert station.parameters.held["k_int_pitch"].state == "confirmed", "the board still has what it confirmed"
+
+
+async def test_a_set_command_that_another_board_confirms_says_nothing_of_the_gains_of_this_one(
+    tmp_path: Path, board: FakeBoard
+) -> None:
+    async with a_station(tmp_path, board) as station:
+        await station.parameters.load(None)
+        with board._lock:
+            sent = station.board.bytes_out
+            setting = asyncio.create_task(station.parameters.set_by_command(COMMANDS["set_k_pitch"], 2.5, None))
+            await eventually_async(lambda: station.board.bytes_out > sent, "the command is on its way")
+            station.parameters.forget()
+        await setting
+        assert station.parameters.held["k_pitch"].value is None
+        assert [kind for kind, _, _ in story(station)] == ["write"]
+        assert station.parameters.journal.steps.undo is None
+
+
+async def test_where_one_of_the_gains_is_not_known_all_are_read_before_they_are_written(
+    tmp_path: Path, board: FakeBoard, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    async with a_station(tmp_path, board) as station:
+        await station.parameters.load(None)
+        board.ignore["set_k_pitch"] = 2
+        with monkeypatch.context() as patience:
+            patience.setattr(commands, "_ANSWER_S", 0.01)
+            await station.parameters.set_by_command(COMMANDS["set_k_pitch"], 2.1, None)
+        await station.parameters.set({"k_roll": 3.0, "k_pitch": 2.5}, None)
+        assert story(station)[-1][2] == [("k_roll", 2.0, 3.0, "confirmed"), ("k_pitch", 2.0, 2.5, "confirmed")]
+
+
+async def test_of_a_write_that_broke_off_only_what_was_tried_is_in_the_journal(
+    tmp_path: Path, board: FakeBoard, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    async with a_station(tmp_path, board) as station:
+        await station.parameters.load(None)
+        write, written = station.board.write, list[bytes]()
+
+        def take_one(data: bytes) -> bool:
+            written.append(data)
+            return len(written) == 1 and write(data)
+
+        with monkeypatch.context() as line:
+            line.setattr(station.board, "write", take_one)
+            with pytest.raises(ConflictError) as full:
+                await station.parameters.set({"k_pitch": 2.5, "k_roll": 3.0, "k_elev": 4.0}, "c1")
+        assert full.value.code == "board_line_full"
+        ((kind, state, changes),) = story(station)
+        assert (kind, state) == ("write", "timed_out")
+        assert [(name, after) for name, _, after, _ in changes] == [("k_pitch", 2.5), ("k_roll", 3.0)]
+        assert board.gains["k_pitch"] == 2.5, "the first did arrive"
+        assert station.parameters.held["k_pitch"].state == "unknown"
+
+
+async def test_a_write_that_could_not_be_sent_brings_no_gains_of_the_board_before_back(
+    tmp_path: Path, board: FakeBoard, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    async with a_station(tmp_path, board) as station:
+        await station.parameters.load(None)
+
+        def goes_meanwhile(_: bytes) -> bool:
+            station.parameters.forget()
+            return False
+
+        with monkeypatch.context() as line:
+            line.setattr(station.board, "write", goes_meanwhile)
+            with pytest.raises(ConflictError):
+                await station.parameters.set({"k_pitch": 2.5}, None)
+        assert {one.value for one in station.parameters.held.values()} == {None}
+
+
+async def test_gains_that_come_twice_at_once_are_read_once(tmp_path: Path, board: FakeBoard) -> None:
+    send = board._write
+
+    def send_twice(data: bytes) -> None:
+        (found,) = FrameDecoder().feed(data)
+        is_gains = isinstance(found, Frame) and found.message.name == "autopilot_parameters"
+        send(data * 2 if is_gains else data)
+
+    async with a_station(tmp_path, board) as station:
+        board._write = send_twice  # type: ignore[method-assign]
+        await station.parameters.load(None)
+        assert station.parameters.held["k_pitch"].value == 2.0
+        assert station.errors.counts == {}
+
+
+async def test_viewers_hear_how_each_gain_of_a_write_ended_and_why_and_who_asked(
+    tmp_path: Path, board: FakeBoard, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    heard: list[tuple[Any, ...]] = []
+
+    def event(kind: str, data: dict[str, Any]) -> None:
+        if kind == "command":
+            heard.append(tuple(data[field] for field in ("name", "value", "state", "by", "reason", "client")))
+
+    act = board._act
+
+    def act_without_roll(frame: Frame) -> None:
+        if frame.message.name != "set_k_roll":
+            act(frame)
+
+    async with a_station(tmp_path, board) as station:
+        await station.parameters.load(None)
+        board.refuse["set_k_pitch"] = 1
+        board._act = act_without_roll  # type: ignore[method-assign]
+        monkeypatch.setattr(station.outlet, "event", event)
+        await station.parameters.set({"k_pitch": 2.5, "k_roll": 3.0, "k_elev": 4.0}, "c1")
+        of_write = list(heard)
+        await station.parameters.load("c2")
+        await station.parameters.set_by_command(COMMANDS["set_k_elev"], 4.5, "c3")
+        monkeypatch.undo()
+    assert of_write == [
+        ("set_k_pitch", [2.5], "rejected", "read_back", "bad_value", "c1"),
+        ("set_k_roll", [3.0], "rejected", "read_back", "not_taken", "c1"),
+        ("set_k_elev", [4.0], "confirmed", "read_back", None, "c1"),
+    ]
+    asked = [(name, client) for name, _, state, _, _, client in heard[len(of_write) :] if state == "confirmed"]
+    assert asked == [("load_autopilot_parameters", "c2"), ("set_k_elev", "c3")]
+
+
+async def test_a_gain_that_is_written_while_the_card_is_writing_is_not_safe_yet(
+    tmp_path: Path, board: FakeBoard, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    async with a_station(tmp_path, board) as station:
+        await station.parameters.set({"k_pitch": 2.5}, None)
+        run = station.commands.run
+
+        async def write_meanwhile(name: str, *arguments: Any, **options: Any) -> CommandResult:
+            if name == "store_parameters":
+                await station.parameters.set({"k_roll": 3.0}, None)
+            return await run(name, *arguments, **options)
+
+        monkeypatch.setattr(station.commands, "run", write_meanwhile)
+        await station.parameters.store(None)
+        assert station.parameters.take_unstored() == ("k_roll",)
