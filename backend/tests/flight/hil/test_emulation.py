@@ -227,6 +227,7 @@ async def test_it_says_who_it_is_since_when_and_the_default_gains() -> None:
     examples.loop.next()
     told = examples.values["capabilities"]
     assert (told["firmware_name"], told["firmware_version"], told["uptime_ms"]) == ("emulation", "examples", 2500)
+    assert told["protocol_version"] == 1
     assert not any(one for name, one in told.items() if name.startswith("has_"))
     held = examples.values["autopilot_parameters"]
     assert {gain.name: held[gain.name] for gain in PARAMETERS} == pytest.approx(

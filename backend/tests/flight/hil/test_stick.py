@@ -220,6 +220,18 @@ async def test_a_choice_waits_for_a_sample_of_its_own_and_not_for_one_that_ended
     assert seat.stick.source == "simulator"
 
 
+async def test_a_gamepad_whose_pages_clock_was_set_back_meanwhile_can_be_chosen() -> None:
+    seat = Seat()
+    seat.control(ANA)
+    seat.move("ana")
+    seat.time_s += 0.4
+    choosing = asyncio.create_task(seat.stick.choose_gamepad("ana", "pad"))
+    await asyncio.sleep(0)
+    seat.notice("stick", {"client": "ana", "sample": {**TURN._asdict(), "t_ms": (seat.time_s - 60.0) * 1000.0}})
+    await choosing
+    assert seat.flies() == TURN
+
+
 @pytest.mark.parametrize("then", [NOBODY, BEA])
 async def test_who_loses_control_while_the_first_sample_is_awaited_does_not_fly(then: dict[str, Any]) -> None:
     seat = Seat()
