@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from io import BytesIO
 
+import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 from mcap.reader import make_reader
@@ -52,3 +53,29 @@ def test_the_messages_of_a_channel_are_numbered() -> None:
 def test_a_note_stands_where_it_was_made() -> None:
     (note,) = [r for r in StreamReader(BytesIO(a_file([]))).records if isinstance(r, Metadata)]
     assert (note.name, note.metadata) == ("board_link", {"url": "tcp://h:1"})
+
+
+def test_a_message_has_one_time_and_its_number_begins_anew_after_the_last_that_fits() -> None:
+    data = opening("test 1.0", TOPICS) + message_record(1, 2**32 + 5, 77, b"a") + data_end()
+    (message,) = [
+        r for r in StreamReader(BytesIO(data + closing(TOPICS, Tally(), len(data)))).records if isinstance(r, Message)
+    ]
+    assert (message.sequence, message.log_time, message.publish_time, message.data) == (5, 77, 77, b"a")
+
+
+def test_a_summary_has_the_times_and_counts_of_all_chunks_in_whatever_order_they_are_counted() -> None:
+    tally = Tally()
+    for channel, times in ((1, [30, 20]), (2, [25]), (1, [10, 15]), (2, [40, 35])):
+        tally.add_all(channel, np.array(times, np.int64))
+    assert (tally.counts, tally.first_ns, tally.last_ns) == ({1: 4, 2: 3}, 10, 40)
+    data = opening("test 1.0", TOPICS) + data_end()
+    summary = make_reader(BytesIO(data + closing(TOPICS, tally, len(data), chunk_count=4))).get_summary()
+    assert summary is not None
+    statistics = summary.statistics
+    assert statistics is not None
+    assert (statistics.chunk_count, statistics.message_count, statistics.channel_count) == (4, 7, 2)
+    assert (statistics.message_start_time, statistics.message_end_time) == (10, 40)
+    assert (statistics.schema_count, statistics.attachment_count, statistics.metadata_count) == (0, 0, 0)
+    assert {c.topic: (c.message_encoding, c.schema_id) for c in summary.channels.values()} == {
+        topic: ("application/octet-stream", 0) for topic in TOPICS.values()
+    }
