@@ -76,6 +76,5 @@ def test_a_summary_has_the_times_and_counts_of_all_chunks_in_whatever_order_they
     assert (statistics.chunk_count, statistics.message_count, statistics.channel_count) == (4, 7, 2)
     assert (statistics.message_start_time, statistics.message_end_time) == (10, 40)
     assert (statistics.schema_count, statistics.attachment_count, statistics.metadata_count) == (0, 0, 0)
-    assert {c.topic: (c.message_encoding, c.schema_id) for c in summary.channels.values()} == dict.fromkeys(
-        TOPICS.values(), ("application/octet-stream", 0)
-    )
+    encodings = {channel.topic: (channel.message_encoding, channel.schema_id) for channel in summary.channels.values()}
+    assert encodings == dict.fromkeys(TOPICS.values(), ("application/octet-stream", 0))

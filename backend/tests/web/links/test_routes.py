@@ -91,7 +91,8 @@ def test_a_simulator_is_opened_told_what_is_missing_and_closed(gateway: Gateway)
             probe.bind(("127.0.0.1", 0))
             port = probe.getsockname()[1]
         body = {"receive_port": port, "send_host": "127.0.0.1", "send_port": simulator.getsockname()[1]}
-        gateway.http.put("/links/simulator", json=body).raise_for_status()
+        answer = gateway.http.put("/links/simulator", json=body).raise_for_status().json()
+        assert answer == {"state": "opening", "url": f"udp://127.0.0.1:{body['send_port']}"}
         status = gateway.status()["simulator"]
         assert (status["state"], status["profile"]) == ("opening", "xp10")
         assert str(port) in status["advice"]
