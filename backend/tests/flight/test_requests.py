@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 from collections.abc import AsyncIterator, Mapping
 from pathlib import Path
 from typing import Any
@@ -19,6 +20,7 @@ from epf_gcs.flight.requests.notices import notices
 from epf_gcs.flight.requests.recording import policy_of
 from epf_gcs.recordings.notes import EVENT, IDENTITY, MARK, Note
 from epf_gcs.recordings.reading import notes_of
+from tests.support.waiting import eventually_async
 
 pytestmark = pytest.mark.anyio
 
@@ -50,8 +52,8 @@ class Asked:
         self.line = Line()
         self.told: list[tuple[str, Mapping[str, Any]]] = []
 
-    async def __call__(self, name: str, **arguments: Any) -> Any:
-        return await self.flight._requests[name](ANA, arguments)
+    async def __call__(self, request: str, /, **arguments: Any) -> Any:
+        return await self.flight._requests[request](ANA, arguments)
 
     def attach(self, *, is_emulated: bool = False) -> None:
         board = self.flight.board
@@ -122,6 +124,27 @@ async def test_the_gamepad_is_chosen_for_who_asks_and_the_simulators_stick_by_an
     assert (await asked("hil.read"))["stick"]["source"] == "gamepad"
     answer = await flight._requests["hil.set"](Asker(), {"stick": "simulator"})
     assert answer["stick"]["source"] == "simulator"
+
+
+@pytest.mark.parametrize(
+    ("request_name", "arguments", "command"),
+    [
+        ("hil.set", {"source": "joystick"}, "control_source"),
+        ("command", {"name": "gps_on", "arguments": []}, "gps_on"),
+        ("command", {"name": "set_k_pitch", "arguments": [2.5]}, "set_k_pitch"),
+        ("parameters.load", {}, "load_autopilot_parameters"),
+    ],
+)
+async def test_whoever_asks_is_told_as_the_one_who_commanded(
+    asked: Asked, request_name: str, arguments: dict[str, Any], command: str
+) -> None:
+    asked.attach()
+    asking = asyncio.create_task(asked(request_name, **arguments))
+    await eventually_async(lambda: "command" in [kind for kind, _ in asked.told], "it is told")
+    (told,) = [data for kind, data in asked.told if kind == "command"]
+    assert (told["name"], told["client"], told["state"]) == (command, "ana", "pending")
+    asking.cancel()
+    await asyncio.gather(asking, return_exceptions=True)
 
 
 async def test_a_line_of_the_console_goes_out_as_it_is_and_all_are_told_who_sent_it(asked: Asked) -> None:

@@ -12,7 +12,7 @@ import pytest
 from epf_gcs.bus.vehicle_end import Broadcast
 from epf_gcs.errors import LinkError
 from epf_gcs.flight.flight import Flight
-from epf_gcs.flight.hil.simulator import SimulatorAddress
+from epf_gcs.flight.hil.simulator import Profile, SimulatorAddress
 from epf_gcs.xplane.datagram import Record, build
 from tests.support.waiting import eventually_async
 
@@ -86,7 +86,8 @@ async def test_a_simulator_that_is_opened_anew_counts_as_open_when_it_is_heard_a
     station = Flight(tmp_path, record=False)
     async with station.running():
         port = free_port()
-        for opened, profile in enumerate(("xp10", "xp12")):
+        profiles: tuple[Profile, ...] = ("xp10", "xp12")
+        for opened, profile in enumerate(profiles):
             await station.lines.open_simulator(SimulatorAddress(port, "127.0.0.1", 49000, profile))
             assert (state(station), station.hil.profile) == ("opening", profile)
             with taken_port() as sender:

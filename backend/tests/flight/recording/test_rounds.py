@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import shutil
+import time
 from collections.abc import Callable, Iterator
 from io import FileIO
 from pathlib import Path
@@ -347,6 +348,24 @@ def test_mending_older_files_ends_with_the_flight(tmp_path: Path, monkeypatch: p
     assert not is_over()
     recorder.stop()
     assert is_over()
+
+
+def test_bytes_that_were_read_late_have_the_time_at_which_they_came_and_what_is_sent_changes_it_for_nobody(
+    rounds: Rounds, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    now_ns = 1024 * 10**9
+    monkeypatch.setattr(time, "monotonic_ns", lambda: now_ns)
+    clock, tap = rounds.recorder._clock, rounds.recorder.board_tap
+    read_ns = clock.decoding(lambda _: clock.now_ns())
+    tap.received(b"on time")
+    first_ns = read_ns(b"on time")
+    now_ns += 3 * 1024 * 10**6
+    tap.received(b"late", 1.024)
+    tap.sent(b"answer")
+    assert read_ns(b"late") - first_ns == 2 * 1024 * 10**6
+    rounds.at(100.0)
+    (file,) = rounds.ends()
+    assert [t_ns - first_ns for t_ns in read_file(file).messages.t_ns.tolist()] == [0, 2048 * 10**6, 3072 * 10**6]
 
 
 def _move(recorder: Recorder) -> None:

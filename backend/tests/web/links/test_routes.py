@@ -127,6 +127,8 @@ def test_the_switches_are_set_and_confirmed(gateway: Gateway, board: FakeBoard) 
     board.refuse["control_source"] = 2
     refused = gateway.http.put("/hil", json={"source": "rc"})
     assert (refused.status_code, refused.json()["code"]) == (502, "source_not_taken")
+    assert "The control source is still joystick" in refused.json()["detail"]
+    assert refused.json()["params"] == {"reason": "bad_state"}
     again = gateway.http.put("/hil", json={"source": "joystick"})
     assert (again.status_code, again.json()["code"]) == (502, "source_not_taken"), "the last heartbeat is no proof"
     assert gateway.http.get("/hil").json() == answer
