@@ -146,6 +146,13 @@ async def test_the_same_port_can_be_opened_with_another_simulator(tmp_path: Path
         assert state(station) == "opening"
 
 
+async def test_a_remembered_port_that_nobody_tried_to_open_yet_is_not_lost(tmp_path: Path) -> None:
+    station = Flight(tmp_path, record=False)
+    assert state(station) == "closed"
+    station.simulator.want(an_address(49003))
+    assert (state(station), station.simulator.is_listening, station.simulator.pinned) == ("opening", False, None)
+
+
 async def test_a_remembered_port_that_is_taken_is_opened_when_it_is_free(tmp_path: Path) -> None:
     other = taken_port()
     first = Flight(tmp_path, record=False)
