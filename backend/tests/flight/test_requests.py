@@ -114,10 +114,13 @@ async def test_during_the_emulation_nothing_of_the_loop_can_be_set_but_the_simul
     assert (await asked("hil.set", stick="simulator"))["stick"]["source"] == "simulator"
 
 
-async def test_the_gamepad_is_chosen_for_who_asks_and_the_simulators_stick_by_anybody(asked: Asked) -> None:
+async def test_the_gamepad_is_chosen_for_who_asks_and_the_simulators_stick_by_anybody(
+    asked: Asked, monkeypatch: pytest.MonkeyPatch
+) -> None:
     flight = asked.flight
+    monkeypatch.setattr(type(flight.clock), "steady_s", lambda _: 100.0)
     flight.stick.control_changed(Client("ana", "Ana"))
-    flight.stick.take("ana", {**HAND, "t_ms": flight.clock.steady_s() * 1000.0})
+    flight.stick.take("ana", {**HAND, "t_ms": 100_000.0})
     for gamepad, shown in (("Test Pad", "Test Pad"), (None, "")):
         answer = await asked("hil.set", stick="gamepad", gamepad=gamepad)
         assert (answer["stick"]["client"], answer["stick"]["gamepad"]) == ("ana", shown)

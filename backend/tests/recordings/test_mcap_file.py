@@ -11,7 +11,7 @@ from mcap.reader import make_reader
 from mcap.records import Channel, Header, Message, Metadata, Statistics
 from mcap.stream_reader import StreamReader
 
-from epf_gcs.recordings.mcap_file import Tally, closing, data_end, message_record, metadata_record, opening
+from epf_gcs.recordings.mcap_file import Contents, Tally, closing, data_end, message_record, metadata_record, opening
 
 TOPICS = {1: "board/received", 2: "board/sent"}
 
@@ -65,9 +65,10 @@ def test_a_message_has_one_time_and_its_number_begins_anew_after_the_last_that_f
 
 def test_a_summary_has_the_times_and_counts_of_all_chunks_in_whatever_order_they_are_counted() -> None:
     tally = Tally()
-    for channel, times in ((1, [30, 20]), (2, [25]), (1, [10, 15]), (2, [40, 35])):
+    for channel, times in ((1, [30, 20]), (2, [40, 25]), (1, [10, 15]), (2, [35])):
         tally.add_all(channel, np.array(times, np.int64))
     assert (tally.counts, tally.first_ns, tally.last_ns) == ({1: 4, 2: 3}, 10, 40)
+    tally.metadata_count = 5
     data = opening("test 1.0", TOPICS) + data_end()
     summary = make_reader(BytesIO(data + closing(TOPICS, tally, len(data), chunk_count=4))).get_summary()
     assert summary is not None
@@ -75,6 +76,10 @@ def test_a_summary_has_the_times_and_counts_of_all_chunks_in_whatever_order_they
     assert statistics is not None
     assert (statistics.chunk_count, statistics.message_count, statistics.channel_count) == (4, 7, 2)
     assert (statistics.message_start_time, statistics.message_end_time) == (10, 40)
-    assert (statistics.schema_count, statistics.attachment_count, statistics.metadata_count) == (0, 0, 0)
+    assert (statistics.schema_count, statistics.attachment_count, statistics.metadata_count) == (0, 0, 5)
     encodings = {channel.topic: (channel.message_encoding, channel.schema_id) for channel in summary.channels.values()}
     assert encodings == dict.fromkeys(TOPICS.values(), ("application/octet-stream", 0))
+    told = make_reader(BytesIO(data + closing(Contents(b"", 2, 3), tally, len(data)))).get_summary()
+    assert told is not None
+    assert told.statistics is not None
+    assert (told.statistics.channel_count, told.statistics.schema_count, told.statistics.chunk_count) == (2, 3, 0)

@@ -13,6 +13,7 @@ from epf_gcs.flight.hil import stick as stick_module
 from epf_gcs.flight.hil.stick import Stick
 from epf_gcs.flight.requests.hil import stick_notices
 from epf_gcs.xplane.datagram import Surfaces
+from tests.support.waiting import DEADLINE_S
 
 pytestmark = pytest.mark.anyio
 
@@ -83,6 +84,12 @@ async def seat() -> Seat:
     await made.stick.choose_gamepad("ana", "pad")
     assert made.flies() == TURN
     return made
+
+
+@pytest.fixture
+def patient(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The first sample is awaited as long as it takes."""
+    monkeypatch.setattr(stick_module, "_FIRST_SAMPLE_S", DEADLINE_S)
 
 
 async def test_a_lost_holders_hand_is_off_the_stick_at_once_and_on_it_again_when_control_is_back(seat: Seat) -> None:
@@ -188,6 +195,7 @@ async def test_only_the_hand_of_whoever_has_control_counts_whatever_the_others_a
     assert (seat.stick.counts["taken"], seat.stick.counts["not_operator"]) == (0, 4)
 
 
+@pytest.mark.usefixtures("patient")
 async def test_a_gamepad_that_is_chosen_before_it_speaks_is_awaited_and_then_flies_from_its_first_sample_on() -> None:
     seat = Seat()
     seat.control(ANA)
@@ -220,6 +228,7 @@ async def test_a_choice_waits_for_a_sample_of_its_own_and_not_for_one_that_ended
     assert seat.stick.source == "simulator"
 
 
+@pytest.mark.usefixtures("patient")
 async def test_a_gamepad_whose_pages_clock_was_set_back_meanwhile_can_be_chosen() -> None:
     seat = Seat()
     seat.control(ANA)
@@ -232,6 +241,7 @@ async def test_a_gamepad_whose_pages_clock_was_set_back_meanwhile_can_be_chosen(
     assert seat.flies() == TURN
 
 
+@pytest.mark.usefixtures("patient")
 @pytest.mark.parametrize("then", [NOBODY, BEA])
 async def test_who_loses_control_while_the_first_sample_is_awaited_does_not_fly(then: dict[str, Any]) -> None:
     seat = Seat()
