@@ -138,9 +138,11 @@ async def test_whatever_a_line_says_the_other_alarms_are_there(tmp_path: Path, l
 
 async def test_of_a_line_that_another_program_changed_only_what_an_alarm_can_hold_is_taken(tmp_path: Path) -> None:
     path = tmp_path / "alarms.jsonl"
-    changed = _with("params", {"volts": 10.1, "list": [1]}), _with("acknowledged", "yes"), _with("since_s", 1)
+    odd = orjson.dumps(LOW.as_dict() | {"since_s": 1, "params": {"volts": 10.1, "list": [1]}})
+    changed = _with("acknowledged", "yes"), odd
     path.write_bytes(b"\n".join(changed) + b"\n")
     history, reported = a_history(path)
     assert history.past == [LOW, replace(LOW, since_s=1.0)]
+    assert history.past[1].finding.params == {"volts": 10.1}
     assert reported == []
     history.close()

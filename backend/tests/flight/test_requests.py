@@ -225,7 +225,8 @@ async def test_the_identity_names_board_firmware_station_and_person(asked: Asked
     asked.flight._known.identity()
     asked.flight.stick.control_changed(None)
     notes = asked.notes()
-    before, known, after = [note.content for note in notes if note.name == IDENTITY][-3:]
+    first, before, known, after = [note.content for note in notes if note.name == IDENTITY]
+    assert first == before | {"operator": None}, "a file begins with who begins"
     assert (before["board"], before["firmware"], before["operator"]) == ({}, None, "Ana")
     assert (known["firmware"], known["aircraft"], known["emulated"]) == ("fake 1.5", None, False)
     assert known["board"]["firmware_version"] == "1.5"
