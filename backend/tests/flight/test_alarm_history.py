@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from pathlib import Path
 
+import orjson
 import pytest
 
 from epf_gcs.errors import GatewayError
@@ -16,6 +17,11 @@ from tests.support.waiting import eventually_async
 pytestmark = pytest.mark.anyio
 
 LOW = Alarm(Finding("battery_low", "critical", "10.1 V.", {"volts": 10.1}), since_s=1.5, until_s=2.5)
+
+
+def _with(name: str, value: object) -> bytes:
+    """The line of that alarm with another value."""
+    return orjson.dumps(LOW.as_dict() | {name: value})
 
 
 def a_history(path: Path) -> tuple[AlarmHistory, list[GatewayError]]:
@@ -57,7 +63,12 @@ async def test_lines_that_make_no_sense_are_told_and_kept_aside(tmp_path: Path) 
     path.write_bytes(content)
     again, reported = a_history(path)
     assert again.past == [LOW]
-    assert [error.code for error in reported] == ["alarms_unreadable"]
+    (error,) = reported
+    assert (error.code, error.params) == (
+        "alarms_unreadable",
+        {"path": str(path), "reason": "2 of 3 lines make no sense"},
+    )
+    assert "(2 of 3 lines make no sense)" in error.detail
     again.close()
     (aside,) = path.parent.glob("alarms.jsonl.damaged-*")
     assert aside.read_bytes() == content
@@ -72,6 +83,7 @@ async def test_a_disk_that_refuses_is_reported(tmp_path: Path) -> None:
     await eventually_async(lambda: len(reported) == 2, "both are reported")
     history.close()
     assert [error.code for error in reported] == ["alarms_unreadable", "alarms_not_written"]
+    assert reported[0].params["reason"] == "Is a directory"
     assert "The history of the alarms could not be kept" in reported[1].detail
 
 
@@ -98,3 +110,39 @@ async def test_a_warning_is_a_warning_after_a_restart(tmp_path: Path) -> None:
     again, _ = a_history(path)
     assert again.past == [mild]
     again.close()
+
+
+async def test_alarms_that_began_together_and_one_that_began_again_are_all_there(tmp_path: Path) -> None:
+    path = tmp_path / "alarms.jsonl"
+    kept = [LOW, replace(LOW, finding=replace(LOW.finding, id="stick_lost")), replace(LOW, since_s=7.0, until_s=8.0)]
+    history, _ = a_history(path)
+    for alarm in kept:
+        history.keep(alarm)
+    history.close()
+    again, _ = a_history(path)
+    assert again.past == kept
+    again.close()
+
+
+@pytest.mark.parametrize(
+    "line", [b"[]", b"7", b"null", b'{"params": []}', b"\xff", *(_with(name, None) for name in ("since_s", "until_s"))]
+)
+async def test_whatever_a_line_says_the_other_alarms_are_there(tmp_path: Path, line: bytes) -> None:
+    path = tmp_path / "alarms.jsonl"
+    path.write_bytes(line + b"\n" + orjson.dumps(LOW.as_dict()) + b"\n")
+    history, reported = a_history(path)
+    assert history.past == [LOW]
+    assert [error.params["reason"] for error in reported] == ["1 of 2 lines make no sense"]
+    history.close()
+
+
+async def test_of_a_line_that_another_program_changed_only_what_an_alarm_can_hold_is_taken(tmp_path: Path) -> None:
+    path = tmp_path / "alarms.jsonl"
+    odd = orjson.dumps(LOW.as_dict() | {"since_s": 1, "params": {"volts": 10.1, "list": [1]}})
+    changed = _with("acknowledged", "yes"), odd
+    path.write_bytes(b"\n".join(changed) + b"\n")
+    history, reported = a_history(path)
+    assert history.past == [LOW, replace(LOW, since_s=1.0)]
+    assert history.past[1].finding.params == {"volts": 10.1}
+    assert reported == []
+    history.close()

@@ -39,6 +39,23 @@ def test_a_link_is_opened_lost_and_reopened_each_said_once() -> None:
         ("info", "link closed"),
     ]
     assert "unplugged" in logged[1]["reason"]
+    assert {(line["link"], line["target"]) for line in logged} == {("board", "/dev/ttyUSB0")}
+    assert not any("reason" in line for line in (logged[0], *logged[2:]))
+
+
+def test_each_link_has_a_life_and_a_quiet_time_of_its_own() -> None:
+    world = World()
+    with structlog.testing.capture_logs() as logged:
+        world.log.link("board", "open", "t", None)
+        world.log.link("board", "lost", "t", None)
+        world.log.link("simulator", "open", "u", None)
+        world.log.link("simulator", "lost", "u", None)
+    assert [(line["link"], line["event"]) for line in logged] == [
+        ("board", "link opened"),
+        ("board", "link lost"),
+        ("simulator", "link opened"),
+        ("simulator", "link lost"),
+    ]
 
 
 def test_a_plug_that_wobbles_is_said_once_in_ten_seconds_with_how_often() -> None:
@@ -61,9 +78,9 @@ def test_a_plug_that_wobbles_is_said_once_in_ten_seconds_with_how_often() -> Non
 def test_what_was_said_is_said_again_from_ten_seconds_after_it_on() -> None:
     world = World()
     with structlog.testing.capture_logs() as logged:
-        for world.now_s in (0.0, 4.0, 9.9, 10.0, 19.9, 20.1):
+        for world.now_s in (0.0, 4.0, 9.9, 10.0, 19.9, 20.1, 31.0):
             world.log.alarm("came", ALARM)
-    assert [line.get("unsaid") for line in logged] == [None, 2, 1]
+    assert [line.get("unsaid") for line in logged] == [None, 2, 1, None]
 
 
 def test_a_quiet_alarm_does_not_make_another_one_quiet() -> None:
@@ -91,6 +108,8 @@ def test_alarms_come_go_and_are_acknowledged() -> None:
         ("warning", "alarm came"),
         ("warning", "board restarted"),
     ]
+    assert [line.get("text") for line in logged] == ["10.1 V."] * 4 + [None]
+    assert logged[-1]["uptime_ms"] == 120
 
 
 def test_a_log_that_cannot_be_written_ends_nobody(monkeypatch: pytest.MonkeyPatch) -> None:

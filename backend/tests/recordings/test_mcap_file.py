@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from io import BytesIO
 
+import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 from mcap.reader import make_reader
 from mcap.records import Channel, Header, Message, Metadata, Statistics
 from mcap.stream_reader import StreamReader
 
-from epf_gcs.recordings.mcap_file import Tally, closing, data_end, message_record, metadata_record, opening
+from epf_gcs.recordings.mcap_file import Contents, Tally, closing, data_end, message_record, metadata_record, opening
 
 TOPICS = {1: "board/received", 2: "board/sent"}
 
@@ -52,3 +53,33 @@ def test_the_messages_of_a_channel_are_numbered() -> None:
 def test_a_note_stands_where_it_was_made() -> None:
     (note,) = [r for r in StreamReader(BytesIO(a_file([]))).records if isinstance(r, Metadata)]
     assert (note.name, note.metadata) == ("board_link", {"url": "tcp://h:1"})
+
+
+def test_a_message_has_one_time_and_its_number_begins_anew_after_the_last_that_fits() -> None:
+    data = opening("test 1.0", TOPICS) + message_record(1, 2**32 + 5, 77, b"a") + data_end()
+    (message,) = [
+        r for r in StreamReader(BytesIO(data + closing(TOPICS, Tally(), len(data)))).records if isinstance(r, Message)
+    ]
+    assert (message.sequence, message.log_time, message.publish_time, message.data) == (5, 77, 77, b"a")
+
+
+def test_a_summary_has_the_times_and_counts_of_all_chunks_in_whatever_order_they_are_counted() -> None:
+    tally = Tally()
+    for channel, times in ((1, [30, 20]), (2, [40, 25]), (1, [10, 15]), (2, [35])):
+        tally.add_all(channel, np.array(times, np.int64))
+    assert (tally.counts, tally.first_ns, tally.last_ns) == ({1: 4, 2: 3}, 10, 40)
+    tally.metadata_count = 5
+    data = opening("test 1.0", TOPICS) + data_end()
+    summary = make_reader(BytesIO(data + closing(TOPICS, tally, len(data), chunk_count=4))).get_summary()
+    assert summary is not None
+    statistics = summary.statistics
+    assert statistics is not None
+    assert (statistics.chunk_count, statistics.message_count, statistics.channel_count) == (4, 7, 2)
+    assert (statistics.message_start_time, statistics.message_end_time) == (10, 40)
+    assert (statistics.schema_count, statistics.attachment_count, statistics.metadata_count) == (0, 0, 5)
+    encodings = {channel.topic: (channel.message_encoding, channel.schema_id) for channel in summary.channels.values()}
+    assert encodings == dict.fromkeys(TOPICS.values(), ("application/octet-stream", 0))
+    told = make_reader(BytesIO(data + closing(Contents(b"", 2, 3), tally, len(data)))).get_summary()
+    assert told is not None
+    assert told.statistics is not None
+    assert (told.statistics.channel_count, told.statistics.schema_count, told.statistics.chunk_count) == (2, 3, 0)

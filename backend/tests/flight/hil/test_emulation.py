@@ -15,7 +15,9 @@ from epf_gcs.codec.messages_gen import PARAMETERS, XPLANE_ROWS
 from epf_gcs.codec.values import meaning
 from epf_gcs.flight.hil.emulation import PROFILE, EmulationLink
 from epf_gcs.link.base import LinkCallbacks
-from epf_gcs.xplane.datagram import parse
+from epf_gcs.vehicle.example_flight import moment
+from epf_gcs.xplane.datagram import Record, parse
+from epf_gcs.xplane.mapping import surfaces_from_servos_in
 
 pytestmark = pytest.mark.anyio
 
@@ -61,6 +63,7 @@ class Examples:
         self.values: dict[str, dict[str, Any]] = {}
         self.counts: Counter[str] = Counter()
         self.chunks = 0
+        self.records: list[Record] = []
         self.row: dict[str, float] = {}
         self._decoder = FrameDecoder(FROM_BOARD)
         self.link = EmulationLink(self._on_datagram)
@@ -88,9 +91,10 @@ class Examples:
     def _on_datagram(self, data: bytes) -> None:
         definitions = XPLANE_ROWS[PROFILE]
         self.counts["datagram"] += 1
+        self.records = parse(data) or []
         self.row = {
             value.name: record.values[value.index]
-            for record in parse(data) or []
+            for record in self.records
             for value in definitions[record.row].values
         }
 
@@ -144,11 +148,18 @@ async def test_simulator_and_board_tell_the_same_flight(t_s: float) -> None:
     }
     assert (analog["alpha_deg"], analog["beta_deg"], analog["temperature_degc"]) == (3.0, 0.0, 19.0)
     assert (analog["battery_v"], analog["calibrated_airspeed_kt"]) == (pytest.approx(11.8), 60.0)
+    assert analog["pitot_pa"] == pytest.approx(0.5 * 1.225 * (60.0 * 1852.0 / 3600.0) ** 2, rel=1e-4)
+    assert (gps["speed_kt"], gps["heading_deg"]) == (60.0, ahrs["yaw_deg"])
+    assert (gps["satellites"], gps["fix"], gps["valid"]) == (11, 3, True)
     assert {name: row[name] for name in same} == pytest.approx(same, rel=1e-4, abs=1e-4)
     surfaces = board["hil_surfaces"]
     for name in ("elevator", "aileron", "rudder"):
         assert row[f"stick_{name}"] == row[f"surface_{name}"] == pytest.approx(surfaces[name], abs=1e-4)
     assert row["throttle_command"] == pytest.approx(surfaces["throttle"], abs=1e-4)
+    assert board["fly_by_wire"] == surfaces
+    channels = list(board["servos_in"].values())
+    assert surfaces_from_servos_in(channels)._asdict() == surfaces, "the receiver hears the same hand"
+    assert channels[4:] == [0.0] * 8
 
 
 @pytest.mark.parametrize(("t_s", "sway"), [(0.0, 0.0), (1.74, 1.0), (3.5, 0.0), (5.24, -1.0), (7.0, 0.0), (8.74, 1.0)])
@@ -174,6 +185,26 @@ async def test_the_next_waypoints_of_both_plans_follow_each_other() -> None:
     assert (plan["waypoint"], hil_plan["waypoint"]) in [(0, 1), (1, 2), (2, 3), (3, 0)]
     assert (plan["altitude_ft"], plan["speed_kt"]) == (1000.0, 60.0)
     assert plan["distance_m"] != hil_plan["distance_m"]
+    for ahead, one in enumerate((plan, hil_plan)):
+        bearing_deg, distance_m, _ = moment(10.0).to_waypoint(ahead)
+        assert one["bearing_deg"] == pytest.approx(bearing_deg, abs=1e-3)
+        assert one["distance_m"] == round(distance_m)
+
+
+async def test_in_the_example_all_runs_and_what_nobody_measures_is_left_empty() -> None:
+    examples = Examples()
+    examples.step()
+    assert set(examples.values["board_status"].values()) == {0}
+    flags = examples.values["heartbeat"]
+    assert [name for name, is_on in flags.items() if not is_on] == ["source_joystick"]
+    assert examples.values["analog"]["altitude_external_m"] is None, "nobody measures it"
+    magnetic = [examples.values["inertial"][f"mag{axis}"] for axis in "xyz"]
+    assert magnetic == pytest.approx(moment(0.0).field, abs=1e-6)
+    told = {row.id: {value.index for value in row.values} for row in XPLANE_ROWS[PROFILE].values()}
+    assert {record.row for record in examples.records} == set(told)
+    for record in examples.records:
+        empty = [value for index, value in enumerate(record.values) if index not in told[record.row]]
+        assert set(empty) <= {-999.0}
 
 
 async def test_the_link_that_is_closed_sends_nothing_more() -> None:
@@ -196,6 +227,7 @@ async def test_it_says_who_it_is_since_when_and_the_default_gains() -> None:
     examples.loop.next()
     told = examples.values["capabilities"]
     assert (told["firmware_name"], told["firmware_version"], told["uptime_ms"]) == ("emulation", "examples", 2500)
+    assert told["protocol_version"] == 1
     assert not any(one for name, one in told.items() if name.startswith("has_"))
     held = examples.values["autopilot_parameters"]
     assert {gain.name: held[gain.name] for gain in PARAMETERS} == pytest.approx(

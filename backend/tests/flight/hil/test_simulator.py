@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import socket
+from collections.abc import Mapping
 from pathlib import Path
+from typing import Any
 
 import pytest
 
+from epf_gcs.bus.vehicle_end import Broadcast
 from epf_gcs.errors import LinkError
 from epf_gcs.flight.flight import Flight
-from epf_gcs.flight.hil.simulator import SimulatorAddress
+from epf_gcs.flight.hil.simulator import Profile, SimulatorAddress
 from epf_gcs.xplane.datagram import Record, build
 from tests.support.waiting import eventually_async
 
@@ -35,7 +38,9 @@ def state(station: Flight) -> str:
     return station.simulator.state
 
 
-async def test_rubbish_and_strangers_are_counted_and_told(tmp_path: Path) -> None:
+async def test_rubbish_and_strangers_are_counted_and_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    told: list[Mapping[str, Any]] = []
+    monkeypatch.setattr(Broadcast, "event", lambda _, kind, data: told.append(data) if kind == "error" else None)
     station = Flight(tmp_path, record=False)
     async with station.running():
         port = free_port()
@@ -51,6 +56,13 @@ async def test_rubbish_and_strangers_are_counted_and_told(tmp_path: Path) -> Non
         assert station.simulator.datagrams == 0
         assert state(station) == "opening"
         assert station.errors.counts == {"datagram_malformed": 6, "datagram_stranger": 1}
+        assert station.simulator.bytes_in == 0
+        assert station.simulator.last_stranger_s is not None
+        malformed, foreign = sorted(told, key=lambda one: one["code"])
+        assert "A datagram of 0 bytes was dropped" in malformed["detail"]
+        assert malformed["params"] == {"bytes": 0}
+        assert foreign["params"] == {"host": station.simulator.last_stranger, "configured": "127.0.0.1"}
+        assert "because the simulator is at 127.0.0.1" in foreign["detail"]
 
 
 async def test_a_simulator_that_sent_nothing_for_a_second_is_lost(
@@ -68,6 +80,42 @@ async def test_a_simulator_that_sent_nothing_for_a_second_is_lost(
         for later_s, expected in ((0.0, "open"), (0.9, "open"), (1.1, "lost")):
             monkeypatch.setattr(type(station.clock), "steady_s", lambda _, now_s=heard_s + later_s: now_s)
             assert state(station) == expected
+
+
+async def test_a_simulator_that_is_opened_anew_counts_as_open_when_it_is_heard_again(tmp_path: Path) -> None:
+    station = Flight(tmp_path, record=False)
+    async with station.running():
+        port = free_port()
+        profiles: tuple[Profile, ...] = ("xp10", "xp12")
+        for opened, profile in enumerate(profiles):
+            await station.lines.open_simulator(SimulatorAddress(port, "127.0.0.1", 49000, profile))
+            assert (state(station), station.hil.profile) == ("opening", profile)
+            with taken_port() as sender:
+                for _ in range(2):
+                    sender.sendto(b"DATA@" + b"\0" * 36, ("127.0.0.1", port))
+                await eventually_async(lambda n=2 * opened + 2: station.simulator.datagrams == n, "it is heard")  # type: ignore[misc]
+            assert station.simulator._last_datagram_s is not None
+        assert station.simulator.bytes_in == 4 * 41
+
+
+async def test_many_strangers_are_counted_one_by_one_and_told_where_the_simulator_is(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    told: list[Mapping[str, Any]] = []
+    monkeypatch.setattr(Broadcast, "event", lambda _, kind, data: told.append(data) if kind == "error" else None)
+    station = Flight(tmp_path, record=False)
+    async with station.running():
+        port = free_port()
+        await station.lines.open_simulator(an_address(port))
+        with taken_port() as simulator, socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as other:
+            other.bind(("127.0.0.2", 0))
+            simulator.sendto(b"DATA@" + b"\0" * 36, ("127.0.0.1", port))
+            await eventually_async(lambda: station.simulator.datagrams == 1, "the simulator is heard")
+            pinned = f"127.0.0.1:{simulator.getsockname()[1]}"
+            for _ in range(20):
+                other.sendto(b"DATA@" + b"\0" * 36, ("127.0.0.1", port))
+            await eventually_async(lambda: station.simulator.dropped["stranger"] == 20, "all are counted")
+        assert told[0]["params"] == {"host": station.simulator.last_stranger, "configured": pinned}
 
 
 async def test_a_taken_port_leaves_everything_as_it_was(tmp_path: Path) -> None:
@@ -96,6 +144,13 @@ async def test_the_same_port_can_be_opened_with_another_simulator(tmp_path: Path
             await station.lines.open_simulator(SimulatorAddress(port, "no.such.host.invalid", 49000, "xp10"))
         assert station.simulator.address == an_address(port, 49010)
         assert state(station) == "opening"
+
+
+async def test_a_remembered_port_that_nobody_tried_to_open_yet_is_not_lost(tmp_path: Path) -> None:
+    station = Flight(tmp_path, record=False)
+    assert state(station) == "closed"
+    station.simulator.want(an_address(49003))
+    assert (state(station), station.simulator.is_listening, station.simulator.pinned) == ("opening", False, None)
 
 
 async def test_a_remembered_port_that_is_taken_is_opened_when_it_is_free(tmp_path: Path) -> None:

@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+import asyncio
 from typing import Any
 
 import pytest
 
 from epf_gcs.bus.definition import Client
 from epf_gcs.errors import ConflictError
+from epf_gcs.flight.hil import stick as stick_module
 from epf_gcs.flight.hil.stick import Stick
 from epf_gcs.flight.requests.hil import stick_notices
 from epf_gcs.xplane.datagram import Surfaces
+from tests.support.waiting import DEADLINE_S
 
 pytestmark = pytest.mark.anyio
 
@@ -29,8 +32,10 @@ class Seat:
     def __init__(self) -> None:
         self.time_s = 100.0
         self.reasons: list[str] = []
+        self.told: list[dict[str, Any]] = []
+        self.changes = 0
         self.holders: list[str | None] = []
-        self.stick = Stick(self, self, lambda: None)
+        self.stick = Stick(self, self, self._changed)
         self.stick.on_holder = lambda: self.holders.append(self.stick.holder.name if self.stick.holder else None)
         self.notice = stick_notices(self.stick)
 
@@ -43,6 +48,10 @@ class Seat:
     def event(self, kind: str, data: Any) -> None:
         assert kind == "stick"
         self.reasons.append(data["reason"])
+        self.told.append(data)
+
+    def _changed(self) -> None:
+        self.changes += 1
 
     def sample(self, topic: str, t_s: float, values: Any) -> None:
         raise AssertionError("the stick sends no samples")
@@ -75,6 +84,12 @@ async def seat() -> Seat:
     await made.stick.choose_gamepad("ana", "pad")
     assert made.flies() == TURN
     return made
+
+
+@pytest.fixture
+def patient(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The first sample is awaited as long as it takes."""
+    monkeypatch.setattr(stick_module, "_FIRST_SAMPLE_S", DEADLINE_S)
 
 
 async def test_a_lost_holders_hand_is_off_the_stick_at_once_and_on_it_again_when_control_is_back(seat: Seat) -> None:
@@ -178,3 +193,116 @@ async def test_only_the_hand_of_whoever_has_control_counts_whatever_the_others_a
         for other in others:
             seat.move(other)
     assert (seat.stick.counts["taken"], seat.stick.counts["not_operator"]) == (0, 4)
+
+
+@pytest.mark.usefixtures("patient")
+async def test_a_gamepad_that_is_chosen_before_it_speaks_is_awaited_and_then_flies_from_its_first_sample_on() -> None:
+    seat = Seat()
+    seat.control(ANA)
+    seat.move("ana")
+    seat.time_s += 0.4
+    for _ in range(2):
+        choosing = asyncio.create_task(seat.stick.choose_gamepad("ana", "pad"))
+        await asyncio.sleep(0)
+        assert seat.flies() is None, "what came long before counts for nothing"
+        seat.move("ana", GLIDE)
+        await choosing
+        assert seat.flies() == GLIDE
+        seat.stick.choose_simulator()
+        seat.stick.let_go()
+    assert seat.reasons == ["chosen"] * 4, "the first sample of a new gamepad is no return of a lost one"
+
+
+async def test_a_choice_waits_for_a_sample_of_its_own_and_not_for_one_that_ended_an_earlier_wait(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(stick_module, "_FIRST_SAMPLE_S", 0.01)
+    seat = Seat()
+    seat.control(ANA)
+    seat.move("ana")
+    await seat.stick.choose_gamepad("ana", "pad")
+    seat.stick.choose_simulator()
+    seat.time_s += 0.4
+    with pytest.raises(ConflictError, match="nothing of it arrives"):
+        await seat.stick.choose_gamepad("ana", "pad")
+    assert seat.stick.source == "simulator"
+
+
+@pytest.mark.usefixtures("patient")
+async def test_a_gamepad_whose_pages_clock_was_set_back_meanwhile_can_be_chosen() -> None:
+    seat = Seat()
+    seat.control(ANA)
+    seat.move("ana")
+    seat.time_s += 0.4
+    choosing = asyncio.create_task(seat.stick.choose_gamepad("ana", "pad"))
+    await asyncio.sleep(0)
+    seat.notice("stick", {"client": "ana", "sample": {**TURN._asdict(), "t_ms": (seat.time_s - 60.0) * 1000.0}})
+    await choosing
+    assert seat.flies() == TURN
+
+
+@pytest.mark.usefixtures("patient")
+@pytest.mark.parametrize("then", [NOBODY, BEA])
+async def test_who_loses_control_while_the_first_sample_is_awaited_does_not_fly(then: dict[str, Any]) -> None:
+    seat = Seat()
+    seat.control(ANA)
+    choosing = asyncio.create_task(seat.stick.choose_gamepad("ana", "pad"))
+    await asyncio.sleep(0)
+    seat.move("ana")
+    seat.control(then)
+    with pytest.raises(ConflictError, match="Only the page that has control"):
+        await choosing
+    assert (seat.flies(), seat.reasons) == (None, [])
+
+
+async def test_the_hand_of_who_had_control_before_does_not_count_as_the_gamepad_of_who_has_it_now(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(stick_module, "_FIRST_SAMPLE_S", 0.01)
+    seat = Seat()
+    seat.control(ANA)
+    seat.move("ana")
+    seat.control(BEA)
+    with pytest.raises(ConflictError, match="nothing of it arrives"):
+        await seat.stick.choose_gamepad("bea", "pad")
+
+
+async def test_control_that_is_told_again_is_no_news_and_leaves_the_hand_on_the_stick(seat: Seat) -> None:
+    seat.control(ANA)
+    assert seat.flies() == TURN
+    assert (seat.holders, seat.reasons) == (["Ana"], ["chosen"])
+
+
+async def test_everybody_is_told_whose_gamepad_flies_whether_it_lives_and_which_one_has_ended(seat: Seat) -> None:
+    seat.flies(0.4)
+    assert seat.changes == 2
+    seat.stick.choose_simulator()
+    ana = {"client": "ana", "name": "Ana", "gamepad": "pad"}
+    assert seat.told == [
+        {"source": "gamepad", "state": "live", "reason": "chosen", **ana},
+        {"source": "gamepad", "state": "lost", "reason": "lost", **ana},
+        {"source": "simulator", "state": None, "reason": "chosen", "client": None, "name": None, "gamepad": "pad"},
+    ]
+    assert seat.changes == 3, "the status is sent with each of them"
+    assert seat.stick.gamepad is None
+    seat.stick.choose_simulator()
+    assert seat.changes == len(seat.told) == 3, "what is so already is no news"
+
+
+@pytest.mark.parametrize("how", ["control kept", "page gone"])
+async def test_a_hand_that_is_taken_off_the_stick_is_told_at_once(seat: Seat, how: str) -> None:
+    if how == "control kept":
+        seat.control(ANA, kept=True)
+    else:
+        seat.notice("stick_gone", {"client": "ana"})
+    assert seat.reasons == ["chosen", "lost"], "before anybody looks at the clock"
+
+
+async def test_samples_that_come_late_or_say_nothing_are_counted_and_move_nothing(seat: Seat) -> None:
+    seat.time_s += 1.0
+    late = {**GLIDE._asdict(), "t_ms": (seat.time_s - 0.5) * 1000.0}
+    seat.notice("stick", {"client": "ana", "sample": late})
+    seat.notice("stick", {"client": "ana", "sample": {**late, "throttle": None}})
+    assert seat.stick.counts == {"taken": 1, "late": 1, "invalid": 1}
+    assert seat.flies() == LET_GO
+    assert seat.reasons == ["chosen", "lost"]

@@ -55,8 +55,10 @@ async def test_a_flight_is_told_by_its_notes(tmp_path: Path, board: FakeBoard, m
     plans = [note.content for note in notes if note.name == PLAN]
     assert plans == [{"plan": "flight", "waypoints": []}, {"plan": "flight", "waypoints": None}], "unknown once closed"
     lines = [note.content for note in notes if note.name == LINE and note.content["line"] == "board"]
-    assert [line["open"] for line in lines][-2:] == [True, False]
-    assert board.url in [line["url"] for line in lines]
+    assert [(line["open"], line["url"], line["baud"], line["profile"], line["emulated"]) for line in lines][-2:] == [
+        (True, board.url, 115200, None, False),
+        (False, None, None, None, False),
+    ]
     assert any(
         value["value"] is not None for note in notes if note.name == PARAMETERS for value in note.content.values()
     )
@@ -113,7 +115,11 @@ async def test_whether_the_simulators_port_is_listened_to_is_noted(tmp_path: Pat
         await flight.lines.close_simulator()
     (file,) = (tmp_path / "recordings").glob("*.mcap")
     lines = [note.content for note in notes_of(file) if note.name == LINE and note.content["line"] == "simulator"]
-    assert [(line["open"], line["profile"]) for line in lines][-2:] == [(True, "xp12"), (False, None)]
+    assert [(line["open"], line["profile"], line["url"]) for line in lines][-2:] == [
+        (True, "xp12", "udp://127.0.0.1:49000"),
+        (False, None, None),
+    ]
+    assert all(line["baud"] is None and line["emulated"] is False for line in lines)
 
 
 async def test_the_disks_policy_is_the_recorders_and_is_remembered(tmp_path: Path) -> None:

@@ -253,6 +253,7 @@ def test_the_log_says_when_a_recording_begins_and_ends(tmp_path: Path) -> None:
     (file,) = tmp_path.glob("*.mcap")
     said = [(line["event"], line["file"]) for line in logged if line["event"] != "disk low"]
     assert said == [("recording begun", file.name), ("recording ended", file.name)]
+    assert logged[-1]["bytes"] == file.stat().st_size
 
 
 def test_what_was_recorded_is_pushed_to_the_disk_in_flight(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import os
+import struct
+import time
 from io import BytesIO
 from pathlib import Path
 
@@ -13,6 +16,7 @@ from mcap.reader import make_reader
 from mcap.records import Message, Metadata
 from mcap.stream_reader import StreamReader
 
+from epf_gcs.flight.recording import repair as repair_module
 from epf_gcs.flight.recording.repair import BeyondRepairError, recordings_in, repair, repair_all
 from epf_gcs.recordings.mcap_file import Tally, closing, data_end, message_record, metadata_record, opening
 from epf_gcs.recordings.packing import pack
@@ -142,3 +146,53 @@ def test_a_packed_file_is_never_touched(tmp_path: Path, cut: int) -> None:
     assert path.read_bytes() == content
     assert [line["event"] for line in logged] == ([] if cut == 0 else ["recording damaged, left as it is"])
     assert len(read_file(path).messages.t_ns) == 200, "all its messages can be read all the same"
+
+
+@pytest.mark.parametrize(
+    ("behind", "why"),
+    [
+        (bytes(3_000_000) + b"x", "something in it that is no record"),
+        (b"\x05" + struct.pack("<Q", 2**40) + bytes(100), "something in it that is no record"),
+        (b"\x05" + struct.pack("<Q", 3) + b"abc", "a record in it that makes no sense"),
+        (b"\x04" + struct.pack("<QHHI", 9, 3, 0, 1) + b"\xff", "a record in it that makes no sense"),
+    ],
+    ids=["data behind zeros", "endless record", "message of three bytes", "topic that is no text"],
+)
+def test_what_is_no_torn_end_is_left_as_it_is_and_its_reason_is_told(tmp_path: Path, behind: bytes, why: str) -> None:
+    data, _, _ = a_recording([b"one"])
+    path = tmp_path / NAME
+    path.write_bytes(data + behind)
+    with structlog.testing.capture_logs() as logged:
+        repair_all([path])
+    assert path.read_bytes() == data + behind
+    (line,) = logged
+    assert (line["event"], line["log_level"]) == ("recording damaged, left as it is", "warning")
+    assert why in line["reason"]
+
+
+def test_a_file_that_the_disk_does_not_give_is_told_and_the_next_one_is_mended(tmp_path: Path) -> None:
+    data, end, _ = a_recording([b"one"])
+    (tmp_path / "20260103T000000Z.mcap").mkdir()
+    torn = tmp_path / NAME
+    torn.write_bytes(data + b"\x05\xff")
+    with structlog.testing.capture_logs() as logged:
+        repair_all(recordings_in(tmp_path))
+    assert torn.read_bytes() == data + end
+    assert [(line["event"], line.get("reason"), line.get("bytes_cut")) for line in logged] == [
+        ("recording not repaired", "Is a directory", None),
+        ("recording repaired", None, 2),
+    ]
+
+
+def test_mending_pushes_the_file_to_the_disk_at_the_lowest_priority_and_pauses(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    done: list[str] = []
+    monkeypatch.setattr(repair_module, "go_last", lambda: done.append("last"))
+    monkeypatch.setattr(time, "sleep", lambda _: done.append("pause"))
+    monkeypatch.setattr(os, "fsync", lambda descriptor: done.append(f"push {os.fstat(descriptor).st_size}"))
+    data, end, _ = a_recording([b"one"] * 300)
+    path = tmp_path / NAME
+    path.write_bytes(data)
+    repair_all([path])
+    assert done == ["last", "pause", "pause", "pause", f"push {len(data + end)}"]

@@ -91,7 +91,8 @@ def test_a_simulator_is_opened_told_what_is_missing_and_closed(gateway: Gateway)
             probe.bind(("127.0.0.1", 0))
             port = probe.getsockname()[1]
         body = {"receive_port": port, "send_host": "127.0.0.1", "send_port": simulator.getsockname()[1]}
-        gateway.http.put("/links/simulator", json=body).raise_for_status()
+        answer = gateway.http.put("/links/simulator", json=body).raise_for_status().json()
+        assert answer == {"state": "opening", "url": f"udp://127.0.0.1:{body['send_port']}"}
         status = gateway.status()["simulator"]
         assert (status["state"], status["profile"]) == ("opening", "xp10")
         assert str(port) in status["advice"]
@@ -126,6 +127,8 @@ def test_the_switches_are_set_and_confirmed(gateway: Gateway, board: FakeBoard) 
     board.refuse["control_source"] = 2
     refused = gateway.http.put("/hil", json={"source": "rc"})
     assert (refused.status_code, refused.json()["code"]) == (502, "source_not_taken")
+    assert "The control source is still joystick" in refused.json()["detail"]
+    assert refused.json()["params"] == {"reason": "bad_state"}
     again = gateway.http.put("/hil", json={"source": "joystick"})
     assert (again.status_code, again.json()["code"]) == (502, "source_not_taken"), "the last heartbeat is no proof"
     assert gateway.http.get("/hil").json() == answer
