@@ -64,6 +64,14 @@ async def test_a_remembered_line_that_makes_no_sense_is_logged_and_the_flight_st
     assert (station.simulator.address, station.supervisor.address) == (None, None)
 
 
+async def test_a_board_s_address_that_makes_no_sense_does_not_keep_the_simulator_closed(tmp_path: Path) -> None:
+    station = a_station(tmp_path)
+    simulator = an_address()
+    station.memory.update(board_url="carrier pigeon", simulator=simulator.as_dict())
+    station.lines.reopen(None)
+    assert (station.supervisor.address, station.simulator.address) == (None, simulator)
+
+
 async def test_the_device_behind_an_open_line_is_remembered_until_it_is_closed(tmp_path: Path) -> None:
     station = a_station(tmp_path)
     station.supervisor.find_devices_by(lambda _: "usb-1", lambda _: None)

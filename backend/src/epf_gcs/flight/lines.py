@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 
 import structlog
@@ -74,14 +75,13 @@ class Lines:
         """At the start: open the remembered lines, with `board_url` in place of the remembered board if given."""
         remembered = self._memory.now
         url = board_url or remembered.board_url
-        try:
-            if url is not None:
-                identity = remembered.board_identity if url == remembered.board_url else None
+        if url is not None:
+            identity = remembered.board_identity if url == remembered.board_url else None
+            with _told_if_senseless():
                 self._supervisor.want(parse_address(url), identity)
-            if remembered.simulator is not None:
+        if remembered.simulator is not None:
+            with _told_if_senseless():
                 self._simulator.want(SimulatorAddress(**remembered.simulator))
-        except (GatewayError, TypeError) as error:
-            log.error("a remembered link cannot be opened", reason=str(error))
 
     async def open_board(self, address: LinkAddress) -> None:
         """Open a board's line in place of any other. Raises LinkError; then everything is as it was."""
@@ -133,3 +133,12 @@ class Lines:
     def _end_recording_if_idle(self) -> None:
         if self._recorder is not None and self._supervisor.address is None and self._simulator.address is None:
             self._recorder.end_session()
+
+
+@contextmanager
+def _told_if_senseless() -> Iterator[None]:
+    """What is remembered in a form that makes no sense is logged, and costs nothing else."""
+    try:
+        yield
+    except (GatewayError, TypeError) as error:
+        log.error("a remembered link cannot be opened", reason=str(error))

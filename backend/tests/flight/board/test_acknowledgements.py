@@ -129,6 +129,16 @@ def test_the_card_s_answer_is_expected_for_ten_seconds(after_s: float, owed: int
     assert world.owed.of(STORE.id) == owed
 
 
+def test_an_answer_of_the_card_that_is_expected_no_longer_is_not_expected_again_with_the_next() -> None:
+    world = World()
+    world.owed.sent(STORE.id)
+    world.now_s += 60.0
+    world.owed.sent(STORE.id)
+    world.hears(STORE.id, 0)
+    world.now_s += 5.0
+    assert world.owed.of(STORE.id) == 0
+
+
 def test_another_command_s_answer_is_expected_for_ever() -> None:
     world = World()
     world.owed.sent(COMMAND.id)

@@ -166,6 +166,32 @@ async def test_a_board_that_is_lost_during_a_write_leaves_an_entry_and_nothing_t
         assert len(story(station)) == 2
 
 
+async def test_a_board_that_is_lost_during_a_set_command_leaves_an_entry_and_a_gain_that_is_not_sure(
+    tmp_path: Path, board: FakeBoard
+) -> None:
+    async with a_station(tmp_path, board) as station:
+        await station.parameters.load(None)
+        board.ignore["set_k_pitch"] = 99
+        setting = asyncio.create_task(station.parameters.set_by_command(COMMANDS["set_k_pitch"], 2.5, "c1"))
+        await eventually_async(lambda: board.count("set_k_pitch") > 0, "the command is on its way")
+        board.unplug()
+        with pytest.raises(LinkError):
+            await setting
+        assert story(station)[-1] == ("write", "timed_out", [("k_pitch", 2.0, 2.5, "timed_out")])
+        assert station.parameters.unconfirmed == ("k_pitch",)
+
+
+async def test_a_set_command_that_could_not_be_sent_is_in_no_journal(
+    tmp_path: Path, board: FakeBoard, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    async with a_station(tmp_path, board) as station:
+        monkeypatch.setattr(station.board, "write", lambda _: False)
+        with pytest.raises(ConflictError):
+            await station.parameters.set_by_command(COMMANDS["set_k_pitch"], 2.5, "c1")
+        assert (story(station), station.parameters.unconfirmed) == ([], ())
+        monkeypatch.undo()
+
+
 async def test_a_board_that_started_anew_has_nothing_to_undo(tmp_path: Path, board: FakeBoard) -> None:
     async with a_station(tmp_path, board) as station:
         await station.parameters.set({"k_pitch": 2.5}, None)

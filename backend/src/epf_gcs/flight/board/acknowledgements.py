@@ -35,7 +35,8 @@ class Owed:
 
     def sent(self, command_id: int) -> None:
         """One more was sent."""
-        self._counts[command_id] += 1
+        # From `of`: what is expected no longer is not expected again because of this one.
+        self._counts[command_id] = self.of(command_id) + 1
         self._last_s[command_id] = self._steady_s()
 
     def on_frame(self, frame: Frame, meant: Meaning) -> None:

@@ -12,7 +12,7 @@ from epf_gcs.codec.frame import Frame
 from epf_gcs.codec.messages_gen import COMMANDS_BY_ID
 from epf_gcs.codec.tables import Message
 from epf_gcs.codec.values import Json, Meaning, single
-from epf_gcs.errors import BoardError, ConflictError, InvalidInputError, NotFoundError
+from epf_gcs.errors import BoardError, ConflictError, InvalidInputError, LinkError, NotFoundError
 from epf_gcs.flight.board.commands import CommandResult, Commands
 from epf_gcs.flight.board.journal import Journal
 from epf_gcs.vehicle import parameters as gains
@@ -88,7 +88,12 @@ class Parameters:
         name = command.parameter
         async with self._lock:
             session, before = self._session, self._before(name)
-            result = await self._commands.run(command.name, (value,), client=client)
+            try:
+                result = await self._commands.run(command.name, (value,), client=client)
+            except LinkError:
+                # It was sent, and nobody knows what became of it.
+                self._note("write", [Change(name, before, gains.as_held(name, value), "timed_out")], client, session)
+                raise
             outcome: Outcome = "confirmed" if result.done else "rejected" if result.state == "rejected" else "timed_out"
             if session == self._session:
                 self._replace(self._after_command(name, value, outcome))
