@@ -7,24 +7,20 @@ import math
 
 import pytest
 
-from board_tests.closed_loop.closed_loop import ClosedLoop, Sample
+from board_tests.closed_loop.circuit import LONGEST_S, Circuit
+from board_tests.closed_loop.closed_loop import Sample
 from board_tests.closed_loop.estimation import NO_GAP, Error, Gap, estimate_flight, root_mean_squares
-from board_tests.closed_loop.manoeuvres import fly_route
-from epf_gcs.simulator.simulation import SimulationOptions
 
-LONGEST_S = 800.0
 STRAIGHT = Gap(200.0, 210.0)
 TURNING = Gap(60.0, 70.0)
 RUBBISH = Gap(200.0, 210.0, rubbish=math.nan)
 RECOVERED_AFTER_S = 5.0
 
 
-@pytest.fixture(scope="module")
-def flight() -> list[Sample]:
-    with ClosedLoop(SimulationOptions()) as loop:
-        samples = fly_route(loop, "gando", LONGEST_S)
-        assert loop.crashes == []
-        return samples
+@pytest.fixture
+def flight(circuit: Circuit) -> list[Sample]:
+    assert circuit.crashes == []
+    return circuit.samples
 
 
 def worst_tilt_deg(errors: list[Error], begin_s: float, end_s: float) -> float:

@@ -3,11 +3,11 @@
 What the figures mean is defined in `figures.py`.
 """
 
-from collections.abc import Iterator
 from dataclasses import replace
 
 import pytest
 
+from board_tests.closed_loop.circuit import LONGEST_S, Circuit
 from board_tests.closed_loop.closed_loop import ClosedLoop
 from board_tests.closed_loop.figures import Figures, measure
 from board_tests.closed_loop.manoeuvres import fly_route
@@ -20,7 +20,6 @@ from epf_gcs.simulator.situation import Situation, Start, Turbulence, Wind
 GANDO = ROUTES["gando"].waypoints
 CALM = SimulationOptions()
 WINDY = Situation(wind=Wind(330.0, 20.0), turbulence=Turbulence.MODERATE)
-LONGEST_S = 800.0
 
 
 def figures_of(options: SimulationOptions) -> Figures:
@@ -30,27 +29,20 @@ def figures_of(options: SimulationOptions) -> Figures:
         return measure(samples, GANDO)
 
 
-@pytest.fixture(scope="module")
-def calm_flight() -> Iterator[ClosedLoop]:
-    with ClosedLoop(CALM) as loop:
-        fly_route(loop, "gando", LONGEST_S)
-        yield loop
-
-
-def test_the_whole_circuit_is_flown_within_the_limits(calm_flight: ClosedLoop) -> None:
-    figures = measure(calm_flight.samples, GANDO)
-    assert calm_flight.crashes == []
+def test_the_whole_circuit_is_flown_within_the_limits(circuit: Circuit) -> None:
+    figures = measure(circuit.samples, GANDO)
+    assert circuit.crashes == []
     assert figures.waypoints_reached == 8
     assert figures.altitude_rms_ft < ALTITUDE_LIMIT_FT
     assert figures.cross_track_rms_m < CROSS_TRACK_LIMIT_M
     assert figures.time_s < ROUTE_REFERENCES["gando"].time_s * WITHIN
 
 
-def test_the_same_seed_gives_the_same_bytes(calm_flight: ClosedLoop) -> None:
+def test_the_same_seed_gives_the_same_bytes(circuit: Circuit) -> None:
     with ClosedLoop(CALM) as again:
         fly_route(again, "gando", 150.0)
         assert len(again.bytes_to_station) == 7500
-        assert again.bytes_to_station == calm_flight.bytes_to_station[:7500]
+        assert again.bytes_to_station == circuit.bytes_to_station[:7500]
 
 
 def test_in_turbulence_over_a_bad_link_the_seed_decides_every_byte() -> None:

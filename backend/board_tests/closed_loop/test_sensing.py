@@ -13,15 +13,13 @@ from typing import Final
 
 import pytest
 
-from board_tests.closed_loop.closed_loop import LIBRARY, ClosedLoop
+from board_tests.closed_loop.circuit import Circuit
+from board_tests.closed_loop.closed_loop import LIBRARY
 from board_tests.closed_loop.figures import rms
-from board_tests.closed_loop.manoeuvres import fly_route
 from epf_gcs.codec.messages_gen import COMMANDS
-from epf_gcs.simulator.simulation import SimulationOptions
 from epf_gcs.xplane.datagram import parse
 from epf_gcs.xplane.gather import Gatherer
 
-LONGEST_S: Final = 800.0
 FRAME_S: Final = 0.02
 STEPS_A_FRAME: Final = 2
 SETTLED_S: Final = 10.0
@@ -52,16 +50,14 @@ class Errors:
 
 
 @pytest.fixture(scope="module")
-def circuit() -> list[Info]:
+def told(circuit: Circuit) -> list[Info]:
     """Every command 50 of the flight."""
-    with ClosedLoop(SimulationOptions()) as loop:
-        fly_route(loop, "gando", LONGEST_S)
-        gatherer = Gatherer("xp10")
-        taken = (gatherer.take(parse(data) or [], 0.0) for data in loop.bytes_to_station)
-        return [tuple(info) for info in taken if info is not None]
+    gatherer = Gatherer("xp10")
+    taken = (gatherer.take(parse(data) or [], 0.0) for data in circuit.bytes_to_station)
+    return [tuple(info) for info in taken if info is not None]
 
 
-def sense(circuit: list[Info], seed: int, gap_s: tuple[float, float] = (math.inf, math.inf)) -> Errors:
+def sense(told: list[Info], seed: int, gap_s: tuple[float, float] = (math.inf, math.inf)) -> Errors:
     """Fly the circuit past a board just switched on; its gyro is silent in the gap."""
     library = ctypes.CDLL(str(LIBRARY))
     library.epf_sensing_observe.argtypes = (ctypes.c_char_p, ctypes.c_float)
@@ -70,7 +66,7 @@ def sense(circuit: list[Info], seed: int, gap_s: tuple[float, float] = (math.inf
     readings = (ctypes.c_float * READINGS)()
     pack = COMMANDS["xplane_info"].struct.pack
     errors = Errors([], [], [], [])
-    for number, info in enumerate(circuit):
+    for number, info in enumerate(told):
         time_s = number * FRAME_S
         library.epf_sensing_observe(pack(*info), 0.5)
         for _ in range(STEPS_A_FRAME):
@@ -85,16 +81,16 @@ def sense(circuit: list[Info], seed: int, gap_s: tuple[float, float] = (math.inf
 
 
 @pytest.mark.parametrize("seed", [1, 2])
-def test_the_board_knows_its_attitude_over_the_whole_circuit(circuit: list[Info], seed: int) -> None:
-    errors = sense(circuit, seed)
+def test_the_board_knows_its_attitude_over_the_whole_circuit(told: list[Info], seed: int) -> None:
+    errors = sense(told, seed)
     assert len(errors.times_s) > 25_000
     assert rms(errors.pitch_deg) < 2.0
     assert rms(errors.roll_deg) < 2.0
     assert rms(errors.heading_deg) < 4.0
 
 
-def test_what_the_board_says_is_its_own_estimate_and_not_what_the_simulator_told(circuit: list[Info]) -> None:
-    once, other = sense(circuit[:3000], 1), sense(circuit[:3000], 2)
+def test_what_the_board_says_is_its_own_estimate_and_not_what_the_simulator_told(told: list[Info]) -> None:
+    once, other = sense(told[:3000], 1), sense(told[:3000], 2)
     assert min(map(abs, once.pitch_deg)) < 0.05 < max(map(abs, once.pitch_deg))
     assert all(a != b for a, b in zip(once.roll_deg, other.roll_deg, strict=True))
 
@@ -102,8 +98,8 @@ def test_what_the_board_says_is_its_own_estimate_and_not_what_the_simulator_told
 @pytest.mark.parametrize(
     "gap_s", [pytest.param((200.0, 210.0), id="in straight flight"), pytest.param((60.0, 70.0), id="while turning")]
 )
-def test_ten_seconds_without_the_gyro_are_recovered_from(circuit: list[Info], gap_s: tuple[float, float]) -> None:
-    errors = sense(circuit, 1, gap_s)
+def test_ten_seconds_without_the_gyro_are_recovered_from(told: list[Info], gap_s: tuple[float, float]) -> None:
+    errors = sense(told, 1, gap_s)
     begin_s, end_s = gap_s
     assert errors.worst_deg(begin_s, end_s) < 15.0
     recovered_s = end_s + RECOVERED_AFTER_S
