@@ -189,6 +189,23 @@ class Station:
 
         self.wait(is_open)
 
+    def leave_binary(self) -> None:
+        """Leave binary mode and wait until the shell answers; asked again now and then, as a busy computer may cut a
+        command with a pause, which the board has to take for its end.
+        """
+        self.forget_text()
+        asked_s = 0.0
+
+        def is_left() -> bool:
+            nonlocal asked_s
+            if time.monotonic() - asked_s > 1.0:
+                asked_s = time.monotonic()
+                self.command("exit_binary_mode")
+                self.send(b"version\n")
+            return self._pending_text().endswith(f"\r{VERSION}\n")
+
+        self.wait(is_left)
+
     def command(self, name: str, *values: float) -> None:
         self.send(encode_command(name, *values))
 

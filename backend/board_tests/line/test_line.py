@@ -131,7 +131,7 @@ def test_a_station_that_does_not_read_does_not_stop_the_board(boards: Boards, st
     for _ in range(8000):
         station.write_without_reading(frame)
     station.command("stop")
-    station.command("exit_binary_mode")
+    station.leave_binary()
     station.wait(lambda: int(station.table("status").get("frames dropped", "0")) > 100)
     assert station.failed <= 1  # only whole frames are dropped
     # A busy computer may cut a command with a pause, which the board has to take for its end.
