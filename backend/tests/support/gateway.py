@@ -11,14 +11,14 @@ from typing import Any, cast
 
 import httpx
 import orjson
-from websockets.sync.client import ClientConnection, connect
+from websockets.sync.client import ClientConnection
 
 from epf_gcs.flight.flight import Flight
 from epf_gcs.logs import set_up_logging
 from epf_gcs.web.server import Server
 from epf_gcs.web.settings import Settings
 from epf_gcs.web.visitors import Limits
-from tests.support.tls import trust_in
+from tests.support.tls import connected, trust_in
 from tests.support.waiting import DEADLINE_S, eventually, first_of
 
 
@@ -93,7 +93,7 @@ class Gateway:
     def stream(self, query: str = "") -> Iterator[Stream]:
         """Connect to the stream like a browser."""
         address = f"{self.base.replace('http', 'ws')}/api/v1/stream{query}"
-        with connect(address, max_size=None, ssl=self.trust) as connection:
+        with connected(address, self.trust) as connection:
             yield Stream(connection)
 
 

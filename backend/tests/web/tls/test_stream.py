@@ -12,14 +12,13 @@ import pytest
 from uvicorn.config import Config
 from uvicorn.server import ServerState
 from websockets.exceptions import ConnectionClosed
-from websockets.sync.client import connect
 
 from epf_gcs.codec.encode import encode_telemetry
 from epf_gcs.web.stream.socket import SocketConnection
 from epf_gcs.web.tls.context import make_context
 from tests.support.fake_board import FakeBoard
 from tests.support.gateway import running_gateway
-from tests.support.tls import LOOPS, careless, open_door, self_signed
+from tests.support.tls import LOOPS, careless, connected, open_door, self_signed
 from tests.support.waiting import DEADLINE_S, eventually
 
 TEXTS = [b"{}", b"x" * 125, b"y" * 126, b"z" * 16384, "ñ".encode() * 40000, b"w" * 300_000]
@@ -78,7 +77,7 @@ def test_what_comes_through_tls_is_what_comes_in_plain_text(kind: str, context: 
     with open_door(kind, context, encrypted=make, plain=make) as door:
         for scheme in ("ws", "wss"):
             trust = careless() if scheme == "wss" else None
-            with connect(f"{scheme}://127.0.0.1:{door.port}/", max_size=None, ssl=trust, compression=None) as browser:
+            with connected(f"{scheme}://127.0.0.1:{door.port}/", trust, compression=None) as browser:
                 for question in ("a", "b" * 5000):
                     browser.send(question)
                     got.append([browser.recv(DEADLINE_S, decode=False) for _ in range(2 * len(TEXTS))])
@@ -94,7 +93,7 @@ def test_a_slow_reader_is_counted_and_later_gets_all_of_it(kind: str, context: s
         address = f"wss://127.0.0.1:{door.port}/"
         # Few messages are taken from the transport before they are asked for: the reader is slow.
         browser = opened.enter_context(
-            connect(address, max_size=None, ssl=careless(), compression=None, max_queue=1, ping_interval=None)
+            connected(address, careless(), compression=None, max_queue=1, ping_interval=None)
         )
         for _ in range(16):
             browser.send("more")
