@@ -221,9 +221,14 @@ def connected(address: str, trust: ssl.SSLContext | None, **options: Any) -> Cli
     """
     for _ in range(3):
         try:
-            return connect(address, max_size=None, ssl=trust, **options)
+            return _connect(address, trust, options)
         except (TimeoutError, InvalidStatus) as error:
             lost = isinstance(error, TimeoutError) or error.response.status_code == HTTPStatus.REQUEST_TIMEOUT
             if trust is None or not lost:
                 raise
-    return connect(address, max_size=None, ssl=trust, **options)
+    return _connect(address, trust, options)
+
+
+def _connect(address: str, trust: ssl.SSLContext | None, options: dict[str, Any]) -> ClientConnection:
+    made: ClientConnection = connect(address, max_size=None, ssl=trust, **options)
+    return made
