@@ -11,6 +11,7 @@ from board_tests.closed_loop.closed_loop import ClosedLoop, Sample
 from board_tests.closed_loop.manoeuvres import fly_route
 from epf_gcs.simulator.simulation import SimulationOptions
 
+CALM: Final = SimulationOptions()
 LONGEST_S: Final = 800.0
 
 
@@ -29,7 +30,7 @@ def flown_once(folder: Path) -> Circuit:
         fcntl.flock(lock, fcntl.LOCK_EX)
         if kept.exists():
             return Circuit(*pickle.loads(kept.read_bytes()))  # noqa: S301 - this very run wrote it
-        with ClosedLoop(SimulationOptions()) as loop:
+        with ClosedLoop(CALM) as loop:
             fly_route(loop, "gando", LONGEST_S)
             flown = Circuit(loop.samples, loop.bytes_to_station, loop.crashes)
         kept.write_bytes(pickle.dumps(tuple(flown)))

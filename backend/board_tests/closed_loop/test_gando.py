@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import pytest
 
-from board_tests.closed_loop.circuit import LONGEST_S, Circuit
+from board_tests.closed_loop.circuit import CALM, LONGEST_S, Circuit
 from board_tests.closed_loop.closed_loop import ClosedLoop
 from board_tests.closed_loop.figures import Figures, measure
 from board_tests.closed_loop.manoeuvres import fly_route
@@ -18,7 +18,6 @@ from epf_gcs.simulator.simulation import SimulationOptions
 from epf_gcs.simulator.situation import Situation, Start, Turbulence, Wind
 
 GANDO = ROUTES["gando"].waypoints
-CALM = SimulationOptions()
 WINDY = Situation(wind=Wind(330.0, 20.0), turbulence=Turbulence.MODERATE)
 
 

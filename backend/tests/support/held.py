@@ -10,20 +10,22 @@ from epf_gcs.vehicle.board import Board
 
 HEARTBEAT = encode_telemetry("heartbeat", *[0] * 12)
 ALL_FEATURES = 15
+UNIX_S = 1.7e9
+"""Unix time when a held clock stands at 0."""
 
 
 class HeldClock(Clock):
-    """It goes only when a test adds to `s`."""
+    """It goes only when a test adds to `time_s`."""
 
-    def __init__(self) -> None:
+    def __init__(self, time_s: float = 1000.0) -> None:
         super().__init__()
-        self.s = 1000.0
+        self.time_s = time_s
 
     def steady_s(self) -> float:
-        return self.s
+        return self.time_s
 
     def now_s(self) -> float:
-        return 1_700_000_000.0 + self.s
+        return UNIX_S + self.time_s
 
 
 class HeldLine:

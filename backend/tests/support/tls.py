@@ -27,6 +27,8 @@ from epf_gcs.web.tls.keeper import Keeper
 from epf_gcs.web.visitors import Limits, Visitor, Visitors
 from tests.support.waiting import DEADLINE_S, eventually_async
 
+_TRIES = 4
+
 LOOPS: dict[str, Callable[[], asyncio.AbstractEventLoop]] = {
     "uvloop": uvloop.new_event_loop,
     "asyncio": asyncio.new_event_loop,
@@ -219,16 +221,12 @@ def connected(address: str, trust: ssl.SSLContext | None, **options: Any) -> Cli
     Two threads of this client use one TLS object, which Python guards from 3.13 on only: on a busy machine about one
     request in a thousand never leaves. The station then answers that it came too slowly, or the client gives up first.
     """
-    for _ in range(3):
+    tries = 1
+    while True:
         try:
-            return _connect(address, trust, options)
+            return cast(ClientConnection, connect(address, max_size=None, ssl=trust, **options))
         except (TimeoutError, InvalidStatus) as error:
             lost = isinstance(error, TimeoutError) or error.response.status_code == HTTPStatus.REQUEST_TIMEOUT
-            if trust is None or not lost:
+            if trust is None or not lost or tries == _TRIES:
                 raise
-    return _connect(address, trust, options)
-
-
-def _connect(address: str, trust: ssl.SSLContext | None, options: dict[str, Any]) -> ClientConnection:
-    made: ClientConnection = connect(address, max_size=None, ssl=trust, **options)
-    return made
+            tries += 1

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import pytest
 
-from epf_gcs.clock import Clock
 from epf_gcs.codec.encode import encode_command, encode_telemetry
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.errors import ConflictError
 from epf_gcs.vehicle.board import Board
 from epf_gcs.vehicle.restart import Restart
 from epf_gcs.vehicle.telemetry import Telemetry
+from tests.support.held import HeldClock
 from tests.support.outlet import KeptOutlet
 
 AHRS_IS_ON = encode_telemetry("heartbeat", *[0] * 6, 1, *[0] * 5)
@@ -36,20 +36,6 @@ class Line:
         return not self.is_full
 
 
-class SetClock(Clock):
-    """A clock that a test sets."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        self.time_s = 1000.0
-
-    def steady_s(self) -> float:
-        return self.time_s
-
-    def now_s(self) -> float:
-        return 1.7e9 + self.time_s
-
-
 class User:
     """Who has the line for itself."""
 
@@ -67,7 +53,7 @@ class Rig:
     """A board on a line."""
 
     def __init__(self) -> None:
-        self.clock = SetClock()
+        self.clock = HeldClock()
         self.outlet = KeptOutlet()
         self.errors = ErrorLog()
         self.telemetry = Telemetry(self.outlet, self.clock, lambda _: 1.0)

@@ -53,7 +53,7 @@ class World:
         return [stage for stage, _ in groupby(self._changes)]
 
     def wait(self, seconds: float) -> None:
-        self.clock.s += seconds
+        self.clock.time_s += seconds
         self.run.tick()
 
     async def begins(self) -> asyncio.Task[CommandResult]:
@@ -72,7 +72,7 @@ class World:
     async def ends(self) -> CommandResult:
         task = asyncio.create_task(self.run.stop())
         await eventually_async(lambda: self.run.stage == "ending", "it ends")
-        self.clock.s += 0.5
+        self.clock.time_s += 0.5
         open_session(self.board)
         self.run.tick()
         return await task

@@ -405,7 +405,7 @@ async def test_a_command_s_time_is_that_from_its_sending_to_its_proof() -> None:
     world = World(clock)
     task = world.begins("gps_on")
     await world.waits_for("gps_on")
-    clock.s += 0.25
+    clock.time_s += 0.25
     world.says(acknowledgement("gps_on"))
     assert await task == CommandResult("confirmed", "acknowledgement", 250.0)
 

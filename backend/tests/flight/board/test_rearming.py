@@ -135,10 +135,10 @@ async def test_a_board_that_was_told_a_slow_heartbeat_is_given_its_time_after_th
         world.opens()
         await world.was_sent("set_parameter_task_rate")
         world.board.on_bytes(HEARTBEAT)
-        world.clock.s += 5.5
+        world.clock.time_s += 5.5
         world.board.tick()
         assert world.board.is_open
-        world.clock.s += 1.0
+        world.clock.time_s += 1.0
         world.board.tick()
         assert not world.board.is_open
 
@@ -147,7 +147,7 @@ async def test_the_rates_of_a_task_whose_period_was_changed_are_measured_anew(tm
     async with a_world(tmp_path) as world:
         world.opens()
         for _ in range(20):
-            world.clock.s += 0.5
+            world.clock.time_s += 0.5
             world.board.on_bytes(HEARTBEAT)
 
         def measured() -> tuple[float | None, float]:

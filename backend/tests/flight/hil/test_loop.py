@@ -9,7 +9,6 @@ from typing import Any, cast
 import pytest
 
 from epf_gcs.bus.definition import Client
-from epf_gcs.clock import Clock
 from epf_gcs.codec.encode import encode_telemetry
 from epf_gcs.codec.frame import TO_BOARD, Frame, FrameDecoder
 from epf_gcs.codec.messages_gen import TELEMETRY_BY_NAME
@@ -20,6 +19,7 @@ from epf_gcs.flight.hil.stick import Stick
 from epf_gcs.link.udp import UdpLink
 from epf_gcs.vehicle.vehicle import Vehicle
 from epf_gcs.xplane.datagram import Surfaces, surfaces_datagram
+from tests.support.held import HeldClock
 from tests.support.outlet import KeptOutlet
 from tests.support.simulator import WHOLE
 
@@ -33,20 +33,6 @@ _FLAGS = TELEMETRY_BY_NAME["heartbeat"].size
 
 def heartbeat(*, joystick: bool) -> bytes:
     return encode_telemetry("heartbeat", *(0,) * (_FLAGS - 2), 2 if joystick else 0, 0)
-
-
-class TheTime(Clock):
-    """The time that the test says."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        self.at_s = 1000.0
-
-    def now_s(self) -> float:
-        return self.at_s
-
-    def steady_s(self) -> float:
-        return self.at_s
 
 
 class Line:
@@ -80,7 +66,7 @@ class Loop:
     """The HIL loop with a board that acknowledges and a simulator."""
 
     def __init__(self) -> None:
-        self.clock, self.outlet = TheTime(), KeptOutlet()
+        self.clock, self.outlet = HeldClock(), KeptOutlet()
         self.vehicle = Vehicle(self.clock, self.outlet, ErrorLog(), lambda _: 0.02)
         self.stick = Stick(self.outlet, self.clock, lambda: None)
         self.hil = Hil(self.vehicle, self.clock, self.stick)
@@ -98,7 +84,7 @@ class Loop:
         self.says(heartbeat(joystick=joystick))
 
     def says(self, frame: bytes, after_s: float = 0.0) -> None:
-        self.clock.at_s += after_s
+        self.clock.time_s += after_s
         self.vehicle.board.on_bytes(frame)
         self.vehicle.telemetry.catch_up()
 
@@ -106,7 +92,7 @@ class Loop:
         self.says(encode_telemetry("hil_surfaces", *SURFACES), after_s)
 
     def flies(self, after_s: float = 0.02) -> None:
-        self.clock.at_s += after_s
+        self.clock.time_s += after_s
         assert self.hil.on_datagram(WHOLE)
 
     def told(self) -> list[tuple[float, ...]]:
@@ -119,7 +105,7 @@ class Loop:
 
     async def holds_gamepad(self) -> None:
         self.stick.control_changed(Client("ana", "Ana"))
-        self.stick.take("ana", {**HAND._asdict(), "t_ms": self.clock.at_s * 1000.0})
+        self.stick.take("ana", {**HAND._asdict(), "t_ms": self.clock.time_s * 1000.0})
         await self.stick.choose_gamepad("ana", "pad")
 
 
@@ -192,9 +178,9 @@ async def test_the_loops_times_are_those_of_the_newest_frames_on_either_path() -
     for path in ("manual", "assisted"):
         loop.hil.path = path
         loop.flies()
-        asked_s = loop.clock.at_s
+        asked_s = loop.clock.time_s
         loop.surfaces(after_s=0.005)
-        assert (loop.hil.last_to_board_s, loop.hil.last_surfaces_s) == (asked_s, loop.clock.at_s)
+        assert (loop.hil.last_to_board_s, loop.hil.last_surfaces_s) == (asked_s, loop.clock.time_s)
         assert loop.hil.round_trip.newest_ms == pytest.approx(5.0)
     assert loop.hil.round_trip.answers == loop.hil.frames_to_board == len(loop.told()) == 2
 

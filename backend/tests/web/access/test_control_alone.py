@@ -8,7 +8,6 @@ from typing import Any
 
 import pytest
 
-from epf_gcs.clock import Clock
 from epf_gcs.errors import GatewayError
 from epf_gcs.web.access.authority import KEPT_S, UNANSWERED_S
 from epf_gcs.web.access.caller import LOCAL, Caller
@@ -16,22 +15,7 @@ from epf_gcs.web.access.changes import Page
 from epf_gcs.web.access.control import Control
 from epf_gcs.web.access.roles import Role
 from epf_gcs.xplane.datagram import Surfaces
-
-UNIX_S = 1.7e9
-
-
-class SetClock(Clock):
-    """A clock that a test sets."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        self.time_s = 100.0
-
-    def steady_s(self) -> float:
-        return self.time_s
-
-    def now_s(self) -> float:
-        return UNIX_S + self.time_s
+from tests.support.held import UNIX_S, HeldClock
 
 
 class Loop:
@@ -70,7 +54,7 @@ class Desk:
     """Control, with all that it tells."""
 
     def __init__(self) -> None:
-        self.clock = SetClock()
+        self.clock = HeldClock(100.0)
         self.loop = Loop()
         self.notices: list[dict[str, Any]] = []
         self.events: list[tuple[str, dict[str, Any]]] = []
