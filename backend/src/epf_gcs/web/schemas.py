@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from typing import Annotated, Any, Final, Literal
 
 from pydantic import BaseModel, ConfigDict, Field
 
@@ -12,6 +12,15 @@ LinkState = Literal["closed", "opening", "open", "lost"]
 ParamValue = str | float | bool | None
 Port = Annotated[int, Field(ge=1, le=65535)]
 PlanName = Literal["flight", "hil"]
+
+FILE: Final[dict[str, Any]] = {"schema": {"type": "string", "format": "binary"}}
+"""How the interface's description says that an answer is a file."""
+
+
+def file_body(**limits: int) -> dict[str, Any]:
+    """The same of a request whose body is a file. `limits` as JSON Schema has them, such as maxLength in bytes."""
+    schema = {**FILE["schema"], **limits}
+    return {"requestBody": {"required": True, "content": {"application/octet-stream": {"schema": schema}}}}
 
 
 class Output(BaseModel):

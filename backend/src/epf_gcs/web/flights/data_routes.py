@@ -5,7 +5,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any, Final, Literal
+from typing import Annotated, Final, Literal
 
 import orjson
 from fastapi import APIRouter, Path, Query, Request
@@ -18,6 +18,7 @@ from epf_gcs.web.flights.flights import Flights, unknown
 from epf_gcs.web.flights.marks import with_marks
 from epf_gcs.web.flights.schemas import FlightEvents, FlightKnown, FlightOverview, FlightTopics, Signals
 from epf_gcs.web.problems import reading_problems
+from epf_gcs.web.schemas import FILE
 
 router = APIRouter(prefix="/flights", tags=["flights"])
 
@@ -27,7 +28,6 @@ _MOST_NAMES: Final = 32
 _RECORDED: Final = r"[A-Za-z0-9_]+\.[A-Za-z0-9_]+"
 _SIGNAL: Final = rf"({_RECORDED}|rate\({_RECORDED}\)|(diff|error)\({_RECORDED},{_RECORDED}\))"
 _NAMES: Final = rf"^{_SIGNAL}(,{_SIGNAL}){{0,{_MOST_NAMES - 1}}}$"
-_BINARY: Final[dict[str, Any]] = {"schema": {"type": "string", "format": "binary"}}
 
 FlightName = Annotated[
     str,
@@ -54,7 +54,7 @@ async def get_flight_events(flight_id: FlightName, flights: FlightsDep, queries:
 @router.get(
     "/{flight_id}/signals",
     response_class=Response,
-    responses={200: {"model": Signals, "content": {ARROW: _BINARY}}, **reading_problems(404, 409)},
+    responses={200: {"model": Signals, "content": {ARROW: FILE}}, **reading_problems(404, 409)},
 )
 async def get_flight_signals(
     request: Request,
@@ -116,7 +116,7 @@ async def get_flight_overview(
 @router.get(
     "/{flight_id}/track",
     response_class=Response,
-    responses={200: {"content": {MEDIA_TYPE: _BINARY}}, **reading_problems(404, 409)},
+    responses={200: {"content": {MEDIA_TYPE: FILE}}, **reading_problems(404, 409)},
 )
 async def get_flight_track(
     flight_id: FlightName,

@@ -5,7 +5,7 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import secrets
-from typing import Annotated, Any, Final
+from typing import Annotated, Final
 
 from fastapi import APIRouter, Path, Query, Request
 from fastapi.responses import FileResponse, Response
@@ -21,6 +21,7 @@ from epf_gcs.web.flights.flights import Flights
 from epf_gcs.web.flights.jobs import Job
 from epf_gcs.web.flights.schemas import ExportInput, JobStarted
 from epf_gcs.web.problems import problems, reading_problems
+from epf_gcs.web.schemas import FILE
 
 router = APIRouter(prefix="/flights", tags=["flights"])
 
@@ -36,7 +37,6 @@ _MEDIA_TYPES: Final[dict[ExportFormat, str]] = {
     "czml": czml.MEDIA_TYPE,
 }
 _SINGLE: Final = {"csv": "text/csv", "parquet": "application/vnd.apache.parquet"}
-_FILE: Final[dict[str, Any]] = {"schema": {"type": "string", "format": "binary"}}
 # How often it is asked whether somebody still waits for the file.
 _LOOK_EVERY_S: Final = 0.5
 
@@ -63,7 +63,7 @@ async def start_flight_export(flight_id: FlightId, asked: ExportInput, flights: 
     "/{flight_id}/export",
     response_class=Response,
     responses={
-        200: {"content": dict.fromkeys(sorted({*_MEDIA_TYPES.values(), *_SINGLE.values()}), _FILE)},
+        200: {"content": dict.fromkeys(sorted({*_MEDIA_TYPES.values(), *_SINGLE.values()}), FILE)},
         **reading_problems(404, 409),
     },
 )

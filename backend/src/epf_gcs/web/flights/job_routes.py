@@ -11,6 +11,7 @@ from epf_gcs.errors import NotFoundError
 from epf_gcs.web.deps import FlightsDep
 from epf_gcs.web.flights.schemas import Job, JobList
 from epf_gcs.web.problems import problems, reading_problems
+from epf_gcs.web.schemas import FILE
 
 router = APIRouter(prefix="/jobs", tags=["flights"])
 
@@ -41,7 +42,7 @@ async def cancel_job(job_id: JobId, flights: FlightsDep) -> Job:
     "/{job_id}/result",
     response_class=FileResponse,
     responses={
-        200: {"content": {"application/octet-stream": {"schema": {"type": "string", "format": "binary"}}}},
+        200: {"content": {"application/octet-stream": FILE}},
         **reading_problems(404),
     },
 )

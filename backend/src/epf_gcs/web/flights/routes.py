@@ -37,12 +37,12 @@ from epf_gcs.web.flights.settings_schemas import (
     FlightPolicyInput,
 )
 from epf_gcs.web.problems import problems, reading_problems
+from epf_gcs.web.schemas import file_body
 from epf_gcs.web.vehicle.mirror import VehicleMirror
 
 router = APIRouter(prefix="/flights", tags=["flights"])
 
 UPLOAD_PATH: Final = "/flights"
-_FILE: Final[dict[str, Any]] = {"schema": {"type": "string", "format": "binary"}}
 
 FlightId = Annotated[str, Path(pattern=ID_PATTERN, examples=["20260131T120000Z"])]
 UnixTime = Annotated[float | None, Query(ge=0, le=1e11, description="Unix time in seconds.")]
@@ -114,7 +114,7 @@ async def set_flight_aircraft(named: FlightAircraftInput, flights: FlightsDep, _
     "",
     status_code=202,
     responses=problems(409),
-    openapi_extra={"requestBody": {"required": True, "content": {"application/octet-stream": _FILE}}},
+    openapi_extra=file_body(),
 )
 async def import_flight(request: Request, imports: ImportsDep, name: FileName, _: OperatorDep) -> JobStarted:
     """Take a recording of another machine, whole or not at all. The answer comes when all of it is there; the job that

@@ -17,6 +17,7 @@ from epf_gcs.web.maps.layer import VECTOR_TYPE, Description, Layer, Tile
 from epf_gcs.web.maps.open_files import Stamp
 from epf_gcs.web.maps.schemas import MapImport, MapLayer, MapLayers, problem_fields
 from epf_gcs.web.problems import problem_response, problems, reading_problems
+from epf_gcs.web.schemas import FILE, file_body
 
 router = APIRouter(prefix="/map", tags=["maps"])
 
@@ -25,7 +26,6 @@ IMPORTS_PATH: Final = "/map/imports"
 _CACHE: Final = "private, max-age=600"
 _PICTURES: Final = ("image/png", "image/jpeg", "image/webp", VECTOR_TYPE)
 _MESH: Final = "application/vnd.quantized-mesh"
-_FILE: Final[dict[str, Any]] = {"schema": {"type": "string", "format": "binary"}}
 _GONE: Final[dict[int | str, dict[str, Any]]] = {
     204: {"description": "There is no tile here."},
     304: {"description": "The caller has it already."},
@@ -49,7 +49,7 @@ async def get_map_layers(maps: MapsDep) -> MapLayers:
 @router.get(
     "/layers/{layer_id}/tiles/{zoom}/{column}/{row}",
     response_class=Response,
-    responses={200: {"content": dict.fromkeys(_PICTURES, _FILE)}, **_GONE, **reading_problems(404)},
+    responses={200: {"content": dict.fromkeys(_PICTURES, FILE)}, **_GONE, **reading_problems(404)},
 )
 async def get_map_tile(
     request: Request, maps: MapsDep, layer_id: LayerId, zoom: Zoom, column: Place, row: Place
@@ -92,7 +92,7 @@ async def get_terrain_contents(maps: MapsDep, layer_id: LayerId) -> Response:
     "/layers/{layer_id}/terrain/{zoom}/{column}/{row}.terrain",
     response_class=Response,
     responses={
-        200: {"content": {_MESH: _FILE}},
+        200: {"content": {_MESH: FILE}},
         304: _GONE[304],
         **reading_problems(404),
     },
@@ -118,7 +118,7 @@ async def remove_map_layer(maps: MapsDep, layer_id: LayerId, _: OperatorDep, *, 
 @router.get(
     "/layers/{layer_id}/file",
     response_class=FileResponse,
-    responses={200: {"content": {"application/octet-stream": _FILE}}, **reading_problems(404)},
+    responses={200: {"content": {"application/octet-stream": FILE}}, **reading_problems(404)},
 )
 async def export_map_layer(maps: MapsDep, layer_id: LayerId) -> FileResponse:
     """The file of a layer, whole, for another station's import."""
@@ -136,7 +136,7 @@ async def restore_map_layer(maps: MapsDep, layer_id: LayerId, _: OperatorDep) ->
 @router.post(
     "/imports",
     responses=problems(409),
-    openapi_extra={"requestBody": {"required": True, "content": {"application/octet-stream": _FILE}}},
+    openapi_extra=file_body(),
 )
 async def import_map(request: Request, maps: MapsDep, name: FileName, _: OperatorDep) -> MapImport:
     """Take a map file into the folder, whole or not at all. The answer comes when all of it is there; heights are being

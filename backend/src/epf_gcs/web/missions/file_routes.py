@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import asyncio
-from typing import Annotated, Any, Final
+from typing import Annotated, Final
 from urllib.parse import quote
 
 from fastapi import APIRouter, Query, Request, Response
@@ -17,6 +17,7 @@ from epf_gcs.formats.xml_tree import plain
 from epf_gcs.web.missions.file_schemas import MissionExport, MissionImport, MissionNote
 from epf_gcs.web.missions.schemas import WaypointModel
 from epf_gcs.web.problems import problems
+from epf_gcs.web.schemas import FILE, file_body
 
 router = APIRouter(prefix="/missions", tags=["missions"])
 
@@ -28,16 +29,6 @@ _MEDIA_TYPES: Final[dict[FileFormat, str]] = {
     "csv": "text/csv; charset=utf-8",
     "plan": "application/octet-stream",
 }
-_BINARY: Final[dict[str, Any]] = {"type": "string", "format": "binary"}
-FILE: Final[dict[str, Any]] = {"schema": _BINARY}
-"""How the interface's description says that an answer is a file."""
-FILE_BODY: Final[dict[str, Any]] = {
-    "requestBody": {
-        "required": True,
-        "content": {"application/octet-stream": {"schema": {**_BINARY, "maxLength": MAX_FILE_BYTES}}},
-    }
-}
-"""The same of a request whose body is a file to be read."""
 # Characters that some operating system forbids in file names.
 _FORBIDDEN_IN_NAMES: Final = frozenset('/\\:*?"<>|')
 
@@ -65,7 +56,7 @@ async def export_mission(body: MissionExport, format: FileFormat) -> Response:  
 @router.post(
     "/import",
     responses=problems(),
-    openapi_extra=FILE_BODY,
+    openapi_extra=file_body(maxLength=MAX_FILE_BYTES),
 )
 async def import_mission(request: Request, name: FileName) -> MissionImport:
     """Read a KML, KMZ, GPX, CSV, .plan or .waypoints file, whole or not at all; what it is, its content says."""

@@ -13,6 +13,7 @@ from epf_gcs.web.deps import MirrorDep, RecordingsDirDep
 from epf_gcs.web.problems import reading_problems
 from epf_gcs.web.recordings.folder import Growing, Recording, RecordingFolder
 from epf_gcs.web.recordings.schemas import RecordingInfo, RecordingList
+from epf_gcs.web.schemas import FILE
 
 router = APIRouter(tags=["recordings"])
 
@@ -48,7 +49,7 @@ async def get_recording(recording_id: RecordingId, folder: FolderDep) -> Recordi
     "/recordings/{recording_id}/export",
     response_class=FileResponse,
     responses={
-        200: {"content": {"application/octet-stream": {"schema": {"type": "string", "format": "binary"}}}},
+        200: {"content": {"application/octet-stream": FILE}},
         **reading_problems(404),
     },
 )

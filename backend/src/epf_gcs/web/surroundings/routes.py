@@ -10,10 +10,12 @@ from fastapi import APIRouter, Request, Response
 from epf_gcs.errors import ConflictError
 from epf_gcs.formats.fence_file import FenceFormat, read_fence_file, write_fence_kml, write_fence_plan
 from epf_gcs.formats.kml import MEDIA_TYPE as KML_MEDIA_TYPE
+from epf_gcs.formats.recognise import MAX_FILE_BYTES
 from epf_gcs.formats.xml_tree import plain
 from epf_gcs.web.deps import HubDep, SurroundingsDep
-from epf_gcs.web.missions.file_routes import FILE, FILE_BODY, FileName, attachment
+from epf_gcs.web.missions.file_routes import FileName, attachment
 from epf_gcs.web.problems import problems, reading_problems
+from epf_gcs.web.schemas import FILE, file_body
 from epf_gcs.web.surroundings.schemas import (
     FenceCorner,
     FenceImport,
@@ -68,7 +70,7 @@ async def get_fence(surroundings: SurroundingsDep, format: FenceFormat) -> Respo
 @router.post(
     "/fence/import",
     responses=problems(),
-    openapi_extra=FILE_BODY,
+    openapi_extra=file_body(maxLength=MAX_FILE_BYTES),
 )
 async def import_fence(request: Request, name: FileName) -> FenceImport:
     """Read the fence in a KML, KMZ or .plan file, whole or not at all. The fence that is watched stays as it is."""

@@ -9,7 +9,7 @@ from fastapi.responses import Response
 
 from epf_gcs.errors import ErrorCode, NotFoundError
 from epf_gcs.web.problems import reading_problems
-from epf_gcs.web.schemas import Output, ParamValue
+from epf_gcs.web.schemas import FILE, Output, ParamValue
 from epf_gcs.web.tls.certificates import fingerprint_of
 from epf_gcs.web.tls.keeper import Keeper
 
@@ -92,7 +92,7 @@ async def get_certificates(keeper: KeeperDep) -> Certificates:
 @router.get(
     "/authority",
     responses={
-        200: {"content": {MEDIA_TYPE: {"schema": {"type": "string", "format": "binary"}}}},
+        200: {"content": {MEDIA_TYPE: FILE}},
         **reading_problems(404),
     },
     response_class=Response,

@@ -21,6 +21,7 @@ from epf_gcs.web.deps import OperatorDep, TracksDep
 from epf_gcs.web.earth.aircraft import Which
 from epf_gcs.web.missions.file_routes import attachment
 from epf_gcs.web.problems import problems, reading_problems
+from epf_gcs.web.schemas import FILE
 from epf_gcs.web.track.schemas import TrackState
 from epf_gcs.web.track.track import MAX_POINTS, POINT
 from epf_gcs.web.track.track_lines import Line, lines_of
@@ -43,7 +44,7 @@ Index = Annotated[int, Query(ge=0, le=0xFFFFFFFF)]
 
 def file_answer(media_type: str) -> dict[int | str, dict[str, Any]]:
     """Documentation of an answer that is a file."""
-    return {200: {"content": {media_type: {"schema": {"type": "string", "format": "binary"}}}}, **reading_problems()}
+    return {200: {"content": {media_type: FILE}}, **reading_problems()}
 
 
 @cache
