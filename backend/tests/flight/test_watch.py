@@ -322,10 +322,20 @@ async def test_the_loop_is_open_half_a_second_after_what_went_or_came_last(tmp_p
     assert "gets no simulator data" in at.found(1001.51)["hil_lost"]
     hil.last_to_board_s = 1001.2
     assert "does not answer" in at.found(1001.51)["hil_lost"]
-    hil.last_surfaces_s = None
-    assert "does not answer" in at.found(1001.51)["hil_lost"]
     hil.last_surfaces_s = 1001.2
     assert at.found(1001.51) == {}
+
+
+async def test_a_board_that_has_not_answered_yet_has_as_long_for_it_as_any_other(tmp_path: Path) -> None:
+    at = At(tmp_path)
+    hil, station = at.station.hil, at.station
+    station.simulator.want(SimulatorAddress(1, "127.0.0.1", 2, "xp10"))
+    station.supervisor.want(parse_address(f"pty://{tmp_path}/board"), None)
+    hil.first_to_board_s = hil.last_to_board_s = 1001.0
+    assert at.found(1001.01) == {}
+    hil.last_to_board_s = 1001.5
+    assert at.found(1001.49) == {}
+    assert "does not answer" in at.found(1001.51)["hil_lost"]
 
 
 async def test_a_line_that_failed_before_a_board_was_heard_is_an_alarm_only_if_it_was_lost(

@@ -9,8 +9,10 @@ from typing import Any
 
 import pytest
 
+from epf_gcs.codec.encode import encode_command
 from epf_gcs.recordings import notes
 from epf_gcs.recordings.packing import pack
+from epf_gcs.recordings.topics import BOARD_SENT
 from epf_gcs.replay.keys import Keys
 from epf_gcs.replay.outlet import Silence
 from epf_gcs.replay.playhead import Playhead
@@ -183,6 +185,20 @@ def test_a_recording_without_notes_of_events_has_the_alarms_of_its_bytes(tmp_pat
         for one in (sought, played):
             one.advance(STARTS_NS + at_s * SECOND_NS)
         assert (sought.alarms, state_of(sought)) == (played.alarms, state_of(played))
+
+
+def test_a_board_that_has_not_answered_the_first_data_yet_has_half_a_second_for_it(tmp_path: Path) -> None:
+    told = encode_command("xplane_info", *(0.0,) * 15)
+    items = [
+        (t_ns, what, told if what == BOARD_SENT and content != b"#QT\n" else content)
+        for t_ns, what, content in flight(2.0)
+        if what != notes.EVENT
+    ]
+    timeline = Timeline(write(tmp_path / "old.mcap", items))
+    head = Playhead(timeline, Silence())
+    for at_ms, expected in ((300, False), (490, False), (900, True)):
+        head.advance(STARTS_NS + at_ms * 1_000_000)
+        assert ("hil_lost" in {alarm["id"] for alarm in head.alarms}) == expected
 
 
 def test_alarms_that_were_noted_are_not_judged_again(tmp_path: Path) -> None:

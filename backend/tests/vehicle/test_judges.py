@@ -254,8 +254,7 @@ LOOP = Loop(0.1, 0.1, True, True, ())
         (replace(LOOP, to_board_age_s=0.6, missing_rows=[17, 20]), "rows [17, 20] are missing"),
         (replace(LOOP, to_board_age_s=0.6), "the simulator sends nothing"),
         (replace(LOOP, to_board_age_s=0.6, is_simulator_open=False, missing_rows=[17]), "the simulator sends nothing"),
-        (replace(LOOP, surfaces_age_s=0.6), "the board does not answer"),
-        (replace(LOOP, surfaces_age_s=None), "the board does not answer"),
+        (replace(LOOP, unanswered_s=0.6), "the board does not answer"),
     ],
 )
 def test_the_loop_says_where_it_is_open(loop: Loop | None, words: str | None) -> None:
@@ -267,7 +266,7 @@ def test_the_loop_says_where_it_is_open(loop: Loop | None, words: str | None) ->
 
 
 def test_a_longer_patience_with_the_loop() -> None:
-    assert judge_hil(replace(LOOP, to_board_age_s=0.6, surfaces_age_s=0.6), 0.7) is None
+    assert judge_hil(replace(LOOP, to_board_age_s=0.6, unanswered_s=0.6), 0.7) is None
 
 
 def test_the_card_is_judged_by_what_the_board_tells_of_it() -> None:

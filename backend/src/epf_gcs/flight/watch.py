@@ -97,9 +97,10 @@ class Watch:
         hil = self._hil
         if self._simulator.address is None or hil.last_to_board_s is None or self._supervisor.address is None:
             return None
+        answered_s = hil.last_surfaces_s if hil.last_surfaces_s is not None else hil.first_to_board_s
         return Loop(
             to_board_age_s=now_s - hil.last_to_board_s,
-            surfaces_age_s=None if hil.last_surfaces_s is None else now_s - hil.last_surfaces_s,
+            unanswered_s=0.0 if answered_s is None else now_s - answered_s,
             is_board_open=self._board.is_open,
             is_simulator_open=self._simulator.state == "open",
             missing_rows=hil.missing_rows,

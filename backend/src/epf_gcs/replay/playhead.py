@@ -77,6 +77,7 @@ class Playhead:
         self.board_in, self.board_out, self.simulator_in = ByteRate(), ByteRate(), ByteRate()
         self._tick_ns = 0
         self._attached_s = 0.0
+        self._first_to_board_s: float | None = None
         self._to_board_s: float | None = None
         self.clock.t_ns = self._heard_ns = self._frame_ns = timeline.starts_ns or 0
         self._judged = None if timeline.has_event_notes else JudgedAlarms(self.vehicle, outlet, self._line, self._loop)
@@ -145,7 +146,7 @@ class Playhead:
                 "counts": [self.bytes_sent, self.frames_to_board, self.frames_to_simulator, self.datagrams_dropped],
                 "rates": [rate.kept() for rate in (self.board_in, self.board_out, self.simulator_in)],
                 "errors": dict(self.errors.counts),
-                "lines": [self._attached_s, self._to_board_s],
+                "lines": [self._attached_s, self._first_to_board_s, self._to_board_s],
                 "judged": None if self._judged is None else self._judged.kept(),
             },
             separators=(",", ":"),
@@ -190,7 +191,7 @@ class Playhead:
         for rate, held in zip((self.board_in, self.board_out, self.simulator_in), kept["rates"], strict=True):
             rate.restore(held)
         self.errors.counts.update(kept["errors"])
-        self._attached_s, self._to_board_s = kept["lines"]
+        self._attached_s, self._first_to_board_s, self._to_board_s = kept["lines"]
         if self._judged is not None and kept["judged"] is not None:
             self._judged.restore(kept["judged"])
 
@@ -207,6 +208,8 @@ class Playhead:
             if count:
                 self.frames_to_board += count
                 self._to_board_s = self.clock.now_s()
+                if self._first_to_board_s is None:
+                    self._first_to_board_s = self._to_board_s
         elif topic == SIMULATOR_SENT:
             self.frames_to_simulator += 1
         elif item.note is not None:
@@ -310,12 +313,14 @@ class Playhead:
         )
 
     def _loop(self) -> Loop | None:
-        if self._to_board_s is None or self.vehicle.board.exclusive_user is not None:
+        first_s, to_board_s = self._first_to_board_s, self._to_board_s
+        if first_s is None or to_board_s is None or self.vehicle.board.exclusive_user is not None:
             return None
         now_s, simulator = self.clock.now_s(), self.vehicle.simulator
+        surfaces_age_s = self.vehicle.telemetry.age_s("hil_surfaces")
         return Loop(
-            to_board_age_s=now_s - self._to_board_s,
-            surfaces_age_s=self.vehicle.telemetry.age_s("hil_surfaces"),
+            to_board_age_s=now_s - to_board_s,
+            unanswered_s=now_s - first_s if surfaces_age_s is None else surfaces_age_s,
             is_board_open=self.vehicle.board.is_open,
             is_simulator_open=bool(simulator.rows(now_s)),
             missing_rows=simulator.missing_rows(now_s),

@@ -272,10 +272,11 @@ def judge_heartbeat(line: Line | None, lost_s: float) -> Finding | None:
 
 @dataclass(frozen=True, slots=True)
 class Loop:
-    """What is known of the HIL loop after it was first closed. Ages in seconds; None: nothing came yet."""
+    """What is known of the HIL loop after its first data have gone to the board. Times in seconds."""
 
     to_board_age_s: float
-    surfaces_age_s: float | None
+    unanswered_s: float
+    """Since the board's newest surfaces; since the first data that went to it while none have come."""
     is_board_open: bool
     is_simulator_open: bool
     missing_rows: Sequence[int]
@@ -293,7 +294,7 @@ def judge_hil(loop: Loop | None, lost_s: float) -> Finding | None:
         else:
             text = "The HIL loop is open: the simulator sends nothing. Check that it runs and where it sends to."
         return Finding("hil_lost", "critical", text)
-    if loop.surfaces_age_s is None or loop.surfaces_age_s > lost_s:
+    if loop.unanswered_s > lost_s:
         return Finding("hil_lost", "critical", "The HIL loop is open: the board does not answer the simulator's data.")
     return None
 

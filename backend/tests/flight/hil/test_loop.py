@@ -175,12 +175,15 @@ async def test_board_simulator_and_viewers_get_the_gamepads_position_as_the_wire
 async def test_the_loops_times_are_those_of_the_newest_frames_on_either_path() -> None:
     loop = Loop()
     loop.board(joystick=True)
+    first_s = None
     for path in ("manual", "assisted"):
         loop.hil.path = path
         loop.flies()
         asked_s = loop.clock.time_s
         loop.surfaces(after_s=0.005)
         assert (loop.hil.last_to_board_s, loop.hil.last_surfaces_s) == (asked_s, loop.clock.time_s)
+        first_s = first_s or asked_s
+        assert loop.hil.first_to_board_s == first_s
         assert loop.hil.round_trip.newest_ms == pytest.approx(5.0)
     assert loop.hil.round_trip.answers == loop.hil.frames_to_board == len(loop.told()) == 2
 
@@ -198,7 +201,7 @@ async def test_with_another_simulator_or_while_the_loop_rests_what_was_asked_and
         loop.begin()
     else:
         loop.hil.rest()
-    assert loop.hil.last_to_board_s is loop.hil.last_surfaces_s is None
+    assert loop.hil.first_to_board_s is loop.hil.last_to_board_s is loop.hil.last_surfaces_s is None
     assert loop.hil.round_trip.newest_ms is None
     loop.surfaces(after_s=0.005)
     assert loop.hil.round_trip.newest_ms is None, "an answer to a question that was forgotten is none"

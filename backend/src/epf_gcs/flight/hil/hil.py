@@ -54,6 +54,7 @@ class Hil:
         self.skipped: Counter[str] = Counter()
         self.frames_to_board = 0
         self.frames_to_simulator = 0
+        self.first_to_board_s: float | None = None
         self.last_to_board_s: float | None = None
         self.last_surfaces_s: float | None = None
 
@@ -89,13 +90,12 @@ class Hil:
         self.link = link
         self._samples.begin(profile)
         self._unshown.clear()
-        self.round_trip.clear()
-        self.last_to_board_s = self.last_surfaces_s = None
+        self.rest()
 
     def rest(self) -> None:
         """Forget pending round trips during an AHRS test, so that the board's silence raises no HIL alarm."""
         self.round_trip.clear()
-        self.last_to_board_s = self.last_surfaces_s = None
+        self.first_to_board_s = self.last_to_board_s = self.last_surfaces_s = None
 
     def end(self) -> None:
         """The socket is closed."""
@@ -154,6 +154,8 @@ class Hil:
         elif self._board.write(frame_bytes(TO_BOARD, _COMMAND_50, _COMMAND_50.struct.pack(*info))):
             self.frames_to_board += 1
             self.last_to_board_s = now_s
+            if self.first_to_board_s is None:
+                self.first_to_board_s = now_s
             self.round_trip.asked(now_s)
         else:
             self.skipped["line_busy"] += 1
