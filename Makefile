@@ -18,6 +18,9 @@ PORT ?= 8000
 ARGS ?=
 MINUTES ?= 30
 
+# Modules stay compiled, whatever this computer's habit is: the tests start the station some hundreds of times.
+export PYTHONDONTWRITEBYTECODE :=
+
 .PHONY: help setup images generate check test test-backend test-protocol test-firmware test-frontend e2e soak fuzz fuzz-interface mutate mutate-page run board wheel sdist container docs docs-archive release check-platforms check-workflows bench clean
 
 help: ## list the verbs

@@ -33,14 +33,17 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 @pytest.hookimpl(wrapper=True)
 def pytest_runtest_protocol(item: pytest.Item) -> Generator[None, object, object]:
     """Lines are not counted while an `uncounted` test runs: counting makes long calculations twice as long."""
-    counting = Coverage.current() if item.get_closest_marker("uncounted") else None
-    if counting is None:
-        return (yield)
-    counting.stop()
+    stopped: list[Coverage] = []
+    if item.get_closest_marker("uncounted"):
+        # In a worker there are two, one under the other: the plugin's for a whole run, and the worker's own.
+        while (counting := Coverage.current()) is not None:
+            counting.stop()
+            stopped.append(counting)
     try:
         return (yield)
     finally:
-        counting.start()
+        for counting in reversed(stopped):
+            counting.start()
 
 
 @pytest.fixture

@@ -23,7 +23,7 @@ export default defineConfig({
     viewport: { width: 1366, height: 768 },
     launchOptions: existsSync(system) ? { executablePath: system } : {},
     screenshot: "only-on-failure",
-    // Without its film: the processor draws all pictures here, and would draw each twice.
-    trace: { mode: "retain-on-failure", screenshots: false, sources: false },
+    // Without film and copies of the page at each step: they take more of the processor than the journey itself.
+    trace: { mode: "retain-on-failure", screenshots: false, snapshots: false, sources: false },
   },
 });

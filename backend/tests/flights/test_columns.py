@@ -176,6 +176,7 @@ def test_rows_of_text_are_written_before_they_fill_the_memory(tmp_path: Path) ->
     assert pq.read_table(tmp_path / "keyframes.parquet").num_rows == 8
 
 
+@pytest.mark.uncounted
 def test_key_frames_lead_to_a_place_with_the_newest_samples_before_it(tmp_path: Path) -> None:
     received = b"".join(mixed_frames(9000, seed=1))
     plain = recording(received, chunk=60)

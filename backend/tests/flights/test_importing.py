@@ -137,6 +137,7 @@ def test_a_message_that_claims_more_than_memory_is_refused_or_left(tmp_path: Pat
     assert len(read_file(target).messages.t_ns) == 1
 
 
+@pytest.mark.uncounted
 def test_a_small_file_cut_at_any_byte_is_taken_as_far_as_it_is_whole_or_refused(tmp_path: Path) -> None:
     said = messages(6)
     body, end = plain(said, mark_every=3)

@@ -8,7 +8,8 @@ from collections.abc import Callable, Iterable, Iterator
 from typing import TypeVar
 
 DEADLINE_S = 60.0
-_LOOK_EVERY_S = 0.005
+_FIRST_PAUSE_S = 0.005
+_LONGEST_PAUSE_S = 0.05
 
 T = TypeVar("T")
 R = TypeVar("R")
@@ -16,20 +17,28 @@ R = TypeVar("R")
 
 def eventually(condition: Callable[[], bool], what: str) -> None:
     """Return when the condition holds; fail with `what` if it does not before the deadline."""
-    give_up_s = time.monotonic() + DEADLINE_S
-    while not condition():
-        if time.monotonic() > give_up_s:
-            raise AssertionError(f"never happened: {what}")
-        time.sleep(_LOOK_EVERY_S)
+    for pause_s in _pauses(what):
+        if condition():
+            return
+        time.sleep(pause_s)
 
 
 async def eventually_async(condition: Callable[[], bool], what: str) -> None:
     """The same as a coroutine, without blocking the event loop."""
+    for pause_s in _pauses(what):
+        if condition():
+            return
+        await asyncio.sleep(pause_s)
+
+
+def _pauses(what: str) -> Iterator[float]:
+    """Longer and longer: looking takes the processor from what is waited for."""
     give_up_s = time.monotonic() + DEADLINE_S
-    while not condition():
-        if time.monotonic() > give_up_s:
-            raise AssertionError(f"never happened: {what}")
-        await asyncio.sleep(_LOOK_EVERY_S)
+    pause_s = _FIRST_PAUSE_S
+    while time.monotonic() < give_up_s:
+        yield pause_s
+        pause_s = min(_LONGEST_PAUSE_S, 1.2 * pause_s)
+    raise AssertionError(f"never happened: {what}")
 
 
 def until_late(coming: Iterable[T], what: str) -> Iterator[T]:

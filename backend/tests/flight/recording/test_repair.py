@@ -26,6 +26,12 @@ TOPICS = {1: "board/received", 2: "board/sent"}
 NAME = "20260101T000000Z.mcap"
 
 
+@pytest.fixture(autouse=True)
+def this_process_stays_in_its_place(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Whoever has gone last stays there: all later tests of this worker would, and the stations that they start."""
+    monkeypatch.setattr(repair_module, "go_last", lambda: None)
+
+
 def a_recording(payloads: list[bytes]) -> tuple[bytes, bytes, int]:
     """Head with messages, end, and where the messages begin."""
     tally = Tally()

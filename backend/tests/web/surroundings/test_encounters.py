@@ -5,6 +5,7 @@ from __future__ import annotations
 import random
 
 import numpy as np
+import pytest
 
 from epf_gcs.formats.quantized_mesh import CELLS, encode_tile, tile_nodes
 from epf_gcs.formats.quantized_mesh_reading import SIDE, read_grid
@@ -68,6 +69,7 @@ def a_place(seed: int, above_m: tuple[float, float]) -> tuple[tuple[float, float
     return place, true_m(*place) + chance.uniform(*above_m)
 
 
+@pytest.mark.uncounted
 def test_ground_ahead_is_warned_of_half_a_minute_before_and_quiet_flights_are_not_disturbed() -> None:
     station, score = Station(), Score()
     clearance = ground_clearance(true_m)
@@ -87,6 +89,7 @@ def test_ground_ahead_is_warned_of_half_a_minute_before_and_quiet_flights_are_no
     assert score.alarmed <= 1
 
 
+@pytest.mark.uncounted
 def test_the_fence_is_warned_of_half_a_minute_before_and_flights_inside_are_not_disturbed() -> None:
     score = Score()
     seed = 500

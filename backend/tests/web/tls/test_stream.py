@@ -60,7 +60,7 @@ class Conversation:
 
 
 def maker(talker: Talker) -> Callable[[], SocketConnection]:
-    config, state = Config(app=lambda: None), ServerState()
+    config, state = Config(app=lambda: None, log_config=None), ServerState()
     return lambda: SocketConnection(config, state, {"socket_endpoint": talker})
 
 
