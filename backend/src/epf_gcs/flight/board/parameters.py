@@ -130,11 +130,11 @@ class Parameters:
                     results[name] = await self._set(name, value, client)
                 values = await self._read(client)
         except BaseException as error:
-            if isinstance(error, ConflictError) and list(results.values()) == [None]:
-                # Not even the first was sent: nothing has changed.
-                self._replace(held if session == self._session else self.held)
-                raise
-            self._replace(gains.forgotten(self.held, changes))
+            if isinstance(error, ConflictError):
+                # What was refused before it was sent has not changed.
+                results = {name: result for name, result in results.items() if result is not None}
+            unsent = {name: held[name] for name in changes if name not in results and session == self._session}
+            self._replace({**gains.forgotten(self.held, results), **unsent})
             lost = [Change(name, before[name], gains.as_held(name, changes[name]), "timed_out") for name in results]
             self._end(kind, lost, results, client, session)
             raise
