@@ -12,6 +12,7 @@ import pytest
 import structlog
 from hypothesis import given
 from hypothesis import strategies as st
+from mcap.opcode import Opcode
 from mcap.reader import make_reader
 from mcap.records import Message, Metadata
 from mcap.stream_reader import StreamReader
@@ -202,3 +203,15 @@ def test_mending_pushes_the_file_to_the_disk_at_the_lowest_priority_and_pauses(
     path.write_bytes(data)
     repair_all([path])
     assert done == ["last", "pause", "pause", "pause", f"push {len(data + end)}"]
+
+
+def test_a_record_cut_short_is_cut_off_and_one_longer_than_any_of_ours_is_damage(tmp_path: Path) -> None:
+    data, _, _ = a_recording([b"one"])
+    longest = 16 * 1024 * 1024
+    path = tmp_path / NAME
+    path.write_bytes(data + struct.pack("<BQ", Opcode.MESSAGE, longest) + b"its beginning")
+    assert repair(path) == 9 + 13
+    assert payloads(path.read_bytes()) == [b"one"]
+    path.write_bytes(data + struct.pack("<BQ", Opcode.MESSAGE, longest + 1) + b"its beginning")
+    with pytest.raises(BeyondRepairError):
+        repair(path)
