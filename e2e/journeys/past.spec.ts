@@ -219,14 +219,15 @@ test("a pilot looks ten seconds back in flight, sees the present beside it, and 
   });
 
   await test.step("to the alarm, at which the line was lost", async () => {
-    await page.getByRole("tab", { name: "Vuelos", exact: true }).click();
-    const story = page.getByRole("list", { name: "Qué pasó" });
-    await story
-      .getByRole("button", { name: /latido/ })
-      .first()
-      .click();
-    await page.getByRole("tab", { name: "Datos de vuelo", exact: true }).click();
-    await expect(page.getByRole("contentinfo")).toContainText("perdido");
+    const alarms = page.getByRole("list", { name: "Qué pasó" }).getByRole("button", { name: /latido/ });
+    let next = 0;
+    // A busy machine may have kept a heartbeat back earlier in the flight, with the line open: that is another alarm.
+    await expect(async () => {
+      await page.getByRole("tab", { name: "Vuelos", exact: true }).click();
+      await alarms.nth(next++ % (await alarms.count())).click();
+      await page.getByRole("tab", { name: "Datos de vuelo", exact: true }).click();
+      await expect(page.getByRole("contentinfo")).toContainText("perdido", { timeout: 10_000 });
+    }).toPass({ timeout: 60_000 });
   });
 
   await test.step("its signals", async () => {
