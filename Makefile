@@ -35,18 +35,17 @@ $(DONE)/tools: .ci/require
 
 # ---- installing inside the tree ------------------------------------------------------------------
 
-# One virtual environment: `run` puts the run-time packages into it, the tests add the tools. A lock names every package,
-# so nothing is resolved again: older pips look for a newer release of what is asked for with an extra, and fail.
-$(DONE)/venv: backend/requirements.lock backend/pyproject.toml $(DONE)/tools
+# One virtual environment: `run` puts the run-time packages into it, the tests add the tools.
+$(DONE)/venv: backend/requirements.lock backend/pyproject.toml .ci/install $(DONE)/tools
 	@echo "Installing the gateway's packages (once) ..."
 	@test -x $(BIN)/python || $(PYTHON) -m venv $(VENV)
-	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --require-hashes -r backend/requirements.lock
+	@bash .ci/install backend/requirements.lock
 	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation -e backend
 	@touch $@
 
 $(DONE)/venv-dev: backend/requirements-dev.lock $(DONE)/venv
 	@echo "Installing the test tools (once) ..."
-	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --require-hashes -r backend/requirements-dev.lock
+	@bash .ci/install backend/requirements-dev.lock
 	@touch $@
 
 $(DONE)/frontend: frontend/package-lock.json $(DONE)/tools
@@ -108,7 +107,7 @@ container: ## build the container's image for this processor; ENGINE=podman, IMA
 # ---- documents and releases --------------------------------------------------------------------------
 
 $(DONE)/venv-publish: backend/requirements-publish.lock $(DONE)/venv-dev
-	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --require-hashes -r backend/requirements-publish.lock
+	@bash .ci/install backend/requirements-publish.lock
 	@touch $@
 
 docs: $(DONE)/venv-publish ## the documents as a site in dist/docs that needs no network; fails on a broken link
@@ -245,7 +244,7 @@ bench: $(DONE)/venv-dev $(DONE)/browser board frontend/dist/index.html ## the nu
 	cd backend && ../$(BIN)/python -m bench $(ARGS)
 
 $(DONE)/venv-mutate: backend/requirements-mutate.lock $(DONE)/venv-dev
-	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --require-hashes -r backend/requirements-mutate.lock
+	@bash .ci/install backend/requirements-mutate.lock
 	@touch $@
 
 mutate: $(DONE)/venv-mutate ## change the gateway's code in small places and see whether its tests notice; ARGS="codec/frame.py --most 20"
