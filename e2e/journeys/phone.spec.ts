@@ -23,6 +23,7 @@ const WORDS = {
     read: "Descargar de la placa",
     insert: "Insertar",
     send: "Enviar a la placa",
+    startAgain: "Enviar y empezar por el 1",
     goTo: /^Ir a \d+$/,
     gone: /Ir al waypoint: confirmado/,
     proven: /Plan HIL: la placa tiene los \d+ waypoints/,
@@ -45,6 +46,7 @@ const WORDS = {
     read: "Download from board",
     insert: "Insert",
     send: "Send to board",
+    startAgain: "Send and start at 1",
     goTo: /^Go to \d+$/,
     gone: /Go to waypoint: confirmed/,
     proven: /HIL plan: the board has the \d+ waypoints/,
@@ -102,6 +104,9 @@ test.describe("a pilot with nothing but a phone", () => {
       await tap(say.insert);
       await expect(rows).toHaveCount(before + 1);
       await seen("2-waypoint");
+      // Asked where the board flies on already, or where its plan's stream was late at this moment.
+      const startAgain = page.getByRole("button", { name: say.startAgain, exact: true });
+      await page.addLocatorHandler(startAgain, async () => await startAgain.tap());
       await tap(say.send);
       const last = page.getByRole("status", { name: say.last });
       await expect(last).toContainText(say.proven);

@@ -60,7 +60,10 @@ export class Program {
 }
 
 /** Ask until the answer is there; an error counts as no answer. The last error is told when patience ends. */
-export async function until<T>(what: string, ask: () => Promise<T | undefined> | T | undefined): Promise<T> {
+export async function until<T>(
+  what: string | (() => string),
+  ask: () => Promise<T | undefined> | T | undefined,
+): Promise<T> {
   const end = Date.now() + PATIENCE_MS;
   let last: unknown;
   while (Date.now() < end) {
@@ -72,24 +75,34 @@ export async function until<T>(what: string, ask: () => Promise<T | undefined> |
     }
     await new Promise((resolve) => setTimeout(resolve, 50));
   }
-  throw new Error(`gave up waiting for ${what}${last === undefined ? "" : `: ${last}`}`);
+  throw new Error(
+    `gave up waiting for ${typeof what === "string" ? what : what()}${last === undefined ? "" : `: ${last}`}`,
+  );
 }
 
 /** Journeys run beside each other: each of their workers looks for ports of its own. */
 const WORKERS_MOST = 16;
 const WORKER = Number(process.env.TEST_PARALLEL_INDEX ?? 0) % WORKERS_MOST;
 
-/** Below what systems give to whoever connects, so that nobody gets it between the looking and the use. */
+/**
+ * Below what systems give to whoever connects, so that nobody gets it between the looking and the use, and above all that
+ * browsers refuse to ask (10080 is the last).
+ */
 function somePort(): number {
-  const [first, last] = [10_000, 32_000];
+  const [first, last] = [11_000, 32_000];
   return first + WORKER + WORKERS_MOST * Math.floor((Math.random() * (last - first)) / WORKERS_MOST);
 }
 
-/** A port of the loopback that is free now, as `isFree` says. */
+/** Whoever got one may not listen on it yet. */
+const given = new Set<number>();
+
+/** A port of the loopback that is free now, as `isFree` says, and that nobody was given before. */
 async function freePort(isFree: (port: number) => Promise<boolean>): Promise<number> {
   return await until("a free port", async () => {
     const port = somePort();
-    return (await isFree(port)) ? port : undefined;
+    if (given.has(port) || !(await isFree(port))) return undefined;
+    given.add(port);
+    return port;
   });
 }
 

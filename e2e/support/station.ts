@@ -74,7 +74,12 @@ export class Station {
       udp,
       trustsThisComputer,
     );
-    await station.answers();
+    try {
+      await station.answers();
+    } catch (error) {
+      await station.stop();
+      throw error;
+    }
     return station;
   }
 
@@ -196,7 +201,8 @@ export class Station {
 
   private async answers(): Promise<void> {
     if (!this.trustsThisComputer && this.cookie === undefined) await this.enterAsOwner();
-    await until(`the gateway's answer\n${this.own.programs.gateway.output}`, async () => await this.status());
+    const heard = () => `the gateway's answer; it said:\n${this.own.programs.gateway.output}`;
+    await until(heard, async () => await this.status());
   }
 
   private async enterAsOwner(): Promise<void> {
