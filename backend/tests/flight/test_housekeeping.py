@@ -6,6 +6,7 @@ import asyncio
 import contextlib
 from collections.abc import AsyncIterator
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 import structlog
@@ -100,6 +101,21 @@ async def test_the_status_is_sent_with_every_fifth_tick_and_at_once_when_an_alar
         assert kept.changes == kept.ticks // 5 + 2
     assert [(kind, data["active"]) for kind, data in kept.outlet.events] == [("alarm", True), ("alarm", False)]
     assert abs(kept.outlet.events[0][1]["since_s"] - kept.flight.clock.now_s()) < 120
+
+
+async def test_alarms_are_looked_at_ten_times_a_second(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    kept = Kept(tmp_path / "data")
+    pauses_s = []
+
+    async def pause(lasts_s: float) -> None:
+        pauses_s.append(lasts_s)
+        await asyncio.sleep(0.0)
+
+    monkeypatch.setattr(housekeeping, "asyncio", SimpleNamespace(sleep=pause))
+    async with kept.running():
+        await kept.for_ticks(7)
+    assert set(pauses_s) == {0.1}
+    assert kept.ticks <= len(pauses_s) <= kept.ticks + 1, "one before each look"
 
 
 async def test_the_board_the_stick_and_a_running_test_are_asked_at_each_tick_what_is_due(
