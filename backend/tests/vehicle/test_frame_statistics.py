@@ -49,6 +49,10 @@ def test_a_damaged_frame_is_counted_where_it_belongs(frame: bytes, name: str) ->
     assert counted_from(*(stream[place : place + 1] for place in range(len(stream)))).damaged == {name: 2}
 
 
+def test_the_type_alone_tells_what_was_cut_off() -> None:
+    assert counted_from(GPS[:8] + GPS + GPS[:7] + AHRS + AHRS).damaged == {"gps": 1}
+
+
 def test_a_whole_frame_of_an_unknown_type_is_heard() -> None:
     newer = of_type(0x80000123, b"\1\2\3\4" * 3)
     statistics = counted_from(AHRS + newer, newer + GPS)
