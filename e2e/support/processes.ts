@@ -60,10 +60,7 @@ export class Program {
 }
 
 /** Ask until the answer is there; an error counts as no answer. The last error is told when patience ends. */
-export async function until<T>(
-  what: string | (() => string),
-  ask: () => Promise<T | undefined> | T | undefined,
-): Promise<T> {
+export async function until<T>(what: string, ask: () => Promise<T | undefined> | T | undefined): Promise<T> {
   const end = Date.now() + PATIENCE_MS;
   let last: unknown;
   while (Date.now() < end) {
@@ -75,9 +72,7 @@ export async function until<T>(
     }
     await new Promise((resolve) => setTimeout(resolve, 50));
   }
-  throw new Error(
-    `gave up waiting for ${typeof what === "string" ? what : what()}${last === undefined ? "" : `: ${last}`}`,
-  );
+  throw new Error(`gave up waiting for ${what}${last === undefined ? "" : `: ${last}`}`);
 }
 
 /** Journeys run beside each other: each of their workers looks for ports of its own. */

@@ -200,9 +200,12 @@ export class Station {
   }
 
   private async answers(): Promise<void> {
-    if (!this.trustsThisComputer && this.cookie === undefined) await this.enterAsOwner();
-    const heard = () => `the gateway's answer; it said:\n${this.own.programs.gateway.output}`;
-    await until(heard, async () => await this.status());
+    try {
+      if (!this.trustsThisComputer && this.cookie === undefined) await this.enterAsOwner();
+      await until("the gateway's answer", async () => await this.status());
+    } catch (error) {
+      throw new Error(`${error}\nThe gateway said:\n${this.gateway.output}`);
+    }
   }
 
   private async enterAsOwner(): Promise<void> {
