@@ -195,9 +195,9 @@ check-platforms: $(DONE)/venv-dev ## types as macOS and Windows see them (half a
 # One after the other, whatever -j says: each uses all of the machine.
 TESTS := test-protocol test-firmware test-backend test-frontend e2e
 
-test: fresh-results ## everything, from nothing; what this machine cannot run is told at the end, which is red then
+test: fresh-results ## everything, from nothing; what failed or could not run on this machine is told at the end, which is red then
 	@$(MAKE) --no-print-directory check
-	@for part in $(TESTS); do $(MAKE) --no-print-directory $$part; done
+	@for part in $(TESTS); do $(MAKE) --no-print-directory $$part || { python3 .ci/summary.py $(RESULTS); exit 1; }; done
 	@python3 .ci/summary.py $(RESULTS)
 
 .PHONY: fresh-results

@@ -1,4 +1,4 @@
-"""Print one plain line of what passed and what was skipped, from the JUnit files that the test runners wrote.
+"""Print what failed and why, what was skipped, and one plain line of what passed, from the test runners' JUnit files.
 
 Usage: summary.py FOLDER [LIST]. Fails when a test failed, when a runner left no file or a file without a test, so that
 a suite which did not run cannot pass for one that did, and when a test was skipped that LIST (`skips.txt` beside this
@@ -7,6 +7,7 @@ program) does not allow.
 
 from __future__ import annotations
 
+import re
 import sys
 from collections import Counter
 from collections.abc import Iterator
@@ -18,25 +19,30 @@ from xml.etree import ElementTree as ET
 SUITES = ("ci", "protocol", "firmware", "backend", "frontend", "e2e")
 
 
+_MOST_LINES = 24
+_MOST_WIDE = 200
+_COLOURS = re.compile(r"\x1b?\[[0-9;]*m")
+
+
 class BadListError(Exception):
     """A line of the list that says not all of it."""
 
 
 @dataclass
 class Counts:
-    """What became of the tests of a suite. `skipped`: names and reasons."""
+    """What became of the tests of a suite. `failed`: names and what was said; `skipped`: names and reasons."""
 
     passed: int = 0
-    failed: int = 0
+    failed: list[tuple[str, str]] = field(default_factory=list)
     skipped: list[tuple[str, str]] = field(default_factory=list)
 
     @property
     def total(self) -> int:
         """How many tests there are."""
-        return self.passed + self.failed + len(self.skipped)
+        return self.passed + len(self.failed) + len(self.skipped)
 
     def __str__(self) -> str:
-        return f"{self.passed} passed, {self.failed} failed, {len(self.skipped)} skipped"
+        return f"{self.passed} passed, {len(self.failed)} failed, {len(self.skipped)} skipped"
 
 
 def count(paths: list[Path]) -> Counts:
@@ -45,10 +51,11 @@ def count(paths: list[Path]) -> Counts:
     for path in paths:
         for case in ET.parse(path).iter("testcase"):  # noqa: S314 (written by our own runners)
             kinds = {child.tag: child for child in case}
-            if kinds.keys() & {"failure", "error"}:
-                found.failed += 1
+            name = f"{case.get('classname', '')}::{case.get('name', '')}"
+            faults = [kinds[kind] for kind in ("failure", "error") if kind in kinds]
+            if faults:
+                found.failed.append((name, f"{faults[0].get('message') or ''}\n{faults[0].text or ''}"))
             elif "skipped" in kinds:
-                name = f"{case.get('classname', '')}::{case.get('name', '')}"
                 found.skipped.append((name, kinds["skipped"].get("message") or "no reason given"))
             else:
                 found.passed += 1
@@ -64,6 +71,17 @@ def allowed(text: str) -> Iterator[tuple[str, str]]:
         if len(words) < 3 or words[0] not in SUITES:
             raise BadListError(f"line {number} of the list of skips does not say suite, test and reason: {line}")
         yield words[0], words[1]
+
+
+def tell_failures(suite: str, failed: list[tuple[str, str]]) -> None:
+    """Print the failed tests of a suite, each with the beginning of what was said."""
+    for name, said in failed:
+        print(f"  {suite}, FAILED: {name}")
+        lines = [line.rstrip() for line in _COLOURS.sub("", said).splitlines() if line.strip()]
+        for line in lines[:_MOST_LINES]:
+            print(f"    {line[:_MOST_WIDE]}")
+        if len(lines) > _MOST_LINES:
+            print(f"    and {len(lines) - _MOST_LINES} more lines")
 
 
 def tell_skips(suite: str, skipped: list[tuple[str, str]], patterns: list[str]) -> bool:
@@ -87,7 +105,8 @@ def main(folder: Path, listed: Path) -> int:
     for suite in SUITES:
         counts = count(sorted(folder.glob(f"{suite}*.xml")))
         print(f"{suite}: {counts if counts.total else 'no test was run'}")
-        good = good and counts.total > 0 and counts.failed == 0
+        tell_failures(suite, counts.failed)
+        good = good and counts.total > 0 and not counts.failed
         good = tell_skips(suite, counts.skipped, [pattern for of, pattern in may_skip if of == suite]) and good
         sums = Counts(sums.passed + counts.passed, sums.failed + counts.failed, sums.skipped + counts.skipped)
     print(f"{sums}{'' if good else ': NOT all that has to pass has passed'}")

@@ -51,6 +51,16 @@ def test_a_failure_is_red(results: Path, kind: str) -> None:
     assert "backend: 1 passed, 1 failed, 0 skipped" in said
 
 
+def test_a_failure_is_told_with_what_was_said_but_not_all_of_it(results: Path) -> None:
+    said = "".join(f"line {number}\n" for number in range(100))
+    write(results, "e2e", f'<testcase classname="a" name="b"><failure message="why">\x09{said}</failure></testcase>')
+    lines = summary(results)[1].splitlines()
+    at = lines.index("  e2e, FAILED: a::b")
+    assert [line.strip() for line in lines[at + 1 : at + 4]] == ["why", "line 0", "line 1"]
+    assert "and 77 more lines" in "\n".join(lines)
+    assert "line 99" not in "\n".join(lines)
+
+
 @pytest.mark.parametrize("suite", SUITES)
 def test_a_suite_that_did_not_run_is_red(results: Path, suite: str) -> None:
     write(results, suite)
