@@ -25,6 +25,11 @@ def test_a_taken_port_is_told_with_who_has_it_and_what_to_do(listening_port: int
     assert "make run PORT=8001" in sentence
 
 
+def test_a_port_that_no_browser_opens_is_told_before_anything_starts() -> None:
+    with pytest.raises(LaunchError, match=r"^Port 10080 is one that browsers refuse to open; choose .*PORT=8001"):
+        require_tcp_port(LOOPBACK, 10080)
+
+
 def test_a_free_port_is_left_free(listening_port: int) -> None:
     with socket.create_server((LOOPBACK, 0)) as server:
         port = server.getsockname()[1]

@@ -9,13 +9,17 @@ from pathlib import Path
 from typing import Final
 
 from epf_gcs.launcher.errors import LaunchError
+from epf_gcs.listening import is_refused_by_browsers
 
 LOOPBACK: Final = "127.0.0.1"
 _LISTEN: Final = "0A"  # socket state in /proc/net/tcp
 
 
 def require_tcp_port(host: str, port: int) -> None:
-    """Raise LaunchError unless the port can be listened on; it names the program that has it, if that can be seen."""
+    """Raise LaunchError unless the port can be listened on and browsers open it; it names the program that has it, if
+    that can be seen."""
+    if is_refused_by_browsers(port):
+        raise LaunchError(f"Port {port} is one that browsers refuse to open; {_instead(port)}.")
     with socket.socket(socket.AF_INET, socket.SOCK_STREAM) as probe:
         # As servers do: a port that is only in TIME_WAIT after a stop counts as free.
         probe.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
@@ -64,8 +68,7 @@ def listener_of(port: int) -> str | None:
 
 
 def _why_not(port: int, error: OSError) -> str:
-    other = 8001 if port != 8001 else 8002
-    instead = f"choose another one: `epf-run --port {other}` or `make run PORT={other}`"
+    instead = _instead(port)
     if error.errno == errno.EADDRINUSE:
         owner = listener_of(port)
         who = f"another program ({owner})" if owner else "another program"
@@ -73,6 +76,11 @@ def _why_not(port: int, error: OSError) -> str:
     if error.errno == errno.EACCES:
         return f"Port {port} needs rights that this user does not have; {instead}."
     return f"Port {port} cannot be opened ({error.strerror}); {instead}."
+
+
+def _instead(port: int) -> str:
+    other = 8001 if port != 8001 else 8002
+    return f"choose another one: `epf-run --port {other}` or `make run PORT={other}`"
 
 
 def _listening_inodes(port: int) -> set[str]:

@@ -70,7 +70,10 @@ class Server(uvicorn.Server):
     def _listener(self) -> socket.socket:
         if self._settings.fd is None:
             return listen(self._settings.host, self._settings.port)
-        return socket.socket(fileno=self._settings.fd)
+        listener = socket.socket(fileno=self._settings.fd)
+        # It was handed down to us, and would be to every worker: one that outlives us would keep the port.
+        listener.set_inheritable(False)
+        return listener
 
     async def serve(self, sockets: list[Any] | None = None) -> None:
         """Run until a signal."""

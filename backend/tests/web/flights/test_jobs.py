@@ -14,7 +14,7 @@ import pytest
 from epf_gcs.recordings.mcap_file import Tally, closing, data_end, message_record, opening
 from epf_gcs.recordings.topics import TOPICS
 from tests.support.gateway import Gateway, running_gateway
-from tests.support.programs import children_of, gateway_process
+from tests.support.programs import Program, children_of, gateway_process
 from tests.support.waiting import eventually
 
 FLIGHT = "20260101T100000Z"
@@ -47,6 +47,12 @@ def is_alive(pid: int) -> bool:
         return Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[0] != "Z"
     except OSError:
         return False
+
+
+def sockets_of(pid: int) -> set[str]:
+    """The open sockets of a process, as the system names them."""
+    links = {str(link.readlink()) for link in Path(f"/proc/{pid}/fd").iterdir()}
+    return {link for link in links if link.startswith("socket:")}
 
 
 def found(pid: int, words: str) -> list[int]:
@@ -91,17 +97,31 @@ def test_a_gateway_that_ends_ends_its_workers(large: Path) -> None:
     assert not is_alive(worker)
 
 
+def silent_worker(gateway: Program, data: Path) -> tuple[int, int]:
+    """The web process of a gateway and a worker of it that says nothing, so that no broken pipe ends it."""
+    port = gateway.wait_for_words(r"http://127\.0\.0\.1:(\d+)")
+    eventually(lambda: bool(found(gateway.process.pid, "epf_gcs.web")), "the web process")
+    (web,) = found(gateway.process.pid, "epf_gcs.web")
+    (data / "recordings").mkdir(exist_ok=True)
+    # Whoever opens it waits for a writer that never comes.
+    os.mkfifo(data / "recordings" / f"{FLIGHT}.mcap")
+    httpx.post(f"http://127.0.0.1:{port}/api/v1/flights/{FLIGHT}/index").raise_for_status()
+    eventually(lambda: bool(found(web, "epf_gcs.flights pack")), "its worker")
+    (worker,) = found(web, "epf_gcs.flights pack")
+    eventually(lambda: os.getpriority(os.PRIO_PROCESS, worker) == 19, "the worker has begun")
+    return web, worker
+
+
 def test_a_web_process_that_is_killed_leaves_no_worker_even_one_that_is_silent(tmp_path: Path) -> None:
     with gateway_process(tmp_path / "data") as gateway:
-        port = gateway.wait_for_words(r"http://127\.0\.0\.1:(\d+)")
-        eventually(lambda: bool(found(gateway.process.pid, "epf_gcs.web")), "the web process")
-        (web,) = found(gateway.process.pid, "epf_gcs.web")
-        # Whoever opens it waits for a writer that never comes: the worker says nothing, so no broken pipe ends it.
-        (tmp_path / "data" / "recordings").mkdir(exist_ok=True)
-        os.mkfifo(tmp_path / "data" / "recordings" / f"{FLIGHT}.mcap")
-        httpx.post(f"http://127.0.0.1:{port}/api/v1/flights/{FLIGHT}/index").raise_for_status()
-        eventually(lambda: bool(found(web, "epf_gcs.flights pack")), "its worker")
-        (worker,) = found(web, "epf_gcs.flights pack")
-        eventually(lambda: os.getpriority(os.PRIO_PROCESS, worker) == 19, "the worker has begun")
+        web, worker = silent_worker(gateway, tmp_path / "data")
         os.kill(web, signal.SIGKILL)
         eventually(lambda: not is_alive(worker), "the worker ends")
+
+
+def test_a_worker_does_not_hold_the_port_which_a_gateway_that_was_killed_has_to_let_go(tmp_path: Path) -> None:
+    with gateway_process(tmp_path / "data") as gateway:
+        _web, worker = silent_worker(gateway, tmp_path / "data")
+        # The launcher has no socket but the listening one.
+        assert len(sockets_of(gateway.process.pid)) == 1
+        assert not sockets_of(gateway.process.pid) & sockets_of(worker)
