@@ -1,7 +1,8 @@
 /**
  * What is wrong with the layout of what is on top now (a menu, a dialog or the window), measured in the page: text that is
  * cut without a way to read it, controls outside of the window or covered that no scrolling brings out, anything that
- * scrolls sideways, and targets smaller than `target_px`. Runs in the page: it must not use anything from outside.
+ * scrolls sideways or beyond the end of the page, and targets smaller than `target_px`. Runs in the page: it must not use
+ * anything from outside.
  */
 export function layoutFaults(target_px: number): string[] {
   const SLACK_PX = 1.5;
@@ -130,6 +131,10 @@ export function layoutFaults(target_px: number): string[] {
   const top = over.at(-1) ?? document.body;
   if (document.documentElement.scrollWidth > innerWidth + 1) {
     found.add(`the page scrolls sideways: ${document.documentElement.scrollWidth} in ${innerWidth}`);
+  }
+  const end = (document.querySelector("#root > *")?.getBoundingClientRect().bottom ?? 0) + scrollY;
+  if (document.documentElement.scrollHeight > Math.max(innerHeight, end) + SLACK_PX) {
+    found.add(`the page scrolls into emptiness: ${document.documentElement.scrollHeight} in ${innerHeight}`);
   }
   const texts = document.createTreeWalker(top, NodeFilter.SHOW_TEXT);
   for (let text = texts.nextNode(); text !== null; text = texts.nextNode()) {
