@@ -1,4 +1,4 @@
-import { test as base, expect, type Page } from "@playwright/test";
+import { test as base, type ConsoleMessage, expect, type Page } from "@playwright/test";
 import { Station } from "./station.js";
 
 type Fixtures = {
@@ -12,12 +12,19 @@ type Fixtures = {
   flying: Station;
 };
 
+/** Answers of a station whose flight process is away, or is not ready yet. */
+const NOT_NOW = new Set(["409", "502", "503"]);
+
 /**
- * What Chromium says by itself while the journey has taken the gateway away. Its network has a word for each moment at
- * which an answer can break off; the service worker's script, which it asks for again now and then, has its own.
+ * What Chromium says by itself while the journey has taken the gateway away: it has a word for each moment at which an
+ * answer can break off, and its service worker has others. What the page says has arguments.
  */
-const GATEWAY_AWAY =
-  /net::ERR_[A-Z_]+|WebSocket connection to|error occurred when fetching the script|Failed to fetch dynamically imported/;
+function isOfGatewayAway(message: ConsoleMessage): boolean {
+  const text = message.text();
+  if (/Failed to fetch dynamically imported module|Unable to preload CSS/.test(text)) return true;
+  const status = /server responded with a status of (\d+)/.exec(text)?.[1];
+  return message.args().length === 0 && (status === undefined || NOT_NOW.has(status));
+}
 
 /** Without a graphics processor the browser reads each 3D picture back by itself, and complains that this is slow. */
 const READ_BACK = /GPU stall due to ReadPixels/;
@@ -52,7 +59,7 @@ export const test = base.extend<Fixtures>({
     context.on("console", (message) => {
       if (message.type() !== "error" && message.type() !== "warning") return;
       if (SLOW_GRAPHICS.test(message.text())) return;
-      if (away && GATEWAY_AWAY.test(message.text())) return;
+      if (away && isOfGatewayAway(message)) return;
       if (refused && /the server responded with a status of 4\d\d/.test(message.text())) return;
       if (READ_BACK.test(message.text())) return;
       complaints.push(`${message.type()}: ${message.text()}`);

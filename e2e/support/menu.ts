@@ -16,6 +16,27 @@ export function entryOf(page: Page, { role, name, group, reason }: Entry): Locat
   });
 }
 
+/** Nobody waits so long for the request of a press but where there is none. */
+const REQUEST_MS = 5000;
+
+/**
+ * Press a switch until its command is asked for. A heartbeat that comes late disables the switch for a moment; where that
+ * is the very moment of the press, nothing happens, as for a user, who presses again.
+ */
+export async function press(page: Page, entry: Locator): Promise<void> {
+  const asked = page.waitForRequest(/\/api\/v1\/commands\//).then(() => true);
+  let isAsked = false;
+  while (!isAsked) {
+    await entry.click();
+    isAsked = !(await entry.isDisabled()) || (await Promise.race([asked, after(REQUEST_MS)]));
+  }
+  await asked;
+}
+
+async function after(ms: number): Promise<false> {
+  return await new Promise((resolve) => setTimeout(() => resolve(false), ms));
+}
+
 /** Close whatever menu is open. */
 export async function closeMenu(page: Page): Promise<void> {
   await page.keyboard.press("Escape");
