@@ -17,8 +17,6 @@ from pathlib import Path
 from xml.etree import ElementTree as ET
 
 SUITES = ("ci", "protocol", "firmware", "backend", "frontend", "e2e")
-
-
 _MOST_LINES = 24
 _MOST_WIDE = 200
 _COLOURS = re.compile(r"\x1b?\[[0-9;]*m")
