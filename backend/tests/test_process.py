@@ -146,11 +146,14 @@ def test_after_a_polite_end_every_byte_that_was_sent_is_in_the_file(tmp_path: Pa
     assert b"".join(message.data for message in messages if message.channel_id == 2) == board.raw
 
 
-def test_a_port_that_no_browser_opens_ends_it_with_one_sentence(tmp_path: Path) -> None:
-    program = Program([sys.executable, "-m", "epf_gcs.launcher.gateway", "--port", "6000", "--data-dir", str(tmp_path)])
-    assert program.process.wait(DEADLINE_S) == 1
-    program.end()
-    assert "TCP port 6000 of 127.0.0.1 is one that browsers refuse to open: choose another with --port." in program.said
+def test_a_port_that_no_browser_opens_is_told_and_serves_those_who_come_through_a_proxy(tmp_path: Path) -> None:
+    program = Program([sys.executable, "-m", "epf_gcs.launcher.gateway", "--port", "6697", "--data-dir", str(tmp_path)])
+    try:
+        url = program.wait_for_words(r"url=(http://\S+)")
+        assert httpx.get(f"{url}/api/v1/status", timeout=DEADLINE_S).status_code == 200
+    finally:
+        program.end()
+    assert "Browsers refuse to open port 6697: choose another with --port" in program.said
 
 
 def test_a_port_that_is_taken_ends_it_with_one_sentence(tmp_path: Path) -> None:

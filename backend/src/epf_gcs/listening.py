@@ -29,9 +29,7 @@ def is_refused_by_browsers(port: int) -> bool:
 
 
 def listen(host: str, port: int) -> socket.socket:
-    """A listening socket. Raises LinkError with what to do where there can be none, or no browser would come to it."""
-    if is_refused_by_browsers(port):
-        raise _failure(host, port, "is one that browsers refuse to open: choose another with --port")
+    """A listening socket. Raises LinkError with what to do where there can be none."""
     give_up_s = time.monotonic() + _PATIENCE_S
     while True:
         try:
@@ -44,18 +42,15 @@ def listen(host: str, port: int) -> socket.socket:
             ) from error
         except OSError as error:
             if error.errno != errno.EADDRINUSE or time.monotonic() > give_up_s:
-                raise _failure(host, port, _reason(error)) from error
+                raise _failure(host, port, error) from error
         time.sleep(_RETRY_S)
 
 
-def _reason(error: OSError) -> str:
+def _failure(host: str, port: int, error: OSError) -> LinkError:
     reasons = {
         errno.EADDRINUSE: "is taken by another program: close that program, or choose another with --port",
         errno.EACCES: "is not for this user: choose one above 1023 with --port",
         errno.EADDRNOTAVAIL: "is at no address of this machine: choose another with --host",
     }
-    return reasons.get(error.errno or 0, f"cannot be taken ({error.strerror}): choose another with --port")
-
-
-def _failure(host: str, port: int, reason: str) -> LinkError:
+    reason = reasons.get(error.errno or 0, f"cannot be taken ({error.strerror}): choose another with --port")
     return LinkError("listen_failed", f"TCP port {port} of {host} {reason}.", host=host, port=port)

@@ -28,7 +28,7 @@ from epf_gcs.launcher.part import Part
 from epf_gcs.launcher.ports import is_loopback
 from epf_gcs.launcher.service import Service
 from epf_gcs.launcher.upkeep import add_commands, print_version
-from epf_gcs.listening import listen
+from epf_gcs.listening import is_refused_by_browsers, listen
 from epf_gcs.system.processes import HANDS_DOWN
 from epf_gcs.system.signals import HEARD_WITHIN_S, POLITE
 
@@ -231,6 +231,8 @@ def run(
     except OSError as error:
         _say(f"The data folder {data_dir} cannot be used ({error.strerror or error}): see to its disk and rights.")
         raise typer.Exit(1) from error
+    if is_refused_by_browsers(port):
+        _say(f"Browsers refuse to open port {port}: choose another with --port, unless they come through a proxy.")
     encryption = tls_arguments(tls_cert, tls_key, tls=tls)
     access = access_arguments(trust_this_computer=trust_this_computer, allow_anyone_to_fly=allow_anyone_to_fly)
     more = [*encryption, *access]

@@ -16,8 +16,10 @@ _LISTEN: Final = "0A"  # socket state in /proc/net/tcp
 
 
 def require_tcp_port(host: str, port: int) -> None:
-    """Raise LaunchError unless the port can be listened on and browsers open it; it names the program that has it, if
-    that can be seen."""
+    """Raise LaunchError unless the port can be listened on and browsers open it.
+
+    It names the program that has it, if that can be seen.
+    """
     if is_refused_by_browsers(port):
         raise LaunchError(f"Port {port} is one that browsers refuse to open; {_instead(port)}.")
     with socket.socket(socket.AF_INET, socket.SOCK_STREAM) as probe:
