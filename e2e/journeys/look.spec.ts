@@ -1,5 +1,7 @@
 import { expect, open, test } from "../support/fixtures.js";
+import { openMenu } from "../support/menu.js";
 import { ANY_STATION } from "../support/there.js";
+import { Walk } from "../support/walk.js";
 
 test("language and theme are one click away and remembered", { tag: ANY_STATION }, async ({ page, flying }) => {
   await open(page, flying);
@@ -32,4 +34,29 @@ test("what is said beside a gain lies clear of its buttons, in a narrow window t
       expect(isClear, `${said} of ${name}`).toBe(true);
     }
   }
+});
+
+test("an entry of a menu stays in its place while notes come and go, so that no press meets another", async ({
+  page,
+  station,
+}) => {
+  await station.openBoard();
+  await open(page, station);
+  const walk = await Walk.of(page);
+  expect(await walk.look("every stream is off")).toEqual([]);
+  await openMenu(page, "Parámetros");
+  const menu = page.getByRole("menu");
+  const places = async () =>
+    await menu.getByRole("menuitemcheckbox").evaluateAll((all) => all.map((one) => one.getBoundingClientRect().top));
+  const gps = menu.getByRole("menuitemcheckbox", { name: "GPS", exact: true });
+  await expect(gps).toBeEnabled();
+  await expect(menu.locator(".ui-menu-note")).toHaveCount(0);
+  const before = await places();
+  await gps.click();
+  await expect(gps).toContainText("confirmado");
+  expect(await places()).toEqual(before);
+  // Its line is lost, and each says why it cannot be chosen.
+  await station.line.pull();
+  await expect(menu.getByRole("menuitemcheckbox", { name: "GPS" })).toBeDisabled();
+  expect(await places()).toEqual(before);
 });
