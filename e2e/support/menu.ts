@@ -17,7 +17,7 @@ export function entryOf(page: Page, { role, name, group, reason }: Entry): Locat
 }
 
 /** Nobody waits so long for the request of a press but where there is none. */
-const REQUEST_MS = 5000;
+const REQUEST_MS = 10_000;
 
 /**
  * Press a switch until its command is asked for. A heartbeat that comes late disables the switch for a moment; where that
@@ -25,12 +25,8 @@ const REQUEST_MS = 5000;
  */
 export async function press(page: Page, entry: Locator): Promise<void> {
   const asked = page.waitForRequest(/\/api\/v1\/commands\//).then(() => true);
-  let isAsked = false;
-  while (!isAsked) {
-    await entry.click();
-    isAsked = !(await entry.isDisabled()) || (await Promise.race([asked, after(REQUEST_MS)]));
-  }
-  await asked;
+  do await entry.click();
+  while (!(await Promise.race([asked, after(REQUEST_MS)])));
 }
 
 async function after(ms: number): Promise<false> {
