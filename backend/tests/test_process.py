@@ -21,7 +21,7 @@ from mcap.stream_reader import StreamReader
 
 from epf_gcs.xplane.datagram import Record, build, release_datagram
 from tests.support.fake_board import FakeBoard
-from tests.support.programs import Program, children_of, gateway_process
+from tests.support.programs import Program, children_of, gateway_process, sockets_of
 from tests.support.waiting import DEADLINE_S, eventually
 
 WHOLE = build(Record(row, (0.1,) * 8) for row in (3, 4, 6, 8, 11, 16, 17, 18, 20, 25))
@@ -224,14 +224,17 @@ def test_nothing_is_open_to_other_machines(tmp_path: Path, board: FakeBoard) -> 
 
 def _open_beyond_loopback(pid: int) -> list[str]:
     """Local addresses of the process's listening and datagram sockets that are not on the loopback."""
-    links = (link.readlink() for link in Path(f"/proc/{pid}/fd").iterdir())
-    inodes = {str(link)[8:-1] for link in links if str(link).startswith("socket:[")}
+    sockets = sockets_of(pid)
     is_open: dict[str, Callable[[str], bool]] = {"tcp": lambda state: state == "0A", "udp": lambda _: True}
     found: list[str] = []
     for family in ("", "6"):
         for kind, open_state in is_open.items():
             for line in Path(f"/proc/net/{kind}{family}").read_text().splitlines()[1:]:
                 fields = line.split()
-                if fields[9] in inodes and open_state(fields[3]) and not fields[1].startswith("0100007F:"):
+                if (
+                    f"socket:[{fields[9]}]" in sockets
+                    and open_state(fields[3])
+                    and not fields[1].startswith("0100007F:")
+                ):
                     found.append(fields[1])
     return found

@@ -20,6 +20,7 @@ from epf_gcs.launcher.options import BOARD_PROGRAM
 from epf_gcs.launcher.ports import LOOPBACK, free_tcp_port, listener_of
 from epf_gcs.product import BOARD
 from tests.support.ports import free_udp_port
+from tests.support.programs import sockets_of
 
 DEADLINE_S = 60.0
 GANDO_WAYPOINTS = 8
@@ -316,17 +317,12 @@ def board_of_somebody(line: Path) -> Iterator[None]:
 
 def local_addresses(pid: int) -> list[str]:
     """Addresses of the IPv4 and IPv6 sockets that a process listens or is bound on."""
-    inodes = set()
-    for entry in Path(f"/proc/{pid}/fd").iterdir():
-        try:
-            inodes.add(str(entry.readlink()))
-        except FileNotFoundError:
-            continue
+    sockets = sockets_of(pid)
     addresses = []
     for table in ("tcp", "tcp6", "udp", "udp6"):
         for line in Path(f"/proc/net/{table}").read_text().splitlines()[1:]:
             fields = line.split()
-            if f"socket:[{fields[9]}]" in inodes:
+            if f"socket:[{fields[9]}]" in sockets:
                 host = bytes.fromhex(fields[1].partition(":")[0])
                 addresses.append(socket.inet_ntoa(host[::-1]) if len(host) == 4 else f"IPv6 {host.hex()}")
     return addresses

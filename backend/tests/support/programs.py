@@ -61,6 +61,16 @@ def children_of(pid: int) -> list[int]:
     return found
 
 
+def sockets_of(pid: int) -> set[str]:
+    """The open sockets of a process, as the system names them: `socket:[inode]`."""
+    links: set[str] = set()
+    for entry in Path(f"/proc/{pid}/fd").iterdir():
+        # A file may be closed between the listing and the reading.
+        with contextlib.suppress(FileNotFoundError):
+            links.add(str(entry.readlink()))
+    return {link for link in links if link.startswith("socket:")}
+
+
 @contextmanager
 def gateway_process(data_dir: Path, *arguments: str) -> Iterator[Program]:
     """`epf-gcs` on a free port."""

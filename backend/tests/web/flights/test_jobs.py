@@ -14,7 +14,7 @@ import pytest
 from epf_gcs.recordings.mcap_file import Tally, closing, data_end, message_record, opening
 from epf_gcs.recordings.topics import TOPICS
 from tests.support.gateway import Gateway, running_gateway
-from tests.support.programs import Program, children_of, gateway_process
+from tests.support.programs import Program, children_of, gateway_process, sockets_of
 from tests.support.waiting import eventually
 
 FLIGHT = "20260101T100000Z"
@@ -47,12 +47,6 @@ def is_alive(pid: int) -> bool:
         return Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[0] != "Z"
     except OSError:
         return False
-
-
-def sockets_of(pid: int) -> set[str]:
-    """The open sockets of a process, as the system names them."""
-    links = {str(link.readlink()) for link in Path(f"/proc/{pid}/fd").iterdir()}
-    return {link for link in links if link.startswith("socket:")}
 
 
 def found(pid: int, words: str) -> list[int]:
