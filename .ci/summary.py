@@ -19,6 +19,7 @@ from xml.etree import ElementTree as ET
 SUITES = ("ci", "protocol", "firmware", "backend", "frontend", "e2e")
 _MOST_LINES = 24
 _MOST_WIDE = 200
+# XML has no escape character, so that reporters may leave it out.
 _COLOURS = re.compile(r"\x1b?\[[0-9;]*m")
 
 

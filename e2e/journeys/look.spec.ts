@@ -36,7 +36,7 @@ test("what is said beside a gain lies clear of its buttons, in a narrow window t
   }
 });
 
-test("an entry of a menu stays in its place while notes come and go, so that no press meets another", async ({
+test("with every stream off nothing is cut, and a menu's entries stay in their places while notes come and go", async ({
   page,
   station,
 }) => {
