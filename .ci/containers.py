@@ -24,7 +24,7 @@ import yaml
 from jsonschema import Draft202012Validator
 
 from epf_gcs.codec.messages_gen import RECEIVE_PORT, SEND_PORT
-from epf_gcs.web.settings import Settings
+from epf_gcs.web.serving.settings import Settings
 
 COMPOSE: Final = ("docker-compose.yml", "docker-compose.use.yml")
 DEVELOPMENT: Final = COMPOSE[0]

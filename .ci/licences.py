@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Final
 
-from epf_gcs.web.about.packages import packages
+from epf_gcs.web.interface.about.packages import packages
 
 # All allow what we do: ship them unchanged with their texts, in a product under the MIT licence. The LGPL allows it for
 # a library that the user can replace (jsbsim is a package of its own), the MPL for files that stay as they are.

@@ -16,9 +16,9 @@ import numpy as np
 from bench.table import Row
 from epf_gcs.formats.quantized_mesh import CELLS, encode_tile, tile_nodes
 from epf_gcs.formats.quantized_mesh_reading import SIDE, read_grid
-from epf_gcs.web.surroundings.aircraft import Wanted
-from epf_gcs.web.surroundings.motion import Vector
-from tests.web.surroundings.encounters import (
+from epf_gcs.surroundings.aircraft import Wanted
+from epf_gcs.surroundings.motion import Vector
+from tests.surroundings.encounters import (
     Plan,
     Score,
     fence_clearance,
@@ -43,7 +43,7 @@ class RealGround:
     """A raster as truth, and as the station's tiles of it."""
 
     def __init__(self, path: Path) -> None:
-        from epf_gcs.web.maps.heights import Heights  # noqa: PLC0415 - GDAL, which is not everywhere
+        from epf_gcs.maps.heights import Heights  # noqa: PLC0415 - GDAL, which is not everywhere
 
         self._raster = Heights(path, path.name)
         self.bounds = self._raster.bounds

@@ -11,7 +11,7 @@ import pytest
 from epf_gcs import extras
 from epf_gcs.errors import ConflictError
 from epf_gcs.extras import ALL, FLIGHTS, MAPS, SIM
-from epf_gcs.web.missing import require
+from epf_gcs.workers.missing import require
 
 # Each program is loaded in an interpreter of its own that does not find these.
 WITHOUT = """
@@ -46,7 +46,7 @@ def without(modules: str, *program: str) -> subprocess.CompletedProcess[str]:
         "epf_gcs.web",
         "epf_gcs.replay",
         "epf_gcs.simulator",
-        "epf_gcs.web.access.invite",
+        "epf_gcs.web.invite",
     ],
 )
 def test_every_program_is_there_without_any_extra(program: str) -> None:

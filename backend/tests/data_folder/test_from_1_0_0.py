@@ -83,7 +83,7 @@ def test_all_of_it_is_there_after_the_upgrade_and_what_was_changed_goes_back(old
 def test_a_newer_folder_is_refused_by_every_program_that_would_write_to_it(old: Path) -> None:
     (old / FILE).write_text('{"format": 99, "epf_gcs": "9.0.0"}')
     content = {path: path.read_bytes() for path in old.rglob("*") if path.is_file()}
-    for module in ("epf_gcs.launcher.gateway", "epf_gcs.flight", "epf_gcs.web", "epf_gcs.web.access.invite"):
+    for module in ("epf_gcs.launcher.gateway", "epf_gcs.flight", "epf_gcs.web", "epf_gcs.web.invite"):
         command = [sys.executable, "-m", module, "--data-dir", str(old)]
         answer = subprocess.run(command, capture_output=True, text=True, check=False, timeout=60)
         assert answer.returncode != 0, module

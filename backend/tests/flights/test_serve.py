@@ -12,7 +12,7 @@ import pytest
 
 from epf_gcs.flights.serve import Flights, serve
 from epf_gcs.recordings.places import Places
-from epf_gcs.worker_pipe import receive, send
+from epf_gcs.workers.pipe import receive, send
 from tests.flights.flown_flights import FLIGHT, SPEED_M_S, indexed, recording
 
 SECONDS = 30

@@ -10,12 +10,12 @@ from pathlib import Path
 
 import pytest
 
+from epf_gcs.access.roles import Role
+from epf_gcs.access.store import AccessStore, Person
 from epf_gcs.data_folder.lock import DataFolder
 from epf_gcs.data_folder.whereabouts import FILE, Whereabouts, leave, of_running
 from epf_gcs.launcher.access import access_arguments, invite_command, new_launcher_key
 from epf_gcs.launcher.gateway_client import GatewayClient, RefusedError
-from epf_gcs.web.access.roles import Role
-from epf_gcs.web.access.store import AccessStore, Person
 from tests.support.callers import stranger, strict_gateway
 from tests.support.gateway import running_gateway
 from tests.support.programs import gateway_process

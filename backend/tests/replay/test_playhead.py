@@ -19,8 +19,8 @@ from epf_gcs.replay.playhead import Playhead
 from epf_gcs.replay.scout import Scout
 from epf_gcs.replay.status import build_status
 from epf_gcs.replay.timeline import Timeline
-from epf_gcs.web.state.schemas import Status
-from epf_gcs.web.surroundings.watch import NOTHING_SEEN
+from epf_gcs.surroundings.watch import NOTHING_SEEN
+from epf_gcs.web.interface.state.schemas import Status
 from tests.replay.recordings import SECOND_NS, STARTS_NS, flight, write
 from tests.support.outlet import KeptOutlet
 

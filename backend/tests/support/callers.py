@@ -10,11 +10,11 @@ from typing import Any, Self
 
 import httpx
 
-from epf_gcs.web.access.guessing import Guessing
-from epf_gcs.web.access.invitations import new_invitation
-from epf_gcs.web.access.moment import Moment
-from epf_gcs.web.access.roles import Role
-from epf_gcs.web.access.store import AccessStore
+from epf_gcs.access.guessing import Guessing
+from epf_gcs.access.invitations import new_invitation
+from epf_gcs.access.moment import Moment
+from epf_gcs.access.roles import Role
+from epf_gcs.access.store import AccessStore
 from tests.support.gateway import Gateway, running_gateway
 from tests.support.waiting import DEADLINE_S
 

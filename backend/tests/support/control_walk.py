@@ -9,11 +9,11 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import Final
 
+from epf_gcs.access.authority import REFUSED_S, UNANSWERED_S, Authority
+from epf_gcs.access.caller import LOCAL_SESSION
+from epf_gcs.access.changes import Effect, HolderChanged, KeptOver, Page, RequestClosed, RequestOpened, StickLost
+from epf_gcs.access.roles import Role
 from epf_gcs.errors import GatewayError
-from epf_gcs.web.access.authority import REFUSED_S, UNANSWERED_S, Authority
-from epf_gcs.web.access.caller import LOCAL_SESSION
-from epf_gcs.web.access.changes import Effect, HolderChanged, KeptOver, Page, RequestClosed, RequestOpened, StickLost
-from epf_gcs.web.access.roles import Role
 
 PAGES: Final = (
     Page("here", LOCAL_SESSION, "local", "this computer", 1, Role.owner),

@@ -16,8 +16,8 @@ from websockets.sync.client import ClientConnection
 from epf_gcs.flight.flight import Flight
 from epf_gcs.logs import set_up_logging
 from epf_gcs.web.server import Server
-from epf_gcs.web.settings import Settings
-from epf_gcs.web.visitors import Limits
+from epf_gcs.web.serving.settings import Settings
+from epf_gcs.web.serving.visitors import Limits
 from tests.support.tls import connected, trust_in
 from tests.support.waiting import DEADLINE_S, eventually, first_of
 

@@ -21,10 +21,10 @@ from cryptography.x509.oid import NameOID
 from websockets.exceptions import InvalidStatus
 from websockets.sync.client import ClientConnection, connect
 
-from epf_gcs.web.tls.doorway import Doorway
-from epf_gcs.web.tls.handshakes import Handshakes
-from epf_gcs.web.tls.keeper import Keeper
-from epf_gcs.web.visitors import Limits, Visitor, Visitors
+from epf_gcs.tls.keeper import Keeper
+from epf_gcs.web.serving.doorway import Doorway
+from epf_gcs.web.serving.handshakes import Handshakes
+from epf_gcs.web.serving.visitors import Limits, Visitor, Visitors
 from tests.support.waiting import DEADLINE_S, eventually_async
 
 _TRIES = 4

@@ -12,8 +12,8 @@ from urllib.parse import quote, urlsplit
 import httpx
 import pytest
 
-from epf_gcs.web.maps.files import id_of
-from epf_gcs.web.maps.imports import RESERVE_BYTES
+from epf_gcs.maps.files import id_of
+from epf_gcs.maps.imports import RESERVE_BYTES
 from tests.support.fake_board import FakeBoard
 from tests.support.gateway import Gateway, running_gateway
 from tests.support.maps import png, write_mbtiles, write_raster

@@ -13,10 +13,10 @@ from hypothesis import HealthCheck, Phase, given, settings
 from schemathesis.config import SchemathesisConfig
 from schemathesis.specs.openapi.checks import ignored_auth, positive_data_acceptance
 
-from epf_gcs.web.access.roles import Role
-from epf_gcs.web.access.table import ROUTES
+from epf_gcs.access.roles import Role
 from epf_gcs.web.app import create_app
-from epf_gcs.web.settings import Settings
+from epf_gcs.web.serving.access_table import ROUTES
+from epf_gcs.web.serving.settings import Settings
 from tests.support.callers import Browser, person, program, stranger, strict_gateway
 from tests.support.fake_board import FakeBoard
 from tests.support.gateway import Gateway, running_gateway

@@ -12,7 +12,7 @@ import orjson
 import pytest
 from websockets.exceptions import ConnectionClosed
 
-from epf_gcs.web.access.roles import Role
+from epf_gcs.access.roles import Role
 from epf_gcs.xplane.datagram import Surfaces, surfaces_datagram
 from tests.support.callers import program
 from tests.support.fake_board import FakeBoard

@@ -18,8 +18,6 @@ from epf_gcs.bus.address import Listener
 from epf_gcs.bus.definition import client_fields
 from epf_gcs.bus.vehicle_end import VehicleEnd
 from epf_gcs.error_log import ErrorLog
-from epf_gcs.flight.advised import AdviceWatch
-from epf_gcs.flight.alarm_history import AlarmHistory
 from epf_gcs.flight.board.ahrs_test import AhrsTestRun
 from epf_gcs.flight.board.board_link import Supervisor
 from epf_gcs.flight.board.commands import Commands
@@ -27,17 +25,13 @@ from epf_gcs.flight.board.journal import Journal
 from epf_gcs.flight.board.missions import Missions
 from epf_gcs.flight.board.parameters import Parameters
 from epf_gcs.flight.board.rearming import Rearming
-from epf_gcs.flight.clock_watch import ClockWatch
-from epf_gcs.flight.flight_log import FlightLog
+from epf_gcs.flight.clock.clock_watch import ClockWatch
+from epf_gcs.flight.clock.line_clock import LineClock
 from epf_gcs.flight.hil.hil import Hil
 from epf_gcs.flight.hil.simulator import Simulator
 from epf_gcs.flight.hil.stick import Stick
-from epf_gcs.flight.housekeeping import Housekeeping
-from epf_gcs.flight.inspection import InspectorSources
-from epf_gcs.flight.line_clock import LineClock
-from epf_gcs.flight.line_rates import LineRates
-from epf_gcs.flight.lines import Lines, LinkOpener
-from epf_gcs.flight.memory import Memory
+from epf_gcs.flight.memory.flight_log import FlightLog
+from epf_gcs.flight.memory.memory import Memory
 from epf_gcs.flight.recording.flight_notes import FlightNotes, NotedBroadcast
 from epf_gcs.flight.recording.known_notes import KnownNotes
 from epf_gcs.flight.recording.recorder import Recorder
@@ -50,8 +44,14 @@ from epf_gcs.flight.requests.notices import notices
 from epf_gcs.flight.requests.parameters import mission_requests, parameter_requests
 from epf_gcs.flight.requests.recording import recording_requests
 from epf_gcs.flight.requests.state import alarm_requests, state_requests
-from epf_gcs.flight.status import StatusSources, build_status
-from epf_gcs.flight.watch import Watch
+from epf_gcs.flight.state.advised import AdviceWatch
+from epf_gcs.flight.state.alarm_history import AlarmHistory
+from epf_gcs.flight.state.housekeeping import Housekeeping
+from epf_gcs.flight.state.inspection import InspectorSources
+from epf_gcs.flight.state.line_rates import LineRates
+from epf_gcs.flight.state.lines import Lines, LinkOpener
+from epf_gcs.flight.state.status import StatusSources, build_status
+from epf_gcs.flight.state.watch import Watch
 from epf_gcs.kept_alive import keep_alive
 from epf_gcs.vehicle.alarm_ids import AlarmId
 from epf_gcs.vehicle.alarms import Alarms

@@ -26,7 +26,7 @@ from epf_gcs.flights.growing import GrowingFlight
 from epf_gcs.flights.indexed import Columns, IndexedFlight, not_indexed, open_indexed
 from epf_gcs.flights.worker import be_modest
 from epf_gcs.recordings.places import Places, is_id
-from epf_gcs.worker_pipe import receive, send
+from epf_gcs.workers.pipe import receive, send
 
 _MOST_OPEN: Final = 8
 

@@ -18,7 +18,7 @@ from epf_gcs.recordings.places import SUMMARY, Stamp
 from epf_gcs.vehicle.noted import identity_of
 
 VERSION: Final = 1
-"""Said again in `web/flights/library.py`: summaries of another version are made anew."""
+"""Said again in `library/library.py`: summaries of another version are made anew."""
 
 # Less is not worth another time in the list.
 _CLOCK_OFF_S: Final = 2.0

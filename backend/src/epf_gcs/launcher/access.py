@@ -35,7 +35,7 @@ def access_arguments(*, trust_this_computer: bool | None, allow_anyone_to_fly: b
 def invite_command(data: Path, host: str, port: int, *, tls: bool, more: Sequence[str] = ()) -> list[str]:
     """The program that makes a one-time key and prints it with its QR code."""
     return [
-        *(sys.executable, "-m", "epf_gcs.web.access.invite"),
+        *(sys.executable, "-m", "epf_gcs.web.invite"),
         *("--data-dir", str(data), "--host", host, "--port", str(port)),
         *(["--tls"] if tls else []),
         *more,

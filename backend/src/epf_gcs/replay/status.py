@@ -14,7 +14,7 @@ CHANNEL_BYTES_PER_S: Final = 73_000
 
 
 def build_status(head: Playhead, file: str, size: int) -> dict[str, Any]:
-    """Plain values, as `epf_gcs.flight.status.build_status` gives them; `size` is the recording's in bytes."""
+    """Plain values, as `epf_gcs.flight.state.status.build_status` gives them; `size` is the recording's in bytes."""
     known = head.known
     return {
         "server_time_s": head.clock.now_s(),

@@ -51,7 +51,7 @@ def copy_frames(statistics: FrameStatistics, telemetry: Telemetry) -> list[Count
 
 
 def inspect_frames(frames: Iterable[CountedFrame], now_s: float) -> list[dict[str, Any]]:
-    """As `epf_gcs.web.inspector.routes.InspectedFrame`; `now_s` is the Unix time of the copy."""
+    """As `epf_gcs.web.interface.inspector.routes.InspectedFrame`; `now_s` is the Unix time of the copy."""
     return [
         {
             "id": frame.id,
@@ -66,7 +66,7 @@ def inspect_frames(frames: Iterable[CountedFrame], now_s: float) -> list[dict[st
 
 
 def inspect_rows(heard: Mapping[int, Arrivals], profile: str, now_s: float) -> list[dict[str, Any]]:
-    """As `epf_gcs.web.inspector.routes.InspectedRow`: all rows of the profile, and those that were heard."""
+    """As `epf_gcs.web.interface.inspector.routes.InspectedRow`: all rows of the profile, and those that were heard."""
     definitions = XPLANE_ROWS[profile]
     return [
         {

@@ -20,7 +20,7 @@ from epf_gcs.system.priority import leave_flight_core
 from epf_gcs.watchdog import REFUSED
 from epf_gcs.web.app import create_app
 from epf_gcs.web.server import Server
-from epf_gcs.web.settings import Settings
+from epf_gcs.web.serving.settings import Settings
 
 _GIVEN: Final = (
     *("host", "port", "data_dir", "page_dir", "fd", "watchdog", "again"),

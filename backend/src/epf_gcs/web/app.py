@@ -10,54 +10,54 @@ from typing import Any, Final
 from fastapi import APIRouter, FastAPI
 
 from epf_gcs import __version__
+from epf_gcs.access.addresses import own_names
+from epf_gcs.access.admission import Admission
+from epf_gcs.access.limits import CallerLimits
 from epf_gcs.clock import Clock
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.formats.recognise import MAX_FILE_BYTES
+from epf_gcs.maps.outside import Consent
 from epf_gcs.product import PAGE
+from epf_gcs.tls.keeper import Keeper
 from epf_gcs.web import docs
-from epf_gcs.web.about import routes as about
-from epf_gcs.web.access import routes as access_routes
-from epf_gcs.web.access.addresses import own_names
-from epf_gcs.web.access.admission import Admission, Policy
-from epf_gcs.web.access.guard import Access, Guard
-from epf_gcs.web.access.limits import CallerLimits
-from epf_gcs.web.access.table import Gate
-from epf_gcs.web.alarms import routes as alarms
-from epf_gcs.web.checklist import routes as checklist
-from epf_gcs.web.commands import ahrs_test_routes as ahrs_test
-from epf_gcs.web.commands import routes as commands
-from epf_gcs.web.earth import routes as earth
-from epf_gcs.web.fields import routes as fields
-from epf_gcs.web.flights import data_routes as flight_data
-from epf_gcs.web.flights import export_routes as flight_exports
-from epf_gcs.web.flights import job_routes as jobs
-from epf_gcs.web.flights import mark_routes as flight_marks
-from epf_gcs.web.flights import report_routes as flight_reports
-from epf_gcs.web.flights import routes as flights
-from epf_gcs.web.inspector import routes as inspector
-from epf_gcs.web.links import routes as links
-from epf_gcs.web.maps import online_routes as online_maps
-from epf_gcs.web.maps import routes as maps
-from epf_gcs.web.maps.outside import Consent
-from epf_gcs.web.missions import file_routes as mission_files
-from epf_gcs.web.missions import routes as missions
-from epf_gcs.web.page import install_page
-from epf_gcs.web.parameters import routes as parameters
-from epf_gcs.web.problems import install_error_handlers
-from epf_gcs.web.recordings import routes as recordings
-from epf_gcs.web.settings import Settings
-from epf_gcs.web.state import routes as state
+from epf_gcs.web.endpoint import StreamEndpoint
+from epf_gcs.web.interface.about import routes as about
+from epf_gcs.web.interface.access import routes as access_routes
+from epf_gcs.web.interface.alarms import routes as alarms
+from epf_gcs.web.interface.checklist import routes as checklist
+from epf_gcs.web.interface.commands import ahrs_test_routes as ahrs_test
+from epf_gcs.web.interface.commands import routes as commands
+from epf_gcs.web.interface.earth import routes as earth
+from epf_gcs.web.interface.fields import routes as fields
+from epf_gcs.web.interface.flights import data_routes as flight_data
+from epf_gcs.web.interface.flights import export_routes as flight_exports
+from epf_gcs.web.interface.flights import job_routes as jobs
+from epf_gcs.web.interface.flights import mark_routes as flight_marks
+from epf_gcs.web.interface.flights import report_routes as flight_reports
+from epf_gcs.web.interface.flights import routes as flights
+from epf_gcs.web.interface.inspector import routes as inspector
+from epf_gcs.web.interface.links import routes as links
+from epf_gcs.web.interface.maps import online_routes as online_maps
+from epf_gcs.web.interface.maps import routes as maps
+from epf_gcs.web.interface.missions import file_routes as mission_files
+from epf_gcs.web.interface.missions import routes as missions
+from epf_gcs.web.interface.parameters import routes as parameters
+from epf_gcs.web.interface.recordings import routes as recordings
+from epf_gcs.web.interface.state import routes as state
+from epf_gcs.web.interface.state.probes import disk_of, probe_router
+from epf_gcs.web.interface.surroundings import routes as surroundings
+from epf_gcs.web.interface.tls import routes as certificate_routes
+from epf_gcs.web.interface.track import routes as track
+from epf_gcs.web.serving.access_table import Gate
+from epf_gcs.web.serving.guard import Access, Guard
+from epf_gcs.web.serving.page import install_page
+from epf_gcs.web.serving.problems import install_error_handlers
+from epf_gcs.web.serving.settings import Settings
+from epf_gcs.web.serving.visitors import Limits, Visitors
 from epf_gcs.web.state.figures import WebFigures
-from epf_gcs.web.state.probes import disk_of, probe_router
 from epf_gcs.web.state.whole import WholeStatus
 from epf_gcs.web.station import Station
-from epf_gcs.web.stream.endpoint import StreamEndpoint
-from epf_gcs.web.surroundings import routes as surroundings
-from epf_gcs.web.tls import routes as certificate_routes
-from epf_gcs.web.tls.keeper import Keeper
-from epf_gcs.web.track import routes as track
 from epf_gcs.web.vehicle.mirror import VehicleMirror
-from epf_gcs.web.visitors import Limits, Visitors
 
 _PREFIX: Final = "/api/v1"
 
@@ -107,7 +107,7 @@ def create_app(settings: Settings, visitors: Visitors | None = None, certificate
 
     `visitors` are the connections of the server around it, for `/metrics`; `certificates` are what it shows under TLS.
     """
-    policy = Policy.of(settings)
+    policy = settings.policy
     names = own_names() if policy.is_reached_by_others else []
     if certificates is not None:
         # A page of another name, resolved to this machine, gets no further than its browser's warning.

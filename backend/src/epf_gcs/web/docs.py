@@ -12,11 +12,11 @@ from fastapi.responses import HTMLResponse, Response
 from pydantic.json_schema import models_json_schema
 
 from epf_gcs import __version__
-from epf_gcs.web.access.roles import OPEN, Role
-from epf_gcs.web.access.table import MESSAGES, ROUTES, STREAMS, Entry
-from epf_gcs.web.flights import schemas as flights
-from epf_gcs.web.problems import MEDIA_TYPE
-from epf_gcs.web.schemas import Output, Problem
+from epf_gcs.access.roles import OPEN, Role
+from epf_gcs.contract.shapes import Output, Problem
+from epf_gcs.web.interface.flights import schemas as flights
+from epf_gcs.web.serving.access_table import MESSAGES, ROUTES, STREAMS, Entry
+from epf_gcs.web.serving.problems import MEDIA_TYPE
 
 OPENAPI_PATH: Final = "/api/v1/openapi.json"
 _REFERENCE: Final = "#/components/schemas/{model}"

@@ -18,16 +18,16 @@ from epf_gcs.data_folder.whereabouts import Whereabouts, leave
 from epf_gcs.kept_alive import keep_alive
 from epf_gcs.listening import listen
 from epf_gcs.system.limits import raise_open_files
+from epf_gcs.tls.keeper import Keeper
 from epf_gcs.watchdog import feed
 from epf_gcs.web.app import create_app
-from epf_gcs.web.connection import Connection, watch
-from epf_gcs.web.settings import Settings
+from epf_gcs.web.serving.certificates import keeper_of
+from epf_gcs.web.serving.connection import Connection, watch
+from epf_gcs.web.serving.doorway import Doorway, Factory
+from epf_gcs.web.serving.redirect import Redirect
+from epf_gcs.web.serving.settings import Settings
+from epf_gcs.web.serving.visitors import Limits, Visitors, fitting
 from epf_gcs.web.stream.socket import SocketConnection
-from epf_gcs.web.tls.doorway import Doorway, Factory
-from epf_gcs.web.tls.keeper import Keeper
-from epf_gcs.web.tls.redirect import Redirect
-from epf_gcs.web.tls.start import keeper_of
-from epf_gcs.web.visitors import Limits, Visitors, fitting
 
 # How long another thread (one that reads a download) may hold the interpreter while the event loop waits for it.
 _SWITCH_INTERVAL_S: Final = 0.0002

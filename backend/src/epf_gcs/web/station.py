@@ -13,34 +13,34 @@ from collections.abc import AsyncIterator
 from pathlib import Path
 from typing import Any, Final
 
+from epf_gcs.access.admission import Admission
+from epf_gcs.access.caller import Caller
+from epf_gcs.access.changes import HolderChanged
+from epf_gcs.access.control import Control
 from epf_gcs.bus.station_end import StationEnd
 from epf_gcs.clock import Clock
 from epf_gcs.error_log import ErrorLog
+from epf_gcs.fields.fields import Fields
 from epf_gcs.kept_alive import keep_alive
+from epf_gcs.library.aircraft import AircraftName
+from epf_gcs.library.flights import Flights
+from epf_gcs.library.imports import FlightImports
+from epf_gcs.library.jobs import Jobs
+from epf_gcs.library.policy import PolicyChoice
+from epf_gcs.library.queries import Queries
+from epf_gcs.maps.maps import Maps
 from epf_gcs.recordings.places import Places
-from epf_gcs.web.access.admission import Admission
-from epf_gcs.web.access.caller import Caller
-from epf_gcs.web.access.changes import HolderChanged
-from epf_gcs.web.access.control import Control
-from epf_gcs.web.checklist.kept import KeptChecklist
-from epf_gcs.web.fields.fields import Fields
-from epf_gcs.web.flights.aircraft import AircraftName
-from epf_gcs.web.flights.flights import Flights
-from epf_gcs.web.flights.imports import FlightImports
-from epf_gcs.web.flights.jobs import Jobs
-from epf_gcs.web.flights.policy import PolicyChoice
-from epf_gcs.web.flights.queries import Queries
-from epf_gcs.web.flights.replays import Replays
-from epf_gcs.web.inspector.shared import SharedInspector
-from epf_gcs.web.maps.maps import Maps
+from epf_gcs.surroundings.kept import KeptSurroundings
+from epf_gcs.surroundings.watch import Surroundings
+from epf_gcs.track.tracks import Tracks
+from epf_gcs.web.checklist.checklist_store import KeptChecklist
+from epf_gcs.web.endpoint import StreamParts
+from epf_gcs.web.replays.replays import Replays
 from epf_gcs.web.state.whole import WholeStatus
-from epf_gcs.web.stream.endpoint import StreamParts
 from epf_gcs.web.stream.hub import Hub
 from epf_gcs.web.stream.open_streams import OpenStreams
-from epf_gcs.web.surroundings.kept import KeptSurroundings
-from epf_gcs.web.surroundings.watch import Surroundings
-from epf_gcs.web.track.tracks import Tracks
 from epf_gcs.web.vehicle.mirror import VehicleMirror
+from epf_gcs.web.vehicle.shared_inspector import SharedInspector
 
 # How long the server's start waits for the flight process, which is started at the same time.
 _FIRST_WAIT_S: Final = 5.0
@@ -61,16 +61,16 @@ class Station:
         self.vehicle = StationEnd(data_dir, self.mirror)
         self.control = Control(loop, self.clock, self)
         self.streams = OpenStreams(self.control)
-        self.tracks = Tracks(self.mirror, self.hub, self.clock, data_dir / "track", errors.report)
-        self.maps = Maps(data_dir, self.hub, self.clock, errors.report)
+        self.tracks = Tracks(self.mirror, self.hub.event, self.clock, data_dir / "track", errors.report)
+        self.maps = Maps(data_dir, self.hub.event, self.clock, errors.report)
         self.surroundings = Surroundings(
             self.mirror, self.maps, KeptSurroundings(data_dir), self.clock.now_s, self.vehicle.notice
         )
         self.status = WholeStatus(lambda: self.mirror.status, self.control, errors, self.hub, self.surroundings.state)
-        self.fields = Fields(self.maps, self.hub, errors.report)
+        self.fields = Fields(self.maps, self.hub.event, errors.report)
         self.flights = Flights(
             Places(data_dir),
-            Jobs(self.hub),
+            Jobs(self.hub.event),
             self.clock,
             PolicyChoice(self.vehicle.request),
             AircraftName(self.vehicle.request),

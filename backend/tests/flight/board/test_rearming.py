@@ -15,7 +15,7 @@ from epf_gcs.codec.messages_gen import COMMANDS
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.flight.board.commands import Commands
 from epf_gcs.flight.board.rearming import Rearming
-from epf_gcs.flight.memory import Memory
+from epf_gcs.flight.memory.memory import Memory
 from epf_gcs.vehicle.vehicle import Vehicle
 from epf_gcs.vehicle.wanted import Wanted
 from tests.support.held import HEARTBEAT, HeldClock, HeldLine, open_session

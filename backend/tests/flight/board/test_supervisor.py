@@ -9,7 +9,7 @@ import pytest
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.errors import LinkError
 from epf_gcs.flight.board.board_link import Supervisor
-from epf_gcs.flight.line_clock import LineClock
+from epf_gcs.flight.clock.line_clock import LineClock
 from epf_gcs.link.address import EMULATION, LinkAddress, parse_address
 from epf_gcs.link.base import Link, LinkCallbacks
 from epf_gcs.recordings.topics import BOARD_RECEIVED

@@ -10,7 +10,7 @@ import sys
 from functools import partial
 from pathlib import Path
 
-from epf_gcs.flight.line_clock import LineClock
+from epf_gcs.flight.clock.line_clock import LineClock
 from epf_gcs.flight.recording.recorder import DiskPolicy, Recorder
 from epf_gcs.recordings.notes import LOST
 from epf_gcs.recordings.reading import notes_of, read_file

@@ -18,7 +18,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from epf_gcs.flight.line_clock import LineClock
+from epf_gcs.flight.clock.line_clock import LineClock
 from epf_gcs.flight.recording import recorder as recorder_module
 from epf_gcs.flight.recording import recording_file
 from epf_gcs.flight.recording.recorder import Recorder

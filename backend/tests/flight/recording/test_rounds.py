@@ -15,7 +15,7 @@ import pytest
 import structlog
 from mcap.reader import make_reader
 
-from epf_gcs.flight.line_clock import LineClock
+from epf_gcs.flight.clock.line_clock import LineClock
 from epf_gcs.flight.recording import recorder as recorder_module
 from epf_gcs.flight.recording import recording_file as recording_file_module
 from epf_gcs.flight.recording import taps as taps_module

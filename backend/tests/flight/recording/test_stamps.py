@@ -13,9 +13,9 @@ from mcap.stream_reader import StreamReader
 
 from epf_gcs.bus.vehicle_end import Broadcast
 from epf_gcs.error_log import ErrorLog
+from epf_gcs.flight.clock.line_clock import LineClock
 from epf_gcs.flight.flight import Flight
 from epf_gcs.flight.hil.simulator import SimulatorAddress
-from epf_gcs.flight.line_clock import LineClock
 from epf_gcs.flight.recording.recorder import Recorder
 from epf_gcs.link.address import parse_address
 from epf_gcs.recordings.topics import BOARD_RECEIVED, BOARD_SENT, SIMULATOR_RECEIVED

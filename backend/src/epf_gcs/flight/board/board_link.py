@@ -9,7 +9,7 @@ from typing import Literal
 
 from epf_gcs.codec.session import SessionState
 from epf_gcs.errors import GatewayError
-from epf_gcs.flight.line_clock import LineClock
+from epf_gcs.flight.clock.line_clock import LineClock
 from epf_gcs.link.address import EMULATION, LinkAddress
 from epf_gcs.link.base import Link, LinkCallbacks, Tap
 from epf_gcs.link.kept_open import Handling, KeepsOpen, KeptOpen

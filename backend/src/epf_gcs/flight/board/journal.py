@@ -11,7 +11,7 @@ import orjson
 
 from epf_gcs.clock import Clock
 from epf_gcs.errors import GatewayError
-from epf_gcs.flight.lines_file import LinesFile
+from epf_gcs.flight.memory.lines_file import LinesFile
 from epf_gcs.vehicle.journal import Change, Entry, Kind, Steps, entry_from, moves_as_dicts
 from epf_gcs.vehicle.outside import Outlet
 

@@ -8,7 +8,7 @@ from collections.abc import Callable
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.errors import GatewayError
 from epf_gcs.flight.board.commands import Commands
-from epf_gcs.flight.memory import Memory
+from epf_gcs.flight.memory.memory import Memory
 from epf_gcs.vehicle.board import Board
 from epf_gcs.vehicle.telemetry import Telemetry
 from epf_gcs.vehicle.wanted import RATE_COMMANDS

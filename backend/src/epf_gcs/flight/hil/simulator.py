@@ -8,8 +8,8 @@ from dataclasses import asdict, dataclass
 from typing import Any, Final, Literal
 
 from epf_gcs.errors import GatewayError, LinkError
+from epf_gcs.flight.clock.line_clock import LineClock
 from epf_gcs.flight.hil.hil import Hil
-from epf_gcs.flight.line_clock import LineClock
 from epf_gcs.link.base import Tap
 from epf_gcs.link.kept_open import Handling, KeepsOpen, KeptOpen
 from epf_gcs.link.udp import UdpAddress, UdpCallbacks, UdpLink, open_udp

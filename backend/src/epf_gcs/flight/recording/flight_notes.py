@@ -8,7 +8,7 @@ from typing import Any, Final
 from uuid import uuid4
 
 from epf_gcs.bus.vehicle_end import Broadcast
-from epf_gcs.flight.line_clock import LineClock
+from epf_gcs.flight.clock.line_clock import LineClock
 from epf_gcs.flight.recording.recorder import Recorder
 from epf_gcs.recordings.notes import EVENT, MARK
 

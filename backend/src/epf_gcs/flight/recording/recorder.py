@@ -20,8 +20,8 @@ from pathlib import Path
 from time import monotonic, monotonic_ns
 from typing import Any, Final
 
-from epf_gcs.flight.flight_log import say
-from epf_gcs.flight.line_clock import LineClock
+from epf_gcs.flight.clock.line_clock import LineClock
+from epf_gcs.flight.memory.flight_log import say
 from epf_gcs.flight.recording.recording_file import RecordingFile
 from epf_gcs.flight.recording.repair import recordings_in, repair_all
 from epf_gcs.flight.recording.taps import NOTE, Entry, line_taps

@@ -14,7 +14,7 @@ from typing import BinaryIO, Final
 
 from mcap.opcode import Opcode
 
-from epf_gcs.flight.flight_log import say
+from epf_gcs.flight.memory.flight_log import say
 from epf_gcs.recordings.mcap_file import MAGIC, Tally, closing, data_end
 from epf_gcs.system.priority import go_last
 

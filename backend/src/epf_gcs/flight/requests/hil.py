@@ -10,10 +10,10 @@ from epf_gcs.errors import BoardError
 from epf_gcs.flight.board.commands import Commands
 from epf_gcs.flight.hil.hil import Hil
 from epf_gcs.flight.hil.stick import Stick
-from epf_gcs.flight.memory import Memory
+from epf_gcs.flight.memory.memory import Memory
 from epf_gcs.flight.recording.flight_notes import FlightNotes
 from epf_gcs.flight.requests.client_names import Table
-from epf_gcs.flight.status import hil_state
+from epf_gcs.flight.state.status import hil_state
 from epf_gcs.recordings.notes import EVENT
 from epf_gcs.vehicle.board import Board
 

@@ -9,8 +9,8 @@ from typing import Any
 from epf_gcs.bus.definition import Asker
 from epf_gcs.flight.board.board_link import Supervisor
 from epf_gcs.flight.hil.simulator import Simulator, SimulatorAddress
-from epf_gcs.flight.lines import Lines
 from epf_gcs.flight.requests.client_names import Table
+from epf_gcs.flight.state.lines import Lines
 from epf_gcs.link.address import LinkAddress, parse_address
 from epf_gcs.link.ports import list_serial_ports
 

@@ -8,7 +8,7 @@ from typing import Any
 
 from epf_gcs.bus.definition import Asker
 from epf_gcs.errors import ConflictError
-from epf_gcs.flight.memory import Memory
+from epf_gcs.flight.memory.memory import Memory
 from epf_gcs.flight.recording.flight_notes import FlightNotes
 from epf_gcs.flight.recording.known_notes import KnownNotes
 from epf_gcs.flight.recording.recorder import DiskPolicy, Recorder

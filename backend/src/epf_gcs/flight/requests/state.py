@@ -7,8 +7,8 @@ from collections.abc import Callable
 from typing import Any
 
 from epf_gcs.bus.definition import Asker
-from epf_gcs.flight.inspection import InspectorSources, build_inspector, take_snapshot
 from epf_gcs.flight.requests.client_names import Table
+from epf_gcs.flight.state.inspection import InspectorSources, build_inspector, take_snapshot
 from epf_gcs.vehicle.alarms import Alarms
 from epf_gcs.vehicle.telemetry import Telemetry
 

@@ -25,7 +25,7 @@ Source = Literal["flight", "hil"]
 
 _M_PER_FT: Final = 0.3048
 _M_PER_DEG: Final = 111_195.0
-# As for the track that is drawn live: see `web/track/track.py`.
+# As for the track that is drawn live: see `track/track.py`.
 _LONGEST_GAP_S: Final = 10.0
 _FASTEST_M_S: Final = 350.0
 _LEAST_JUMP_M: Final = 100.0

@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from epf_gcs.web.schemas import Input, Output
+from epf_gcs.contract.shapes import Input, Output
 
 Watched = Literal["gps", "battery", "gains", "plan", "recorder", "alarms"]
 """What the page can see for itself."""

@@ -1,1 +1,1 @@
-"""Status, newest telemetry and control over HTTP."""
+"""The status as the web process tells it: whole, with health and metrics."""

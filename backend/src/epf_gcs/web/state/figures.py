@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 Status = Mapping[str, Any]
-"""Its shape is `epf_gcs.web.state.schemas.Status`."""
+"""Its shape is `epf_gcs.web.interface.state.schemas.Status`."""
 
 
 @dataclass(frozen=True)

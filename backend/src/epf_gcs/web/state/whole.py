@@ -10,8 +10,8 @@ from typing import Any
 import orjson
 
 from epf_gcs import __version__
+from epf_gcs.access.control import Control
 from epf_gcs.error_log import ErrorLog
-from epf_gcs.web.access.control import Control
 from epf_gcs.web.stream.hub import Hub
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import asyncio
 from collections import deque
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import Any, Final
 
 import orjson
@@ -79,7 +79,7 @@ class Hub:
                     pacer.armed = True
                     self._loop.call_at(pacer.due_s, self._timer, pacer)
 
-    def event(self, kind: str, data: dict[str, Any]) -> None:
+    def event(self, kind: str, data: Mapping[str, Any], /) -> None:
         """Send an event of the web process to every viewer."""
         self.send_event(self.event_text(kind, data))
 
@@ -89,7 +89,7 @@ class Hub:
             viewer.offer_event(text)
             self.serve(viewer)
 
-    def event_text(self, kind: str, data: dict[str, Any]) -> bytes:
+    def event_text(self, kind: str, data: Mapping[str, Any]) -> bytes:
         """The JSON of an event that happens now."""
         return orjson.dumps({"type": "event", "event": kind, "t_s": self._now_s(), "data": data})
 

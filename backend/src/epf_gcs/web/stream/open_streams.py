@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 
-from epf_gcs.web.access.control import Control
+from epf_gcs.access.control import Control
 from epf_gcs.web.stream.socket import SocketConnection
 
 

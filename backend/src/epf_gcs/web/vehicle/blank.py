@@ -11,7 +11,7 @@ _TASKS: Final = ("parameters", "fms", "servos")
 
 
 def blank_status() -> dict[str, Any]:
-    """The status before the first contact with a flight process; its shape is `epf_gcs.web.state.schemas.Status`."""
+    """The status before the first contact with a flight process, as `web/interface/state/schemas.py` has it."""
     return {
         "server_time_s": 0.0,
         "board": {

@@ -1,0 +1,99 @@
+"""Where browsers of other machines reach this station, and the address that a QR code shows."""
+
+from __future__ import annotations
+
+import io
+import ipaddress
+import socket
+from collections.abc import Iterable
+from functools import lru_cache
+from typing import Final
+from urllib.parse import urlencode, urlsplit
+
+import segno
+
+from epf_gcs.tls.identity import addresses_here
+
+_ANY: Final = frozenset(("0.0.0.0", "::"))  # noqa: S104 - compared, not listened on
+
+
+def addresses(host: str, port: int, *, secure: bool, reached_at: str | None = None) -> list[str]:
+    """Base URLs, those that most likely work first; `host` is what the station listens on, `reached_at` what its user
+    said.
+
+    Empty where it listens on the loopback alone.
+    """
+    if host in _ANY:
+        hosts = [*_own_addresses(6 if host == "::" else 4), *own_names()[-1:]]
+    else:
+        hosts = own_names()[-1:] if _is_link_local(host) else [host]
+    scheme = "https" if secure else "http"
+    reached = [_in_url(one) for one in hosts if not _is_loopback(one)]
+    own = [f"{scheme}://{one}:{port}" for one in reached]
+    return list(dict.fromkeys([*([] if reached_at is None else [reached_at]), *own]))
+
+
+def is_of_this_computer_alone(address: str) -> bool:
+    """Whether this base URL names the computer it is opened on: others would look for the station in themselves."""
+    host = (urlsplit(address).hostname or "").rstrip(".")
+    return host == "localhost" or host.endswith(".localhost") or _is_loopback(host)
+
+
+def with_key(address: str, key: str, tab: str | None) -> str:
+    """The address that enters with this key. It stands behind the number sign, which no browser sends or logs."""
+    return f"{address}/#{urlencode({'key': key} if tab is None else {'key': key, 'tab': tab})}"
+
+
+def qr_svg(text: str) -> str:
+    """A picture of this text, dark on light whatever surrounds it, as SVG without width and height."""
+    out = io.BytesIO()
+    segno.make(text, error="m", micro=False).save(
+        out, kind="svg", border=4, xmldecl=False, omitsize=True, dark="#000", light="#fff"
+    )
+    return out.getvalue().decode()
+
+
+# Not for addresses with a key, which is kept nowhere.
+qr_svg_of_plain: Final = lru_cache(maxsize=64)(qr_svg)
+
+
+def own_names() -> list[str]:
+    """Names by which others of the network may know this machine; the last is the one that needs no name server."""
+    name = socket.gethostname().lower()
+    short = name.partition(".")[0]
+    return [name, short, f"{short}.local"] if short else []
+
+
+def _own_addresses(version: int) -> list[str]:
+    return _reachable(addresses_here(), version)
+
+
+def _reachable(numbers: Iterable[str], version: int) -> list[str]:
+    """Whoever listens on all addresses of one version is not reached by the other. A link-local address needs its zone
+    in the URL, which browsers refuse."""
+    parsed = [ipaddress.ip_address(number.partition("%")[0]) for number in numbers]
+    return [
+        str(number)
+        for number in parsed
+        if number.version == version and not number.is_loopback and not number.is_link_local
+    ]
+
+
+def _is_link_local(host: str) -> bool:
+    """Whether browsers reach it by the machine's name alone, for no browser takes a zone in a URL."""
+    try:
+        number = ipaddress.ip_address(host.partition("%")[0])
+    except ValueError:
+        return False
+    return number.version == 6 and number.is_link_local
+
+
+def _is_loopback(host: str) -> bool:
+    try:
+        return ipaddress.ip_address(host).is_loopback
+    except ValueError:
+        return host == "localhost"
+
+
+def _in_url(host: str) -> str:
+    return f"[{host}]" if ":" in host else host

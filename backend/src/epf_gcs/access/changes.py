@@ -1,0 +1,88 @@
+"""What can change about control: a page that has it, who asks for it, what became of that."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+from epf_gcs.access.caller import LOCAL_SESSION, CallerKind
+from epf_gcs.access.roles import Role
+
+Reason = Literal[
+    "first",  # it came while nobody had control
+    "back",  # who had lost it returned
+    "asked",  # it asked while nobody had it, or asked longest when it became free
+    "taken",  # an owner took it
+    "granted",
+    "handed_over",
+    "unanswered",  # the holder neither answered nor did anything
+    "waited",  # nobody came back for it: another page of the same session
+    "released",
+    "lost",  # the holder's stream is closed
+    "silent",  # nothing is heard of the holder
+    "ended",  # the holder's session, key or role is no longer good
+]
+Result = Literal["given", "refused", "withdrawn", "gone"]
+
+
+@dataclass(frozen=True, slots=True)
+class Page:
+    """A stream, as others see it. `name` is ready to show; `number` tells pages of one name apart, from 1 on."""
+
+    client: str
+    session: str
+    kind: CallerKind
+    name: str
+    number: int
+    role: Role
+
+    @property
+    def is_local(self) -> bool:
+        """Whether it is one of this computer."""
+        return self.session == LOCAL_SESSION
+
+    @property
+    def may_command(self) -> bool:
+        """Whether its role allows control."""
+        return self.role >= Role.operator
+
+
+@dataclass(frozen=True, slots=True)
+class HolderChanged:
+    """`page` has control now, None: nobody. `before` had it."""
+
+    page: Page | None
+    reason: Reason
+    before: Page | None
+
+
+@dataclass(frozen=True, slots=True)
+class KeptOver:
+    """Control is kept for `page` no longer."""
+
+    page: Page
+
+
+@dataclass(frozen=True, slots=True)
+class RequestOpened:
+    """`page` asks the holder for control."""
+
+    page: Page
+
+
+@dataclass(frozen=True, slots=True)
+class RequestClosed:
+    """What became of it."""
+
+    page: Page
+    result: Result
+
+
+@dataclass(frozen=True, slots=True)
+class StickLost:
+    """This page's hand is no longer on the stick."""
+
+    client: str
+
+
+Effect = HolderChanged | KeptOver | RequestOpened | RequestClosed | StickLost

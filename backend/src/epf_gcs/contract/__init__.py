@@ -1,0 +1,1 @@
+"""What passes between the parts, said once in types: shapes of the interface, events."""

@@ -1,0 +1,1 @@
+"""Times of the bytes of both lines, and the watch over this computer's clock."""

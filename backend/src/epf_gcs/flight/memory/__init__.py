@@ -1,0 +1,1 @@
+"""What the flight process remembers in files: settings, the lines of a journal."""

@@ -1,0 +1,1 @@
+"""What the parts know together: status, alarms, rates, inspection."""

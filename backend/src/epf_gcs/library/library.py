@@ -1,0 +1,343 @@
+"""The library of all recordings: a SQLite file that is made from the recordings and can be made again at any time.
+
+One thread owns it. What it says comes from three kinds of files: the recordings (size, time), what people say of them
+(`about.py`), and `summary.json`, which the index worker writes. Nothing is kept here alone but why a recording could
+not be indexed.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import sqlite3
+import unicodedata
+from collections.abc import Callable, Iterable
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any, Final, Literal
+
+import orjson
+import structlog
+
+from epf_gcs.errors import GatewayError
+from epf_gcs.library.about import About, read_about, write_about
+from epf_gcs.recordings.places import SUMMARY, Places, Stamp, is_id, stamp_of, started_s
+
+VERSION: Final = 1
+SUMMARY_VERSION: Final = 1
+"""Summaries of another version are made again."""
+
+_SCHEMA: Final = """
+CREATE TABLE flight (
+  id TEXT PRIMARY KEY, bytes INTEGER, mtime_ns INTEGER, started_s REAL, duration_s REAL, highest_ft REAL,
+  fastest_kt REAL, board TEXT, fingerprint TEXT, summary TEXT, about TEXT, about_stamp TEXT, fault TEXT, words TEXT
+) WITHOUT ROWID;
+CREATE INDEX by_start ON flight (started_s);
+CREATE INDEX by_fingerprint ON flight (fingerprint);
+"""
+# What the rows hold beside the file's own size and time; found again by `_learn`.
+_LEARNT: Final = ("started_s", "duration_s", "highest_ft", "fastest_kt", "board", "fingerprint", "summary", "words")
+
+log = structlog.get_logger("web")
+
+Sort = Literal["started", "duration", "highest", "fastest", "bytes"]
+_SORTS: Final[dict[Sort, str]] = {
+    "started": "started_s",
+    "duration": "duration_s",
+    "highest": "highest_ft",
+    "fastest": "fastest_kt",
+    "bytes": "bytes",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Wanted:
+    """Which flights: all words of `text` in what is said or known of it, a tag, a board, a stretch of Unix time."""
+
+    text: str = ""
+    tag: str | None = None
+    board: str | None = None
+    from_s: float | None = None
+    to_s: float | None = None
+    sort: Sort = "started"
+    descending: bool = True
+    first: int = 0
+    most: int = 50
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """One flight. `summary` is what the index worker found, None until then; `fault` why it found nothing."""
+
+    id: str
+    bytes: int
+    stamp: Stamp
+    started_s: float
+    summary: dict[str, Any] | None
+    fault: dict[str, Any] | None
+    about: About
+
+
+class Library:
+    """Every method reads or writes the disk and belongs to one thread."""
+
+    def __init__(self, places: Places) -> None:
+        self._places = places
+        self._database: sqlite3.Connection | None = None
+        self._growing: str | None = None
+
+    def close(self) -> None:
+        """Close the file."""
+        if self._database is not None:
+            self._database.close()
+            self._database = None
+
+    def refresh(self, growing: str | None) -> None:
+        """Look at all files again. `growing` is the flight being recorded: its size changes, and it is no content yet.
+
+        Raises OSError where the folder cannot be read.
+        """
+        self._growing = growing
+        try:
+            self._refresh(growing)
+        except sqlite3.DatabaseError:
+            self._begin_anew()
+
+    def _refresh(self, growing: str | None) -> None:
+        known = {row["id"]: row for row in self._all("SELECT id, bytes, mtime_ns, about_stamp, summary FROM flight")}
+        made = self._places.made()
+        there: set[str] = set()
+        for path in self._places.recordings.glob("*.mcap"):
+            flight = path.stem
+            if not is_id(flight):
+                continue
+            with contextlib.suppress(ValueError, FileNotFoundError):
+                self._look(flight, stamp_of(path), known.get(flight), made.get(flight), is_growing=flight == growing)
+                there.add(flight)
+        for flight in known.keys() - there:
+            self._execute("DELETE FROM flight WHERE id = ?", flight)
+        self._open().commit()
+
+    def search(self, wanted: Wanted) -> tuple[list[Row], int]:
+        """One page of the flights, and how many there are in all."""
+        terms: list[str] = ["1"]
+        values: list[str | float] = []
+        for word in _plain(wanted.text).split():
+            terms.append("words LIKE ? ESCAPE '\\'")
+            values.append(f"%{_escaped(word)}%")
+        for term, value in (
+            ("EXISTS (SELECT 1 FROM json_each(about, '$.tags') WHERE json_each.value = ?)", wanted.tag),
+            ("board = ?", wanted.board),
+            ("started_s >= ?", wanted.from_s),
+            ("started_s <= ?", wanted.to_s),
+        ):
+            if value is not None:
+                terms.append(term)
+                values.append(value)
+        where = " AND ".join(terms)
+        (count,) = self._all(f"SELECT count(*) AS n FROM flight WHERE {where}", *values)  # noqa: S608 - our own terms
+        column, order = _SORTS[wanted.sort], "DESC" if wanted.descending else "ASC"
+        rows = self._all(
+            f"SELECT * FROM flight WHERE {where} "  # noqa: S608 - our own terms and columns
+            f"ORDER BY {column} {order} NULLS LAST, id {order} LIMIT ? OFFSET ?",
+            *values,
+            wanted.most,
+            wanted.first,
+        )
+        return [_row(row) for row in rows], int(count["n"])
+
+    def get(self, flight: str) -> Row | None:
+        """One flight; None if there is none."""
+        rows = self._all("SELECT * FROM flight WHERE id = ?", flight)
+        return _row(rows[0]) if rows else None
+
+    def all(self) -> list[Row]:
+        """All flights, oldest first."""
+        return [_row(row) for row in self._all("SELECT * FROM flight ORDER BY started_s, id")]
+
+    def waiting(self) -> list[Row]:
+        """Flights of which nothing is known yet, newest first."""
+        return [_row(row) for row in self._all("SELECT * FROM flight WHERE summary IS NULL ORDER BY started_s DESC")]
+
+    def newest(self, most: int) -> list[Row]:
+        """The newest flights whose content is known."""
+        found = self._all(
+            "SELECT * FROM flight WHERE summary IS NOT NULL ORDER BY started_s DESC LIMIT ?",
+            most,
+        )
+        return [_row(row) for row in found]
+
+    def tags(self) -> list[str]:
+        """Every tag that a flight has."""
+        found = self._all("SELECT DISTINCT value FROM flight, json_each(flight.about, '$.tags') ORDER BY value")
+        return [str(row["value"]) for row in found]
+
+    def boards(self) -> list[str]:
+        """Every board that flew."""
+        found = self._all("SELECT DISTINCT board FROM flight WHERE board IS NOT NULL ORDER BY board")
+        return [str(row["board"]) for row in found]
+
+    def with_fingerprint(self, fingerprint: str) -> str | None:
+        """The flight with this content; None if there is none."""
+        rows = self._all("SELECT id FROM flight WHERE fingerprint = ?", fingerprint)
+        return str(rows[0]["id"]) if rows else None
+
+    def say(self, flight: str, about: About) -> None:
+        """Keep what people say of a flight. Raises OSError."""
+        path = self._places.about(flight)
+        write_about(path, about)
+        row = self.get(flight)
+        if row is not None:
+            self._change(lambda: self._tell(flight, about, row.summary))
+
+    def failed(self, flight: str, stamp: Stamp, fault: dict[str, Any]) -> None:
+        """Remember why a recording with this content could not be indexed; it is not tried again until it changes."""
+        kept = orjson.dumps({"stamp": stamp, "fault": fault}).decode()
+        self._change(lambda: self._execute("UPDATE flight SET fault = ? WHERE id = ?", kept, flight))
+
+    def refused(self, flight: str, why: GatewayError) -> None:
+        """The same for a flight's content as it is now."""
+        row = self.get(flight)
+        if row is not None:
+            self.failed(flight, row.stamp, {"code": why.code, "detail": why.detail, "params": why.params})
+
+    def forget(self, flight: str) -> None:
+        """Forget what is known of a flight, so that it is looked at anew."""
+        self._change(lambda: self._execute("DELETE FROM flight WHERE id = ?", flight))
+
+    def _look(
+        self, flight: str, stamp: Stamp, known: sqlite3.Row | None, made: Path | None, *, is_growing: bool
+    ) -> None:
+        about_stamp = _stamp_text(self._places.about(flight))
+        is_same = known is not None and (known["bytes"], known["mtime_ns"]) == stamp
+        if is_same and known is not None and known["about_stamp"] == about_stamp and known["summary"] is not None:
+            return
+        summary = None if made is None or is_growing else read_summary(made, stamp)
+        if known is None:
+            self._execute("INSERT INTO flight (id, started_s) VALUES (?, ?)", flight, started_s(flight))
+        self._execute("UPDATE flight SET bytes = ?, mtime_ns = ? WHERE id = ?", *stamp, flight)
+        if not is_same:
+            self._execute("UPDATE flight SET fault = NULL WHERE id = ?", flight)
+        self._tell(flight, read_about(self._places.about(flight)), summary)
+
+    def _tell(self, flight: str, about: About, summary: dict[str, Any] | None) -> None:
+        known = summary or {}
+        values = {
+            "started_s": known["started_ns"] * 1e-9 + known.get("clock_ahead_s", 0.0) if summary else started_s(flight),
+            "duration_s": (known["ended_ns"] - known["started_ns"]) * 1e-9 if summary else None,
+            **{name: known.get(name) for name in ("highest_ft", "fastest_kt", "board", "fingerprint")},
+            "summary": orjson.dumps(summary).decode() if summary else None,
+            "words": _words(flight, about, known),
+        }
+        setters = ", ".join(f"{name} = ?" for name in _LEARNT)
+        self._execute(
+            f"UPDATE flight SET {setters}, about = ?, about_stamp = ? WHERE id = ?",  # noqa: S608 - our own columns
+            *(values[name] for name in _LEARNT),
+            orjson.dumps(asdict(about)).decode(),
+            _stamp_text(self._places.about(flight)),
+            flight,
+        )
+
+    def _open(self) -> sqlite3.Connection:
+        """The database, made anew where it is of another version or cannot be read."""
+        if self._database is None:
+            path = self._places.library
+            path.parent.mkdir(parents=True, exist_ok=True)
+            try:
+                self._database = _opened(path)
+            except sqlite3.DatabaseError as error:
+                log.warning("the library is damaged and made anew from the recordings", path=str(path), why=str(error))
+                _put_aside(path)
+                self._database = _opened(path)
+        return self._database
+
+    def _all(self, statement: str, *values: Any) -> list[sqlite3.Row]:
+        try:
+            return self._open().execute(statement, values).fetchall()
+        except sqlite3.DatabaseError:
+            self._begin_anew()
+            return self._open().execute(statement, values).fetchall()
+
+    def _change(self, work: Callable[[], None]) -> None:
+        """Change rows. Where the library turns out to be damaged it is made anew from the files, which know better."""
+        try:
+            work()
+            self._open().commit()
+        except sqlite3.DatabaseError:
+            self._begin_anew()
+
+    def _execute(self, statement: str, *values: Any) -> None:
+        self._open().execute(statement, values)
+
+    def _begin_anew(self) -> None:
+        """Keep a damaged library aside and fill a new one. Damage may be found long after opening."""
+        log.warning("the library is damaged and made anew from the recordings", path=str(self._places.library))
+        self.close()
+        _put_aside(self._places.library)
+        self._refresh(self._growing)
+
+
+def read_summary(folder: Path, stamp: Stamp) -> dict[str, Any] | None:
+    """What the index worker found in a recording of this stamp; None if it has not looked at this content yet."""
+    try:
+        found = orjson.loads((folder / SUMMARY).read_bytes())
+        is_right = found["version"] == SUMMARY_VERSION and tuple(found["stamp"]) == stamp
+        return dict(found) if is_right and found["ended_ns"] >= found["started_ns"] else None
+    except (OSError, ValueError, LookupError, TypeError):
+        return None
+
+
+def _opened(path: Path) -> sqlite3.Connection:
+    database = sqlite3.connect(path)
+    try:
+        database.row_factory = sqlite3.Row
+        database.execute("PRAGMA journal_mode = WAL")
+        database.execute("PRAGMA synchronous = NORMAL")
+        (version,) = database.execute("PRAGMA user_version").fetchone()
+        if version != VERSION:
+            database.execute("DROP TABLE IF EXISTS flight")
+            database.executescript(f"{_SCHEMA} PRAGMA user_version = {VERSION};")
+        elif database.execute("PRAGMA quick_check").fetchone()[0] != "ok":
+            raise sqlite3.DatabaseError("its pages do not fit together")
+    except BaseException:
+        database.close()
+        raise
+    return database
+
+
+def _put_aside(path: Path) -> None:
+    """Keep a damaged library for whoever wants to know; the one before is replaced."""
+    with contextlib.suppress(FileNotFoundError):
+        path.replace(path.with_name(f"{path.name}.damaged"))
+    for end in ("-wal", "-shm"):
+        path.with_name(path.name + end).unlink(missing_ok=True)
+
+
+def _row(row: sqlite3.Row) -> Row:
+    stamp = (int(row["bytes"]), int(row["mtime_ns"]))
+    kept = orjson.loads(row["fault"]) if row["fault"] else None
+    fault = kept["fault"] if kept is not None and tuple(kept["stamp"]) == stamp else None
+    summary = orjson.loads(row["summary"]) if row["summary"] else None
+    return Row(row["id"], stamp[0], stamp, row["started_s"], summary, fault, About.from_json(row["about"]))
+
+
+def _stamp_text(path: Path) -> str:
+    try:
+        return "{}-{}".format(*stamp_of(path))
+    except OSError:
+        return ""
+
+
+def _words(flight: str, about: About, known: dict[str, Any]) -> str:
+    names = ("board", "firmware", "aircraft", "operator")
+    said: Iterable[Any] = (flight, about.title, *about.tags, about.notes, *(known.get(name) for name in names))
+    return _plain(" ".join(str(word) for word in said if word))
+
+
+def _plain(text: str) -> str:
+    """Lower case without accents, so that a search for `avion` finds `Avión`."""
+    parts = unicodedata.normalize("NFKD", text.casefold())
+    return "".join(part for part in parts if not unicodedata.combining(part))
+
+
+def _escaped(word: str) -> str:
+    return word.replace("\\", "\\\\").replace("%", "\\%").replace("_", "\\_")

@@ -1,0 +1,78 @@
+"""Asks the query program (`python -m epf_gcs.flights serve`), which is started at the first question.
+
+It reads recordings, also strangers', so it is a program of its own that is ended when a question takes too long, and
+when nobody has asked for a while.
+"""
+
+from __future__ import annotations
+
+import asyncio
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from typing import Any, Final
+
+import structlog
+
+from epf_gcs.errors import ConflictError, GatewayError, InvalidInputError, NotFoundError
+from epf_gcs.extras import FLIGHTS
+from epf_gcs.workers.asked_process import AskedProcess
+from epf_gcs.workers.missing import require
+
+_LONGEST_S: Final = 30.0
+_IDLE_S: Final = 600.0
+_LOOK_EVERY_S: Final = 1.0
+_MISSING: Final = ("signal_unknown", "flight_unknown")
+
+log = structlog.get_logger("web")
+
+
+class Queries:
+    """Owned by the event loop; one question at a time, in the order they come."""
+
+    def __init__(self, data_dir: Path, longest_s: float = _LONGEST_S, idle_s: float = _IDLE_S) -> None:
+        self._process = AskedProcess("epf_gcs.flights", "serve", str(data_dir.absolute()))
+        self._thread = ThreadPoolExecutor(1, thread_name_prefix="flight queries")
+        self._loop = asyncio.get_running_loop()
+        self._longest_s = longest_s
+        self._idle_s = idle_s
+        self._asked_s = self._loop.time()
+
+    async def ask(self, do: str, flight: str, *, growing: bool, **what: Any) -> bytes:
+        """The answer's bytes. Raises GatewayError."""
+        require(FLIGHTS)
+        self._asked_s = self._loop.time()
+        question = {"do": do, "flight": flight, "growing": growing, **what}
+        answer = await self._loop.run_in_executor(self._thread, self._process.ask, question, self._longest_s)
+        self._asked_s = self._loop.time()
+        if answer is None:
+            log.error("a question about a flight ended its program", flight=flight, do=do)
+            raise ConflictError(
+                "recording_unreadable",
+                f"The flight '{flight}' cannot be read: it takes more memory or time than a question may.",
+                reason="it takes more memory or time than a question may",
+            )
+        head, body = answer
+        if "code" in head:
+            raise _fault(head)
+        return body
+
+    async def run(self) -> None:
+        """End the program when a question is overdue or nobody asks, forever."""
+        while True:
+            await asyncio.sleep(_LOOK_EVERY_S)
+            self._process.end_if_late()
+            if self._process.is_running and self._loop.time() - self._asked_s > self._idle_s:
+                await self._loop.run_in_executor(self._thread, self._process.end)
+
+    async def close(self) -> None:
+        """End the program."""
+        await asyncio.to_thread(self._thread.shutdown, cancel_futures=True)
+        self._process.end()
+
+
+def _fault(head: dict[str, Any]) -> GatewayError:
+    if head["code"] in _MISSING:
+        return NotFoundError(head["code"], head["detail"], **head["params"])
+    if head["code"] == "flight_not_indexed":
+        return ConflictError(head["code"], head["detail"], **head["params"])
+    return InvalidInputError(head["code"], head["detail"], **head["params"])

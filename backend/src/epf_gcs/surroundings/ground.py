@@ -1,0 +1,172 @@
+"""The heights around the aircraft, from the station's terrain: a few tiles in memory, the others read when needed.
+
+`heights` never waits: a tile that is not here yet is not known, and is asked for.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import math
+from collections import OrderedDict
+from collections.abc import Iterable
+from typing import Final, NamedTuple, Protocol
+
+import numpy as np
+import numpy.typing as npt
+
+from epf_gcs.errors import GatewayError
+from epf_gcs.formats.quantized_mesh import CELLS
+from epf_gcs.formats.quantized_mesh_reading import SIDE
+from epf_gcs.maps.layer import Layer
+from epf_gcs.surroundings.motion import Vector
+
+# Points 19 m apart at the equator: finer heights change no warning.
+_FINEST: Final = 14
+# A tile that is not there is looked for so many levels higher.
+_PARENTS: Final = 6
+_MOST_KEPT: Final = 128
+_LAYERS_S: Final = 10.0
+# A tile that could not be read is tried again after this long.
+_AGAIN_S: Final = 15.0
+
+
+class Tiles(Protocol):
+    """Where the heights come from (`web.maps.maps.Maps`)."""
+
+    async def terrain_layers(self) -> list[Layer]:
+        """The layers of terrain, the finest first."""
+
+    async def grid(self, layer_id: str, zoom: int, column: int, row: int) -> bytes | None:
+        """The heights of one tile."""
+
+
+class _Key(NamedTuple):
+    layer: str
+    zoom: int
+    column: int
+    row: int
+
+
+class _Held(NamedTuple):
+    """`zoom` and so on: of the tile whose grid this is, the asked one or a parent. None: there is none."""
+
+    grid: npt.NDArray[np.float32] | None
+    zoom: int
+    column: int
+    row: int
+    until_s: float
+
+
+class Ground:
+    """Belongs to the event loop."""
+
+    def __init__(self, tiles: Tiles) -> None:
+        self._tiles = tiles
+        self._layers: list[Layer] = []
+        self._held: OrderedDict[_Key, _Held] = OrderedDict()
+        self._wanted: dict[_Key, None] = {}
+        self._awake = asyncio.Event()
+
+    @property
+    def has_heights(self) -> bool:
+        """The station has heights of some ground."""
+        return bool(self._layers)
+
+    def heights(self, latitude_deg: Vector, longitude_deg: Vector) -> Vector:
+        """Metres above the sea; NaN where not known, or not read yet."""
+        found = np.full(latitude_deg.shape, np.nan)
+        now_s = asyncio.get_running_loop().time()
+        for layer in self._layers:
+            missing = np.flatnonzero(np.isnan(found) & _covered(layer, latitude_deg, longitude_deg))
+            if missing.size:
+                found[missing] = self._of_layer(layer, latitude_deg[missing], longitude_deg[missing], now_s)
+        return found
+
+    async def run(self) -> None:
+        """Look for layers and read the tiles that are wanted, forever."""
+        while True:
+            await self._look_for_layers()
+            until_s = asyncio.get_running_loop().time() + _LAYERS_S
+            while (left_s := until_s - asyncio.get_running_loop().time()) > 0:
+                try:
+                    async with asyncio.timeout(left_s):
+                        await self._awake.wait()
+                except TimeoutError:
+                    break
+                self._awake.clear()
+                await self.read_wanted()
+
+    async def read_wanted(self) -> None:
+        """Read all tiles that `heights` missed."""
+        while self._wanted:
+            wanted, self._wanted = list(self._wanted), {}
+            for key in wanted:
+                self._keep(key, await self._read(key))
+
+    async def _look_for_layers(self) -> None:
+        layers = await self._tiles.terrain_layers()
+        if [(one.id, one.size_bytes) for one in layers] != [(one.id, one.size_bytes) for one in self._layers]:
+            self._held.clear()
+        self._layers = layers
+
+    def _of_layer(self, layer: Layer, latitude_deg: Vector, longitude_deg: Vector, now_s: float) -> Vector:
+        zoom = min(_FINEST, layer.description.maximum_zoom)
+        size_deg = 180.0 / (1 << zoom)
+        columns = np.floor((longitude_deg + 180.0) / size_deg).astype(int).clip(0, (2 << zoom) - 1)
+        rows = np.floor((latitude_deg + 90.0) / size_deg).astype(int).clip(0, (1 << zoom) - 1)
+        found = np.full(latitude_deg.shape, np.nan)
+        for column, row in sorted(set(zip(columns.tolist(), rows.tolist(), strict=True))):
+            held = self._look_up(_Key(layer.id, zoom, column, row), now_s)
+            if held is not None and held.grid is not None:
+                here = (columns == column) & (rows == row)
+                found[here] = _between(held, held.grid, latitude_deg[here], longitude_deg[here])
+        return found
+
+    def _look_up(self, key: _Key, now_s: float) -> _Held | None:
+        held = self._held.get(key)
+        if held is None or held.until_s < now_s:
+            self._wanted[key] = None
+            self._awake.set()
+        else:
+            self._held.move_to_end(key)
+        return held
+
+    async def _read(self, key: _Key) -> _Held:
+        now_s = asyncio.get_running_loop().time()
+        for zoom in _levels(key.zoom):
+            column, row = key.column >> (key.zoom - zoom), key.row >> (key.zoom - zoom)
+            try:
+                data = await self._tiles.grid(key.layer, zoom, column, row)
+            except GatewayError:
+                break
+            if data is not None:
+                return _Held(np.frombuffer(data, "<f4").reshape(SIDE, SIDE), zoom, column, row, math.inf)
+        return _Held(None, key.zoom, key.column, key.row, now_s + _AGAIN_S)
+
+    def _keep(self, key: _Key, held: _Held) -> None:
+        self._held[key] = held
+        while len(self._held) > _MOST_KEPT:
+            self._held.popitem(last=False)
+
+
+def _levels(zoom: int) -> Iterable[int]:
+    return range(zoom, max(0, zoom - _PARENTS) - 1, -1)
+
+
+def _covered(layer: Layer, latitude_deg: Vector, longitude_deg: Vector) -> npt.NDArray[np.bool_]:
+    bounds = layer.description.bounds
+    across = (longitude_deg >= bounds.west_deg) & (longitude_deg <= bounds.east_deg)
+    return across & (latitude_deg >= bounds.south_deg) & (latitude_deg <= bounds.north_deg)
+
+
+def _between(held: _Held, grid: npt.NDArray[np.float32], latitude_deg: Vector, longitude_deg: Vector) -> Vector:
+    """Bilinear between the four points around each place; not known if one of them is not."""
+    step_deg = 180.0 / (1 << held.zoom) / CELLS
+    x = np.clip((longitude_deg + 180.0) / step_deg - held.column * CELLS, 0.0, CELLS)
+    y = np.clip((latitude_deg + 90.0) / step_deg - held.row * CELLS, 0.0, CELLS)
+    left, low = np.minimum(x.astype(int), CELLS - 1), np.minimum(y.astype(int), CELLS - 1)
+    east, north = x - left, y - low
+    lower = grid[low, left] * (1 - east) + grid[low, left + 1] * east
+    upper = grid[low + 1, left] * (1 - east) + grid[low + 1, left + 1] * east
+    found: Vector = (lower * (1 - north) + upper * north).astype(np.float64)
+    return found

@@ -1,0 +1,1 @@
+"""Ways in, people, programs and control over HTTP."""

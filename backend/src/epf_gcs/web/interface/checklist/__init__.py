@@ -1,0 +1,1 @@
+"""The checklist before take-off over HTTP."""

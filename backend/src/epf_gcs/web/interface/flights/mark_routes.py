@@ -1,0 +1,77 @@
+"""Marks: set now in the flight that is being recorded, or later at a moment of a finished one."""
+
+from __future__ import annotations
+
+import secrets
+from typing import Annotated, Any
+
+import orjson
+from fastapi import APIRouter, Path
+
+from epf_gcs.errors import InvalidInputError
+from epf_gcs.library import marks
+from epf_gcs.library.flights import Flights
+from epf_gcs.library.queries import Queries
+from epf_gcs.web.interface.deps import AskerDep, FlightsDep, QueriesDep, VehicleDep
+from epf_gcs.web.interface.flights.data_routes import FlightName, which
+from epf_gcs.web.interface.flights.schemas import FlightEvents, MarkAtInput, MarkInput
+from epf_gcs.web.serving.problems import problems
+
+router = APIRouter(prefix="/flights", tags=["flights"])
+
+MarkId = Annotated[str, Path(min_length=1, max_length=64)]
+
+
+@router.post("/{flight_id}/marks", responses=problems(404, 409))
+async def set_mark(
+    flight_id: FlightName,
+    mark: MarkAtInput,
+    flights: FlightsDep,
+    queries: QueriesDep,
+    vehicle: VehicleDep,
+    asker: AskerDep,
+) -> FlightEvents:
+    """Set a mark: now, into the flight that is being recorded, or with `at_s` at a moment of any flight, whose
+    recording stays as it is. Answers with all events."""
+    flight, growing = await which(flight_id, flights)
+    if mark.at_s is None:
+        if not growing:
+            raise InvalidInputError(
+                "invalid_request", "A mark in a finished flight needs its moment: send 'at_s'.", field="at_s"
+            )
+        await vehicle.request("recording.mark", asker, text=mark.text, by=asker.name, ago_s=mark.ago_s)
+        return await _events(flight, flights, queries)
+    span = orjson.loads(await queries.ask("span", flight, growing=growing))
+    mark_id, at_s, t_s = secrets.token_hex(6), mark.at_s, span["start_s"] + mark.at_s
+    await flights.say(flight, lambda about: marks.add(about, mark_id, at_s, t_s, mark.text, asker.name))
+    return await _events(flight, flights, queries)
+
+
+@router.patch("/{flight_id}/marks/{mark_id}", responses=problems(404, 409))
+async def change_mark(
+    flight_id: FlightName, mark_id: MarkId, mark: MarkInput, flights: FlightsDep, queries: QueriesDep
+) -> FlightEvents:
+    """Change the words of a mark. Answers with all events."""
+    return await _change(flight_id, mark_id, mark.text, flights, queries)
+
+
+@router.delete("/{flight_id}/marks/{mark_id}", responses=problems(404, 409))
+async def remove_mark(flight_id: FlightName, mark_id: MarkId, flights: FlightsDep, queries: QueriesDep) -> FlightEvents:
+    """Remove a mark; one that stands in the recording is not shown any more. Answers with all events."""
+    return await _change(flight_id, mark_id, None, flights, queries)
+
+
+async def _change(flight_id: str, mark_id: str, text: str | None, flights: Flights, queries: Queries) -> FlightEvents:
+    flight, _ = await which(flight_id, flights)
+    found = marks.find(await _read(flight, flights, queries), mark_id)
+    await flights.say(flight, lambda about: marks.change(about, found, text))
+    return await _events(flight, flights, queries)
+
+
+async def _events(flight: str, flights: Flights, queries: Queries) -> FlightEvents:
+    return FlightEvents.model_validate(await _read(flight, flights, queries))
+
+
+async def _read(flight: str, flights: Flights, queries: Queries) -> dict[str, Any]:
+    body = await queries.ask("events", flight, growing=flight == flights.growing)
+    return marks.with_marks(orjson.loads(body), (await flights.get(flight)).about)

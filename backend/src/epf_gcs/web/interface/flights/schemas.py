@@ -1,0 +1,331 @@
+"""The shapes of flights: the library, one flight's events, signals and track, and jobs.
+
+`t_s` is Unix time in seconds; `at_s`, and every `from_s` and `to_s`, are seconds since the flight's first message.
+"""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, Literal
+
+from pydantic import Field, StringConstraints
+
+from epf_gcs.contract.shapes import Input, Output, ParamValue, PlanName
+from epf_gcs.errors import ErrorCode
+from epf_gcs.formats.kml_words import Language
+from epf_gcs.recordings.export_names import ExportFormat
+from epf_gcs.web.interface.flights.settings_schemas import FlightDisk
+from epf_gcs.web.interface.missions.schemas import WaypointModel
+from epf_gcs.web.interface.parameters.schemas import ParameterState
+
+FlightState = Literal["recording", "waiting", "indexing", "indexed", "damaged"]
+JobKind = Literal["pack", "index", "keys", "import", "export", "report"]
+JobState = Literal["waiting", "running", "done", "failed", "cancelled"]
+EventKind = Literal[
+    "advice",
+    "alarm",
+    "command",
+    "console",
+    "control",
+    "damage",
+    "gap",
+    "link",
+    "lost",
+    "mark",
+    "mode",
+    "parameter",
+    "plan",
+    "restart",
+    "waypoint",
+]
+Tag = Annotated[str, Field(min_length=1, max_length=40)]
+TopicName = Annotated[str, StringConstraints(pattern=r"^[a-z0-9_]{1,64}$")]
+MarkText = Annotated[str, StringConstraints(strip_whitespace=True, min_length=1, max_length=500)]
+
+
+class Fault(Output):
+    """Why something could not be done. `code` is stable and translated by the page."""
+
+    code: ErrorCode
+    detail: str
+    params: dict[str, ParamValue]
+
+
+class JobResult(Output):
+    """What a finished job left to be fetched from `/jobs/{id}/result`."""
+
+    name: str
+    bytes: int
+
+
+class Job(Output):
+    """Work of a separate process. `progress` is 0 to 1; `doing` is a stable word for the step it is at.
+
+    `flight` is null while an imported file has no id yet. `result` is null unless the job made a file.
+    """
+
+    id: str
+    kind: JobKind
+    flight: str | None
+    state: JobState
+    progress: float
+    doing: str
+    fault: Fault | None
+    result: JobResult | None
+
+
+class JobStarted(Output):
+    """The id of a job that was started."""
+
+    job: str
+
+
+class JobList(Output):
+    """Jobs under way and the last that ended, newest first."""
+
+    jobs: list[Job]
+
+
+class Thumbnail(Output):
+    """A small picture: `track` as [x, y] pairs with x to the east and y to the north, `altitude` evenly spaced in
+    time. All values are 0 to 1; null altitudes are not known."""
+
+    track: list[list[float]]
+    altitude: list[float | None]
+
+
+class Flight(Output):
+    """One recording. What only its content tells is null until it is indexed (`state`), and where it does not have it.
+
+    `fault`: why a flight could not be indexed. `frames_damaged` counts what the line damaged, `damage` is a sentence
+    about the file. `started_s` is corrected by `clock_ahead_s`, samples are not; `clock_unsure`: nobody gave the time.
+    """
+
+    id: str
+    active: bool
+    state: FlightState
+    fault: Fault | None
+    damage: str | None
+    started_s: float
+    clock_ahead_s: float
+    clock_unsure: bool
+    duration_s: float | None
+    bytes: int
+    frames: int | None
+    frames_damaged: int | None
+    board: str | None
+    firmware: str | None
+    station: str | None
+    aircraft: str | None
+    operator: str | None
+    emulated: bool
+    imported: bool
+    highest_ft: float | None
+    fastest_kt: float | None
+    distance_nm: float | None
+    waypoints: int | None
+    alarms: int | None
+    marks: int | None
+    thumbnail: Thumbnail | None
+    title: str
+    tags: list[str]
+    notes: str
+    pinned: bool
+
+
+class FlightList(Output):
+    """One page of the flights that were asked for. `total` counts all pages; `tags` and `boards` are those of the
+    whole library; `indexing` are the jobs that prepare flights now; `aircraft` is what the aircraft that flies now is
+    called, empty for no name."""
+
+    flights: list[Flight]
+    total: int
+    tags: list[str]
+    boards: list[str]
+    indexing: list[Job]
+    disk: FlightDisk
+    aircraft: str
+
+
+class DeletedFlight(Output):
+    """A flight in the bin; from `gone_s` on it may be removed for good."""
+
+    id: str
+    title: str
+    started_s: float
+    bytes: int
+    deleted_s: float
+    gone_s: float
+
+
+class FlightBin(Output):
+    """The bin, deleted last first."""
+
+    flights: list[DeletedFlight]
+
+
+class FlightChange(Input):
+    """What a person says about a flight; what is left out stays."""
+
+    title: Annotated[str, Field(max_length=200)] | None = None
+    tags: Annotated[list[Tag], Field(max_length=20)] | None = None
+    notes: Annotated[str, Field(max_length=20_000)] | None = None
+    pinned: bool | None = None
+
+
+class FlightEvent(Output):
+    """Something that happened. `name` says what within its kind: a command's, alarm's, mode's or parameter's name;
+    `data` is as the event of the stream has it. `until_s` is Unix time; null for a moment, or while it lasts.
+    `id` is given for marks, which can be changed by it."""
+
+    t_s: float
+    at_s: float
+    kind: EventKind
+    name: str
+    id: str | None
+    data: dict[str, Any]
+    until_s: float | None
+
+
+class FlightEvents(Output):
+    """All events, in order of time."""
+
+    events: list[FlightEvent]
+
+
+class MarkInput(Input):
+    """The words of a mark."""
+
+    text: MarkText
+
+
+class MarkAtInput(Input):
+    """A mark. Without `at_s` it is set in the flight that is being recorded, `ago_s` before now: words take time, and
+    the mark is of the moment at which somebody pressed the key. With `at_s` it is set at that moment of the flight."""
+
+    text: MarkText
+    at_s: Annotated[float, Field(ge=0, le=10_000_000)] | None = None
+    ago_s: Annotated[float, Field(ge=0, le=600)] = 0.0
+
+
+class Signal(Output):
+    """One signal of the stretch that was asked for.
+
+    `at_s[i]` is the time of step i, `min[i]` and `max[i]` the extremes in it: of every sample, so that none is lost.
+    Where there are no more samples than steps, each step is a sample, and min equals max. Null is a value that the
+    board did not have, or a gap in the samples. `mean` and `count` are of all samples of the stretch that have a value.
+    """
+
+    name: str
+    unit: str
+    at_s: list[float]
+    min: list[float | None]
+    max: list[float | None]
+    mean: float | None
+    count: int
+
+
+class Signals(Output):
+    """The stretch, cut to the flight's, and its signals in the order they were asked for. `starts_s` is the Unix time
+    of the flight's start."""
+
+    starts_s: float
+    from_s: float
+    to_s: float
+    signals: list[Signal]
+
+
+class TopicField(Output):
+    """A field of a topic. Numbers and flags can be plotted, as `topic.field`."""
+
+    name: str
+    unit: str
+    kind: Literal["number", "flag", "text"]
+
+
+class FlightTopic(Output):
+    """A topic that the flight has; `first_s` and `last_s` are when its samples begin and end."""
+
+    name: str
+    count: int
+    first_s: float
+    last_s: float
+    fields: list[TopicField]
+
+
+class FlightTopics(Output):
+    """All topics that have samples."""
+
+    topics: list[FlightTopic]
+
+
+class FlightIdentity(Output):
+    """What flew, and with which station."""
+
+    station: str | None
+    board: str | None
+    firmware: str | None
+    aircraft: str | None
+    operator: str | None
+    emulated: bool
+
+
+class KnownMission(Output):
+    """A plan as it was known; `waypoints` is null while it was not read."""
+
+    plan: PlanName
+    waypoints: list[WaypointModel] | None
+
+
+class KnownMissions(Output):
+    """Both plans; null where the recording does not say."""
+
+    flight: KnownMission | None
+    hil: KnownMission | None
+
+
+class FlightKnown(Output):
+    """What was known at a moment of the flight. `parameters` as GET /parameters gave them then; null: not noted."""
+
+    at_s: float
+    identity: FlightIdentity
+    parameters: list[ParameterState] | None
+    missions: KnownMissions
+
+
+class FlightOverview(Output):
+    """The ground of the time bar: the altitude at evenly spaced moments (null: not known), `signal` being the one
+    it was taken from, and the stretches [from_s, to_s] without any data."""
+
+    duration_s: float
+    signal: str | None
+    altitude_ft: list[float | None]
+    gaps: list[list[float]]
+
+
+class ExportInput(Input):
+    """What becomes a file. Without `topics` all of them, without times the whole flight.
+
+    Only mcap-decoded, csv and parquet have topics; a single topic of csv and parquet is one file and no archive.
+    `lang` is the language of the names in KML, KMZ, GPX and CZML.
+    """
+
+    format: ExportFormat
+    topics: Annotated[list[TopicName], Field(min_length=1, max_length=100)] | None = None
+    from_s: Annotated[float, Field(ge=0, le=10_000_000)] | None = None
+    to_s: Annotated[float, Field(ge=0, le=10_000_000)] | None = None
+    lang: Language = "es"
+
+
+class Playback(Output):
+    """Where a replay is (message `playback` and status). `edge_s` is how far the recording reaches, `loop` is
+    [from_s, to_s], `jumps` counts the moments that it went to."""
+
+    flight: str
+    at_s: float
+    t_s: float
+    state: Literal["playing", "paused", "ended"]
+    rate: float
+    loop: list[float] | None
+    duration_s: float
+    edge_s: float
+    jumps: int

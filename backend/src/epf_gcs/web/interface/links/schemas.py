@@ -1,0 +1,47 @@
+"""The shapes of links and serial ports."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from pydantic import Field
+
+from epf_gcs.codec.messages_gen import RECEIVE_PORT, SEND_PORT
+from epf_gcs.contract.shapes import Input, LinkState, Output, Port
+
+
+class PortState(Output):
+    """A serial port. `identity` is the same wherever the device is plugged in."""
+
+    path: str
+    url: str
+    description: str
+    identity: str | None
+
+
+class Ports(Output):
+    """All serial ports now."""
+
+    ports: list[PortState]
+
+
+class BoardLink(Input):
+    """serial:///dev/ttyUSB0?baud=115200, tcp://host:port or pty:///path."""
+
+    url: str = Field(min_length=1, max_length=500)
+
+
+class SimulatorLink(Input):
+    """Where we listen, and where the simulator is."""
+
+    receive_port: Port = RECEIVE_PORT
+    send_host: str = Field("127.0.0.1", min_length=1, max_length=253, pattern=r"^[A-Za-z0-9._:\-]+$")
+    send_port: Port = SEND_PORT
+    profile: Literal["xp10", "xp12"] = "xp10"
+
+
+class LinkResult(Output):
+    """A link after it was opened."""
+
+    state: LinkState
+    url: str

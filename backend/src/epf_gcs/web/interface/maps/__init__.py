@@ -1,0 +1,1 @@
+"""Maps, terrain and online sources over HTTP."""

@@ -1,0 +1,101 @@
+"""The shapes of maps: layers, imports, online sources."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, Literal
+
+from pydantic import Field
+
+from epf_gcs.contract.shapes import Input, Output, ParamValue
+from epf_gcs.errors import ErrorCode, GatewayError
+from epf_gcs.maps.layer import LayerFormat, LayerKind
+from epf_gcs.maps.sources import MAX_LIMIT_BYTES
+
+
+class MapProblem(Output):
+    """`problem`: one English sentence, None where all is well; code and values are for a sentence in other words."""
+
+    problem: str | None
+    problem_code: ErrorCode | None
+    problem_params: dict[str, ParamValue]
+
+
+def problem_fields(problem: GatewayError | None) -> dict[str, Any]:
+    """The three values of a MapProblem."""
+    if problem is None:
+        return {"problem": None, "problem_code": None, "problem_params": {}}
+    return {"problem": problem.detail, "problem_code": problem.code, "problem_params": problem.params}
+
+
+class MapLayer(MapProblem):
+    """A layer that can be chosen, or says why it cannot."""
+
+    id: str
+    name: str
+    kind: LayerKind
+    format: LayerFormat
+    west_deg: float
+    south_deg: float
+    east_deg: float
+    north_deg: float
+    minimum_zoom: int
+    maximum_zoom: int
+    attribution: str
+    bytes: int
+
+
+class MapLayers(Output):
+    """All layers; `folder` is where their files live."""
+
+    folder: str
+    layers: list[MapLayer]
+
+
+class MapImport(MapProblem):
+    """A file on its way into the folder. `percent` of the receiving, then of the converting; `layer`: its id in the
+    list once it is there."""
+
+    id: str
+    name: str
+    state: Literal["receiving", "converting", "done", "failed"]
+    bytes: int
+    total_bytes: int | None
+    percent: int | None
+    layer: str | None
+
+
+class OnlineSourceInput(Input):
+    """A source of pictures. `url` has {z}, {x} and {y}, each once; its owner's terms are the operator's to keep."""
+
+    id: Annotated[str, Field(pattern=r"^[a-z0-9-]{1,32}$")]
+    name: Annotated[str, Field(min_length=1, max_length=80)]
+    url: Annotated[str, Field(min_length=10, max_length=500, examples=["https://example.org/{z}/{x}/{y}.png"])]
+    attribution: Annotated[str, Field(max_length=200)]
+    maximum_zoom: Annotated[int, Field(ge=0, le=24)] = 19
+
+
+class OnlineInput(Input):
+    """What the operator chooses."""
+
+    enabled: bool
+    limit_bytes: Annotated[int, Field(ge=0, le=MAX_LIMIT_BYTES)]
+    sources: Annotated[list[OnlineSourceInput], Field(max_length=20)]
+
+
+class OnlineSource(MapProblem):
+    """A source, and whether it gives anything now. Its layer has the id `online-` and this one."""
+
+    id: str
+    name: str
+    url: str
+    attribution: str
+    maximum_zoom: int
+
+
+class OnlineState(Output):
+    """Online sources: off by default, and nothing is asked for then."""
+
+    enabled: bool
+    limit_bytes: int
+    cached_bytes: int
+    sources: list[OnlineSource]

@@ -1,0 +1,1 @@
+"""Status, newest telemetry, health and metrics over HTTP."""

@@ -1,0 +1,50 @@
+"""What is: status, newest telemetry, and who has control."""
+
+from __future__ import annotations
+
+from typing import Final
+
+import orjson
+from fastapi import APIRouter, Response
+
+from epf_gcs.errors import InvalidInputError
+from epf_gcs.web.interface.deps import AdmittedDep, ControlDep, MirrorDep, StatusDep, VehicleDep
+from epf_gcs.web.interface.state.schemas import ControlDetails, ControlInput, Sample, Status
+from epf_gcs.web.serving.problems import problems, reading_problems
+
+router = APIRouter(tags=["state"])
+
+_TO_ANOTHER: Final = frozenset({"grant", "refuse", "hand_over"})
+
+
+@router.get("/status", response_model=Status, responses=reading_problems())
+async def get_status(status: StatusDep, vehicle: VehicleDep, mirror: MirrorDep) -> Response:
+    """The whole state of the station."""
+    # Ask the flight process, so that a caller sees its own last change. The answer is validated only in the tests.
+    if vehicle.is_connected:
+        mirror.learn(await vehicle.request("status"))
+    return Response(status.text(), media_type="application/json")
+
+
+@router.get("/telemetry", response_model=dict[str, Sample], responses=reading_problems(409))
+async def get_telemetry(vehicle: VehicleDep) -> Response:
+    """The newest sample of every topic, with its age."""
+    return Response(orjson.dumps(await vehicle.request("telemetry")), media_type="application/json")
+
+
+@router.get("/control", responses=reading_problems())
+async def get_control(control: ControlDep) -> ControlDetails:
+    """Who may command, who asks for it, and who is there."""
+    return ControlDetails.model_validate({**control.state(), "pages": control.pages()})
+
+
+@router.post("/control", responses=problems(404, 409))
+async def post_control(body: ControlInput, control: ControlDep, caller: AdmittedDep) -> ControlDetails:
+    """Take control, give it back, ask for it, answer who asks, or hand it over."""
+    client = control.own(caller, body.client)
+    if body.to is None and body.action in _TO_ANOTHER:
+        raise InvalidInputError(
+            "invalid_request", f"'{body.action}' needs 'to': the id of the page that is meant.", field="to"
+        )
+    control.act(body.action, client, body.to or "", confirmed=body.confirm)
+    return await get_control(control)

@@ -1,0 +1,1 @@
+"""Ground and fence over HTTP."""

@@ -1,0 +1,78 @@
+"""Shapes of ground and fence."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from epf_gcs.contract.shapes import Output, ParamValue
+from epf_gcs.formats.fence_file import FenceFormat, FenceNoteCode
+from epf_gcs.surroundings.choice import FenceCorner
+
+
+class SurroundingsChoice(Output):
+    """What the operator chose, for everybody."""
+
+    terrain_on: bool
+    margin_ft: float
+    fence_on: bool
+    corners: list[FenceCorner]
+    ceiling_ft: float | None
+    fence_margin_ft: float
+
+
+class FenceNote(Output):
+    """Something about the file that a person should know before relying on the fence.
+
+    circle_cornered {count}: the fence was a circle, and has so many corners now, all of them within it.
+    exclusions_skipped {count}: areas to stay out of, which this fence cannot have.
+    shapes_skipped {count}: other borders; the first one was taken.
+    """
+
+    code: FenceNoteCode
+    params: dict[str, ParamValue]
+
+
+class FenceImport(Output):
+    """What was in the file; `ceiling_ft` above the sea, null if it has none. The station's fence is as it was."""
+
+    format: FenceFormat
+    corners: list[FenceCorner]
+    ceiling_ft: float | None
+    notes: list[FenceNote]
+
+
+class TrackPlace(Output):
+    """A place on the present track."""
+
+    latitude_deg: float
+    longitude_deg: float
+
+
+class ThreatAhead(Output):
+    """What the present track leads to: in `in_s` (0: now), at this place, at this altitude above the sea."""
+
+    what: Literal["terrain", "fence", "ceiling"]
+    in_s: float
+    latitude_deg: float
+    longitude_deg: float
+    altitude_ft: float
+
+
+class AircraftAround(Output):
+    """Ground and fence of one aircraft. `blind`: why nothing is known of the ground; `path`: the present track, while
+    there is a warning. `outside`: beyond the fence's border or over its ceiling."""
+
+    blind: Literal["no_position", "no_heights", "no_heights_here"] | None
+    ground_ft: float | None
+    height_ft: float | None
+    terrain: ThreatAhead | None
+    fence: ThreatAhead | None
+    outside: bool
+    path: list[TrackPlace]
+
+
+class SurroundingsState(Output):
+    """The board's aircraft by its GPS, and the simulator's."""
+
+    flight: AircraftAround
+    hil: AircraftAround

@@ -1,0 +1,1 @@
+"""The flown tracks over HTTP, as files and as points."""

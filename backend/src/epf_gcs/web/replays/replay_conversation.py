@@ -1,0 +1,264 @@
+"""One browser that looks at a recording: the stream contract over a replay of its own. Nothing can be commanded."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import secrets
+from collections.abc import Callable
+from typing import Any, Final
+
+import orjson
+
+from epf_gcs import __version__
+from epf_gcs.access.caller import Caller
+from epf_gcs.access.control import NOBODY_STATE, base_name
+from epf_gcs.bus.definition import Named
+from epf_gcs.errors import GatewayError
+from epf_gcs.surroundings.watch import NOTHING_SEEN
+from epf_gcs.web.replays.replay_process import ViewersReplay
+from epf_gcs.web.stream.hub import Hub
+from epf_gcs.web.stream.hub_state import HubState
+from epf_gcs.web.stream.messages import INVALID, RATE_SENTENCE, TOPICS
+from epf_gcs.web.stream.socket import SocketConnection
+from epf_gcs.web.stream.viewer import MAX_RATE_HZ, Viewer
+
+# With every sample wanted the replay sends ahead, up to some hundred.
+_LOG_SAMPLES: Final = 4096
+_MOST_EARLY: Final = 40
+_MOST_ASKED: Final = 8
+
+
+class ReplayConversation:
+    """Implements `epf_gcs.web.stream.socket.Conversation` and `epf_gcs.bus.station_end.Listener`.
+
+    `on_start` gets the task that runs the replay; `on_end` is called once, when the viewer has gone.
+    """
+
+    def __init__(
+        self,
+        connection: SocketConnection,
+        caller: Caller,
+        replay: ViewersReplay,
+        rate_hz: int,
+        on_start: Callable[[asyncio.Task[None]], None],
+        on_end: Callable[[], None],
+    ) -> None:
+        self._loop = asyncio.get_running_loop()
+        self._connection = connection
+        self._replay = replay
+        self._on_start = on_start
+        self._on_end: Callable[[], None] | None = on_end
+        self._client = secrets.token_hex(8)
+        self._caller = caller
+        self._hub = Hub(self._loop, lambda: self._at_s, HubState(_LOG_SAMPLES))
+        self._viewer = Viewer(self._client, base_name(caller), connection, self._hub.state, rate_hz)
+        self._task: asyncio.Task[None] | None = None
+        self._playback: dict[str, Any] = {}
+        self._at_s = 0.0
+        self._untold = 0
+        self._jump: bytes | None = None
+        self._is_elsewhere = True
+        self._early: list[tuple[str, dict[str, Any]]] = []
+        self._asked: set[asyncio.Task[None]] = set()
+        self._is_greeted = False
+
+    def greet(self) -> None:
+        """Start the replay; the hello follows when it is there."""
+        self._task = self._loop.create_task(self._run(), name=f"replay of {self._replay.flight}")
+        self._on_start(self._task)
+
+    def on_text(self, text: str) -> None:
+        """An acknowledgement, a rate, or what to play; anything else is answered with an error event."""
+        fault = self._take(text)
+        if fault is not None:
+            self._tell_error(INVALID, fault)
+
+    def on_closed(self) -> None:
+        """The browser disconnected: the replay ends."""
+        for task in (self._task, *self._asked):
+            if task is not None:
+                task.cancel()
+        if self._on_end is not None:
+            self._on_end()
+            self._on_end = None
+
+    def on_hello(self, hello: dict[str, Any]) -> None:
+        """The replay is there."""
+        self._playback = hello["playback"]
+        self._at_s = self._playback["t_s"]
+        if self._is_greeted:
+            return
+        self._is_greeted = True
+        said = {
+            "type": "hello",
+            "version": __version__,
+            "client": self._client,
+            "name": self._viewer.name,
+            "kind": self._caller.kind,
+            "number": 1,
+            "role": self._caller.role.name,
+            "has_control": False,
+            "server_time_s": self._at_s,
+            "topics": TOPICS,
+            "flight": hello["flight"],
+            "starts_s": hello["starts_s"],
+            "duration_s": hello["duration_s"],
+            "status": self._whole(hello["status"]),
+        }
+        self._viewer.greet(orjson.dumps(said))
+        self._hub.add(self._viewer)
+        self._replay.notice("want", rate_hz=self._viewer.rate_hz)
+        for name, arguments in self._early:
+            self._replay.notice(name, **arguments)
+
+    def on_sample(self, sample: Named) -> None:
+        """A sample of the moment that is shown."""
+        newest_s = sample.t_s if self._is_elsewhere else self._hub.state.newest_s
+        self._is_elsewhere = False
+        self._hub.state.put(sample.name, sample.t_s, sample.text)
+        # A batch's time goes back only where the replay went elsewhere.
+        self._hub.state.newest_s = max(newest_s, sample.t_s)
+        self._untold += 1
+
+    def on_samples_end(self) -> None:
+        """A group of samples is complete."""
+        self._tell_jump()
+        self._hub.flush()
+        self._tell_taken()
+
+    def on_event(self, event: Named) -> None:
+        """Something that happened at that moment of the flight."""
+        self._hub.send_event(event.text)
+
+    def on_status(self, status: dict[str, Any]) -> None:
+        """The state of the flight at that moment."""
+        self._tell_jump()
+        self._hub.status(orjson.dumps({"type": "status", "data": self._whole(status)}))
+
+    def on_playback(self, playback: dict[str, Any]) -> None:
+        """Where the replay is; after a jump all samples before it are of another moment."""
+        self._at_s = playback["t_s"]
+        text = orjson.dumps({"type": "playback", **playback})
+        if playback["jumps"] != self._playback.get("jumps"):
+            self._hub.state.clear()
+            self._hub.state.newest_s = self._at_s
+            self._is_elsewhere = True
+            self._untold = 0
+            # Sent with the samples of the new moment, which follow: no batch lies between.
+            self._jump = text
+        else:
+            self._tell_jump()
+            self._hub.send_event(text)
+        self._playback = playback
+
+    def on_lost(self, *, ended: bool) -> None:
+        """The replay has gone; `_run` says why."""
+
+    async def _run(self) -> None:
+        words = await self._replay.run(self)
+        sentence = words.rpartition("\n")[2].removeprefix("epf-replay: ") or "The replay ended unexpectedly."
+        self._tell_error("recording_unreadable", sentence)
+        await asyncio.sleep(0)
+        self._connection.end("the replay has ended")
+
+    def _take(self, text: str) -> str | None:
+        """Handle a message; a sentence if it was not valid."""
+        try:
+            message: Any = orjson.loads(text)
+        except orjson.JSONDecodeError:
+            return 'A message on the stream was not JSON: send {"type": "ack", "seq": n}, a rate or what to play.'
+        match message:
+            case {"type": "ack", "seq": int(seq)} if self._viewer.acknowledge(seq):
+                if self._viewer.waiting:
+                    self._hub.serve(self._viewer)
+                    self._loop.call_soon(self._tell_taken)
+                return None
+            case {"type": "ack"}:
+                return "An acknowledgement named a batch that is not under way: send the seq of a batch."
+            case {"type": "rate", "rate": int(rate)} if 0 <= rate <= MAX_RATE_HZ:
+                if self._is_greeted:
+                    self._hub.change_rate(self._viewer, rate)
+                self._viewer.rate_hz = rate
+                return self._tell("want", rate_hz=rate)
+            case {"type": "rate"}:
+                return RATE_SENTENCE
+            case _:
+                return self._take_wish(message)
+
+    def _take_wish(self, message: Any) -> str | None:
+        match message:
+            case {"type": "play", "rate": int() | float() as rate} if rate > 0:
+                return self._tell("play", rate=rate)
+            case {"type": "play"} if "rate" not in message:
+                return self._tell("play", rate=1.0)
+            case {"type": "pause"}:
+                return self._tell("pause")
+            case {"type": "seek", "at_s": int() | float() as at_s}:
+                return self._tell("seek", at_s=at_s)
+            case {"type": "step", "frames": 1 | -1 as frames}:
+                return self._tell("step", frames=frames)
+            case {"type": "loop", "from_s": int() | float() as from_s, "to_s": int() | float() as to_s}:
+                return self._tell("loop", from_s=from_s, to_s=to_s)
+            case {"type": "loop"} if "from_s" not in message and "to_s" not in message:
+                return self._tell("loop")
+            case {"type": "ask", "about": "inspector" | "known" as about}:
+                return self._ask(about)
+            case {"type": "stick"}:
+                return "This is a recording: nothing can be flown or commanded in it."
+            case _:
+                return (
+                    "A message has no known type: send ack, rate, play, pause, seek {at_s}, step {frames}, loop or "
+                    "ask {about}."
+                )
+
+    def _tell(self, name: str, **arguments: Any) -> str | None:
+        """Pass a wish on to the replay; what is said before it is there, waits for it. Returns no fault."""
+        if self._is_greeted:
+            self._replay.notice(name, **arguments)
+        elif len(self._early) < _MOST_EARLY:
+            self._early.append((name, arguments))
+        return None
+
+    def _ask(self, about: str) -> str | None:
+        """Answer about the moment that is shown; a sentence if too many questions are open."""
+        if len(self._asked) >= _MOST_ASKED:
+            return f"{_MOST_ASKED} questions are unanswered: wait for an answer before you ask again."
+        if self._is_greeted:
+            task = self._loop.create_task(self._answer(about), name=f"answer about {about}")
+            self._asked.add(task)
+            task.add_done_callback(self._asked.discard)
+        return None
+
+    async def _answer(self, about: str) -> None:
+        # A replay that has gone says so itself.
+        with contextlib.suppress(GatewayError):
+            data = await self._replay.request(about)
+            self._viewer.offer_event(orjson.dumps({"type": "answer", "about": about, "data": data}))
+            self._hub.serve(self._viewer)
+
+    def _tell_taken(self) -> None:
+        """A viewer of every sample has been sent all there is: the replay may go on."""
+        if self._untold and not self._viewer.rate_hz and not self._viewer.waiting and not self._viewer.queued:
+            self._replay.notice("taken", count=self._untold)
+            self._untold = 0
+
+    def _tell_jump(self) -> None:
+        if self._jump is not None:
+            self._viewer.offer_event(self._jump)
+            self._jump = None
+            self._hub.serve(self._viewer)
+
+    def _tell_error(self, code: str, detail: str) -> None:
+        data = {"code": code, "detail": detail, "params": {}, "count": 1}
+        text = self._hub.event_text("error", data)
+        if self._is_greeted:
+            self._viewer.offer_event(text)
+            self._hub.serve(self._viewer)
+        else:
+            with contextlib.suppress(OSError):
+                self._connection.send([text])
+
+    def _whole(self, status: dict[str, Any]) -> dict[str, Any]:
+        whole = {**status, "version": __version__, "control": NOBODY_STATE, "surroundings": NOTHING_SEEN, "viewers": 1}
+        return {**whole, "playback": self._playback}

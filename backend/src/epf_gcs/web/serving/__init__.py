@@ -1,0 +1,1 @@
+"""HTTP: connections, TLS on the same port, the guard of each request, the page's files."""

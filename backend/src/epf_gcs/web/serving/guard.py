@@ -1,0 +1,328 @@
+"""Checks of each request (Host, Origin, who asks, length of the body), and the security headers of the answers.
+
+Who asks is found before the request is routed, and held against the table of access: what is not in it is refused.
+"""
+
+from __future__ import annotations
+
+import ipaddress
+from collections import Counter
+from collections.abc import Iterable, Mapping, MutableMapping
+from http import HTTPStatus
+from types import MappingProxyType
+from typing import Any, Final
+from urllib.parse import urlsplit
+
+import structlog
+from starlette.datastructures import Headers, MutableHeaders
+from starlette.types import ASGIApp, Message, Receive, Scope, Send
+
+from epf_gcs.access.admission import Admission
+from epf_gcs.access.caller import Caller, Peer, Shown
+from epf_gcs.access.limits import CallerLimits
+from epf_gcs.access.roles import OPEN, Role
+from epf_gcs.error_log import ErrorLog
+from epf_gcs.errors import (
+    ConflictError,
+    GatewayError,
+    InvalidInputError,
+    NotAdmittedError,
+    RoleError,
+    TooManyError,
+)
+from epf_gcs.web.serving.access_table import API, Entry, Gate
+from epf_gcs.web.serving.problems import problem_of, problem_response
+from epf_gcs.web.serving.uploads import Uploads
+
+_READING: Final = frozenset({"GET", "HEAD", "OPTIONS"})
+_CONTENT_POLICY: Final = (
+    "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; img-src 'self' data: blob:; "
+    "worker-src 'self' blob:; object-src 'none'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'"
+)
+# Swagger UI writes style attributes into its markup.
+_DOCS_CONTENT_POLICY: Final = _CONTENT_POLICY.replace("style-src 'self'", "style-src 'self' 'unsafe-inline'")
+_DOCS_PATH: Final = "/api/docs"
+_MOST_SAID: Final = 400
+_OF_GOOGLE_EARTH: Final = (".kml", ".kmz", ".dae")
+
+log = structlog.get_logger("gateway")
+
+
+class Access:
+    """Rules for the header Host (the server's name in the URL) and Origin (the page that makes the request).
+
+    The Host check stops DNS rebinding: a page whose own domain resolves to this machine. The Origin check stops
+    requests from pages of other servers. Programs other than browsers send no Origin and are accepted.
+    """
+
+    def __init__(self, hosts: Iterable[str], origins: Iterable[str]) -> None:
+        self._hosts = frozenset(host.lower() for host in hosts) | {"localhost"}
+        self._origins = frozenset(origins)
+
+    def check_host(self, host: str | None) -> None:
+        """Raise GatewayError if Host is not one of this server's names, InvalidInputError if it is no name at all."""
+        try:
+            name = urlsplit(f"//{host or ''}").hostname or ""
+        except ValueError as error:
+            raise InvalidInputError(
+                "invalid_request", "The header 'Host' is no name of a server: correct it.", field="Host"
+            ) from error
+        if name not in self._hosts and not _is_number(name):
+            raise GatewayError(
+                "foreign_host",
+                f"This station does not answer to the name '{name}': use its number, or allow the name by "
+                "GCS_ALLOWED_HOSTS.",
+                host=name,
+            )
+
+    def check_origin(self, origin: str | None, host: str | None) -> None:
+        """Raise GatewayError if the request comes from another server's page."""
+        if origin is None or origin in self._origins:
+            return
+        try:
+            parts = urlsplit(origin)
+        except ValueError:
+            parts = urlsplit("")
+        if parts.scheme in ("http", "https") and parts.netloc.lower() == (host or "").lower():
+            return
+        raise GatewayError(
+            "foreign_origin",
+            f"The page {origin} may not command this station: open the station's own page.",
+            origin=origin[:200],
+        )
+
+
+class Guard:
+    """ASGI middleware around all HTTP requests."""
+
+    def __init__(
+        self,
+        app: ASGIApp,
+        access: Access,
+        admission: Admission,
+        gate: Gate,
+        limits: CallerLimits,
+        errors: ErrorLog,
+        max_body_bytes: int,
+        longer_bodies: Mapping[str, int] = MappingProxyType({}),
+        streamed_bodies: frozenset[str] = frozenset(),
+        answers: Counter[int] | None = None,
+    ) -> None:
+        """`longer_bodies`: path -> largest body in bytes, for routes that take files. `streamed_bodies`: paths whose
+        routes read the body themselves and limit it. `answers`: counts the answers of each status."""
+        self._app = app
+        self._access = access
+        self._admission = admission
+        self._gate = gate
+        self._limits = limits
+        self._errors = errors
+        self._max_body_bytes = max_body_bytes
+        self._longer_bodies = longer_bodies
+        self._streamed_bodies = streamed_bodies
+        self._uploads = Uploads()
+        self._answers: Counter[int] = Counter() if answers is None else answers
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """Check the request, then pass it on."""
+        if scope["type"] != "http":
+            await self._app(scope, receive, send)
+            return
+        path: str = scope["path"]
+        started = False
+
+        async def send_guarded(message: Message) -> None:
+            nonlocal started
+            if message["type"] == "http.response.start":
+                started = True
+                self._answers[message["status"]] += 1
+                _add_headers(message, path)
+            await send(message)
+
+        try:
+            await self._check_and_hand_on(scope, receive, send_guarded)
+        except _Ended:
+            return  # the server closes the connection of an answer that is not whole
+        except Exception as error:
+            log.exception("a request failed", method=scope["method"], path=path)
+            if started:
+                raise
+            fault = GatewayError(
+                "internal",
+                f"{scope['method']} {path} failed inside the station ({type(error).__name__}): see its log.",
+            )
+            await self._refuse(HTTPStatus.INTERNAL_SERVER_ERROR, fault, scope, receive, send_guarded)
+
+    async def _check_and_hand_on(self, scope: Scope, receive: Receive, send: Send) -> None:
+        headers = Headers(scope=scope)
+        reading = scope["method"] in _READING
+        try:
+            self._access.check_host(headers.get("host"))
+            if not reading:
+                self._access.check_origin(headers.get("origin"), headers.get("host"))
+            caller, entry = await self._admit(scope)
+        except InvalidInputError as error:
+            await self._refuse(HTTPStatus.BAD_REQUEST, error, scope, receive, send)
+            return
+        except (NotAdmittedError, TooManyError) as error:
+            await self._turn_away(error, scope, receive, send)
+            return
+        except GatewayError as error:
+            await self._refuse(HTTPStatus.FORBIDDEN, error, scope, receive, send)
+            return
+        if reading:
+            await self._app(scope, receive, send if caller is None else self._while_admitted(caller, send))
+            return
+        if entry is not None and entry.deed is not None and caller is not None:
+            deed = _Deed(self._admission, caller, entry.deed, scope, send)
+            send = deed.send
+        else:
+            deed = None
+        if scope["path"] in self._streamed_bodies:
+            await self._stream(caller, scope, receive, send)
+            return
+        most_bytes = self._longer_bodies.get(scope["path"], self._max_body_bytes)
+        body = await _read_body(receive, most_bytes)
+        if body is None:
+            too_large = GatewayError(
+                "body_too_large", f"The body is longer than {most_bytes} bytes: send less.", limit=most_bytes
+            )
+            await self._refuse(HTTPStatus.REQUEST_ENTITY_TOO_LARGE, too_large, scope, receive, send)
+            return
+        if deed is not None:
+            deed.body = body
+        await self._app(scope, _replay(body, receive), send)
+
+    async def _admit(self, scope: Scope) -> tuple[Caller | None, Entry | None]:
+        """Who asks, and the row of the table. Raises NotAdmittedError, RoleError, TooManyError."""
+        state = scope.setdefault("state", {})
+        shown = Shown.of(scope["headers"], state.get("peer") or Peer(scope.get("client"), scope.get("server")))
+        caller = self._admission.resolve(shown)
+        if caller is None and shown.authorization is not None:
+            caller = await self._admission.prove(shown)
+        entry = self._gate.entry(scope["method"], scope["path"])
+        least = Role.viewer if entry is None else entry.least
+        if least != OPEN:
+            admitted(caller, least)
+        self._limits.request(caller, shown.peer.host)
+        state["caller"] = caller
+        state["shown"] = shown
+        return caller, entry
+
+    def _while_admitted(self, caller: Caller, send: Send) -> Send:
+        """A long answer ends in the middle once its session has ended."""
+
+        async def send_on(message: Message) -> None:
+            if self._admission.current(caller.session) is None:
+                raise _Ended
+            await send(message)
+
+        return send_on
+
+    async def _stream(self, caller: Caller | None, scope: Scope, receive: Receive, send: Send) -> None:
+        async def counted() -> Message:
+            message = await receive()
+            if caller is not None:
+                self._limits.upload(caller, len(message.get("body", b"")))
+            return message
+
+        try:
+            with self._uploads.one_more(scope["client"][0] if scope.get("client") else ""):
+                await self._app(scope, counted, send)
+        except ConflictError as error:
+            await self._refuse(HTTPStatus.CONFLICT, error, scope, receive, send)
+
+    async def _turn_away(self, error: GatewayError, scope: Scope, receive: Receive, send: Send) -> None:
+        self._errors.count(error.code)
+        answer = problem_of(error)
+        if isinstance(error, NotAdmittedError) and scope["path"].endswith(_OF_GOOGLE_EARTH):
+            # It asks its user for a password when it is told so, and sends the key no other way.
+            answer.headers["WWW-Authenticate"] = 'Basic realm="EPF GCS", charset="UTF-8"'
+        await answer(scope, receive, send)
+
+    async def _refuse(
+        self, status: HTTPStatus, error: GatewayError, scope: Scope, receive: Receive, send: Send
+    ) -> None:
+        self._errors.count(error.code)
+        await problem_response(status, error.code, error.detail, error.params)(scope, receive, send)
+
+
+def admitted(caller: Caller | None, least: int) -> Caller:
+    """The caller, if the role suffices. Raises NotAdmittedError for a stranger, RoleError if the role is too low."""
+    if caller is None:
+        raise NotAdmittedError(
+            "not_admitted", "This station answers only to those who were let in: enter a key, or ask to be let in."
+        )
+    if caller.role < least:
+        needed = Role(least).name
+        raise RoleError(
+            "role_too_low",
+            f"This needs the role '{needed}', and you are '{caller.role.name}': ask an owner of this station.",
+            least=needed,
+            role=caller.role.name,
+        )
+    return caller
+
+
+class _Ended(Exception):  # noqa: N818 - nothing failed
+    """The session ended while its answer was being sent."""
+
+
+class _Deed:
+    """Notes a request in the log of people's deeds as soon as its answer begins."""
+
+    def __init__(self, admission: Admission, caller: Caller, name: str, scope: Scope, send: Send) -> None:
+        self._admission = admission
+        self._caller = caller
+        self._name = name
+        self._what = f"{scope['method']} {scope['path'].removeprefix(API)}"
+        self._address = scope["client"][0] if scope.get("client") else ""
+        self._send = send
+        self.body = b""
+
+    async def send(self, message: Message) -> None:
+        """Pass the answer on."""
+        if message["type"] == "http.response.start":
+            what = f"{self._what} {self.body[:_MOST_SAID].decode('utf-8', 'replace')}".rstrip()
+            self._admission.log.note(self._caller, self._address, self._name, what, str(message["status"]))
+        await self._send(message)
+
+
+async def _read_body(receive: Receive, most_bytes: int) -> bytes | None:
+    """The whole body; None if it is too long. Bodies here are small, so each is read before its route runs."""
+    body = bytearray()
+    while True:
+        message = await receive()
+        body += message.get("body", b"")
+        if len(body) > most_bytes:
+            return None
+        if message["type"] != "http.request" or not message.get("more_body", False):
+            return bytes(body)
+
+
+def _replay(body: bytes, receive: Receive) -> Receive:
+    pending: list[MutableMapping[str, Any]] = [{"type": "http.request", "body": body, "more_body": False}]
+
+    async def replay() -> Message:
+        return pending.pop() if pending else await receive()
+
+    return replay
+
+
+def _add_headers(message: Message, path: str) -> None:
+    headers = MutableHeaders(scope=message)
+    # A route whose page has a style of its own says a stricter policy with that style's hash.
+    headers.setdefault("Content-Security-Policy", _DOCS_CONTENT_POLICY if path == _DOCS_PATH else _CONTENT_POLICY)
+    headers["X-Content-Type-Options"] = "nosniff"
+    headers["Referrer-Policy"] = "no-referrer"
+    headers["Cross-Origin-Resource-Policy"] = "same-origin"
+    headers["Cross-Origin-Opener-Policy"] = "same-origin"
+    if path.startswith("/api/v1/"):
+        headers.setdefault("Cache-Control", "no-store")
+
+
+def _is_number(name: str) -> bool:
+    try:
+        ipaddress.ip_address(name)
+    except ValueError:
+        return False
+    return True

@@ -1,0 +1,1 @@
+"""Programs that run beside the station: how they are started, asked and ended."""

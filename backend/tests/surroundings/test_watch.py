@@ -1,0 +1,144 @@
+"""Both aircraft watched: what the flight process is told, and what the status says."""
+
+from __future__ import annotations
+
+import asyncio
+import math
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from epf_gcs.formats.quantized_mesh_reading import SIDE
+from epf_gcs.maps.layer import Bounds, Description, Layer
+from epf_gcs.surroundings.kept import OFF, KeptSurroundings
+from epf_gcs.surroundings.watch import Surroundings
+
+FIELD = Description("field", "terrain", Bounds(-16, 27, -15, 29), 0, 6, "")
+
+
+class FlatTiles:
+    """Ground at 400 m everywhere in the layer."""
+
+    async def terrain_layers(self) -> list[Layer]:
+        return [Layer("field", "field", "mbtiles", FIELD, 1)]
+
+    async def grid(self, layer_id: str, zoom: int, column: int, row: int) -> bytes | None:
+        del layer_id, zoom, column, row
+        return np.full((SIDE, SIDE), 400.0, dtype="<f4").tobytes()
+
+
+class Mirror:
+    """The newest values of each topic, and whether they are live."""
+
+    def __init__(self) -> None:
+        self.topics: dict[str, tuple[float, dict[str, Any]]] = {}
+        self.live: set[str] = set()
+
+    def newest(self, topic: str) -> dict[str, Any] | None:
+        return self.topics[topic][1] if topic in self.topics else None
+
+    def newest_at_s(self, topic: str) -> float | None:
+        return self.topics[topic][0] if topic in self.topics else None
+
+    def is_live(self, topic: str) -> bool:
+        return topic in self.live
+
+    def gps(self, t_s: float, altitude_m: float, *, valid: bool = True) -> None:
+        east_deg = -15.5 + 30.0 * t_s / 111_195.0 / math.cos(math.radians(28.0))
+        values = {"valid": valid, "fix": 3, "latitude_deg": 28.0, "longitude_deg": east_deg, "altitude_m": altitude_m}
+        self.topics["gps"] = (t_s, {**values, "speed_kt": 58.3, "heading_deg": 90.0})
+        self.live.add("gps")
+
+
+class Station:
+    """A watch with its clock, its notices, and a flight towards lower and lower ground clearance."""
+
+    def __init__(self, folder: Path) -> None:
+        self.mirror, self.now_s = Mirror(), 0.0
+        self.told: list[list[dict[str, Any]]] = []
+        self.watch = Surroundings(
+            self.mirror,
+            FlatTiles(),
+            KeptSurroundings(folder),
+            lambda: self.now_s,
+            lambda name, findings: self.told.append(findings) if name == "surroundings" else None,
+        )
+
+    async def fly(self, until_s: float, altitude_m: float, climb_mps: float = 0.0) -> None:
+        while self.now_s < until_s:
+            self.now_s += 0.2
+            self.mirror.gps(self.now_s, altitude_m + climb_mps * self.now_s)
+            self.watch.gather()
+            self.watch.look()
+            await asyncio.sleep(0)
+
+    def flight(self) -> dict[str, Any]:
+        found: dict[str, Any] = self.watch.state()["flight"]
+        return found
+
+
+async def run(station: Station) -> asyncio.Task[None]:
+    """Begin to look for heights, and wait until the layer is known."""
+    running = asyncio.create_task(station.watch.run())
+    async with asyncio.timeout(20):
+        while station.watch.state()["flight"]["ground_ft"] is None:
+            station.now_s += 0.2
+            station.mirror.gps(station.now_s, 1000.0)
+            station.watch.gather()
+            station.watch.look()
+            await asyncio.sleep(0.01)
+    return running
+
+
+def test_height_is_shown_to_all_and_nothing_is_told_until_somebody_chooses(tmp_path: Path) -> None:
+    async def fly() -> None:
+        station = Station(tmp_path)
+        running = await run(station)
+        await station.fly(station.now_s + 20, 420.0)
+        assert abs(station.flight()["height_ft"] - 20 / 0.3048) < 0.5
+        assert station.flight()["terrain"] is None
+        assert station.told == []
+        running.cancel()
+
+    asyncio.run(fly())
+
+
+def test_a_chosen_warning_is_told_again_and_again_and_ends_when_it_is_switched_off(tmp_path: Path) -> None:
+    async def fly() -> None:
+        station = Station(tmp_path)
+        running = await run(station)
+        await station.watch.choose(OFF.model_copy(update={"terrain_on": True}))
+        # It was at 1,000 m: long enough for that to be forgotten.
+        await station.fly(station.now_s + 25, 700.0)
+        assert station.told[-1] == []
+        start_s = station.now_s
+        await station.fly(start_s + 25, 700.0 + 6.0 * start_s, climb_mps=-6.0)
+        assert [one["id"] for one in station.told[-1]] == ["terrain_ahead"]
+        assert station.told[-1][0]["aircraft"] == "flight"
+        assert station.flight()["terrain"]["what"] == "terrain"
+        assert len(station.flight()["path"]) > 5
+        await station.watch.choose(OFF)
+        assert station.told[-1] == []
+        assert station.flight()["terrain"] is None
+        running.cancel()
+
+    asyncio.run(fly())
+
+
+def test_without_a_valid_live_position_nothing_is_shown_or_told(tmp_path: Path) -> None:
+    async def fly() -> None:
+        station = Station(tmp_path)
+        running = await run(station)
+        await station.watch.choose(OFF.model_copy(update={"terrain_on": True}))
+        await station.fly(station.now_s + 10, 410.0)
+        assert station.told[-1] != []
+        station.mirror.gps(station.now_s + 0.1, 410.0, valid=False)
+        station.now_s += 1.5
+        station.watch.gather()
+        station.watch.look()
+        assert station.told[-1] == []
+        assert (station.flight()["blind"], station.flight()["height_ft"]) == ("no_position", None)
+        running.cancel()
+
+    asyncio.run(fly())
