@@ -40,7 +40,7 @@ class Desk:
     """The rules, and what followed from the last thing that happened."""
 
     def __init__(self, *pages: Page) -> None:
-        self.rules = Authority()
+        self.rules = Authority(by_silence=True)
         for page in pages:
             self.rules.connect(page, 0.0)
 
@@ -74,10 +74,26 @@ def test_the_first_page_that_may_command_gets_control_and_the_second_watches() -
     desk = Desk()
     assert reasons(desk.rules.connect(ANA, 0.0)) == [("ana", "first")]
     assert desk.rules.connect(BEA, 0.0) == []
-    desk.rules.check("ana")
-    error = refused(lambda: desk.rules.check("bea"), "control_held")
+    desk.rules.check("ana", ANA.session)
+    error = refused(lambda: desk.rules.check("bea", BEA.session), "control_held")
     assert error.params == {"client": "ana", "name": "Ana"}
-    refused(lambda: desk.rules.check(None), "control_held")
+    refused(lambda: desk.rules.check(None, BEA.session), "control_held")
+
+
+def test_an_operator_who_uses_the_id_of_the_holder_from_another_session_may_not_command() -> None:
+    refused(lambda: Desk(ANA, BEA).rules.check("ana", BEA.session), "control_held")
+
+
+def test_a_request_that_the_holder_does_not_answer_waits_unless_the_owner_chose_that_silence_grants_it() -> None:
+    desk = Desk(ANA, BEA)
+    desk.rules = Authority()
+    desk.rules.connect(ANA, 0.0)
+    desk.rules.connect(BEA, 0.0)
+    desk.rules.ask("bea", 1.0)
+    assert desk.rules.given_s("bea") is None
+    assert desk.rules.tick(10_000.0) == []
+    assert desk.holder == "ana"
+    assert reasons(desk.rules.grant("ana", "bea", 10_001.0)) == [("bea", "granted")]
 
 
 def test_a_viewer_never_has_control_however_it_tries() -> None:
@@ -91,8 +107,8 @@ def test_a_viewer_never_has_control_however_it_tries() -> None:
 
 
 def test_while_nobody_has_control_whoever_may_command_does() -> None:
-    Desk().rules.check(None)
-    Desk(EVE).rules.check("eve")
+    Desk().rules.check(None, BEA.session)
+    Desk(EVE).rules.check("eve", EVE.session)
 
 
 def test_free_control_goes_to_a_page_of_this_computer_at_once_but_to_others_only_where_nobody_else_could_have_it() -> (
@@ -276,7 +292,7 @@ def test_a_lost_holders_control_is_free_at_once_the_stick_first_and_is_kept_for_
     lose = desk.rules.disconnect if how == "lost" else desk.rules.silent
     assert lose("ana", 2.0) == [StickLost("ana"), HolderChanged(None, how, ANA)]  # type: ignore[arg-type]
     assert desk.rules.kept_for == ANA
-    desk.rules.check(None)
+    desk.rules.check(None, BEA.session)
     assert desk.rules.tick(2.0 + KEPT_S - 0.01) == []
     back = desk.rules.connect(ANA, 6.0) if how == "lost" else desk.rules.heard("ana", 6.0)
     assert reasons(back) == [("ana", "back")]

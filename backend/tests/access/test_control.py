@@ -74,7 +74,7 @@ def test_asking_is_shown_to_all_and_granting_gives(gateway: Gateway, opened: Ope
     for one in (ana, eve):
         asked = one.event("control_request")
         assert (asked["client"], asked["role"]) == (bea.client, "operator")
-        assert asked["given_at_s"] >= asked["since_s"] + 10.0
+        assert asked["given_at_s"] is None, "the holder decides"
     assert gateway.status()["control"]["requests"][0]["client"] == bea.client
     answer = ana.act("grant", to=bea.client).json()
     assert (answer["client"], answer["requests"]) == (bea.client, [])
@@ -236,18 +236,3 @@ def test_samples_of_a_stick_without_control_do_not_reach_the_flight(gateway: Gat
         lambda: gateway.status()["hil"]["stick"]["samples"] == {"taken": 1, "not_operator": 5}, "each is counted"
     )
     assert gateway.flight.stick.counts == {"taken": 1}
-
-
-def test_a_moved_stick_puts_off_who_asks_and_one_that_lies_still_does_not(gateway: Gateway, opened: Open) -> None:
-    ana, bea = opened("ana"), opened("bea")
-    sample = {"type": "stick", "elevator": 0.5, "aileron": 0, "rudder": 0, "throttle": 1}
-
-    def given_at_s(elevator: float, samples: int) -> float:
-        ana.send({**sample, "elevator": elevator, "t_ms": samples})
-        eventually(lambda: gateway.status()["hil"]["stick"]["samples"] == {"taken": samples}, "it is taken")
-        return float(gateway.http.get("/control").json()["requests"][0]["given_at_s"])
-
-    bea.act("ask")
-    first = given_at_s(0.5, 1)
-    assert given_at_s(0.51, 2) == pytest.approx(first, abs=0.001), "a worn gamepad is no pilot"
-    assert given_at_s(0.6, 3) > first + 0.001

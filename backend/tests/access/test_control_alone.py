@@ -58,7 +58,7 @@ class Desk:
         self.loop = Loop()
         self.notices: list[dict[str, Any]] = []
         self.events: list[tuple[str, dict[str, Any]]] = []
-        self.control = Control(self.loop, self.clock, self)  # type: ignore[arg-type]
+        self.control = Control(self.loop, self.clock, self, by_silence=True)  # type: ignore[arg-type]
         self.lines: dict[str, Line] = {}
 
     def event(self, kind: str, data: dict[str, Any]) -> None:
@@ -171,7 +171,7 @@ def test_a_hand_that_has_just_got_control_moves_with_its_first_sample(desk: Desk
 
 def test_an_id_comes_back_to_its_own_session_where_its_stream_is_gone_or_silent(desk: Desk) -> None:
     control = desk.control
-    assert control.client_for("new", ANA) == "new"
+    assert control.client_for("new", ANA) != "new", "an id that nobody has had is not one to wish for"
     for wished, caller in ((None, ANA), ("a", BEA), ("a", ANA)):
         assert control.client_for(wished, caller) not in ("a", "b", None), "another's, or a twin's"
     assert desk.lines["a"].dropped == 0
@@ -184,6 +184,25 @@ def test_an_id_comes_back_to_its_own_session_where_its_stream_is_gone_or_silent(
     control.disconnect("b", desk.lines["b"])
     assert control.client_for("b", ANA) != "b"
     assert control.client_for("b", BEA) == "b"
+
+
+def test_an_operator_cannot_command_by_the_id_of_the_holder_however_many_streams_came_and_went(desk: Desk) -> None:
+    """The station remembers whose 2,000 ids are; whoever opened more streams could make it forget the holder's."""
+    viewer = person("eve", Role.viewer)
+    for number in range(2_100):
+        client = f"{number:016x}"
+        line = Line()
+        desk.control.connect(client, viewer, "", line)
+        desk.control.disconnect(client, line)
+    assert desk.control.holder is not None
+    assert desk.control.holder.client == "a"
+    with pytest.raises(GatewayError) as caught:
+        desk.control.command(BEA, "a")
+    assert caught.value.code == "client_not_yours"
+    assert desk.control.command(ANA, "a").client == "a", "whose stream is open is not forgotten"
+    with pytest.raises(GatewayError) as caught:
+        desk.control.own(BEA, f"{0:016x}")
+    assert caught.value.code == "client_not_yours", "an id that was forgotten is nobody's"
 
 
 def test_the_end_of_an_earlier_stream_ends_nothing_of_the_one_that_took_its_place(desk: Desk) -> None:

@@ -67,7 +67,7 @@ class Walk:
     """One walk. `rules` are those that it walks through."""
 
     def __init__(self, seed: int, rules: Authority | None = None) -> None:
-        self.rules = rules or Authority()
+        self.rules = rules or Authority(by_silence=True)
         self.flight = Flight()
         self.refusals: Counter[str] = Counter()
         self.ways_back = 0

@@ -275,10 +275,11 @@ export const isStreamPage = shape({
 });
 export type StreamPage = Checked<typeof isStreamPage>;
 
-/** Somebody asks for control since then; it is given by time alone if the holder does nothing until `given_at_s`. */
+/** Somebody asks for control since then. `given_at_s`: when it is given by time alone if the holder does nothing
+ * until then; null: only the holder or an owner gives it. */
 export const isControlRequest = shape({
   client: isText,
-  given_at_s: isNumber,
+  given_at_s: nullable(isNumber),
   kind: oneOf("local", "person", "program"),
   name: isText,
   number: isNumber,

@@ -33,7 +33,9 @@ REFUSED_S: Final = 10.0
 class Authority:
     """Holder, requests and who is there. Times of the arguments must not go back."""
 
-    def __init__(self) -> None:
+    def __init__(self, *, by_silence: bool = False) -> None:
+        """`by_silence`: a request that the holder leaves unanswered is granted after `UNANSWERED_S`; else it waits."""
+        self._by_silence = by_silence
         # In the order in which they came.
         self.pages: dict[str, Page] = {}
         self.holder: Page | None = None
@@ -58,8 +60,10 @@ class Authority:
         """Who has just lost control, and gets it back without asking."""
         return None if self.kept_until_s is None else self.last
 
-    def given_s(self, client: str) -> float:
-        """When this page's request is answered by time alone, unless the holder does something until then."""
+    def given_s(self, client: str) -> float | None:
+        """When this page's request is granted by time alone, unless the holder does something until then; None: never."""
+        if not self._by_silence:
+            return None
         return max(self.requests[client], self.since_s, self._did_s) + UNANSWERED_S
 
     def restore(self, page: Page, now_s: float) -> list[Effect]:
@@ -242,13 +246,18 @@ class Authority:
             if asker is not None and self.hung is not None:
                 self.silent_pages.add(self.hung)
                 self._lose("silent", now_s)
-            elif asker is not None and now_s >= self.given_s(asker.client):
-                self._give(asker, "unanswered", now_s)
+            elif asker is not None:
+                given_s = self.given_s(asker.client)
+                if given_s is not None and now_s >= given_s:
+                    self._give(asker, "unanswered", now_s)
         return self._done()
 
-    def check(self, client: str | None) -> None:
-        """Raise ConflictError unless this page may command now; without a page only while nobody has control."""
-        if self.holder is not None and self.holder.client != client:
+    def check(self, client: str | None, session: str) -> None:
+        """Raise ConflictError unless this page of this session may command now.
+
+        Without a page only while nobody has control. Ids are told to everybody, so the session decides.
+        """
+        if self.holder is not None and (self.holder.client, self.holder.session) != (client, session):
             raise refusals.held(self.holder)
 
     def _give(self, page: Page, reason: Reason, now_s: float) -> None:

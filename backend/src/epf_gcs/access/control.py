@@ -45,11 +45,14 @@ class Told(Protocol):
 class Control:
     """Owned by the event loop. A page is a live stream; its id is no secret, for it works only for its own session."""
 
-    def __init__(self, loop: asyncio.AbstractEventLoop, clock: Clock, told: Told) -> None:
+    def __init__(
+        self, loop: asyncio.AbstractEventLoop, clock: Clock, told: Told, *, by_silence: bool = False
+    ) -> None:
+        """`by_silence`: the owner chose that a request which the holder does not answer is granted by time alone."""
         self._loop = loop
         self._clock = clock
         self._told = told
-        self._rules = Authority()
+        self._rules = Authority(by_silence=by_silence)
         self._lines: dict[str, Line] = {}
         self._watches: dict[str, Watch] = {}
         self._called: dict[str, str] = {}
@@ -79,7 +82,7 @@ class Control:
 
         Of a stream that is silent its successor takes the place.
         """
-        if wished is None or self._sessions.get(wished, caller.session) != caller.session:
+        if wished is None or self._sessions.get(wished) != caller.session:
             return secrets.token_hex(8)
         line = self._lines.get(wished)
         if line is not None:
@@ -155,8 +158,8 @@ class Control:
         self._told.notice("control", client=page.client, name=page.name, about=about, kept=kept)
 
     def own(self, caller: Caller, client_id: str) -> str:
-        """The id, if it is of the caller's session. Raises NotYoursError."""
-        if self._sessions.get(client_id, caller.session) != caller.session:
+        """The id, if it is of the caller's session: an id that is not known is nobody's. Raises NotYoursError."""
+        if self._sessions.get(client_id) != caller.session:
             raise refusals.not_yours(client_id)
         return client_id
 
@@ -171,7 +174,7 @@ class Control:
         asker = self.asker(caller, client_id)
         if client_id in self._lines:
             self._did(client_id)
-        self._rules.check(client_id)
+        self._rules.check(client_id, caller.session)
         return asker
 
     def act(self, action: str, client_id: str, to: str, *, confirmed: bool) -> None:
@@ -227,11 +230,12 @@ class Control:
         return [{**fields(page), "role": page.role.name} for page in self._rules.pages.values()]
 
     def _request(self, page: Page) -> dict[str, Any]:
+        given_s = self._rules.given_s(page.client)
         return {
             **fields(page),
             "role": page.role.name,
             "since_s": self._unix(self._rules.requests[page.client]),
-            "given_at_s": self._unix(self._rules.given_s(page.client)),
+            "given_at_s": None if given_s is None else self._unix(given_s),
         }
 
     def _did(self, client_id: str) -> None:
@@ -242,7 +246,15 @@ class Control:
         self._sessions[client_id] = session
         self._sessions.move_to_end(client_id)
         if len(self._sessions) > _MOST_SESSIONS:
-            self._sessions.popitem(last=False)
+            self._drop_a_session()
+
+    def _drop_a_session(self) -> None:
+        """Forget whose the longest unused id is; never one with an open stream, or one that control is kept for."""
+        kept = None if self._rules.last is None else self._rules.last.client
+        for client_id in self._sessions:
+            if client_id not in self._lines and client_id != kept:
+                del self._sessions[client_id]
+                return
 
     def _forget(self, client_id: str) -> None:
         self._lines.pop(client_id, None)

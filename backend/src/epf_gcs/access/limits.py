@@ -98,9 +98,12 @@ class CallerLimits:
 
 
 def _remembered(those: OrderedDict[str, Allowance], key: str, per_s: float, at_once: float) -> Allowance:
+    """The allowance of a key. The longest unused is dropped, so that nobody's fresh one is renewed by others' coming."""
     allowance = those.get(key)
     if allowance is None:
         allowance = those[key] = Allowance(per_s, at_once)
         if len(those) > MOST_REMEMBERED:
             those.popitem(last=False)
+    else:
+        those.move_to_end(key)
     return allowance

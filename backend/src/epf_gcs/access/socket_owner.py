@@ -15,10 +15,10 @@ from struct import Struct
 from typing import Final, NamedTuple
 
 UNTOLD: Final = -1
-"""This system does not tell."""
+"""This system never tells: macOS and Windows."""
 NOBODY: Final = -2
-"""It does, and no process holds that end any more. The system calls such a socket root's, which must not open the door
-to whoever has just closed it."""
+"""Nobody known: no process holds that end any more (the system calls such a socket root's, which must not open the door
+to whoever has just closed it), or Linux could not be asked, as where no file descriptor is left."""
 
 _ESTABLISHED: Final = 1
 _TABLES: Final = Path("/proc/net")
@@ -90,14 +90,12 @@ def _in_table(connection: Connection, tables: Path = _TABLES) -> int:
     try:
         rows = (tables / ("tcp" if len(host) == 4 else "tcp6")).read_bytes().splitlines()[1:]
     except OSError:
-        return UNTOLD
-    is_told = False
+        return NOBODY
     for row in rows:
         fields = row.split()
-        is_told = is_told or fields[1].endswith(own) or fields[2].endswith(own)
         if fields[1] == wanted and fields[2].endswith(own) and int(fields[3], 16) == _ESTABLISHED:
             return int(fields[7])
-    return NOBODY if is_told else UNTOLD
+    return NOBODY
 
 
 def _packed(host: str) -> bytes:

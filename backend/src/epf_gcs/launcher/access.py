@@ -26,10 +26,13 @@ def new_launcher_key() -> str:
     return secrets.token_urlsafe(32)
 
 
-def access_arguments(*, trust_this_computer: bool | None, allow_anyone_to_fly: bool) -> list[str]:
+def access_arguments(
+    *, trust_this_computer: bool | None, allow_anyone_to_fly: bool, control_by_silence: bool = False
+) -> list[str]:
     """The options for `epf-gcs` and `epf-web`."""
     trust = {None: [], True: ["--trust-this-computer"], False: ["--no-trust-this-computer"]}
-    return [*trust[trust_this_computer], *(["--allow-anyone-to-fly"] if allow_anyone_to_fly else [])]
+    chosen = {"--allow-anyone-to-fly": allow_anyone_to_fly, "--control-by-silence": control_by_silence}
+    return [*trust[trust_this_computer], *(option for option, is_chosen in chosen.items() if is_chosen)]
 
 
 def invite_command(data: Path, host: str, port: int, *, tls: bool, more: Sequence[str] = ()) -> list[str]:

@@ -172,6 +172,15 @@ def run(
             help="Everybody on the network commands the aircraft without a key. The page says so in red.",
         ),
     ] = False,
+    control_by_silence: Annotated[
+        bool,
+        typer.Option(
+            "--control-by-silence",
+            show_envvar=False,
+            envvar="GCS_CONTROL_BY_SILENCE",
+            help="Gives control to a page that asks for it when the one that has it does not answer for 10 s.",
+        ),
+    ] = False,
     print_key: Annotated[
         bool,
         typer.Option(
@@ -234,7 +243,11 @@ def run(
     if is_refused_by_browsers(port):
         _say(f"Browsers refuse to open port {port}: choose another with --port, unless they come through a proxy.")
     encryption = tls_arguments(tls_cert, tls_key, tls=tls)
-    access = access_arguments(trust_this_computer=trust_this_computer, allow_anyone_to_fly=allow_anyone_to_fly)
+    access = access_arguments(
+        trust_this_computer=trust_this_computer,
+        allow_anyone_to_fly=allow_anyone_to_fly,
+        control_by_silence=control_by_silence,
+    )
     more = [*encryption, *access]
     port = listener.getsockname()[1]  # which may have been 0
     gateway = _gateway(listener, host, data_dir, page_dir, board, more, recording=recording, verbose=verbose)

@@ -24,7 +24,7 @@ from epf_gcs.web.serving.settings import Settings
 
 _GIVEN: Final = (
     *("host", "port", "data_dir", "page_dir", "fd", "watchdog", "again"),
-    *("trust_this_computer", "allow_anyone_to_fly", "tls", "tls_cert", "tls_key"),
+    *("trust_this_computer", "allow_anyone_to_fly", "control_by_silence", "tls", "tls_cert", "tls_key"),
 )
 
 
@@ -77,6 +77,9 @@ def _options() -> argparse.Namespace:
     )
     parser.add_argument(
         "--allow-anyone-to-fly", action="store_true", default=None, help="Nobody needs a key to command."
+    )
+    parser.add_argument(
+        "--control-by-silence", action="store_true", default=None, help="An unanswered request for control is granted."
     )
     parser.add_argument("--with-parent", action="store_true", help="End when standard input closes.")
     parser.add_argument("--verbose", action="store_true", help="Log more.")

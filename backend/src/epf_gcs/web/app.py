@@ -124,7 +124,7 @@ def create_app(settings: Settings, visitors: Visitors | None = None, certificate
 
     @contextlib.asynccontextmanager
     async def lifespan(app: FastAPI) -> AsyncIterator[dict[str, Any]]:
-        station = Station(settings.data_dir, errors, clock)
+        station = Station(settings.data_dir, errors, clock, control_by_silence=settings.control_by_silence)
         for name, part in station.parts.items():
             setattr(app.state, name, part)
         station.maps.online.consent = Consent(settings.local_maps)

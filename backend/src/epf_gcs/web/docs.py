@@ -58,8 +58,9 @@ the place of the simulator's rows 8 and 25. A sample is used for 0.3 s; without 
 then, and the throttle is closed after 2 s. The choice ends with that page's control.
 
 **Control**: one page at a time commands; `GET /control` says which. `POST /control` takes it while nobody has it, asks
-for it (events `control_request` and `control_request_closed`), grants, refuses, hands over and gives it back; an
-unanswered request is granted after 10 s in which the holder does nothing. A page that is closed or cut off loses
+for it (events `control_request` and `control_request_closed`), grants, refuses, hands over and gives it back. A
+request waits until the holder answers it, unless the station was started with `--control-by-silence`: then 10 s in
+which the holder does nothing grant it. A page that is closed or cut off loses
 control within a second, one that hangs after two, and gets it back if it returns while nobody else has it.
 
 **Recordings**: `/api/v1/stream?flight=ID&at_s=SECONDS` speaks the same of a recording, with `playback` messages beside;

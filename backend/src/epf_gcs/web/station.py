@@ -50,7 +50,7 @@ _STATUS_S: Final = 0.5
 class Station:
     """Constructed on the running loop. `parts` are what routes get by name (`deps.py`). Implements `control.Told`."""
 
-    def __init__(self, data_dir: Path, errors: ErrorLog, clock: Clock) -> None:
+    def __init__(self, data_dir: Path, errors: ErrorLog, clock: Clock, *, control_by_silence: bool = False) -> None:
         loop = asyncio.get_running_loop()
         self._errors = errors
         self._here = asyncio.Event()
@@ -59,7 +59,7 @@ class Station:
         errors.tell_viewers(self.clock.steady_s, self.hub.event)
         self.mirror = VehicleMirror(self.hub, self.clock, on_change=self._status_changed, on_here=self._vehicle_here)
         self.vehicle = StationEnd(data_dir, self.mirror)
-        self.control = Control(loop, self.clock, self)
+        self.control = Control(loop, self.clock, self, by_silence=control_by_silence)
         self.streams = OpenStreams(self.control)
         self.tracks = Tracks(self.mirror, self.hub.event, self.clock, data_dir / "track", errors.report)
         self.maps = Maps(data_dir, self.hub.event, self.clock, errors.report)

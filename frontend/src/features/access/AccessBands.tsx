@@ -81,7 +81,9 @@ function Request({ request }: { readonly request: ControlRequest }) {
       </Change>
       {/* Not part of what is read aloud each second. */}
       <span aria-hidden="true" className="app-control-left">
-        {t("control.givenIn", { seconds: left_s })}
+        {request.given_at_s === null
+          ? t("control.keptUntilAnswer")
+          : t("control.givenIn", { seconds: left_s })}
       </span>
     </div>
   );

@@ -22,7 +22,7 @@ function newest(station: Station): Asked {
   return asked;
 }
 
-function asking(client: string, name: string, given_at_s: number) {
+function asking(client: string, name: string, given_at_s: number | null) {
   return {
     client,
     name,
@@ -46,6 +46,16 @@ test("an operator asks whoever has control, sees the seconds that are left, and 
   expect(screen.getByText(/es tuyo en \d+ s/)).toBeTruthy();
   await user.click(screen.getByRole("button", { name: "Retirar" }));
   expect(newest(station).body).toEqual({ client: "c1", action: "withdraw" });
+});
+
+test("a request that only the holder answers shows no seconds on either page", async () => {
+  const station = await admitted("operator", heldBy("c2", "Luis"));
+  station.status(aStatus({ control: { ...heldBy("c2", "Luis"), requests: [asking("c1", "Ana", null)] } }));
+  expect(screen.getByText("Pedido: lo da quien lo tiene, o un dueño.")).toBeTruthy();
+  expect(screen.getByRole("button", { name: "Retirar" })).toBeTruthy();
+  station.status(aStatus({ control: { ...aStatus().control, requests: [asking("c2", "Luis", null)] } }));
+  const band = screen.getByRole("status", { name: "Peticiones de control" });
+  expect(band.textContent).toContain("Sigues teniéndolo hasta que contestes.");
 });
 
 test("only an owner takes control at once, after a question that names whom it hits", async () => {

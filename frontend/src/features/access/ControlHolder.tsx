@@ -53,14 +53,15 @@ export function ControlHolder({ blocked }: Props) {
   );
 }
 
-/** Asks whoever has control for it; while the request stands, with the seconds that the holder has left. */
+/** Asks whoever has control for it; while the request stands, with the seconds that the holder has left, if time grants it. */
 function Asking({ blocked }: Props) {
   const { t } = useTranslation();
-  const given_at_s = useConnection(
-    ({ status, client }) => status?.control.requests.find((one) => one.client === client)?.given_at_s ?? null,
+  const request = useConnection(({ status, client }) =>
+    status?.control.requests.find((one) => one.client === client),
   );
+  const given_at_s = request?.given_at_s ?? null;
   const left_s = useSecondsTo(given_at_s);
-  if (given_at_s === null) {
+  if (request === undefined) {
     return (
       <Change change={{ action: "ask" }} blocked={blocked}>
         {t("control.ask")}
@@ -69,7 +70,9 @@ function Asking({ blocked }: Props) {
   }
   return (
     <>
-      <p className="app-control-asked">{t("control.asked", { seconds: left_s })}</p>
+      <p className="app-control-asked">
+        {given_at_s === null ? t("control.askedWaits") : t("control.asked", { seconds: left_s })}
+      </p>
       <Change change={{ action: "withdraw" }} blocked={blocked}>
         {t("control.withdraw")}
       </Change>

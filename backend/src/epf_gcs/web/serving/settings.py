@@ -51,6 +51,10 @@ class Settings(BaseSettings):
     allow_anyone_to_fly: bool = Field(
         default=False, description="Lets everybody on the network command the aircraft without a key."
     )
+    control_by_silence: bool = Field(
+        default=False,
+        description="Gives control to a page that asks for it when the one that has it does not answer for 10 s.",
+    )
     launcher_key: SecretStr | None = Field(default=None, description="The key of the program that started this one.")
     max_body_bytes: int = Field(default=65536, ge=1024, description="Largest request body.")
 

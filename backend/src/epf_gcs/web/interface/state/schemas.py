@@ -149,7 +149,8 @@ class ControlReserved(Output):
 
 
 class ControlRequest(Output):
-    """Somebody asks for control since then; it is given by time alone if the holder does nothing until `given_at_s`."""
+    """Somebody asks for control since then. `given_at_s`: when it is given by time alone if the holder does nothing
+    until then; null: only the holder or an owner gives it."""
 
     client: str
     name: str
@@ -157,7 +158,7 @@ class ControlRequest(Output):
     number: int
     role: RoleName
     since_s: float
-    given_at_s: float
+    given_at_s: float | None
 
 
 class ControlState(Output):
