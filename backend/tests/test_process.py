@@ -169,6 +169,20 @@ def test_a_port_that_is_taken_ends_it_with_one_sentence(tmp_path: Path) -> None:
     assert "Traceback" not in program.said
 
 
+def test_a_second_station_on_the_same_folder_says_who_has_it_and_touches_nothing(tmp_path: Path) -> None:
+    whereabouts = tmp_path / "listening.json"
+    with gateway_process(tmp_path) as first:
+        first.wait_for_words(r"url=(http://\S+)")
+        before = whereabouts.read_bytes()
+        with gateway_process(tmp_path) as second:
+            assert second.process.wait(DEADLINE_S) == 1
+            assert "is in use by another epf-gcs (process" in second.said
+            assert "url=" not in second.said, "it never served anything of the folder"
+        assert whereabouts.read_bytes() == before
+        first.end()
+    assert not whereabouts.exists(), "who ends takes its address back"
+
+
 def run(*arguments: str) -> subprocess.CompletedProcess[str]:
     return subprocess.run(
         [sys.executable, "-m", "epf_gcs.launcher.gateway", *arguments],

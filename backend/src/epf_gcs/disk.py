@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import errno
 import os
+import stat
 import time
 from collections.abc import Callable
+from fnmatch import fnmatchcase
 from pathlib import Path
+from typing import BinaryIO
 
 
 def replace_file(path: Path, data: bytes, mode: int | None = None) -> None:
@@ -34,6 +38,30 @@ def set_aside(path: Path, unix_s: Callable[[], float] = time.time) -> Path:
     path.rename(kept)
     sync_folder(kept.parent)
     return kept
+
+
+def regular_files(folder: Path, pattern: str = "*") -> list[Path]:
+    """The files of a folder whose names match. A link leads out of it, a pipe or a device blocks whoever opens it: none
+    of them counts. Empty if the folder is not there or cannot be read."""
+    try:
+        with os.scandir(folder) as entries:
+            return [
+                folder / entry.name
+                for entry in entries
+                if fnmatchcase(entry.name, pattern) and entry.is_file(follow_symlinks=False)
+            ]
+    except OSError:
+        return []
+
+
+def open_regular(path: Path) -> BinaryIO:
+    """Open a file for reading and writing; raises OSError for a link, a pipe or a device, without waiting for one."""
+    descriptor = os.open(path, os.O_RDWR | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0))
+    file = os.fdopen(descriptor, "r+b")
+    if not stat.S_ISREG(os.fstat(descriptor).st_mode):
+        file.close()
+        raise OSError(errno.EINVAL, "not a regular file", str(path))
+    return file
 
 
 def _with_rights(mode: int) -> Callable[[str, int], int]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import random
+from collections import deque
 
 import pytest
 
@@ -24,6 +25,7 @@ class IdsWalk:
         self.desk = Desk()
         self.open: dict[str, tuple[Line, Caller]] = {}
         self.whose: dict[str, str] = {}
+        self.recent: deque[str] = deque(maxlen=40)
         self.commanded = self.refused = 0
 
     def step(self) -> None:
@@ -45,8 +47,7 @@ class IdsWalk:
             assert self.open[holder.client][1].session == holder.session, "who has control is there"
 
     def _some_id(self) -> str:
-        known = list(self.whose)[-40:]
-        return self.random.choice([*known, f"{self.random.getrandbits(64):016x}"])
+        return self.random.choice([*self.recent, f"{self.random.getrandbits(64):016x}"])
 
     def _come(self, caller: Caller) -> None:
         if len(self.open) > 20:
@@ -61,8 +62,8 @@ class IdsWalk:
         line.heard = self.random.randrange(1000)
         self.desk.control.connect(client, caller, "", line)
         self.open[client] = (line, caller)
-        self.whose.pop(client, None)
         self.whose[client] = caller.session
+        self.recent.append(client)
 
     def _go(self, client: str) -> None:
         line, _ = self.open.pop(client)

@@ -3,19 +3,20 @@
 from __future__ import annotations
 
 import os
+import stat
 import subprocess
 import sys
 from pathlib import Path
 
 import pytest
 
-from epf_gcs.data_folder.lock import DataFolder
+from epf_gcs.data_folder.lock import WEB, DataFolder, check_free, is_in_use
 from epf_gcs.errors import ConflictError
 
 HOLDER = """
 import sys
 from pathlib import Path
-from epf_gcs.data_folder.lock import DataFolder
+from epf_gcs.data_folder.lock import WEB, DataFolder, check_free, is_in_use
 folder = DataFolder(Path(sys.argv[1]))
 print("held", flush=True)
 sys.stdin.read()
@@ -44,6 +45,27 @@ def test_a_folder_that_is_not_there_is_made_and_can_be_had_again_after_the_end(t
         DataFolder(folder)
     with DataFolder(folder):
         assert (folder / ".lock").read_text() == f"{os.getpid()}\n"
+
+
+def test_our_own_folder_is_closed_to_all_others_from_then_on(tmp_path: Path) -> None:
+    folder = tmp_path / "data"
+    folder.mkdir()
+    folder.chmod(0o755)
+    with DataFolder(folder):
+        assert stat.S_IMODE(folder.stat().st_mode) == 0o700
+        assert stat.S_IMODE((folder / ".lock").stat().st_mode) == 0o600
+
+
+def test_a_web_process_alone_keeps_a_second_one_out_and_counts_as_a_station(tmp_path: Path) -> None:
+    with DataFolder(tmp_path, WEB):
+        with pytest.raises(ConflictError):
+            DataFolder(tmp_path, WEB)
+        assert is_in_use(tmp_path)
+        with pytest.raises(ConflictError):
+            check_free(tmp_path, patience_s=0.0)
+        with DataFolder(tmp_path):
+            """The flight process has a lock of its own."""
+    check_free(tmp_path, patience_s=0.0)
 
 
 def test_the_number_of_one_before_with_more_digits_leaves_nothing_behind(tmp_path: Path) -> None:

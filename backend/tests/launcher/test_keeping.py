@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import os
 import sqlite3
+import stat
 import tarfile
 from contextlib import closing
 from pathlib import Path
@@ -63,6 +65,17 @@ def test_what_comes_back_is_what_was_there_but_for_what_is_made_again(data: Path
     assert (other / "access.sqlite").stat().st_mode & 0o077 == 0, "keys stay private"
     with closing(sqlite3.connect(other / "access.sqlite")) as store:
         assert store.execute("select name from people").fetchall() == [("Ana",)]
+
+
+def test_a_backup_holds_private_keys_and_is_read_by_nobody_else_whatever_the_habit_of_the_shell(
+    data: Path, tmp_path: Path
+) -> None:
+    before = os.umask(0)
+    try:
+        backup(data, tmp_path / "station.tar", quiet)
+    finally:
+        os.umask(before)
+    assert stat.S_IMODE((tmp_path / "station.tar").stat().st_mode) == 0o600
 
 
 def test_a_database_in_the_middle_of_a_change_is_kept_as_it_was_before(data: Path, tmp_path: Path) -> None:

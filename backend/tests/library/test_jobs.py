@@ -18,6 +18,7 @@ from tests.support.programs import Program, children_of, gateway_process, socket
 from tests.support.waiting import eventually
 
 FLIGHT = "20260101T100000Z"
+SILENT = Path(__file__).parents[1] / "support" / "silent_packing"
 
 
 @pytest.fixture
@@ -91,14 +92,19 @@ def test_a_gateway_that_ends_ends_its_workers(large: Path) -> None:
     assert not is_alive(worker)
 
 
+@pytest.fixture
+def silent_packing(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Workers that pack say nothing, in all programs that are started from now on."""
+    monkeypatch.setenv("PYTHONPATH", os.pathsep.join(filter(None, (str(SILENT), os.environ.get("PYTHONPATH")))))
+
+
 def silent_worker(gateway: Program, data: Path) -> tuple[int, int]:
     """The web process of a gateway and a worker of it that says nothing, so that no broken pipe ends it."""
     port = gateway.wait_for_words(r"http://127\.0\.0\.1:(\d+)")
     eventually(lambda: bool(found(gateway.process.pid, "epf_gcs.web")), "the web process")
     (web,) = found(gateway.process.pid, "epf_gcs.web")
     (data / "recordings").mkdir(exist_ok=True)
-    # Whoever opens it waits for a writer that never comes.
-    os.mkfifo(data / "recordings" / f"{FLIGHT}.mcap")
+    (data / "recordings" / f"{FLIGHT}.mcap").write_bytes(opening("test", TOPICS))
     httpx.post(f"http://127.0.0.1:{port}/api/v1/flights/{FLIGHT}/index").raise_for_status()
     eventually(lambda: bool(found(web, "epf_gcs.flights pack")), "its worker")
     (worker,) = found(web, "epf_gcs.flights pack")
@@ -106,6 +112,7 @@ def silent_worker(gateway: Program, data: Path) -> tuple[int, int]:
     return web, worker
 
 
+@pytest.mark.usefixtures("silent_packing")
 def test_a_web_process_that_is_killed_leaves_no_worker_even_one_that_is_silent(tmp_path: Path) -> None:
     with gateway_process(tmp_path / "data") as gateway:
         web, worker = silent_worker(gateway, tmp_path / "data")
@@ -113,6 +120,7 @@ def test_a_web_process_that_is_killed_leaves_no_worker_even_one_that_is_silent(t
         eventually(lambda: not is_alive(worker), "the worker ends")
 
 
+@pytest.mark.usefixtures("silent_packing")
 def test_a_worker_does_not_hold_the_port_which_a_gateway_that_was_killed_has_to_let_go(tmp_path: Path) -> None:
     with gateway_process(tmp_path / "data") as gateway:
         _web, worker = silent_worker(gateway, tmp_path / "data")

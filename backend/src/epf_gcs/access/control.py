@@ -45,9 +45,7 @@ class Told(Protocol):
 class Control:
     """Owned by the event loop. A page is a live stream; its id is no secret, for it works only for its own session."""
 
-    def __init__(
-        self, loop: asyncio.AbstractEventLoop, clock: Clock, told: Told, *, by_silence: bool = False
-    ) -> None:
+    def __init__(self, loop: asyncio.AbstractEventLoop, clock: Clock, told: Told, *, by_silence: bool = False) -> None:
         """`by_silence`: the owner chose that a request which the holder does not answer is granted by time alone."""
         self._loop = loop
         self._clock = clock

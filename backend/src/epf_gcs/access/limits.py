@@ -98,7 +98,7 @@ class CallerLimits:
 
 
 def _remembered(those: OrderedDict[str, Allowance], key: str, per_s: float, at_once: float) -> Allowance:
-    """The allowance of a key. The longest unused is dropped, so that nobody's fresh one is renewed by others' coming."""
+    """The allowance of a key. The longest unused one is dropped: others who come renew nobody's."""
     allowance = those.get(key)
     if allowance is None:
         allowance = those[key] = Allowance(per_s, at_once)

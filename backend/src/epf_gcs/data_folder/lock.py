@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import os
+import stat
 import time
+from contextlib import suppress
 from pathlib import Path
 from types import TracebackType
 from typing import BinaryIO, Final, Self
@@ -12,6 +14,8 @@ from epf_gcs.errors import ConflictError
 from epf_gcs.system.locks import lock
 
 _FILE: Final = ".lock"
+WEB: Final = ".web.lock"
+"""The web process's own: it writes other files of the folder than the flight process."""
 # A process that is ending may hold the lock for this long.
 _PATIENCE_S: Final = 3.0
 _LOOK_AGAIN_S: Final = 0.05
@@ -23,11 +27,12 @@ class DataFolder:
     Raises ConflictError where another process holds it, and OSError where the folder cannot be written.
     """
 
-    def __init__(self, path: Path) -> None:
+    def __init__(self, path: Path, name: str = _FILE) -> None:
         self.path = path
-        path.mkdir(parents=True, exist_ok=True)
+        path.mkdir(mode=0o700, parents=True, exist_ok=True)
+        keep_private(path)
         # Not truncated: it may hold the id of the process that has the lock.
-        self._file: BinaryIO | None = os.fdopen(os.open(path / _FILE, os.O_RDWR | os.O_CREAT, 0o644), "r+b")
+        self._file: BinaryIO | None = os.fdopen(os.open(path / name, os.O_RDWR | os.O_CREAT, 0o600), "r+b")
         if not lock(self._file):
             other = self._file.read(32).decode("ascii", "replace").strip()
             self._file.close()
@@ -58,22 +63,40 @@ class DataFolder:
         self.release()
 
 
-def held(path: Path, patience_s: float = _PATIENCE_S) -> DataFolder:
+def held(path: Path, patience_s: float = _PATIENCE_S, name: str = _FILE) -> DataFolder:
     """The folder, locked, after a short wait if a process that is ending has it still. Raises as `DataFolder` does."""
     give_up_s = time.monotonic() + patience_s
     while True:
         try:
-            return DataFolder(path)
+            return DataFolder(path, name)
         except ConflictError:
             if time.monotonic() > give_up_s:
                 raise
         time.sleep(_LOOK_AGAIN_S)
 
 
+def check_free(path: Path, patience_s: float = _PATIENCE_S) -> None:
+    """Raise ConflictError if a station has the folder, after a short wait for one that is ending. Keeps no lock."""
+    for name in (_FILE, WEB):
+        held(path, patience_s, name).release()
+
+
+def keep_private(path: Path) -> None:
+    """Shut others out of our own folder, which holds private keys: who cannot enter it reads none of its files."""
+    with suppress(OSError):
+        found, own_user = path.lstat(), getattr(os, "getuid", lambda: -1)()
+        if stat.S_ISDIR(found.st_mode) and found.st_mode & 0o077 and found.st_uid == own_user:
+            path.chmod(0o700)
+
+
 def is_in_use(path: Path) -> bool:
-    """Whether a flight process has the folder. Makes nothing. Raises OSError."""
+    """Whether a station has the folder. Makes nothing. Raises OSError."""
+    return any(_is_locked(path / name) for name in (_FILE, WEB))
+
+
+def _is_locked(path: Path) -> bool:
     try:
-        with (path / _FILE).open("r+b" if os.name == "nt" else "rb") as file:
+        with path.open("r+b" if os.name == "nt" else "rb") as file:
             return not lock(file)
     except FileNotFoundError:
         return False

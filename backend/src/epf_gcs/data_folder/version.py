@@ -19,7 +19,7 @@ FORMAT: Final = 2
 FILE: Final = "format.json"
 _UNNUMBERED: Final = 1
 _LONGEST: Final = 10_000
-_OF_THE_LAUNCHER: Final = frozenset({".lock", "run.lock", "logs", "card", "board.pty"})
+_OF_THE_LAUNCHER: Final = frozenset({".lock", ".web.lock", "run.lock", "logs", "card", "board.pty"})
 
 Say = Callable[[str], None]
 """Told one sentence for the person who starts the station."""

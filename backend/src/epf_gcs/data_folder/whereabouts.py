@@ -34,6 +34,13 @@ def leave(folder: Path, found: Whereabouts) -> None:
         raise
 
 
+def take_back(folder: Path, found: Whereabouts) -> None:
+    """Remove what `leave` wrote, unless another run has written since."""
+    with suppress(OSError, ValueError):
+        if json.loads((folder / FILE).read_bytes()) == asdict(found):
+            (folder / FILE).unlink()
+
+
 def of_running(folder: Path) -> Whereabouts | None:
     """Where the station of this folder listens; None if none runs, or if it did not say so.
 

@@ -24,6 +24,7 @@ from epf_gcs.link.address import parse_address
 from epf_gcs.logs import set_up_logging
 from epf_gcs.system.loops import new_loop
 from epf_gcs.system.priority import Priority, go_first, stay_in_memory, take_own_core
+from epf_gcs.system.private_files import write_private_files
 from epf_gcs.system.signals import on_polite_end
 from epf_gcs.watchdog import REFUSED, feed
 
@@ -36,6 +37,7 @@ log = structlog.get_logger("flight")
 def main() -> None:
     """Entry point of `epf-flight`. Ends with 0 on SIGTERM, SIGINT or SIGHUP."""
     options = _options()
+    write_private_files()
     set_up_logging(verbose=options.verbose)
     sys.setswitchinterval(_SWITCH_INTERVAL_S)
     priority = go_first()

@@ -19,6 +19,7 @@ from epf_gcs.launcher.errors import LaunchError
 from epf_gcs.launcher.options import STATION_PORT, Options, XPlane
 from epf_gcs.launcher.upkeep import print_version
 from epf_gcs.system.locks import lock
+from epf_gcs.system.private_files import write_private_files
 from epf_gcs.system.signals import POLITE
 
 app = typer.Typer(pretty_exceptions_enable=False, context_settings={"help_option_names": ["-h", "--help"]})
@@ -184,6 +185,7 @@ def _say(text: str) -> None:
 
 def main() -> None:
     """Entry point of `epf-run`."""
+    write_private_files()
     app()
 
 

@@ -16,6 +16,7 @@ from typing import Annotated, Final
 
 import typer
 
+from epf_gcs.data_folder.lock import check_free
 from epf_gcs.data_folder.place import data_folder
 from epf_gcs.data_folder.upgrade import bring_up_to_date
 from epf_gcs.data_folder.version import FormatError
@@ -29,6 +30,7 @@ from epf_gcs.launcher.ports import is_loopback
 from epf_gcs.launcher.service import Service
 from epf_gcs.launcher.upkeep import add_commands, print_version
 from epf_gcs.listening import is_refused_by_browsers, listen
+from epf_gcs.system.private_files import write_private_files
 from epf_gcs.system.processes import HANDS_DOWN
 from epf_gcs.system.signals import HEARD_WITHIN_S, POLITE
 
@@ -229,6 +231,7 @@ def run(
             subprocess.run([sys.executable, "-m", "epf_gcs.web", "--print-openapi"], check=False).returncode
         )
     try:
+        check_free(data_dir)
         bring_up_to_date(data_dir, _say)
         listener = listen(host, port)
     except GatewayError as error:
@@ -303,6 +306,7 @@ add_commands(app)
 
 def main() -> None:
     """Entry point of `epf-gcs`."""
+    write_private_files()
     app()
 
 

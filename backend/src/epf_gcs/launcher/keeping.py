@@ -30,7 +30,7 @@ from epf_gcs.launcher.errors import LaunchError
 LIST: Final = "epf-gcs-backup.json"
 # Made again from the recordings, or of this run alone.
 _LEFT_OUT: Final = frozenset(
-    {"columns", "exports", "logs", "library.sqlite", ".lock", "run.lock", "board.pty", WHEREABOUTS}
+    {"columns", "exports", "logs", "library.sqlite", ".lock", ".web.lock", "run.lock", "board.pty", WHEREABOUTS}
 )
 _DATABASE_MARKS: Final = ("-journal", "-wal", "-shm")
 _BLOCK_BYTES: Final = 1 << 20
@@ -59,8 +59,10 @@ def backup(data: Path, target: Path, say: Say) -> int:
         found = None  # the station keeps such a file aside
     part = target.with_name(f".{target.name}.part")
     listed: dict[str, dict[str, Any]] = {}
+    part.unlink(missing_ok=True)
     try:
-        with part.open("wb") as file:
+        # Ours alone from its first byte: it holds private keys.
+        with open(part, "xb", opener=lambda path, flags: os.open(path, flags, 0o600)) as file:
             with tarfile.open(fileobj=file, mode="w", format=tarfile.PAX_FORMAT) as archive:
                 for path in _worth_keeping(data, part):
                     name = path.relative_to(data).as_posix()
@@ -85,7 +87,7 @@ def restore(source: Path, data: Path, say: Say) -> Path | None:
     data.parent.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(dir=data.parent, prefix=f".{data.name}-restored-") as made:
         fresh = Path(made) / "data"
-        fresh.mkdir()
+        fresh.mkdir(mode=0o700)
         try:
             with tarfile.open(source, mode="r:") as archive:
                 archive.extractall(fresh, members=_named(archive, say), **FILTER)  # noqa: S202 (see FILTER)

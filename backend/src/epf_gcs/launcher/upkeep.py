@@ -65,7 +65,10 @@ def backup(
         count = write_backup(data_dir, file, _say)
     except (LaunchError, OSError) as error:
         raise _failed(error) from error
-    print(f"{count} files are in {file} ({file.stat().st_size / 1e6:.1f} MB).")
+    print(
+        f"{count} files are in {file} ({file.stat().st_size / 1e6:.1f} MB), among them the station's private keys and "
+        "who may come in: only you can read it; keep it so."
+    )
 
 
 def restore(

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
+from epf_gcs.disk import regular_files
 from epf_gcs.errors import ConflictError, NotFoundError
 from epf_gcs.library.about import About, read_about, write_about
 from epf_gcs.recordings.places import Places, is_id, started_s
@@ -62,7 +63,7 @@ class FlightFolder:
     def bin(self) -> list[Deleted]:
         """What lies in the bin, deleted last first."""
         found: list[Deleted] = []
-        for path in self._places.bin.glob("*.mcap"):
+        for path in regular_files(self._places.bin, "*.mcap"):
             if is_id(path.stem):
                 with contextlib.suppress(FileNotFoundError, ValueError):
                     about = read_about(path.with_suffix(".json"))

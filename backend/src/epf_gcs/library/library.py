@@ -18,6 +18,7 @@ from typing import Any, Final, Literal
 import orjson
 import structlog
 
+from epf_gcs.disk import regular_files
 from epf_gcs.errors import GatewayError
 from epf_gcs.library.about import About, read_about, write_about
 from epf_gcs.recordings.places import SUMMARY, Places, Stamp, is_id, stamp_of, started_s
@@ -106,7 +107,7 @@ class Library:
         known = {row["id"]: row for row in self._all("SELECT id, bytes, mtime_ns, about_stamp, summary FROM flight")}
         made = self._places.made()
         there: set[str] = set()
-        for path in self._places.recordings.glob("*.mcap"):
+        for path in regular_files(self._places.recordings, "*.mcap"):
             flight = path.stem
             if not is_id(flight):
                 continue

@@ -12,11 +12,13 @@ from typing import Any, Final
 import orjson
 
 from epf_gcs import __version__
+from epf_gcs.data_folder.lock import WEB, held
 from epf_gcs.data_folder.upgrade import bring_up_to_date
 from epf_gcs.data_folder.version import FormatError
 from epf_gcs.errors import GatewayError
 from epf_gcs.logs import set_up_logging
 from epf_gcs.system.priority import leave_flight_core
+from epf_gcs.system.private_files import write_private_files
 from epf_gcs.watchdog import REFUSED
 from epf_gcs.web.app import create_app
 from epf_gcs.web.server import Server
@@ -40,13 +42,15 @@ def main() -> None:
     if options.print_openapi:
         _print_openapi(settings)
         return
+    write_private_files()
     set_up_logging(verbose=options.verbose)
     leave_flight_core()
     if options.with_parent:
         threading.Thread(target=_wait_for_parent, daemon=True).start()
     try:
-        bring_up_to_date(settings.data_dir, lambda said: print(f"epf-web: {said}", file=sys.stderr))
-        Server(settings).serve_until_signal()
+        with held(settings.data_dir, name=WEB):
+            bring_up_to_date(settings.data_dir, lambda said: print(f"epf-web: {said}", file=sys.stderr))
+            Server(settings).serve_until_signal()
     except GatewayError as error:
         print(f"epf-web: {error.detail}", file=sys.stderr)
         sys.exit(REFUSED)

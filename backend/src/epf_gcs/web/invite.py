@@ -23,6 +23,7 @@ from epf_gcs.access.store import AccessStore, Person
 from epf_gcs.data_folder.upgrade import bring_up_to_date
 from epf_gcs.data_folder.version import FormatError
 from epf_gcs.errors import GatewayError
+from epf_gcs.system.private_files import write_private_files
 from epf_gcs.web.serving.settings import Settings
 
 _MINUTES: Final = 60.0
@@ -31,6 +32,7 @@ _MOST_MINUTES: Final = 7 * 24 * 60.0
 
 def main() -> None:
     """Make the key and print it."""
+    write_private_files()
     options = _options()
     given = {name: getattr(options, name) for name in ("host", "port", "data_dir")}
     try:

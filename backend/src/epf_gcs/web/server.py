@@ -14,7 +14,7 @@ import structlog
 import uvicorn
 from uvicorn.server import ServerState
 
-from epf_gcs.data_folder.whereabouts import Whereabouts, leave
+from epf_gcs.data_folder.whereabouts import Whereabouts, leave, take_back
 from epf_gcs.kept_alive import keep_alive
 from epf_gcs.listening import listen
 from epf_gcs.system.limits import raise_open_files
@@ -57,12 +57,16 @@ class Server(uvicorn.Server):
             secure = self.certificates is not None
             port = listener.getsockname()[1]
             self._app.state.admission.listen_at(port, secure=secure)
-            self._leave_whereabouts(port, secure=secure)
-            self.run([listener])
+            found = Whereabouts(self._settings.host, port, secure)
+            self._leave_whereabouts(found)
+            try:
+                self.run([listener])
+            finally:
+                take_back(self._settings.data_dir, found)
 
-    def _leave_whereabouts(self, port: int, *, secure: bool) -> None:
+    def _leave_whereabouts(self, found: Whereabouts) -> None:
         try:
-            leave(self._settings.data_dir, Whereabouts(self._settings.host, port, secure))
+            leave(self._settings.data_dir, found)
         except OSError as error:
             # Only those who make an invitation by the command line have to name the port then.
             log.warning("where it listens could not be written", why=error.strerror)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import struct
 import time
+from contextlib import suppress
 from io import BytesIO
 from pathlib import Path
 
@@ -48,6 +49,26 @@ def a_recording(payloads: list[bytes]) -> tuple[bytes, bytes, int]:
 
 def payloads(data: bytes) -> list[bytes]:
     return [record.data for record in StreamReader(BytesIO(data)).records if isinstance(record, Message)]
+
+
+def test_a_link_out_of_the_folder_and_a_pipe_are_left_as_they_are(tmp_path: Path) -> None:
+    data, _, _ = a_recording([b"one"])
+    foreign = tmp_path / "foreign.mcap"
+    foreign.write_bytes(data)
+    folder = tmp_path / "recordings"
+    folder.mkdir()
+    (folder / "20260101T000001Z.mcap").symlink_to(foreign)
+    (folder / "20260101T000002Z.mcap").symlink_to("/dev/null")
+    os.mkfifo(folder / "20260101T000003Z.mcap")
+    (folder / "20260101T000004Z.mcap").write_bytes(data)
+    there = set(folder.iterdir())
+    assert [path.name for path in recordings_in(folder)] == ["20260101T000004Z.mcap"]
+    for path in there:
+        with suppress(OSError):
+            repair(path)
+    assert foreign.read_bytes() == data
+    assert set(folder.iterdir()) == there
+    assert (folder / "20260101T000004Z.mcap").read_bytes() != data, "its own recording is repaired"
 
 
 def test_a_file_that_was_cut_anywhere_is_mended_up_to_its_last_whole_record(tmp_path: Path) -> None:
@@ -179,11 +200,12 @@ def test_what_is_no_torn_end_is_left_as_it_is_and_its_reason_is_told(tmp_path: P
 
 def test_a_file_that_the_disk_does_not_give_is_told_and_the_next_one_is_mended(tmp_path: Path) -> None:
     data, end, _ = a_recording([b"one"])
-    (tmp_path / "20260103T000000Z.mcap").mkdir()
+    folder = tmp_path / "20260103T000000Z.mcap"
+    folder.mkdir()
     torn = tmp_path / NAME
     torn.write_bytes(data + b"\x05\xff")
     with structlog.testing.capture_logs() as logged:
-        repair_all(recordings_in(tmp_path))
+        repair_all([folder, torn])
     assert torn.read_bytes() == data + end
     assert [(line["event"], line.get("reason"), line.get("bytes_cut")) for line in logged] == [
         ("recording not repaired", "Is a directory", None),

@@ -14,6 +14,7 @@ from typing import BinaryIO, Final
 
 from mcap.opcode import Opcode
 
+from epf_gcs.disk import open_regular, regular_files
 from epf_gcs.flight.memory.flight_log import say
 from epf_gcs.recordings.mcap_file import MAGIC, Tally, closing, data_end
 from epf_gcs.system.priority import go_last
@@ -47,10 +48,7 @@ class _Found:
 
 def recordings_in(folder: Path) -> list[Path]:
     """The recordings in this folder, newest first."""
-    try:
-        return sorted((path for path in folder.iterdir() if _OURS.fullmatch(path.name)), reverse=True)
-    except OSError:
-        return []
+    return sorted((path for path in regular_files(folder) if _OURS.fullmatch(path.name)), reverse=True)
 
 
 def repair_all(files: Iterable[Path], is_over: Callable[[], bool] = lambda: False) -> None:
@@ -75,11 +73,11 @@ def repair(path: Path, is_over: Callable[[], bool] = lambda: False) -> int | Non
 
     An empty file is removed. Raises BeyondRepairError and OSError, and then leaves the file unchanged.
     """
-    size = path.stat().st_size
-    if size == 0:
-        path.unlink()
-        return 0
-    with path.open("r+b") as file:
+    with open_regular(path) as file:
+        size = os.fstat(file.fileno()).st_size
+        if size == 0:
+            path.unlink()
+            return 0
         if _is_whole(file, size):
             return None
         found = _look_through(file, size, is_over)

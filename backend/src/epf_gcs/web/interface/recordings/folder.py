@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import stat
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Final, NamedTuple
+
+from epf_gcs.disk import regular_files
 
 _PIECE: Final = 256 * 1024
 
@@ -45,7 +48,7 @@ class RecordingFolder:
 
     def all(self) -> list[Recording]:
         """Newest first."""
-        files = sorted(self._path.glob("*.mcap"), reverse=True)
+        files = sorted(regular_files(self._path, "*.mcap"), reverse=True)
         return [found for file in files if (found := self._look(file)) is not None]
 
     def find(self, name: str) -> Recording | None:
@@ -57,8 +60,11 @@ class RecordingFolder:
         active = growing is not None and growing.file == file.name
         try:
             started = datetime.strptime(file.stem.split("-")[0], "%Y%m%dT%H%M%SZ").replace(tzinfo=UTC)
-            size = file.stat().st_size
+            found = file.lstat()
+            size = found.st_size
         except (ValueError, OSError):
+            return None
+        if not stat.S_ISREG(found.st_mode):
             return None
         if growing is not None and active and growing.whole > 0:
             size = min(size, growing.whole)
