@@ -234,6 +234,31 @@ def test_the_loss_of_the_flight_process_is_said_at_once_and_it_flies_again(flyin
     assert status["alarms"] == []
 
 
+def test_a_flight_process_that_hangs_is_not_said_to_be_well_and_is_heard_again(flying: Flying) -> None:
+    pid = flying.pid("flight")
+
+    def health() -> str:
+        return str(httpx.get(f"{flying.url}/health", timeout=DEADLINE_S).json()["status"])
+
+    assert health() == "ok"
+    os.kill(pid, signal.SIGSTOP)
+    try:
+        eventually(lambda: health() == "failed", "its silence is noticed")
+        status = flying.status()
+        assert status is not None, "what is known is told"
+        assert [alarm["id"] for alarm in status["alarms"]] == ["flight_lost"]
+        assert status["board"]["state"] == "lost", "nothing looks live"
+        answer = flying.http.get("/telemetry")
+        assert (answer.status_code, answer.json()["code"]) == (503, "flight_silent")
+        assert "epf_flight_up 0" in httpx.get(f"{flying.url}/metrics", timeout=DEADLINE_S).text
+    finally:
+        # Or the launcher has killed it by now, and another one flies.
+        with suppress(ProcessLookupError):
+            os.kill(pid, signal.SIGCONT)
+    eventually(flying.flies, "it flies again")
+    eventually(lambda: health() == "ok", "it is well again")
+
+
 def test_nothing_is_reported_as_done_while_the_flight_process_is_away(flying: Flying) -> None:
     os.kill(flying.program.process.pid, signal.SIGSTOP)
     os.kill(flying.pid("flight"), signal.SIGKILL)

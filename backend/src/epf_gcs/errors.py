@@ -69,6 +69,7 @@ ErrorCode = Literal[
     "field_unknown",
     "field_worker_died",
     "flight_away",
+    "flight_silent",
     "flight_delete_unconfirmed",
     "flight_disk_full",
     "flight_exists",
@@ -249,6 +250,10 @@ class NotYoursError(GatewayError):
 
 class TooManyError(GatewayError):
     """Too much was asked; `retry_after_s` is a parameter and says when to come back."""
+
+
+class UnavailableError(GatewayError):
+    """Who has to answer does not, for now."""
 
 
 class NotKeptError(GatewayError):

@@ -17,7 +17,7 @@ from epf_gcs.bus.address import FILE, Listener, connect
 from epf_gcs.bus.definition import Asker, Kind, Named, pack
 from epf_gcs.bus.station_end import StationEnd
 from epf_gcs.bus.vehicle_end import Broadcast, VehicleEnd
-from epf_gcs.errors import ConflictError, GatewayError, InvalidInputError
+from epf_gcs.errors import ConflictError, GatewayError, InvalidInputError, UnavailableError
 from tests.support.waiting import eventually_async
 
 
@@ -31,6 +31,7 @@ class Heard:
         self.events: list[Named] = []
         self.statuses: list[dict[str, Any]] = []
         self.losses: list[bool] = []
+        self.silences: list[bool] = []
         self.playbacks: list[dict[str, Any]] = []
         self.order: list[str] = []
 
@@ -53,6 +54,9 @@ class Heard:
     def on_playback(self, playback: dict[str, Any]) -> None:
         self.playbacks.append(playback)
         self.order.append("playback")
+
+    def on_silence(self, *, silent: bool) -> None:
+        self.silences.append(silent)
 
     def on_lost(self, *, ended: bool) -> None:
         self.losses.append(ended)
@@ -100,8 +104,8 @@ class Vehicle:
 
 
 @asynccontextmanager
-async def connected(folder: Path, heard: Heard) -> AsyncIterator[StationEnd]:
-    station = StationEnd(folder, heard)
+async def connected(folder: Path, heard: Heard, silent_after_s: float | None = None) -> AsyncIterator[StationEnd]:
+    station = StationEnd(folder, heard, silent_after_s=silent_after_s)
     task = asyncio.ensure_future(station.run())
     try:
         yield station
@@ -264,6 +268,31 @@ async def test_a_vehicle_that_goes_ends_every_request_and_is_found_again(tmp_pat
         await eventually_async(lambda: len(heard.hellos) == 2, "it is found again")
         assert await station.request("echo") == {"by": None}
     await again.stop()
+
+
+@pytest.mark.anyio
+async def test_a_vehicle_that_hangs_is_noticed_and_whoever_waits_for_it_is_told_until_it_is_heard_again(
+    tmp_path: Path,
+) -> None:
+    vehicle, heard = Vehicle(tmp_path), Heard()
+    async with connected(tmp_path, heard, silent_after_s=1000.0) as station:
+        await eventually_async(lambda: heard.ends == 1, "the snapshot arrives")
+        waiting = asyncio.ensure_future(station.request("hang"))
+        await asyncio.sleep(0)
+        now_s = asyncio.get_running_loop().time()
+        station.look(now_s + 900.0)
+        assert heard.silences == []
+        station.look(now_s + 1001.0)
+        assert heard.silences == [True]
+        for asked in (waiting, station.request("echo")):
+            with pytest.raises(UnavailableError):
+                await asked
+        station.look(now_s + 1002.0)
+        vehicle.broadcast.event("alarm", {"id": "x"})
+        await eventually_async(lambda: len(heard.events) == 1, "it is heard")
+        assert heard.silences == [True, False]
+        assert await station.request("echo") == {"by": None}
+    await vehicle.stop()
 
 
 @pytest.mark.anyio

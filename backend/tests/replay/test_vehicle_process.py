@@ -29,6 +29,9 @@ class Watching:
         self.statuses = 0
         self.is_lost = False
 
+    def on_silence(self, *, silent: bool) -> None:
+        """A replay may be silent."""
+
     def on_hello(self, hello: dict[str, Any]) -> None:
         self.hello, self.playback = hello, hello["playback"]
 

@@ -61,7 +61,7 @@ class Authority:
         return None if self.kept_until_s is None else self.last
 
     def given_s(self, client: str) -> float | None:
-        """When this page's request is granted by time alone unless the holder does something until then; None: never."""
+        """When this page's request is granted by time alone unless the holder acts before; None: never."""
         if not self._by_silence:
             return None
         return max(self.requests[client], self.since_s, self._did_s) + UNANSWERED_S

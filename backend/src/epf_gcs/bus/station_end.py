@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import contextlib
 import itertools
 from collections.abc import Callable
 from pathlib import Path
@@ -28,11 +29,12 @@ from epf_gcs.bus.definition import (
     unpack_object,
 )
 from epf_gcs.bus.faults import error_of
-from epf_gcs.errors import ConflictError, GatewayError
+from epf_gcs.errors import ConflictError, GatewayError, UnavailableError
 
 _RETRY_S: Final = 0.05
 # The longest request is to send a plan of 100 waypoints over a slow line.
 _ANSWER_S: Final = 120.0
+_LOOK_S: Final = 0.1
 
 log = structlog.get_logger("web")
 
@@ -58,14 +60,25 @@ class Listener(Protocol):
     def on_playback(self, playback: dict[str, Any]) -> None:
         """Where a replayed vehicle is, and whether it plays; a live one never says this."""
 
+    def on_silence(self, *, silent: bool) -> None:
+        """The vehicle's process is connected and says nothing any more, or is heard again."""
+
     def on_lost(self, *, ended: bool) -> None:
         """The connection is lost (`ended`: because the vehicle's process was told to end); reconnecting goes on."""
 
 
 class StationEnd:
-    """Made on a running loop. Looks for the vehicle of a data folder until `run` is cancelled."""
+    """Made on a running loop. Looks for the vehicle of a data folder until `run` is cancelled.
 
-    def __init__(self, folder: Path, listener: Listener) -> None:
+    `silent_after_s`: a live vehicle says its status twice a second; one that says nothing for so long hangs, and
+    whoever waits for it is told so. None: it may be silent.
+    """
+
+    def __init__(self, folder: Path, listener: Listener, *, silent_after_s: float | None = None) -> None:
+        self._loop = asyncio.get_running_loop()
+        self._silent_after_s = silent_after_s
+        self._heard_s = 0.0
+        self._is_silent = False
         self._folder = folder
         self._listener = listener
         self._numbers = itertools.count(1)
@@ -92,18 +105,42 @@ class StationEnd:
                 self._decoder = Decoder()
                 self._gone.clear()
                 self._said_bye = False
+                self._heard_s, self._is_silent = self._loop.time(), False
                 self._channel = Channel(connection, self._on_data, self._on_closed)
-                await self._gone.wait()
+                await self._watch()
         finally:
             if self._channel is not None:
                 self._channel.close()
                 self._on_closed()
+
+    async def _watch(self) -> None:
+        """Until the connection is lost, notice when the vehicle falls silent."""
+        while not self._gone.is_set():
+            with contextlib.suppress(TimeoutError):
+                async with asyncio.timeout(None if self._silent_after_s is None else _LOOK_S):
+                    await self._gone.wait()
+            self.look(self._loop.time())
+
+    def look(self, now_s: float) -> None:
+        """Whether the vehicle has fallen silent by now, a time of the loop."""
+        limit_s = self._silent_after_s
+        if limit_s is not None and self.is_connected and not self._is_silent and now_s - self._heard_s > limit_s:
+            self._is_silent = True
+            self._fail_all(_silent())
+            self._listener.on_silence(silent=True)
+
+    def _fail_all(self, error: GatewayError) -> None:
+        for future in self._waiting.values():
+            if not future.done():
+                future.set_exception(error)
 
     async def request(self, name: str, by: Asker | None = None, /, **arguments: Any) -> Any:
         """Send a request and return its result. Raises what the vehicle raised; ConflictError if not connected."""
         channel = self._channel
         if channel is None:
             raise _away()
+        if self._is_silent:
+            raise _silent()
         number = next(self._numbers)
         answer: asyncio.Future[Any] = asyncio.get_running_loop().create_future()
         self._waiting[number] = answer
@@ -127,6 +164,10 @@ class StationEnd:
         self.notice(PACE, rate_hz=rate_hz)
 
     def _on_data(self, data: bytes) -> None:
+        self._heard_s = self._loop.time()
+        if self._is_silent:
+            self._is_silent = False
+            self._listener.on_silence(silent=False)
         try:
             has_samples = False
             for record in self._decoder.feed(data):
@@ -177,11 +218,15 @@ class StationEnd:
 
     def _on_closed(self) -> None:
         self._channel = None
-        for future in self._waiting.values():
-            if not future.done():
-                future.set_exception(_away())
+        self._fail_all(_away())
         self._listener.on_lost(ended=self._said_bye)
         self._gone.set()
+
+
+def _silent() -> UnavailableError:
+    return UnavailableError(
+        "flight_silent", "The flight process does not answer: whether anything was done is not known. It is watched."
+    )
 
 
 def _away() -> ConflictError:

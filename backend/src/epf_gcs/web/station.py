@@ -45,6 +45,8 @@ from epf_gcs.web.vehicle.shared_inspector import SharedInspector
 # How long the server's start waits for the flight process, which is started at the same time.
 _FIRST_WAIT_S: Final = 5.0
 _STATUS_S: Final = 0.5
+# The flight process says its status twice a second, at a high priority, also on a busy machine.
+_SILENT_S: Final = 0.9
 
 
 class Station:
@@ -58,7 +60,7 @@ class Station:
         self.hub = Hub(loop, self.clock.now_s, on_rate=self._rate_changed)
         errors.tell_viewers(self.clock.steady_s, self.hub.event)
         self.mirror = VehicleMirror(self.hub, self.clock, on_change=self._status_changed, on_here=self._vehicle_here)
-        self.vehicle = StationEnd(data_dir, self.mirror)
+        self.vehicle = StationEnd(data_dir, self.mirror, silent_after_s=_SILENT_S)
         self.control = Control(loop, self.clock, self, by_silence=control_by_silence)
         self.streams = OpenStreams(self.control)
         self.tracks = Tracks(self.mirror, self.hub.event, self.clock, data_dir / "track", errors.report)

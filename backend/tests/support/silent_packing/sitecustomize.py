@@ -6,4 +6,4 @@ import threading
 if sys.orig_argv[1:4] == ["-m", "epf_gcs.flights", "pack"]:
     from epf_gcs.flights import pack
 
-    pack.run = lambda *_: threading.Event().wait()
+    pack.run = lambda *_: {"ended": threading.Event().wait()}

@@ -152,6 +152,9 @@ class ReplayConversation:
             self._hub.send_event(text)
         self._playback = playback
 
+    def on_silence(self, *, silent: bool) -> None:
+        """A replay may be silent: it stands still."""
+
     def on_lost(self, *, ended: bool) -> None:
         """The replay has gone; `_run` says why."""
 

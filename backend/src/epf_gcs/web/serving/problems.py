@@ -28,6 +28,7 @@ from epf_gcs.errors import (
     Params,
     RoleError,
     TooManyError,
+    UnavailableError,
 )
 
 MEDIA_TYPE: Final = "application/problem+json"
@@ -51,6 +52,7 @@ _STATUS: Final[dict[type[GatewayError], HTTPStatus]] = {
     NotYoursError: HTTPStatus.FORBIDDEN,
     TooManyError: HTTPStatus.TOO_MANY_REQUESTS,
     NotKeptError: HTTPStatus.INSUFFICIENT_STORAGE,
+    UnavailableError: HTTPStatus.SERVICE_UNAVAILABLE,
     GatewayError: HTTPStatus.INTERNAL_SERVER_ERROR,
 }
 
@@ -63,6 +65,7 @@ _DESCRIPTIONS: Final = {
     413: "The body is too large.",
     429: "Too much was asked: `Retry-After` says when to come back.",
     422: "A value is missing, misspelt or out of range.",
+    503: "The flight process does not answer: whether anything was done is not known.",
     507: "The disk of the station does not take it.",
     502: "The board was asked and refused, or did not answer.",
 }
@@ -72,14 +75,15 @@ def problems(*statuses: int) -> dict[int | str, dict[str, Any]]:
     """Documentation of the problems that a route can answer with."""
     return {
         status: {"model": Problem, "description": _DESCRIPTIONS[status]}
-        for status in (400, 401, 403, 413, 422, 429, *statuses)
+        for status in (400, 401, 403, 413, 422, 429, 503, *statuses)
     }
 
 
 def reading_problems(*statuses: int) -> dict[int | str, dict[str, Any]]:
     """The same for a route that only reads."""
     return {
-        status: {"model": Problem, "description": _DESCRIPTIONS[status]} for status in (401, 403, 422, 429, *statuses)
+        status: {"model": Problem, "description": _DESCRIPTIONS[status]}
+        for status in (401, 403, 422, 429, 503, *statuses)
     }
 
 

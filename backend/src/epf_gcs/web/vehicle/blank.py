@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any, Final
 
 _AWAY: Final = (
-    "The flight process is gone and is being started again: what is shown is old, and nothing can be commanded."
+    "The flight process is gone or hangs, and is started again: what is shown is old, and nothing can be commanded."
 )
 _TASKS: Final = ("parameters", "fms", "servos")
 

@@ -115,6 +115,18 @@ class VehicleMirror:
     def on_playback(self, playback: dict[str, Any]) -> None:
         """A live vehicle does not say this."""
 
+    def on_silence(self, *, silent: bool) -> None:
+        """The flight process hangs: nothing of it counts as live until it is heard again."""
+        self.is_here = not silent
+        if silent:
+            self._lost_s = self._clock.now_s()
+            log.error("the flight process is there and says nothing")
+        else:
+            self._lost_s = None
+            log.info("the flight process is heard again")
+        self._hub.event("flight", {"state": "lost" if silent else "back"})
+        self._on_change()
+
     def on_lost(self, *, ended: bool) -> None:
         """The flight process is gone: tell the viewers at once."""
         if not self.is_here:

@@ -66,7 +66,7 @@ def test_control_is_given_back_and_taken(gateway: Gateway) -> None:
         assert second.event("control")["client"] is None
         assert second.event("control")["client"] == second.hello["client"]
     unknown = gateway.http.post("/control", json={"client": "nobody", "action": "take"})
-    assert (unknown.status_code, unknown.json()["code"]) == (404, "client_unknown")
+    assert (unknown.status_code, unknown.json()["code"]) == (403, "client_not_yours")
 
 
 def test_only_the_operator_commands(gateway: Gateway, board: FakeBoard) -> None:

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import contextlib
 from typing import Final
 
 import orjson
 from fastapi import APIRouter, Response
 
-from epf_gcs.errors import InvalidInputError
+from epf_gcs.errors import ConflictError, InvalidInputError, UnavailableError
 from epf_gcs.web.interface.deps import AdmittedDep, ControlDep, MirrorDep, StatusDep, VehicleDep
 from epf_gcs.web.interface.state.schemas import ControlDetails, ControlInput, Sample, Status
 from epf_gcs.web.serving.problems import problems, reading_problems
@@ -21,8 +22,10 @@ _TO_ANOTHER: Final = frozenset({"grant", "refuse", "hand_over"})
 async def get_status(status: StatusDep, vehicle: VehicleDep, mirror: MirrorDep) -> Response:
     """The whole state of the station."""
     # Ask the flight process, so that a caller sees its own last change. The answer is validated only in the tests.
+    # Of one that is away or hangs, what is known is told, with its age.
     if vehicle.is_connected:
-        mirror.learn(await vehicle.request("status"))
+        with contextlib.suppress(UnavailableError, ConflictError):
+            mirror.learn(await vehicle.request("status"))
     return Response(status.text(), media_type="application/json")
 
 
