@@ -8,10 +8,11 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pytest
 
 from epf_gcs.formats.quantized_mesh_reading import SIDE
 from epf_gcs.maps.layer import Bounds, Description, Layer
-from epf_gcs.surroundings.kept import OFF, KeptSurroundings
+from epf_gcs.surroundings.kept import FILE_NAME, OFF, KeptSurroundings
 from epf_gcs.surroundings.watch import Surroundings
 
 FIELD = Description("field", "terrain", Bounds(-16, 27, -15, 29), 0, 6, "")
@@ -34,6 +35,7 @@ class Mirror:
     def __init__(self) -> None:
         self.topics: dict[str, tuple[float, dict[str, Any]]] = {}
         self.live: set[str] = set()
+        self.latitude_deg = 28.0
 
     def newest(self, topic: str) -> dict[str, Any] | None:
         return self.topics[topic][1] if topic in self.topics else None
@@ -46,7 +48,13 @@ class Mirror:
 
     def gps(self, t_s: float, altitude_m: float, *, valid: bool = True) -> None:
         east_deg = -15.5 + 30.0 * t_s / 111_195.0 / math.cos(math.radians(28.0))
-        values = {"valid": valid, "fix": 3, "latitude_deg": 28.0, "longitude_deg": east_deg, "altitude_m": altitude_m}
+        values = {
+            "valid": valid,
+            "fix": 3,
+            "latitude_deg": self.latitude_deg,
+            "longitude_deg": east_deg,
+            "altitude_m": altitude_m,
+        }
         self.topics["gps"] = (t_s, {**values, "speed_kt": 58.3, "heading_deg": 90.0})
         self.live.add("gps")
 
@@ -62,8 +70,12 @@ class Station:
             FlatTiles(),
             KeptSurroundings(folder),
             lambda: self.now_s,
-            lambda name, findings: self.told.append(findings) if name == "surroundings" else None,
+            self._notice,
         )
+
+    def _notice(self, _: str, *, findings: list[dict[str, Any]], watched: list[str], blind: list[str]) -> None:
+        self.told.append(findings)
+        self.watched, self.blind = watched, blind
 
     async def fly(self, until_s: float, altitude_m: float, climb_mps: float = 0.0) -> None:
         while self.now_s < until_s:
@@ -98,7 +110,8 @@ def test_height_is_shown_to_all_and_nothing_is_told_until_somebody_chooses(tmp_p
         await station.fly(station.now_s + 20, 420.0)
         assert abs(station.flight()["height_ft"] - 20 / 0.3048) < 0.5
         assert station.flight()["terrain"] is None
-        assert station.told == []
+        assert not any(station.told)
+        assert station.watched == []
         running.cancel()
 
     asyncio.run(fly())
@@ -111,7 +124,7 @@ def test_a_chosen_warning_is_told_again_and_again_and_ends_when_it_is_switched_o
         await station.watch.choose(OFF.model_copy(update={"terrain_on": True}))
         # It was at 1,000 m: long enough for that to be forgotten.
         await station.fly(station.now_s + 25, 700.0)
-        assert station.told[-1] == []
+        assert (station.told[-1], station.watched, station.blind) == ([], ["terrain"], [])
         start_s = station.now_s
         await station.fly(start_s + 25, 700.0 + 6.0 * start_s, climb_mps=-6.0)
         assert [one["id"] for one in station.told[-1]] == ["terrain_ahead"]
@@ -124,6 +137,44 @@ def test_a_chosen_warning_is_told_again_and_again_and_ends_when_it_is_switched_o
         running.cancel()
 
     asyncio.run(fly())
+
+
+def test_ground_that_was_seen_and_cannot_be_seen_any_more_is_said_not_to_be_watched(tmp_path: Path) -> None:
+    async def fly() -> None:
+        station = Station(tmp_path)
+        running = await run(station)
+        await station.watch.choose(OFF.model_copy(update={"terrain_on": True}))
+        await station.fly(station.now_s + 5, 700.0)
+        assert station.blind == []
+        station.mirror.latitude_deg += 5.0  # where the map ends
+        await station.fly(station.now_s + 30, 700.0)
+        assert station.flight()["blind"] == "no_heights_here"
+        assert station.blind == ["terrain"]
+        running.cancel()
+
+    asyncio.run(fly())
+
+
+@pytest.mark.parametrize("content", [b"{", b"", b'{"terrain_on": true}'])
+def test_a_choice_that_cannot_be_read_is_said_to_be_unknown_until_another_replaces_it(
+    tmp_path: Path, content: bytes
+) -> None:
+    """It stays where it is, so that no restart takes it for none."""
+
+    async def fly() -> None:
+        (tmp_path / FILE_NAME).write_bytes(content)
+        before = Station(tmp_path)
+        (await run(before)).cancel()
+        assert before.watched == ["unknown"]
+        station = Station(tmp_path)
+        (await run(station)).cancel()
+        assert station.watched == ["unknown"]
+        await station.watch.choose(OFF.model_copy(update={"terrain_on": True}))
+        assert station.watched == ["terrain"]
+        assert KeptSurroundings(tmp_path).read() == station.watch.choice
+
+    asyncio.run(fly())
+    assert [path.read_bytes() for path in tmp_path.glob(f"{FILE_NAME}.damaged-*")] == [content]
 
 
 def test_without_a_valid_live_position_nothing_is_shown_or_told(tmp_path: Path) -> None:

@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from epf_gcs.vehicle.surroundings import LASTS_S, ToldSurroundings
+from epf_gcs.vehicle.surroundings import LASTS_S, START_S, ToldSurroundings
 
 TERRAIN = {"id": "terrain_ahead", "aircraft": "flight", "what": "terrain", "in_s": 28.4}
 
@@ -23,10 +23,43 @@ def test_what_is_said_is_an_alarm_until_it_is_not_said_any_more() -> None:
     assert told.look(101.0) == []
 
 
-def test_whoever_said_it_has_gone_and_nothing_looks_live() -> None:
+def test_a_station_that_dies_ends_no_alarm_as_if_all_were_well() -> None:
     told = ToldSurroundings()
-    told.take([TERRAIN], 100.0)
-    assert told.look(100.0 + LASTS_S + 0.1) == []
+    told.take([{**TERRAIN, "id": "fence_left", "what": "fence"}], 100.0, ["fence", "terrain"])
+    (found,) = told.look(100.0 + LASTS_S + 0.1)
+    assert (found.id, found.level) == ("surroundings_unwatched", "critical")
+    assert found.params == {"what": "both", "was_left": True}
+    assert "outside the fence" in found.text
+    told.take([], 200.0, ["fence"])
+    assert told.look(200.0) == []
+    told.take([], 300.0, [])
+    assert told.look(400.0) == [], "nobody wants to be warned of anything"
+
+
+def test_what_was_to_be_watched_is_remembered_for_a_station_that_does_not_come() -> None:
+    kept: list[tuple[str, ...]] = []
+    before = ToldSurroundings(on_watched=kept.append)
+    for _ in range(3):
+        before.take([], 1.0, ["terrain", "<b>", 3])
+    assert kept == [("terrain",)]
+    told = ToldSurroundings(kept[-1], now_s=50.0)
+    assert told.look(50.0 + START_S) == [], "it is being started"
+    (found,) = told.look(50.0 + START_S + 0.1)
+    assert found.params == {"what": "terrain", "was_left": False}
+
+
+@pytest.mark.parametrize(
+    ("watched", "blind", "what"), [(["unknown"], [], "unknown"), (["terrain"], ["terrain"], "terrain")]
+)
+def test_a_choice_that_cannot_be_read_and_ground_that_is_not_seen_are_not_watched(
+    watched: list[str], blind: list[str], what: str
+) -> None:
+    told = ToldSurroundings()
+    told.take([TERRAIN], 1.0, watched, blind)
+    assert [(one.id, one.params.get("what")) for one in told.look(1.0)] == [
+        ("terrain_ahead", "terrain"),
+        ("surroundings_unwatched", what),
+    ]
 
 
 @pytest.mark.parametrize(

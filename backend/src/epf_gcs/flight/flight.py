@@ -56,6 +56,7 @@ from epf_gcs.kept_alive import keep_alive
 from epf_gcs.vehicle.alarm_ids import AlarmId
 from epf_gcs.vehicle.alarms import Alarms
 from epf_gcs.vehicle.restart import Restart
+from epf_gcs.vehicle.surroundings import ToldSurroundings
 from epf_gcs.vehicle.vehicle import Vehicle
 
 
@@ -157,6 +158,11 @@ class Flight:
             recorder=self.recorder,
             steady_s=self.clock.steady_s,
             wants=lambda stream: stream in self.memory.now.wanted.streams,
+            surroundings=ToldSurroundings(
+                self.memory.now.watched,
+                lambda watched: self.memory.update(watched=watched),
+                now_s=self.clock.steady_s(),
+            ),
         )
         self._alarm_history = AlarmHistory(data_dir / "alarms.jsonl", self.errors.report)
         self.alarms = Alarms(

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-import contextlib
-import time
 from pathlib import Path
 from typing import Final
 
 import structlog
 from pydantic import ValidationError
 
-from epf_gcs.disk import replace_file
+from epf_gcs.disk import replace_file, set_aside
 from epf_gcs.errors import ConflictError
 from epf_gcs.surroundings.choice import SurroundingsChange
 
@@ -29,25 +27,24 @@ class KeptSurroundings:
     def __init__(self, data_dir: Path) -> None:
         self._path = data_dir / FILE_NAME
 
-    def read(self) -> SurroundingsChange:
-        """The choice. A file that cannot be read is kept aside under another name, and everything is off."""
+    def read(self) -> SurroundingsChange | None:
+        """The choice; None if there is one that cannot be read. Its file stays until another choice replaces it, so
+        that no restart takes an unknown choice for none."""
         try:
             return SurroundingsChange.model_validate_json(self._path.read_bytes())
         except FileNotFoundError:
             return OFF
         except ValidationError:
-            aside = self._path.with_name(f"{FILE_NAME}.damaged-{time.time_ns() // 1_000_000_000}")
-            with contextlib.suppress(OSError):
-                self._path.replace(aside)
-            log.warning("the fence cannot be read and is kept aside", kept_as=str(aside))
-            return OFF
+            log.warning("the choice of ground and fence is damaged", file=str(self._path))
         except OSError as error:
-            log.warning("the fence cannot be read", reason=error.strerror or str(error))
-            return OFF
+            log.warning("the choice of ground and fence cannot be read", reason=error.strerror or str(error))
+        return None
 
     def write(self, choice: SurroundingsChange) -> None:
-        """Keep the choice. Raises ConflictError if the disk does not take it."""
+        """Keep the choice, and one that cannot be read beside it. Raises ConflictError if the disk does not take it."""
         try:
+            if self.read() is None:
+                set_aside(self._path)
             replace_file(self._path, choice.model_dump_json().encode())
         except OSError as error:
             reason = error.strerror or str(error)

@@ -63,10 +63,16 @@ class Surroundings:
         self._seen: dict[Which, Seen] = {"flight": Seen(), "hil": Seen()}
         self._live: set[Which] = set()
         self.choice = OFF
+        # Whether there is a choice that cannot be read.
+        self._is_unknown = False
+        # Whose ground was seen since the choice was made.
+        self._saw_ground: set[Which] = set()
 
     async def run(self) -> None:
         """Look, forever."""
-        self._take(await asyncio.to_thread(self._kept.read))
+        choice = await asyncio.to_thread(self._kept.read)
+        self._is_unknown = choice is None
+        self._take(choice or OFF)
         async with asyncio.TaskGroup() as tasks:
             tasks.create_task(self._ground.run(), name="heights")
             tasks.create_task(self._repeat(), name="surroundings")
@@ -74,6 +80,7 @@ class Surroundings:
     async def choose(self, change: SurroundingsChange) -> None:
         """Keep the choice and watch by it. Raises ConflictError if the disk does not take it; then nothing changes."""
         await asyncio.to_thread(self._kept.write, change)
+        self._is_unknown = False
         self._take(change)
         self.look()
 
@@ -97,8 +104,8 @@ class Surroundings:
                 if which in self._live
                 else aircraft.unseen(now_s)
             )
-        if self._wanted.terrain or self._wanted.fence:
-            self._notice(NOTICE, findings=_findings(self._seen))
+        # Also while nothing is to be watched: the flight process tells a station that has gone by its silence.
+        self._notice(NOTICE, findings=_findings(self._seen), watched=self._watched(), blind=self._blind())
 
     async def _repeat(self) -> None:
         loop = asyncio.get_running_loop()
@@ -110,6 +117,17 @@ class Surroundings:
                 due_s = loop.time() + _LOOK_S
                 self.look()
 
+    def _watched(self) -> list[str]:
+        if self._is_unknown:
+            return ["unknown"]
+        return [what for what, is_on in (("terrain", self._wanted.terrain), ("fence", self._wanted.fence)) if is_on]
+
+    def _blind(self) -> list[str]:
+        """What was seen until now and is not any more: the map was removed or left, or its workers do not answer."""
+        self._saw_ground |= {which for which, seen in self._seen.items() if seen.ground_m is not None}
+        lost = (which for which in self._saw_ground & self._live if self._seen[which].blind is not None)
+        return ["terrain"] if self._wanted.terrain and any(lost) else []
+
     def _add(self, which: Which, fix: Fix | None) -> None:
         aircraft = self._aircraft[which]
         if fix is None:
@@ -120,8 +138,8 @@ class Surroundings:
             aircraft.add(fix)
 
     def _take(self, choice: SurroundingsChange) -> None:
-        was_watched = self._wanted.terrain or self._wanted.fence
         self.choice = choice
+        self._saw_ground.clear()
         self._wanted = Wanted(
             terrain=choice.terrain_on,
             margin_m=m_from_ft(choice.margin_ft),
@@ -130,8 +148,6 @@ class Surroundings:
             ceiling_m=None if choice.ceiling_ft is None else m_from_ft(choice.ceiling_ft),
             fence_margin_m=m_from_ft(choice.fence_margin_ft),
         )
-        if was_watched and not (choice.terrain_on or choice.fence_on):
-            self._notice(NOTICE, findings=[])
 
 
 def _gps_fix(gps: Values | None, t_s: float | None) -> Fix | None:

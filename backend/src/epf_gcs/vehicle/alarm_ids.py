@@ -21,4 +21,5 @@ AlarmId = Literal[
     "terrain_ahead",
     "fence_left",
     "fence_ahead",
+    "surroundings_unwatched",
 ]

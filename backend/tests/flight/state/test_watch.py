@@ -16,6 +16,7 @@ from epf_gcs.link.address import parse_address
 from epf_gcs.link.failures import lost_error
 from epf_gcs.vehicle.judges import Finding
 from epf_gcs.vehicle.outside import Values
+from epf_gcs.vehicle.surroundings import ToldSurroundings
 from epf_gcs.xplane.datagram import Record, build
 from tests.support.fake_board import FakeBoard
 from tests.support.waiting import eventually_async
@@ -284,6 +285,7 @@ class At:
             recorder=None,
             steady_s=lambda: self.now_s,
             wants=lambda _: False,
+            surroundings=ToldSurroundings(),
         )
 
     def findings(self, now_s: float) -> list[Finding]:

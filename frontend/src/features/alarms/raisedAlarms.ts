@@ -50,6 +50,15 @@ function hilKey({ state, missing_rows }: HilStatus): string {
   return missing_rows.length > 0 ? "hil_lost_rows" : "hil_lost";
 }
 
+/** What is not watched any more, and whether the aircraft was outside the fence when it last was. */
+function unwatchedKey({ what, was_left }: Readonly<Record<string, unknown>>): string {
+  if (was_left === true) {
+    return "surroundings_unwatched_left";
+  }
+  const one = what === "terrain" || what === "fence" || what === "unknown" ? `_${what}` : "";
+  return `surroundings_unwatched${one}`;
+}
+
 /** The sentence of an alarm; `text` is the gateway's own, for an alarm that this page does not know. */
 export function alarmMessage(
   {
@@ -66,6 +75,8 @@ export function alarmMessage(
     key = "gps_lost_silent";
   } else if (id.startsWith("fence_") && params["what"] === "ceiling") {
     key = `${id}_ceiling`;
+  } else if (id === "surroundings_unwatched") {
+    key = unwatchedKey(params);
   } else if (id === BOARD_RESTARTED) {
     key = `board_restarted${"gains" in params ? "_gains" : ""}${"plans" in params ? "_plans" : ""}`;
   }
@@ -149,6 +160,7 @@ const PROOFS: Readonly<Record<string, (facts: Facts) => boolean>> = {
   terrain_ahead: (facts) => sees(facts, ({ height_ft }) => height_ft !== null),
   fence_ahead: (facts) => sees(facts, ({ blind }) => blind !== "no_position"),
   fence_left: (facts) => sees(facts, ({ blind }) => blind !== "no_position"),
+  surroundings_unwatched: (facts) => sees(facts, ({ blind }) => blind !== "no_position"),
   cpu_high: (facts) => isFresh("statistics", facts),
 };
 

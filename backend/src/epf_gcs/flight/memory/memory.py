@@ -35,6 +35,8 @@ class Remembered:
     recording: dict[str, Any] = field(default_factory=dict)
     # What the aircraft is called, as a person said it; empty for no name.
     aircraft: str = ""
+    # What of ground and fence a person wants to be warned of, as `ToldSurroundings` has it.
+    watched: tuple[str, ...] = ()
 
 
 class Memory:
@@ -170,6 +172,7 @@ def _encode(values: Remembered) -> bytes:
             "thresholds": values.thresholds,
             "recording": values.recording,
             "aircraft": values.aircraft,
+            "watched": values.watched,
         },
         option=orjson.OPT_INDENT_2,
     )
@@ -191,6 +194,7 @@ def _decode(values: dict[str, Any]) -> Remembered:
         thresholds=dict(values.get("thresholds", {})),
         recording=dict(values.get("recording", {})),
         aircraft=str(values.get("aircraft", "")),
+        watched=tuple(str(one) for one in values.get("watched", ())),
     )
 
 

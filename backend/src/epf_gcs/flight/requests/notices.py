@@ -13,13 +13,14 @@ from epf_gcs.vehicle.surroundings import ToldSurroundings
 def notices(
     stick: Stick, surroundings: ToldSurroundings, steady_s: Callable[[], float]
 ) -> Callable[[str, dict[str, Any]], None]:
-    """surroundings {findings}: what is seen of ground and fence now (`ToldSurroundings`); and those of the stick."""
+    """surroundings {findings, watched, blind}, as `ToldSurroundings.take` has them; and the notices of the stick."""
     stick_notice = stick_notices(stick)
 
     def notice(name: str, arguments: dict[str, Any]) -> None:
         match name, arguments:
             case "surroundings", {"findings": list(findings)}:
-                surroundings.take(findings, steady_s())
+                words = [value if isinstance(value := arguments.get(one), list) else [] for one in ("watched", "blind")]
+                surroundings.take(findings, steady_s(), *words)
             case _:
                 stick_notice(name, arguments)
 

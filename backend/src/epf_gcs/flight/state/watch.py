@@ -39,6 +39,7 @@ class Watch:
         recorder: Recorder | None,
         steady_s: Callable[[], float],
         wants: Callable[[str], bool],
+        surroundings: ToldSurroundings,
     ) -> None:
         self._supervisor = supervisor
         self._board = board
@@ -47,7 +48,7 @@ class Watch:
         self._simulator = simulator
         self._hil = hil
         self._recorder = recorder
-        self.surroundings = ToldSurroundings()
+        self.surroundings = surroundings
         self._steady_s = steady_s
         self._wants = wants
         self._wanted_since_s: float | None = None
