@@ -13,6 +13,7 @@ from epf_gcs.vehicle.judges import (
     BatteryJudge,
     CpuJudge,
     DamageJudge,
+    FloodJudge,
     GpsJudge,
     Lasting,
     Line,
@@ -368,3 +369,15 @@ def test_the_window_of_damage_goes_on_from_a_kept_state() -> None:
     assert found is not None
     assert found.params == {"percent": 10.0}, "of the hundred frames since the first that counts"
     assert again.look(18.5, 1090, 10, 1.0) is None
+
+
+def test_a_line_that_floods_is_a_warning_while_its_reading_is_paused_and_a_new_link_starts_anew() -> None:
+    judge = FloodJudge()
+    assert judge.look(0.0, 0, 320_000.0) is None
+    found = judge.look(1.0, 3, 320_000.0)
+    assert found is not None
+    assert (found.id, found.params) == ("line_floods", {"kb_per_s": 320})
+    assert judge.look(1.5, 3, 320_000.0) is not None
+    assert judge.look(2.5, 3, 320_000.0) is None
+    assert judge.look(3.0, 0, 320_000.0) is None
+    assert judge.look(3.1, 1, 320_000.0) is not None

@@ -10,6 +10,7 @@ from typing import Final
 from epf_gcs.errors import LinkError
 from epf_gcs.link.base import Device, LinkCallbacks, Tap
 from epf_gcs.link.failures import lost_error
+from epf_gcs.link.read_budget import ReadBudget
 from epf_gcs.link.unbroken import Unbroken
 
 # More than a second of the fastest line; older data would be useless to the board.
@@ -39,10 +40,16 @@ class DescriptorLink:
 
     A frame comes in many pieces, and only the last one completes it. Where the system supports it, we are woken for
     the last one only. While nobody needs the bytes as they come, and they come without a gap, we rest: nothing wakes
-    us, and we read 60 times a second. Made on a running loop. Implements `Link`.
+    us, and we read 60 times a second. A line that sends more than any board's line carries is read no faster than
+    `ReadBudget` allows: its bytes wait at the other end, none is lost. Made on a running loop. Implements `Link`.
     """
 
-    def __init__(self, device: Device) -> None:
+    def __init__(self, device: Device, now_s: Callable[[], float] = monotonic) -> None:
+        self._now_s = now_s
+        self._budget = ReadBudget(now_s())
+        self._pause: asyncio.TimerHandle | None = None
+        self.held_back = 0
+        """How many times reading was paused because more came than is read."""
         self._device = device
         self._on_bytes: Callable[[bytes], None] = _nobody
         self._on_lost: Callable[[LinkError], None] = _nobody
@@ -122,7 +129,7 @@ class DescriptorLink:
         self._closed = True
         self._loop.remove_reader(self._device.fd)
         self._loop.remove_writer(self._device.fd)
-        for timer in (self._patience, self._rest):
+        for timer in (self._patience, self._rest, self._pause):
             if timer is not None:
                 timer.cancel()
         self._device.close()
@@ -135,11 +142,24 @@ class DescriptorLink:
         if tap is not None:
             tap.received(data)
         self._on_bytes(data)
-        if self._unbroken is not None and self._may_rest(self._unbroken, len(data)):
+        pause_s = self._budget.take(len(data), self._now_s())
+        if pause_s:
+            self._hold_back(pause_s)
+        elif self._unbroken is not None and self._may_rest(self._unbroken, len(data)):
             self._loop.remove_reader(self._device.fd)
             self._rest = self._loop.call_later(self._rest_s, self._look_late)
         elif self._wait_for is not None:
             self._await_rest(self._wait_for)
+
+    def _hold_back(self, pause_s: float) -> None:
+        if not self._closed:
+            self.held_back += 1
+            self._loop.remove_reader(self._device.fd)
+            self._pause = self._loop.call_later(pause_s, self._read_on)
+
+    def _read_on(self) -> None:
+        self._pause = None
+        self._loop.add_reader(self._device.fd, self._readable)
 
     def _read(self) -> bytes:
         """What is there; empty if there is nothing, or if the device was lost."""

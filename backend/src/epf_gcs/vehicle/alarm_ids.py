@@ -14,6 +14,7 @@ AlarmId = Literal[
     "battery_low",
     "cpu_high",
     "frames_damaged",
+    "line_floods",
     "parameter_not_confirmed",
     "card_failed",
     "flight_lost",

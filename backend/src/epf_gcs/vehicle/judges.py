@@ -218,6 +218,28 @@ class DamageJudge:
         return Finding("frames_damaged", "warning", text, {"percent": percent})
 
 
+class FloodJudge:
+    """Whether the board's line sends more than is read from it."""
+
+    def __init__(self) -> None:
+        self._count = 0
+        self._until_s: float | None = None
+
+    def look(self, now_s: float, held_back: int, most_bytes_per_s: float) -> Finding | None:
+        """`held_back` counts the pauses of reading; another link begins at 0 again."""
+        if held_back > self._count:
+            self._until_s = now_s + HICCUP_S
+        self._count = held_back
+        if self._until_s is None or now_s > self._until_s:
+            return None
+        kb_per_s = round(most_bytes_per_s / 1000.0)
+        text = (
+            f"The board's line sends more than any board's line carries: {kb_per_s} kB/s are read, the rest waits "
+            "at the other end, so what is shown is late. Look at what is connected there."
+        )
+        return Finding("line_floods", "warning", text, {"kb_per_s": kb_per_s})
+
+
 class StrangersJudge:
     """The datagrams that other programs than the simulator sent to our receive port in the last ten seconds."""
 

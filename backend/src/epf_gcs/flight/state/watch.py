@@ -9,9 +9,12 @@ from epf_gcs.flight.board.parameters import Parameters
 from epf_gcs.flight.hil.hil import Hil
 from epf_gcs.flight.hil.simulator import Simulator
 from epf_gcs.flight.recording.recorder import Recorder
+from epf_gcs.link.descriptor import DescriptorLink
+from epf_gcs.link.read_budget import MOST_BYTES_PER_S
 from epf_gcs.vehicle.board import Board
 from epf_gcs.vehicle.judges import (
     Finding,
+    FloodJudge,
     Line,
     Loop,
     StrangersJudge,
@@ -54,6 +57,7 @@ class Watch:
         self._wanted_since_s: float | None = None
         self._vehicle = VehicleWatch(board, telemetry, steady_s())
         self._strangers = StrangersJudge(steady_s())
+        self._flood = FloodJudge()
 
     @property
     def damaged_percent(self) -> float:
@@ -69,12 +73,17 @@ class Watch:
         found = (
             *self.surroundings.look(now_s),
             *self._vehicle.look(now_s, limits, self._line(now_s), self._loop(now_s), wants_gps=self._wants("gps")),
+            self._flood.look(now_s, self._held_back(), MOST_BYTES_PER_S),
             self._strangers.look(now_s, self._simulator.dropped["stranger"], self._simulator.last_stranger),
             judge_stick(self._hil.stick.gamepad, self._hil.stick.state, flies=self._hil.source != "rc"),
             judge_parameters(self._parameters.unconfirmed),
             judge_recording(None if recorder is None else recorder.failure),
         )
         return [finding for finding in found if finding is not None]
+
+    def _held_back(self) -> int:
+        link = self._board.link
+        return link.held_back if isinstance(link, DescriptorLink) else 0
 
     def _line(self, now_s: float) -> Line | None:
         supervisor = self._supervisor
