@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 from collections.abc import Callable
 from types import SimpleNamespace
 from typing import Any
@@ -203,6 +204,27 @@ def test_an_operator_cannot_command_by_the_id_of_the_holder_however_many_streams
     with pytest.raises(GatewayError) as caught:
         desk.control.own(BEA, f"{0:016x}")
     assert caught.value.code == "client_not_yours", "an id that was forgotten is nobody's"
+
+
+@pytest.mark.anyio
+async def test_a_page_whose_line_cannot_be_looked_at_loses_control_and_the_watch_goes_on() -> None:
+    failures: list[str] = []
+    asyncio.get_running_loop().set_exception_handler(lambda _, context: failures.append(context["message"]))
+    desk = Desk()
+    for client, caller in (("a", ANA), ("b", BEA)):
+        desk.open(client, caller)
+
+    class Broken(Line):
+        @property
+        def heard(self) -> int:  # type: ignore[override]
+            raise ZeroDivisionError
+
+    desk.control._lines["a"] = Broken()
+    armed = len(desk.loop.later)
+    desk.control._look()
+    assert failures == ["the watch over a page's line"]
+    assert desk.control.holder is None, "a page that nobody hears keeps no control"
+    assert len(desk.loop.later) > armed, "it looks again"
 
 
 def test_the_end_of_an_earlier_stream_ends_nothing_of_the_one_that_took_its_place(desk: Desk) -> None:

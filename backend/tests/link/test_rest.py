@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import os
 from collections.abc import AsyncIterator
 
@@ -32,6 +33,7 @@ class SerialLine:
         self.now_s = 1000.0
         self.told: list[tuple[str, int, float]] = []
         self.may_wait = True
+        self.fails = False
         self._waiting = b""
         self._ready, self._signal = os.pipe()
         os.set_blocking(self._ready, False)
@@ -44,6 +46,8 @@ class SerialLine:
 
     def received(self, data: bytes, ago_s: float = 0.0) -> None:
         self.told.append(("received", len(data), round(ago_s, 6)))
+        if self.fails:
+            raise ZeroDivisionError
 
     def sent(self, data: bytes) -> None:
         self.told.append(("sent", len(data), 0.0))
@@ -119,6 +123,22 @@ async def test_what_waits_can_be_had_at_once(line: SerialLine) -> None:
     assert line.told == AT_REST
     line.link.deliver()
     assert line.told == AT_REST
+
+
+async def test_bytes_that_cannot_be_taken_after_a_rest_cost_themselves_alone_and_the_line_is_read_on(
+    line: SerialLine,
+) -> None:
+    failures: list[str] = []
+    asyncio.get_running_loop().set_exception_handler(lambda _, context: failures.append(context["message"]))
+    await line.is_full()
+    line.fails = True
+    line.bring(FULL)
+    await eventually_async(lambda: bool(failures), "the failure is told")
+    assert failures == ["the bytes of a line"]
+    line.fails = False
+    line.told.clear()
+    line.bring(FULL)
+    await line.hears(*AT_REST)
 
 
 async def test_nothing_waits_while_somebody_needs_it(line: SerialLine) -> None:

@@ -17,6 +17,7 @@ from epf_gcs.access.roles import Role
 from epf_gcs.access.watch import LOOK_EVERY_S, Line, Watch
 from epf_gcs.bus.definition import Asker
 from epf_gcs.clock import Clock
+from epf_gcs.kept_alive import failed_in
 from epf_gcs.xplane.datagram import Surfaces
 
 # An axis that moved by less is a hand at rest, or a worn gamepad.
@@ -295,19 +296,30 @@ class Control:
         rules = self._rules
         watched = [*rules.requests, *rules.silent_pages, *(() if rules.holder is None else (rules.holder.client,))]
         self._watches = {client: self._watches.get(client) or Watch() for client in dict.fromkeys(watched)}
-        for client, watch in tuple(self._watches.items()):
+        try:
+            for client, watch in tuple(self._watches.items()):
+                self._look_at(client, watch)
+            self._apply(rules.tick(self._clock.steady_s()))
+        finally:
+            if self._lines or rules.kept_for is not None:
+                self._arm()
+
+    def _look_at(self, client: str, watch: Watch) -> None:
+        """A page whose line cannot be looked at counts as silent: it must not keep control, nor end the watch."""
+        rules = self._rules
+        try:
             found = watch.look(self._lines[client])
-            known = "silent" if client in rules.silent_pages else "hangs" if client == rules.hung else "heard"
-            if found == known or (found, known) == ("hangs", "silent"):
-                continue
-            if found == "hangs":
-                self._apply(rules.hang(client))
-            else:
-                tell = rules.silent if found == "silent" else rules.heard
-                self._apply(tell(client, self._clock.steady_s()))
-        self._apply(rules.tick(self._clock.steady_s()))
-        if self._lines or rules.kept_for is not None:
-            self._arm()
+        except Exception as error:  # noqa: BLE001 - told to the loop
+            failed_in("the watch over a page's line", error)
+            found = "silent"
+        known = "silent" if client in rules.silent_pages else "hangs" if client == rules.hung else "heard"
+        if found == known or (found, known) == ("hangs", "silent"):
+            return
+        if found == "hangs":
+            self._apply(rules.hang(client))
+        else:
+            tell = rules.silent if found == "silent" else rules.heard
+            self._apply(tell(client, self._clock.steady_s()))
 
     def _unix(self, steady_s: float) -> float:
         return self._clock.now_s() - self._clock.steady_s() + steady_s

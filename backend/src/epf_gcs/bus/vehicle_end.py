@@ -160,6 +160,7 @@ class Broadcast:
         self._due_s = max(self._due_s + self._gather_s, now_s + 0.5 * self._gather_s)
 
     def _send_due(self) -> None:
+        self._timer = None
         self._plan()
         self.send_gathered()
 

@@ -52,7 +52,7 @@ from epf_gcs.flight.state.line_rates import LineRates
 from epf_gcs.flight.state.lines import Lines, LinkOpener
 from epf_gcs.flight.state.status import StatusSources, build_status
 from epf_gcs.flight.state.watch import Watch
-from epf_gcs.kept_alive import keep_alive
+from epf_gcs.kept_alive import keep_alive, log_and_count_failures
 from epf_gcs.vehicle.alarm_ids import AlarmId
 from epf_gcs.vehicle.alarms import Alarms
 from epf_gcs.vehicle.restart import Restart
@@ -75,6 +75,7 @@ class Flight:
         self._client_names = ClientNames()
         self._log = FlightLog(self.clock.steady_s)
         self.errors = ErrorLog()
+        log_and_count_failures(self._loop, "flight", lambda: self.errors.count("internal"))
         self.errors.tell_viewers(self.clock.steady_s, self.outlet.event)
         self.memory = Memory(data_dir / "state.json", self.errors.report)
 

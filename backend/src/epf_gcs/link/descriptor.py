@@ -8,6 +8,7 @@ from time import monotonic
 from typing import Final
 
 from epf_gcs.errors import LinkError
+from epf_gcs.kept_alive import failed_in
 from epf_gcs.link.base import Device, LinkCallbacks, Tap
 from epf_gcs.link.failures import lost_error
 from epf_gcs.link.read_budget import ReadBudget
@@ -198,9 +199,13 @@ class DescriptorLink:
         self._is_delivering = True
         try:
             with self._callbacks.together():
-                is_open = self._deliver(data, unbroken, lasted_s)
+                self._deliver(data, unbroken, lasted_s)
+        except Exception as error:  # noqa: BLE001 - told to the loop
+            # What cannot be taken costs itself alone: the line is read on.
+            failed_in("the bytes of a line", error)
         finally:
             self._is_delivering = False
+        is_open = not self._closed
         rest.cancel()
         self._rest = None
         if not is_open:
@@ -221,8 +226,8 @@ class DescriptorLink:
         self._awake_until_s = monotonic() + _AWAKE_S
         self.deliver()
 
-    def _deliver(self, data: bytes, unbroken: Unbroken, lasted_s: float) -> bool:
-        """Frame by frame, each with the time at which its last byte came. False if the link was closed meanwhile."""
+    def _deliver(self, data: bytes, unbroken: Unbroken, lasted_s: float) -> None:
+        """Frame by frame, each with the time at which its last byte came, until the link is closed."""
         start, count, tap = 0, len(data), self._tap
         while start < count and not self._closed:
             missing = self._callbacks.missing_bytes(data[start : start + _AHEAD_BYTES])
@@ -231,7 +236,6 @@ class DescriptorLink:
             if tap is not None:
                 tap.received(piece, unbroken.ago_s(count - stop, count, lasted_s))
             self._on_bytes(piece)
-        return not self._closed
 
     def _await_rest(self, wait_for: Callable[[int], None]) -> None:
         """Be woken only when all bytes missing to a frame can be there, not for each piece of it."""

@@ -12,7 +12,6 @@ from epf_gcs import __version__
 from epf_gcs.bus.address import Listener
 from epf_gcs.bus.definition import Asker
 from epf_gcs.bus.vehicle_end import Broadcast, Handler, VehicleEnd
-from epf_gcs.errors import GatewayError
 from epf_gcs.replay.answers import build_inspector, build_known
 from epf_gcs.replay.keys import Keys
 from epf_gcs.replay.player import Player
@@ -32,7 +31,7 @@ class Viewing:
         self._on_turn = on_turn
         self._timer: asyncio.Handle | None = None
         self._gone = asyncio.Event()
-        self._fault: GatewayError | MemoryError | None = None
+        self._fault: Exception | None = None
         self._broadcast = Broadcast(self._now_s)
         self._player = Player(timeline, keys, self._broadcast, flight, at_s=at_s)
         self.due_s = 0.0
@@ -75,7 +74,7 @@ class Viewing:
         now_s = monotonic()
         try:
             wait_s = self._player.turn(now_s)
-        except (GatewayError, MemoryError) as fault:
+        except Exception as fault:  # noqa: BLE001 - else the viewer has a picture that stands still for ever
             self._fault = fault
             self._gone.set()
             return

@@ -21,7 +21,7 @@ from epf_gcs.bus.station_end import StationEnd
 from epf_gcs.clock import Clock
 from epf_gcs.error_log import ErrorLog
 from epf_gcs.fields.fields import Fields
-from epf_gcs.kept_alive import keep_alive
+from epf_gcs.kept_alive import keep_alive, log_and_count_failures
 from epf_gcs.library.aircraft import AircraftName
 from epf_gcs.library.flights import Flights
 from epf_gcs.library.imports import FlightImports
@@ -55,6 +55,7 @@ class Station:
     def __init__(self, data_dir: Path, errors: ErrorLog, clock: Clock, *, control_by_silence: bool = False) -> None:
         loop = asyncio.get_running_loop()
         self._errors = errors
+        log_and_count_failures(loop, "web", lambda: errors.count("internal"))
         self._here = asyncio.Event()
         self.clock = clock
         self.hub = Hub(loop, self.clock.now_s, on_rate=self._rate_changed)

@@ -37,6 +37,10 @@ class Screen:
     def batches(self) -> list[dict[str, Any]]:
         return [message for message in self.messages if message["type"] == "batch"]
 
+    @property
+    def events(self) -> list[dict[str, Any]]:
+        return [message for message in self.messages if message["type"] == "event"]
+
     def values(self, topic: str) -> list[Any]:
         return [
             sample["values"]["n"] for batch in self.batches for sample in batch["samples"] if sample["topic"] == topic
@@ -269,3 +273,20 @@ def test_a_viewer_s_beat_moves_to_that_of_the_samples_and_is_not_faster() -> Non
     assert screen.values("ahrs")[-1] == 599
     assert len(sent_s) <= 601
     assert sent_s[-500:] == came_s[-500:], "each leaves as it comes"
+
+
+async def test_a_viewer_that_fails_costs_the_others_nothing(hub: Hub) -> None:
+    failures: list[str] = []
+    asyncio.get_running_loop().set_exception_handler(lambda _, context: failures.append(context["message"]))
+    bad, good = a_screen(hub), a_screen(hub)
+
+    def fail(_: list[bytes]) -> None:
+        raise ZeroDivisionError
+
+    bad.send = fail  # type: ignore[assignment, method-assign]
+    hub.event("alarm", {"id": "x"})
+    await eventually_async(lambda: bool(good.events), "the other one hears it")
+    assert failures == ["a viewer of the stream"]
+    hub.event("alarm", {"id": "y"})
+    await eventually_async(lambda: len(good.events) == 2, "and all that follows")
+    assert len(failures) == 1

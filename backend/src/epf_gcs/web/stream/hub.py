@@ -9,6 +9,7 @@ from typing import Any, Final
 
 import orjson
 
+from epf_gcs.kept_alive import failed_in
 from epf_gcs.web.stream.hub_state import HubState
 from epf_gcs.web.stream.viewer import Viewer
 
@@ -157,17 +158,25 @@ class Hub:
 
     def _send(self, viewers: list[Viewer]) -> None:
         # The first is sent at once, for the shortest delay to a single browser.
-        for place, viewer in enumerate(viewers):
+        for place, viewer in enumerate(tuple(viewers)):
             if place == 0:
-                viewer.flush()
+                self._flush(viewer)
             else:
                 self.serve(viewer)
+
+    def _flush(self, viewer: Viewer) -> None:
+        """One viewer that fails costs the others nothing. It hears no more, so its page notices and dials again."""
+        try:
+            viewer.flush()
+        except Exception as error:  # noqa: BLE001 - told to the loop
+            self.remove(viewer)
+            failed_in("a viewer of the stream", error)
 
     def _turn(self) -> None:
         for _ in range(min(_VIEWERS_PER_TURN, len(self._queue))):
             viewer = self._queue.popleft()
             viewer.queued = False
-            viewer.flush()
+            self._flush(viewer)
         self._turn_due = bool(self._queue)
         if self._turn_due:
             self._loop.call_soon(self._turn)
