@@ -69,3 +69,28 @@ def test_a_line_that_is_none_is_named(text: str, code: str, words: str) -> None:
     error = refusal(text)
     assert error.code == code
     assert words in error.detail
+
+
+@pytest.mark.parametrize(
+    ("header", "row"),
+    [
+        ("latitude_deg;longitude_deg;altitude_ft", "27,935;-15,387;1.000"),
+        ("latitude_deg;longitude_deg;altitude_ft", "27,935;-15,387;1,000"),
+        ("latitude_deg,longitude_deg,altitude_ft", '27.935,-15.387,"1,000"'),
+        ("latitude_deg;longitude_deg;altitude_m", "27,935;-15,387;12.500"),
+    ],
+)
+def test_a_number_that_may_be_a_thousand_or_one_is_asked_about(header: str, row: str) -> None:
+    error = refusal(f"{header}\n{row}\n")
+    assert error.code == "mission_file_which_number"
+    assert "altitude" in error.detail
+
+
+def test_coordinates_and_whatever_a_thousand_times_as_much_cannot_be_have_three_decimals() -> None:
+    found = read("latitude_deg;longitude_deg;altitude_ft;speed_kt\n27,935;-15.387;0.125;55.125\n")
+    assert found.waypoints == (Waypoint(27.935, -15.387, 0.125, 55.125),)
+
+
+def test_what_we_write_is_never_asked_about() -> None:
+    ours = (Waypoint(27.935, -15.387, 12.345, 1.5), Waypoint(27.936, -15.387, 999.125, 0.25))
+    assert read(write_csv(ours)).waypoints == ours

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import math
 import zipfile
 from typing import Any
 
@@ -12,16 +13,29 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from epf_gcs.errors import InvalidInputError
-from epf_gcs.formats.fence_file import Corner, read_fence_file, write_fence_kml, write_fence_plan
+from epf_gcs.formats.fence_file import Corner, crossing_edges, read_fence_file, write_fence_kml, write_fence_plan
 from tests.support.kml import schema_faults
 
 CORNERS: tuple[Corner, ...] = ((28.0, -15.5), (28.0, -15.4), (28.1, -15.4))
-FENCES = st.lists(
-    st.tuples(st.integers(-90_000_000, 90_000_000), st.integers(-180_000_000, 180_000_000)),
-    min_size=3,
-    max_size=100,
-    unique=True,
-).map(lambda corners: [(latitude / 1e6, longitude / 1e6) for latitude, longitude in corners])
+
+
+def _around(centre: Corner, spokes: dict[int, float]) -> list[Corner]:
+    """A border without crossings: its corners in the order of their bearing (degrees), so far from the centre."""
+    latitude, longitude = centre
+    return [
+        (
+            round(latitude + far * math.cos(math.radians(bearing)), 6),
+            round((longitude + far * math.sin(math.radians(bearing)) + 180.0) % 360.0 - 180.0, 6),
+        )
+        for bearing, far in sorted(({0: 3.0, 120: 3.0, 240: 3.0} | spokes).items())
+    ]
+
+
+FENCES = st.builds(
+    _around,
+    st.tuples(st.floats(-80, 80), st.floats(-180, 180)),
+    st.dictionaries(st.integers(0, 359), st.floats(0.5, 5.0), max_size=90),
+)
 
 # As Google Earth saves a polygon that was drawn by hand.
 DRAWN = """<?xml version="1.0" encoding="UTF-8"?>
@@ -139,3 +153,32 @@ def test_no_bytes_do_more_than_be_refused(data: bytes) -> None:
     except InvalidInputError:
         return
     assert 3 <= len(found.corners) <= 100
+
+
+@pytest.mark.parametrize(
+    ("corners", "sides"),
+    [
+        ([(27.0, -15.0), (28.0, -14.0), (28.0, -15.0), (27.0, -14.0)], (1, 3)),
+        ([(0.0, 179.5), (1.0, -179.5), (1.0, 179.5), (0.0, -179.5)], (1, 3)),  # over the date line
+        ([(0.0, 0.0), (0.0, 2.0), (2.0, 1.0), (0.0, 1.0), (2.0, 0.0)], (1, 3)),  # a corner on another side
+        ([(0.0, 0.0), (0.0, 2.0), (0.0, 1.0), (1.0, 1.0)], (1, 2)),  # a spike
+    ],
+)
+def test_a_border_that_crosses_itself_is_refused_with_its_two_sides(
+    corners: list[Corner], sides: tuple[int, int]
+) -> None:
+    assert crossing_edges(corners) == sides
+    with pytest.raises(InvalidInputError) as caught:
+        read_fence_file("x.plan", write_fence_plan(corners))
+    assert caught.value.code == "fence_file_crosses"
+    assert (caught.value.params["first"], caught.value.params["second"]) == sides
+
+
+@given(FENCES)
+def test_a_border_around_a_place_crosses_nothing(corners: list[Corner]) -> None:
+    assert crossing_edges(corners) is None
+    assert crossing_edges(corners[::-1]) is None
+
+
+def test_a_side_that_goes_on_straight_crosses_nothing() -> None:
+    assert crossing_edges([(0.0, 0.0), (0.0, 1.0), (0.0, 2.0), (1.0, 1.0)]) is None

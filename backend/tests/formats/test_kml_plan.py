@@ -81,7 +81,6 @@ def test_a_path_of_google_earth_is_a_plan_without_speeds() -> None:
             ("altitude_missing", {"count": 3, "altitude_ft": 1000.0}),
         ),
         ("", "152.4", 500.0, ("altitude_clamped", {"count": 3})),
-        ("<altitudeMode>relativeToGround</altitudeMode>", "152.4", 500.0, ("altitude_above_ground", {"count": 3})),
         (
             "<gx:altitudeMode>clampToSeaFloor</gx:altitudeMode>",
             "0",
@@ -96,6 +95,16 @@ def test_altitudes_that_are_not_above_the_sea_are_told(
     found = read(path(mode=mode, altitude=altitude))
     assert {waypoint.altitude_ft for waypoint in found.waypoints} == {expected_ft}
     assert notes(found)[note[0]] == note[1]
+
+
+@pytest.mark.parametrize(
+    "mode",
+    ["<altitudeMode>relativeToGround</altitudeMode>", "<gx:altitudeMode>relativeToSeaFloor</gx:altitudeMode>"],
+)
+def test_a_height_above_the_ground_is_refused_and_never_flown_as_one_above_the_sea(mode: str) -> None:
+    error = refusal(path(mode=mode, altitude="152.4"))
+    assert error.code == "mission_file_above_ground"
+    assert "absolute altitudes" in error.detail
 
 
 def test_the_first_line_is_the_plan_and_the_rest_is_told() -> None:

@@ -91,10 +91,16 @@ def test_what_is_no_waypoint_is_left_out_and_named() -> None:
     assert notes(found)["items_skipped"] == {"count": 4, "kinds": "22, survey, 206, 20"}
 
 
-def test_heights_above_the_ground_are_a_warning() -> None:
-    found = read(plan([waypoint(27.94, -15.37, 152.4, 10)]))
-    assert found.waypoints[0].altitude_ft == 500.0
-    assert notes(found)["altitude_above_ground"] == {"count": 1}
+@pytest.mark.parametrize("frame", [10, 11])
+def test_a_height_above_the_ground_is_refused_and_never_flown_as_one_above_the_sea(frame: int) -> None:
+    error = refusal(plan([waypoint(27.94, -15.37, 152.4, 0), waypoint(27.94, -15.37, 152.4, frame)]))
+    assert error.code == "mission_file_above_ground"
+    assert "the height of item 2 is above the ground" in error.detail
+
+
+def test_a_home_of_zeros_is_one_that_nobody_has_set() -> None:
+    error = refusal(plan([waypoint(27, -15, 100)], plannedHomePosition=[0, 0, 0]))
+    assert error.code == "mission_file_no_home"
 
 
 @pytest.mark.parametrize(

@@ -36,6 +36,23 @@ def test_the_first_item_is_home_and_heights_count_from_it() -> None:
     assert notes(found)["home_skipped"] == {"latitude_deg": 27.9319, "longitude_deg": -15.3866}
 
 
+def test_a_file_that_begins_with_item_1_has_no_home_and_loses_no_waypoint() -> None:
+    """Its first waypoint was taken for home: lost, and its height above home became home's altitude."""
+    relative = wpl(waypoint(1, "27.94", "-15.37", "120"), waypoint(2, "27.95", "-15.36", "120"))
+    error = refusal(relative)
+    assert error.code == "mission_file_no_home"
+    assert "line 2" in error.detail
+    found = read(wpl(waypoint(1, "27.94", "-15.37", "304.8", 0), waypoint(2, "27.95", "-15.36", "304.8", 0)))
+    assert [one.latitude_deg for one in found.waypoints] == [27.94, 27.95]
+    assert "home_skipped" not in notes(found)
+
+
+@pytest.mark.parametrize("frame", [10, 11])
+def test_a_height_above_the_ground_is_refused_and_never_flown_as_one_above_the_sea(frame: int) -> None:
+    error = refusal(wpl(HOME, waypoint(1, "27.94", "-15.37", "120", frame)))
+    assert error.code == "mission_file_above_ground"
+
+
 def test_take_off_landing_and_jumps_are_left_out_and_named_and_a_speed_holds() -> None:
     lines = (
         HOME,

@@ -10,8 +10,10 @@ from typing import Any
 import numpy as np
 import pytest
 
+from epf_gcs.errors import InvalidInputError
 from epf_gcs.formats.quantized_mesh_reading import SIDE
 from epf_gcs.maps.layer import Bounds, Description, Layer
+from epf_gcs.surroundings.choice import FenceCorner
 from epf_gcs.surroundings.kept import FILE_NAME, OFF, KeptSurroundings
 from epf_gcs.surroundings.watch import Surroundings
 
@@ -175,6 +177,24 @@ def test_a_choice_that_cannot_be_read_is_said_to_be_unknown_until_another_replac
 
     asyncio.run(fly())
     assert [path.read_bytes() for path in tmp_path.glob(f"{FILE_NAME}.damaged-*")] == [content]
+
+
+def test_a_fence_that_crosses_itself_is_not_taken_and_one_that_is_kept_so_is_no_choice(tmp_path: Path) -> None:
+    corners = [(28.0, -15.0), (29.0, -14.0), (29.0, -15.0), (28.0, -14.0)]
+    crossed = OFF.model_copy(
+        update={"fence_on": True, "corners": [FenceCorner(latitude_deg=a, longitude_deg=b) for a, b in corners]}
+    )
+
+    async def fly() -> None:
+        station = Station(tmp_path)
+        with pytest.raises(InvalidInputError) as caught:
+            await station.watch.choose(crossed)
+        assert (caught.value.code, caught.value.params) == ("fence_crosses", {"first": 1, "second": 3})
+        assert station.watch.choice == OFF
+
+    asyncio.run(fly())
+    KeptSurroundings(tmp_path).write(crossed)
+    assert KeptSurroundings(tmp_path).read() is None, "nobody knows what is inside"
 
 
 def test_without_a_valid_live_position_nothing_is_shown_or_told(tmp_path: Path) -> None:

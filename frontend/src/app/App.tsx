@@ -92,6 +92,7 @@ function useSharedWords(): ComponentProps<typeof WordsProvider>["words"] {
       warning: t("words.warning"),
       critical: t("words.critical"),
       notANumber: t("words.notANumber"),
+      whichNumber: (thousand, one) => t("words.whichNumber", { thousand, one }),
       outOfRange: (minimum: string, maximum: string) => t("words.outOfRange", { minimum, maximum }),
       stillIs: (value: string) => t("words.stillIs", { value }),
       refusedEdit: (text: string, why: string) => t("words.refusedEdit", { text, why }),

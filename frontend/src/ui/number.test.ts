@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import { parseNumber, stepped } from "./number";
+import { parseNumber, stepped, twoReadings } from "./number";
 
 describe("what is typed", () => {
   test.each([
@@ -32,6 +32,27 @@ describe("what is typed", () => {
     "0x10",
   ])("%j is no number", (text) => {
     expect(parseNumber(text)).toBeNull();
+  });
+});
+
+describe("one mark and three digits behind it", () => {
+  test.each([
+    ["1.000", 0, 60_000, { thousand: "1000", one: "1" }],
+    ["1,000", 0, 60_000, { thousand: "1000", one: "1" }],
+    ["\u221212,500", -60_000, 60_000, { thousand: "-12500", one: "-12.5" }],
+  ])("%j from %d to %d may be a thousand or one", (text, minimum, maximum, readings) => {
+    expect(twoReadings(text, minimum, maximum)).toEqual(readings);
+  });
+
+  test.each([
+    ["27.935", -90, 90],
+    ["1.250", 0, 99.99],
+    ["0.125", 0, 60_000],
+    ["1234.567", 0, 60_000],
+    ["1.0", 0, 60_000],
+    ["1000", 0, 60_000],
+  ])("%j from %d to %d has one reading", (text, minimum, maximum) => {
+    expect(twoReadings(text, minimum, maximum)).toBeNull();
   });
 });
 

@@ -1,5 +1,5 @@
 import { type KeyboardEvent, useState } from "react";
-import { parseNumber, stepped } from "./number";
+import { parseNumber, stepped, twoReadings } from "./number";
 import type { CommandState } from "./states";
 import { useWords, type Words } from "./words";
 
@@ -65,7 +65,13 @@ export function useNumberEdit(props: NumberEditing): NumberEdit {
   function finish(leaves: boolean): void {
     if (draft === null) return;
     const typed = parseNumber(draft);
-    const refusal = typed === null ? words.notANumber : refusalOf(typed, props, words);
+    const readings = twoReadings(draft, minimum, maximum);
+    const refusal =
+      typed === null
+        ? words.notANumber
+        : readings === null
+          ? refusalOf(typed, props, words)
+          : words.whichNumber(readings.thousand, readings.one);
     if (draft.trim() === "") {
       forget();
     } else if (typed !== null && refusal === null) {

@@ -22,6 +22,8 @@ export interface Words {
   critical: string;
   /** A number field's complaint about text that is not a number. */
   notANumber: string;
+  /** One mark and three digits behind it: which of two numbers is meant? */
+  whichNumber: (thousand: string, one: string) => string;
   /** A number field's complaint about a number outside its range, which is given as text. */
   outOfRange: (minimum: string, maximum: string) => string;
   /** The value of a number field while another text is in it. */

@@ -10,11 +10,31 @@ from itertools import islice
 from typing import Final
 
 from epf_gcs.codec.tables import Waypoint
-from epf_gcs.formats.mission_file import MAX_WAYPOINTS, FileFault, MissionFile, Note, Place, Point, number, settle
+from epf_gcs.formats.mission_file import (
+    MAX_WAYPOINTS,
+    FileFault,
+    MissionFile,
+    Note,
+    Place,
+    Point,
+    is_ambiguous,
+    number,
+    place_params,
+    settle,
+)
 from epf_gcs.formats.units import ft_from_m, kt_from_m_s
 
 _COLUMNS: Final = ("latitude_deg", "longitude_deg", "altitude_ft", "speed_kt")
 _METRIC: Final = {"altitude_m": ft_from_m, "speed_m_s": kt_from_m_s}
+# No value of a kind is larger; what a thousand times as much exceeds is not taken for thousands.
+_LARGEST: Final = {
+    "latitude_deg": 90.0,
+    "longitude_deg": 180.0,
+    "altitude_ft": 60_000.0,
+    "altitude_m": 20_000.0,
+    "speed_kt": 1_000.0,
+    "speed_m_s": 500.0,
+}
 _NEEDED: Final = ("latitude_deg", "longitude_deg")
 
 
@@ -23,8 +43,14 @@ def write_csv(waypoints: Sequence[Waypoint]) -> bytes:
     text = io.StringIO()
     table = csv.writer(text)
     table.writerow(_COLUMNS)
-    table.writerows([getattr(waypoint, column) for column in _COLUMNS] for waypoint in waypoints)
+    table.writerows([_written(getattr(waypoint, column), column) for column in _COLUMNS] for waypoint in waypoints)
     return text.getvalue().encode("ascii")
+
+
+def _written(value: float, column: str) -> str:
+    """With one decimal more where three of them could be taken for thousands."""
+    text = repr(value)
+    return f"{text}0" if is_ambiguous(text, _LARGEST[column]) else text
 
 
 def read_csv(data: bytes) -> MissionFile:
@@ -72,7 +98,17 @@ def _quantity(row: Mapping[str, str], name: str, metric: str, place: Place) -> f
 
 
 def _number(row: Mapping[str, str], name: str, place: Place) -> float:
-    return number(row.get(name, "").replace(",", "."), name, place)
+    text = row.get(name, "").strip()
+    if is_ambiguous(text, _LARGEST[name]):
+        raise FileFault(
+            "mission_file_which_number",
+            f"{name} of {place} is {text!r}, which may be a thousand or one: write it without thousands mark, or with "
+            "one decimal",
+            field=name,
+            value=text[:30],
+            **place_params(place),
+        )
+    return number(text.replace(",", "."), name, place)
 
 
 def _rows(text: str) -> Iterator[tuple[int, list[str]]]:

@@ -16,6 +16,7 @@ from epf_gcs.formats.mission_file import (
     Note,
     Place,
     Point,
+    above_ground,
     number,
     place_params,
     settle,
@@ -69,9 +70,9 @@ def read_kml(root: Element) -> MissionFile:
 
 def _as_flown(shapes: list[_Shape], notes: list[Note]) -> tuple[list[Point], list[Note]]:
     """The points in order, and the notes with those on their altitudes added."""
-    above_ground = sum(len(shape.points) for shape in shapes if shape.mode == "relative")
-    if above_ground:
-        notes.append(Note("altitude_above_ground", {"count": above_ground}))
+    for shape in shapes:
+        if shape.mode == "relative" and shape.points:
+            raise above_ground(shape.points[0].place)
     points: list[Point] = []
     clamped = 0
     for shape in shapes:

@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Sequence
 from typing import Any, Final
 
-from epf_gcs.formats.mission_file import FileFault, Note, Place, Point, not_a_number, place_params
+from epf_gcs.formats.mission_file import FileFault, Note, Place, Point, above_ground, not_a_number, place_params
 from epf_gcs.formats.units import ft_from_m, kt_from_m_s
 
 WAYPOINT: Final = 16
@@ -36,7 +36,6 @@ class ItemReader:
         self._speed_kt: float | None = None
         self._skipped: Counter[str] = Counter()
         self._from_home = 0
-        self._above_ground = 0
 
     def skip(self, kind: str) -> None:
         """Leave out an item of a kind that a plan of ours does not have."""
@@ -60,8 +59,6 @@ class ItemReader:
         if self._from_home:
             home_ft = round(ft_from_m(self._home_m(Place("item", 1))), 1)
             found.append(Note("altitude_from_home", {"count": self._from_home, "home_ft": home_ft}))
-        if self._above_ground:
-            found.append(Note("altitude_above_ground", {"count": self._above_ground}))
         return found
 
     def _take_speed(self, parameters: Sequence[Any], place: Place) -> None:
@@ -80,7 +77,7 @@ class ItemReader:
             altitude_m += self._home_m(place)
             self._from_home += 1
         elif frame in _ABOVE_GROUND:
-            self._above_ground += 1
+            raise above_ground(place)
         elif frame not in ABOVE_SEA:
             raise FileFault(
                 "mission_file_frame",
@@ -92,7 +89,8 @@ class ItemReader:
 
     def _home_m(self, place: Place) -> float:
         home = self._home if isinstance(self._home, list) else []
-        if not _is_number(_get(home, 2)):
+        # Ground stations write zeros for a home that nobody has set.
+        if not _is_number(_get(home, 2)) or not any(home[:3]):
             raise FileFault(
                 "mission_file_no_home",
                 f"the height of {place} counts from home and the file has no planned home",

@@ -17,7 +17,6 @@ Format = Literal["kml", "gpx", "csv", "plan", "waypoints"]
 FileFormat = Literal["kml", "kmz", "gpx", "csv", "plan"]
 """What a file is written as: KMZ is KML, packed."""
 NoteCode = Literal[
-    "altitude_above_ground",
     "altitude_clamped",
     "altitude_from_home",
     "altitude_missing",
@@ -97,10 +96,31 @@ def number(text: str | None, field: str, place: Place) -> float:
     return value
 
 
+_THOUSANDS: Final = re.compile(r"[+-]?[1-9][0-9]{0,2}[.,][0-9]{3}")
+
+
+def is_ambiguous(text: str, largest: float) -> bool:
+    """Whether "1.000" or "1,000" may be a thousand for the one who wrote it and one for who reads it.
+
+    Not where a thousand times as much is larger than any value of this kind, as in coordinates.
+    """
+    return _THOUSANDS.fullmatch(text) is not None and abs(float(re.sub("[.,]", "", text))) <= largest
+
+
 def not_a_number(field: str, found: str, place: Place) -> FileFault:
     """The error for a value that is missing or not a number."""
     why = f"{field} of {place} is missing" if not found else f"{field} of {place} is no number ({found[:30]!r})"
     return FileFault("mission_file_unreadable", why, field=field, value=found[:30], **place_params(place))
+
+
+def above_ground(place: Place) -> FileFault:
+    """The error for a height above the ground: the board flies altitudes above mean sea level."""
+    return FileFault(
+        "mission_file_above_ground",
+        f"the height of {place} is above the ground, and the board flies altitudes above mean sea level: "
+        "save it with absolute altitudes",
+        **place_params(place),
+    )
 
 
 def place_params(place: Place) -> dict[str, str | float]:

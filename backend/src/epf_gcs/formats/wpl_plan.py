@@ -12,6 +12,7 @@ SIGNATURE: Final = b"QGC WPL "
 _VERSION: Final = "110"
 # Sequence number, whether it is the current one, frame, command, seven parameters, whether to go on.
 _COLUMNS: Final = 12
+_SEQUENCE: Final = 0
 _FRAME: Final = 2
 _COMMAND: Final = 3
 _PARAMETERS: Final = slice(4, 11)
@@ -21,8 +22,9 @@ _MAX_ITEMS: Final = 5000
 def read_wpl(data: bytes) -> MissionFile:
     """The waypoints of the file, with the speeds commanded before them. Raises FileFault naming the line.
 
-    The first item is where the flight begins, not a waypoint: Mission Planner writes it so, and heights above home
-    count from it. What is no waypoint is left out and noted.
+    Item 0 is where the flight begins, not a waypoint: Mission Planner writes it so, and heights above home count from
+    it. A file that begins with item 1 has no home: all its waypoints are taken, and heights above home are refused.
+    What is no waypoint is left out and noted.
     """
     try:
         text = data.decode("utf-8")
@@ -37,8 +39,8 @@ def read_wpl(data: bytes) -> MissionFile:
     reader = ItemReader(None)
     notes: list[Note] = []
     for nth, (place, cells) in enumerate(items):
-        frame, command, parameters = _item(cells, place)
-        if nth == 0 and command == WAYPOINT:
+        sequence, frame, command, parameters = _item(cells, place)
+        if nth == 0 and sequence == 0 and command == WAYPOINT:
             reader = ItemReader(parameters[4:7])
             notes.append(Note("home_skipped", {"latitude_deg": parameters[4], "longitude_deg": parameters[5]}))
         else:
@@ -46,7 +48,7 @@ def read_wpl(data: bytes) -> MissionFile:
     return settle("waypoints", reader.points, [*notes, *reader.notes()])
 
 
-def _item(cells: list[str], place: Place) -> tuple[int, int, list[float]]:
+def _item(cells: list[str], place: Place) -> tuple[int, int, int, list[float]]:
     if len(cells) < _COLUMNS:
         raise FileFault(
             "mission_file_damaged",
@@ -54,8 +56,9 @@ def _item(cells: list[str], place: Place) -> tuple[int, int, list[float]]:
             format="waypoints",
             line=place.nth,
         )
+    sequence = number(cells[_SEQUENCE], "sequence number", place)
     frame = number(cells[_FRAME], "frame", place)
     command = number(cells[_COMMAND], "command", place)
     names = ("param1", "param2", "param3", "param4", "latitude_deg", "longitude_deg", "altitude")
     parameters = [number(cell, name, place) for cell, name in zip(cells[_PARAMETERS], names, strict=True)]
-    return int(frame), int(command), parameters
+    return int(sequence), int(frame), int(command), parameters

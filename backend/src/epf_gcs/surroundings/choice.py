@@ -7,7 +7,13 @@ from typing import Annotated, Self
 from pydantic import Field, model_validator
 
 from epf_gcs.contract.shapes import Input
-from epf_gcs.formats.fence_file import HIGHEST_CEILING_FT, LEAST_CORNERS, LOWEST_CEILING_FT, MOST_CORNERS
+from epf_gcs.formats.fence_file import (
+    HIGHEST_CEILING_FT,
+    LEAST_CORNERS,
+    LOWEST_CEILING_FT,
+    MOST_CORNERS,
+    crossing_edges,
+)
 
 
 class FenceCorner(Input):
@@ -15,6 +21,11 @@ class FenceCorner(Input):
 
     latitude_deg: Annotated[float, Field(ge=-90, le=90)]
     longitude_deg: Annotated[float, Field(ge=-180, le=180)]
+
+
+def crossing(choice: SurroundingsChange) -> tuple[int, int] | None:
+    """Two sides of the chosen fence that cross, by number from 1."""
+    return crossing_edges([(corner.latitude_deg, corner.longitude_deg) for corner in choice.corners])
 
 
 class SurroundingsChange(Input):

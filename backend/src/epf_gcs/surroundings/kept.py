@@ -10,7 +10,7 @@ from pydantic import ValidationError
 
 from epf_gcs.disk import replace_file, set_aside
 from epf_gcs.errors import ConflictError
-from epf_gcs.surroundings.choice import SurroundingsChange
+from epf_gcs.surroundings.choice import SurroundingsChange, crossing
 
 FILE_NAME: Final = "surroundings.json"
 OFF: Final = SurroundingsChange(
@@ -31,7 +31,10 @@ class KeptSurroundings:
         """The choice; None if there is one that cannot be read. Its file stays until another choice replaces it, so
         that no restart takes an unknown choice for none."""
         try:
-            return SurroundingsChange.model_validate_json(self._path.read_bytes())
+            choice = SurroundingsChange.model_validate_json(self._path.read_bytes())
+            if crossing(choice) is None:
+                return choice
+            log.warning("the fence that was chosen crosses itself", file=str(self._path))
         except FileNotFoundError:
             return OFF
         except ValidationError:

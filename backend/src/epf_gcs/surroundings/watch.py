@@ -7,9 +7,10 @@ import math
 from collections.abc import Callable
 from typing import Any, Final, Literal, Protocol
 
+from epf_gcs.errors import InvalidInputError
 from epf_gcs.formats.units import ft_from_m, m_from_ft
 from epf_gcs.surroundings.aircraft import AircraftSurroundings, Seen, Wanted
-from epf_gcs.surroundings.choice import SurroundingsChange
+from epf_gcs.surroundings.choice import SurroundingsChange, crossing
 from epf_gcs.surroundings.ground import Ground, Tiles
 from epf_gcs.surroundings.kept import OFF, KeptSurroundings
 from epf_gcs.surroundings.motion import Fix
@@ -78,7 +79,18 @@ class Surroundings:
             tasks.create_task(self._repeat(), name="surroundings")
 
     async def choose(self, change: SurroundingsChange) -> None:
-        """Keep the choice and watch by it. Raises ConflictError if the disk does not take it; then nothing changes."""
+        """Keep the choice and watch by it; else nothing changes. Raises InvalidInputError for a fence that crosses
+        itself, ConflictError if the disk does not take it."""
+        sides = crossing(change)
+        if sides is not None:
+            first, second = sides
+            raise InvalidInputError(
+                "fence_crosses",
+                f"The fence crosses itself: sides {first} and {second} meet, so it is not clear what is inside. Move a "
+                "corner.",
+                first=first,
+                second=second,
+            )
         await asyncio.to_thread(self._kept.write, change)
         self._is_unknown = False
         self._take(change)

@@ -1,6 +1,6 @@
 import { type KeyboardEvent, useState } from "react";
 import { useTranslation } from "react-i18next";
-import { parseNumber } from "../../ui/number";
+import { parseNumber, twoReadings } from "../../ui/number";
 
 interface Props {
   label: string;
@@ -9,6 +9,8 @@ interface Props {
   row: number;
   field: string;
   isReadOnly: boolean;
+  /** No number of this column is larger, in the user's unit. */
+  largest: number;
   /** Why this number is invalid; null if it is valid. */
   fault: string | null;
   /** A finished edit, in the user's unit; not called if the number is unchanged. */
@@ -21,15 +23,27 @@ interface Props {
 const MOVES: Readonly<Record<string, -1 | 1>> = { ArrowUp: -1, ArrowDown: 1, Enter: 1 };
 
 /** A number in the plan's table. Enter and blur finish an edit, Escape cancels it. */
-export function PlanCell({ label, text, row, field, isReadOnly, fault, onCommit, onMove, onFocus }: Props) {
+export function PlanCell({
+  label,
+  text,
+  row,
+  field,
+  isReadOnly,
+  largest,
+  fault,
+  onCommit,
+  onMove,
+  onFocus,
+}: Props) {
   const { t } = useTranslation();
   const [draft, setDraft] = useState<string | null>(null);
   const typed = draft === null ? null : parseNumber(draft);
-  const isNoNumber = draft !== null && draft.trim() !== "" && typed === null;
+  const readings = draft === null || draft === text ? null : twoReadings(draft, -largest, largest);
+  const isNoNumber = draft !== null && draft.trim() !== "" && (typed === null || readings !== null);
 
   function finish(): void {
     setDraft(null);
-    if (typed !== null && draft !== text && typed !== Number(text)) {
+    if (typed !== null && readings === null && draft !== text && typed !== Number(text)) {
       onCommit(typed);
     }
   }
@@ -51,7 +65,8 @@ export function PlanCell({ label, text, row, field, isReadOnly, fault, onCommit,
     }
   }
 
-  const complaint = isNoNumber ? t("plans.notANumber") : fault;
+  const question = readings === null ? t("plans.notANumber") : t("plans.whichNumber", { ...readings });
+  const complaint = isNoNumber ? question : fault;
   return (
     <input
       className="plans-input"

@@ -164,6 +164,7 @@ function Cell({ index, field, waypoint, found, isFixed, unit, onEdit, onSelect, 
       row={index}
       field={field}
       isReadOnly={isFixed}
+      largest={field === "latitude_deg" || field === "longitude_deg" ? 180 : Number.POSITIVE_INFINITY}
       fault={fault === undefined ? null : issueText(fault)}
       onCommit={(shown) => onEdit(index, field, unit === null ? shown : unit.revert(shown))}
       onMove={onMove}

@@ -19,7 +19,6 @@ class MissionNote(Output):
     """Something about the file that a person should know before flying it, with the values for the sentence.
 
     altitude_missing {count, altitude_ft} and speed_missing {count, speed_kt}: filled in with this.
-    altitude_above_ground {count}: heights above the terrain, taken as above mean sea level: they must be corrected.
     altitude_clamped {count}: the file puts them on the ground, yet gives altitudes, which were taken.
     altitude_from_home {count, home_ft}: the planned home's altitude was added.
     home_skipped {latitude_deg, longitude_deg}: the first item of a .waypoints file is where the flight begins.
