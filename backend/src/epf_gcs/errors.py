@@ -162,6 +162,8 @@ ErrorCode = Literal[
     "rate_invalid",
     "recording_changed",
     "recording_clock_wrong",
+    "profile_took_surfaces",
+    "profile_wrong",
     "recording_empty",
     "recording_foreign",
     "recording_not_packed",
