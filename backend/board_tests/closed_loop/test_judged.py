@@ -14,6 +14,7 @@ from epf_gcs.simulator.link import LinkQuality
 from epf_gcs.simulator.simulation import SimulationOptions
 from epf_gcs.simulator.situation import Situation, Start, Turbulence, Wind
 from epf_gcs.simulator.state import FlightState
+from epf_gcs.vehicle.profile_judge import PROFILE_NAMES
 from epf_gcs.xplane.datagram import Record, build, parse
 
 CALM = SimulationOptions()
@@ -50,7 +51,7 @@ def test_on_the_wrong_profile_the_surfaces_are_taken_from_the_board_before_the_a
         assert loop.crashes == []
         loop.fly(0.2)
         assert "profile_wrong" in loop.active
-        with pytest.raises(ConflictError, match=f"choose {sent}"):
+        with pytest.raises(ConflictError, match=f"choose the profile {PROFILE_NAMES[sent]}"):
             loop.hil.check_profile()
 
 
@@ -168,7 +169,8 @@ def test_a_value_that_cannot_be_used_is_named_with_its_row_while_the_loop_is_ope
         loop.change = with_value(row, place, value)
         loop.fly(1.0)
         assert loop.active == {"hil_lost"}
-        assert loop.alarms[-1][2] == {"row": row, "name": name, "value": f"{value:g}"}
+        said = loop.alarms[-1][2]
+        assert (said["row"], said["name"], said["value"]) == (row, name, f"{value:g}")
         loop.change = lambda datagram: datagram
         loop.fly(0.3)
         assert loop.active == set()

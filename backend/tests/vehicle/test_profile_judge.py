@@ -163,7 +163,7 @@ def test_a_simulator_that_was_silent_for_long_may_be_another_one_now() -> None:
     finding = flown.judge.look(flown.t_s, "xp10")
     assert finding is not None
     assert (finding.id, finding.level) == ("profile_wrong", "critical")
-    assert finding.params == {"profile": "xp10", "fits": "xp12"}
+    assert finding.params == {"profile": "X-Plane 10 / 11", "fits": "X-Plane 12"}
     assert "Choose the profile X-Plane 12" in finding.text
     assert flown.judge.look(flown.t_s, "xp12") is None
     assert flown.judge.look(flown.t_s + 11.0, "xp10") is None

@@ -40,7 +40,9 @@ _AGREEING: Final = 3
 _FASTEST_RATE: Final = 2300.0
 _LARGEST_ANGLE_DEG: Final = 720.0
 
-_NAMES: Final = {"xp10": "X-Plane 10 or 11", "xp12": "X-Plane 12"}
+PROFILE_NAMES: Final = {"xp10": "X-Plane 10 / 11", "xp12": "X-Plane 12"}
+"""As X-Plane's users and the page call them."""
+
 _STILL: Final[Vector] = (0.0, 0.0, 0.0)
 
 
@@ -89,12 +91,12 @@ class ProfileJudge:
         """`profile` is what the rows are read as; Unix time."""
         if not self.is_wrong(profile) or self._is_silent(now_s):
             return None
-        sent, read = _NAMES[str(self.fits)], _NAMES[profile]
+        sent, read = PROFILE_NAMES[str(self.fits)], PROFILE_NAMES[profile]
         text = (
             f"The simulator sends the rows of {sent} and they are read as {read}'s: the board gets wrong angular rates "
             f"and may not move the surfaces. Choose the profile {sent} in the simulator's link."
         )
-        return Finding("profile_wrong", "critical", text, {"profile": profile, "fits": self.fits})
+        return Finding("profile_wrong", "critical", text, {"profile": read, "fits": sent})
 
     def kept(self) -> list[Any]:
         """Plain values for `restore`."""

@@ -22,6 +22,7 @@ from epf_gcs.link.udp import UdpLink
 from epf_gcs.vehicle.arrivals import Arrivals
 from epf_gcs.vehicle.board import Board
 from epf_gcs.vehicle.judges import Finding
+from epf_gcs.vehicle.profile_judge import PROFILE_NAMES
 from epf_gcs.vehicle.round_trip import RoundTrip
 from epf_gcs.vehicle.simulator_samples import Reading, SimulatorSamples
 from epf_gcs.vehicle.telemetry import Telemetry
@@ -98,12 +99,12 @@ class Hil:
     def check_profile(self) -> None:
         """Raise ConflictError while the board must not fly: it is told wrong angular rates."""
         if self._samples.is_profile_wrong:
-            fits = str(self._samples.fitting_profile)
+            fits, profile = PROFILE_NAMES[str(self._samples.fitting_profile)], PROFILE_NAMES[self.profile]
             raise ConflictError(
                 "profile_wrong",
-                f"The board may not move the surfaces because the rows that come are of the profile {fits} and are "
-                f"read as {self.profile}: choose {fits} in the simulator's link.",
-                profile=self.profile,
+                f"The board may not fly because the simulator sends the rows of {fits} and they are read as those of "
+                f"{profile}: choose the profile {fits} in the simulator's link.",
+                profile=profile,
                 fits=fits,
             )
 

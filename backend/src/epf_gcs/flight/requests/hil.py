@@ -55,9 +55,7 @@ class HilSwitches:
             )
 
     def choose_path(self, path: str) -> None:
-        """Set the path; it is kept across restarts. Raises ConflictError if the board must not fly."""
-        if path == "assisted":
-            self._hil.check_profile()
+        """Set the path; it is kept across restarts."""
         self._hil.path = "assisted" if path == "assisted" else "manual"
         self._path_changed()
 
@@ -99,6 +97,8 @@ class HilSwitches:
         source, path, stick = (arguments.get(name) for name in ("source", "path", "stick"))
         if stick != "simulator" or source is not None or path is not None:
             self._board.check_commandable()
+        if path == "assisted":
+            self._hil.check_profile()
         if source is not None:
             await self.choose_source(source, by.client)
         if path is not None:

@@ -90,6 +90,7 @@ class UnusableValue(Output):
     """A value of a row that the board needs and that cannot be used: not a number, -999, or beyond its range."""
 
     row: int
+    row_name: str
     name: str
     value: str
 
