@@ -58,9 +58,9 @@ class Firmware:
         assert self._library.epf_flight_lost_bytes(self._board) == 0
         return self._out.raw[:size]
 
-    def send_fms_streams(self) -> bytes:
-        """Let the board's FMS task send its streams; returns them."""
-        self._library.epf_flight_send_streams(self._board, _FMS_TASK)
+    def send_streams(self, task: int) -> bytes:
+        """Let one of the board's tasks send its streams; returns them."""
+        self._library.epf_flight_send_streams(self._board, task)
         return self.feed(b"")
 
 
@@ -124,7 +124,7 @@ class ClosedLoop:
                 self._take(self.firmware.feed(encode_command("xplane_info", *info)))
         self._frames += 1
         if self._frames % self._fms_every == 0:
-            self._take(self.firmware.send_fms_streams())
+            self._take(self.firmware.send_streams(_FMS_TASK))
         self.samples.append(Sample(simulation.time_s, simulation.state, self.waypoint, self.surfaces))
 
     def _take(self, data: bytes) -> None:

@@ -164,6 +164,8 @@ ErrorCode = Literal[
     "parameters_not_read",
     "people_log_not_written",
     "port_taken",
+    "profile_took_surfaces",
+    "profile_wrong",
     "rate_invalid",
     "recording_changed",
     "recording_clock_wrong",

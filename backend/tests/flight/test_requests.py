@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import math
 from collections.abc import AsyncIterator, Mapping
 from pathlib import Path
 from typing import Any
@@ -20,6 +21,8 @@ from epf_gcs.flight.requests.notices import notices
 from epf_gcs.flight.requests.recording import policy_of
 from epf_gcs.recordings.notes import EVENT, IDENTITY, MARK, Note
 from epf_gcs.recordings.reading import notes_of
+from epf_gcs.xplane.datagram import Record, build
+from tests.support.simulator import NO, ROWS
 from tests.support.waiting import eventually_async
 
 pytestmark = pytest.mark.anyio
@@ -101,6 +104,53 @@ async def test_the_path_is_kept_noted_and_told_at_once(asked: Asked, tmp_path: P
     again.memory.close()
     noted = [note.content["data"] for note in asked.notes() if note.name == EVENT and note.content["event"] == "hil"]
     assert noted == [{"path": "manual", "source": None}, {"path": "assisted", "source": None}]
+
+
+def turn(flight: Flight, profile: str) -> None:
+    """The simulator's rows of an aircraft that rolls, as this generation sends them, with times of their own."""
+    for frame in range(100):
+        rates = (0.0, 0.2) if profile == "xp10" else (math.degrees(0.2), 0.0)
+        rows = {**ROWS, 16: (*rates, 0.0, *(NO,) * 5), 17: (2.0, math.degrees(0.2) * 0.02 * frame, 90.0, *(NO,) * 5)}
+        reading = flight.hil._samples.read(build(Record(*one) for one in rows.items()), 1.7e9 + 0.02 * frame)
+        assert reading is not None
+        flight.hil._unshown.append(reading)
+    flight.hil._show()
+
+
+async def test_on_the_wrong_profile_the_board_gets_neither_the_surfaces_nor_its_autopilot_and_is_told_why(
+    asked: Asked,
+) -> None:
+    asked.attach()
+    turn(asked.flight, "xp12")
+    for request, arguments in (
+        ("hil.set", {"path": "assisted"}),
+        ("hil.set", {"path": "assisted", "source": "joystick"}),
+        ("command", {"name": "autopilot_on", "arguments": []}),
+    ):
+        with pytest.raises(ConflictError, match="choose the profile X-Plane 12 in the simulator's link") as refused:
+            await asked(request, **arguments)
+        assert refused.value.code == "profile_wrong"
+        assert refused.value.params == {"profile": "X-Plane 10 / 11", "fits": "X-Plane 12"}
+    assert asked.flight.hil.path == "manual"
+    assert (await asked("hil.set", path="manual"))["path"] == "manual"
+
+
+async def test_the_board_loses_the_surfaces_that_it_has_when_the_profile_proves_wrong(
+    asked: Asked, tmp_path: Path
+) -> None:
+    await asked("hil.set", path="assisted")
+    turn(asked.flight, "xp10")
+    assert (await asked("hil.read"))["path"] == "assisted"
+    asked.flight.hil.begin(None, "xp12")
+    turn(asked.flight, "xp10")
+    assert (await asked("hil.read"))["path"] == "manual"
+    assert asked.flight._status_due
+    errors = [data for kind, data in asked.told if kind == "error"]
+    assert [error["code"] for error in errors] == ["profile_took_surfaces"]
+    asked.flight.memory.close()
+    again = Flight(tmp_path)
+    assert again.hil.path == "manual"
+    again.memory.close()
 
 
 async def test_during_the_emulation_nothing_of_the_loop_can_be_set_but_the_simulators_stick(asked: Asked) -> None:

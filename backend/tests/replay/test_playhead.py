@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import random
 from pathlib import Path
 from typing import Any
@@ -12,7 +13,7 @@ import pytest
 from epf_gcs.codec.encode import encode_command
 from epf_gcs.recordings import notes
 from epf_gcs.recordings.packing import pack
-from epf_gcs.recordings.topics import BOARD_SENT
+from epf_gcs.recordings.topics import BOARD_SENT, SIMULATOR_RECEIVED
 from epf_gcs.replay.keys import Keys
 from epf_gcs.replay.outlet import Silence
 from epf_gcs.replay.playhead import Playhead
@@ -21,8 +22,10 @@ from epf_gcs.replay.status import build_status
 from epf_gcs.replay.timeline import Timeline
 from epf_gcs.surroundings.watch import NOTHING_SEEN
 from epf_gcs.web.interface.state.schemas import Status
+from epf_gcs.xplane.datagram import Record, build
 from tests.replay.recordings import SECOND_NS, STARTS_NS, flight, write
 from tests.support.outlet import KeptOutlet
+from tests.support.simulator import NO, ROWS
 
 
 def state_of(head: Playhead) -> Any:
@@ -186,6 +189,38 @@ def test_a_recording_without_notes_of_events_has_the_alarms_of_its_bytes(tmp_pat
         for one in (sought, played):
             one.advance(STARTS_NS + at_s * SECOND_NS)
         assert (sought.alarms, state_of(sought)) == (played.alarms, state_of(played))
+
+
+def test_a_replay_finds_the_wrong_profile_and_another_pace_as_the_live_flight_does(tmp_path: Path) -> None:
+    """At x2 the aircraft makes 56 m in a second, and the rows of X-Plane 12 are read as those of 10."""
+    items = [one for one in flight(0.05) if one[1] not in (notes.EVENT, SIMULATOR_RECEIVED)]
+    for frame in range(400):
+        rolled_deg = 2.0 * 5.0 * math.sin(0.05 * frame)
+        rows = {
+            **ROWS,
+            3: (55.0, NO, NO, 55.0, NO, NO, NO, NO),
+            16: (5.0 * math.cos(0.05 * frame), 0.0, 0.0, NO, NO, NO, NO, NO),
+            17: (0.0, rolled_deg, 90.0, NO, NO, NO, NO, NO),
+            20: (28.0 + frame * 0.05 * 56.6 / 111_195.0, -15.4, 1000.0, 1000.0, NO, 1000.0, NO, NO),
+        }
+        at_ns = STARTS_NS + frame * SECOND_NS // 20 + 10_000_000
+        items.append((at_ns, SIMULATOR_RECEIVED, build(Record(*one) for one in rows.items())))
+    timeline = Timeline(write(tmp_path / "wrong.mcap", sorted(items, key=lambda one: one[0])))
+    for at_s in (0, 7, 15):
+        key = keyed(timeline).before(STARTS_NS + at_s * SECOND_NS) if at_s else None
+        sought, played = Playhead(timeline, Silence(), *(key or ())), Playhead(timeline, Silence())
+        for head in (sought, played):
+            head.advance(STARTS_NS + at_s * SECOND_NS)
+        assert (sought.alarms, state_of(sought)) == (played.alarms, state_of(played))
+        found = {alarm["id"]: alarm["params"] for alarm in played.alarms}
+        simulator = build_status(played, "wrong.mcap", 0)["simulator"]
+        if at_s == 0:
+            assert (found, simulator["fitting_profile"]) == ({}, None)
+        else:
+            assert found["profile_wrong"] == {"profile": "X-Plane 10 / 11", "fits": "X-Plane 12"}
+            assert found["simulator_pace"] == {"pace": 2.0}
+            assert (simulator["profile"], simulator["fitting_profile"]) == ("xp10", "xp12")
+            assert simulator["unusable"] == []
 
 
 def test_a_board_that_has_not_answered_the_first_data_yet_has_half_a_second_for_it(tmp_path: Path) -> None:

@@ -55,7 +55,7 @@ def test_each_value_stands_where_x_plane_10_has_it() -> None:
     s = STATE
     none = -999.0
     assert rows("xp10") == {
-        3: (s.airspeed_indicated_kt, none, none, none, none, none, none, none),
+        3: (s.airspeed_indicated_kt, none, none, s.speed_ground_kt, none, none, none, none),
         4: (s.mach, none, s.vvi_ft_min, none, s.load_normal_g, s.load_axial_g, s.load_side_g, none),
         6: (s.pressure_inhg, s.temperature_degc, none, none, none, none, none, none),
         8: (-0.5, 0.6, -0.7, none, none, none, none, none),

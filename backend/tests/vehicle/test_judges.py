@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 
 import pytest
@@ -26,6 +27,7 @@ from epf_gcs.vehicle.judges import (
     judge_recording,
     judge_stick,
 )
+from epf_gcs.vehicle.unusable_value import UnusableValue
 
 VALID = {"fix": 3, "valid": True}
 NO_FIX = {"fix": 0, "valid": True}
@@ -243,6 +245,7 @@ def test_why_a_line_failed_is_said_in_place_of_the_silence_that_follows_from_it(
 
 
 LOOP = Loop(0.1, 0.1, True, True, ())
+BAD = UnusableValue(16, "p_rad_s", math.nan)
 
 
 @pytest.mark.parametrize(
@@ -253,6 +256,10 @@ LOOP = Loop(0.1, 0.1, True, True, ())
         (replace(LOOP, to_board_age_s=0.6, is_board_open=False), "Check the board's link"),
         (replace(LOOP, to_board_age_s=0.6, is_board_open=False, missing_rows=[17]), "Check the board's link"),
         (replace(LOOP, to_board_age_s=0.6, missing_rows=[17, 20]), "rows [17, 20] are missing"),
+        (replace(LOOP, to_board_age_s=0.6, unusable=[BAD]), "in row 16 (angular_velocities) the simulator sends nan"),
+        (replace(LOOP, to_board_age_s=0.6, missing_rows=[17], unusable=[BAD]), "rows [17] are missing"),
+        (replace(LOOP, to_board_age_s=0.6, is_simulator_open=False, unusable=[BAD]), "the simulator sends nothing"),
+        (replace(LOOP, unusable=[BAD]), None),
         (replace(LOOP, to_board_age_s=0.6), "the simulator sends nothing"),
         (replace(LOOP, to_board_age_s=0.6, is_simulator_open=False, missing_rows=[17]), "the simulator sends nothing"),
         (replace(LOOP, unanswered_s=0.6), "the board does not answer"),

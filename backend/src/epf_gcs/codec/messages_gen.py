@@ -849,8 +849,9 @@ PARAMETERS: Final[tuple[Parameter, ...]] = (
 )
 
 _ROWS_XP10: Final = (
-    Row(3, 'speeds', 'Airspeed.', False, (
+    Row(3, 'speeds', 'Speeds.', False, (
         RowValue(0, 'indicated_airspeed_kt', 'kt', -100.0, 1500.0, 'forward', 'Indicated airspeed.'),
+        RowValue(3, 'ground_speed_kt', 'kt', -100.0, 5000.0, 'forward', "Speed over ground. Only the simulator's pace is judged by it: it may be absent."),
     )),
     Row(4, 'mach_vvi_g', 'Mach number, vertical speed and load factors.', False, (
         RowValue(0, 'mach', '1', -1.0, 10.0, 'forward', 'Mach number.'),
@@ -900,8 +901,9 @@ _ROWS_XP10: Final = (
     )),
 )
 _ROWS_XP12: Final = (
-    Row(3, 'speeds', 'Airspeed.', False, (
+    Row(3, 'speeds', 'Speeds.', False, (
         RowValue(0, 'indicated_airspeed_kt', 'kt', -100.0, 1500.0, 'forward', 'Indicated airspeed.'),
+        RowValue(3, 'ground_speed_kt', 'kt', -100.0, 5000.0, 'forward', "Speed over ground. Only the simulator's pace is judged by it: it may be absent."),
     )),
     Row(4, 'mach_vvi_g', 'Mach number, vertical speed and load factors.', False, (
         RowValue(0, 'mach', '1', -1.0, 10.0, 'forward', 'Mach number.'),

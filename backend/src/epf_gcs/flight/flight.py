@@ -132,6 +132,7 @@ class Flight:
             hil=self.hil,
             memory=self.memory,
             notes=self.notes,
+            errors=self.errors,
             on_change=self.changed,
         )
         self.rates = LineRates()
@@ -143,10 +144,8 @@ class Flight:
             changed=self._on_ahrs_test,
         )
 
-        aircraft = self.memory.now.aircraft
-        self._known = KnownNotes(
-            self.notes, self.board, self.parameters, self.stick, self.supervisor, self.simulator, aircraft
-        )
+        noted = (self.notes, self.board, self.parameters, self.stick, self.supervisor, self.simulator)
+        self._known = KnownNotes(*noted, self.memory.now.aircraft)
 
         # Alarms and housekeeping.
         self.watch = Watch(
@@ -224,7 +223,7 @@ class Flight:
             {
                 **state_requests(self.status, self.telemetry, inspector_sources),
                 **line_requests(self.lines, self.supervisor, self.simulator),
-                **command_requests(self.board, self.commands, self.parameters, self.ahrs_test, self.outlet),
+                **command_requests(self.board, self.commands, self.parameters, self.ahrs_test, self.outlet, self.hil),
                 **parameter_requests(self.parameters),
                 **mission_requests(self.missions),
                 **self.switches.requests(),

@@ -19,6 +19,7 @@ class JudgedAlarms:
         self, vehicle: Vehicle, outlet: Outlet, line: Callable[[], Line | None], loop: Callable[[], Loop | None]
     ) -> None:
         self._clock = vehicle.clock
+        self._simulator = vehicle.simulator
         self._line = line
         self._loop = loop
         self._watch = VehicleWatch(vehicle.board, vehicle.telemetry, vehicle.clock.now_s())
@@ -45,4 +46,5 @@ class JudgedAlarms:
         line = self._line()
         if line is None:
             self._watch.forget_gps()
-        return self._watch.look(self._clock.now_s(), limits, line, self._loop(), wants_gps=False)
+        now_s = self._clock.now_s()
+        return self._watch.look(now_s, limits, line, self._loop(), self._simulator.look(now_s), wants_gps=False)

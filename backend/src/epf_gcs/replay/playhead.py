@@ -275,8 +275,11 @@ class Playhead:
             if self.vehicle.board.link is not None:
                 self.vehicle.board.detach()
             self._attach()
-        if simulator != before["simulator"] and simulator["open"]:
-            self._begin_simulator(simulator["profile"])
+        if simulator != before["simulator"]:
+            if simulator["open"]:
+                self._begin_simulator(simulator["profile"])
+            else:
+                self.vehicle.simulator.end()
 
     def _begin_simulator(self, profile: Any) -> None:
         self.vehicle.simulator.begin("xp12" if profile == "xp12" else "xp10")
@@ -324,6 +327,7 @@ class Playhead:
             is_board_open=self.vehicle.board.is_open,
             is_simulator_open=bool(simulator.rows(now_s)),
             missing_rows=simulator.missing_rows(now_s),
+            unusable=simulator.unusable(now_s),
         )
 
     def _count(self) -> int:

@@ -32,6 +32,7 @@ def _row(places: tuple[tuple[int, str], ...], quantities: Mapping[str, float]) -
 def _quantities(state: FlightState, stick: Controls) -> dict[str, float]:
     return {
         "indicated_airspeed_kt": state.airspeed_indicated_kt,
+        "ground_speed_kt": state.speed_ground_kt,
         "mach": state.mach,
         "vvi_ft_min": state.vvi_ft_min,
         "g_normal": state.load_normal_g,

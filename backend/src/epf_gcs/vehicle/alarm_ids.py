@@ -8,6 +8,8 @@ AlarmId = Literal[
     "heartbeat_lost",
     "no_heartbeat",
     "hil_lost",
+    "profile_wrong",
+    "simulator_pace",
     "foreign_datagrams",
     "stick_lost",
     "gps_lost",

@@ -8,6 +8,7 @@ from dataclasses import asdict, dataclass, field
 from typing import Any, Final, Literal
 
 from epf_gcs.vehicle.alarm_ids import AlarmId
+from epf_gcs.vehicle.unusable_value import UnusableValue
 
 Level = Literal["warning", "critical"]
 Values = Mapping[str, Any]
@@ -302,6 +303,7 @@ class Loop:
     is_board_open: bool
     is_simulator_open: bool
     missing_rows: Sequence[int]
+    unusable: Sequence[UnusableValue] = ()
 
 
 def judge_hil(loop: Loop | None, lost_s: float) -> Finding | None:
@@ -309,13 +311,16 @@ def judge_hil(loop: Loop | None, lost_s: float) -> Finding | None:
     if loop is None:
         return None
     if loop.to_board_age_s > lost_s:
+        params: Params = {}
         if not loop.is_board_open:
             text = "The HIL loop is open: the board gets no simulator data. Check the board's link."
         elif loop.is_simulator_open and loop.missing_rows:
             text = f"The HIL loop is open: rows {list(loop.missing_rows)} are missing. Tick them in the data output."
+        elif loop.is_simulator_open and loop.unusable:
+            text, params = loop.unusable[0].sentence, loop.unusable[0].params
         else:
             text = "The HIL loop is open: the simulator sends nothing. Check that it runs and where it sends to."
-        return Finding("hil_lost", "critical", text)
+        return Finding("hil_lost", "critical", text, params)
     if loop.unanswered_s > lost_s:
         return Finding("hil_lost", "critical", "The HIL loop is open: the board does not answer the simulator's data.")
     return None

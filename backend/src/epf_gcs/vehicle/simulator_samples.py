@@ -10,9 +10,13 @@ from typing import Any, Final, NamedTuple, Protocol, cast
 
 from epf_gcs.codec.messages_gen import XPLANE_ROWS
 from epf_gcs.vehicle.arrivals import Arrivals
+from epf_gcs.vehicle.judges import Finding
+from epf_gcs.vehicle.pace_judge import POSITION_ROW, SPEED_ROW, PaceJudge
+from epf_gcs.vehicle.profile_judge import ATTITUDE_ROW, RATES_ROW, ProfileJudge
+from epf_gcs.vehicle.unusable_value import UnusableValue
 from epf_gcs.xplane.datagram import Eight, Record, parse
 from epf_gcs.xplane.gather import Gatherer
-from epf_gcs.xplane.mapping import NEEDED_ROWS, XplaneInfo, row_meaning
+from epf_gcs.xplane.mapping import NEEDED_ROWS, XplaneInfo, row_meaning, unusable_values
 from epf_gcs.xplane.whole import WholeFrames
 
 # Hide a row not received for this long: 20 periods of the slowest simulator.
@@ -48,6 +52,7 @@ class SimulatorSamples:
         self._gatherer = Gatherer(self._profile)
         self._whole_frames = WholeFrames(self._profile)
         self._rows: dict[int, Arrivals] = {}
+        self._begin_judging()
         self._shown_s = 0.0
         self._raw_shown_s = 0.0
         self.datagrams = 0
@@ -69,6 +74,29 @@ class SimulatorSamples:
         self._gatherer = Gatherer(profile)
         self._whole_frames = WholeFrames(profile)
         self._rows.clear()
+        self._begin_judging()
+
+    def end(self) -> None:
+        """The simulator is closed: what its rows said of it does not hold for the next one."""
+        self._begin_judging()
+
+    @property
+    def fitting_profile(self) -> str | None:
+        """The generation of the simulator that its rows are of; None while they have not said."""
+        return self._profile_judge.fits
+
+    @property
+    def is_profile_wrong(self) -> bool:
+        """Whether the rows are of another generation of the simulator than they are read as."""
+        return self._profile_judge.is_wrong(self._profile)
+
+    def look(self, now_s: float) -> list[Finding | None]:
+        """What is wrong with the simulator at Unix time `now_s`, as its rows tell."""
+        return [self._profile_judge.look(now_s, self._profile), self._pace_judge.look(now_s)]
+
+    def unusable(self, now_s: float) -> list[UnusableValue]:
+        """The values that command 50 needs, whose rows arrive, and that cannot be used."""
+        return [UnusableValue(*one) for one in unusable_values(self._live(now_s), self._profile)]
 
     def rows(self, now_s: float) -> list[int]:
         """Numbers of the rows that arrive at Unix time `now_s`."""
@@ -121,6 +149,8 @@ class SimulatorSamples:
             "datagrams": self.datagrams,
             "bytes_in": self.bytes_in,
             "gatherer": self._gatherer.kept(),
+            "profile_judge": self._profile_judge.kept(),
+            "pace_judge": self._pace_judge.kept(),
             "rows": [[row, *one.kept()] for row, one in self._rows.items()],
         }
 
@@ -132,8 +162,19 @@ class SimulatorSamples:
         self.datagrams = state["datagrams"]
         self.bytes_in = state["bytes_in"]
         self._gatherer.restore(state["gatherer"])
+        self._profile_judge.restore(state["profile_judge"])
+        self._pace_judge.restore(state["pace_judge"])
         for row, count, times_s, values in state["rows"]:
             self._rows[row] = Arrivals.restored(count, times_s, tuple(values))
+
+    def _begin_judging(self) -> None:
+        self._profile_judge, self._pace_judge = ProfileJudge(), PaceJudge()
+        self._judges: dict[int, ProfileJudge | PaceJudge] = {
+            RATES_ROW: self._profile_judge,
+            ATTITUDE_ROW: self._profile_judge,
+            SPEED_ROW: self._pace_judge,
+            POSITION_ROW: self._pace_judge,
+        }
 
     def _keep_rows(self, records: Iterable[Record], t_s: float) -> None:
         for row, values in records:
@@ -143,6 +184,9 @@ class SimulatorSamples:
                     continue
                 arrivals = self._rows[row] = Arrivals()
             arrivals.heard(t_s, values)
+            judge = self._judges.get(row)
+            if judge is not None:
+                judge.take(row, values, t_s)
 
     def _live(self, now_s: float) -> dict[int, Eight]:
         oldest_s = now_s - _ROW_AGE_S

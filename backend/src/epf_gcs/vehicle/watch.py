@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from epf_gcs.vehicle.board import Board
@@ -39,13 +39,22 @@ class VehicleWatch:
         return self._damage.percent
 
     def look(
-        self, now_s: float, limits: Mapping[str, float], line: Line | None, loop: Loop | None, *, wants_gps: bool
+        self,
+        now_s: float,
+        limits: Mapping[str, float],
+        line: Line | None,
+        loop: Loop | None,
+        simulator: Sequence[Finding | None] = (),
+        *,
+        wants_gps: bool,
     ) -> list[Finding]:
-        """All that is wrong now, the most urgent kinds first. `line` None: no board is wanted; `loop` None: no HIL."""
+        """All that is wrong now, the most urgent kinds first. `line` None: no board is wanted; `loop` None: no HIL;
+        `simulator`: what its rows tell."""
         board = self._board
         found = (
             judge_heartbeat(line, limits["heartbeat_lost_s"]),
             judge_hil(loop, limits["hil_lost_s"]),
+            *simulator,
             self._battery.look(now_s, self._live("analog"), limits["battery_low_v"]),
             self._look_at_gps(now_s, is_wanted=wants_gps),
             self._cpu.look(now_s, self._live("statistics"), limits["cpu_high_percent"]),

@@ -93,6 +93,21 @@ def row_meaning(row: int, eight: Eight, profile: str) -> RowMeaning:
     return RowMeaning(values, tuple(implausible))
 
 
+def unusable_values(rows: Mapping[int, Eight], profile: str) -> list[tuple[int, str, float]]:
+    """Row, name and raw value of all that command 50 needs, whose row is there, and that cannot be used."""
+    meanings = {row: row_meaning(row, eight, profile).values for row, eight in rows.items()}
+    has_track = meanings.get(TRACK_ROW, {}).get(TRACK_NAME) is not None
+    return [
+        (row, name, rows[row][_place(row, name, profile)])
+        for field, (row, name) in INFO_SOURCES.items()
+        if row in meanings and meanings[row][name] is None and not (field == "yaw_deg" and has_track)
+    ]
+
+
+def _place(row: int, name: str, profile: str) -> int:
+    return next(step.place for step in _PLANS[profile][row] if step.name == name)
+
+
 def info_from_rows(rows: Mapping[int, Mapping[str, float | None]]) -> XplaneInfo | None:
     """Command 50 from the decoded rows of one simulator frame; None if one of its values is missing."""
     values = {field: rows.get(row, {}).get(name) for field, (row, name) in INFO_SOURCES.items()}

@@ -59,6 +59,8 @@ describe("what is wrong now", () => {
     expect(keyOf({ alarms, simulator: { ...simulator, state: "lost" } })).toBe("alarm.hil_lost_simulator");
     expect(keyOf({ alarms, simulator: { ...simulator, missing_rows: [17] } })).toBe("alarm.hil_lost_rows");
     expect(keyOf({ alarms })).toBe("alarm.hil_lost");
+    const params = { row: 16, row_name: "angular_velocities", name: "p_rad_s", value: "nan" };
+    expect(keyOf({ alarms: [raised("hil_lost", { params })] })).toBe("alarm.hil_lost_value");
     expect(keyOf({ alarms: [raised("gps_lost", { params: { reason: "silent" } })] })).toBe(
       "alarm.gps_lost_silent",
     );

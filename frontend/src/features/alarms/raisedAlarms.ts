@@ -69,7 +69,9 @@ export function alarmMessage(
   simulator: HilStatus | null,
 ): Message {
   let key = id;
-  if (id === "hil_lost" && simulator !== null) {
+  if (id === "hil_lost" && "row" in params) {
+    key = "hil_lost_value";
+  } else if (id === "hil_lost" && simulator !== null) {
     key = hilKey(simulator);
   } else if (id === "gps_lost" && params["reason"] === "silent") {
     key = "gps_lost_silent";
@@ -154,6 +156,8 @@ const PROOFS: Readonly<Record<string, (facts: Facts) => boolean>> = {
   no_heartbeat: (facts) => facts.status.board.state === "open" && isFresh("heartbeat", facts),
   hil_lost: (facts) => facts.status.simulator.state === "open" && isFresh("hil_surfaces", facts),
   line_floods: (facts) => isFresh("heartbeat", facts),
+  profile_wrong: ({ status: { simulator } }) =>
+    simulator.state === "open" && simulator.fitting_profile === simulator.profile,
   frames_damaged: (facts) => facts.damagedLastSecond === 0 && isFresh("heartbeat", facts),
   recorder_failed: ({ status }) => status.recording.active && status.recording.failure === null,
   battery_low: (facts) => isFresh("analog", facts),

@@ -131,4 +131,30 @@ describe("the simulator's line", () => {
     expect(simulator().textContent).toContain("3, 4, 8");
     expect(simulator().textContent).toContain("Faltan las filas 16, 17");
   });
+
+  test("names the row and the value that the board cannot use", () => {
+    const unusable = [{ row: 16, row_name: "angular_velocities", name: "p_rad_s", value: "nan" }];
+    station.status(aStatus({ simulator: { ...aStatus().simulator, unusable } }));
+    expect(simulator().textContent).toContain(
+      "En la fila 16 (Velocidades angulares) el X-Plane envía nan como p_rad_s",
+    );
+  });
+
+  test("offers the profile that the rows are of, and opens the same link with it", async () => {
+    station.status(aStatus());
+    expect(within(simulator()).queryByRole("button", { name: /Usar/ })).toBeNull();
+    const status = aStatus({ simulator: { ...aStatus().simulator, fitting_profile: "xp12" } });
+    station.status(status);
+    expect(within(simulator()).getByRole("alert").textContent).toContain(
+      "El X-Plane envía las filas de X-Plane 12",
+    );
+    await user.click(within(simulator()).getByRole("button", { name: "Usar X-Plane 12" }));
+    expect(newest("PUT")).toMatchObject({
+      path: "/api/v1/links/simulator",
+      body: { receive_port: 49003, send_host: "127.0.0.1", send_port: 49000, profile: "xp12" },
+    });
+    expect(within(simulator()).getByRole("combobox", { name: "Perfil" })).toHaveProperty("value", "xp12");
+    station.status(aStatus({ simulator: { ...status.simulator, profile: "xp12", fitting_profile: null } }));
+    expect(within(simulator()).queryByRole("alert")).toBeNull();
+  });
 });

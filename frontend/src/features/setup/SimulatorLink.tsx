@@ -17,6 +17,7 @@ import { Panel } from "../../ui/Panel";
 import { Select } from "../../ui/Select";
 import { TextField } from "../../ui/TextField";
 import { Facts } from "./Facts";
+import { useRowName } from "./useRowName";
 
 const RECEIVE_PORT = 49003;
 const SEND_PORT = 49000;
@@ -49,6 +50,21 @@ function useLink(): Link {
     receive_port: port(choices["simulator.receivePort"], open?.receive_port ?? RECEIVE_PORT),
     profile: PROFILES.find((known) => known === profile) ?? open?.profile ?? "xp10",
   };
+}
+
+/** The link that is open, as it is, whatever is written in the fields. */
+function useOpenLink(): Link | null {
+  const open = useConnection(({ status }) => status?.simulator);
+  if (
+    open?.send_host == null ||
+    open.send_port === null ||
+    open.receive_port === null ||
+    open.profile === null
+  ) {
+    return null;
+  }
+  const { send_host, send_port, receive_port, profile } = open;
+  return { send_host, send_port, receive_port, profile };
 }
 
 function SimulatorForm() {
@@ -138,9 +154,54 @@ function Advice() {
   if (state === "opening") {
     return <Notice level="info">{t("setup.nothingHeard")}</Notice>;
   }
-  return state === "open" && missing !== "" ? (
-    <Notice level="warning">{t("setup.missingRows", { rows: missing })}</Notice>
-  ) : null;
+  return state !== "open" ? null : (
+    <>
+      {missing !== "" && <Notice level="warning">{t("setup.missingRows", { rows: missing })}</Notice>}
+      <UnusableValue />
+      <OtherProfile />
+    </>
+  );
+}
+
+/** The first value that the board needs and that cannot be used. */
+function UnusableValue() {
+  const { t } = useTranslation();
+  const value = useConnection(({ status }) => status?.simulator.unusable[0]);
+  const rowName = useRowName(value?.row ?? 0);
+  return value === undefined ? null : (
+    <Notice level="warning">{t("setup.unusable", { ...value, rowName })}</Notice>
+  );
+}
+
+/** The rows are of another generation of the simulator than they are read as: it can be opened as that one. */
+function OtherProfile() {
+  const { t } = useTranslation();
+  const { settings } = usePage();
+  const actions = usePart(ACTIONS);
+  const link = useOpenLink();
+  const fits = useConnection(({ status }) => status?.simulator.fitting_profile ?? null);
+  const { state } = useAsked("simulator");
+  const blocked = useGatewayBlocked();
+  if (link === null || fits === null || fits === link.profile) {
+    return null;
+  }
+  const name = t(`profile.${fits}`);
+  return (
+    <>
+      <Notice level="error">{t("setup.otherProfile", { fits: name })}</Notice>
+      <Button
+        variant="primary"
+        onPress={() => {
+          choose(settings, "simulator.profile", fits);
+          void actions.openSimulator({ ...link, profile: fits }, { control: "simulator" });
+        }}
+        state={state}
+        disabledReason={blocked}
+      >
+        {t("setup.useProfile", { fits: name })}
+      </Button>
+    </>
+  );
 }
 
 function SimulatorFacts() {

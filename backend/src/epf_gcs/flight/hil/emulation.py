@@ -120,6 +120,7 @@ def simulator_datagram(now: ExampleMoment) -> bytes:
     aileron, elevator, rudder, throttle = _controls(now)
     values = {
         "indicated_airspeed_kt": SPEED_KT,
+        "ground_speed_kt": SPEED_KT,
         "mach": SPEED_KT / 661.5,
         "vvi_ft_min": now.vvi_ft_min,
         "g_normal": -now.forces_m_s2[2] / 9.80665,

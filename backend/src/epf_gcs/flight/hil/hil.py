@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import asyncio
 from collections import Counter, deque
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Final, Literal
 
 from epf_gcs.clock import Clock
@@ -16,15 +16,19 @@ from epf_gcs.codec.encode import frame_bytes
 from epf_gcs.codec.frame import TO_BOARD, Frame
 from epf_gcs.codec.messages_gen import COMMANDS
 from epf_gcs.codec.values import single
+from epf_gcs.errors import ConflictError
 from epf_gcs.flight.hil.stick import Stick
 from epf_gcs.link.udp import UdpLink
 from epf_gcs.vehicle.arrivals import Arrivals
 from epf_gcs.vehicle.board import Board
+from epf_gcs.vehicle.judges import Finding
+from epf_gcs.vehicle.profile_judge import PROFILE_NAMES
 from epf_gcs.vehicle.round_trip import RoundTrip
 from epf_gcs.vehicle.simulator_samples import Reading, SimulatorSamples
 from epf_gcs.vehicle.telemetry import Telemetry
+from epf_gcs.vehicle.unusable_value import UnusableValue
 from epf_gcs.vehicle.vehicle import Vehicle
-from epf_gcs.xplane.datagram import Surfaces, surfaces_datagram
+from epf_gcs.xplane.datagram import Surfaces, release_datagram, surfaces_datagram
 from epf_gcs.xplane.mapping import XplaneInfo, surfaces_from_servos_in
 
 Path = Literal["manual", "assisted"]
@@ -49,6 +53,8 @@ class Hil:
         self._unshown: deque[Reading] = deque(maxlen=_MOST_UNSHOWN)
         self._show_due = False
         self.path: Path = "manual"
+        # Set by the composition root: called when the surfaces were taken from the board.
+        self.on_taken: Callable[[], None] | None = None
         self.link: UdpLink | None = None
         self.round_trip = RoundTrip()
         self.skipped: Counter[str] = Counter()
@@ -76,6 +82,33 @@ class Hil:
         return self._samples.missing_rows(self._clock.now_s())
 
     @property
+    def unusable(self) -> list[UnusableValue]:
+        """The values that command 50 needs, whose rows arrive now, and that cannot be used."""
+        return self._samples.unusable(self._clock.now_s())
+
+    @property
+    def found(self) -> list[Finding | None]:
+        """What is wrong with the simulator, as its rows tell."""
+        return self._samples.look(self._clock.now_s())
+
+    @property
+    def fitting_profile(self) -> str | None:
+        """The generation of the simulator that its rows are of; None while they have not said."""
+        return self._samples.fitting_profile
+
+    def check_profile(self) -> None:
+        """Raise ConflictError while the board must not fly: it is told wrong angular rates."""
+        if self._samples.is_profile_wrong:
+            fits, profile = PROFILE_NAMES[str(self._samples.fitting_profile)], PROFILE_NAMES[self.profile]
+            raise ConflictError(
+                "profile_wrong",
+                f"The board may not fly because the simulator sends the rows of {fits} and they are read as those of "
+                f"{profile}: choose the profile {fits} in the simulator's link.",
+                profile=profile,
+                fits=fits,
+            )
+
+    @property
     def arrivals(self) -> Mapping[int, Arrivals]:
         """Arrival statistics of each row, by row number; Unix times."""
         return self._samples.arrivals
@@ -100,6 +133,7 @@ class Hil:
     def end(self) -> None:
         """The socket is closed."""
         self.link = None
+        self._samples.end()
 
     def on_datagram(self, datagram: bytes) -> bool:
         """Take a datagram from the simulator. False if it is not one of X-Plane's."""
@@ -174,4 +208,15 @@ class Hil:
         self._show_due = False
         while self._unshown:
             self._samples.show(self._unshown.popleft())
+        if self.path == "assisted" and self._samples.is_profile_wrong:
+            self._take_surfaces()
         self._telemetry.flush()
+
+    def _take_surfaces(self) -> None:
+        """The board flies by wrong angular rates, which crashes the aircraft: the surfaces go to the stick, and until
+        that moves them, to the simulator's own pilot, so that none stays where the board had put it."""
+        self.path = "manual"
+        if self.link is not None:
+            self.link.send(release_datagram())
+        if self.on_taken is not None:
+            self.on_taken()

@@ -11,19 +11,27 @@ from epf_gcs.errors import ConflictError
 from epf_gcs.flight.board.ahrs_test import AhrsTestRun
 from epf_gcs.flight.board.commands import Commands
 from epf_gcs.flight.board.parameters import Parameters
+from epf_gcs.flight.hil.hil import Hil
 from epf_gcs.flight.requests.client_names import Table
 from epf_gcs.vehicle.board import Board
 from epf_gcs.vehicle.outside import Outlet
 
 
 def command_requests(
-    board: Board, commands: Commands, parameters: Parameters, ahrs_test: AhrsTestRun, outlet: Outlet
+    board: Board,
+    commands: Commands,
+    parameters: Parameters,
+    ahrs_test: AhrsTestRun,
+    outlet: Outlet,
+    hil: Hil,
 ) -> Table:
     """command {name, arguments}, console {text}, ahrs_test.start, ahrs_test.stop. Arguments are checked already."""
 
     async def command(by: Asker, arguments: dict[str, Any]) -> dict[str, Any]:
         wanted = COMMANDS[arguments["name"]]
         values = tuple(arguments["arguments"])
+        if wanted.name == "autopilot_on":
+            hil.check_profile()
         if wanted.parameter:
             return asdict(await parameters.set_by_command(wanted, values[0], by.client))
         return asdict(await commands.run(wanted.name, values, client=by.client))

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from typing import Any
 
 from epf_gcs.bus.definition import Asker, Client
+from epf_gcs.error_log import ErrorLog
 from epf_gcs.errors import BoardError
 from epf_gcs.flight.board.commands import Commands
 from epf_gcs.flight.hil.hil import Hil
@@ -29,6 +30,7 @@ class HilSwitches:
         hil: Hil,
         memory: Memory,
         notes: FlightNotes,
+        errors: ErrorLog,
         on_change: Callable[[], None],
     ) -> None:
         self._board = board
@@ -36,7 +38,9 @@ class HilSwitches:
         self._hil = hil
         self._memory = memory
         self._notes = notes
+        self._errors = errors
         self._on_change = on_change
+        hil.on_taken = self._path_taken
         self.note()
 
     async def choose_source(self, source: str, client: str | None) -> None:
@@ -53,6 +57,19 @@ class HilSwitches:
     def choose_path(self, path: str) -> None:
         """Set the path; it is kept across restarts."""
         self._hil.path = "assisted" if path == "assisted" else "manual"
+        self._path_changed()
+
+    def _path_taken(self) -> None:
+        self._errors.report(
+            BoardError(
+                "profile_took_surfaces",
+                "The surfaces were taken from the board and given to the stick because the simulator's profile is "
+                "wrong: fly by hand, choose the other profile in the simulator's link, then assist again.",
+            )
+        )
+        self._path_changed()
+
+    def _path_changed(self) -> None:
         self._memory.update(hil_path=self._hil.path)
         self.note()
         self._on_change()
@@ -80,6 +97,8 @@ class HilSwitches:
         source, path, stick = (arguments.get(name) for name in ("source", "path", "stick"))
         if stick != "simulator" or source is not None or path is not None:
             self._board.check_commandable()
+        if path == "assisted":
+            self._hil.check_profile()
         if source is not None:
             await self.choose_source(source, by.client)
         if path is not None:

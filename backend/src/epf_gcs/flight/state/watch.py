@@ -72,7 +72,14 @@ class Watch:
             self._vehicle.forget_gps()
         found = (
             *self.surroundings.look(now_s),
-            *self._vehicle.look(now_s, limits, self._line(now_s), self._loop(now_s), wants_gps=self._wants("gps")),
+            *self._vehicle.look(
+                now_s,
+                limits,
+                self._line(now_s),
+                self._loop(now_s),
+                self._hil.found,
+                wants_gps=self._wants("gps"),
+            ),
             self._flood.look(now_s, self._held_back(), MOST_BYTES_PER_S),
             self._strangers.look(now_s, self._simulator.dropped["stranger"], self._simulator.last_stranger),
             judge_stick(self._hil.stick.gamepad, self._hil.stick.state, flies=self._hil.source != "rc"),
@@ -114,4 +121,5 @@ class Watch:
             is_board_open=self._board.is_open,
             is_simulator_open=self._simulator.state == "open",
             missing_rows=hil.missing_rows,
+            unusable=hil.unusable,
         )

@@ -86,17 +86,31 @@ class RoundTripMs(Output):
     p99: float | None
 
 
+class UnusableValue(Output):
+    """A value of a row that the board needs and that cannot be used: not a number, -999, or beyond its range."""
+
+    row: int
+    row_name: str
+    name: str
+    value: str
+
+
 class SimulatorStatus(Output):
-    """The simulator's socket. `opening`: nothing heard yet; `lost`: it stopped sending, or the port is taken."""
+    """The simulator's socket. `opening`: nothing heard yet; `lost`: it stopped sending, or the port is taken.
+
+    `profile` is what its rows are read as, `fitting_profile` what they are of; null while the data have not said.
+    """
 
     state: LinkState
     receive_port: int | None
     send_host: str | None
     send_port: int | None
     profile: Literal["xp10", "xp12"] | None
+    fitting_profile: Literal["xp10", "xp12"] | None
     failure: Failure | None
     rows: list[int]
     missing_rows: list[int]
+    unusable: list[UnusableValue]
     advice: str | None
     datagrams_received: int
     datagrams_dropped: int
