@@ -1331,7 +1331,9 @@ export const isSignals = shape({
 });
 export type Signals = Checked<typeof isSignals>;
 
-/** The simulator's socket. `opening`: nothing heard yet; `lost`: it stopped sending, or the port is taken. */
+/** The simulator's socket. `opening`: nothing heard yet; `lost`: it stopped sending, or the port is taken.
+ *
+ * `paused`: its rows come, but an aircraft in flight hangs still in them, bit for bit; its values are not live. */
 export const isSimulatorStatus = shape({
   advice: nullable(isText),
   bytes_in: isNumber,
@@ -1344,6 +1346,7 @@ export const isSimulatorStatus = shape({
   frames_to_simulator: isNumber,
   hil_round_trip_ms: isRoundTripMs,
   missing_rows: list(isNumber),
+  paused: isFlag,
   percent: isNumber,
   profile: nullable(oneOf("xp10", "xp12")),
   receive_port: nullable(isNumber),

@@ -123,6 +123,7 @@ def _simulator(parts: StatusSources) -> dict[str, Any]:
         "failure": _failure(simulator.failure),
         "rows": hil.rows,
         "missing_rows": hil.missing_rows if simulator.state == "open" else [],
+        "paused": hil.is_paused,
         "advice": _advice(parts),
         "datagrams_received": simulator.datagrams,
         "datagrams_dropped": sum(simulator.dropped.values()),

@@ -104,4 +104,5 @@ class Watch:
             is_board_open=self._board.is_open,
             is_simulator_open=self._simulator.state == "open",
             missing_rows=hil.missing_rows,
+            is_paused=hil.is_paused,
         )

@@ -20,7 +20,7 @@ from epf_gcs.system.files import read_at, write_at
 from epf_gcs.system.locks import lock
 
 EVERY_NS: Final = 2_000_000_000
-_FORMAT: Final = 3
+_FORMAT: Final = 4
 # Time of the key frame in Unix ns, and bytes of its packed state.
 _HEAD: Final = Struct("<qI")
 _LONGEST: Final = 4_000_000

@@ -85,6 +85,7 @@ def _simulator(head: Playhead) -> dict[str, Any]:
         "failure": None,
         "rows": rows,
         "missing_rows": simulator.missing_rows(now_s) if state == "open" else [],
+        "paused": simulator.motion.is_paused(now_s),
         "advice": None,
         "datagrams_received": simulator.datagrams,
         "datagrams_dropped": head.datagrams_dropped,

@@ -8,6 +8,7 @@ AlarmId = Literal[
     "heartbeat_lost",
     "no_heartbeat",
     "hil_lost",
+    "simulator_paused",
     "foreign_datagrams",
     "stick_lost",
     "gps_lost",

@@ -10,6 +10,7 @@ from typing import Any, Final, NamedTuple, Protocol, cast
 
 from epf_gcs.codec.messages_gen import XPLANE_ROWS
 from epf_gcs.vehicle.arrivals import Arrivals
+from epf_gcs.vehicle.simulator_motion import MOTION_ROWS, SimulatorMotion
 from epf_gcs.xplane.datagram import Eight, Record, parse
 from epf_gcs.xplane.gather import Gatherer
 from epf_gcs.xplane.mapping import NEEDED_ROWS, XplaneInfo, row_meaning
@@ -48,6 +49,7 @@ class SimulatorSamples:
         self._gatherer = Gatherer(self._profile)
         self._whole_frames = WholeFrames(self._profile)
         self._rows: dict[int, Arrivals] = {}
+        self.motion = SimulatorMotion()
         self._shown_s = 0.0
         self._raw_shown_s = 0.0
         self.datagrams = 0
@@ -69,6 +71,7 @@ class SimulatorSamples:
         self._gatherer = Gatherer(profile)
         self._whole_frames = WholeFrames(profile)
         self._rows.clear()
+        self.motion.forget()
 
     def rows(self, now_s: float) -> list[int]:
         """Numbers of the rows that arrive at Unix time `now_s`."""
@@ -122,6 +125,7 @@ class SimulatorSamples:
             "bytes_in": self.bytes_in,
             "gatherer": self._gatherer.kept(),
             "rows": [[row, *one.kept()] for row, one in self._rows.items()],
+            "motion": self.motion.kept(),
         }
 
     def restore(self, state: Mapping[str, Any]) -> None:
@@ -134,6 +138,7 @@ class SimulatorSamples:
         self._gatherer.restore(state["gatherer"])
         for row, count, times_s, values in state["rows"]:
             self._rows[row] = Arrivals.restored(count, times_s, tuple(values))
+        self.motion.restore(state["motion"])
 
     def _keep_rows(self, records: Iterable[Record], t_s: float) -> None:
         for row, values in records:
@@ -143,6 +148,8 @@ class SimulatorSamples:
                     continue
                 arrivals = self._rows[row] = Arrivals()
             arrivals.heard(t_s, values)
+            if row in MOTION_ROWS:
+                self.motion.take(row, values, t_s, self._profile)
 
     def _live(self, now_s: float) -> dict[int, Eight]:
         oldest_s = now_s - _ROW_AGE_S

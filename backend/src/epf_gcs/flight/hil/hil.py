@@ -48,6 +48,8 @@ class Hil:
         self.stick = stick
         self._unshown: deque[Reading] = deque(maxlen=_MOST_UNSHOWN)
         self._show_due = False
+        # At the newest frame that was shown: the HIL path does not compute it.
+        self._was_paused = False
         self.path: Path = "manual"
         self.link: UdpLink | None = None
         self.round_trip = RoundTrip()
@@ -74,6 +76,11 @@ class Hil:
     def missing_rows(self) -> list[int]:
         """Numbers of the rows that command 50 needs and that do not arrive."""
         return self._samples.missing_rows(self._clock.now_s())
+
+    @property
+    def is_paused(self) -> bool:
+        """Whether the simulator is paused: rows come, but an aircraft in flight hangs still in them."""
+        return self._samples.motion.is_paused(self._clock.now_s())
 
     @property
     def arrivals(self) -> Mapping[int, Arrivals]:
@@ -126,7 +133,7 @@ class Hil:
             self.last_surfaces_s = now_s
             if self.path == "assisted":
                 self._move(Surfaces(*frame.values))
-            self.round_trip.answered(now_s)
+            self.round_trip.answered(now_s, is_counted=not self._was_paused)
         elif self.path == "manual" and self.source == "rc":
             self._move(surfaces_from_servos_in(frame.values))
 
@@ -174,4 +181,5 @@ class Hil:
         self._show_due = False
         while self._unshown:
             self._samples.show(self._unshown.popleft())
+        self._was_paused = self.is_paused
         self._telemetry.flush()

@@ -87,7 +87,10 @@ class RoundTripMs(Output):
 
 
 class SimulatorStatus(Output):
-    """The simulator's socket. `opening`: nothing heard yet; `lost`: it stopped sending, or the port is taken."""
+    """The simulator's socket. `opening`: nothing heard yet; `lost`: it stopped sending, or the port is taken.
+
+    `paused`: its rows come, but an aircraft in flight hangs still in them, bit for bit; its values are not live.
+    """
 
     state: LinkState
     receive_port: int | None
@@ -97,6 +100,7 @@ class SimulatorStatus(Output):
     failure: Failure | None
     rows: list[int]
     missing_rows: list[int]
+    paused: bool
     advice: str | None
     datagrams_received: int
     datagrams_dropped: int

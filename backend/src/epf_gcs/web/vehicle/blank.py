@@ -44,6 +44,7 @@ def blank_status() -> dict[str, Any]:
             "failure": None,
             "rows": [],
             "missing_rows": [],
+            "paused": False,
             "advice": None,
             "datagrams_received": 0,
             "datagrams_dropped": 0,
@@ -102,7 +103,7 @@ def status_without_flight(last: dict[str, Any], now_s: float, lost_s: float) -> 
             "rx_percent": 0.0,
             "tx_percent": 0.0,
         },
-        "simulator": {**simulator, **lost(simulator), "rows": [], "missing_rows": [], "percent": 0.0},
+        "simulator": {**simulator, **lost(simulator), "rows": [], "missing_rows": [], "paused": False, "percent": 0.0},
         "hil": {**last["hil"], "stick": {**last["hil"]["stick"], "state": None}},
         "recording": {**last["recording"], "active": False, "failure": _AWAY},
         "alarms": [
