@@ -60,6 +60,7 @@ export function aStatus(parts: Partial<Status> = {}): Status {
       send_port: 49000,
       profile: "xp10",
       missing_rows: [],
+      paused: false,
       rows: [3, 4, 8, 16, 17, 18, 20, 25],
       datagrams_received: 5000,
       datagrams_dropped: 0,

@@ -304,10 +304,7 @@ def judge_pause(loop: Loop | None) -> Finding | None:
     """`loop` is None while HIL is not in use."""
     if loop is None or not loop.is_paused:
         return None
-    text = (
-        "The simulator is paused: its rows come, but nothing in them moves, and its values are not live. The board "
-        "waits with it. Go on in the simulator when you are ready."
-    )
+    text = "The simulator is paused: its values are not live. Go on in the simulator when you are ready."
     return Finding("simulator_paused", "warning", text)
 
 

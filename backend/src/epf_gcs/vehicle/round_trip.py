@@ -43,7 +43,7 @@ class RoundTrip:
         self._asked.append(now_s)
 
     def answered(self, now_s: float, *, is_counted: bool = True) -> None:
-        """An answer came: pair it with the oldest question that is still open. Not counted: leave it out of the figures."""
+        """An answer came: pair it with the oldest open question; figures leave out what is not counted."""
         while self._asked and now_s - self._asked[0] > _FORGET_S:
             self._asked.popleft()
         for _ in range(self._lost_before(now_s)):

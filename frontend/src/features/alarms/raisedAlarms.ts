@@ -142,6 +142,7 @@ const PROOFS: Readonly<Record<string, (facts: Facts) => boolean>> = {
   heartbeat_lost: (facts) => facts.status.board.state === "open" && isFresh("heartbeat", facts),
   no_heartbeat: (facts) => facts.status.board.state === "open" && isFresh("heartbeat", facts),
   hil_lost: (facts) => facts.status.simulator.state === "open" && isFresh("hil_surfaces", facts),
+  simulator_paused: (facts) => facts.status.simulator.state === "open" && isFresh("simulator", facts),
   frames_damaged: (facts) => facts.damagedLastSecond === 0 && isFresh("heartbeat", facts),
   recorder_failed: ({ status }) => status.recording.active && status.recording.failure === null,
   battery_low: (facts) => isFresh("analog", facts),
