@@ -6,14 +6,14 @@ A paused simulator goes on sending its rows, all equal. They arrive, but they ar
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
-from struct import Struct
+from operator import itemgetter
 from typing import Any, Final
 
-from epf_gcs.codec.messages_gen import VALUES_PER_ROW
+from epf_gcs.codec.messages_gen import XPLANE_ROWS
 from epf_gcs.xplane.datagram import Eight
-from epf_gcs.xplane.mapping import row_meaning
+from epf_gcs.xplane.mapping import in_our_unit, row_meaning
 
 MOTION_ROWS: Final = frozenset({3, 4, 16, 17, 20})
 """Speed, climb, rates, attitude and position: in flight each of them changes from frame to frame."""
@@ -37,7 +37,13 @@ _EARTH_RADIUS_M: Final = 6_371_008.8
 # A simulator that throws the aircraft about is told of once in this time.
 _QUIET_S: Final = 1.0
 
-_BITS: Final = Struct(f"<{VALUES_PER_ROW}f")
+# A place this near is no jump, without computing how far it is: less than 500 m in each direction.
+_NEAR_DEG: Final = 0.002
+_NEAR_FT: Final = 1000.0
+
+_PLACE: Final = ("latitude_deg", "longitude_deg", "altitude_indicated_ft")
+_INDEXES: Final = {in_our_unit(value)[0]: value.index for value in XPLANE_ROWS["xp10"][_POSITION_ROW].values}
+_pick_place: Final = itemgetter(*(_INDEXES[name] for name in _PLACE))
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,31 +85,29 @@ class SimulatorMotion:
         """Another simulator."""
         self._heard: dict[int, tuple[float, Eight]] = {}
         self._moved_s = 0.0
-        self._place: tuple[float, Place] | None = None
-        self._speed_kt: float | None = None
-        self._jumped_s = -math.inf
+        # Unix time of the newest known place, and its latitude, longitude and altitude.
+        self._place: tuple[float, float, float, float] | None = None
+        self._profile = "xp10"
+        self._jumped_s = 0.0
 
     def take(self, row: int, values: Eight, t_s: float, profile: str) -> None:
         """Take one of the MOTION_ROWS."""
         before = self._heard.get(row)
         self._heard[row] = (t_s, values)
-        if before is not None and _is_same(before[1], values):
-            if row == _POSITION_ROW and self._place is not None:
-                self._place = (t_s, self._place[1])
-            return
-        self._moved_s = t_s
-        if row == _SPEED_ROW:
-            self._speed_kt = row_meaning(row, values, profile).values["indicated_airspeed_kt"]
-        elif row == _POSITION_ROW:
-            self._move(values, t_s, profile)
+        self._profile = profile
+        if before is None or not _is_same(before[1], values):
+            self._moved_s = t_s
+        if row == _POSITION_ROW:
+            self._move(values, t_s)
 
     def is_paused(self, now_s: float) -> bool:
         """Whether all of the rows have arrived for a while without a change, of an aircraft in flight."""
         heard = self._heard
-        if self._speed_kt is None or self._speed_kt < _FLYING_KT or len(heard) < len(MOTION_ROWS):
+        if now_s - self._moved_s < _PAUSED_AFTER_S or len(heard) < len(MOTION_ROWS):
             return False
         oldest_s = min(t_s for t_s, _ in heard.values())
-        return oldest_s - self._moved_s >= _PAUSED_AFTER_S and now_s - oldest_s <= _SILENT_AFTER_S
+        hangs_still = oldest_s - self._moved_s >= _PAUSED_AFTER_S and now_s - oldest_s <= _SILENT_AFTER_S
+        return hangs_still and self._speed_kt() >= _FLYING_KT
 
     def kept(self) -> dict[str, Any]:
         """Plain values for `restore`."""
@@ -111,10 +115,9 @@ class SimulatorMotion:
         return {
             "heard": [[row, t_s, list(values)] for row, (t_s, values) in self._heard.items()],
             "moved_s": self._moved_s,
-            "speed_kt": self._speed_kt,
-            "place": None
-            if place is None
-            else [place[0], place[1].latitude_deg, place[1].longitude_deg, place[1].altitude_ft],
+            "jumped_s": self._jumped_s,
+            "profile": self._profile,
+            "place": None if place is None else list(place),
         }
 
     def restore(self, kept: Mapping[str, Any]) -> None:
@@ -122,32 +125,52 @@ class SimulatorMotion:
         self.forget()
         self._heard = {row: (t_s, tuple(values)) for row, t_s, values in kept["heard"]}
         self._moved_s = kept["moved_s"]
-        self._speed_kt = kept["speed_kt"]
-        if kept["place"] is not None:
-            t_s, *place = kept["place"]
-            self._place = (t_s, Place(*place))
+        self._jumped_s = kept["jumped_s"]
+        self._profile = kept["profile"]
+        self._place = None if kept["place"] is None else tuple(kept["place"])
 
-    def _move(self, values: Eight, t_s: float, profile: str) -> None:
-        said = row_meaning(_POSITION_ROW, values, profile).values
-        latitude_deg, longitude_deg = said["latitude_deg"], said["longitude_deg"]
-        altitude_ft = said["altitude_indicated_ft"]
-        if latitude_deg is None or longitude_deg is None or altitude_ft is None:
+    def _speed_kt(self) -> float:
+        """Indicated airspeed, 0 if unknown."""
+        heard = self._heard.get(_SPEED_ROW)
+        if heard is None:
+            return 0.0
+        return row_meaning(_SPEED_ROW, heard[1], self._profile).values["indicated_airspeed_kt"] or 0.0
+
+    def _move(self, values: Eight, t_s: float) -> None:
+        latitude_deg, longitude_deg, altitude_ft = _pick_place(values)
+        before = self._place
+        if (
+            before is not None
+            and abs(latitude_deg - before[1]) < _NEAR_DEG
+            and abs(longitude_deg - before[2]) < _NEAR_DEG
+            and abs(altitude_ft - before[3]) < _NEAR_FT
+        ):
+            # Nearly every one, and cheaply.
+            self._place = (t_s, latitude_deg, longitude_deg, altitude_ft)
             return
-        before, place = self._place, Place(latitude_deg, longitude_deg, altitude_ft)
-        self._place = (t_s, place)
-        if before is None:
+        if any(name in _PLACE and value is None for name, value in _meaning(values, self._profile)):
             return
-        way_m = _distance_m(before[1], place)
-        flown_m = _FASTEST_RATIO * max(self._speed_kt or 0.0, 0.0) * _M_S_PER_KT * max(0.0, t_s - before[0])
+        self._place = (t_s, latitude_deg, longitude_deg, altitude_ft)
+        if before is not None:
+            self._judge_jump(before, self._place)
+
+    def _judge_jump(self, before: tuple[float, float, float, float], now: tuple[float, float, float, float]) -> None:
+        t_s, to = now[0], Place(*now[1:])
+        way_m = _distance_m(Place(*before[1:]), to)
+        flown_m = _FASTEST_RATIO * max(self._speed_kt(), 0.0) * _M_S_PER_KT * max(0.0, t_s - before[0])
         if way_m > _JUMP_M + flown_m and t_s - self._jumped_s >= _QUIET_S:
             self._jumped_s = t_s
             if self.on_jump is not None:
-                self.on_jump(Jump(t_s, way_m, place))
+                self.on_jump(Jump(t_s, way_m, to))
+
+
+def _meaning(values: Eight, profile: str) -> Iterable[tuple[str, float | None]]:
+    return row_meaning(_POSITION_ROW, values, profile).values.items()
 
 
 def _is_same(one: Eight, other: Eight) -> bool:
-    """Bit for bit: a NaN is equal to itself."""
-    return one == other or _BITS.pack(*one) == _BITS.pack(*other)
+    """A NaN is equal to itself. In flight the first values differ already, so this ends early."""
+    return all(a == b or (math.isnan(a) and math.isnan(b)) for a, b in zip(one, other, strict=True))
 
 
 def _distance_m(one: Place, other: Place) -> float:
