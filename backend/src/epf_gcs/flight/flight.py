@@ -34,6 +34,7 @@ from epf_gcs.flight.hil.simulator import Simulator
 from epf_gcs.flight.hil.stick import Stick
 from epf_gcs.flight.housekeeping import Housekeeping
 from epf_gcs.flight.inspection import InspectorSources
+from epf_gcs.flight.jumps import tell_jumps
 from epf_gcs.flight.line_clock import LineClock
 from epf_gcs.flight.line_rates import LineRates
 from epf_gcs.flight.lines import Lines, LinkOpener
@@ -56,7 +57,6 @@ from epf_gcs.kept_alive import keep_alive
 from epf_gcs.vehicle.alarm_ids import AlarmId
 from epf_gcs.vehicle.alarms import Alarms
 from epf_gcs.vehicle.restart import Restart
-from epf_gcs.vehicle.simulator_motion import JUMPED, Jump
 from epf_gcs.vehicle.vehicle import Vehicle
 
 
@@ -85,7 +85,7 @@ class Flight:
         period_s = lambda rate: self.memory.now.wanted.period_s(rate)  # noqa: E731, PLW0108 (`now` is replaced)
         vehicle = Vehicle(self.clock, self.outlet, self.errors, period_s)
         self.telemetry, self.board = vehicle.telemetry, vehicle.board
-        vehicle.simulator.motion.on_jump = self._on_jumped
+        tell_jumps(vehicle, self.outlet, self._log)
 
         # Requests to the board.
         self.commands = Commands(self.board, self.telemetry, self.outlet, self.clock, self.errors)
@@ -334,12 +334,6 @@ class Flight:
         self._known.forget_plans()
         lost = {"parameters": list(self.parameters.take_unstored()), "plans": list(self.missions.take_known())}
         self.outlet.event("board_restarted", {"silent_s": None, "uptime_ms": restart.uptime_ms, **lost})
-
-    def _on_jumped(self, jump: Jump) -> None:
-        """The simulator put the aircraft elsewhere; example values do so when they begin again."""
-        if not self.board.is_emulated:
-            self._log.simulator_jumped(jump.distance_m)
-            self.outlet.event(JUMPED, jump.as_event())
 
     def _on_acknowledged(self, alarm: AlarmId) -> None:
         if alarm == "parameter_not_confirmed":
