@@ -315,3 +315,17 @@ def test_a_pause_and_a_jump_of_the_simulator_are_those_of_the_flight(tmp_path: P
     said(head, 12.9)
     (jump,) = [event[-1] for event in outlet.events if event[0] == "simulator_jumped"]
     assert jump["latitude_deg"] == pytest.approx(28.4532)
+
+
+def test_a_jump_that_was_noted_is_told_once(tmp_path: Path) -> None:
+    items = [
+        (t_ns, SIMULATOR_RECEIVED, build([Record(20, (degrees, *ROWS[20][1:]))]))
+        for t_ns, degrees in ((STARTS_NS + SECOND_NS, 20.0), (STARTS_NS + 2 * SECOND_NS, 40.0))
+    ]
+    note = (STARTS_NS + 2 * SECOND_NS, notes.EVENT, {"event": "simulator_jumped", "data": {"distance_m": 7}})
+    outlet = KeptOutlet()
+    head = Playhead(Timeline(write(tmp_path / "new.mcap", [*items, note])), outlet)
+    head.advance(STARTS_NS + 3 * SECOND_NS)
+    assert [event for event in outlet.events if event[0] == "simulator_jumped"] == [
+        ("simulator_jumped", {"distance_m": 7})
+    ]

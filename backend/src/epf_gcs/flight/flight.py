@@ -34,7 +34,6 @@ from epf_gcs.flight.hil.simulator import Simulator
 from epf_gcs.flight.hil.stick import Stick
 from epf_gcs.flight.housekeeping import Housekeeping
 from epf_gcs.flight.inspection import InspectorSources
-from epf_gcs.flight.jumps import tell_jumps
 from epf_gcs.flight.line_clock import LineClock
 from epf_gcs.flight.line_rates import LineRates
 from epf_gcs.flight.lines import Lines, LinkOpener
@@ -85,7 +84,6 @@ class Flight:
         period_s = lambda rate: self.memory.now.wanted.period_s(rate)  # noqa: E731, PLW0108 (`now` is replaced)
         vehicle = Vehicle(self.clock, self.outlet, self.errors, period_s)
         self.telemetry, self.board = vehicle.telemetry, vehicle.board
-        tell_jumps(vehicle, self.outlet, self._log)
 
         # Requests to the board.
         self.commands = Commands(self.board, self.telemetry, self.outlet, self.clock, self.errors)

@@ -56,10 +56,6 @@ class FlightLog:
         """Log that the board restarted while its link stayed open."""
         self._once("warning", "board restarted", (), {"uptime_ms": uptime_ms})
 
-    def simulator_jumped(self, distance_m: float) -> None:
-        """Log that the simulator put the aircraft elsewhere."""
-        self._once("info", "simulator jumped", (), {"distance_m": round(distance_m)})
-
     def _once(self, level: Level, event: str, key: tuple[str, ...], values: dict[str, Any]) -> None:
         now_s = self._steady_s()
         key = (event, *key)

@@ -23,7 +23,6 @@ from epf_gcs.replay.timeline import Cursor, Item, Timeline
 from epf_gcs.vehicle.judges import Line, Loop
 from epf_gcs.vehicle.outside import Outlet
 from epf_gcs.vehicle.rates import ByteRate
-from epf_gcs.vehicle.simulator_motion import JUMPED
 from epf_gcs.vehicle.simulator_samples import Reading
 from epf_gcs.vehicle.vehicle import Vehicle
 from epf_gcs.vehicle.wanted import RATE_COMMANDS
@@ -82,8 +81,9 @@ class Playhead:
         self._to_board_s: float | None = None
         self.clock.t_ns = self._heard_ns = self._frame_ns = timeline.starts_ns or 0
         self._judged = None if timeline.has_event_notes else JudgedAlarms(self.vehicle, outlet, self._line, self._loop)
-        if self._judged is not None:
-            self.vehicle.simulator.motion.on_jump = lambda jump: outlet.event(JUMPED, jump.as_event())
+        if self._judged is None:
+            # Those that were noted are told.
+            self.vehicle.simulator.motion.on_jump = None
         if kept is None:
             self._begin(from_ns)
         else:

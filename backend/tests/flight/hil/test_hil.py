@@ -255,10 +255,10 @@ async def test_a_simulator_that_is_paused_in_flight_is_said_to_be_and_its_round_
 
 
 async def test_an_aircraft_that_is_put_elsewhere_is_an_event_for_every_viewer(
-    station: Flight, simulator: Simulator, board: FakeBoard
+    station: Flight, simulator: Simulator, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     kept: list[tuple[str, Mapping[str, Any]]] = []
-    station.outlet.event = lambda kind, data: kept.append((kind, data))  # type: ignore[method-assign]
+    monkeypatch.setattr(station.outlet, "event", lambda kind, data: kept.append((kind, data)))
     simulator.send(WHOLE)
     await eventually_async(lambda: station.simulator.datagrams == 1, "it is heard")
     elsewhere = {**ROWS, 20: (28.4532, -13.8661, *ROWS[20][2:])}
